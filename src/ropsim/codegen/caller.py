@@ -58,7 +58,8 @@ def calling(entry: Callable[..., int], takes: tuple[int, ...], laid: Laid = NOTH
         "pack_whole": Struct(f"{sum(1 + axes for axes in takes if axes >= 0)}q").pack,
         "pack_real": Struct(f"{takes.count(REAL)}d").pack,
         "with_care": partial(_blocks, takes),
-        "place_of": _place_of,
+        "told_place": _told_place,
+        "word_at": _word_at,
         "float64": _FLOAT64,
         "answers": _ANSWERS,
         "says": _ANSWERS + ctypes.sizeof(ctypes.c_void_p),
@@ -101,7 +102,7 @@ def _code(takes: tuple[int, ...]) -> CodeType:
         elif axes > 0:
             lengths = [f"{name}_{axis}" for axis in range(axes)]
             lines.append(f"        {', '.join(lengths)}, = {name}.shape")
-            whole += [f"place_of({name})", *lengths]
+            whole += [_PLACE.format(name), *lengths]
     same = " is ".join([*(f"{name}.dtype" for name in arrays), "float64"])
     whole_ones = " and ".join(f"{name}.flags.c_contiguous" for name in arrays)
     lines += [f"        if not ({same} and {whole_ones}):", "            raise TypeError"] if arrays else []
@@ -124,19 +125,19 @@ def _told_place(array: npt.NDArray[np.float64]) -> int:
     return address
 
 
-def _read_place(array: npt.NDArray[np.float64]) -> int:
-    """Return the same as numpy keeps it, behind what every object begins with: in a sixth of the time."""
-    return _word_at(id(array) + object.__basicsize__).value
+def _faster(arrays: tuple[npt.NDArray[np.float64], ...]) -> str:
+    """Return the quicker way to an address where it tells the same of some arrays, else the sure one.
 
-
-def _faster(arrays: tuple[npt.NDArray[np.float64], ...]) -> Callable[[npt.NDArray[np.float64]], int]:
-    """Return the quicker way to an address where it tells the same of some arrays, else the sure one."""
-    agree = all(_read_place(array) == _told_place(array) for array in arrays)
-    return _read_place if agree else _told_place
+    The quicker one reads the address where numpy keeps it, behind what every object begins with. It is a part
+    of the code of a call, as a function of Python takes as long again.
+    """
+    agree = all(_word_at(id(array) + object.__basicsize__).value == _told_place(array) for array in arrays)
+    return f"word_at(id({{}}) + {object.__basicsize__}).value" if agree else "told_place({})"
 
 
 _word_at = ctypes.c_ssize_t.from_address
-_place_of = _faster((np.zeros(3), np.zeros((2, 3))[1:], np.zeros((0, 4)), np.zeros((2, 2, 2))))
+_PLACE = _faster((np.zeros(3), np.zeros((2, 3))[1:], np.zeros((0, 4)), np.zeros((2, 2, 2))))
+"""How code of a call writes where the numbers of an array lie."""
 
 
 def _blocks(takes: tuple[int, ...], arguments: tuple[object, ...]) -> tuple[bytes, bytes]:

@@ -1,12 +1,14 @@
 """The nominal motion of a stretch: its runs, walked by their time laws, added where they overlap."""
 
+from dataclasses import field
+
 import numpy as np
 
 from ropsim.controller.course import Course, Run
 from ropsim.controller.pieces import piece_borders, stage_ends
 from ropsim.controller.stretch_kernel import add_in_time
 from ropsim.motion import JointPoints, LawRows, Ways
-from ropsim.spatial import Array, record
+from ropsim.spatial import Array, frozen, record
 
 
 @record
@@ -18,9 +20,14 @@ class StretchMotion:
 
     Attributes:
         course: the runs.
+        corners: joint coordinates where one run ends and the next one has begun [rad | m], shape (r - 1, n).
     """
 
     course: Course
+    corners: Array = field(init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "corners", frozen([_end(run) for run in self.course.runs[:-1]]))
 
     @property
     def duration(self) -> float:
@@ -34,14 +41,13 @@ class StretchMotion:
             phi: motion times in rising order [s], shape (k,).
         """
         runs = self.course.runs
-        ends = [run.pieces[-1].joints for run in runs]
-        corners = [end.joints(np.array([end.length])).q[0] for end in ends]
-        total, before = np.empty((3, len(phi), len(corners[0]))), 0
+        corners = self.corners if len(self.corners) else _end(runs[0])[None]
+        total, before = np.empty((3, len(phi), corners.shape[1])), 0
         for number, run in enumerate(runs):
             first = int(np.searchsorted(phi, run.start)) if number else 0
             until = int(np.searchsorted(phi, run.end)) if number + 1 < len(runs) else len(phi)
             if until > first:
-                corner = np.ascontiguousarray(corners[max(number - 1, 0)])
+                corner = corners[max(number - 1, 0)]
                 _walk(run, phi[first:until] - run.start, first, before, corner, total)
             before = until
         return JointPoints(*total)
@@ -64,6 +70,12 @@ class StretchMotion:
             walked[:, first:until, 0] = rows.speeds, rows.accelerations
             most[:, first:until, 0] = _most(run, rows)
         return Ways(*walked, *most)
+
+
+def _end(run: Run) -> Array:
+    """Return the joint coordinates at the end of a run [rad | m], shape (n,)."""
+    path = run.pieces[-1].joints
+    return np.ascontiguousarray(path.joints(np.array([path.length])).q[0])
 
 
 def _walk(run: Run, times: Array, row: int, shared: int, corner: Array, total: Array) -> None:

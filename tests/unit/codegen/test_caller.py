@@ -27,7 +27,9 @@ ARRAYS = [ROWS, ROWS[1:3], fixed(ROWS), np.zeros((0, 3)), np.zeros((7, 0)), np.z
 
 @pytest.mark.parametrize("array", ARRAYS, ids=lambda array: str(array.shape))
 def test_an_array_lies_where_numpy_says(array: Array) -> None:
-    assert caller._place_of(array) == array.__array_interface__["data"][0]
+    known = {"told_place": caller._told_place, "word_at": caller._word_at, "array": array}
+    told = eval(caller._PLACE.format("array"), known)
+    assert told == array.__array_interface__["data"][0]
 
 
 @pytest.mark.parametrize("rows", [ROWS, ROWS[2:], fixed(ROWS[1:])])
@@ -38,8 +40,9 @@ def test_numbers_are_read_where_they_lie(rows: Array) -> None:
 
 
 def test_what_tells_another_place_is_not_relied_on(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(caller, "_read_place", lambda _: 0)
-    assert caller._faster((ROWS,)) is caller._told_place
+    assert caller._faster((ROWS,)).startswith("word_at")
+    monkeypatch.setattr(caller, "_told_place", lambda _: 0)
+    assert caller._faster((ROWS,)).startswith("told_place")
 
 
 @pytest.mark.parametrize("rows", [ROWS[:, ::2], ROWS.T, ROWS.astype(np.float32), ROWS[0], "rows"])
