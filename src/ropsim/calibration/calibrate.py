@@ -12,6 +12,7 @@ from ropsim.calibration.knowledge import felt, knowledge
 from ropsim.calibration.limits import MotionSettings, settings_of
 from ropsim.calibration.logged_stretch import duration
 from ropsim.calibration.problem import Problem, goes_there
+from ropsim.calibration.refining import spreads
 from ropsim.calibration.replanning import replanner
 from ropsim.calibration.stretch_fit import placed
 from ropsim.calibration.trace import Trace
@@ -64,7 +65,8 @@ def calibrate(
     if not times:
         return None, (*findings, _nothing_compared(made))
     findings += _misfits(times)
-    told = knowledge(replan, numbers, found, asked, fitted)
+    spread = spreads(replan, problem.chosen(logged), found, fitted)
+    told = knowledge(replan, numbers, found, asked, fitted, spread)
     axes = tuple(one.name for one in station.robot.axis_joints)
     made_of = Calibration(station.name, axes, known, found, told, look.kind, times, made, findings)
     return made_of, findings

@@ -11,12 +11,15 @@ from ropsim.calibration.matching import match
 from ropsim.calibration.replanning import Replan
 from ropsim.calibration.rests import rests_of
 from ropsim.calibration.trace import Trace
+from ropsim.calibration.zeros import zeros_beside
 from ropsim.controller import StretchOrder
 from ropsim.core import Diagnostic
 from ropsim.model import Joint
 
 _ENOUGH = 0.5
-"""Share of the stretches that a trace must have to be one of the program."""
+"""Share of the stretches that a trace must have to be one of the program, or of its own, to be a part."""
+_LEAST = 2
+"""Stretches that a trace must have that is of a part of the program."""
 _TOLD = 3
 
 
@@ -37,7 +40,7 @@ def compared(
         trace: of the axes.
 
     Raises:
-        CalibrationError: X889, it has less than half of them.
+        CalibrationError: X889, it has less than half of them, and less than half of it is of them.
     """
     motions = {number: replan(number, known) for number in range(len(orders))}
     moving = {number: motion for number, motion in motions.items() if motion and motion.ticks > 1}
@@ -47,10 +50,12 @@ def compared(
     ends = np.array([moving[numbers[0]].q_start, *(moving[number].q_end for number in numbers)])
     rests = rests_of(trace)
     found: dict[int, LoggedStretch | None] = {}
-    for passage in match(rests, ends, joints):
+    passages = match(rests, ends, joints)
+    for passage in passages:
         number = numbers[passage.stretch]
         found[number] = logged_stretch(trace, rests, passage, moving[number], number)
-    if len(found) < _ENOUGH * len(numbers):
+    is_a_part = len(found) >= max(_LEAST, _ENOUGH * (rests.count - 1))
+    if len(found) < _ENOUGH * len(numbers) and not is_a_part:
         message = (
             f"the trace has {len(found)} of the {len(numbers)} motions of the program between two stops; "
             f"it stands {rests.count} times"
@@ -60,7 +65,8 @@ def compared(
     own = {number for number in numbers if not _hangs_on_sensors(orders, number)}
     usable = [one for number, one in found.items() if one is not None and number in own]
     lost = [number for number in numbers if found.get(number) is None or number not in own]
-    return usable, len(numbers), _lost(lost, orders, len(numbers))
+    beside = zeros_beside(rests, ends, passages, joints)
+    return usable, len(numbers), (*beside, *_lost(lost, orders, len(numbers), max(found)))
 
 
 def _hangs_on_sensors(orders: Sequence[StretchOrder], number: int) -> bool:
@@ -69,11 +75,18 @@ def _hangs_on_sensors(orders: Sequence[StretchOrder], number: int) -> bool:
     return any(move.tracking or move.guard for move in (*before, *orders[number].moves))
 
 
-def _lost(lost: Sequence[int], orders: Sequence[StretchOrder], count: int) -> tuple[Diagnostic, ...]:
-    """Return X894 where stretches are missing, at the first one."""
+def _lost(
+    lost: Sequence[int], orders: Sequence[StretchOrder], count: int, last: int
+) -> tuple[Diagnostic, ...]:
+    """Return X894 where stretches are missing, at the first one; the trace has nothing behind `last`."""
     if not lost:
         return ()
     spans = [orders[number].moves[-1].origin.span for number in lost]
+    if lost[0] > last:
+        where = f" on the way to line {spans[0].line}" if spans[0] else ""
+        message = f"the trace ends{where}: the last {len(lost)} of {count} motions are not in it"
+        hint = "limits that only these motions are at are not told: log the program to its end"
+        return (NOT_IN_TRACE.at(spans[0], message, hint=hint, data={"stretches": len(lost)}),)
     lines = list(dict.fromkeys(str(span.line) for span in spans if span))
     more = f" and {len(lines) - _TOLD} more" if len(lines) > _TOLD else ""
     message = (

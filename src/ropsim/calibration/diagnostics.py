@@ -1,4 +1,4 @@
-"""Diagnostics of calibration (X888, X889, X894, X898, X899)."""
+"""Diagnostics of calibration (X888, X889, X894, X898, X899, X916)."""
 
 from ropsim.core import RopsimError, Severity, define
 
@@ -29,8 +29,9 @@ OTHER_TRACE = define(
     "a trace that is not of this program on this robot",
     """
 The places where the program stands were looked for among the places where the trace stands, in order. Too
-few of them are there to compare times: the trace is of another program, of another robot, of a few moves
-only, or its units are not those of its header.
+few of them are there to compare times: the trace is of another program, of another robot, of one move
+only, or its units are not those of its header. A trace of a part of the program will do where two motions in
+it are of the program, and half of all that it has.
 
 Log the whole program, from its start position to its end, and give the very text that ran on the robot. A
 robot whose joints count from other zeros or the other way round has to be converted first.
@@ -43,12 +44,29 @@ NOT_IN_TRACE = define(
     Severity.WARNING,
     "moves of the program that were not compared with the trace",
     """
-Moves between two stops were not found in the trace, stood longer than a tenth of a second on their way, or
-went another way than they are planned. Their times say nothing about the robot and were not used. Nor are
-motions used whose end or path a sensor decides (`until`, `track`), and those that begin behind them.
+Moves between two stops were not found in the trace, which may end before the program does, stood longer than
+a tenth of a second on their way, or went another way than they are planned. Their times say nothing about the
+robot and were not used. Nor are motions used whose end or path a sensor decides (`until`, `track`), and those
+that begin behind them.
 
 Pauses between moves do no harm. Look whether somebody held the robot, slowed it down by its override, or
 whether points were corrected on the robot and not in the program.
+""",
+)
+
+ZERO_BESIDE = define(
+    "X916",
+    "joint-zero-beside",
+    Severity.WARNING,
+    "a joint of the trace stands beside the program by the same amount everywhere",
+    """
+At its stops the robot stands where the program does, but for one joint, which is off by the same amount at
+most of them. Times are compared all the same: what lies between two stops is shifted to where the program has
+it. Yet the robot that was logged does not stand where it is simulated: a degree of a shoulder is a
+centimetre or more at the tool.
+
+Either the joint counts from another zero than the model, and robot or model is to be adjusted, or the points
+were corrected on the robot and not in the program.
 """,
 )
 

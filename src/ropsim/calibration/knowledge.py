@@ -16,6 +16,10 @@ _TICKS = 1.5
 """Control ticks by which a motion must change for that."""
 _NEAR = 0.4
 """Share of a limit from which on a motion may be at it: on bent ways limits are kept from afar."""
+_SURE = 0.015
+"""Share of a limit up to which its value may be uncertain, one standard deviation, to count as fitted."""
+_DEVIATIONS = 3.0
+"""Standard deviations below an uncertain value at which it is taken to be no less."""
 _HALVINGS = 7
 _LOWEST = 1.0 / 64.0
 _STANDS = 1e-3
@@ -23,9 +27,13 @@ _STANDS = 1e-3
 
 
 class Knowledge(Enum):
-    """How a limit is known from a trace."""
+    """How a limit is known from a trace.
+
+    An uncertain one acts on a motion, but so do others, or the motion is not met: it may have another value.
+    """
 
     FITTED = "fitted"
+    UNCERTAIN = "uncertain"
     AT_LEAST = "at least"
     NOT_SEEN = "not seen"
 
@@ -88,6 +96,7 @@ def knowledge(
     settings: MotionSettings,
     asked: Array,
     fitted: npt.NDArray[np.intp],
+    spread: Array,
 ) -> LimitKnowledge:
     """Return what is known of each limit.
 
@@ -96,8 +105,10 @@ def knowledge(
         numbers: of the stretches.
         settings: limits that were fitted.
         asked: largest speeds, accelerations and jerks of the joints in the trace, shape (3, n).
-        fitted: numbers of the limits that set the time of a stretch.
+        fitted: numbers of the limits that set the time of a stretch, shape (m,).
+        spread: standard deviations of their logarithms, shape (m,).
     """
+    spreads = dict(zip(fitted.tolist(), spread.tolist(), strict=True))
     limits = settings.all
     least = np.concatenate((np.minimum(asked, settings.joints).ravel(), np.zeros(settings.tool.size)))
     for limit in range(asked.size, len(limits)):
@@ -105,9 +116,10 @@ def knowledge(
             least[limit] = _least_without_effect(replan, numbers, settings, limit)
     kinds = []
     for limit, value in enumerate(limits.tolist()):
-        if limit in fitted:
-            kinds.append(Knowledge.FITTED)
-            least[limit] = value
+        if limit in spreads:
+            sure = spreads[limit] <= _SURE
+            kinds.append(Knowledge.FITTED if sure else Knowledge.UNCERTAIN)
+            least[limit] = value if sure else value * np.exp(-_DEVIATIONS * spreads[limit])
         elif least[limit] > _STANDS * value:
             kinds.append(Knowledge.AT_LEAST)
         else:

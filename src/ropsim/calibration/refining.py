@@ -1,5 +1,6 @@
 """Refining common limits on all stretches at once."""
 
+import math
 from collections.abc import Sequence
 
 import numpy as np
@@ -15,6 +16,14 @@ _STEP = 0.03
 _ROUNDS = 8
 _LARGEST_STEP = 0.1
 _ENOUGH = 1e-3
+_ROUNDED = 1.0 / math.sqrt(12.0)
+"""Standard deviation of rounding, in steps."""
+_AT_ROUNDING = 1.5
+"""Error in terms of that of rounding up to which nothing but rounding is wrong."""
+_ROUNDED_ALIKE = 100
+"""Samples that count as one where only rounding is wrong: it stays alike while an axis is slow."""
+_NO_EFFECT = 1e-9
+"""Share of the largest effect that is none."""
 
 
 def fits_under(
@@ -71,21 +80,63 @@ def _step(
 ) -> Array:
     A, b = np.zeros((len(free), len(free))), np.zeros(len(free))
     for fit in fits:
-        times = fit.logged.time - fit.start
-        here, late = coordinates(fit.motion, times).ravel(), speeds(fit.motion, times).ravel()
-        wrong = fit.logged.q.ravel() - here
-        columns = np.zeros((len(here), len(free)))
-        for column, number in enumerate(free.tolist()):
-            lower = settings.all
-            lower[number] *= np.exp(-_STEP)
-            motion = replan(fit.logged.number, settings.with_all(lower))
-            if motion is not None:
-                columns[:, column] = (coordinates(motion, times).ravel() - here) / -_STEP
-        weight = float(late @ late)
-        if weight > 0.0:
-            columns -= np.outer(late, late @ columns) / weight
-        A += columns.T @ columns / len(here)
-        b += columns.T @ wrong / len(here)
+        columns, wrong = _slopes(replan, fit, settings, free)
+        A += columns.T @ columns / len(wrong)
+        b += columns.T @ wrong / len(wrong)
     size = np.diag(A).copy()
     ridge = np.diag(1e-3 * size + 1e-9 * float(size.max(initial=0.0)) + 1e-300)
     return np.asarray(np.linalg.solve(A + ridge, b))
+
+
+def _slopes(
+    replan: Replan, fit: StretchFit, settings: MotionSettings, free: npt.NDArray[np.intp]
+) -> tuple[Array, Array]:
+    """Return how the joints of a stretch change with the logarithms of limits, its start aside.
+
+    Returns:
+        [rad | m], shape (k, m), and what is wrong now, shape (k,), for all samples of all axes.
+    """
+    times = fit.logged.time - fit.start
+    here, late = coordinates(fit.motion, times).ravel(), speeds(fit.motion, times).ravel()
+    columns = np.zeros((len(here), len(free)))
+    for column, number in enumerate(free.tolist()):
+        lower = settings.all
+        lower[number] *= np.exp(-_STEP)
+        motion = replan(fit.logged.number, settings.with_all(lower))
+        if motion is not None:
+            columns[:, column] = (coordinates(motion, times).ravel() - here) / -_STEP
+    weight = float(late @ late)
+    if weight > 0.0:
+        columns -= np.outer(late, late @ columns) / weight
+    return columns, fit.logged.q.ravel() - here
+
+
+def spreads(
+    replan: Replan, logged: Sequence[LoggedStretch], settings: MotionSettings, free: npt.NDArray[np.intp]
+) -> Array:
+    """Return how far limits may be from their values for all that the trace tells, as shares, shape (m,).
+
+    They are standard deviations of the logarithms, from the slopes of the joints at the solution and what is
+    left of the error, at least that of rounding to a step of the encoder (Seber & Wild 2003, Nonlinear
+    Regression, 2.1). What is wrong in a stretch beyond rounding is wrong in the same way all along, so its
+    samples count as one. A stretch that is met counts no more than a typical one: it may be met by wrong
+    limits. Limits that have an effect only together with others are as uncertain as these leave them.
+
+    Args:
+        replan: plans the stretches.
+        logged: the stretches.
+        settings: that fit best.
+        free: numbers of the limits, in the order of `all`.
+    """
+    fits = [fit for fit in fits_under(replan, logged, settings) if fit is not None]
+    typical = math.sqrt(sum(fit.error**2 for fit in fits) / max(len(fits), 1))
+    A = np.zeros((len(free), len(free)))
+    for fit in fits:
+        columns, _ = _slopes(replan, fit, settings, free)
+        rounding = _ROUNDED * float(fit.logged.noise.max())
+        error = max(fit.error, typical, rounding)
+        alike = min(len(columns), _ROUNDED_ALIKE) if error <= _AT_ROUNDING * rounding else len(columns)
+        A += columns.T @ columns / (alike * error**2)
+    certain = np.linalg.pinv(A, rcond=_NO_EFFECT, hermitian=True) if len(free) else A
+    told = np.diag(A @ certain) > 0.5  # of no combination with others that has no effect
+    return np.where(told, np.sqrt(np.maximum(np.diag(certain), 0.0)), np.inf)

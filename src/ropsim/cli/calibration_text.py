@@ -114,6 +114,8 @@ def _limit_row(
         match known.kinds[number]:
             case Knowledge.FITTED:
                 cells.append(TableCell(f"{_figure(old)} → {_figure(new)}"))
+            case Knowledge.UNCERTAIN:
+                cells.append(TableCell(f"{_figure(old)} → ~{_figure(new)}", Tone.WARNING))
             case Knowledge.AT_LEAST:
                 changed = f"{_figure(old)} → {_figure(new)}" if new > old * 1.001 else _figure(old)
                 cells.append(TableCell(f"{changed} (≥ {_figure(value)})"))
