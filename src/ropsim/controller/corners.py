@@ -32,6 +32,7 @@ class Stop(Enum):
     NO_WAY = "there is no way between it and its neighbour"
     UNREACHABLE = "the arm cannot follow the rounded corner"
     QUICKER = "a stop takes less time than the way round so small a corner"
+    SLOWED = "a stop takes less time than the way round, for which joints must be slowed"
     NO_LOOK_AHEAD = "the controller does not look ahead"
 
 

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Sequence
+from collections.abc import Set as AbstractSet
 from itertools import pairwise
 
 import numpy as np
@@ -13,6 +14,7 @@ from ropsim.controller.course import course_of
 from ropsim.controller.entities import Refusal
 from ropsim.controller.flown_zones import flown_zones
 from ropsim.controller.hopeless import joints_refusal, rest_to_rest_refusal, standing_refusal
+from ropsim.controller.joint_stops import joint_stops
 from ropsim.controller.keeping import keeping_of
 from ropsim.controller.kept_limits import arm_bounds, beyond_refusal, move_at, slowed_findings
 from ropsim.controller.leg import Leg
@@ -63,7 +65,7 @@ def plan(
         return None, wrong
     legs, refusal = legs_of(chain, stretch, state.q)
     while legs:
-        planned = _planned(chain, legs, state, payload)
+        planned = _planned(chain, legs, state, payload, frozenset())
         if isinstance(planned, MotionPlan):
             return planned, refusal
         legs, refusal = legs[: planned.leg], planned.refusal
@@ -84,22 +86,23 @@ class _Hurdle:
 
 
 def _planned(
-    chain: MotionChain, legs: list[Leg], state: MotionState, payload: Payload
+    chain: MotionChain, legs: list[Leg], state: MotionState, payload: Payload, stops: AbstractSet[int]
 ) -> MotionPlan | _Hurdle:
+    """Return the motion through moves, with stops at some corners; or the move that cannot be made."""
     findings = [finding for leg in legs for finding in leg.findings]
     for number, leg in enumerate(legs):
         if _crawls(leg) and check_duration(leg.move, alone := _time_alone(leg)):
             return _too_long(legs, number, alone)
         if refusal := correction_refusal(leg):
             return _Hurdle(number, refusal)
-    corners = _corners(chain, legs, findings)
+    corners = _corners(chain, legs, findings, stops)
     walks = pieces_of(legs, corners)
     for piece in (one for pieces, _ in walks for one in pieces):
         if refusal := standing_refusal(legs[piece.leg], piece):
             return _Hurdle(piece.leg, refusal)
-    if stops := quicker_stops(legs, corners, walks, chain.controller.look_ahead):
-        findings += (hint for one in stops for hint in stopped(legs[one].move, Stop.QUICKER))
-        corners = without(corners, stops)
+    if quicker := quicker_stops(legs, corners, walks, chain.controller.look_ahead):
+        findings += (hint for one in quicker for hint in stopped(legs[one].move, Stop.QUICKER))
+        corners = without(corners, quicker)
         walks = pieces_of(legs, corners)
     parts = parts_of(walks, chain.controller.look_ahead)
     course = course_of(parts, len(legs))
@@ -114,6 +117,9 @@ def _planned(
     if any(leg.move.tracking for leg in legs):
         bounds = beside_correction(bounds)
     keeping = keeping_of(parts, len(legs), bounds, period, chain.controller.look_ahead)
+    ahead = chain.controller.look_ahead
+    if more := joint_stops(legs, corners, keeping, bounds, period, ahead):
+        return _planned(chain, legs, state, payload, stops | set(more))
     course, kept = keeping.course, keeping.kept
     if isinstance(kept, Beyond):
         number = move_at(course.ends, kept.phi)
@@ -192,11 +198,13 @@ def _time_alone(leg: Leg) -> float:
     return max(cruise, math.sqrt(4.0 * way / acceleration), math.cbrt(32.0 * way / jerk))
 
 
-def _corners(chain: MotionChain, legs: list[Leg], findings: list[Diagnostic]) -> list[Corner | None]:
+def _corners(
+    chain: MotionChain, legs: list[Leg], findings: list[Diagnostic], stops: AbstractSet[int]
+) -> list[Corner | None]:
     """Return the rounded corners between moves, None where the arm stops or where nothing moves."""
     corners: list[Corner | None] = []
-    for before, behind in pairwise(legs):
-        found = corner_between(chain, before, behind)
+    for number, (before, behind) in enumerate(pairwise(legs)):
+        found = Stop.SLOWED if number in stops else corner_between(chain, before, behind)
         if isinstance(found, Stop):
             findings += stopped(before.move, found)
             corners.append(None)

@@ -34,7 +34,7 @@ def clipped(move: MoveInstruction, corner: Corner) -> tuple[Diagnostic, ...]:
 
 def stopped(move: MoveInstruction, why: Stop) -> tuple[Diagnostic, ...]:
     """Return M560 for a corner at which the arm stops though a zone is in force; only at its first visit."""
-    hint = "give a larger zone" if why is Stop.QUICKER else "shift the point"
+    hint = "give a larger zone" if why in (Stop.QUICKER, Stop.SLOWED) else "shift the point"
     return _stops(move, why.value, f"{hint}, or give the move `fine`")
 
 
