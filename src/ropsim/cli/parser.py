@@ -263,6 +263,46 @@ def _robot(commands: Commands) -> None:
         inverse.add_argument(
             name, metavar=name.upper(), type=float, help=f"turn about the fixed {axis} axis [deg]"
         )
+    _workspace(actions)
+
+
+def _workspace(actions: Commands) -> None:
+    parser = _command(
+        actions,
+        "workspace",
+        "robot_workspace:workspace",
+        "say what robots reach, and whether the points of a task are there",
+        "Several robots, or places of the base, are ranked for the points.",
+    )
+    parser.add_argument("names", metavar="NAME", nargs="+", help=_ROBOT)
+    parser.add_argument(
+        "--point",
+        choices=("flange", "wrist-centre"),
+        help="of which the workspace is (default: the flange, with a tool its TCP)",
+    )
+    parser.add_argument(
+        "--tool",
+        metavar="MM",
+        nargs="+",
+        type=float,
+        help="the TCP in the frame of the flange: X Y Z [ROLL PITCH YAW], mm and degrees",
+    )
+    parser.add_argument(
+        "--points", metavar="FILE.csv", help="points of a task: name, x, y, z [, roll, pitch, yaw]"
+    )
+    parser.add_argument(
+        "--base",
+        metavar="MM",
+        nargs="+",
+        type=float,
+        action="append",
+        help="where the base stands among the points: X Y Z [YAW]; may stand several times (default: 0 0 0)",
+    )
+    parser.add_argument(
+        "--place", action="store_true", help="also try places of the base on a grid around the points"
+    )
+    parser.add_argument("--report", metavar="FILE.html", help="write the report as one HTML page")
+    parser.add_argument("--surface", metavar="FILE.stl", help="write the border of the workspace, in mm")
 
 
 def _seconds(text: str) -> float:

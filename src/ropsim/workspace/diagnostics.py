@@ -50,6 +50,51 @@ range is smaller, such as for cables, give it `limits` in the robot file: the wo
 )
 
 
+NO_DEXTERITY = define(
+    "W105",
+    "dexterity-not-computed",
+    Severity.HINT,
+    "the dexterous workspace of this arm is not computed",
+    """
+In which directions a tool can point is found by inverse kinematics with all branches, and turned about the
+first axis. Arms that are solved numerically, arms with external axes and arms whose first axis slides are
+left out; their reachable workspace is computed all the same.
+""",
+)
+
+BAD_POINT = define(
+    "W110",
+    "bad-task-point",
+    Severity.ERROR,
+    "a line of a table of points cannot be read",
+    """
+A table of task points is a text with a line for each point, cells separated by commas, semicolons or tabs:
+
+```
+name, x, y, z, roll, pitch, yaw
+pick, 500, 200, 50, 180, 0, 0
+place, 450, -300, 120
+```
+
+Lengths are in millimetres and angles in degrees, unless titles tell another unit, as `x [m]`, or the second
+line does. The tool is turned by roll about the fixed x axis, by pitch about y and by yaw about z; where these
+cells are empty any orientation will do. Each number must be finite. Wrong lines are left out, and the command
+ends with 1.
+""",
+)
+
+NO_POINTS = define(
+    "W111",
+    "no-task-points",
+    Severity.ERROR,
+    "there are no points to look at",
+    """
+The table has no line with a point, or the program no location that is known without running it on the robot.
+See [W110](W110.md) for the form of a table.
+""",
+)
+
+
 class WorkspaceError(RopsimError):
     """A workspace that cannot be computed."""
 
@@ -86,4 +131,13 @@ def assumed_turns(name: str, joints: tuple[str, ...]) -> Diagnostic:
     words = ", ".join(f"`{joint}`" for joint in joints)
     return ASSUMED_TURN.at(
         None, f"no limits: axis {words} of `{name}`; one turn, -180° to 180°, was taken for its range"
+    )
+
+
+def no_dexterity(name: str) -> Diagnostic:
+    """Return the hint that the dexterous workspace is not computed."""
+    return NO_DEXTERITY.at(
+        None,
+        f"the dexterous workspace of `{name}` is not computed: it needs all branches of inverse kinematics "
+        "in closed or algebraic form, and a first axis that turns the arm",
     )

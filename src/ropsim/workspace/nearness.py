@@ -1,6 +1,7 @@
 """How far places are from a workspace."""
 
 import numpy as np
+import numpy.typing as npt
 
 from ropsim.spatial import Array
 from ropsim.workspace.ranges import TURN
@@ -28,6 +29,26 @@ def distances(workspace: Reachable, p: Array) -> Array:
     local = (p - sweep.X_BS[:3, 3]) @ sweep.X_BS[:3, :3]
     found = np.array([_nearest(section, sweep, (places, intervals), one) for one in local])
     return np.where(found <= section.spacing, 0.0, found)
+
+
+def reached_at(workspace: Reachable, u: Array, v: Array, w: Array) -> npt.NDArray[np.bool_]:
+    """Return which points of a grid are reached, shape (len(u), len(v), len(w)).
+
+    Args:
+        workspace: of a point of an arm.
+        u: first coordinates in the section [m].
+        v: second ones [m].
+        w: azimuths [rad] or lengths along the sweep [m].
+    """
+    section = workspace.section
+    places = np.stack(np.meshgrid(u, v, indexing="ij"), axis=-1).reshape(-1, 2)
+    index = np.round(lattice_coordinates(places, section.spacing) - section.corner).astype(int)
+    last = np.array(section.covered.shape) - 1
+    kept = np.clip(index, 0, last)
+    intervals = section.starts[kept[:, 0], kept[:, 1]]
+    covered = (index == kept).all(axis=1) & (section.covered[kept[:, 0], kept[:, 1]] > 0.0)
+    there = np.stack([covered & (gaps(workspace.sweep, intervals, float(one)) == 0.0) for one in w], axis=-1)
+    return there.reshape(len(u), len(v), len(w))
 
 
 def gaps(sweep: Sweep, intervals: Array, value: float) -> Array:

@@ -46,8 +46,12 @@ class Section:
     def places(self) -> Array:
         """Return the coordinates of the lattice points in the section [m], shape (na, nb, 2)."""
         na, nb = self.covered.shape
-        a, b = np.arange(na) + self.corner[0], np.arange(nb) + self.corner[1]
-        A, B = np.meshgrid(a, b, indexing="ij")
+        a, b = np.arange(float(na)), np.arange(float(nb))
+        return self.placed(np.stack(np.meshgrid(a, b, indexing="ij"), axis=-1))
+
+    def placed(self, at: Array) -> Array:
+        """Return coordinates in the section [m] of places between lattice points, shape (..., 2)."""
+        A, B = np.moveaxis(at + self.corner, -1, 0)
         c, s = cos(TILT) * self.spacing, sin(TILT) * self.spacing
         return np.stack((c * A - s * B, s * A + c * B), axis=-1)
 

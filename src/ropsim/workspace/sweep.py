@@ -44,6 +44,7 @@ class Sweep:
         lower: begin of the range of the axis [rad | m]; 0 where flat.
         reach: its range [rad | m]; inf where flat, as nothing is swept.
         axis: number of the axis that sweeps; -1 where flat.
+        sense: -1 where the axis turns against z, else 1.
     """
 
     kind: SweepKind
@@ -51,6 +52,7 @@ class Sweep:
     lower: float
     reach: float
     axis: int
+    sense: float = 1.0
 
     @property
     def measure(self) -> str:
@@ -89,7 +91,7 @@ def sweep_of(robot: RobotModel, point: MovedPoint, ranges: AxisRanges) -> Sweep:
         raise WorkspaceError(first_axis(robot.name, joint.name))
     kind = SweepKind.SLIDE if slides else SweepKind.TURN
     if not slides and axis[2] < -0.5:  # the axis counted as pointing up: heights are those of people
-        return Sweep(kind, _frame(-axis, origin), -float(ranges.upper[0]), float(ranges.extent[0]), 0)
+        return Sweep(kind, _frame(-axis, origin), -float(ranges.upper[0]), float(ranges.extent[0]), 0, -1.0)
     return Sweep(kind, _frame(axis, origin), float(ranges.lower[0]), float(ranges.extent[0]), 0)
 
 
