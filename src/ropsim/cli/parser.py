@@ -284,7 +284,7 @@ def _workspace(actions: Commands) -> None:
         "--tool",
         metavar="MM",
         nargs="+",
-        type=float,
+        type=_of_frame,
         help="the TCP in the frame of the flange: X Y Z [ROLL PITCH YAW], mm and degrees",
     )
     parser.add_argument(
@@ -294,7 +294,7 @@ def _workspace(actions: Commands) -> None:
         "--base",
         metavar="MM",
         nargs="+",
-        type=float,
+        type=_of_frame,
         action="append",
         help="where the base stands among the points: X Y Z [YAW]; may stand several times (default: 0 0 0)",
     )
@@ -303,6 +303,14 @@ def _workspace(actions: Commands) -> None:
     )
     parser.add_argument("--report", metavar="FILE.html", help="write the report as one HTML page")
     parser.add_argument("--surface", metavar="FILE.stl", help="write the border of the workspace, in mm")
+
+
+def _of_frame(text: str) -> float:
+    """Return a coordinate of a tool or a base [mm | deg]."""
+    value = float(text)
+    if not abs(value) <= 1e6:
+        raise argparse.ArgumentTypeError(f"{text} is no number from -1000000 to 1000000")
+    return value
 
 
 def _seconds(text: str) -> float:

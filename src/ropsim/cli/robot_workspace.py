@@ -15,7 +15,17 @@ from ropsim.records import diagnostic_document
 from ropsim.spatial import Pose, quaternion
 from ropsim.userfiles import read_text_file
 from ropsim.workbench import RobotFileError, find_robot
-from ropsim.workspace import Candidate, PointKind, Study, TaskPoint, placements, size_of, studied
+from ropsim.workspace import (
+    NO_SURFACE,
+    Candidate,
+    PointKind,
+    Study,
+    SweepKind,
+    TaskPoint,
+    placements,
+    size_of,
+    studied,
+)
 
 WRONG_FRAME = define(
     "U904",
@@ -49,6 +59,7 @@ def workspace(options: argparse.Namespace, output: Output) -> int:
     kind = PointKind(options.point.replace("-", " ")) if options.point else PointKind.FLANGE
     study = studied(candidates, PointKind.TCP if options.tool and not options.point else kind, tool, points)
     told = [one for arm in study.arms for one in arm.findings]
+    told += _without_surface(study) if options.surface else []
     code = output.findings(told, {})
     from ropsim.views import workspace_text
 
@@ -126,11 +137,22 @@ def _write(options: argparse.Namespace, study: Study, output: Output) -> None:
         from ropsim.views import workspace_page
 
         _replace(options.report, workspace_page(study).encode("utf-8"), output)
-    if options.surface and study.arms[0].workspace is not None:
+    if options.surface and study.arms[0].workspace and not _without_surface(study):
         from ropsim.meshes import stl_bytes
         from ropsim.workspace import surface
 
-        _replace(options.surface, stl_bytes(*surface(study.arms[0].workspace)), output)
+        points, faces = surface(study.arms[0].workspace)
+        _replace(options.surface, stl_bytes(1e3 * points, faces), output)
+
+
+def _without_surface(study: Study) -> list[Diagnostic]:
+    """Return why the workspace of the first robot has no surface; nothing where it has one."""
+    space = study.arms[0].workspace
+    if space is None or (space.volume > 0.0 and space.sweep.kind is not SweepKind.FLAT):
+        return []
+    return [
+        NO_SURFACE.at(None, f"the workspace of `{study.arms[0].robot.name}` has no surface, only an area")
+    ]
 
 
 def _replace(path: str, content: bytes, output: Output) -> None:

@@ -11,13 +11,13 @@ _TRIANGLE = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attrib
 
 
 def stl_bytes(points: Array, faces: npt.NDArray[np.int64]) -> bytes:
-    """Return a binary STL file in millimetres, as printers and CAD read it.
+    """Return a binary STL file; printers and CAD take its numbers for millimetres.
 
     Args:
-        points: vertices [m], shape (k, 3).
+        points: vertices in the unit of the file, shape (k, 3).
         faces: their numbers, each triangle against the clock seen from outside, shape (t, 3).
     """
-    corners = 1e3 * points[faces]
+    corners = points[faces]
     normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     lengths = np.linalg.norm(normals, axis=1, keepdims=True)
     rows = np.zeros(len(faces), _TRIANGLE)

@@ -62,6 +62,17 @@ left out; their reachable workspace is computed all the same.
 """,
 )
 
+NO_SURFACE = define(
+    "W106",
+    "workspace-without-surface",
+    Severity.ERROR,
+    "the point moves in a plane, or nowhere: its workspace has no surface",
+    """
+A surface is written of workspaces that have a volume. A planar arm reaches an area; its border is in the
+report (`--report FILE.html`), and in Python `ropsim.workspace.outline` returns it.
+""",
+)
+
 BAD_POINT = define(
     "W110",
     "bad-task-point",

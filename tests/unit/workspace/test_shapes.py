@@ -55,7 +55,7 @@ def test_the_surface_is_closed_and_holds_the_volume_also_as_a_file() -> None:
     a, b, c = (points[faces[:, k]] for k in range(3))
     volume = float(np.einsum("ij,ij->", a, np.cross(b, c))) / 6.0
     assert volume == pytest.approx(found.volume, rel=0.03)
-    read = read_stl(stl_bytes(points, faces)).corners
+    read = read_stl(stl_bytes(1e3 * points, faces)).corners
     assert np.abs(read - 1e3 * points[faces]).max() < 1e-3  # mm in single precision
 
 
