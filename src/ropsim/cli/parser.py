@@ -241,6 +241,11 @@ def _robot(commands: Commands) -> None:
     export = _command(actions, "export", "robot_export:export", "write a robot into a file")
     export.add_argument("name", metavar="NAME", help=_ROBOT)
     export.add_argument("file", metavar="FILE", help="its ending says the format: .toml is a robot file")
+    estimate = _command(
+        actions, "estimate", "robot_estimate:estimate", "write a robot with estimated masses and drives"
+    )
+    estimate.add_argument("name", metavar="NAME", help=_ROBOT)
+    estimate.add_argument("file", metavar="FILE", help="such as robots/arm.stp or robots/arm.toml")
     import_ = _command(
         actions, "import", "robot_export:export", "take a robot of another format into a project"
     )

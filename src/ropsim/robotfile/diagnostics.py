@@ -107,3 +107,14 @@ couplings and other types of joints have no place in it, and neither have drives
 at a voltage amplifier nor a servo. The finding says what is left out, or why there is no file at all.
 """,
 )
+
+NO_ESTIMATE = define(
+    "X909",
+    "no-estimate-of-dynamics",
+    Severity.ERROR,
+    "masses and drives of a robot cannot be estimated",
+    """
+Masses follow from the rated payload and the lengths of an arm, drives from its masses, speeds and
+accelerations; both for serial arms of turning and sliding joints only. An arm with drives keeps them.
+""",
+)
