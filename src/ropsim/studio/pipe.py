@@ -1,7 +1,6 @@
 """A worker process and the pipe to it: two threads, so that neither end ever blocks the event loop."""
 
 import contextlib
-import gc
 import multiprocessing
 import os
 import queue
@@ -22,7 +21,7 @@ if TYPE_CHECKING:
 GOODBYE = 1.5
 """How long a worker may take to end by itself, then to be gone after it was killed [s]."""
 
-PRELOADED = "ropsim.studio.desk.main"
+PRELOADED = "ropsim.studio.preloaded"
 """What the workers of the studio are made of: half a second of importing, and most of their memory."""
 
 ENDINGS = [
@@ -129,9 +128,7 @@ def _serve(target: str, connection: Connection, folder: str, environment: Mappin
     os.chdir(folder)
     threading.Thread(target=_end_with_parent, daemon=True).start()
     module, function = target.split(":")
-    serve = getattr(import_module(module), function)
-    gc.freeze()  # modules stay: whoever collects garbage need not look through them
-    serve(connection)
+    getattr(import_module(module), function)(connection)
 
 
 def _end_with_parent() -> None:
