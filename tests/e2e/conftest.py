@@ -1,4 +1,4 @@
-"""The studio of the first example in the browser, shared by the tests of a module."""
+"""The studio of the first example in the browser: one server for all, a page for the tests of a module."""
 
 import shutil
 from collections.abc import Iterator
@@ -20,9 +20,9 @@ FIRST_CELL = Path(__file__).parents[2] / "examples" / "first_cell"
 TEXTS = ("cell.toml", "programs/main.task")
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="session")
 def first_cell(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Return a copy of the example."""
+    """Return a copy of the example; whoever writes into it puts back what was there."""
     folder = tmp_path_factory.mktemp("project") / "first_cell"
     shutil.copytree(FIRST_CELL, folder, ignore=shutil.ignore_patterns("out"))
     return folder
@@ -40,9 +40,9 @@ def first_run(first_project: Project) -> Recording:
     return first_project.simulate()
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="session")
 def first_studio(first_cell: Path, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Studio]:
-    """Return the server with the example, shared by a module."""
+    """Return the server with the example; pages are closed before it ends."""
     with Studio(first_cell, tmp_path_factory.mktemp("home")) as studio:
         yield studio
 

@@ -6,6 +6,7 @@
 from itertools import islice
 from pathlib import Path
 
+from ropsim.workbench import new_project
 from support.patience import until
 from support.studio_client import command
 from support.studio_cycles import Holding, cycles, growth, holdings
@@ -19,8 +20,8 @@ MOST_GROWTH = 0.1
 pytestmark = needs_proc
 
 
-def test_memory_files_and_processes_stay_as_they_are(first_cell: Path, tmp_path: Path) -> None:
-    with Studio(first_cell, tmp_path / "home", command=command(tmp_path)) as studio:
+def test_memory_files_and_processes_stay_as_they_are(tmp_path: Path) -> None:
+    with Studio(new_project(tmp_path / "cell"), tmp_path / "home", command=command(tmp_path)) as studio:
         doing = cycles(studio, COUNT)
         *_, warm = islice(doing, WARM)
         *_, last = islice(doing, COUNT - WARM)

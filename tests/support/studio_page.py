@@ -1,5 +1,6 @@
 """The studio's page as its users handle it, and the few numbers it tells about what it shows."""
 
+import re
 from collections.abc import Callable, Mapping
 from time import monotonic
 from typing import TYPE_CHECKING, Any
@@ -43,6 +44,8 @@ PANELS = (
     "() => { const kept = Object.entries(localStorage).find(([name]) => name.endsWith(' panels 1'));"
     " return kept ? JSON.stringify({ ...JSON.parse(kept[1]), activeGroup: null }) : null }"
 )
+#: The panel that is in front of those that share a place.
+FRONT = re.compile(r'"activeView":"(\w+)"')
 
 
 class StudioPage:
@@ -52,7 +55,7 @@ class StudioPage:
         """Take a page that is being loaded."""
         self.page = page
         self.spoiled = False
-        self._panels: object = None
+        self._panels: str | None = None
 
     @classmethod
     def opened(cls, pages: Pages, url: str, **options: Any) -> "StudioPage":
@@ -104,7 +107,7 @@ class StudioPage:
         self.page.mouse.move(5, 5)
         for command in ("jog.stop", "view.ghost"):
             self.page.evaluate("command => __ropsim.command(command)", command)
-        if self._panels is None or self.page.evaluate(PANELS) != self._panels:
+        if self._panels is None or not self._bring_to_the_front(self._panels):
             # Panels are made anew, with an editor and its language server: only where that is needed.
             self.page.evaluate("() => __ropsim.command('view.reset')")
             self.drawn()
@@ -114,6 +117,15 @@ class StudioPage:
         self.take_over()
         self.writable()
         self.drawn()
+
+    def _bring_to_the_front(self, panels: str) -> bool:
+        """Bring those panels to the front that were there; return whether all is as it was then."""
+        now = self.page.evaluate(PANELS)
+        if now is None or FRONT.sub("", now) != FRONT.sub("", panels):
+            return False
+        for name in set(FRONT.findall(panels)) - set(FRONT.findall(now)):
+            self.panel(name.capitalize())
+        return bool(self.page.evaluate(PANELS) == panels)
 
     def hear_nothing(self) -> None:
         """Put away all notices."""
