@@ -1,4 +1,4 @@
-"""Diagnostics of calibration (X888, X889, X894, X898, X899, X916)."""
+"""Diagnostics of calibration (X800, X888, X889, X894, X898, X899)."""
 
 from ropsim.core import RopsimError, Severity, define
 
@@ -55,7 +55,7 @@ whether points were corrected on the robot and not in the program.
 )
 
 ZERO_BESIDE = define(
-    "X916",
+    "X800",
     "joint-zero-beside",
     Severity.WARNING,
     "a joint of the trace stands beside the program by the same amount everywhere",

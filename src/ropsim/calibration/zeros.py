@@ -23,7 +23,7 @@ _ALIKE = 0.25
 def zeros_beside(
     rests: Rests, ends: Array, passages: Sequence[Passage], joints: Sequence[Joint]
 ) -> tuple[Diagnostic, ...]:
-    """Return X916 for each joint that is off by the same amount at most stops.
+    """Return X800 for each joint that is off by the same amount at most stops.
 
     The amount is the median over the stops, and half of these are within a quarter of it (median absolute
     deviation): a single point that was corrected on the robot is no zero.

@@ -165,7 +165,7 @@ def test_the_zero_of_a_joint_that_is_beside_the_model_is_said(joint: int, degree
     q[:, joint] += np.radians(degrees)
     found, count, said = in_trace(Trace(trace().time, q))
     assert found == count
-    assert [one.code for one in said] == ["X916"]
+    assert [one.code for one in said] == ["X800"]
     assert said[0].data["joint"] == site().station.robot.axis_joints[joint].name
     assert said[0].data["offset"] == pytest.approx(np.radians(degrees), abs=np.radians(0.01))
 
