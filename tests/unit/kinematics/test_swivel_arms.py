@@ -18,8 +18,10 @@ from ropsim.kinematics import (
     joint_frames,
     solver_of,
 )
+from ropsim.kinematics.solvers import swivel
+from ropsim.kinematics.solvers.axes import COUPLED
 from ropsim.kinematics.solvers.swivel import SwivelSolver, closed_form
-from ropsim.model import RobotModel
+from ropsim.model import Coupling, RobotModel
 from ropsim.spatial import Array, Pose, quaternion
 from support.published_arms import published_arm, random_joints
 
@@ -77,7 +79,10 @@ def test_frames_that_lie_elsewhere_on_their_axes_change_no_branch() -> None:
     assert (ours.distance, ours.longest) == pytest.approx((theirs.distance, theirs.longest), abs=1e-12)
 
 
-def test_the_answers_of_an_arm_of_the_class_are_those_of_the_closed_form_to_the_bit() -> None:
+def test_the_answers_of_an_arm_of_the_class_are_those_of_the_closed_form_unpolished(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(swivel, "polished", None)
     one, Q = solver(SIA20), random_joints(SIA20, 5, seed=6)
     T, bare = forward_batch(SIA20, Q), np.empty((5, 8, 7))
     closed_form(one)(np.zeros(80), np.full(5, 0.3), T, bare)
@@ -172,3 +177,9 @@ def test_an_arm_may_stay_near_to_singular_configurations_alone(joint: int) -> No
     for angle, may_stay in ((0.14, True), (-0.14, True), (pi - 0.14, True), (0.16, False), (-0.16, False)):
         q[joint] = angle - one.arm.zeros[joint]
         assert one.may_stay(q) == may_stay
+
+
+def test_an_arm_with_a_coupled_joint_is_of_no_class_with_seven_axes() -> None:
+    more = replace(SIA20.joints[-1], name="8", placement=Pose())
+    coupled = replace(SIA20, joints=(*SIA20.joints, more), couplings=(Coupling(7, ((6, 0.5),)),), tip=7)
+    assert swivel.recognise(coupled) == COUPLED
