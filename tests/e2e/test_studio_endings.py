@@ -137,12 +137,16 @@ def test_every_process_may_be_killed_and_work_goes_on(studio: Studio) -> None:
         hear_newer(page, first, "running")
         page.say(type="live_start", program="", speed=1.0)
         page.hear("live", state="running")
-        for pid in (*origins(studio.process.pid), *workers(studio.process.pid)):
+        for pid in workers(studio.process.pid):
             os.kill(pid, signal.SIGKILL)
         page.hear("live", state="over")
         assert "killed by the system" in page.hear("run", state="failed")["message"]
         page.say(type="edit", document=MAIN, text=SHORT, version=2)
-        page.hear("run", state="done")
+        done = page.hear("run", state="done")["id"]
+        for pid in (*origins(studio.process.pid), *workers(studio.process.pid)):
+            os.kill(pid, signal.SIGKILL)
+        page.say(type="edit", document=MAIN, text=SHORT + "wait 1\n", version=3)
+        hear_newer(page, done, "done")
         with opened(studio, "/ws/lsp") as language:
             language.send(INITIALIZE)
             language.recv(timeout=PATIENCE)

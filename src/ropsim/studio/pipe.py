@@ -31,6 +31,9 @@ ENDINGS = [
 ]
 """Signals that may be sent to all processes of the studio at once: the web process alone answers them."""
 
+_REAPING = threading.Lock()
+"""Whoever starts a process takes the exit codes of those that have ended, too; a code can be taken once."""
+
 
 class Pipe:
     """A running worker process.
@@ -59,7 +62,7 @@ class Pipe:
         if sys.platform != "win32":
             with _endings_held():
                 resource_tracker.ensure_running()  # it lets some of them through again
-        with _endings_held():
+        with _REAPING, _endings_held():
             self._process.start()
         far.close()
         self.process_id = self._process.pid
@@ -92,7 +95,9 @@ class Pipe:
         with contextlib.suppress(EOFError, OSError):  # the far end is closed when the process ends
             while True:
                 self._arrived(self._connection.recv())
-        self._process.join()
+        wait([self._process.sentinel])
+        with _REAPING:
+            self._process.join()
         self._outbox.put(None)
         self._writer.join()
         self._connection.close()
