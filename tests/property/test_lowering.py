@@ -347,13 +347,13 @@ def test_the_icr_of_a_sound_program_is_verified_and_runs_the_same_way_twice(prog
     assert first.steps <= BUDGET
 
 
-@settings(max_examples=30, derandomize=True)
+@settings(max_examples=10, derandomize=True)
 @given(programs())
 def test_lowering_is_a_function_of_the_program(program: Program) -> None:
     assert icr.program_id(lower(program, "a")) == icr.program_id(lower(program, "b"))
 
 
-@settings(max_examples=30, derandomize=True)
+@settings(max_examples=10, derandomize=True)
 @given(programs())
 def test_without_contracts_there_is_nothing_to_warn_of(program: Program) -> None:
     assert check_contracts(program) == ()

@@ -195,8 +195,9 @@ def axe(page: "Page", within: str | None = None, rules: Sequence[str] = ()) -> l
         within: selector of the part to look at; the whole page without one.
         rules: by name; all that count by default without any.
     """
-    source = files("axe_playwright_python").joinpath("axe.min.js").read_text("utf-8")
-    page.evaluate(f"{source}\n;0")
+    if not page.evaluate("() => 'axe' in window"):
+        source = files("axe_playwright_python").joinpath("axe.min.js").read_text("utf-8")
+        page.evaluate(f"{source}\n;0")
     only = {"runOnly": {"type": "rule", "values": list(rules)}} if rules else {}
     result = page.evaluate(
         "([within, only]) => axe.run(within ?? document, { resultTypes: ['violations'], ...only })",

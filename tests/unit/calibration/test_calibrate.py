@@ -59,6 +59,16 @@ def calibrated() -> Calibration:
     return found
 
 
+@cache
+def kept() -> tuple[Trace, Calibration]:
+    """Return the trace of a robot that keeps to the limits of its model, and what comes of it."""
+    made = site()
+    logs = logged(made, settings_of(made.station))
+    found, _ = calibrate(made.cell, made.station, made.orders, logs)
+    assert found is not None
+    return logs, found
+
+
 def test_limits_that_bind_come_back() -> None:
     found, true = calibrated(), robot_settings().all
     fitted = [k for k, kind in enumerate(found.known.kinds) if kind is Knowledge.FITTED]
@@ -171,10 +181,8 @@ def test_the_zero_of_a_joint_that_is_beside_the_model_is_said(joint: int, degree
 
 
 def test_a_robot_that_keeps_to_its_limits_changes_nothing_that_matters() -> None:
-    made = site()
-    known = settings_of(made.station)
-    found, _ = calibrate(made.cell, made.station, made.orders, logged(made, known))
-    assert found is not None
+    known = settings_of(site().station)
+    _, found = kept()
     assert found.after.all == pytest.approx(known.all, rel=NEAR)
     assert found.after.look_ahead == known.look_ahead
     assert found.look_ahead is Knowledge.AT_LEAST
@@ -227,10 +235,8 @@ def test_motions_that_a_sensor_leads_and_those_behind_them_are_left_out_and_said
     led = replace(made.orders[number].moves[-1], tracking=PathTracking("height", 0.01))
     order = replace(made.orders[number], moves=(*made.orders[number].moves[:-1], led))
     orders = (*made.orders[:number], order, *made.orders[number + 1 :])
-    logs = logged(made, settings_of(made.station))
-    every, _ = calibrate(made.cell, made.station, made.orders, logs)
+    logs, every = kept()
     found, findings = calibrate(made.cell, made.station, orders, logs)
-    assert every is not None
     assert found is not None
     assert len(every.stretches) - 2 <= len(found.stretches) < len(every.stretches)
     assert "X894" in {one.code for one in findings}
