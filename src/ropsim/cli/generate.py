@@ -9,6 +9,7 @@ from pathlib import Path
 
 from ropsim.cli.output import Output, cannot_write
 from ropsim.core import RopsimError, replace_file
+from ropsim.prolog import Prolog
 from ropsim.tasks import (
     Draft,
     KnowledgeBase,
@@ -46,7 +47,7 @@ class _Desk:
 
 def generate(options: argparse.Namespace, output: Output) -> int:
     """Ask for tasks until `end`, then print or write the program; return the exit code."""
-    known = open_knowledge(options.path)
+    known = open_knowledge(options.path, Prolog(options.prolog))
     folder = Path(options.path)
     output.findings((one for one in known.findings if one.is_error), known.texts)
     lists, findings = read_point_lists(folder)

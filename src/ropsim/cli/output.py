@@ -15,7 +15,7 @@ if TYPE_CHECKING:  # a command that prints nothing, as the language server, star
 
 #: Findings of these kinds mean that the command was called wrongly: exit code 2.
 USAGE_CODES = frozenset(
-    {"X840", "X843", "X844", "X847", "X848", "X849", "X860", "X877", "X896", "X911", "P144", "P156"}
+    {"X840", "X843", "X844", "X847", "X848", "X849", "X860", "X877", "X896", "X911", "P122", "P144", "P156"}
     | {"U900", "U901", "U902", "U903", "U904"}
 )
 

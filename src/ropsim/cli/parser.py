@@ -356,6 +356,18 @@ def _task(commands: Commands) -> None:
         "--seconds", metavar="S", type=_seconds, default=10.0, help="stop after so long (default: 10)"
     )
     plan.add_argument("--program", action="store_true", help="print a whole control program")
+    for one in (list_, show, check, plan):
+        _prolog(one)
+
+
+def _prolog(parser: argparse.ArgumentParser) -> None:
+    """Let a command choose its Prolog, by a value of `ropsim.prolog.Prolog`, which a start does not need."""
+    parser.add_argument(
+        "--prolog",
+        choices=("built-in", "native"),
+        default="built-in",
+        help="native: the command swipl of this machine (default: built-in)",
+    )
 
 
 def _program_name(text: str) -> str:
@@ -383,6 +395,7 @@ def _generate(commands: Commands) -> None:
         action="store_true",
         help="write programs/NAME.task and points/NAME.csv, where they are not",
     )
+    _prolog(parser)
     parser.set_defaults(command=_lazy("generate:generate"), json=False)
 
 

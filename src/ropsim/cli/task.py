@@ -8,6 +8,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from ropsim.cli.output import Output
 from ropsim.cli.progress import Progress
 from ropsim.core import Diagnostic
+from ropsim.prolog import Prolog
 from ropsim.records import diagnostic_document
 from ropsim.tasks import (
     CallReport,
@@ -28,7 +29,7 @@ COLUMNS = 80
 
 def list_(options: argparse.Namespace, output: Output) -> int:
     """List the tasks of a project and of the library."""
-    known = open_knowledge(options.path)
+    known = open_knowledge(options.path, Prolog(options.prolog))
     tasks = known.base.tasks()
     code = output.findings(known.findings, known.texts)
     width = max(len(_head(one)) for one in tasks)
@@ -42,7 +43,7 @@ def list_(options: argparse.Namespace, output: Output) -> int:
 
 def show(options: argparse.Namespace, output: Output) -> int:
     """Print a task."""
-    known = open_knowledge(options.path)
+    known = open_knowledge(options.path, Prolog(options.prolog))
     task = known.base.task(options.name)
     if task is None:
         found = (*known.findings, not_defined(options.name, known.base.names))
@@ -62,7 +63,7 @@ def show(options: argparse.Namespace, output: Output) -> int:
 
 def check(options: argparse.Namespace, output: Output) -> int:
     """Say of each call whether it is possible."""
-    known = open_knowledge(options.path)
+    known = open_knowledge(options.path, Prolog(options.prolog))
     reports = known.base.check_all(options.calls, _state(options, known))
     width = max(len(str(one.call)) for one in reports)
     for one in reports:
@@ -85,7 +86,7 @@ def check(options: argparse.Namespace, output: Output) -> int:
 
 def plan(options: argparse.Namespace, output: Output) -> int:
     """Print the fewest tasks that reach a goal."""
-    known = open_knowledge(options.path)
+    known = open_knowledge(options.path, Prolog(options.prolog))
     state = _state(options, known)
     with Progress("planning") as progress:
         found = known.base.plan(

@@ -6,7 +6,7 @@ from importlib.resources import files
 from pathlib import Path
 
 from ropsim.core import Diagnostic, SourceText, Span, read_bytes
-from ropsim.prolog import Atom, Places, Struct, Term, Var
+from ropsim.prolog import Atom, Places, Prolog, Struct, Term, Var
 from ropsim.tasks.call_reading import call_of
 from ropsim.tasks.call_report import CallReport
 from ropsim.tasks.checking import checked
@@ -40,9 +40,10 @@ class KnowledgeBase:
         geometry: Geometry = NOWHERE,
         findings: Iterable[Diagnostic] = (),
         users: Iterable[SourceText] = (),
+        prolog: Prolog = Prolog.BUILT_IN,
     ) -> None:
         self._geometry = RememberedGeometry(geometry)
-        self._host = Host(self._geometry.predicates())
+        self._host = Host(self._geometry.predicates(), prolog)
         self.take(texts, findings, users)
 
     def take(
@@ -71,7 +72,11 @@ class KnowledgeBase:
 
     @classmethod
     def open(
-        cls, path: str | Path, geometry: Geometry = NOWHERE, users: Path | None = None
+        cls,
+        path: str | Path,
+        geometry: Geometry = NOWHERE,
+        users: Path | None = None,
+        prolog: Prolog = Prolog.BUILT_IN,
     ) -> "KnowledgeBase":
         """Return the knowledge base of a project, of a folder of texts or of one text.
 
@@ -79,13 +84,14 @@ class KnowledgeBase:
             path: a project with a folder `kb`, such a folder, or a .pl file.
             geometry: what knows where the arm can go; without it geometry refuses nothing.
             users: folder of the user's own texts; None, or one that is not there, for none.
+            prolog: which SWI-Prolog reads the texts and answers.
 
         Raises:
             TaskError: there is no such path.
         """
         texts, findings = read_folder(Path(path))
         own, more = read_folder(users) if users is not None and users.is_dir() else ((), ())
-        return cls(texts, geometry, (*findings, *more), own)
+        return cls(texts, geometry, (*findings, *more), own, prolog)
 
     @property
     def names(self) -> tuple[str, ...]:

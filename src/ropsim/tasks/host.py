@@ -5,7 +5,19 @@ from importlib.resources import files
 from pathlib import Path
 
 from ropsim.core import Diagnostic, SourceText, Span, read_bytes
-from ropsim.prolog import Atom, Engine, GoalError, Limits, Predicate, Sort, Struct, Term, Var, question
+from ropsim.prolog import (
+    Atom,
+    Engine,
+    GoalError,
+    Limits,
+    Predicate,
+    Prolog,
+    Sort,
+    Struct,
+    Term,
+    Var,
+    question,
+)
 from ropsim.tasks.diagnostics import TOO_DEEP
 from ropsim.tasks.findings import Wording
 from ropsim.tasks.layer import Layer
@@ -29,9 +41,9 @@ Progress = Callable[[int], None]
 class Host:
     """Asks Prolog; texts are given to it as strings and never loaded, so nothing of them is ever run."""
 
-    def __init__(self, predicates: Iterable[Predicate]) -> None:
+    def __init__(self, predicates: Iterable[Predicate], prolog: Prolog) -> None:
         self._texts: Mapping[int, SourceText] = {}
-        self._engine = Engine(LIMITS)
+        self._engine = Engine(LIMITS, prolog)
         self._progress: Progress | None = None
         for predicate in (*predicates, question("plan_progress", (Sort.INTEGER,), self._told)):
             self._engine.register(predicate)

@@ -16,7 +16,7 @@ from ropsim.workbench.task_texts import TaskTexts, users_folder
 from ropsim.workbench.workspace import Workspace
 
 if TYPE_CHECKING:  # with their engine they take a tenth of a start, so they are loaded by who asks one
-    from ropsim.prolog import Term
+    from ropsim.prolog import Prolog, Term
     from ropsim.tasks import KnowledgeBase, WorldState
 
 CELL_FILE, KNOWLEDGE = "cell.toml", "kb"
@@ -41,34 +41,41 @@ class Knowledge:
     texts: Mapping[str, SourceText]
 
 
-def open_knowledge(path: str | Path) -> Knowledge:
+def open_knowledge(path: str | Path, prolog: "Prolog | None" = None) -> Knowledge:
     """Return the knowledge base of a project, or of a folder or a text without a cell.
+
+    Args:
+        path: of the project, the folder or the text.
+        prolog: which SWI-Prolog reads the texts and answers; the built-in one where nothing is said.
 
     Raises:
         TaskError: there is no such path.
         ProjectError: the project may not be read.
     """
+    from ropsim.prolog import Prolog
     from ropsim.tasks import KnowledgeBase, WorldState
 
     place = Path(path)
     folder = place.parent if place.name == CELL_FILE else place
     if (folder / CELL_FILE).is_file():
-        return knowledge_of(open_project(folder))
-    base = KnowledgeBase.open(place, users=users_folder())
+        return knowledge_of(open_project(folder), prolog)
+    base = KnowledgeBase.open(place, users=users_folder(), prolog=prolog or Prolog.BUILT_IN)
     return Knowledge(base, WorldState(), base.findings, base.texts)
 
 
-def knowledge_of(project: Project) -> Knowledge:
+def knowledge_of(project: Project, prolog: "Prolog | None" = None) -> Knowledge:
     """Return the knowledge base of a project; where its cell is wrong, the tasks alone and what is wrong."""
+    from ropsim.prolog import Prolog
     from ropsim.tasks import KnowledgeBase, WorldState, body_findings, own_tasks
 
-    cell = project.cell
+    cell, which = project.cell, prolog or Prolog.BUILT_IN
     if cell is None:
-        base = KnowledgeBase(project.tasks.own, findings=project.tasks.findings, users=project.tasks.users)
+        texts = project.tasks
+        base = KnowledgeBase(texts.own, findings=texts.findings, users=texts.users, prolog=which)
         found = (*project.diagnostics, *base.findings)
         return Knowledge(base, WorldState(), found, {**project.texts, **base.texts})
     texts = project.tasks
-    base = KnowledgeBase(texts.own, CellGeometry(cell), texts.findings, texts.users)
+    base = KnowledgeBase(texts.own, CellGeometry(cell), texts.findings, texts.users, which)
     found = (*base.findings, *body_findings(base, environment_of(cell), own_tasks(base)))
     return Knowledge(base, world_state(cell), found, {**project.texts, **base.texts})
 
