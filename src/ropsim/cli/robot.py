@@ -29,8 +29,6 @@ WRONG_COUNT = define(
 )
 
 _NIROX = (".stp", ".step")
-_BLANK = " " * 20
-"""In place of reach and payload, which files are not read for."""
 COLUMNS = 80
 """Width to which sources are wrapped."""
 
@@ -43,10 +41,11 @@ def list_(options: argparse.Namespace, output: Output) -> int:
     """List the built-in robots, and the robot files of a project."""
     known = {one.name: one for one in robots.catalogue()}
     files = {str(path): find_robot(path).robot for path in robots_in(Path(options.path))}
-    width = max(12, *map(len, (*known, *files)))
+    width = max(map(len, known))
     rows = [f"{name:{width}} {_choice(one)}" for name, one in known.items()]
+    width = max(map(len, files), default=0)  # paths are long
     for name, robot in files.items():
-        told = f"{robot.n} axes  {_BLANK}{robot.title}" if robot else f"wrong: see ropsim robot audit {name}"
+        told = f"{robot.n} axes  {robot.title}" if robot else f"wrong: see ropsim robot audit {name}"
         rows.append(f"{name:{width}} {told}")
     output.text("\n".join(rows))
     titles = {name: robot.title if robot else None for name, robot in files.items()}

@@ -50,8 +50,8 @@ def test_a_planar_arm_has_no_surface_and_nothing_is_written(tmp_path: Path, caps
     ("words", "code", "told"),
     [
         (("scarra",), 2, "did you mean `scara`?"),
-        (("scara", "--tool", "1", "2"), 2, "U903"),
-        (("scara", "--base", "1", "2", "3", "4", "5"), 2, "U903"),
+        (("scara", "--tool", "1", "2"), 2, "U904"),
+        (("scara", "--base", "1", "2", "3", "4", "5"), 2, "U904"),
         (("scara", "--point", "wrist-centre"), 1, "W101"),
         (("scara", "--points", "nowhere.csv"), 1, "nowhere.csv"),
     ],
