@@ -7,6 +7,13 @@ import pytest
 from hypothesis import HealthCheck, settings
 
 ORDER = ("architecture", "unit", "packaging", "golden", "reference", "spec", "property", "e2e")
+LONGEST = (
+    "test_studio_trouble.py",
+    "test_studio_editor.py",
+    "test_studio_endings.py",
+    "test_studio_attacks.py",
+)
+"""The longest modules with a browser come first among them: one begun last would keep a worker alone."""
 HERE = Path(__file__).parent
 
 pytest_plugins = ("support.browser",)
@@ -24,7 +31,7 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     server and a page.
     """
     in_browser = {item.path for item in items if _in_browser(item)}
-    items.sort(key=lambda item: (item.path in in_browser, _folder(item)))
+    items.sort(key=lambda item: (item.path in in_browser, _folder(item), _rank(item.path.name)))
 
 
 def pytest_collection_finish() -> None:
@@ -39,6 +46,10 @@ def pytest_collection_finish() -> None:
 
 def _in_browser(item: pytest.Item) -> bool:
     return isinstance(item, pytest.Function) and "browser" in item.fixturenames
+
+
+def _rank(module: str) -> int:
+    return LONGEST.index(module) if module in LONGEST else len(LONGEST)
 
 
 def _folder(item: pytest.Item) -> int:
