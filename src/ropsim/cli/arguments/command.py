@@ -1,0 +1,62 @@
+"""How a command is written: a name, what it is for, and the function that is imported when it runs."""
+
+import argparse
+import gc
+import re
+from collections.abc import Callable
+from importlib import import_module
+from typing import Any, NoReturn, TypeAlias
+
+from ropsim.core import did_you_mean, without_collection
+
+Commands: TypeAlias = "argparse._SubParsersAction[Parser]"
+
+
+_CHOICE = re.compile(r"invalid choice: '(.*)' \(choose from (.*)\)$", re.DOTALL)
+_NEGATIVE = re.compile(r"-(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?$")
+
+
+class Parser(argparse.ArgumentParser):
+    """Names the words that are near to one it does not know, and takes `-1e-3` for a number."""
+
+    def __init__(self, **options: Any) -> None:  # noqa: ANN401 - those of argparse
+        super().__init__(**options)
+        self._negative_number_matcher = _NEGATIVE  # that of argparse knows no exponents before Python 3.14
+
+    def error(self, message: str) -> NoReturn:
+        """Say what is wrong, with the word that is near, and exit with 2."""
+        choice = _CHOICE.search(message)
+        hint = did_you_mean(choice[1], re.findall(r"'([^']+)'", choice[2])) if choice else ""
+        super().error(f"{message}\n  = {hint}" if hint else message)
+
+
+def command(
+    commands: Commands, name: str, function: str, text: str, more: str = ""
+) -> argparse.ArgumentParser:
+    """Add a command and return its parser.
+
+    Args:
+        commands: to which it is added.
+        name: of the command.
+        function: that runs it, `module:name` in `ropsim.cli`.
+        text: what it does, a sentence without capital and full stop.
+        more: further sentences of its own help.
+    """
+    parser = commands.add_parser(name, help=text, description=f"{text[0].upper()}{text[1:]}. {more}".strip())
+    parser.add_argument("--json", action="store_true", help="print one JSON document and nothing else")
+    parser.set_defaults(command=lazy(function))
+    return parser
+
+
+def lazy(function: str) -> Callable[..., int]:
+    """Return a function that imports one, `module:name` in `ropsim.cli`, when it is called."""
+    module, name = function.split(":")
+
+    def call(*arguments: object) -> int:
+        with without_collection():
+            command = getattr(import_module(f"ropsim.cli.{module}"), name)
+        gc.freeze()  # modules stay: whoever looks for garbage need not look through them
+        code: int = command(*arguments)
+        return code
+
+    return call

@@ -1,0 +1,104 @@
+"""`ropsim robot`."""
+
+import argparse
+
+from ropsim.cli.arguments.command import Commands, command
+
+_ROBOT = "name of a robot, see `ropsim robot list`, or a robot file"
+
+
+def robot(commands: Commands) -> None:
+    """Add `ropsim robot`."""
+    group = commands.add_parser(
+        "robot",
+        help="show and check robot models, forward and inverse kinematics",
+        description="Robot models: what they are made of, and their kinematics.",
+    )
+    actions = group.add_subparsers(title="actions", metavar="ACTION", required=True)
+    list_ = command(actions, "list", "robot:list_", "list the built-in robots and those of a project")
+    list_.add_argument(
+        "path", metavar="PATH", nargs="?", default=".", help="project folder (default: this folder)"
+    )
+    show = command(actions, "show", "robot:show", "print joints, limits and where the numbers come from")
+    show.add_argument("name", metavar="NAME", help=_ROBOT)
+    show.add_argument("--png", metavar="FILE", help="draw it in its rest position into this picture, too")
+    audit = command(actions, "audit", "robot:audit", "say what is doubtful in a model")
+    audit.add_argument("name", metavar="NAME", help=_ROBOT)
+    export = command(actions, "export", "robot_export:export", "write a robot into a file")
+    export.add_argument("name", metavar="NAME", help=_ROBOT)
+    export.add_argument("file", metavar="FILE", help="its ending says the format: .toml is a robot file")
+    estimate = command(
+        actions, "estimate", "robot_estimate:estimate", "write a robot with estimated masses and drives"
+    )
+    estimate.add_argument("name", metavar="NAME", help=_ROBOT)
+    estimate.add_argument("file", metavar="FILE", help="such as robots/arm.stp or robots/arm.toml")
+    import_ = command(
+        actions, "import", "robot_export:export", "take a robot of another format into a project"
+    )
+    import_.add_argument("name", metavar="FILE", help="the file, such as arm.urdf")
+    import_.add_argument(
+        "--to", metavar="FILE", dest="file", required=True, help="such as robots/arm.stp or robots/arm.toml"
+    )
+    for one in (export, import_):
+        one.add_argument("--strict", action="store_true", help="write nothing where something would be lost")
+    forward = command(actions, "fk", "robot:fk", "print the pose of the mechanical interface (the flange)")
+    forward.add_argument("name", metavar="NAME", help=_ROBOT)
+    forward.add_argument(
+        "q", metavar="DEG", nargs="+", type=float, help="joint coordinates in degrees (mm for sliding joints)"
+    )
+    inverse = command(actions, "ik", "ik:ik", "print every posture that reaches a pose of the flange")
+    inverse.add_argument("name", metavar="NAME", help=_ROBOT)
+    for name in ("x", "y", "z"):
+        inverse.add_argument(name, metavar=name.upper(), type=float, help="position in the base frame [mm]")
+    for name, axis in (("roll", "x"), ("pitch", "y"), ("yaw", "z")):
+        inverse.add_argument(
+            name, metavar=name.upper(), type=float, help=f"turn about the fixed {axis} axis [deg]"
+        )
+    _workspace(actions)
+
+
+def _workspace(actions: Commands) -> None:
+    parser = command(
+        actions,
+        "workspace",
+        "robot_workspace:workspace",
+        "say what robots reach, and whether the points of a task are there",
+        "Several robots, or places of the base, are ranked for the points.",
+    )
+    parser.add_argument("names", metavar="NAME", nargs="+", help=_ROBOT)
+    parser.add_argument(
+        "--point",
+        choices=("flange", "wrist-centre"),
+        help="of which the workspace is (default: the flange, with a tool its TCP)",
+    )
+    parser.add_argument(
+        "--tool",
+        metavar="MM",
+        nargs="+",
+        type=_of_frame,
+        help="the TCP in the frame of the flange: X Y Z [ROLL PITCH YAW], mm and degrees",
+    )
+    parser.add_argument(
+        "--points", metavar="FILE.csv", help="points of a task: name, x, y, z [, roll, pitch, yaw]"
+    )
+    parser.add_argument(
+        "--base",
+        metavar="MM",
+        nargs="+",
+        type=_of_frame,
+        action="append",
+        help="where the base stands among the points: X Y Z [YAW]; may stand several times (default: 0 0 0)",
+    )
+    parser.add_argument(
+        "--place", action="store_true", help="also try places of the base on a grid around the points"
+    )
+    parser.add_argument("--report", metavar="FILE.html", help="write the report as one HTML page")
+    parser.add_argument("--surface", metavar="FILE.stl", help="write the border of the workspace, in mm")
+
+
+def _of_frame(text: str) -> float:
+    """Return a coordinate of a tool or a base [mm | deg]."""
+    value = float(text)
+    if not abs(value) <= 1e6:
+        raise argparse.ArgumentTypeError(f"{text} is no number from -1000000 to 1000000")
+    return value
