@@ -1,6 +1,6 @@
 /** The text editor of the studio: one view, one history per document, marks of the run and of the compiler. */
 import { closeBrackets, closeBracketsKeymap, completionKeymap } from '@codemirror/autocomplete'
-import { defaultKeymap, history, historyKeymap, indentWithTab } from '@codemirror/commands'
+import { defaultKeymap, history, historyKeymap, indentWithTab, redo, undo } from '@codemirror/commands'
 import { bracketMatching, codeFolding, foldGutter, foldKeymap, indentUnit } from '@codemirror/language'
 import { lintGutter } from '@codemirror/lint'
 import { highlightSelectionMatches, search, searchKeymap } from '@codemirror/search'
@@ -18,6 +18,7 @@ import {
 import type { EditEntry } from '../studio/edit_table'
 import type { Problem } from '../studio/problems'
 import type { Wrap } from '../studio/state'
+import type { WayBack } from '../studio/text_desk'
 import { commandOf } from './edit_actions'
 import { showFound } from './found_marks'
 import { LanguageClient } from './language_client'
@@ -28,7 +29,7 @@ import { lineMarks, type MarkedLines, showMarks } from './marks'
 import { replacement } from './replacement'
 import { staysOpen } from './shown_marks'
 import { task } from './task_language'
-import { moveOnEmptyLine } from './taught_move'
+import { taughtMove } from './taught_move'
 import { theme } from './theme'
 import { toml } from './toml_language'
 import { lineInSight } from './view_sight'
@@ -159,13 +160,14 @@ export class ProgramEditor {
     this.#view.focus()
   }
 
-  /** Write a location at the cursor, in place of what is selected; on an empty line a move to it. */
-  teach(location: string): void {
-    if (this.#isReadOnly || !this.#name) return
-    const move = moveOnEmptyLine(this.#view.state, location)
+  /** Write a location at the cursor, in place of what is selected; beside a whole line a move to it. */
+  teach(location: string): WayBack | null {
+    if (this.#isReadOnly || !this.#name) return null
+    const move = taughtMove(this.#view.state, location)
     if (move) this.#view.dispatch({ ...move, scrollIntoView: true, userEvent: 'input.paste' })
     else this.#write(location)
     this.#view.focus()
+    return { undo: () => undo(this.#view), redo: () => redo(this.#view) }
   }
 
   #write(text: string): void {

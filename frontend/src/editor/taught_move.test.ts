@@ -1,12 +1,12 @@
 import { EditorState } from '@codemirror/state'
 import { expect, test } from 'vitest'
-import { moveOnEmptyLine } from './taught_move'
+import { taughtMove } from './taught_move'
 
 /** A text after teaching `A` where `|` stands, with the cursor as `|`; null where it is no line for a move. */
 function taught(text: string): string | null {
   const at = text.indexOf('|')
   const state = EditorState.create({ doc: text.replace('|', ''), selection: { anchor: at } })
-  const change = moveOnEmptyLine(state, 'A')
+  const change = taughtMove(state, 'A')
   if (!change) return null
   const after = state.update(change).state
   const { head } = after.selection.main
@@ -26,7 +26,15 @@ test('it is as deep as the block that it stands in', () => {
   expect(taught('repeat 2\n    |\nendr')).toBe('repeat 2\n    mov A\n    |\nendr')
 })
 
-test('where something stands already it is no line for a move', () => {
-  expect(taught('mov |')).toBeNull()
-  expect(taught('lin a|')).toBeNull()
+test('beside a whole line it is a line of its own', () => {
+  expect(taught('mov home|')).toBe('mov home\nmov A|')
+  expect(taught('|mov home')).toBe('mov A|\nmov home')
+  expect(taught('task T\n  open|\nendp')).toBe('task T\n  open\n  mov A|\nendp')
+  expect(taught('  |lin b')).toBe('  mov A|\n  lin b')
+})
+
+test('where a target is missing the pose itself belongs', () => {
+  for (const text of ['mov |', '  lin |', 'circ via |', 'q = |', 'T (|', 'T a, |', 'mov |speed 20 %']) {
+    expect(taught(text)).toBeNull()
+  }
 })

@@ -14,7 +14,10 @@ export function WritePose({ lost }: { lost: boolean }) {
       title={words.jog.writeTitle}
       disabled={lost || !text || !editing || !document.endsWith('.task')}
       onClick={() => {
-        if (text && !studio.desk.teach(text)) studio.notify('warning', words.jog.notWritten)
+        if (!text) return
+        const back = studio.desk.teach(text)
+        if (back) studio.undo.did({ name: words.jog.write, ...back })
+        else studio.notify('warning', words.jog.notWritten)
       }}
     >
       {words.jog.write}

@@ -7,6 +7,9 @@ import type { DialogKind } from './state'
 
 const words = fileWords.dialog
 
+/** The example that new projects begin with where nothing else is chosen, as with `ropsim new`. */
+const STARTER = 'first_cell'
+
 export function FileDialog() {
   const kind = useStudioState(state => state.dialog)
   return kind && kind !== 'endTasks' ? <Dialog key={kind} kind={kind} /> : null
@@ -17,7 +20,9 @@ function Dialog({ kind }: { kind: Exclude<DialogKind, 'endTasks'> }) {
   const dialog = useRef<HTMLDialogElement>(null)
   const { folder, recent, examples } = studio.store.getState()
   const [typed, setTyped] = useState(kind === 'recent' ? (recent[0] ?? '') : '')
-  const [example, setExample] = useState(examples[0]?.name ?? '')
+  const [example, setExample] = useState(
+    (examples.find(one => one.name === STARTER) ?? examples[0])?.name ?? '',
+  )
   const refusal = useStudioState(state => state.refusal)
   const hint = useId()
   const why = useId()

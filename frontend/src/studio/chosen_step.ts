@@ -44,9 +44,14 @@ export function splitNumbers(point: string): readonly string[] {
   return Array.from({ length: words.length > 5 ? 6 : 5 }, (_, k) => words[k] ?? '')
 }
 
+/** What is typed for one number: a comma is a decimal point, as in the fields of the jog panel. */
+export function oneNumber(typed: string): string {
+  return typed.replace(/\s+/g, '').replaceAll(',', '.')
+}
+
 /** The other way: without the blank ones at the end. */
 export function joinNumbers(numbers: readonly string[]): string {
-  const words = numbers.map(one => one.trim())
+  const words = numbers.map(oneNumber)
   while (words.at(-1) === '') words.pop()
   return words.join(', ')
 }

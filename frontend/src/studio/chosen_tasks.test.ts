@@ -142,6 +142,14 @@ test('fields are read and written', () => {
   expect(splitNumbers('1, , 3')).toEqual(['1', '', '3', '', ''])
   expect(splitNumbers('1 2 3 4 5 6')).toHaveLength(6)
   expect(joinNumbers(['1', ' 2', '', '4', ''])).toBe('1, 2, , 4')
+  expect(splitNumbers(joinNumbers(['412,5', '-147,5', '600', '', '']))).toEqual([
+    '412.5',
+    '-147.5',
+    '600',
+    '',
+    '',
+  ])
+  expect(splitNumbers(joinNumbers(['1 234', '', '', '', '']))).toEqual(['1234', '', '', '', ''])
   expect(numbersOfLocation('(1.5 mm, -2 mm, 3 mm; rpy 180 deg 0 deg -90 deg) in base external (5 mm)')).toBe(
     '1.5, -2, 3, 180, 0, -90',
   )

@@ -65,7 +65,7 @@ export function addSimulate(studio: Studio, group: Grouped): void {
     enabled: () => (state().status?.inputs ?? 0) > 0 || state().presses.length > 0,
   })
   const hand = group('Simulate', 'jog')
-  hand('jog.start', words.jog.start, ['Ctrl+J'], () => studio.jogFromRun(), {
+  hand('jog.start', words.jog.start, ['Ctrl+J'], () => studio.jogInSight(), {
     enabled: () => connected.enabled() && state().scene !== null,
   })
   hand('jog.stop', words.jog.back, [], () => jog.stop(), { enabled: () => jog.q !== null })

@@ -323,6 +323,12 @@ export class Studio {
     this.jog.start(station, shown.every(Number.isFinite) ? shown : joints.map(() => 0))
   }
 
+  /** Take the robot where the run shows it, and show the panel that moves it. */
+  jogInSight(): void {
+    this.jogFromRun()
+    this.dock?.show('jog')
+  }
+
   /** The station that is jogged, else the one whose program is open, else the first one. */
   stationInSight(): string {
     const { scene, document, programs } = this.store.getState()

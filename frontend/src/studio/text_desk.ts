@@ -14,6 +14,15 @@ export interface Place {
   readonly column: number
 }
 
+/** Takes a change of the text back, or makes it again. */
+export interface WayBack {
+  readonly undo: () => void
+  readonly redo: () => void
+}
+
+/** Writes a location into a text. */
+type Pen = (text: string) => WayBack | null
+
 export class TextDesk {
   readonly documents = new Documents()
   readonly #store: StudioStore
@@ -23,7 +32,7 @@ export class TextDesk {
   #wanted = ''
   #made: () => void = () => {}
   readonly #places = new Set<(place: Place) => void>()
-  readonly #pens = new Set<(text: string) => void>()
+  readonly #pens = new Set<Pen>()
   readonly #hands = new Set<(entry: EditEntry) => void>()
   /** What is to be done as soon as an editor is there. */
   #awaited: EditEntry | null = null
@@ -103,10 +112,11 @@ export class TextDesk {
     return () => this.#places.delete(listener)
   }
 
-  /** Have a location written where the cursor of the editor is; false where no editor is open. */
-  teach(text: string): boolean {
-    for (const pen of this.#pens) pen(text)
-    return this.#pens.size > 0
+  /** Have a location written where the cursor of the editor is; the way back, null where no editor takes it. */
+  teach(text: string): WayBack | null {
+    let back: WayBack | null = null
+    for (const pen of this.#pens) back = pen(text) ?? back
+    return back
   }
 
   /** Have something done in the editor; false where none is open: the next one does it. */
@@ -124,7 +134,7 @@ export class TextDesk {
     return () => this.#hands.delete(hand)
   }
 
-  onTeach(pen: (text: string) => void): () => void {
+  onTeach(pen: Pen): () => void {
     this.#pens.add(pen)
     return () => this.#pens.delete(pen)
   }

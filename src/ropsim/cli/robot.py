@@ -42,7 +42,8 @@ def list_(options: argparse.Namespace, output: Output) -> int:
     known = {one.name: one for one in robots.catalogue()}
     files = {str(path): find_robot(path).robot for path in robots_in(Path(options.path))}
     width = max(map(len, known))
-    rows = [f"{name:{width}} {_choice(one)}" for name, one in known.items()]
+    rows = [f"{'name':{width}} {'axes':>6}  {'wrist':>8}  {'payload':>8}  maker and model"]
+    rows += [f"{name:{width}} {_choice(one)}" for name, one in known.items()]
     width = max(map(len, files), default=0)  # paths are long
     for name, robot in files.items():
         told = f"{robot.n} axes  {robot.title}" if robot else f"wrong: see ropsim robot audit {name}"

@@ -1,5 +1,5 @@
 /** A parameter that is no point: a number with its unit, a plain number, yes or no. */
-import { splitValue } from '../../studio/chosen_step'
+import { oneNumber, splitValue } from '../../studio/chosen_step'
 import { taskWords } from '../../text/tasks'
 import type { TaskParameter } from '../../wire/messages'
 import { kindWords } from './kind_words'
@@ -50,7 +50,7 @@ export function ValueField({ parameter, value, onValue, onDone }: ValueFieldProp
           value={number}
           onChange={event => {
             const typed = splitValue(event.target.value)
-            onValue(compose(typed.number, typed.unit || (choices.length > 0 ? shown : '')))
+            onValue(compose(oneNumber(typed.number), typed.unit || (choices.length > 0 ? shown : '')))
           }}
           onBlur={onDone}
         />

@@ -17,17 +17,18 @@ task(palletize(From, To, A, B), [
       y := y + A])])]).
 
 task(depalletize(From, To, A, B), [
-  doc("Takes B x B parts at the same location, one after the other, and leaves them A apart."),
+  doc("Takes B x B parts at the same location, one after the other, and leaves them A apart in a square of B by B, turned as the first one."),
   params([From-location, To-location, A-length, B-int]),
   pre([gripper(open)]),
   geo([reachable(arm, From), reachable(arm, To)]),
   body([
-    load([x, y, z], To),
+    x := A - A,
+    y := x,
     repeat(B, [
       c := x,
       repeat(B, [
         call(grip(From)),
-        call(release(p(x, y, z))),
+        call(release(offset(To, p(x, y, 0)))),
         x := x + A]),
       x := c,
       y := y + A])])]).
