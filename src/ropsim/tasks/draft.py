@@ -1,8 +1,10 @@
 """A control program that is put together task by task: each is answered at once, accepted ones are kept."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Iterator, Mapping
+from itertools import count
 
 from ropsim.core import frozen_dataclass
+from ropsim.prolog import Atom, Struct, Term
 from ropsim.tasks.base import KnowledgeBase
 from ropsim.tasks.call_report import CallReport
 from ropsim.tasks.expression_text import short_text
@@ -36,11 +38,22 @@ class Draft:
 
     @property
     def points(self) -> tuple[tuple[str, Numbers], ...]:
-        """Return the points that were given by numbers, each once, with their names in the program."""
-        numbers = dict.fromkeys(
-            point for call in self.calls for point in call.points if not isinstance(point, str)
-        )
-        return tuple((f"point_{count}", one) for count, one in enumerate(numbers, 1))
+        """Return the points that were given by numbers, each once, with their names in the program.
+
+        A name that the cell or a task has already is left out: it would mean that place.
+        """
+        given = [point for call in self.calls for point in call.points]
+        numbers = dict.fromkeys(point for point in given if not isinstance(point, str))
+        taken = {one for one in given if isinstance(one, str)} | set(_names(self.begin.facts))
+        free = (name for name in map("point_{}".format, count(1)) if name not in taken)
+        return tuple(zip(free, numbers, strict=False))
+
+
+def _names(terms: Iterable[Term]) -> Iterator[str]:
+    """Yield the names of things that facts are about."""
+    for term in terms:
+        if isinstance(term, Struct):
+            yield from (one.name for one in term.arguments if isinstance(one, Atom))
 
 
 def added(draft: Draft, base: KnowledgeBase, call: TaskCall) -> Draft:

@@ -21,6 +21,8 @@ from ropsim.tasks.world_state import WorldState
 
 _POINT = "give the name of a location or of a list, or X Y Z, X Y Z Pitch Roll or X Y Z Roll Pitch Yaw"
 
+_VALUE = "give a number, with its unit where it has one"
+
 
 @frozen_dataclass
 class TypedStep:
@@ -97,7 +99,10 @@ def typed_values(typed: str, task: KnownTask) -> tuple[Value, ...]:
     Raises:
         TaskError: it is no value.
     """
-    return call_of(f"{task.name} {typed}").parameters
+    call = call_of(f"{task.name} {typed}")
+    if call.points:
+        raise TaskError(WRONG_CALL.at(None, f"`{typed[:80]}` is no value", hint=_VALUE))
+    return call.parameters
 
 
 def default_text(parameter: Parameter) -> str:

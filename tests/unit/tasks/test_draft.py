@@ -11,6 +11,7 @@ from ropsim.language import compile
 from ropsim.tasks import (
     Draft,
     TaskCall,
+    TaskError,
     TypedStep,
     WorldState,
     WorldTable,
@@ -21,6 +22,7 @@ from ropsim.tasks import (
     drafted,
     listed,
     taken_back,
+    typed_values,
     world_table,
 )
 from ropsim.tasks.point_list import PointList, points_of, points_text, read_point_list, read_point_lists
@@ -186,3 +188,19 @@ def test_the_lists_of_a_project_are_its_files_and_nothing_else(tmp_path: Path) -
     lists, findings = read_point_lists(tmp_path)
     assert lists == {"b": PointList("b", (("q", (1.0, 2.0, 3.0)),))}
     assert [one.code for one in findings] == ["P148"]
+
+
+def test_points_by_numbers_have_names_that_nothing_else_has() -> None:
+    begin = WorldState.of(*BEGIN.facts, "location(point_1)", "free(point_3)")
+    draft = added(Draft(begin), base(), TaskCall("park", ((1.0, 2.0, 3.0),)))
+    draft = added(draft, base(), TaskCall("park", ((4.0, 5.0, 6.0),)))
+    assert draft.points == (("point_2", (1.0, 2.0, 3.0)), ("point_4", (4.0, 5.0, 6.0)))
+
+
+@pytest.mark.parametrize("typed", ["abc", "nan", "home", "(1, 2, 3)"])
+def test_a_word_is_no_value_of_a_parameter(typed: str) -> None:
+    task = base().task("pick")
+    assert task is not None
+    with pytest.raises(TaskError, match="P151") as refused:
+        typed_values(typed, task)
+    assert f"`{typed}` is no value" in str(refused.value)
