@@ -5,8 +5,10 @@ the maker are there. What is known of the arm stays; only what is missing is mad
 
 - Masses: the moving links together have `MASS_SHARE` times the rated payload (arms from 3 to 210 kg payload
   weigh 4 to 11 times that with their base), in cylinders from joint to joint as in robot files.
-- Greatest torques, where none are published: `MARGIN` times what gravity and full acceleration take at the
-  worst of many postures with the rated payload, a cube of water on the interface. Where they are published
+- Greatest torques, where none are published or the published one does not hold what the estimates weigh
+  (springs and weights that balance large arms are not known): `MARGIN` times what gravity and full
+  acceleration take at the worst of many postures with the rated payload, a cube of water on the interface.
+  Where they are published
   and accelerations are estimates, these are brought down to what such a torque allows.
 - Gears: the motor turns at `MOTOR_SPEED` where the joint has its greatest speed; rotor and gear input have
   `ROTOR_SHARE` of the greatest inertia of the axis; friction is `FRICTION_SHARE` of what gravity and full
@@ -48,8 +50,8 @@ ROTOR_SHARE = 1.0 / 3.0
 WATER = 1000.0
 """Density of the rated payload, a cube on the interface [kg/m³]."""
 FRICTION_SHARE = 0.1
-LEFT_SHARE = 0.25
-"""Share of the greatest torque that accelerates at least: springs and weights of large arms are not known."""
+HELD_SHARE = 0.75
+"""Share of a published torque that gravity may take at most; beyond, the arm must be balanced somehow."""
 _SAMPLES = 256
 
 
@@ -70,17 +72,23 @@ def estimated_dynamics(robot: RobotModel) -> RobotModel | Diagnostic:
     made = replace(robot, links=links)
     gravity, inertia = (one.tolist() for one in _loads(made))
     is_free = any("acceleration" in one.parameters and one.kind == "estimated" for one in origins)
-    joints, drives = [], []
+    joints, drives, balanced = [], [], []
     for number, joint in enumerate(made.joints):
         inertia_of_all = inertia[number] * (1.0 + ROTOR_SHARE)
         taken = gravity[number] + inertia_of_all * joint.max_acceleration
-        most = joint.max_effort if isfinite(joint.max_effort) else MARGIN * taken
-        left = max((1.0 - FRICTION_SHARE) * most - gravity[number], LEFT_SHARE * most)
+        most = joint.max_effort
+        if not isfinite(most) or gravity[number] > HELD_SHARE * most:
+            balanced += [joint.name] if isfinite(most) else []
+            most = MARGIN * taken
+        left = (1.0 - FRICTION_SHARE) * most - gravity[number]
         fastest = min(joint.max_acceleration, left / inertia_of_all) if is_free else joint.max_acceleration
         jerk = joint.max_jerk * fastest / joint.max_acceleration
-        joints.append(replace(joint, max_acceleration=fastest, max_jerk=jerk))
+        joints.append(replace(joint, max_acceleration=fastest, max_jerk=jerk, max_effort=most))
         drives.append(_drive(joint.max_speed, most, FRICTION_SHARE * min(taken, most), inertia[number]))
     origins.append(ParameterOrigin("motors, gears, friction", "estimated", _RULE_OF_DRIVES))
+    if balanced:
+        words = "those published do not hold masses and rated payload: what balances the arm is unknown"
+        origins.append(ParameterOrigin(f"torques of {', '.join(balanced)}", "estimated", words))
     if any(new.max_acceleration < old.max_acceleration for new, old in zip(joints, made.joints, strict=True)):
         words = "brought down to what the greatest torques allow with the rated payload at the worst posture"
         origins.append(ParameterOrigin("joint accelerations under load", "estimated", words))
