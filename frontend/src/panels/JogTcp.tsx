@@ -17,6 +17,10 @@ const FRAMES: readonly Frame[] = ['world', 'tool']
 const FASTEST = 0.25
 const FASTEST_TURN = Math.PI / 4
 
+/** Steps that can be asked for [m, rad]. */
+const STEPS = { lower: 2e-4, upper: 1, said: words.jog.steps }
+const TURNS = { lower: Math.PI / 1800, upper: Math.PI / 2, said: words.jog.turns }
+
 export function JogTcp({ disabled, asked }: { disabled: boolean; asked: Asked }) {
   const { jog, loop } = useStudio()
   const [frame, setFrame] = useState<Frame>('world')
@@ -108,11 +112,23 @@ export function JogTcp({ disabled, asked }: { disabled: boolean; asked: Asked })
         </label>
         <span className="inline">
           {words.jog.step}
-          <QuantityField label={words.jog.step} value={step} dimension="length" onValue={setStep} />
+          <QuantityField
+            label={words.jog.step}
+            value={step}
+            dimension="length"
+            range={STEPS}
+            onValue={setStep}
+          />
         </span>
         <span className="inline">
           {words.jog.turn}
-          <QuantityField label={words.jog.turn} value={turn} dimension="angle" onValue={setTurn} />
+          <QuantityField
+            label={words.jog.turn}
+            value={turn}
+            dimension="angle"
+            range={TURNS}
+            onValue={setTurn}
+          />
         </span>
       </div>
     </section>

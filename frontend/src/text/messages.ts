@@ -185,6 +185,8 @@ export const words = {
     frame: 'Directions of',
     frames: { world: 'World', tool: 'Tool' },
     step: 'Step',
+    steps: 'A step is from 0.1 mm to 1 m.',
+    turns: 'A turn is from 0.1° to 90°.',
     turn: 'Turn',
     axes: ['X', 'Y', 'Z', 'Roll', 'Pitch', 'Yaw'],
     plus: (axis: string) => `${axis} plus`,
