@@ -8,6 +8,7 @@ from ropsim.core import Diagnostic
 from ropsim.icr import Need, Type
 from ropsim.language import questions
 from ropsim.language.check.table import Table
+from ropsim.language.check.tasks import callee_first
 from ropsim.language.check.types import Type as KnownType
 from ropsim.language.check.types import known
 from ropsim.language.check.world import Variable
@@ -52,12 +53,9 @@ def code_of(checked: Checked, places: SourceMap, db: Database) -> tuple[icr.Prog
     axes = axes_of(every.values())
     tasks = {one.task: one for one in every.values()}
     db.give({(GIVEN, guess): db.ask(given_at_once, guess)})
-    for name in (
-        *db.ask(questions.order),
-        MAIN,
-    ):  # callees first, so that no chain of calls is one of questions
-        if name in tasks:
-            db.ask(summary, name, guess)
+    calls = {name: one.callees for name, one in tasks.items()}
+    for name in callee_first(calls):  # so that no chain of calls, of text or library, is one of questions
+        db.ask(summary, name, guess)
     procedures = tuple(db.ask(procedure, name, guess, axes) for name in tasks)
     findings: tuple[Diagnostic, ...] = ()
     variables = {one.name: one.type for one in checked.program.main_locals}

@@ -20,6 +20,8 @@ CELL = SourceText(
 )
 WAVE = "task(wave(L, H), [params([L-location, H-length = 20*mm]), body([mov(above(L, H)), mov(L)])])."
 HEAD = "program p\nunits mm, deg, s\n"
+CHAIN = 400
+"""So many tasks, each calling the next, are more than Python has frames for if each asks for the next one."""
 
 
 @cache
@@ -121,6 +123,17 @@ def test_an_edit_of_a_task_compiles_again_only_the_programs_that_call_it() -> No
     assert ran(WAVE, other)
     assert not ran(WAVE, other.replace("mov(L)", "lin(L)"))
     assert ran(WAVE.replace("mov(L)", "lin(L)"), other)
+
+
+def test_a_long_chain_of_calls_in_a_knowledge_base_compiles_and_again_after_an_edit() -> None:
+    def chain(last: str) -> str:
+        calls = "\n".join(
+            f"task(t{k}(L), [params([L-location]), body([call(t{k + 1}(L))])])." for k in range(CHAIN - 1)
+        )
+        return f"{calls}\ntask(t{CHAIN - 1}(L), [params([L-location]), body([{last}])])."
+
+    assert heights("t0 bin", chain("mov(L)")) == [500]
+    assert heights("t0 bin", chain("mov(above(L, 20*mm))")) == [520]
 
 
 def test_a_program_that_names_no_task_of_others_starts_no_prolog() -> None:
