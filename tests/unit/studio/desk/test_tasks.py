@@ -1,5 +1,6 @@
 """Tasks that an operator chooses: the worker says of each step what the terminal says of it."""
 
+import os
 from pathlib import Path
 from typing import Any
 
@@ -146,3 +147,30 @@ def test_an_unsaved_cell_counts_and_makes_a_new_list(desk: Desk, folder: Path) -
     broken = said(desk, ListTasks(str(folder), {"cell.toml": "[cell\n"}))
     assert broken["findings"]
     assert len(broken["tasks"]) == len(found["tasks"])
+
+
+def test_texts_of_tasks_count_by_what_they_say(
+    desk: Desk, folder: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("ROPSIM_CONFIG_HOME", str(tmp_path))
+    (tmp_path / "kb").mkdir()
+    mine = tmp_path / "kb" / "mine.pl"
+
+    def body(unsaved: str = "") -> str:
+        texts = {"kb/own.pl": unsaved} if unsaved else {}
+        step = TaskStep("rest", ("s1",), ())
+        return str(said(desk, CheckTasks(str(folder), texts, 1, (step,)))["text"])
+
+    def rest(height: int) -> str:
+        return f"task(rest(L), [params([L-location]), body([mov(above(L, {height}*mm))])])."
+
+    mine.write_text(rest(21))
+    before = mine.stat()
+    assert "21 mm" in body()
+    mine.write_text(rest(34))  # of the same size, and of the same time
+    os.utime(mine, ns=(before.st_atime_ns, before.st_mtime_ns))
+    assert "34 mm" in body()
+    assert "55 mm" in body(unsaved=rest(55))
+    assert "34 mm" in body()
+    revision = said(desk, ListTasks(str(folder), {}))["revision"]
+    assert said(desk, ListTasks(str(folder), {}))["revision"] == revision

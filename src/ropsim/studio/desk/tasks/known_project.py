@@ -51,8 +51,8 @@ def known_project(project: Project, key: Hashable) -> KnownProject:
 def key_of(project: Project) -> Hashable:
     """Return what stays the same as long as cell, tasks and lists of points do."""
     robots = tuple(one.text for one in project.robot_files.values())
-    files = (*sorted((project.folder / "kb").glob("*")), *point_files(project.folder))
-    return project.folder, project.cell_text, robots, tuple(map(_stamp, files))
+    lists = tuple(map(_stamp, point_files(project.folder)))
+    return project.folder, project.cell_text, robots, project.tasks, lists
 
 
 def _stamp(path: Path) -> Hashable:
