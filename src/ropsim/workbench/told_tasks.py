@@ -1,19 +1,24 @@
 """What texts of tasks tell at a glance, without Prolog: names, parameters and what each task is for.
 
 Texts are only searched, so that lists can be made while one is being typed; what is in a comment counts, too.
+No task that Prolog reads may be missed: programs call only what is told here.
 """
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from functools import lru_cache
 from pathlib import Path
 
 from ropsim.core import SourceText, Span, frozen_dataclass, read_bytes
+from ropsim.workbench.prolog_glance import behind_layout, unquoted
 
 FEW = 64
 """So many names are looked for one by one in a text."""
 
-_TASK = re.compile(r"\btask\(\s*('?)([^\W\d]\w*)\1")
+_TASK = re.compile(r"(?:\btask|'task'|'([^'\\]{0,3}\\(?:[^'\\]|\\.){0,60}+)')\(", re.DOTALL)
+"""The word, bare, in quotes, or with escapes as the group."""
+_NAME = re.compile(r"[^\W\d]\w*|'((?:[^'\\]|\\.|'')*+)'", re.DOTALL)
+"""A name, bare or in quotes as the group."""
 _DOC = re.compile(r"\bdoc\(\s*\"((?:[^\"\\]|\\.)*)\"")
 _PARAMETERS = re.compile(r"\bparams\(\s*\[([^\]]*)\]")
 _PARAMETER = re.compile(r"([A-Z_]\w*)\s*-\s*([a-z]\w*)\s*(=)?")
@@ -52,25 +57,39 @@ def told_tasks(texts: Iterable[SourceText]) -> Mapping[str, ToldTask]:
 
 @lru_cache(maxsize=4096)
 def _told(text: SourceText) -> tuple[ToldTask, ...]:
-    begins = list(_TASK.finditer(text.text))
-    ends = (*(one.start() for one in begins[1:]), len(text.text))
-    return tuple(_task(text, one, end) for one, end in zip(begins, ends, strict=False))
+    heads = tuple(_heads(text.text))
+    ends = (*(begin for begin, _ in heads[1:]), len(text.text))
+    return tuple(_task(text, name, end) for (_, name), end in zip(heads, ends, strict=False))
 
 
-def _task(text: SourceText, head: re.Match[str], end: int) -> ToldTask:
-    doc = _DOC.search(text.text, head.end(), end)
-    listed = _PARAMETERS.search(text.text, head.end(), end)
-    line = text.text.count("\n", 0, head.start()) + 1
-    column = head.start(2) - (text.text.rfind("\n", 0, head.start(2)) + 1) + 1
+def _heads(text: str) -> Iterator[tuple[int, re.Match[str]]]:
+    """Yield where each task begins, and its name."""
+    for word in _TASK.finditer(text):
+        name = _NAME.match(text, behind_layout(text, word.end()))
+        is_task = word[1] is None or unquoted(word[1]) == "task"
+        if is_task and name is not None and _WORD.fullmatch(_read(name)):
+            yield word.start(), name
+
+
+def _read(name: re.Match[str]) -> str:
+    return name[0] if name[1] is None else unquoted(name[1])
+
+
+def _task(text: SourceText, name: re.Match[str], end: int) -> ToldTask:
+    doc = _DOC.search(text.text, name.end(), end)
+    listed = _PARAMETERS.search(text.text, name.end(), end)
+    begin, behind = name.span() if name[1] is None else name.span(1)
+    line = text.text.count("\n", 0, begin) + 1
+    column = begin - (text.text.rfind("\n", 0, begin) + 1) + 1
     return ToldTask(
-        head[2],
+        _read(name),
         tuple(
-            f"{name.lower()}: {kind}{' = …' if default else ''}"
-            for name, kind, default in _PARAMETER.findall(listed[1] if listed else "")
+            f"{one.lower()}: {kind}{' = …' if default else ''}"
+            for one, kind, default in _PARAMETER.findall(listed[1] if listed else "")
             if kind not in _BY_STATE
         ),
         " ".join(doc[1].split()) if doc else "",
-        Span.on_line(text.name, line, column, len(head[2])),
+        Span.on_line(text.name, line, column, behind - begin),
     )
 
 

@@ -11,7 +11,7 @@ from ropsim.icr import disassemble, encoded, program_id, read_binary, read_text,
 from ropsim.query import Outcome
 from ropsim.workbench import AtStation, CompiledProgram, Workspace, new_project, open_overlaid
 from ropsim.workbench.task_texts import NO_TASKS, TaskTexts, read_task_texts
-from ropsim.workbench.told_tasks import mentioned
+from ropsim.workbench.told_tasks import mentioned, told_tasks
 
 CELL = SourceText(
     "cell.toml",
@@ -189,6 +189,29 @@ def test_texts_tell_at_a_glance_what_prolog_reads_in_them() -> None:
     assert str(told["pick"]) == "pick(l: location, clear: length = …)"
     span = told["pick"].span
     assert (Path(span.source).name, span.line, span.column) == ("pick.pl", 3, 6)
+
+
+@pytest.mark.parametrize(
+    "head",
+    [
+        "task(/* x */ zed(L)",
+        "task( % it's\n  /* a */ (zed(L))",
+        r"task('z\x65\d'(L)",
+        r"task('z\145\d'(L)",
+        r"task('z\u0065d'(L)",
+        "task('ze\\\nd'(L)",
+        "'task'(zed(L)",
+        r"'t\x61\sk'(zed(L)",
+        'says("/* it\'s"). task(/* x */ zed(L)',
+    ],
+)
+def test_a_task_is_called_however_its_head_is_written(head: str) -> None:
+    assert heights("zed bin", f"{head}, [params([L-location]), body([mov(L)])]).") == [500]
+
+
+def test_texts_without_tasks_or_with_comments_that_do_not_end_tell_none() -> None:
+    for text in ("", "a.", "task(/* zed(L)", "task('zed(L)", "'t\\x62\\sk'(zed)", "task('a b'(L))"):
+        assert told_tasks((SourceText("kb/a.pl", text),)) == {}
 
 
 def test_texts_that_are_not_saved_count_and_users_have_a_folder_of_their_own(
