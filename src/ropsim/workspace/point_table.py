@@ -51,9 +51,9 @@ def read_points(text: SourceText) -> tuple[tuple[TaskPoint, ...], tuple[Diagnost
     behind a name or not. Lengths are in millimetres and angles in degrees. The tool is turned by roll about
     the fixed x, by pitch about y and by yaw about z; without these columns any orientation will do.
     """
-    rows = [(number, _cells(line)) for number, line in enumerate(text.lines, start=1)]
-    rows = [(number, cells) for number, cells in rows if any(cells) and not cells[0].startswith("#")]
     try:
+        rows = [(number, _cells(text, number, line)) for number, line in enumerate(text.lines, start=1)]
+        rows = [(number, cells) for number, cells in rows if any(cells) and not cells[0].startswith("#")]
         columns, rest = _columns(text, rows)
     except _TableError as error:
         return (), (error.diagnostic,)
@@ -73,9 +73,12 @@ def read_points(text: SourceText) -> tuple[tuple[TaskPoint, ...], tuple[Diagnost
     return tuple(points), tuple(findings)
 
 
-def _cells(line: str) -> list[str]:
+def _cells(text: SourceText, number: int, line: str) -> list[str]:
     separator = next((one for one in (";", "\t") if one in line), ",")
-    row = next(csv.reader(io.StringIO(line), delimiter=separator), [])
+    try:
+        row = next(csv.reader(io.StringIO(line), delimiter=separator), [])
+    except csv.Error as error:  # a cell is longer than any number or name
+        raise _error(text, number, f"this is no table: {error}", FORM) from error
     return [cell.strip() for cell in row]
 
 

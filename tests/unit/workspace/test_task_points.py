@@ -65,6 +65,7 @@ def test_titles_units_and_separators_are_as_people_write_them(text: str) -> None
         ("x,y,z [kg]\n1,2,3\n", "W110", 1),
         ("1,2,3,4\n", "W110", 1),
         ("x,y,z\n5e6,2,3\n", "W110", 2),
+        pytest.param("x,y,z\n1,2,3\n1,2," + 140_000 * "3" + "\n", "W110", 3, id="a cell without end"),
         ("# nothing\n\n", "W111", None),
         ("", "W111", None),
     ],
