@@ -3,19 +3,17 @@
 from functools import lru_cache
 
 import numpy as np
-import numpy.typing as npt
 
 from ropsim.kinematics import Method, inverse_batch, redundant_solver_of, solver_of, turning_axes
 from ropsim.model import RobotModel, coupled_limits
 from ropsim.spatial import Array, Pose, record
+from ropsim.workspace.azimuths import azimuth_shares
 from ropsim.workspace.diagnostics import WorkspaceError, no_dexterity
 from ropsim.workspace.directions import orientations, sphere
 from ropsim.workspace.ranges import TURN
 from ropsim.workspace.reachable import Reachable
 from ropsim.workspace.sweep import SweepKind, whole_turn
 
-BINS = 36
-"""Azimuths at which it is looked what the first axis lets through."""
 AT_ONCE = 40_000
 """Poses that are solved in one go."""
 MOST_POSES, MOST_CELLS = 40_000, 1_000
@@ -133,28 +131,32 @@ def _shares(
     back, X_BS = X_MT.inverse().matrix(), workspace.sweep.X_BS
     d, rolls = tools.shape[:2]
     at_once = max(1, AT_ONCE // (d * rolls))
-    shares, arcs, halves = [], [], []
+    found = [np.empty((0, 3))]
     for start in range(0, len(centres), at_once):
         some = centres[start : start + at_once]
         T = np.zeros((len(some), d, rolls, 4, 4))
         T[..., :3, :3], T[..., 3, 3] = tools, 1.0
         T[..., 0, 3], T[..., 2, 3] = some[:, 0, np.newaxis, np.newaxis], some[:, 1, np.newaxis, np.newaxis]
-        there = _azimuths(robot, workspace, (X_BS @ T @ back).reshape(-1, 4, 4))
-        there = np.logical_or.reduce(there.reshape(len(some), d, rolls, -1), axis=2)
-        reached = there.any(axis=1).sum(axis=1)
-        shares.append(there.sum(axis=(1, 2)) / (d * np.maximum(reached, 1)))
-        arcs.append(there.all(axis=1).mean(axis=1))
-        halves.append((2 * there.sum(axis=1) >= d).mean(axis=1))
-    return np.concatenate(shares), np.concatenate(arcs), np.concatenate(halves)
+        first = _first_axes(robot, workspace, (X_BS @ T @ back).reshape(-1, 4, 4)).reshape(len(some), d, -1)
+        if whole_turn(workspace.sweep):
+            count = np.isfinite(first).any(axis=2).sum(axis=1)
+            found.append(np.stack((count / d, count == d, 2 * count >= d), axis=1))
+        else:
+            found.append(azimuth_shares(first, float(workspace.ranges.extent[0])))
+    share, arc, half = np.concatenate(found).T
+    return share, arc, half
 
 
-def _azimuths(robot: RobotModel, workspace: Reachable, T: Array) -> npt.NDArray[np.bool_]:
-    """Return at which azimuths poses can be taken that stand at azimuth 0, shape (k, BINS) or (k, 1)."""
-    ranges, sweep = workspace.ranges, workspace.sweep
-    azimuths = np.zeros(1) if whole_turn(sweep) else sweep.sense * (np.arange(BINS) + 0.5) * TURN / BINS
-    found = np.zeros((len(T), len(azimuths)), dtype=np.bool_)
+def _first_axes(robot: RobotModel, workspace: Reachable, T: Array) -> Array:
+    """Return places of the first axis, in whatever turn, for poses (k, 4, 4) that the others can take.
+
+    Returns:
+        [rad], NaN where a limit of another axis is broken, shape (k, m).
+    """
+    ranges = workspace.ranges
     turning = turning_axes(robot)
     centre = 0.5 * (ranges.lower + ranges.upper)
+    found = []
     for held in _held(robot, workspace):
         Q = inverse_batch(robot, T, held)
         Q = Q + TURN * turning * np.round((centre - Q) / TURN)
@@ -162,14 +164,8 @@ def _azimuths(robot: RobotModel, workspace: Reachable, T: Array) -> npt.NDArray[
         good = np.logical_and.reduce(inside[:, :, 1:], axis=2)
         if coupled_limits(robot).joints:
             good &= np.logical_and.reduce(coupled_limits(robot).excess(Q) == 0.0, axis=-1)
-        if whole_turn(sweep):
-            found |= good.any(axis=1)[:, np.newaxis]
-            continue
-        for row in range(Q.shape[1]):  # of the postures
-            q = Q[:, row, :1] + azimuths
-            off = np.abs(q - centre[0] - TURN * np.round((q - centre[0]) / TURN))
-            found |= np.logical_and(off <= 0.5 * ranges.extent[0], good[:, row, np.newaxis])
-    return found
+        found.append(np.where(good, Q[:, :, 0], np.nan))
+    return np.concatenate(found, axis=1)
 
 
 def _held(robot: RobotModel, workspace: Reachable) -> list[Array | None]:
@@ -190,5 +186,9 @@ def _volume(size: float, centres: Array, arcs: Array) -> float:
 
 def _left_open(size: float, centres: Array, arcs: Array) -> float:
     """Return what cells leave open along the border, as `reachable` does: about 4·√k of k cells lie there."""
-    border = 4.0 * float(np.count_nonzero(arcs)) ** 0.5
-    return float(3.0 * np.sqrt(border / 12.0) * TURN * size * size * centres[:, 0].mean())
+    there = arcs > 0.0
+    if not there.any():
+        return 0.0
+    border = 4.0 * float(np.count_nonzero(there)) ** 0.5
+    turn = TURN * float(arcs[there].mean())
+    return float(3.0 * np.sqrt(border / 12.0) * turn * size * size * centres[:, 0].mean())

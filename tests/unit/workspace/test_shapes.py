@@ -1,6 +1,7 @@
 """Outline, surface and tool directions of workspaces."""
 
 from dataclasses import replace
+from math import radians
 
 import numpy as np
 import pytest
@@ -21,6 +22,8 @@ from ropsim.workspace import (
     reachable,
     surface,
 )
+from ropsim.workspace.azimuths import azimuth_shares
+from ropsim.workspace.ranges import TURN
 
 COARSE = Resolution(100, 10_000)
 FEW = Directions(6, 2)
@@ -78,6 +81,31 @@ def test_a_wrist_that_cannot_turn_back_points_in_fewer_directions() -> None:
     found = dexterity(puma, flange("puma560"), Pose(), FEW)
     assert found.volume < 0.2 * flange("puma560").volume
     assert found.half > 0.8 * flange("puma560").volume
+
+
+@pytest.mark.parametrize("name", ["palletizer", "irb460_110_240"])
+@pytest.mark.parametrize("half", [0.5, 4.9, 14.0, 95.0])
+def test_an_arm_that_keeps_its_tool_upright_points_wherever_it_reaches(name: str, half: float) -> None:
+    """However narrow the first axis is: the one direction that it has, it has everywhere."""
+    robot = robots.load(name)
+    first = replace(robot.joints[0], lower=-radians(half), upper=radians(half))
+    robot = replace(robot, joints=(first, *robot.joints[1:]))
+    space = reachable(robot, moved_point(robot, PointKind.FLANGE), COARSE)
+    found = dexterity(robot, space, Pose())
+    assert abs(found.volume - space.volume) <= found.error + space.error
+    assert found.error <= 0.05 * found.volume
+    assert (found.share == 1.0).mean() > 0.95
+
+
+def test_azimuths_of_all_directions_are_where_their_ranges_overlap() -> None:
+    """One direction from 6.0 over the end of the turn to 1.2, another from 1.0 to 2.0."""
+    first = np.array([[[6.0, 0.2, np.nan], [1.0, np.nan, np.nan]], [[np.nan] * 3, [-0.3, 0.1, -0.3]]])
+    shares = azimuth_shares(first, 1.0)
+    turned = TURN - 6.0 + 1.2
+    assert shares[0] == pytest.approx(
+        [0.5 * (turned + 1.0) / (turned + 0.8), 0.2 / TURN, (turned + 0.8) / TURN]
+    )
+    assert shares[1] == pytest.approx([0.5, 0.0, 1.4 / TURN])
 
 
 def test_an_arm_whose_branches_are_not_all_found_says_so() -> None:
