@@ -10,14 +10,19 @@ from ropsim.core import SourceText
 from ropsim.spatial import Pose, frozen, quaternion
 from ropsim.workspace import (
     Candidate,
+    PointKind,
     Setting,
     TaskPoint,
     checked,
     compared,
+    distances,
+    moved_point,
     placements,
+    reachable,
     read_points,
     size_of,
 )
+from ropsim.workspace.position_only import reaching
 
 PUMA = robots.load("puma560")
 TOOL = Pose(np.array([0.0, 0.0, 0.1]))
@@ -114,6 +119,30 @@ def test_a_place_out_of_reach_is_missed_by_the_distance() -> None:
     assert found.reach is None
     assert found.miss is not None
     assert found.miss.distance == pytest.approx(0.25 * float(np.linalg.norm(place)), abs=1e-3)
+
+
+@pytest.mark.parametrize("name", ["irb460_110_240", "cobra600"])
+def test_a_miss_is_told_as_the_distance_to_the_workspace(name: str) -> None:
+    """By steps of the axes and by the raster of the section, which is exact to its spacing."""
+    robot = robots.load(name)
+    space = reachable(robot, moved_point(robot, PointKind.FLANGE))
+    size = 1.5 * max(abs(one.value) for one in space.extremes)
+    places = np.random.default_rng(7).uniform(-size, size, (200, 3))
+    off = distances(space, places)
+    far = np.flatnonzero(off > 0.0)[:60]
+    assert len(far) == 60
+    told = np.array([reaching(robot, np.zeros(3), one)[1] for one in places[far]])
+    cell = float(np.sqrt(2.0)) * space.section.spacing
+    assert (told <= 1.05 * off[far] + cell).all()
+    assert (told >= off[far] - 2.0 * cell).all()
+
+
+def test_an_arm_that_stands_at_its_limits_comes_as_near_as_the_other_axes_let_it() -> None:
+    """Axes at 113.59°, 40.06° and -19.37° leave 245 mm."""
+    robot = robots.load("irb460_110_240")
+    found = checked(Setting(robot, Pose(), Pose(), 2.4), TaskPoint("p", frozen([-0.92, 2.07, 1.69])))
+    assert found.miss is not None
+    assert 0.2 < found.miss.distance <= 0.245
 
 
 def test_task_and_base_moved_together_change_nothing() -> None:
