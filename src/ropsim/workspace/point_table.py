@@ -138,6 +138,11 @@ def _point(
 ) -> TaskPoint | Diagnostic:
     """Return the point of a line, or what is wrong with it."""
     span = Span.whole_line(text.name, number)
+    beyond = next((cell for cell in cells[len(columns) :] if cell), None)
+    if beyond is not None:
+        names = ", ".join(one.name for one in columns)
+        message = f"`{beyond[:40]}` stands behind the last column, the columns are {names}"
+        return BAD_POINT.at(span, message, hint="the first line tells the columns; " + FORM)
     values: dict[str, float] = {}
     for k, column in enumerate(columns):
         cell = cells[k] if k < len(cells) else ""
@@ -166,7 +171,12 @@ def _point(
 
 
 def _number(cell: str) -> float | None:
-    """Return the number in a cell; NaN and infinity are numbers here, to be told later."""
+    """Return the number in a cell; NaN and infinity are numbers here, to be told later.
+
+    Digits are those of tables: Python's own `1_000` and digits of other scripts are no numbers.
+    """
+    if "_" in cell or not cell.isascii():
+        return None
     try:
         return float(cell)
     except ValueError:

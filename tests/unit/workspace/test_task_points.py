@@ -70,6 +70,9 @@ def test_titles_units_and_separators_are_as_people_write_them(text: str) -> None
         ("x,y,z [kg]\n1,2,3\n", "W110", 1),
         ("1,2,3,4\n", "W110", 1),
         ("x,y,z\n5e6,2,3\n", "W110", 2),
+        ("x,y,z\n1_000,2,3\n", "W110", 2),
+        ("x,y,z\n1,2,3,4\n", "W110", 2),
+        ("name,x,y,z\n1,2,3,4,180,0,90\n", "W110", 2),
         pytest.param("x,y,z\n1,2,3\n1,2," + 140_000 * "3" + "\n", "W110", 3, id="a cell without end"),
         ("# nothing\n\n", "W111", None),
         ("", "W111", None),
@@ -80,6 +83,19 @@ def test_a_wrong_line_is_told_by_its_place(text: str, code: str, line: int | Non
     assert not found
     assert finding.code == code
     assert (finding.span.line if finding.span else None) == line
+
+
+def test_an_orientation_without_columns_for_it_is_told() -> None:
+    """The first line of numbers tells the columns; one of six numbers below it has three too many."""
+    found, (finding,) = read_points(SourceText("points.csv", "1,2,3\n4,5,6,180,0,90\n"))
+    assert len(found) == 1
+    assert finding.span is not None
+    assert finding.span.line == 2
+    assert "`180`" in finding.message
+
+
+def test_empty_cells_behind_the_columns_are_nothing() -> None:
+    assert len(points("x,y,z\n1,2,3,,\n")) == 1
 
 
 def test_good_lines_stay_beside_wrong_ones() -> None:
