@@ -13,6 +13,8 @@ SAMPLES, STARTS, STEPS = 2048, 24, 60
 """Configurations that are looked at, those that steps begin at, and steps, at most."""
 DAMPING = 0.5
 """Of the steps, times the square of the distance that is left [m²]."""
+LEAST, EASED, STIFFENED = 0.01, 3.0, 4.0
+"""Factors of the damping: at least, and by which it falls after a step that comes nearer, or else rises."""
 NEAR = 1e-7
 """A place this near [m] is reached."""
 TOUCHING = 1e-9
@@ -44,7 +46,8 @@ def reaching(robot: RobotModel, p_M: Array, place: Array) -> tuple[Array, float]
     """Return axes that bring a point of the interface to a place, and the distance that is left.
 
     Damped least squares from many starts, among them the nearest of many configurations; the damping follows
-    the distance that is left (Sugihara 2011), so that arms that are stretched towards a place come to rest.
+    the distance that is left (Sugihara 2011) and rises where a step comes no nearer, which is then not taken
+    (Marquardt 1963), so that arms that are stretched towards a place come to rest.
     Steps end at the first limit that they meet and go along those that they would push against, so that the
     other axes come as near as they can (active sets: Nocedal & Wright, Numerical Optimization, 16.5).
 
@@ -63,14 +66,18 @@ def reaching(robot: RobotModel, p_M: Array, place: Array) -> tuple[Array, float]
     point = MovedPoint(PointKind.TCP, INTERFACE, frozen(p_M))
     walls = _walls(robot, ranges)
     Q = _starts(robot, point, ranges, place)
+    error, scale = place - point.positions(robot, Q), np.ones(len(Q))
     for _ in range(STEPS):
-        error = place - point.positions(robot, Q)
         J = point_jacobian(robot, point, Q)
-        damping = DAMPING * (error * error).sum(axis=1) + 1e-12
-        step = _along_walls(walls.left(Q), walls.N, J, error, damping)
-        before, Q = Q, np.clip(_until_a_wall(walls, Q, step), ranges.lower, ranges.upper)
-        if np.abs(Q - before).max() <= RESTING:
+        left = (error * error).sum(axis=1)
+        step = _along_walls(walls.left(Q), walls.N, J, error, scale * DAMPING * left + 1e-12)
+        tried = np.clip(_until_a_wall(walls, Q, step), ranges.lower, ranges.upper)
+        if np.abs(tried - Q).max() <= RESTING:
             break
+        then = place - point.positions(robot, tried)
+        nearer = (then * then).sum(axis=1) < left
+        Q, error = (np.where(nearer[:, np.newaxis], *one) for one in ((tried, Q), (then, error)))
+        scale = np.where(nearer, np.maximum(scale / EASED, LEAST), scale * STIFFENED)
     off = np.linalg.norm(place - point.positions(robot, Q), axis=1)
     allowed = (coupled_limits(robot).excess(Q) == 0.0).all(axis=1)
     good = (off <= NEAR) & allowed
