@@ -19,15 +19,16 @@ export function ViewsPanel() {
     const reducedMotion = matchMedia('(prefers-reduced-motion: reduce)').matches
     const stage = new Stage(host.current, { reducedMotion, theme: isDark() ? 'dark' : 'light' })
     const scheme = onScheme(() => stage.setTheme(isDark() ? 'dark' : 'light'))
+    // Before the stage is given a scene: what that lacks is told at once.
+    const told = stage.onProblems(() =>
+      setProblems(stage.problems.map(one => [one.body, one.file, one.reason].filter(Boolean).join(': '))),
+    )
     studio.picture.attach(stage)
     stage.select(studio.store.getState().selected)
     const cameras = studio.storage.read('cameras')
     if (isStageState(cameras)) stage.restore({ ...cameras, layout: studio.store.getState().look.layout })
     const keep = stage.onViewChange(() => studio.storage.write('cameras', stage.state()))
     const pick = stage.onPick(body => studio.select(body < 0 ? null : body))
-    const told = stage.onProblems(() =>
-      setProblems(stage.problems.map(one => [one.body, one.file, one.reason].filter(Boolean).join(': '))),
-    )
     const drawn = stage.onDrawn(() => {
       if (studio.store.getState().scene) document.body.dataset.ready = ''
     })
