@@ -18,7 +18,7 @@ const FASTEST = 0.25
 const FASTEST_TURN = Math.PI / 4
 
 /** Steps that can be asked for [m, rad]. */
-const STEPS = { lower: 2e-4, upper: 1, said: words.jog.steps }
+const STEPS = { lower: 1e-4, upper: 1, said: words.jog.steps }
 const TURNS = { lower: Math.PI / 1800, upper: Math.PI / 2, said: words.jog.turns }
 
 export function JogTcp({ disabled, asked }: { disabled: boolean; asked: Asked }) {

@@ -1,10 +1,8 @@
 /** A field for a number with a unit: shows the value, takes `12.5 mm`, `90 deg`, `13*2`. */
 import { useId, useState } from 'react'
-import { type Dimension, type Parsed, parseQuantity } from '../units/parse'
+import { type Dimension, parseQuantity } from '../units/parse'
 import { formatQuantity } from '../units/quantity'
-
-/** An end of a range may be typed as it is shown: rounded [m | rad]. */
-const ROUNDING = 1e-4
+import { inRange, type Range } from '../units/range'
 
 interface QuantityFieldProps {
   readonly label: string
@@ -15,7 +13,7 @@ interface QuantityFieldProps {
   /** Why the value that was typed last was not taken; empty when it was. It stays in the field, to be corrected. */
   readonly refused?: string
   /** Values outside are not taken, and this is said of them. */
-  readonly range?: { readonly lower: number; readonly upper: number; readonly said: string }
+  readonly range?: Range
   readonly onValue: (value: number) => void
   /** What was typed was not taken, or is given up. */
   readonly onWrong?: () => void
@@ -90,12 +88,4 @@ export function QuantityField({
       ) : null}
     </span>
   )
-}
-
-/** A value that is in its range as far as that has ends. */
-function inRange(parsed: Parsed, range: QuantityFieldProps['range']): Parsed {
-  if ('mistake' in parsed || !range) return parsed
-  const { lower, upper, said } = range
-  const isOutside = parsed.value < lower - ROUNDING || parsed.value > upper + ROUNDING
-  return isOutside ? { mistake: said } : { value: Math.min(Math.max(parsed.value, lower), upper) }
 }

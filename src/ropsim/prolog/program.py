@@ -8,6 +8,9 @@ from typing import Protocol
 
 from ropsim.core import read_bytes
 
+MOST_BYTES = 8 << 20
+"""Bytes of a text that is taken over; where the other side counts characters, so many of these."""
+
 
 class Prolog(Enum):
     """Which SWI-Prolog an engine uses."""

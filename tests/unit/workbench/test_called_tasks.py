@@ -9,6 +9,7 @@ from ropsim.cli.main import main
 from ropsim.core import Diagnostic, SourceText
 from ropsim.icr import disassemble, encoded, program_id, read_binary, read_text, run
 from ropsim.query import Outcome
+from ropsim.spatial import Pose
 from ropsim.workbench import AtStation, CompiledProgram, Workspace, new_project, open_overlaid
 from ropsim.workbench.task_texts import NO_TASKS, TaskTexts, read_task_texts
 from ropsim.workbench.told_tasks import mentioned, told_tasks
@@ -53,7 +54,10 @@ def heights(text: str, *own: str, users: tuple[str, ...] = ()) -> list[float]:
     """Return how high each move of a program goes [mm]."""
     code = compiled(text, at(*own, users=users)).icr
     assert code is not None, found(text, *own, users=users)
-    return [round(1000 * float(one.target.position[2]), 6) for one in run(code).moves]  # type: ignore[union-attr]
+    targets = [one.target for one in run(code).moves]
+    poses = [one for one in targets if isinstance(one, Pose)]
+    assert len(poses) == len(targets)
+    return [round(1000 * float(one.position[2]), 6) for one in poses]
 
 
 def test_a_task_in_the_folder_of_the_project_is_called_like_one_of_the_program() -> None:

@@ -13,7 +13,7 @@ from ropsim.core import RopsimError
 from ropsim.prolog.diagnostics import NO_NATIVE_PROLOG
 from ropsim.prolog.native.frames import Frames
 from ropsim.prolog.native.memory import limit_memory
-from ropsim.prolog.program import CrashError, StoppedError, TooLongError, own_sources
+from ropsim.prolog.program import MOST_BYTES, CrashError, StoppedError, TooLongError, own_sources
 
 COMMAND = "swipl"
 MOST_PRINTED = 64 << 10
@@ -95,7 +95,7 @@ class NativeProgram:
                 word, text = self._received()
                 is_open = word == "more"
                 if word == "long":
-                    raise TooLongError(f"a text of {text} characters; at most {8 << 20} are taken")
+                    raise TooLongError(f"a text of {text} characters; at most {MOST_BYTES} are taken")
                 if word == "end":
                     return
                 yield text, word == "last"

@@ -6,7 +6,7 @@ Source: the reference of the C interface in the manual of SWI-Prolog, section "F
 from collections.abc import Generator, Iterator
 from contextlib import contextmanager
 
-from ropsim.prolog.program import CrashError, TooLongError
+from ropsim.prolog.program import MOST_BYTES, CrashError, TooLongError
 from ropsim.prolog.wasm.instance import Instance
 
 CATCH, STATUS = 0x08, 0x40
@@ -16,8 +16,6 @@ AS_TEXT = 0x3F | 0x200 | UTF8
 """Of `PL_get_nchars`: constants as they are, all else as `writeq/1` writes it."""
 LAST = 2
 """The status of a solution behind which there is none."""
-MOST_BYTES = 8 << 20
-"""Bytes of a text that is taken over."""
 
 
 class Foreign:

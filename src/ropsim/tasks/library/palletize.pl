@@ -22,7 +22,7 @@ task(depalletize(From, To, A, B), [
   pre([gripper(open)]),
   geo([reachable(arm, From), reachable(arm, To)]),
   body([
-    x := A - A,
+    x := 0*mm,
     y := x,
     repeat(B, [
       c := x,
