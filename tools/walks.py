@@ -1,7 +1,7 @@
 """Plan random stretches on every arm of the house: `python -m tools.walks ARM --cases N --first N`.
 
 Each stretch has a number, and is the same whenever it is made again. Told is each that breaks a law: limits
-of joints, torque and tool at every control tick, continuity of position and speed.
+of joints, torque and tool at every control tick, continuity of position and speed, zones that cost time.
 """
 
 import argparse
@@ -16,7 +16,7 @@ import numpy as np  # noqa: E402  # the path above is needed first
 
 from ropsim.model import Payload  # noqa: E402  # as above
 from support.walking_arms import CHAINS  # noqa: E402  # as above
-from support.walks import faults_of, hairpins, random_walk  # noqa: E402  # as above
+from support.walks import cost_of_zones, faults_of, hairpins, random_walk  # noqa: E402  # as above
 
 LOADS = Payload(), Payload(2.0, np.array([0.02, -0.01, 0.08]))
 WALKS = {"of all kinds": random_walk, "of hairpins": hairpins}
@@ -36,6 +36,7 @@ def main() -> int:
             for seed in range(options.first, options.first + options.cases):
                 walk = made(CHAINS[name], np.random.default_rng(seed))
                 found = faults_of(CHAINS[name], walk, LOADS[seed % 2])
+                found += cost_of_zones(CHAINS[name], walk, LOADS[seed % 2])
                 faults += bool(found)
                 for fault in found:
                     print(f"{name}, stretch {seed} {sort}: {fault}", flush=True)

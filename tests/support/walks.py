@@ -1,6 +1,6 @@
 """Random stretches of moves for any arm, and what the reference of a plan asks of it, tick by tick."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -94,6 +94,19 @@ def faults_of(chain: MotionChain, walk: Walk, payload: Payload) -> list[str]:
         if not np.abs(jump).max(initial=0.0) <= most:
             faults.append(f"{name} of a joint jumps")
     return faults
+
+
+def cost_of_zones(chain: MotionChain, walk: Walk, payload: Payload) -> list[str]:
+    """Return what is wrong where a walk with its zones takes longer than with a stop at each point."""
+    start = MotionState.at_rest(walk.q_start)
+    flown, _ = plan(chain, walk.moves, start, payload)
+    if flown is None:
+        return []
+    moves = [replace(one, modal=replace(one.modal, zone=0.0)) for one in walk.moves[: len(flown.moves)]]
+    stopped, _ = plan(chain, moves, start, payload)
+    if stopped is None or len(stopped.moves) < len(moves) or flown.ticks <= stopped.ticks:
+        return []
+    return [f"{flown.duration:g} s with zones, {stopped.duration:g} s with stops"]
 
 
 def shares(robot: RobotModel, plan: MotionPlan, payload: Payload) -> dict[str, float]:

@@ -33,6 +33,14 @@ class Keeping:
         """Return how long the motion lasts [s]; infinity where there is none."""
         return self.kept.clock.duration if isinstance(self.kept, Kept) else float("inf")
 
+    @property
+    def ends(self) -> tuple[float, ...]:
+        """Return the times at which the moves end [s]; infinity where there is no motion."""
+        ends = self.course.ends
+        if isinstance(self.kept, Kept):
+            return tuple(self.kept.clock.times_of(ends).tolist())
+        return (float("inf"),) * len(ends)
+
 
 def keeping_of(parts: Sequence[Part], legs: int, arm: ArmBounds, period: float, look_ahead: int) -> Keeping:
     """Return the motion through the parts of a stretch.

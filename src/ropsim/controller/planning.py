@@ -2,7 +2,6 @@
 
 import math
 from collections.abc import Sequence
-from collections.abc import Set as AbstractSet
 from itertools import pairwise
 
 import numpy as np
@@ -14,7 +13,6 @@ from ropsim.controller.course import course_of
 from ropsim.controller.entities import Refusal
 from ropsim.controller.flown_zones import flown_zones
 from ropsim.controller.hopeless import joints_refusal, rest_to_rest_refusal, standing_refusal
-from ropsim.controller.joint_stops import joint_stops
 from ropsim.controller.keeping import keeping_of
 from ropsim.controller.kept_limits import arm_bounds, beyond_refusal, move_at, slowed_findings
 from ropsim.controller.leg import Leg
@@ -27,6 +25,7 @@ from ropsim.controller.quicker_stops import quicker_stops, without
 from ropsim.controller.stages import along_with, joint_stages, tool_stages
 from ropsim.controller.start_check import check_start
 from ropsim.controller.stretch_legs import legs_of
+from ropsim.controller.stretch_times import arm_times, times_alone, tool_times
 from ropsim.controller.ticks import in_ticks, standing
 from ropsim.controller.zone_findings import clipped, stopped
 from ropsim.core import Diagnostic
@@ -65,7 +64,7 @@ def plan(
         return None, wrong
     legs, refusal = legs_of(chain, stretch, state.q)
     while legs:
-        planned = _planned(chain, legs, state, payload, frozenset())
+        planned = _planned(chain, legs, state, payload)
         if isinstance(planned, MotionPlan):
             return planned, refusal
         legs, refusal = legs[: planned.leg], planned.refusal
@@ -86,27 +85,28 @@ class _Hurdle:
 
 
 def _planned(
-    chain: MotionChain, legs: list[Leg], state: MotionState, payload: Payload, stops: AbstractSet[int]
+    chain: MotionChain, legs: list[Leg], state: MotionState, payload: Payload
 ) -> MotionPlan | _Hurdle:
-    """Return the motion through moves, with stops at some corners; or the move that cannot be made."""
+    """Return the motion through moves, or the move that cannot be made."""
     findings = [finding for leg in legs for finding in leg.findings]
     for number, leg in enumerate(legs):
         if _crawls(leg) and check_duration(leg.move, alone := _time_alone(leg)):
             return _too_long(legs, number, alone)
         if refusal := correction_refusal(leg):
             return _Hurdle(number, refusal)
-    corners = _corners(chain, legs, findings, stops)
+    corners = _corners(chain, legs, findings)
     walks = pieces_of(legs, corners)
     for piece in (one for pieces, _ in walks for one in pieces):
         if refusal := standing_refusal(legs[piece.leg], piece):
             return _Hurdle(piece.leg, refusal)
-    if quicker := quicker_stops(legs, corners, walks, chain.controller.look_ahead):
+    ahead, period = chain.controller.look_ahead, chain.controller.rates.control_period
+    parts, singly = parts_of(walks, ahead), times_alone(legs, walks, ahead)
+    course, of_tool = course_of(parts, len(legs)), tool_times(legs, corners, ahead)
+    while quicker := quicker_stops(corners, course.ends, singly, of_tool):
         findings += (hint for one in quicker for hint in stopped(legs[one].move, Stop.QUICKER))
         corners = without(corners, quicker)
-        walks = pieces_of(legs, corners)
-    parts = parts_of(walks, chain.controller.look_ahead)
-    course = course_of(parts, len(legs))
-    period = chain.controller.rates.control_period
+        parts = parts_of(pieces_of(legs, corners), ahead)
+        course = course_of(parts, len(legs))
     if not course.runs:
         return standing(legs, state.q, period, findings)
     if late := _late(legs, course.ends):
@@ -116,10 +116,12 @@ def _planned(
         return hopeless
     if any(leg.move.tracking for leg in legs):
         bounds = beside_correction(bounds)
-    keeping = keeping_of(parts, len(legs), bounds, period, chain.controller.look_ahead)
-    ahead = chain.controller.look_ahead
-    if more := joint_stops(legs, corners, keeping, bounds, period, ahead):
-        return _planned(chain, legs, state, payload, stops | set(more))
+    keeping = keeping_of(parts, len(legs), bounds, period, ahead)
+    of_arm = arm_times(legs, corners, ahead, of_tool, bounds, period)
+    while quicker := quicker_stops(corners, keeping.ends, singly, of_arm):
+        findings += (hint for one in quicker for hint in stopped(legs[one].move, Stop.SLOWED))
+        corners = without(corners, quicker)
+        keeping = keeping_of(parts_of(pieces_of(legs, corners), ahead), len(legs), bounds, period, ahead)
     course, kept = keeping.course, keeping.kept
     if isinstance(kept, Beyond):
         number = move_at(course.ends, kept.phi)
@@ -198,13 +200,11 @@ def _time_alone(leg: Leg) -> float:
     return max(cruise, math.sqrt(4.0 * way / acceleration), math.cbrt(32.0 * way / jerk))
 
 
-def _corners(
-    chain: MotionChain, legs: list[Leg], findings: list[Diagnostic], stops: AbstractSet[int]
-) -> list[Corner | None]:
+def _corners(chain: MotionChain, legs: list[Leg], findings: list[Diagnostic]) -> list[Corner | None]:
     """Return the rounded corners between moves, None where the arm stops or where nothing moves."""
     corners: list[Corner | None] = []
-    for number, (before, behind) in enumerate(pairwise(legs)):
-        found = Stop.SLOWED if number in stops else corner_between(chain, before, behind)
+    for before, behind in pairwise(legs):
+        found = corner_between(chain, before, behind)
         if isinstance(found, Stop):
             findings += stopped(before.move, found)
             corners.append(None)

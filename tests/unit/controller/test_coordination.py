@@ -247,7 +247,7 @@ def test_a_corner_between_coordinated_lines_is_rounded_in_the_frame(seed: int, f
         middle[6:] = start[6:]
     if frames == "second stands":
         goal[6:] = middle[6:]
-    zone = 0.02
+    zone = 0.03
     last = to_plate(robot, goal)
     if frames == "two":
         last = replace(last, modal=NEST, target=Pose.from_matrix(from_plate(robot, goal[None], X_LN)[0]))

@@ -1,0 +1,96 @@
+"""How long moves of a stretch take from rest to rest: at least, by limits of the tool, and within all."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from ropsim.controller.corners import Corner
+from ropsim.controller.course import course_of
+from ropsim.controller.keeping import keeping_of
+from ropsim.controller.kept_limits import ArmBounds
+from ropsim.controller.leg import Leg
+from ropsim.controller.parts import Part, parts_of
+from ropsim.controller.pieces import Walk, pieces_of
+from ropsim.controller.quicker_stops import Span, Times
+from ropsim.motion import plan_time_law
+
+
+def times_alone(legs: Sequence[Leg], walks: Sequence[Walk], look_ahead: int) -> tuple[float, ...]:
+    """Return the times that moves take from rest to rest by the limits of their paths [s].
+
+    Args:
+        legs: the moves.
+        walks: the pieces of the moves, as from `pieces_of`.
+        look_ahead: how many moves beyond the present one are known.
+    """
+    even = {}
+    for pieces, _ in walks:
+        for piece in pieces:
+            if piece.corner is None and len(piece.stages) == 1 and not piece.gentler:
+                even[piece.leg] = piece.stages[0]
+    found = []
+    for number, leg in enumerate(legs):
+        stage = even.get(number)
+        if stage and leg.joints:
+            found.append(plan_time_law((replace(stage, length=leg.joints.length),)).duration)
+        else:
+            found.append(_course_time([leg], [], look_ahead))
+    return tuple(found)
+
+
+def tool_times(legs: Sequence[Leg], corners: Sequence[Corner | None], look_ahead: int) -> Times:
+    """Return the times of moves by the limits of their paths alone.
+
+    Args:
+        legs: the moves.
+        corners: between each two of them.
+        look_ahead: how many moves beyond the present one are known.
+    """
+    known: dict[Span, float] = {}
+
+    def time(span: Span) -> float:
+        if span not in known:
+            known[span] = _course_time(*_part(legs, corners, span), look_ahead)
+        return known[span]
+
+    return Times(time, time)
+
+
+def arm_times(
+    legs: Sequence[Leg],
+    corners: Sequence[Corner | None],
+    look_ahead: int,
+    least: Times,
+    arm: ArmBounds,
+    period: float,
+) -> Times:
+    """Return the times of moves within the limits of the joints.
+
+    Args:
+        legs: the moves.
+        corners: between each two of them.
+        look_ahead: how many moves beyond the present one are known.
+        least: their times by the limits of their paths.
+        arm: limits of the joints.
+        period: of the control ticks [s].
+    """
+
+    def time(span: Span) -> float:
+        some, between = _part(legs, corners, span)
+        return keeping_of(_parts(some, between, look_ahead), len(some), arm, period, look_ahead).duration
+
+    return Times(least.exact, time)
+
+
+def _part(
+    legs: Sequence[Leg], corners: Sequence[Corner | None], span: Span
+) -> tuple[Sequence[Leg], Sequence[Corner | None]]:
+    first, last = span
+    return legs[first:last], corners[first : last - 1]
+
+
+def _parts(legs: Sequence[Leg], corners: Sequence[Corner | None], look_ahead: int) -> Sequence[Part]:
+    return parts_of(pieces_of(legs, corners), look_ahead)
+
+
+def _course_time(legs: Sequence[Leg], corners: Sequence[Corner | None], look_ahead: int) -> float:
+    return course_of(_parts(legs, corners, look_ahead), len(legs)).duration
