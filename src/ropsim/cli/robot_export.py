@@ -9,7 +9,7 @@ from ropsim.cli.output import Output, cannot_write
 from ropsim.core import replace_file
 from ropsim.exchange import losses_refused
 from ropsim.records import diagnostic_document
-from ropsim.workbench import ROBOT_FORMATS, RobotFileError, written_robot
+from ropsim.workbench import ROBOT_FORMATS, RobotFileError, StepForm, written_robot
 
 
 def export(options: argparse.Namespace, output: Output) -> int:
@@ -17,7 +17,7 @@ def export(options: argparse.Namespace, output: Output) -> int:
     asked = asked_robot(options, output)
     if asked.robot is None:
         return 1
-    written = written_robot(asked.robot, options.file, asked.read)
+    written = written_robot(asked.robot, options.file, asked.read, StepForm(options.form))
     refused = losses_refused(asked.findings, written.losses) if options.strict else None
     told = (*written.losses, refused) if refused else written.losses
     output.findings(told, {})

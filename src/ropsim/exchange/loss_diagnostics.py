@@ -1,4 +1,4 @@
-"""What does not go over from one format of robots to another (codes X993 to X996)."""
+"""What does not go over from one format of robots to another (codes X993 to X997)."""
 
 from collections.abc import Iterable
 
@@ -45,6 +45,18 @@ geometry is drawn by it, if it has nothing else.
 """,
 )
 
+LOST_MASS = define(
+    "X997",
+    "exchange-loses-masses",
+    Severity.WARNING,
+    "masses of links do not go over: the robot on the other side has no weight",
+    """
+A plain mechanism of AP242 is links, joints and pairs; mass, centre of mass and inertia of its links have no
+place there. On the other side the robot moves as it does here, without dynamics. NIROX (`.stp` without
+`--as`) has the same mechanism and the masses beside it, and readers of AP242 leave out what they do not know.
+""",
+)
+
 LOSSES_REFUSED = define(
     "X996",
     "exchange-losses-refused",
@@ -57,7 +69,7 @@ lost stands above this error. NIROX (`.stp`) holds everything that the model has
 """,
 )
 
-LOSSES = frozenset(kind.code for kind in (LOST_MOTION, LOST_DRIVE, LOST_DESCRIPTION))
+LOSSES = frozenset(kind.code for kind in (LOST_MOTION, LOST_DRIVE, LOST_MASS, LOST_DESCRIPTION))
 """Codes of what does not go over where a file is read."""
 
 

@@ -2,7 +2,9 @@
 
 from typing import TYPE_CHECKING
 
-from ropsim.core import SourceText
+from ropsim.core import Diagnostic, SourceText, plural
+from ropsim.exchange.loss_diagnostics import LOST_DESCRIPTION
+from ropsim.exchange.notes import listed
 from ropsim.model import RobotModel, WrittenRobot
 
 if TYPE_CHECKING:
@@ -33,3 +35,17 @@ def write_nirox(robot: RobotModel, beside: "Beside | None" = None) -> WrittenRob
     from ropsim.nirox import write_nirox as write
 
     return write(robot, beside) if beside is not None else write(robot)
+
+
+def kept_lost(beside: "Beside") -> tuple[Diagnostic, ...]:
+    """Return what is lost where a robot leaves the format that keeps what its file said besides.
+
+    Args:
+        beside: what a NIROX file, or one of AP242, said beside its robot.
+    """
+    if not beside.numbers:
+        return ()
+    names = listed(beside.instances[number].keyword for number in beside.numbers)
+    count = plural(len(beside.numbers), "thing")
+    words = f"what its file says beside the robot does not go over, {count}: {names}"
+    return (LOST_DESCRIPTION.at(None, words, hint="NIROX (`.stp`) keeps them"),)

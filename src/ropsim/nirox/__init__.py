@@ -4,6 +4,7 @@ from ropsim.nirox.beside import Beside as Beside
 from ropsim.nirox.conformance import ConformanceClass as ConformanceClass
 from ropsim.nirox.conformance import conformance_of as conformance_of
 from ropsim.nirox.further_frame import FurtherFrame as FurtherFrame
+from ropsim.nirox.plain_writing import write_mechanism as write_mechanism
 from ropsim.nirox.reading import ReadNirox as ReadNirox
 from ropsim.nirox.reading import nirox_places as nirox_places
 from ropsim.nirox.reading import read_nirox as read_nirox

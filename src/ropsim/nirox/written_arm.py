@@ -36,7 +36,7 @@ def write_arm(
     flange = building.add(("flange",), "ROBOT_FRAME", "flange", role, tip, placement)
     frames = [flange, *(_frame(building, writing, *one) for one in enumerate(further))]
     mechanism = writing.write()
-    states = tuple(_state(building, robot, place) for place in range(robot.n))
+    states = tuple(write_state(building, robot, place) for place in range(robot.n))
     home = building.add(("home",), "MECHANISM_STATE_REPRESENTATION", "home", states, DERIVED, mechanism)
     axes = tuple(building.at(("pair", number)) for number in robot.axes)
     base = building.at(("link", -1))
@@ -86,7 +86,8 @@ def _table(robot: RobotModel) -> tuple[int, ...] | None:
     return arm if [row.type for row in robot.dh] == types else None
 
 
-def _state(building: Building, robot: RobotModel, place: int) -> Reference:
+def write_state(building: Building, robot: RobotModel, place: int) -> Reference:
+    """Make the value of the pair of an axis in the rest position."""
     number = robot.axes[place]
     joint = robot.joints[number]
     keyword = _VALUES.get(joint.type, "REVOLUTE_PAIR_VALUE")

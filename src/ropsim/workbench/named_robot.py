@@ -7,8 +7,8 @@ from ropsim.cellfile import is_robot_file
 from ropsim.core import Diagnostic, RopsimError, SourceText, Span, frozen_dataclass
 from ropsim.model import AuditPlace, PlaceOf, ReadRobot, RobotModel, WrittenRobot
 from ropsim.userfiles import read_text_file
-from ropsim.workbench.robot_files import read_robot, unknown_format, unwritten_format
-from ropsim.workbench.robot_formats import ROBOT_FORMATS, WRITERS
+from ropsim.workbench.robot_files import no_step_file, read_robot, unknown_format, unwritten_format
+from ropsim.workbench.robot_formats import ROBOT_FORMATS, STEP_ENDINGS, STEP_WRITERS, WRITERS, StepForm
 
 
 class RobotFileError(RopsimError):
@@ -34,8 +34,10 @@ class NamedRobot:
     @property
     def place_of(self) -> PlaceOf:
         """Return where the numbers of the robot stand in its file."""
-        format_ = ROBOT_FORMATS.get(Path(self.text.name).suffix.lower()) if self.text else None
-        return format_.places(self.text) if format_ and format_.places and self.text else _nowhere
+        if self.text is None:
+            return _nowhere
+        format_ = ROBOT_FORMATS.get(Path(self.text.name).suffix.lower())
+        return (format_.places(self.text) if format_ else None) or _nowhere
 
 
 def find_robot(name: str | Path) -> NamedRobot:
@@ -76,22 +78,27 @@ def load_robot(name: str | Path) -> RobotModel:
     return found.robot
 
 
-def written_robot(robot: RobotModel, name: str | Path, read: ReadRobot | None = None) -> WrittenRobot:
+def written_robot(
+    robot: RobotModel, name: str | Path, read: ReadRobot | None = None, form: StepForm = StepForm.NIROX
+) -> WrittenRobot:
     """Return a robot as the text of a file, and what of it is lost.
 
     Args:
         robot: to be written.
         name: of the file, whose ending says in which format.
         read: from what it comes; what that said beside the robot is written again, where the format holds it.
+        form: what a STEP file is to say.
 
     Raises:
-        RobotFileError: X911, robots are not written into files of this ending.
+        RobotFileError: X911, robots are not written into files of this ending, or not in this form.
     """
     ending = Path(name).suffix.lower()
+    if form is not StepForm.NIROX and ending not in STEP_ENDINGS:
+        raise RobotFileError(no_step_file(str(name), form))
     if ending not in WRITERS:
         raise RobotFileError(unwritten_format(str(name)))
-    again = ROBOT_FORMATS[ending].write_again if ending in ROBOT_FORMATS else None
-    return WRITERS[ending](robot) if read is None or again is None else again(robot, read)
+    format_ = STEP_WRITERS[form] if ending in STEP_ENDINGS else WRITERS[ending]
+    return format_.write(robot) if read is None else format_.write_again(robot, read)
 
 
 def robots_in(folder: Path) -> tuple[Path, ...]:

@@ -8,7 +8,7 @@ from typing import TypeAlias
 from ropsim.core import Diagnostic, SourceText, did_you_mean, frozen_dataclass
 from ropsim.model import ReadRobot
 from ropsim.workbench.project_diagnostics import ROBOT_FILE_OUTSIDE, UNKNOWN_ROBOT_FORMAT
-from ropsim.workbench.robot_formats import ROBOT_FORMATS, WRITERS
+from ropsim.workbench.robot_formats import ROBOT_FORMATS, STEP_ENDINGS, WRITERS, StepForm
 
 Reading: TypeAlias = tuple[SourceText | None, tuple[Diagnostic, ...]]
 """What became of reading a file: its text, or why there is none."""
@@ -71,6 +71,12 @@ def unknown_format(name: str, place: Path | None = None) -> Diagnostic:
 def unwritten_format(name: str) -> Diagnostic:
     """Return the finding that robots are not written into files of this name."""
     message = f"robots are not written into `{name[:200]}`, but into files that end with {_listed(WRITERS)}"
+    return UNKNOWN_ROBOT_FORMAT.at(None, message)
+
+
+def no_step_file(name: str, form: StepForm) -> Diagnostic:
+    """Return the finding that a form of STEP files was asked for in a file of another format."""
+    message = f"`{name[:200]}` is no file for the form `{form}`, these end with {_listed(STEP_ENDINGS)}"
     return UNKNOWN_ROBOT_FORMAT.at(None, message)
 
 

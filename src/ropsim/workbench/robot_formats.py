@@ -1,103 +1,106 @@
-"""The formats of robot files: a new one is an entry here; it is loaded when its first file is met."""
+"""The formats of robot files: a new one is a line of this table; it is loaded when its first file is met."""
 
 from collections.abc import Callable, Mapping
+from dataclasses import replace
+from enum import StrEnum
+from importlib import import_module
 from types import MappingProxyType
+from typing import Any
 
 from ropsim.core import SourceText, frozen_dataclass
 from ropsim.model import PlaceOf, ReadRobot, RobotModel, WrittenRobot
-from ropsim.robotfile import read_robot_file, robot_file_places, write_robot_file
+
+
+class StepForm(StrEnum):
+    """What a robot becomes in a STEP file.
+
+    Attributes:
+        NIROX: everything that the model holds.
+        AP242: the mechanism alone, in entities of AP242 only.
+    """
+
+    NIROX = "nirox"
+    AP242 = "ap242"
 
 
 @frozen_dataclass
 class RobotFormat:
-    """How files of one ending are read and written.
+    """How files of one ending are read and written: functions of one package, by their names.
 
     Attributes:
-        read: a text to a robot.
-        places: where the numbers of the robot stand in a text that could be read; None where nobody can tell.
-        write: a robot to a text; None where there is no writer.
-        write_again: the same of a robot that was read from a file, with what that said beside it; None where
-            nothing is kept beside robots.
+        package: front that has them.
+        reader: a text to a robot; empty where there is none.
+        writer: a robot to a text; empty where there is none. Where the reader keeps what a file says beside
+            its robot, the writer takes that, too.
+        finder: where the numbers of the robot stand in a text that was read; empty where nobody can tell.
     """
 
-    read: Callable[[SourceText], ReadRobot]
-    places: Callable[[SourceText], PlaceOf] | None = None
-    write: Callable[[RobotModel], WrittenRobot] | None = None
-    write_again: Callable[[RobotModel, ReadRobot], WrittenRobot] | None = None
+    package: str
+    reader: str = ""
+    writer: str = ""
+    finder: str = ""
+
+    def read(self, source: SourceText) -> ReadRobot:
+        """Return the robot of a text."""
+        found: ReadRobot = self._function(self.reader)(source)
+        return found
+
+    def write(self, robot: RobotModel) -> WrittenRobot:
+        """Return the text of a robot."""
+        written: WrittenRobot = self._function(self.writer)(robot)
+        return written
+
+    def write_again(self, robot: RobotModel, read: ReadRobot) -> WrittenRobot:
+        """Return the text of a robot read from a file, with what that said beside it, or its loss."""
+        from ropsim.nirox import ReadNirox
+
+        if not isinstance(read, ReadNirox):
+            return self.write(robot)
+        if self is _NIROX:
+            again: WrittenRobot = self._function(self.writer)(robot, read.beside)
+            return again
+        from ropsim.exchange import kept_lost
+
+        written = self.write(robot)
+        return replace(written, losses=(*written.losses, *kept_lost(read.beside)))
+
+    def places(self, source: SourceText) -> PlaceOf | None:
+        """Return where the numbers of the robot stand in a text."""
+        if not self.finder:
+            return None
+        found: PlaceOf = self._function(self.finder)(source)
+        return found
+
+    def _function(self, name: str) -> Callable[..., Any]:
+        found: Callable[..., Any] = getattr(import_module(self.package), name)
+        return found
 
 
-def _read_urdf(source: SourceText) -> ReadRobot:
-    from ropsim.exchange import read_urdf
-
-    return read_urdf(source)
-
-
-def _write_urdf(robot: RobotModel) -> WrittenRobot:
-    from ropsim.exchange import write_urdf
-
-    return write_urdf(robot)
-
-
-def _read_mjcf(source: SourceText) -> ReadRobot:
-    from ropsim.exchange import read_mjcf
-
-    return read_mjcf(source)
-
-
-def _write_mjcf(robot: RobotModel) -> WrittenRobot:
-    from ropsim.exchange import write_mjcf
-
-    return write_mjcf(robot)
-
-
-def _write_sdf(robot: RobotModel) -> WrittenRobot:
-    from ropsim.exchange import write_sdf
-
-    return write_sdf(robot)
-
-
-def _read_nirox(source: SourceText) -> ReadRobot:
-    from ropsim.nirox import read_nirox
-
-    return read_nirox(source)
-
-
-def _write_nirox(robot: RobotModel) -> WrittenRobot:
-    from ropsim.nirox import write_nirox
-
-    return write_nirox(robot)
-
-
-def _nirox_again(robot: RobotModel, read: ReadRobot) -> WrittenRobot:
-    from ropsim.nirox import ReadNirox, write_nirox
-
-    return write_nirox(robot, read.beside) if isinstance(read, ReadNirox) else write_nirox(robot)
-
-
-def _nirox_places(source: SourceText) -> PlaceOf:
-    from ropsim.nirox import nirox_places
-
-    return nirox_places(source)
-
-
-_NIROX = RobotFormat(_read_nirox, _nirox_places, _write_nirox, _nirox_again)
+_EXCHANGE = "ropsim.exchange"
+_NIROX = RobotFormat("ropsim.nirox", "read_nirox", "write_nirox", "nirox_places")
+_AP242 = RobotFormat(_EXCHANGE, writer="write_ap242")
+_FORMATS = {
+    ".toml": RobotFormat("ropsim.robotfile", "read_robot_file", "write_robot_file", "robot_file_places"),
+    ".urdf": RobotFormat(_EXCHANGE, "read_urdf", "write_urdf"),
+    ".xacro": RobotFormat(_EXCHANGE, "read_urdf"),
+    ".xml": RobotFormat(_EXCHANGE, "read_mjcf", "write_mjcf"),
+    ".stp": _NIROX,
+    ".step": _NIROX,
+    ".sdf": RobotFormat(_EXCHANGE, writer="write_sdf"),
+}
 
 ROBOT_FORMATS: Mapping[str, RobotFormat] = MappingProxyType(
-    {
-        ".toml": RobotFormat(read_robot_file, robot_file_places, write_robot_file),
-        ".urdf": RobotFormat(_read_urdf, write=_write_urdf),
-        ".xacro": RobotFormat(_read_urdf),
-        ".xml": RobotFormat(_read_mjcf, write=_write_mjcf),
-        ".stp": _NIROX,
-        ".step": _NIROX,
-    }
+    {ending: one for ending, one in _FORMATS.items() if one.reader}
 )
 """What is read, by the ending of the file name in small letters."""
 
-WRITERS: Mapping[str, Callable[[RobotModel], WrittenRobot]] = MappingProxyType(
-    {
-        **{ending: one.write for ending, one in ROBOT_FORMATS.items() if one.write is not None},
-        ".sdf": _write_sdf,
-    }
+WRITERS: Mapping[str, RobotFormat] = MappingProxyType(
+    {ending: one for ending, one in _FORMATS.items() if one.writer}
 )
 """What is written, likewise; not everything that is written is read again."""
+
+STEP_ENDINGS = tuple(ending for ending, one in _FORMATS.items() if one is _NIROX)
+STEP_WRITERS: Mapping[StepForm, RobotFormat] = MappingProxyType(
+    {StepForm.NIROX: _NIROX, StepForm.AP242: _AP242}
+)
+"""What writes STEP files, by what they are to say."""

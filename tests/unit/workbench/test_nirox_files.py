@@ -9,7 +9,7 @@ import ropsim
 from ropsim import exchange, nirox, robots
 from ropsim.cli.main import main
 from ropsim.core import SourceText
-from ropsim.workbench import find_robot, new_project, written_robot
+from ropsim.workbench import StepForm, find_robot, new_project, written_robot
 from support.nirox_texts import TEXT, line_of
 
 
@@ -52,6 +52,21 @@ def test_what_a_file_says_beside_its_robot_goes_into_the_next_one(tmp_path: Path
     assert "FUTURE_THING(#" in written_robot(named.robot, "b.stp", named.read).text
     assert "FUTURE_THING" not in written_robot(named.robot, "b.stp").text
     assert "convention" in written_robot(named.robot, "b.toml", named.read).text
+    plain = written_robot(named.robot, "b.stp", named.read, StepForm.AP242)
+    assert "FUTURE_THING" not in plain.text
+    assert "`FUTURE_THING`" in plain.losses[-1].message
+
+
+def test_the_command_line_writes_plain_ap242_and_nothing_with_strict(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    plain, strict, other = (str(tmp_path / name) for name in ("a.stp", "b.stp", "c.urdf"))
+    assert main(["robot", "export", "stanford", plain, "--as", "ap242"]) == 0
+    assert "FILE_SCHEMA(('AP242_" in Path(plain).read_text("utf-8")
+    assert main(["robot", "export", "stanford", strict, "--as", "ap242", "--strict"]) == 1
+    assert main(["robot", "export", "stanford", other, "--as", "ap242"]) == 2
+    assert not Path(strict).exists()
+    assert "X911" in capsys.readouterr().err
 
 
 def test_the_command_line_shows_moves_and_imports_a_file(

@@ -40,6 +40,13 @@ def robot(commands: Commands) -> None:
         "--to", metavar="FILE", dest="file", required=True, help="such as robots/arm.stp or robots/arm.toml"
     )
     for one in (export, import_):
+        one.add_argument(
+            "--as",
+            dest="form",
+            choices=("nirox", "ap242"),
+            default="nirox",
+            help="of .stp: all of the model (default), or its mechanism alone as plain AP242",
+        )
         one.add_argument("--strict", action="store_true", help="write nothing where something would be lost")
     forward = command(actions, "fk", "robot:fk", "print the pose of the mechanical interface (the flange)")
     forward.add_argument("name", metavar="NAME", help=_ROBOT)
