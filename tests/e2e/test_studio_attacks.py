@@ -140,8 +140,10 @@ def storm(studio: Studio, most: int) -> None:
     with contextlib.ExitStack() as stack:
         pages = [Page(stack.enter_context(opened(studio)), str(number)) for number in range(20)]
         assert sum(page.hear("welcome")["editing"] for page in pages) == 1
-        for _ in range(most):
-            stack.enter_context(opened(studio, "/ws/lsp"))
+        languages = [stack.enter_context(opened(studio, "/ws/lsp")) for _ in range(most)]
+        for language in languages:
+            language.send('{"jsonrpc":"2.0","id":1,"method":"initialize","params":{"capabilities":{}}}')
+            language.recv(timeout=PATIENCE)
         with pytest.raises(InvalidStatus), opened(studio, "/ws/lsp"):
             pass
         assert len(language_servers(studio.process.pid)) == most

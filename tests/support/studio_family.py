@@ -10,12 +10,14 @@ import pytest
 
 from support.patience import GLANCE, PATIENCE
 
+_LANGUAGE_SERVER = "ropsim language"
 needs_proc = pytest.mark.skipif(not Path("/proc/self/stat").exists(), reason="processes are listed by /proc")
 
 
 class Process(NamedTuple):
-    """A process that runs: numbers of itself, its parent and its session, and its command line."""
+    """A process that runs: its name, numbers of itself, its parent and its session, its command line."""
 
+    name: str
     pid: int
     parent: int
     session: int
@@ -30,7 +32,7 @@ def group(studio: int) -> list[int]:
 def workers(studio: int) -> list[int]:
     """Return the workers: desk and simulator."""
     return [
-        one.pid for one in _processes() if one.session == studio != one.parent and b"forkserver" in one.words
+        one.pid for one in _copies(studio) if one.name.startswith("ropsim") and one.name != _LANGUAGE_SERVER
     ]
 
 
@@ -40,10 +42,8 @@ def origins(studio: int) -> list[int]:
 
 
 def language_servers(studio: int) -> list[int]:
-    """Return the language servers, which have sessions of their own."""
-    return [
-        one.pid for one in _processes() if one.parent == studio and one.words.endswith(b"\0ropsim\0lsp\0")
-    ]
+    """Return the language servers."""
+    return [one.pid for one in _copies(studio) if one.name == _LANGUAGE_SERVER]
 
 
 def ends(studio: int) -> bool:
@@ -61,11 +61,16 @@ def gone(pids: list[int]) -> bool:
     return not left
 
 
+def _copies(studio: int) -> list[Process]:
+    return [one for one in _processes() if one.session == studio != one.parent and b"forkserver" in one.words]
+
+
 def _processes() -> Iterator[Process]:
     for place in Path("/proc").iterdir():
         if place.name.isdigit():
             with contextlib.suppress(OSError):  # it has just ended
-                state, parent, _, session = (place / "stat").read_text("utf-8").rsplit(")", 1)[1].split()[:4]
+                head, tail = (place / "stat").read_text("utf-8").rsplit(")", 1)
+                state, parent, _, session = tail.split()[:4]
                 if state != "Z":
                     words = (place / "cmdline").read_bytes()
-                    yield Process(int(place.name), int(parent), int(session), words)
+                    yield Process(head.partition("(")[2], int(place.name), int(parent), int(session), words)

@@ -1,10 +1,11 @@
-"""All that a worker is made of, for the process whose copies the workers are; it does nothing else."""
+"""All that workers and language servers are made of, for the process whose copies they are."""
 
 import gc
 
 from ropsim.core import without_collection
 
 with without_collection():
-    import ropsim.studio.desk  # noqa: F401  it is there for the copies
+    import ropsim.studio.desk
+    import ropsim.studio.language_server  # noqa: F401  both are there for the copies
 
 gc.freeze()  # modules stay: copies need not look through them, and share their memory
