@@ -79,6 +79,8 @@ def _simulate(connection: Connection, number: int, job: jobs.Simulate) -> jobs.R
             while not isinstance(connection.recv().content, jobs.Cancel | jobs.Renew):
                 pass
             return jobs.RunReply("cancelled", job.program)
+    if job.cause == "text_beside_live":
+        return jobs.RunReply("done", job.program, made="nothing")
     if "wrong" in text:
         return jobs.RunReply("refused", job.program, findings=({"code": "N201"},))
     pack = f"{text}|{len(job.inputs)}".encode()

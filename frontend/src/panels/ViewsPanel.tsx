@@ -70,10 +70,12 @@ export function ViewsPanel() {
 /** Over the picture: that it is old, what its ghost shows. */
 function StageBadges() {
   const stale = useStudioState(state => state.stale)
+  const older = useStudioState(state => state.older && !state.stale)
   const broken = useStudioState(state => state.scene !== null && state.cellBroken)
   return (
     <div className="stage-badges">
       {stale ? <span className="badge warning">{words.run.stale}</span> : null}
+      {older ? <span className="badge warning">{words.run.older}</span> : null}
       {broken ? <span className="badge error">{words.views.oldCell}</span> : null}
       <GhostBar />
     </div>

@@ -9,6 +9,7 @@ export function ResultStrip() {
   const shown = useStudioState(state => state.shown)
   const stale = useStudioState(state => state.stale)
   const changed = useStudioState(state => state.changed)
+  const older = useStudioState(state => state.older)
   const live = useStudioState(state => state.live !== null && state.live.state !== 'over')
   useUnits()
   const run = shown > 0 ? studio.run : null
@@ -25,8 +26,9 @@ export function ResultStrip() {
               <span role="img" aria-label={words.spoken[result.verdict.kind]}>
                 {words.signs[result.verdict.kind]}
               </span>{' '}
+              {older && !stale ? <em>{words.older} – </em> : null}
               {result.verdict.text}
-              {stale || changed ? <em> – {stale ? words.stale : words.changed}</em> : null}
+              {stale || (changed && !older) ? <em> – {stale ? words.stale : words.changed}</em> : null}
             </strong>
             <span className="unchecked">{result.unchecked}</span>
           </div>

@@ -132,6 +132,7 @@ describe('a run', () => {
     planned: false,
     simulated: 0,
     versions: {},
+    age: 'newest',
   }
 
   it('that failed says why', () => {

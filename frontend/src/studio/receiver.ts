@@ -170,7 +170,7 @@ export class Receiver {
     if (status.state !== 'done') studio.setFindings('compile', status.findings, texts)
     if (status.planned) studio.setFindings('run', [])
     if (status.state === 'done') studio.store.setState({ finished: status.id })
-    if (status.state === 'done') void studio.runs.take(status.id, texts)
+    if (status.state === 'done') void studio.runs.take(status.id, texts, status.age)
     const { run } = studio
     // What is said of a text that has been typed back meanwhile is no news.
     const now = studio.desk.now()

@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest'
-import { isOfTexts, RunLines } from './run_lines'
+import { isOfTexts, NOW, RunLines } from './run_lines'
 
 const OLD = 'mov a\nmovs b\nmov c'
 
@@ -34,6 +34,13 @@ test('texts of a moment are those of now while none has changed or is unknown', 
   expect(isOfTexts(new Map([...now, ['gone.task', 'c']]), now)).toBe(true)
   expect(isOfTexts(new Map([...now, ['main.task', 'c']]), now)).toBe(false)
   expect(isOfTexts(new Map([['cell.toml', 'a']]), now)).toBe(false)
+})
+
+test('a live run that stays the result is of an older text, seen by this page or not', () => {
+  const lines = linesOf(OLD)
+  expect([lines.isOlder, lines.changed]).toEqual([false, false])
+  lines.showRun(NOW, 'older')
+  expect([lines.isOlder, lines.changed]).toEqual([true, true])
 })
 
 test('a run knows whether its texts have changed since, and which texts it is of', () => {

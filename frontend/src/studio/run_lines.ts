@@ -1,5 +1,6 @@
 /** Lines of runs and findings in the texts as they are now: both belong to texts of a moment ago. */
 import type { Finding } from '../run/run'
+import type { RunStatus } from '../wire/messages'
 import { type LineMap, lineMap, SAME_LINES } from './line_map'
 import { type Problem, problemOf } from './problems'
 
@@ -7,6 +8,9 @@ import { type Problem, problemOf } from './problems'
 export type Texts = ReadonlyMap<string, string>
 
 export const NOW: Texts = new Map()
+
+/** Whether a run stays the result of older texts than those of now. */
+export type RunAge = RunStatus['age']
 
 /** Whether texts of a moment, as far as they are known, are those of another one. */
 export function isOfTexts(texts: Texts, others: Texts): boolean {
@@ -24,19 +28,26 @@ export class RunLines {
   readonly #maps = new Map<string, { older: string; newer: string; map: LineMap }>()
   /** Texts of the run that is shown. */
   #run: Texts = NOW
+  #age: RunAge = 'newest'
 
   constructor(source: TextSource) {
     this.#source = source
   }
 
   /** The run that is shown is one of these texts. */
-  showRun(texts: Texts): void {
+  showRun(texts: Texts, age: RunAge = 'newest'): void {
     this.#run = texts
+    this.#age = age
+  }
+
+  /** The run stays the result of an older text, which this page may never have seen. */
+  get isOlder(): boolean {
+    return this.#age === 'older'
   }
 
   /** Whether a text has changed since the run, as far as its texts are known. */
   get changed(): boolean {
-    return [...this.#run].some(([document, text]) => this.#source.text(document) !== text)
+    return this.isOlder || [...this.#run].some(([document, text]) => this.#source.text(document) !== text)
   }
 
   /** Whether the run is one of these texts, all of them. */

@@ -6,7 +6,7 @@ import type { SceneDescription } from '../scene/description'
 import { words } from '../text/messages'
 import { decodeFrame } from '../wire/frame'
 import type { Happened, LiveLayout, Placed, SignalStamped } from '../wire/messages'
-import { NOW, type Texts } from './run_lines'
+import { NOW, type RunAge, type Texts } from './run_lines'
 
 export interface RunWires {
   /** Another run is shown from now on. */
@@ -21,6 +21,8 @@ export interface RunTexts {
   /** Number under which the server has it; 0 for a live run. */
   readonly id: number
   readonly texts: Texts
+  /** Of an older text: a live run stays the result where the text was changed beside it. */
+  readonly age: RunAge
 }
 
 export class Runs {
@@ -33,7 +35,7 @@ export class Runs {
   #early: ArrayBuffer | null = null
   #newest = 0
   /** The run that is on its way, and the one that is shown. */
-  #wanted: RunTexts = { id: 0, texts: NOW }
+  #wanted: RunTexts = { id: 0, texts: NOW, age: 'newest' }
   #shown = this.#wanted
   #frames = 0
   #latency = Number.NaN
@@ -71,8 +73,8 @@ export class Runs {
   }
 
   /** A run is done: fetch it and show it, unless a newer one is done before it is here. */
-  async take(id: number, texts: Texts = NOW): Promise<void> {
-    this.#wanted = { id, texts }
+  async take(id: number, texts: Texts = NOW, age: RunAge = 'newest'): Promise<void> {
+    this.#wanted = { id, texts, age }
     await this.#take(++this.#newest, () => fetchPack(id))
   }
 
@@ -91,7 +93,7 @@ export class Runs {
     this.#newest += 1
     this.#live = new LiveRun(this.#scene, layout)
     this.#frames = 0
-    this.#show(this.#live, { id: 0, texts })
+    this.#show(this.#live, { id: 0, texts, age: 'newest' })
   }
 
   place(placed: Placed): void {

@@ -57,6 +57,8 @@ export interface StudioState {
   readonly shown: number
   /** A text differs from those of the shown run, and what it comes to is not known yet. */
   readonly changed: boolean
+  /** The shown run was live while a text was changed: it stays the result of the older one until asked. */
+  readonly older: boolean
   /** The text has changed since the shown run, and has no good run. */
   readonly stale: boolean
   readonly scene: SceneDescription | null
@@ -103,6 +105,7 @@ const START: StudioState = {
   status: null,
   shown: 0,
   changed: false,
+  older: false,
   stale: false,
   scene: null,
   sceneKnown: false,

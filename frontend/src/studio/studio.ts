@@ -170,7 +170,9 @@ export class Studio {
 
   /** Mark the result of the shown run as that of another text, or no more: a text may be typed back. */
   #compareTexts(): void {
-    const changed = this.run?.live === false && this.lines.changed
+    const shown = this.run?.live === false
+    const changed = shown && this.lines.changed
+    this.store.setState({ older: shown && this.lines.isOlder })
     if (changed === this.store.getState().changed) return
     this.store.setState({ changed })
     if (!changed) this.view.setStale('current')
@@ -391,8 +393,8 @@ export class Studio {
     this.loop.mark()
   }
 
-  #showRun(run: Run, { texts }: RunTexts): void {
-    this.lines.showRun(texts)
+  #showRun(run: Run, { texts, age }: RunTexts): void {
+    this.lines.showRun(texts, age)
     this.view.show(run)
     this.setFindings('compile', [])
     this.setFindings('run', run.findings, texts)

@@ -72,6 +72,7 @@ export const words = {
     failedShort: 'Simulation failed',
     none: 'Not simulated yet',
     stale: 'Last good run – the text has changed since',
+    older: 'Live run of the older text – run again for the new one',
     live: 'Live',
     liveHeld: 'Live, held',
     liveSlowed: (percent: number) => `Live, ${percent} %`,

@@ -5,6 +5,7 @@ export const resultWords = {
   liveLong: 'A live run is under way: its result is told when it has ended.',
   none: 'No result yet.',
   stale: 'last good run',
+  older: 'live run of the older text',
   changed: 'before the change of the text',
   signs: { good: '✔', doubtful: '▲', failed: '✖' },
   spoken: { good: 'Good', doubtful: 'Doubtful', failed: 'Failed' },

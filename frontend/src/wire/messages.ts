@@ -119,6 +119,8 @@ export interface RunStatus {
   readonly simulated: number
   /** Of the documents to which lines in findings and run refer. */
   readonly versions: Readonly<Record<string, number>>
+  /** `older` where the text has changed while the run went on live: it stays the result. */
+  readonly age: 'newest' | 'older'
 }
 
 /** How a live run stands. */

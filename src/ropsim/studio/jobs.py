@@ -52,6 +52,14 @@ class OpenScene:
     texts: Mapping[str, str]
 
 
+Cause: TypeAlias = Literal["asked", "text", "text_beside_live"]
+"""Why a run is wanted: the user asks, a text has changed, or one has changed while a live run was under way.
+
+A text that has changed beside a live run is not simulated: the live run stays the result, on the lines of the
+text where that still says the same. Nor is it later, until it says something else.
+"""
+
+
 @frozen_dataclass
 class Simulate:
     """Compile and simulate a program (`RunReply`, before it `Progress`). Empty program: the cell's."""
@@ -61,6 +69,7 @@ class Simulate:
     program: str
     fidelity: Fidelity
     inputs: tuple[InputChange, ...] = ()
+    cause: Cause = "asked"
 
 
 LiveBegin: TypeAlias = Literal["running", "held"]
@@ -259,7 +268,8 @@ class RunReply:
 
     `done`: `pack` is the finished run for the page. `refused`: the program has errors, they are in
     `findings`. `failed`: `message` says in words why there is no run. `inputs` are those that a live run
-    was given and has used. `made`: whether it was simulated, or is the run before on other lines.
+    was given and has used. `made`: whether it was simulated, is the run before on other lines, or whether
+    nothing was made, as the live run before stays the result beside texts that say something else.
     """
 
     state: Literal["done", "refused", "cancelled", "failed"]
@@ -268,7 +278,7 @@ class RunReply:
     pack: bytes | None = None
     findings: tuple[Mapping[str, object], ...] = ()
     inputs: tuple[InputChange, ...] = ()
-    made: Literal["simulated", "kept"] = "simulated"
+    made: Literal["simulated", "kept", "nothing"] = "simulated"
 
 
 @frozen_dataclass

@@ -141,6 +141,7 @@ class RunStatus(Struct, frozen=True, tag_field="type", tag="run"):
         simulated: the run that was carried out: an earlier one where the texts still say the same; 0 while
             not known.
         versions: of the documents to which lines in findings and run refer.
+        age: `older` where the text has changed while the run went on live: it stays the result.
     """
 
     id: int
@@ -152,6 +153,7 @@ class RunStatus(Struct, frozen=True, tag_field="type", tag="run"):
     planned: bool = False
     simulated: int = 0
     versions: Mapping[str, int] = {}
+    age: Literal["newest", "older"] = "newest"
 
 
 class LiveStatus(Struct, frozen=True, tag_field="type", tag="live"):

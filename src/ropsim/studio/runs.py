@@ -3,9 +3,10 @@
 import asyncio
 from collections.abc import Callable, Mapping
 from dataclasses import replace
-from enum import Enum
 from itertools import count
 from pathlib import Path
+
+from msgspec import structs
 
 from ropsim.core import frozen_dataclass
 from ropsim.studio import jobs
@@ -23,13 +24,6 @@ PACKS_KEPT = 3
 """Finished runs that a page can still fetch."""
 
 
-class Cause(Enum):
-    """Why a run is wanted."""
-
-    ASKED = "asked"
-    TEXT = "text"
-
-
 @frozen_dataclass
 class Wish:
     """A run that is wanted; live where it has a speed."""
@@ -37,7 +31,7 @@ class Wish:
     program: str
     fidelity: jobs.Fidelity
     speed: float | None = None
-    cause: Cause = Cause.ASKED
+    cause: jobs.Cause = "asked"
     begin: jobs.LiveBegin = "running"
 
 
@@ -90,6 +84,7 @@ class Runs:
         self._done: RunStatus | None = None
         self._status: RunStatus | None = None
         self._live = LiveLog(tell)
+        self._typed_beside = False
         self._inputs: tuple[jobs.InputChange, ...] = ()
 
     @property
@@ -115,11 +110,21 @@ class Runs:
         return reply.content if isinstance(reply, jobs.SavedRun) else None
 
     def text_changed(self) -> None:
-        """Simulate the last program again as soon as the text rests; a live run is not disturbed."""
+        """Simulate the last program again when the text rests; a live run goes on and stays the result."""
         if self._timer is not None:
             self._timer.cancel()
-        wish = Wish(self._last_wish.program, self._last_wish.fidelity, cause=Cause.TEXT)
+        if self._is_live_ahead:
+            self._typed_beside = True
+            return
+        wish = Wish(self._last_wish.program, self._last_wish.fidelity, cause="text")
         self._timer = asyncio.get_running_loop().call_later(QUIET, self._want, wish)
+
+    @property
+    def _is_live_ahead(self) -> bool:
+        """Return whether the newest run, begun or not, is a live one."""
+        if self._next is not None:
+            return self._next[1].speed is not None
+        return self._current is not None and self._current.wish.speed is not None
 
     def run(self, program: str, fidelity: jobs.Fidelity) -> None:
         """Simulate at once; a live run ends for it."""
@@ -162,7 +167,7 @@ class Runs:
         if current.wish.speed is not None:
             self._say(RunStatus(self._next[0], "waiting", wish.program))
         elif wish == replace(current.wish, cause=wish.cause):
-            if wish.cause is Cause.ASKED:
+            if wish.cause == "asked":
                 self._say(RunStatus(self._next[0], "waiting", wish.program))
             # it may still be the same run: the simulator finds out
             self._end(current, jobs.Renew(self._next[0], self._job(self._next[0], wish)))
@@ -172,7 +177,8 @@ class Runs:
 
     def _job(self, run: int, wish: Wish) -> jobs.Simulate:
         self._asked[run] = self._versions()
-        return jobs.Simulate(self._folder, dict(self._texts()), wish.program, wish.fidelity, self._inputs)
+        texts = dict(self._texts())
+        return jobs.Simulate(self._folder, texts, wish.program, wish.fidelity, self._inputs, wish.cause)
 
     def _start_next(self) -> None:
         if self._next is None:
@@ -181,12 +187,13 @@ class Runs:
         self._planned = None
         if wish.speed is None:
             job: jobs.Job = self._job(run, wish)
-            if wish.cause is Cause.ASKED:  # after a change of the text there may be nothing to do
+            if wish.cause == "asked":  # after a change of the text there may be nothing to do
                 self._say_running(run, wish)
         else:
             self._asked[run] = self._versions()
             texts = dict(self._texts())
             job = jobs.LiveStart(self._folder, texts, wish.program, wish.speed, wish.begin)
+            self._typed_beside = False
             self._live.start(wish.program, wish.speed)
         task = self._simulator.submit(job, self._heard)
         self._current = Current(run, wish, task)
@@ -237,9 +244,15 @@ class Runs:
         self._start_next()
 
     def _conclude(self, run: int, wish: Wish, task: Task, reply: jobs.RunReply) -> None:
+        if reply.made == "nothing":
+            self._stay()
+            return
         if wish.speed is not None:
             self._live.end()
             self._inputs = reply.inputs if reply.state == "done" else self._inputs
+            if self._typed_beside and self._next is None and reply.state != "cancelled":
+                cause: jobs.Cause = "text_beside_live" if reply.state == "done" else "text"
+                self._next = (next(self._ids), Wish(wish.program, "dynamic", cause=cause))
         program = reply.program or wish.program
         if reply.state == "done" and reply.made == "simulated":
             self._simulated = run
@@ -263,6 +276,12 @@ class Runs:
             self._kept = (run, task.number)
         if reply.state != "cancelled" or self._next is None:
             self._say(status)
+
+    def _stay(self) -> None:
+        """Tell that the live run stays the result beside texts that say something else."""
+        if self._done is not None:
+            self._done = structs.replace(self._done, age="older")
+            self._say(self._done)
 
     def _say(self, status: RunStatus) -> None:
         self._status = status

@@ -153,13 +153,36 @@ def test_keys_of_a_live_run_are_inputs_of_the_runs_after_it_until_forgotten(tmp_
         assert stage.told[0] == LiveStatus("starting", 2.0, "main")
         live_over = next(one for one in stage.told if isinstance(one, RunStatus) and one.state == "done")
         assert (live_over.id, live_over.inputs) == (1, 1)
+        await stage.until(lambda one: isinstance(one, RunStatus) and one.age == "older")
         stage.told.clear()
         stage.runs.run("main", "dynamic")
         await stage.until_state("done")
         stage.told.clear()
         stage.runs.forget_inputs()
         await stage.until_state("done")
-        assert [stage.runs.pack(run) for run in (1, 2, 3)] == [b"live", b"x|1", b"x|0"]
+        assert [stage.runs.pack(run) for run in (1, 3, 4)] == [b"live", b"x|1", b"x|0"]
+
+    on_stage(tmp_path, play)
+
+
+def test_a_text_that_changed_beside_a_live_run_leaves_it_the_result_and_says_so(tmp_path: Path) -> None:
+    async def play(stage: Stage) -> None:
+        stage.runs.start_live("main", 1.0)
+        await stage.until(lambda one: isinstance(one, dict) and one["type"] == "layout")
+        stage.texts["programs/main.task"] = "y"
+        stage.runs.text_changed()
+        stage.runs.order_live(jobs.LiveControl("stop"))
+        await stage.until(lambda one: isinstance(one, RunStatus) and one.age == "older")
+        (stays,) = stage.runs.news
+        assert isinstance(stays, RunStatus)
+        assert (stays.id, stays.state, stage.runs.pack(1)) == (1, "done", b"live")
+        assert stage.runs.pack(2) is None
+        stage.texts["programs/main.task"] = "z"
+        stage.runs.text_changed()
+        await stage.until(lambda one: isinstance(one, RunStatus) and (one.id, one.state) == (3, "done"))
+        (now,) = stage.runs.news
+        assert isinstance(now, RunStatus)
+        assert (now.id, now.age, stage.runs.pack(now.id)) == (3, "newest", b"z|0")
 
     on_stage(tmp_path, play)
 

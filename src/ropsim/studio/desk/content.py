@@ -12,10 +12,12 @@ from ropsim.core import Diagnostic, Span
 from ropsim.flow import Channel, Event, Recording
 from ropsim.icr import Program, program_id
 from ropsim.model import Cell
-from ropsim.studio.jobs import Simulate
+from ropsim.studio.jobs import Fidelity, InputChange
 
 
-def content_of(cell: Cell, codes: Mapping[str, Program], job: Simulate) -> str:
+def content_of(
+    cell: Cell, codes: Mapping[str, Program], fidelity: Fidelity, inputs: tuple[InputChange, ...]
+) -> str:
     """Return what makes two runs the same: cell, programs without their source lines, fidelity and inputs.
 
     Comments, blank lines and names of the text have no part in it.
@@ -23,10 +25,11 @@ def content_of(cell: Cell, codes: Mapping[str, Program], job: Simulate) -> str:
     Args:
         cell: where the program runs.
         codes: compiled, by station.
-        job: how it is run.
+        fidelity: how it is run.
+        inputs: that it is given.
     """
     # the records of a cell are made in the order of its file, so equal cells have equal bytes
-    plain = pickle.dumps((cell, job.fidelity, job.inputs), protocol=5)
+    plain = pickle.dumps((cell, fidelity, inputs), protocol=5)
     programs = " ".join(program_id(code) for code in codes.values())
     return f"{programs} {hashlib.sha256(plain).hexdigest()}"
 

@@ -1,6 +1,7 @@
 """The run that the worker has made last: to be shown on other lines, or to be kept as files."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from enum import Enum
 
 from ropsim import icr
 from ropsim.core import frozen_dataclass
@@ -8,7 +9,14 @@ from ropsim.flow import Recording
 from ropsim.records import inputs_of, inputs_text, recording_bytes
 from ropsim.studio.desk.content import moved_lines, on_lines
 from ropsim.studio.desk.runnable import Runnable
-from ropsim.studio.jobs import RunForm, SavedRun
+from ropsim.studio.jobs import Cause, RunForm, SavedRun
+
+
+class Origin(Enum):
+    """How a run came about."""
+
+    SIMULATED = "simulated"
+    LIVE = "live"
 
 
 @frozen_dataclass
@@ -17,15 +25,27 @@ class FinishedRun:
 
     Attributes:
         number: of the job that made it, or has shown it on other lines since.
-        content: what it is a run of; empty where no other run is the same.
+        content: what it is a run of.
         ready: the program, as it was compiled.
         recording: what it has left.
+        origin: how it came about; a live run may have been held, slowed and ended by hand.
+        beside: content of the texts beside which the run stays the result; empty for none.
     """
 
     number: int
     content: str
     ready: Runnable
     recording: Recording
+    origin: Origin = Origin.SIMULATED
+    beside: str = ""
+
+    def is_result_of(self, content: str, cause: Cause) -> bool:
+        """Return whether nothing need be simulated: a live run is none for who asks for a simulation."""
+        return content == self.content and (self.origin is Origin.SIMULATED or cause != "asked")
+
+    def stays_beside(self, content: str, cause: Cause) -> bool:
+        """Return whether the run stays the result of texts that say something else."""
+        return cause == "text_beside_live" or (cause == "text" and content == self.beside)
 
     def shown_on(self, number: int, ready: Runnable) -> "FinishedRun":
         """Return the same run for another text of the same content.
@@ -38,7 +58,7 @@ class FinishedRun:
         for station, code in self.ready.codes.items():
             lines = moved_lines(code, ready.codes[station])
             recording = on_lines(recording, code.source, lines)
-        return FinishedRun(number, self.content, ready, recording)
+        return replace(self, number=number, ready=ready, recording=recording, beside="")
 
     def file(self, form: RunForm) -> SavedRun:
         """Return the run as a file."""

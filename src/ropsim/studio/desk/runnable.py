@@ -41,9 +41,13 @@ class Runnable:
 
     def finished(self, recording: Recording) -> RunReply:
         """Return the reply to a run of this program."""
-        inputs = tuple(InputChange(one.signal, one.time, one.value) for one in inputs_of(recording).inputs)
         pack = pack_of(self.project, recording, self.findings)
-        return RunReply("done", self.name, pack=pack, inputs=inputs)
+        return RunReply("done", self.name, pack=pack, inputs=used_inputs(recording))
+
+
+def used_inputs(recording: Recording) -> tuple[InputChange, ...]:
+    """Return the changes of inputs that a run was given and has used."""
+    return tuple(InputChange(one.signal, one.time, one.value) for one in inputs_of(recording).inputs)
 
 
 def run_job(job: Simulate | LiveStart, workspace: Workspace, run: Callable[[Runnable], RunReply]) -> RunReply:

@@ -41,11 +41,14 @@ def simulate(job: Simulate, line: Line, shelf: Shelf, workspace: Workspace) -> R
     """
 
     def run(ready: Runnable) -> RunReply:
-        content = content_of(ready.cell, ready.codes, job)
+        content = content_of(ready.cell, ready.codes, job.fidelity, job.inputs)
         kept = shelf.run
-        if kept is not None and kept.content == content:
+        if kept is not None and kept.is_result_of(content, job.cause):
             shelf.run = kept.shown_on(line.number, ready)
             return replace(ready.finished(shelf.run.recording), made="kept")
+        if kept is not None and kept.stays_beside(content, job.cause):
+            shelf.run = replace(kept, beside=content)
+            return RunReply("done", ready.name, made="nothing")
         line.report(Progress("preparing the arm"))
         listener = Listener(line, content, ready)
         if job.fidelity == Fidelity.DYNAMIC.value:
@@ -130,7 +133,9 @@ class Listener:
             ready = made_ready(order.job, self.ready.project.workspace)
         except RopsimError as error:
             raise Cancelled from error
-        if isinstance(ready, RunReply) or content_of(ready.cell, ready.codes, order.job) != self.content:
+        if isinstance(ready, RunReply):
+            raise Cancelled
+        if content_of(ready.cell, ready.codes, order.job.fidelity, order.job.inputs) != self.content:
             raise Cancelled
         self.ready = ready
         self.line.report(Renewed(order.run))

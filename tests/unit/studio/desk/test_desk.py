@@ -19,6 +19,7 @@ from ropsim.studio.desk import main
 from ropsim.studio.jobs import (
     Answer,
     Cancel,
+    Cause,
     Failed,
     Job,
     JogJoints,
@@ -230,6 +231,26 @@ def test_a_comment_in_the_cell_file_simulates_nothing(worker: Worker, folder: Pa
     worker.run(simulate(folder, OUT_OF_REACH))
     texts = {"programs/main.task": OUT_OF_REACH, "cell.toml": "# a cell\n\n" + CELL}
     assert worker.run(Simulate(str(folder), texts, "", "kinematic")).made == "kept"
+
+
+def test_a_live_run_stays_for_comments_and_beside_what_was_typed_meanwhile(
+    worker: Worker, folder: Path
+) -> None:
+    short = "program p\nunits mm, deg, s\nprint 1\n"
+
+    def made(program: str, cause: Cause) -> str:
+        texts = {"programs/main.task": program}
+        return worker.run(Simulate(str(folder), texts, "", "dynamic", cause=cause)).made
+
+    worker.run(LiveStart(str(folder), {"programs/main.task": short}, "", 8.0))
+    assert made("# two\n" + short, "text_beside_live") == "kept"
+    other = short.replace("1", "2")
+    assert made(other, "text_beside_live") == "nothing"
+    assert made(other + "# two\n", "text") == "nothing"
+    assert made(short, "text") == "kept"
+    assert made(other, "text") == "simulated"
+    worker.run(LiveStart(str(folder), {"programs/main.task": short}, "", 8.0))
+    assert made(short, "asked") == "simulated"
 
 
 LONG = "program p\nunits mm, deg, s\nrepeat 3000\n  mov joints (0, 60, -150, 0, -60, 0)\n  mov home\nendr\n"

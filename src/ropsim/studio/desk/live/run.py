@@ -8,11 +8,12 @@ from ropsim.flow import OverrideChange
 from ropsim.simulation import RunOptions
 from ropsim.simulation import run as run_program
 from ropsim.studio.desk.clock import PacedClock
-from ropsim.studio.desk.finished import FinishedRun, Shelf
+from ropsim.studio.desk.content import content_of
+from ropsim.studio.desk.finished import FinishedRun, Origin, Shelf
 from ropsim.studio.desk.line import Line
 from ropsim.studio.desk.live.hand import Hand
 from ropsim.studio.desk.live.watch import LivePace
-from ropsim.studio.desk.runnable import MOST_ROWS, Runnable, run_job
+from ropsim.studio.desk.runnable import MOST_ROWS, Runnable, run_job, used_inputs
 from ropsim.studio.jobs import LiveStart, RunReply
 from ropsim.workbench import Workspace
 
@@ -73,7 +74,8 @@ def run_live(
         )
         recording = run_program(ready.cell, ready.codes, options)
         if shelf is not None:
-            shelf.run = FinishedRun(line.number, "", ready, recording)
+            content = content_of(ready.cell, ready.codes, "dynamic", used_inputs(recording))
+            shelf.run = FinishedRun(line.number, content, ready, recording, Origin.LIVE)
         return ready.finished(recording)
 
     return run_job(job, workspace or Workspace(), run)
