@@ -129,6 +129,7 @@ def test_what_was_done_by_hand_stands_first() -> None:
         (0.5, "override down to 50\u00a0%"),
         (0.125, "override down to 12.5\u00a0%"),
         (0.001, "override down to 0.1\u00a0%"),
+        (0.000999, "held 1.00 s"),
         (0.0, "held 1.00 s"),
     ],
 )
@@ -142,6 +143,7 @@ def test_a_hold_behind_the_end_of_the_cycle_does_not_lengthen_it() -> None:
     changes = (OverrideChange(2.0, 0.5), OverrideChange(4.0, 0.0), OverrideChange(9.0, 1.0))
     assert by_hand(changes, 3.0) == ByHand(held=0.0, slowed=1.0, slowest=0.5, is_held=True)
     assert by_hand(changes, 5.0) == ByHand(held=1.0, slowed=2.0, slowest=0.5, is_held=True)
+    assert by_hand(changes[::-1], 5.0) == by_hand(changes, 5.0)  # in whatever order they are kept
     assert by_hand((), 5.0).mark == by_hand(changes[1:], 4.0).mark == ""
 
 

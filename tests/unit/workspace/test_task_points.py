@@ -173,6 +173,17 @@ def test_task_and_base_moved_together_change_nothing() -> None:
     assert there.reach.manipulability == pytest.approx(here.reach.manipulability)
 
 
+def test_manipulability_counts_lengths_in_units_of_the_reach() -> None:
+    """Of the six rows of the Jacobian three are lengths, so √det(J·Jᵀ) goes with the third power of them."""
+    pose = kinematics.forward(PUMA, PUMA.home + 0.3)
+    point = TaskPoint("p", pose.position, pose.orientation)
+    whole, half = (checked(Setting(PUMA, Pose(), Pose(), size), point).reach for size in (0.9, 0.45))
+    assert whole is not None
+    assert half is not None
+    assert whole.manipulability > 0.01
+    assert half.manipulability == pytest.approx(8.0 * whole.manipulability)
+
+
 def test_candidates_are_ranked_by_points_then_by_margin() -> None:
     pose = kinematics.forward(PUMA, PUMA.home)
     task = [TaskPoint("p", pose.position, pose.orientation)]
