@@ -19,6 +19,7 @@ import numpy as np
 from tools.library_chains import chain
 from tools.library_index import entry
 from tools.library_palletizers import palletizer
+from tools.library_rods import with_rod
 
 from ropsim.core import SourceText
 from ropsim.kinematics import joint_frames
@@ -58,18 +59,28 @@ def drawn(robot: RobotModel, look: Mapping[str, Any]) -> RobotModel:
     """Return a robot with the rods of its look.
 
     Args:
-        robot: a serial arm.
+        robot: a serial arm; cranks of coupled axes stand behind its links.
         look: its table in the file of looks, which says what the keys mean.
     """
-    X_B = np.array([np.eye(4), *joint_frames(robot, np.zeros(robot.n))])
+    frames = joint_frames(robot, np.zeros(robot.n))
+    X_B = np.array([np.eye(4), *frames[: robot.n], frames[-1]])
     bodies: list[list[Shape]] = [[] for _ in range(robot.n + 1)]
     for one in look["rods"]:
         X_LB = np.linalg.inv(X_B[one["link"]])
         first, last = (np.round(X_LB @ _point(X_B, *one[key]), 9)[:3] + 0.0 for key in ("from", "to"))
         radius, top = (1e-3 * value for value in one["radii"])
         bodies[one["link"]].append(rod(first, last, radius, top, look["tones"][one["tone"]]))
-    links = [replace(link, shapes=tuple(body)) for link, body in zip(robot.links, bodies[1:], strict=True)]
-    return replace(robot, links=tuple(links), base_shapes=tuple(bodies[0]), origins=(*robot.origins, DRAWN))
+    links = [
+        replace(link, shapes=tuple(body))
+        for link, body in zip(robot.links[: robot.n], bodies[1:], strict=True)
+    ]
+    seen = replace(
+        robot,
+        links=(*links, *robot.links[robot.n :]),
+        base_shapes=tuple(bodies[0]),
+        origins=(*robot.origins, DRAWN),
+    )
+    return with_rod(seen, look["rod"], look["tones"]) if "rod" in look else seen
 
 
 def _point(X_B: Array, axis: int, place: float) -> Array:

@@ -14,6 +14,7 @@ from ropsim.kinematics.solvers import (
     swivel,
     three_parallel,
 )
+from ropsim.kinematics.solvers.coupled import coupled, plain_arm
 from ropsim.kinematics.solvers.numeric import numeric
 from ropsim.model import RobotModel, held_arm
 
@@ -34,14 +35,20 @@ CLASSES: tuple[tuple[str, Callable[[RobotModel], InverseSolver | str]], ...] = (
 def solver_of(robot: RobotModel) -> InverseSolver:
     """Return the solver of an arm, that of the first class which recognises it, else the numeric one.
 
-    Of a robot with external axes it is that of its arm, `held_arm`, and takes poses in the base of that.
+    Of a robot with external axes it is that of its arm, `held_arm`, and takes poses in the base of that. An
+    arm whose joints follow its axes by couplings is recognised by its joints, `plain_arm`.
     """
     if robot.external:
         return solver_of(held_arm(robot).arm)
+    plain = plain_arm(robot)
     for _, recognise in CLASSES:
-        found = recognise(robot)
-        if not isinstance(found, str):
+        found = recognise(plain or robot)
+        if isinstance(found, str):
+            continue
+        if plain is None:
             return found
+        if not isinstance(found, RedundantSolver):
+            return coupled(robot, found)
     return numeric(robot)
 
 
@@ -55,5 +62,5 @@ def redundant_solver_of(robot: RobotModel) -> RedundantSolver | None:
 def classes_missed(robot: RobotModel) -> dict[str, str]:
     """Return for each class that an arm is not in, the condition that it misses."""
     arm = held_arm(robot).arm if robot.external else robot
-    found = {name: recognise(arm) for name, recognise in CLASSES}
+    found = {name: recognise(plain_arm(arm) or arm) for name, recognise in CLASSES}
     return {name: reason for name, reason in found.items() if isinstance(reason, str)}

@@ -7,6 +7,7 @@ import numpy.typing as npt
 from ropsim.core import frozen_dataclass
 from ropsim.kinematics.arrays import joint_vector
 from ropsim.kinematics.recognition import solver_of
+from ropsim.kinematics.solvers.coupled import CoupledSolver
 from ropsim.kinematics.solvers.spherical_wrist import SphericalWristSolver
 from ropsim.model import RobotModel, held_arm
 
@@ -46,6 +47,8 @@ def singular_distances(robot: RobotModel, q: npt.ArrayLike) -> SingularDistances
     if robot.external:
         values = values[list(held_arm(robot).axes)]
     solver = solver_of(robot)
+    if isinstance(solver, CoupledSolver):
+        values, solver = solver.joints(values), solver.plain
     if not isinstance(solver, SphericalWristSolver):
         return None
     ahead, elbow, wrist = solver.arm.turned(values)

@@ -46,6 +46,9 @@ from ropsim.model.coordinates import Coordinates as Coordinates
 from ropsim.model.coordinates import coordinates as coordinates
 from ropsim.model.coordinates import passive_coordinates as passive_coordinates
 from ropsim.model.correction_limits import CorrectionLimits as CorrectionLimits
+from ropsim.model.coupled_axes import CoupledAxis as CoupledAxis
+from ropsim.model.coupled_axes import with_coupled_axes as with_coupled_axes
+from ropsim.model.coupled_axes import without_coupled_axes as without_coupled_axes
 from ropsim.model.coupled_limits import CoupledLimits as CoupledLimits
 from ropsim.model.coupled_limits import coupled_limits as coupled_limits
 from ropsim.model.coupling import Coupling as Coupling

@@ -5,6 +5,7 @@ from math import pi
 
 from ropsim.core import frozen_dataclass
 from ropsim.model import (
+    CoupledAxis,
     DhRow,
     Joint,
     JointLimits,
@@ -15,6 +16,7 @@ from ropsim.model import (
     joints_from_modified_dh,
 )
 from ropsim.robotfile import diagnostics as kinds
+from ropsim.robotfile.coupled_rows import read_coupled_rows
 from ropsim.spatial import Pose
 from ropsim.tomltext import MOMENT, VALUE_OUT_OF_RANGE, Quantity, TomlTable, Units, note_radians
 
@@ -38,12 +40,14 @@ class DhTable:
         convention: `standard` or `modified`.
         rows: of the table.
         joints: of the arm, in the base frame.
+        coupled: axes that move their joints together with others.
         estimated: which of speeds, accelerations and jerks are estimates for some joint.
     """
 
     convention: str
     rows: tuple[DhRow, ...]
     joints: tuple[Joint, ...]
+    coupled: tuple[CoupledAxis, ...]
     estimated: tuple[str, ...]
 
     def frame(self, number: int) -> Pose:
@@ -86,9 +90,10 @@ def read_dh_table(root: TomlTable, convention: str, units: Units, X_B0: Pose) ->
     joints = tuple(
         replace(joint, name=name) for joint, name in zip(make(rows, limits, X_B0), names, strict=True)
     )
+    coupled = read_coupled_rows(tables, joints, units)
     for table in tables:
         table.finish()
-    return DhTable(convention, rows, joints, tuple(guessed))
+    return DhTable(convention, rows, joints, coupled, tuple(guessed))
 
 
 def _row(table: TomlTable, units: Units, guessed: dict[str, None]) -> tuple[DhRow, JointLimits]:

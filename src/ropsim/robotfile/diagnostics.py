@@ -1,4 +1,4 @@
-"""The kinds of mistakes in robot files, X900 to X908; those of all TOML files are in `tomltext`."""
+"""The kinds of mistakes in robot files, X900 to X909 and X915; those of all TOML files are in `tomltext`."""
 
 from ropsim.core import Severity, define
 
@@ -116,5 +116,25 @@ NO_ESTIMATE = define(
     """
 Masses follow from the rated payload and the lengths of an arm, drives from its masses, speeds and
 accelerations; both for serial arms of turning and sliding joints only. An arm with drives keeps them.
+""",
+)
+
+BAD_COUPLED_ROW = define(
+    "X915",
+    "bad-coupled-row",
+    Severity.ERROR,
+    "a row of joints is coupled with something else than a joint before it",
+    """
+Some makers count a joint together with another one: joint 3 of a FANUC arm is told from the horizontal, and
+where a parallelogram moves the forearm, axis 3 holds it against the column. The row of such a joint says with
+which joints, and by which factor their coordinates are added to its own:
+
+```toml
+{ name = "J3", a = 600, alpha = 180, limits = [-180, 264], coupled = { J2 = 1 }, joint_limits = [-90, 270] }
+```
+
+`coupled` names joints of rows before it that turn if it turns, or slide if it slides. `limits` are those of
+the coordinate as the maker tells it, `joint_limits` those of the joint itself; the latter have a meaning only
+beside `coupled`.
 """,
 )

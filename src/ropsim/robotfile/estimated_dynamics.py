@@ -37,6 +37,8 @@ from ropsim.model import (
     box,
     combine,
     moved,
+    with_coupled_axes,
+    without_coupled_axes,
 )
 from ropsim.robotfile.diagnostics import NO_ESTIMATE
 from ropsim.robotfile.estimates import RULE, cylinders
@@ -58,9 +60,30 @@ _SAMPLES = 256
 def estimated_dynamics(robot: RobotModel) -> RobotModel | Diagnostic:
     """Return an arm with masses and drives, estimated where it has none; or why they cannot be.
 
+    Axes that move their joints together with others get the drive of the joint, and rods beside them no mass.
+
     Args:
-        robot: a serial arm of turning and sliding joints, with drives or without.
+        robot: a serial arm of turning and sliding joints, with drives or without; its axes may be coupled.
     """
+    count = max(*robot.axes, robot.tip) + 1
+    own = tuple(one for one in robot.couplings if one.dependent < count)
+    links = (*robot.links[: robot.n], *(replace(one, shapes=()) for one in robot.links[robot.n : count]))
+    bare = replace(robot, joints=robot.joints[:count], links=links, couplings=own)
+    serial, coupled = without_coupled_axes(bare)
+    made = _of_serial(serial if coupled else robot)
+    if isinstance(made, Diagnostic) or not coupled:
+        return made
+    arm = with_coupled_axes(made, coupled)
+    return replace(
+        arm,
+        joints=(*arm.joints, *robot.joints[count:]),
+        links=(*made.links, *robot.links[robot.n :]),
+        couplings=robot.couplings,
+    )
+
+
+def _of_serial(robot: RobotModel) -> RobotModel | Diagnostic:
+    """Return `estimated_dynamics` of an arm of which each joint is an axis."""
     told = _refusal(robot)
     if told:
         return NO_ESTIMATE.at(None, f"`{robot.name}` {told[0]}", hint=told[1])

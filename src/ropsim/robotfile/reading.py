@@ -6,7 +6,7 @@ from pathlib import PurePath
 import numpy as np
 
 from ropsim.core import SourceText
-from ropsim.model import Joint, JointType, ReadRobot, RobotModel, Shape, audit
+from ropsim.model import Joint, JointType, ReadRobot, RobotModel, Shape, audit, with_coupled_axes
 from ropsim.robotfile import diagnostics as kinds
 from ropsim.robotfile.dh_table import read_dh_table
 from ropsim.robotfile.drives import read_drives
@@ -83,6 +83,8 @@ def _robot(root: TomlTable, source: SourceText) -> RobotModel | None:
         dh=table.rows if convention == "standard" else (),
         rated_payload=root.number("payload", PAYLOAD, inf) if "payload" in root else inf,
     )
+    if table.coupled and not any(one.is_error for one in root.findings.items):
+        robot = with_coupled_axes(robot, table.coupled)
     check_reach(root, robot, units)
     root.finish()
     return robot

@@ -8,6 +8,7 @@ import numpy as np
 
 from ropsim.core import Diagnostic, frozen_dataclass
 from ropsim.model import (
+    CoupledAxis,
     DhRow,
     Joint,
     JointType,
@@ -16,6 +17,7 @@ from ropsim.model import (
     WrittenRobot,
     fixed_part,
     snapped,
+    without_coupled_axes,
 )
 from ropsim.robotfile.common_normals import common_normals
 from ropsim.robotfile.diagnostics import NOT_IN_ROBOT_FILE
@@ -54,6 +56,7 @@ def write_robot_file(robot: RobotModel) -> WrittenRobot:
     Args:
         robot: to be written; where a file cannot say what it is, the text is empty and the losses name why.
     """
+    robot, coupled = without_coupled_axes(robot)
     refused = tuple(_refusals(robot))
     if refused:
         return WrittenRobot("", refused)
@@ -66,7 +69,12 @@ def write_robot_file(robot: RobotModel) -> WrittenRobot:
         "home": row(coordinate(q, joint.type) for q, joint in zip(robot.home, robot.joints, strict=True)),
         "origins": _rows([_origin(one.parameters, one.kind, one.source) for one in robot.origins]),
         "payload": number(robot.rated_payload) if isfinite(robot.rated_payload) else "",
-        "joints": _rows([_joint(one, j) for one, j in zip(table.rows, robot.joints, strict=True)]),
+        "joints": _rows(
+            [
+                _joint(one, j) | _coupled(robot, coupled, k)
+                for k, (one, j) in enumerate(zip(table.rows, robot.joints, strict=True))
+            ]
+        ),
     }
     parts = [lines(head)]
     for section, keys in (
@@ -134,6 +142,17 @@ def _joint(found: DhRow, joint: Joint) -> dict[str, str]:
         "jerk": coordinate(joint.max_jerk, joint.type),
         "effort": unless(joint.max_effort, 0.0),
     }
+
+
+def _coupled(robot: RobotModel, axes: Sequence[CoupledAxis], joint: int) -> dict[str, str]:
+    """Return the keys of a row that is coupled with others."""
+    for axis in axes:
+        if axis.joint == joint:
+            names = {text(robot.joints[other].name): number(factor) for other, factor in axis.others}
+            limits = (coordinate(one, robot.joints[joint].type) for one in (axis.lower, axis.upper))
+            bounded = isfinite(axis.lower) and isfinite(axis.upper)
+            return {"coupled": inline(names), "joint_limits": row(limits) if bounded else ""}
+    return {}
 
 
 def _body(link: Link, X_FJ: Pose) -> dict[str, str]:

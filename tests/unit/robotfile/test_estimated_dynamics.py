@@ -83,3 +83,16 @@ def test_gravity_by_the_centres_of_mass_is_that_of_the_dynamics(name: str) -> No
     for q in configurations(robot, 5):
         functions.rigid_inverse(q, rest, rest, np.zeros(6), tau)
         np.testing.assert_allclose(greatest_gravity(robot, q[None]), np.abs(tau), atol=1e-9)
+
+
+@pytest.mark.parametrize("name", ["irb2400_16", "m10ia_12"])
+def test_an_arm_with_a_coupled_axis_gets_masses_and_drives_and_keeps_its_crank(name: str) -> None:
+    robot = robots.load(name)
+    made = estimated_dynamics(robot)
+    assert isinstance(made, RobotModel)
+    assert (made.axes, made.couplings) == (robot.axes, robot.couplings)
+    assert [one.name for one in made.joints] == [one.name for one in robot.joints]
+    assert len(made.drives) == 6
+    weights = [link.mass for link in made.links]
+    assert sum(weights) == pytest.approx(4.0 * robot.rated_payload)
+    assert weights[6:] == [0.0] * len(weights[6:])

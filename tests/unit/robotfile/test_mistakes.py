@@ -48,6 +48,8 @@ def found_in(text: str) -> tuple[Diagnostic, ...]:
             "0",
             "is 0",
         ),
+        (ROW, "{ limits = [-9, 9], coupled = { elbow = 1 } }", "X915", "elbow", "coupled with `elbow`"),
+        (ROW, "{ limits = [-9, 9], joint_limits = [-9, 9] }", "X915", "joint_limits", "is not `coupled`"),
         ("joints", "origins = [{ kind = 'known' }]\njoints", "X808", "'known'", "`published`"),
         ("joints", "flange = { positon = [0, 0, 9] }\njoints", "X802", "positon", "no meaning"),
         ("joints", "base = { shapes = [{ cube = 3 }] }\njoints", "X887", "{ cube", "no sort"),

@@ -30,9 +30,12 @@ def base_shapes(robot: RobotModel) -> tuple[Shape, ...]:
 
 
 def link_shapes(robot: RobotModel, number: int) -> tuple[Shape, ...]:
-    """Return what link `number`, from 1, looks like in the frame of its joint."""
+    """Return what link `number`, from 1, looks like in the frame of its joint.
+
+    A crank that only counts an axis, without mass and with nothing on it, is not there to be seen.
+    """
     own = robot.links[number - 1].shapes if number <= len(robot.links) else ()
-    return own or _stand_in(robot, number)
+    return own or (() if _only_counts(robot, number - 1) else _stand_in(robot, number))
 
 
 def reach(robot: RobotModel) -> tuple[Array, float]:
@@ -57,6 +60,13 @@ def _way(robot: RobotModel) -> list[int]:
         found.append(link)
         link = robot.joints[link].parent
     return found[::-1]
+
+
+def _only_counts(robot: RobotModel, link: int) -> bool:
+    """Return whether a link, from 0, is nothing but an axis that other joints follow."""
+    carries = link == robot.tip or any(joint.parent == link for joint in robot.joints)
+    followed = any(number == link for one in robot.couplings for number, _ in one.terms)
+    return followed and not carries and not robot.links[link].mass
 
 
 def _fixed_parts(robot: RobotModel) -> list[Pose]:
