@@ -12,6 +12,7 @@ from ropsim.version import __version__ as __version__
 if TYPE_CHECKING:
     from ropsim import calibration as calibration
     from ropsim import cellfile as cellfile
+    from ropsim import collision as collision
     from ropsim import controller as controller
     from ropsim import core as core
     from ropsim import dynamics as dynamics
@@ -48,6 +49,7 @@ __all__ = [
     "__version__",
     "calibration",
     "cellfile",
+    "collision",
     "controller",
     "core",
     "dynamics",

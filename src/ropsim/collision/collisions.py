@@ -1,0 +1,156 @@
+"""The bodies of a cell made ready, so that many configurations can be looked at."""
+
+from collections.abc import Iterable, Mapping
+from dataclasses import replace
+from typing import TypeAlias
+
+import numpy as np
+import numpy.typing as npt
+
+from ropsim.collision.pairs import Elsewhere, LeftOut, Pair, left_out, owners
+from ropsim.collision.separation import Nearness, Separation
+from ropsim.collision.solid_bodies import Rows, SolidBodies
+from ropsim.collision.solids import NO_MESHES, MeshPoints, convexes
+from ropsim.core import frozen_dataclass
+from ropsim.kinematics import body_poses
+from ropsim.model import Body, Cell, Mesh, body_tree, start_of
+from ropsim.spatial import Array
+
+TOUCH = 1e-6
+"""Bodies that are no deeper in each other touch [m]; it is above the rounding of poses."""
+AS_AT_START: Elsewhere = {}
+
+Coordinates: TypeAlias = "npt.ArrayLike | Mapping[str, npt.ArrayLike]"
+"""Joint coordinates of the first station [rad | m], shape (n,), or of mechanisms by their names."""
+
+
+@frozen_dataclass
+class Looked:
+    """Which bodies are looked at, for one way in which they hang on each other.
+
+    Attributes:
+        rows: pairs of convex bodies.
+        pairs: of bodies.
+        left_out: why others are not looked at, by pair.
+    """
+
+    rows: Rows
+    pairs: tuple[Pair, ...]
+    left_out: Mapping[Pair, LeftOut]
+
+
+class Collisions:
+    """Distances between the bodies of a cell.
+
+    Poses are in the world frame W. What is not visible at the start, such as a tool that is not mounted or a
+    part in its supply, is not there. Pairs that touch by the way they are built are left out, see `left_out`,
+    and so are bodies of one robot or device that are in each other while it rests: they are drawn so.
+
+    Args:
+        cell: its bodies.
+        meshes: points of its meshes; one without them is not looked at.
+    """
+
+    def __init__(self, cell: Cell, meshes: MeshPoints = NO_MESHES) -> None:
+        self.tree = body_tree(cell)
+        self._first, self._start = cell.first.name, dict(start_of(cell))
+        self._home = self._start | {name: one.robot.home for name, one in cell.stations.items()}
+        solids = {
+            body.name: [one for shape in body.shapes for one in convexes(shape, meshes)]
+            for body in self.tree.bodies
+            if body.visible
+        }
+        there = [body for body in self.tree.bodies if body.visible]
+        self.unseen = tuple(body.name for body in there if not _is_seen(body, meshes))
+        self.bodies = SolidBodies({name: some for name, some in solids.items() if some})
+        self._at_rest: frozenset[Pair] = frozenset()
+        self._at_rest = frozenset(self._drawn_so())
+
+    def separation(
+        self, q: Coordinates, elsewhere: Elsewhere = AS_AT_START, absent: Iterable[str] = ()
+    ) -> Separation:
+        """Return the smallest distance between bodies, with what was looked at.
+
+        Args:
+            q: joint coordinates; mechanisms that are not named stand as at the start.
+            elsewhere: what hangs elsewhere than at the start.
+            absent: names of bodies that are not there.
+        """
+        looked = self._looked(elsewhere, absent)
+        nearest = self._nearest(q, looked, elsewhere)
+        return Separation(nearest, looked.pairs, looked.left_out, self.unseen)
+
+    def meetings(
+        self, q: Coordinates, elsewhere: Elsewhere = AS_AT_START, absent: Iterable[str] = ()
+    ) -> tuple[Nearness, ...]:
+        """Return the pairs of bodies that are in each other, deepest first.
+
+        Args:
+            q: as with `separation`.
+            elsewhere: likewise.
+            absent: likewise.
+        """
+        return self._meetings(q, self._looked(elsewhere, absent), elsewhere)
+
+    def _looked(self, elsewhere: Elsewhere, absent: Iterable[str]) -> Looked:
+        gone = frozenset(absent)
+        names = [name for name in self.bodies.rows if name not in gone]
+        out = left_out(self.tree, frozenset(names), elsewhere)
+        out |= {pair: LeftOut.AT_REST for pair in self._at_rest if pair not in out and not gone & {*pair}}
+        pairs, rows = [], []
+        for k, one in enumerate(names):
+            for other in names[k + 1 :]:
+                if (one, other) not in out:
+                    pairs.append((one, other))
+                    rows += [(i, j) for i in self.bodies.rows[one] for j in self.bodies.rows[other]]
+        return Looked(np.array(rows, np.intp).reshape(-1, 2), tuple(pairs), out)
+
+    def _placed(self, q: Coordinates, elsewhere: Elsewhere) -> Array:
+        given: Mapping[str, npt.ArrayLike] = q if isinstance(q, Mapping) else {self._first: q}
+        rows = {name: np.asarray(values)[np.newaxis] for name, values in {**self._start, **given}.items()}
+        poses = body_poses(self.tree, rows, list(self.bodies.rows), elsewhere)
+        return self.bodies.placed({name: found[0] for name, found in poses.items()})
+
+    def _nearest(self, q: Coordinates, looked: Looked, elsewhere: Elsewhere) -> Nearness | None:
+        if not len(looked.rows):
+            return None
+        placed = self._placed(q, elsewhere)
+        bounds = self.bodies.bounds(placed, looked.rows)
+        order = np.argsort(bounds, kind="stable")
+        rows = looked.rows[order]
+        found = self.bodies.distances(placed, rows, bounds[order], (np.inf, 0.0))
+        gaps = found[:, 0] - self.bodies.margins(rows)
+        touching = np.flatnonzero(found[:, 0] == 0.0)
+        asked = {int(np.argmin(gaps)), *touching.tolist()}
+        every = [self.bodies.nearness(placed, rows[k], found[k]) for k in sorted(asked)]
+        return min(every, key=lambda one: one.distance)
+
+    def _meetings(self, q: Coordinates, looked: Looked, elsewhere: Elsewhere) -> tuple[Nearness, ...]:
+        if not len(looked.rows):
+            return ()
+        placed = self._placed(q, elsewhere)
+        bounds = self.bodies.bounds(placed, looked.rows)
+        near = bounds <= 0.0
+        rows = looked.rows[near]
+        found = self.bodies.distances(placed, rows, bounds[near], (0.0, np.inf))
+        deepest: dict[Pair, Nearness] = {}
+        for k in np.flatnonzero(found[:, 0] - self.bodies.margins(rows) <= 0.0).tolist():
+            one = self.bodies.nearness(placed, rows[k], found[k])
+            if one.distance < min(-TOUCH, deepest[one.pair].distance if one.pair in deepest else 0.0):
+                deepest[one.pair] = one
+        return tuple(sorted(deepest.values(), key=lambda one: one.distance))
+
+    def _drawn_so(self) -> list[Pair]:
+        """Return the pairs of one robot or device that are in each other while it rests."""
+        looked = self._looked(AS_AT_START, ())
+        owner = owners(self.tree, frozenset(self.bodies.rows))
+        own = [pair for pair in looked.pairs if owner.get(pair[0], "") == owner.get(pair[1], pair[1])]
+        rows = [(i, j) for one, other in own for i in self.bodies.rows[one] for j in self.bodies.rows[other]]
+        asked = replace(looked, rows=np.array(rows, np.intp).reshape(-1, 2))
+        return [one.pair for one in self._meetings(self._home, asked, AS_AT_START)]
+
+
+def _is_seen(body: Body, meshes: MeshPoints) -> bool:
+    """Return whether a body has shapes, and the points of all its meshes are known."""
+    solids = [shape.solid for shape in body.shapes]
+    return bool(solids) and all(one in meshes for one in solids if isinstance(one, Mesh))

@@ -1,0 +1,258 @@
+"""Distances of pairs of convex bodies: Gilbert, Johnson & Keerthi (1988), in compiled code.
+
+The point of the difference of two bodies that is nearest to the origin is approached by simplices. Of a
+simplex the nearest point is the best of the nearest points of all its corners, edges, faces and its inside:
+each of these lies in it, so that rounding can make it worse but never wrong.
+"""
+
+from math import inf, sqrt
+
+from ropsim.codegen import kernel
+from ropsim.spatial import Array
+
+MOST = 200
+"""Steps; bodies with corners take about ten."""
+NEAR = 1e-11
+"""Between what is known from above and from below a distance is left so uncertain [m]."""
+ZERO = 1e-12
+"""Bodies that are nearer than this meet [m]."""
+
+
+@kernel(
+    "void(f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[::1], f8[::1], f8[:,::1], f8[:,::1])",
+)
+def distances(
+    points: Array,
+    bodies: Array,
+    poses: Array,
+    pairs: Array,
+    bounds: Array,
+    limits: Array,
+    room: Array,
+    found: Array,
+) -> None:
+    """Find the distances of pairs of convex bodies, without their margins.
+
+    Args:
+        points: of all bodies, as `Convex` has them [m], shape (v, 3).
+        bodies: first of its points, the one behind its last, 1 where it is round, margin [m]; shape (n, 4).
+        poses: R_W by rows and p_W [m] of each, shape (n, 12).
+        pairs: numbers of two bodies, shape (p, 2).
+        bounds: what the distance with margins is never less than [m], shape (p,).
+        limits: pairs whose bound is more than the first number are left out; it becomes the least distance
+            with margins that was found, plus the second number [m]; shape (2,).
+        room: shape (16, 4).
+        found: distance [m], inf where it was left out; nearest points of the first and the second body in
+            W [m]; shape (p, 7).
+    """
+    for p in range(pairs.shape[0]):
+        found[p, 0] = inf
+        if bounds[p] > limits[0]:
+            continue
+        i, j = int(pairs[p, 0]), int(pairs[p, 1])
+        _pair(points, bodies, poses, i, j, room, found, p)
+        limits[0] = min(limits[0], found[p, 0] - bodies[i, 3] - bodies[j, 3] + limits[1])
+
+
+def _pair(
+    points: Array, bodies: Array, poses: Array, i: int, j: int, room: Array, found: Array, p: int
+) -> None:
+    """Find the distance of one pair.
+
+    Rows of `room`: 0 to 3 the corners of the simplex, 4 to 7 and 8 to 11 those of the two bodies behind
+    them, 12 the point v of the simplex nearest to the origin, 13 the shares of the corners in it, 14 shares
+    that are tried, 15 a direction.
+    """
+    for k in range(3):
+        room[12, k] = poses[i, 9 + k] - poses[j, 9 + k]
+    if room[12, 0] == 0.0 and room[12, 1] == 0.0 and room[12, 2] == 0.0:
+        room[12, 0] = 1.0
+    size = 0
+    square = inf
+    for _ in range(MOST):
+        _support(points, bodies, poses, i, -1.0, room, 4 + size)
+        _support(points, bodies, poses, j, 1.0, room, 8 + size)
+        for k in range(3):
+            room[size, k] = room[4 + size, k] - room[8 + size, k]
+        if size > 0 and square - _dot(room, 12, size) <= NEAR * sqrt(square):
+            break
+        better = _nearest(room, size + 1, square)
+        if not better < square:
+            break
+        square = better
+        size = _kept(room, size + 1)
+        if square <= ZERO * ZERO:
+            square = 0.0
+            break
+    found[p, 0] = sqrt(square)
+    for k in range(3):
+        found[p, 1 + k] = 0.0
+        found[p, 4 + k] = 0.0
+        for c in range(size):
+            found[p, 1 + k] += room[13, c] * room[4 + c, k]
+            found[p, 4 + k] += room[13, c] * room[8 + c, k]
+
+
+def _support(points: Array, bodies: Array, poses: Array, i: int, sign: float, room: Array, row: int) -> None:
+    """Put the point of a body into a row that lies farthest along v, or against it."""
+    for k in range(3):
+        along = poses[i, k] * room[12, 0] + poses[i, 3 + k] * room[12, 1] + poses[i, 6 + k] * room[12, 2]
+        room[15, k] = sign * along
+    x, y, z = room[15, 0], room[15, 1], room[15, 2]
+    across = sqrt(x * x + y * y)
+    best = -inf
+    at = int(bodies[i, 0])
+    if bodies[i, 2] > 0.0:
+        for k in range(int(bodies[i, 0]), int(bodies[i, 1])):
+            height = points[k, 0] * across + points[k, 1] * z
+            if height > best:
+                best, at = height, k
+        radius = points[at, 0] / across if across > 0.0 else 0.0
+        x, y, z = radius * x, radius * y, points[at, 1]
+    else:
+        for k in range(int(bodies[i, 0]), int(bodies[i, 1])):
+            height = points[k, 0] * x + points[k, 1] * y + points[k, 2] * z
+            if height > best:
+                best, at = height, k
+        x, y, z = points[at, 0], points[at, 1], points[at, 2]
+    for k in range(3):
+        turned = poses[i, 3 * k] * x + poses[i, 3 * k + 1] * y + poses[i, 3 * k + 2] * z
+        room[row, k] = turned + poses[i, 9 + k]
+
+
+def _nearest(room: Array, size: int, square: float) -> float:
+    """Put the point of a simplex nearest to the origin, and its shares, where it is nearer than before.
+
+    Returns:
+        Square of its distance [m²]; what it was before where none is nearer.
+    """
+    for chosen in range(1, 1 << size):
+        if not _foot(room, size, chosen):
+            continue
+        total = 0.0
+        for k in range(3):
+            room[15, k] = 0.0
+            for c in range(size):
+                room[15, k] += room[14, c] * room[c, k]
+            total += room[15, k] * room[15, k]
+        if total < square:
+            square = total
+            for k in range(3):
+                room[12, k] = room[15, k]
+            for c in range(4):
+                room[13, c] = room[14, c] if c < size else 0.0
+    return square
+
+
+def _foot(room: Array, size: int, chosen: int) -> bool:
+    """Put the shares of some corners in the nearest point of their plane; say if it is inside."""
+    a = b = c = d = -1
+    for k in range(size):
+        room[14, k] = 0.0
+        if chosen >> k & 1:
+            if a < 0:
+                a = k
+            elif b < 0:
+                b = k
+            elif c < 0:
+                c = k
+            else:
+                d = k
+    if b < 0:
+        room[14, a] = 1.0
+        return True
+    if c < 0:
+        return _foot_on_edge(room, a, b)
+    if d < 0:
+        return _foot_on_face(room, a, b, c)
+    return _inside(room)
+
+
+def _foot_on_edge(room: Array, a: int, b: int) -> bool:
+    length = _between(room, a, b, a, b)
+    if not length > 0.0:
+        return False
+    share = -_from(room, a, a, b) / length
+    room[14, a], room[14, b] = 1.0 - share, share
+    return 0.0 < share < 1.0
+
+
+def _foot_on_face(room: Array, a: int, b: int, c: int) -> bool:
+    one, both, other = (
+        _between(room, a, b, a, b),
+        _between(room, a, b, a, c),
+        _between(room, a, c, a, c),
+    )
+    area = one * other - both * both
+    if not area > 1e-15 * one * other:
+        return False
+    first, second = -_from(room, a, a, b), -_from(room, a, a, c)
+    u, v = (other * first - both * second) / area, (one * second - both * first) / area
+    room[14, a], room[14, b], room[14, c] = 1.0 - u - v, u, v
+    return u > 0.0 and v > 0.0 and u + v < 1.0
+
+
+def _inside(room: Array) -> bool:
+    """Put the shares of four corners in the origin; say whether it is inside."""
+    whole = _volume(room, 0, 1, 2, 3)
+    scale = sqrt(_between(room, 0, 1, 0, 1) * _between(room, 0, 2, 0, 2) * _between(room, 0, 3, 0, 3))
+    if not abs(whole) > 1e-14 * scale:
+        return False
+    room[14, 0] = _corner(room, 1, 2, 3) / whole
+    room[14, 1] = -_corner(room, 0, 2, 3) / whole
+    room[14, 2] = _corner(room, 0, 1, 3) / whole
+    room[14, 3] = -_corner(room, 0, 1, 2) / whole
+    return bool(min(room[14, 0], room[14, 1], room[14, 2], room[14, 3]) >= 0.0)
+
+
+def _volume(room: Array, a: int, b: int, c: int, d: int) -> float:
+    """Return the triple product of three edges from a corner, the six-fold volume."""
+    x1, y1, z1 = room[b, 0] - room[a, 0], room[b, 1] - room[a, 1], room[b, 2] - room[a, 2]
+    x2, y2, z2 = room[c, 0] - room[a, 0], room[c, 1] - room[a, 1], room[c, 2] - room[a, 2]
+    x3, y3, z3 = room[d, 0] - room[a, 0], room[d, 1] - room[a, 1], room[d, 2] - room[a, 2]
+    return float(x1 * (y2 * z3 - z2 * y3) + y1 * (z2 * x3 - x2 * z3) + z1 * (x2 * y3 - y2 * x3))
+
+
+def _corner(room: Array, a: int, b: int, c: int) -> float:
+    """Return the triple product of three corners."""
+    return float(
+        room[a, 0] * (room[b, 1] * room[c, 2] - room[b, 2] * room[c, 1])
+        + room[a, 1] * (room[b, 2] * room[c, 0] - room[b, 0] * room[c, 2])
+        + room[a, 2] * (room[b, 0] * room[c, 1] - room[b, 1] * room[c, 0])
+    )
+
+
+def _between(room: Array, a: int, b: int, c: int, d: int) -> float:
+    """Return the product of the edges from a to b and from c to d."""
+    total = 0.0
+    for k in range(3):
+        total += (room[b, k] - room[a, k]) * (room[d, k] - room[c, k])
+    return total
+
+
+def _from(room: Array, a: int, b: int, c: int) -> float:
+    """Return the product of a corner and the edge from b to c."""
+    total = 0.0
+    for k in range(3):
+        total += room[a, k] * (room[c, k] - room[b, k])
+    return total
+
+
+def _dot(room: Array, a: int, b: int) -> float:
+    return float(room[a, 0] * room[b, 0] + room[a, 1] * room[b, 1] + room[a, 2] * room[b, 2])
+
+
+def _kept(room: Array, size: int) -> int:
+    """Leave out the corners that have no share; return how many are left."""
+    kept = 0
+    for c in range(size):
+        if room[13, c] > 0.0:
+            room[13, kept] = room[13, c]
+            for k in range(3):
+                room[kept, k], room[4 + kept, k], room[8 + kept, k] = (
+                    room[c, k],
+                    room[4 + c, k],
+                    room[8 + c, k],
+                )
+            kept += 1
+    return kept

@@ -1,0 +1,133 @@
+"""A convex polytope that grows point by point, by its triangles."""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from ropsim.spatial import Array
+
+FLAT = 1e-10
+"""What lies so near to the plane of a face counts as in it, as a share of the size."""
+SLIGHT = 1e-6
+"""What is thinner than this share of its size gets so thick."""
+
+
+@dataclass(frozen=True, slots=True)
+class Face:
+    """A triangle of a polytope, counter-clockwise from outside.
+
+    Attributes:
+        corners: places in the points of the polytope.
+        normal: outward unit vector, shape (3,).
+        offset: distance of its plane from the origin along the normal [m].
+    """
+
+    corners: tuple[int, int, int]
+    normal: Array
+    offset: float
+
+    @property
+    def edges(self) -> tuple[tuple[int, int], ...]:
+        """Return its edges in order."""
+        i, j, k = self.corners
+        return (i, j), (j, k), (k, i)
+
+
+@dataclass(slots=True)
+class Polytope:
+    """A polytope under construction.
+
+    Attributes:
+        points: all corners that were added [m].
+        flat: distance from a plane that counts as in it [m].
+        faces: by number; a number is never used again.
+        beside: number of the face to the left of an edge.
+        made: how many faces there have been.
+    """
+
+    points: list[Array]
+    flat: float
+    faces: dict[int, Face] = field(default_factory=dict)
+    beside: dict[tuple[int, int], int] = field(default_factory=dict)
+    made: int = 0
+
+    @classmethod
+    def within(cls, points: Array) -> "Polytope":
+        """Return a tetrahedron of far points; flat points get a slight thickness.
+
+        Args:
+            points: [m], shape (k, 3).
+        """
+        size = float(np.ptp(points, axis=0).max()) or 1.0
+        corners = _four(points)
+        if _thickness(corners) < SLIGHT * size:
+            bump = SLIGHT * size * np.vstack([np.eye(3), -np.eye(3)])
+            corners = _four(np.vstack([points, points.mean(axis=0) + bump]))
+        made = cls(list(corners), FLAT * size)
+        p0, p1, p2, p3 = corners
+        inward = np.dot(np.cross(p1 - p0, p2 - p0), p3 - p0) > 0.0
+        for i, j, k in ((0, 1, 2), (0, 3, 1), (1, 3, 2), (2, 3, 0)):
+            made.put((i, k, j) if inward else (i, j, k))
+        return made
+
+    def put(self, corners: tuple[int, int, int]) -> int:
+        """Add a face and return its number."""
+        p0, p1, p2 = (self.points[k] for k in corners)
+        normal = np.cross(p1 - p0, p2 - p0)
+        length = float(np.linalg.norm(normal))
+        normal = normal / length if length > 0.0 else normal
+        face = Face(corners, normal, float(normal @ p0))
+        number, self.made = self.made, self.made + 1
+        self.faces[number] = face
+        self.beside.update(dict.fromkeys(face.edges, number))
+        return number
+
+    def add(self, point: Array, seen: int) -> tuple[list[int], list[int]]:
+        """Take a point in; return the numbers of the faces that are gone, and of those that are new.
+
+        Faces that see the point go, and those in whose plane it lies; the rim of the hole is joined to it
+        (Barber, Dobkin & Huhdanpaa 1996). Nothing is done where it has no rim, for rounding.
+
+        Args:
+            point: outside of a face [m], shape (3,).
+            seen: number of that face.
+        """
+        visible, waiting = {seen}, [seen]
+        rim: list[tuple[int, int]] = []
+        while waiting:
+            for i, j in self.faces[waiting.pop()].edges:
+                number = self.beside[j, i]
+                face = self.faces[number]
+                if number in visible:
+                    continue
+                if float(face.normal @ point) - face.offset > -self.flat:
+                    visible.add(number)
+                    waiting.append(number)
+        for number in visible:
+            rim += [edge for edge in self.faces[number].edges if self.beside[edge[1], edge[0]] not in visible]
+        if not rim:
+            return [], []
+        gone = sorted(visible)
+        for number in gone:
+            for edge in self.faces.pop(number).edges:
+                del self.beside[edge]
+        self.points.append(point)
+        return gone, [self.put((i, j, len(self.points) - 1)) for i, j in sorted(rim)]
+
+
+def _four(points: Array) -> Array:
+    """Return four points that span much: far from each other, from their line and from their plane."""
+    first = points[int(np.argmin(points[:, int(np.argmax(np.ptp(points, axis=0)))]))]
+    second = points[int(np.argmax(np.linalg.norm(points - first, axis=1)))]
+    third = points[int(np.argmax(np.linalg.norm(np.cross(points - first, second - first), axis=1)))]
+    normal = np.cross(second - first, third - first)
+    return np.array([first, second, third, points[int(np.argmax(np.abs((points - first) @ normal)))]])
+
+
+def _thickness(corners: Array) -> float:
+    """Return the least height of a tetrahedron over its largest face [m]; 0 where it is flat."""
+    one, other, last = corners[1:] - corners[0]
+    normal = np.cross(one, other)
+    area = float(np.linalg.norm(normal))
+    wide = float(np.linalg.norm(one))
+    return min(abs(float(normal @ last)) / area, area / wide) if area > 0.0 else 0.0

@@ -1,0 +1,111 @@
+"""Distances in a cell: which bodies are looked at, which are not and why, what the nearest two are."""
+
+from dataclasses import replace
+from functools import cache
+
+import numpy as np
+import pytest
+
+from ropsim import robots
+from ropsim.collision import Collisions, LeftOut, distance, in_collision
+from ropsim.kinematics import inverse
+from ropsim.model import Box, Cell, FixedObject, Mesh, Part, Rates, Shape, Station, Tool
+from ropsim.robots.standard_controller import standard_controller
+from ropsim.spatial import Array, Pose
+
+UP = 1.0
+"""Height of the robot's base [m]."""
+JAWS = Tool(
+    "jaws",
+    Pose(np.array([0.0, 0.0, 0.15])),
+    shapes=(Shape(Box((0.04, 0.06, 0.08)), Pose(np.array([0.0, 0.0, 0.11]))),),
+)
+CUBE = Part("cube", np.array([0.05, 0.05, 0.05]), 0.1, Pose(np.array([2.0, 0.0, 0.05])))
+
+
+def block(name: str, size: tuple[float, float, float], *position: float) -> FixedObject:
+    return FixedObject(name, Pose(np.array(position)), (Shape(Box(size)),))
+
+
+@cache
+def cell() -> Cell:
+    robot = robots.load("puma560")
+    station = Station(
+        "robot",
+        robot,
+        standard_controller(robot, Rates()),
+        Pose(np.array([0.0, 0.0, UP])),
+        {"jaws": JAWS},
+        "jaws",
+    )
+    pedestal = block("pedestal", (0.3, 0.3, UP), 0.0, 0.0, UP / 2.0)
+    sign = FixedObject("sign", Pose(np.array([0.0, 3.0, 0.0])), (Shape(Mesh("sign.stl")),))
+    return Cell("c", {"robot": station}, parts=(CUBE,), objects=(pedestal, sign))
+
+
+@cache
+def collisions() -> Collisions:
+    return Collisions(cell())
+
+
+PLACE = np.array([0.45, 0.1, 0.9])
+"""Where the TCP stands [m]."""
+
+
+@cache
+def standing() -> Array:
+    """Return joint coordinates at which the tool points down at its place [rad], shape (6,)."""
+    station = cell().first
+    down = Pose(PLACE, np.array([0.0, 1.0, 0.0, 0.0]))
+    X_BM = station.X_WB.inverse() @ down @ JAWS.X_MT.inverse()
+    return np.asarray(inverse(station.robot, X_BM).solutions[0])
+
+
+def test_what_touches_by_its_build_is_left_out_with_its_reason() -> None:
+    found = collisions().separation(cell().first.robot.home)
+    why = {
+        ("base", "pedestal"): LeftOut.FIXED,
+        ("link6", "tool:jaws"): LeftOut.FIXED,
+        ("base", "link1"): LeftOut.NEIGHBOURS,
+        ("link2", "link3"): LeftOut.NEIGHBOURS,
+    }
+    assert {pair: found.left_out.get(pair) for pair in why} == why
+    assert {("link1", "pedestal"), ("link1", "link3"), ("tool:jaws", "cube")} <= set(found.pairs)
+    assert not set(found.pairs) & set(found.left_out)
+
+
+def test_a_mesh_that_nobody_has_read_is_told_and_one_that_is_known_counts() -> None:
+    home = cell().first.robot.home
+    assert collisions().separation(home).unseen == ("sign",)
+    points = np.array([[x, y, z] for x in (-1.0, 1.0) for y in (-2.5, 0.0) for z in (0.0, 2.0)])
+    assert distance(cell(), home, {Mesh("sign.stl"): points}).unseen == ()
+    assert in_collision(
+        cell(), np.array([np.pi / 2.0, 0.0, np.pi / 2.0, 0.0, 0.0, 0.0]), {Mesh("sign.stl"): points}
+    )
+
+
+@pytest.mark.parametrize("gap", [0.004, -0.01])
+def test_the_nearest_two_are_named_with_their_distance_and_their_points_in_the_world(gap: float) -> None:
+    table = block("table", (0.1, 0.1, 0.02), *(PLACE - [0.0, 0.0, gap + 0.01]))
+    found = distance(replace(cell(), objects=(table,)), standing())
+    assert found.nearest is not None
+    assert found.nearest.pair == ("tool:jaws", "table")
+    assert found.distance == pytest.approx(gap, abs=1e-7)
+    assert found.nearest.point_one[2] == pytest.approx(PLACE[2])
+    assert found.nearest.point_other[2] == pytest.approx(PLACE[2] - gap)
+
+
+def test_a_part_hangs_on_its_gripper_without_touching_it_and_meets_what_is_in_its_way() -> None:
+    held = {"cube": ("tool:jaws", JAWS.X_MT @ Pose(orientation=np.array([0.0, 1.0, 0.0, 0.0])))}
+    found = collisions().separation(standing(), held)
+    assert found.left_out["tool:jaws", "cube"] is LeftOut.FIXED
+    assert ("link5", "cube") in found.pairs
+    assert collisions().meetings(standing(), held) == ()
+    post = replace(cell(), objects=(block("post", (0.02, 0.02, 0.02), *(PLACE - [0.0, 0.0, 0.02])),))
+    assert {one.pair for one in Collisions(post).meetings(standing(), held)} == {("post", "cube")}
+    assert Collisions(post).meetings(standing(), held, absent=["post"]) == ()
+
+
+def test_an_arm_that_folds_into_its_base_is_in_collision() -> None:
+    assert not in_collision(cell(), cell().first.robot.home)
+    assert in_collision(cell(), np.array([0.6, -0.8, -2.7, -0.1, 1.4, 4.3]))
