@@ -30,6 +30,11 @@ class Activations:
             else:
                 known.end = max(known.end, end)
 
+    def begin(self, origin: Origin, tick: int) -> None:
+        """Take notice that an instruction begins at a tick: the tasks around it are active from then on."""
+        for depth, (name, serial) in enumerate(zip(origin.calls, origin.call_serials, strict=True)):
+            self.by_serial.setdefault(serial, Activation(name, depth, tick, tick))
+
     def events(self, station: str, control_hz: int) -> list[TaskEvent]:
         """Return one event per activation below `main` of the program of a station."""
         below = [serial for serial in sorted(self.by_serial) if self._is_below_main(serial)]

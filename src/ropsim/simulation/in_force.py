@@ -9,6 +9,8 @@ from ropsim.simulation.station_run import StationRun
 def put_in_force(run: CellRun, at: StationRun, step: Instruction) -> None:
     """Let origin, line and tool of an instruction be those of a station from now on."""
     at.origin, span = step.origin, step.origin.span
+    at.is_busy = True
+    at.activations.begin(step.origin, at.tick)
     at.track("line", span.line if span else 0)
     run.take(at, _tool_in_force(at.station, step.modal), run.parts)
     at.tool_frames.set(at.tick, at.chain.tool_pose(step.modal))

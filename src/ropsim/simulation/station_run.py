@@ -48,6 +48,7 @@ class StationRun:
         awaits: what it stands for, where it waits for a channel.
         polled: what it looks at again and again, where it does nothing else.
         origin: of the instruction in force.
+        is_busy: whether that is still being carried out.
         is_held: whether it stands because the override is 0.
         in_vain: whether it stands for what will never come; the program is over then.
         dismissed: whether it has served those of other stations, which have ended; the program is over then.
@@ -74,6 +75,7 @@ class StationRun:
     awaits: AwaitInstruction | None = None
     polled: Polled | None = None
     origin: Origin = field(default_factory=Origin)
+    is_busy: bool = False
     is_held: bool = False
     in_vain: bool = False
     dismissed: bool = False

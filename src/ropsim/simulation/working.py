@@ -73,6 +73,7 @@ def work(run: CellRun, at: StationRun, program: Program, options: RunOptions) ->
         stretch = gather(step, advance) if isinstance(step, MoveInstruction) else None
         with _blamed(step):
             yield from move(run, at, stretch, world) if stretch else _carry_out(run, at, step, world)
+            at.is_busy = False
             yield
             yield from _while_held(run, at)
             step = stretch.next if stretch else advance()

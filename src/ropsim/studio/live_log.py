@@ -48,8 +48,10 @@ class LiveLog:
                 self._others.pop(("placed", body), None)  # only where it is now, in order of time
                 self._others["placed", body] = message
             case {"type": "happened", "event": {"kind": "task", "station": at, "data": {"serial": serial}}}:
-                self._others.pop(self._tasks.get((at, serial)), None)  # only how long it is now
-                self._tasks[at, serial] = self._keep("happened", message)
+                if (known := self._tasks.get((at, serial))) in self._others:
+                    self._others[known] = message  # only how long it is now
+                else:
+                    self._tasks[at, serial] = self._keep("happened", message)
             case {"type": "stamped" | "happened" as kind}:
                 self._keep(kind, message)
             case _:  # notices are for who is there

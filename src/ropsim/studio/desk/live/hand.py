@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 from typing import Literal
 
+from ropsim.flow import Event
 from ropsim.simulation import RunView
 from ropsim.studio.jobs import LiveBegin, LiveControl, LiveOverride
 
@@ -57,13 +58,15 @@ class Hand:
                 self.is_over = True
         self._put_in_force(run)
 
-    def look(self, run: RunView) -> bool:
-        """Hold a run that has come to the end of its step; return whether it has."""
-        if not self.is_stepping or not any(event.duration > 0.0 for event in run.events[self.seen :]):
-            return False
-        self.is_held, self.is_stepping = True, False
-        self._put_in_force(run)
-        return True
+    def look(self, run: RunView) -> Event | None:
+        """Hold a run that has come to the end of its step; return what has ended it, or None."""
+        if not self.is_stepping:
+            return None
+        ended = next((event for event in run.events[self.seen :] if event.duration > 0.0), None)
+        if ended is not None:
+            self.is_held, self.is_stepping = True, False
+            self._put_in_force(run)
+        return ended
 
     def _put_in_force(self, run: RunView) -> None:
         wanted = 0.0 if self.is_held else self.override

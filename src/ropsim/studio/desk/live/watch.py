@@ -1,12 +1,12 @@
 """A run at the pace of a clock: it waits where the clock has not come yet, and is shown meanwhile."""
 
 from collections import deque
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field, replace
 
 from msgspec import convert
 
-from ropsim.flow import Event
+from ropsim.flow import Event, MoveEvent
 from ropsim.icr import Program
 from ropsim.simulation import RunView
 from ropsim.studio.desk.clock import PacedClock
@@ -15,11 +15,14 @@ from ropsim.studio.desk.live.frame import Frames
 from ropsim.studio.desk.live.hand import Hand
 from ropsim.studio.desk.live.keys import Keys, Stamp
 from ropsim.studio.jobs import LiveControl, LiveMessage, LiveOverride, LiveSpeed, Order, SetSignal
-from ropsim.studio.messages import Happened, LiveStatus, Placed, SignalStamped, notice, plain
+from ropsim.studio.messages import Happened, LiveStatus, Notice, Placed, SignalStamped, notice, plain
 from ropsim.views import ShownPlacements, packed_event
 
 FRAME = 1.0 / 60.0
 """Time between two frames [s of the wall clock]."""
+
+GROW = 0.25
+"""How often is told how long a task is that goes on [s of the wall clock]."""
 
 LONGEST_NAP, SHORTEST_NAP = 0.25, 1e-4
 """How long the run waits at a time for orders [s of the wall clock]."""
@@ -49,6 +52,8 @@ class LivePace:
         news: messages on parts and events whose time has not come yet.
         heard: how many events have been looked at.
         shown: when the last frame was due [s of the wall clock].
+        grown: when it was told last how long the tasks are that go on [s of the wall clock].
+        begun: serial of the newest task that was told, by station.
         hand: holds, slows and ends the run.
     """
 
@@ -65,6 +70,8 @@ class LivePace:
     news: deque[tuple[float, LiveMessage]] = field(default_factory=deque)
     heard: int = 0
     shown: float = float("-inf")
+    grown: float = float("-inf")
+    begun: dict[str, int] = field(default_factory=dict)
     hand: Hand = field(default_factory=Hand)
 
     @property
@@ -79,8 +86,9 @@ class LivePace:
             Cancelled: the run was given up.
         """
         self._hear(run)
-        if self.hand.look(run):
+        if (ended := self.hand.look(run)) is not None:
             self._tell_state()
+            self._tell_behind(ended)
         self.clock.extend(run.time)
         self._show_until(run, run.time)
 
@@ -113,6 +121,7 @@ class LivePace:
         self._begin(run)
         self.news += [(run.time, message) for message in self._moved(run)]
         self.news += [(one.end, happened(one)) for one in self._events(run)]
+        self.news += [(run.time, happened(one)) for one in self._going_on(run)]
 
     def _moved(self, run: RunView) -> list[LiveMessage]:
         """Return a message for each body that has another place since the last look."""
@@ -139,6 +148,18 @@ class LivePace:
                 around = at.activations.around(one.origin, one.station, at.hz)
                 tasks |= {(task.station, task.serial): task for task in around}
         return [*news, *tasks.values()]
+
+    def _going_on(self, run: RunView) -> Iterator[Event]:
+        """Yield tasks that have begun since the last look, and now and then how long all are that go on."""
+        if grown := self.wall() >= self.grown + GROW:
+            self.grown = self.wall()
+        for name, at in run.stations.items():
+            if not at.is_busy:
+                continue
+            for task in at.activations.around(at.origin, name, at.hz):
+                if grown or self.begun.get(name, 0) < task.serial:
+                    self.begun[name] = max(self.begun.get(name, 0), task.serial)
+                    yield replace(task, duration=max(task.duration, at.time - task.time))
 
     def _show_until(self, run: RunView, until: float) -> None:
         nap = 0.0
@@ -190,6 +211,19 @@ class LivePace:
     def _tell_state(self) -> None:
         status = LiveStatus(self.hand.state, self.clock.speed, self.program, self.hand.override)
         self.line.report(LiveMessage(plain(status)))
+
+    def _tell_behind(self, ended: Event) -> None:
+        """Tell where the arm stands after a step whose move has passed its target by."""
+        if isinstance(ended, MoveEvent) and ended.flown > 0.0:
+            self.line.report(LiveMessage(plain(behind_target(ended))))
+
+
+def behind_target(move: MoveEvent) -> Notice:
+    """Return what the page is told of a step that ends on the way of a blend."""
+    line = f" of line {move.origin.span.line}" if move.origin and move.origin.span else ""
+    zone = f"{1e3 * move.flown:.3g} mm"
+    words = f"the step ended behind the target{line}, which the path passes by (zone {zone})"
+    return Notice("info", "", words, "`fine` on that move lets the arm stop at its target")
 
 
 def happened(event: Event) -> LiveMessage:

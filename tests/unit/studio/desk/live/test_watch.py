@@ -115,9 +115,14 @@ def test_events_are_told_when_they_are_over_and_tasks_grow_with_them(folder: Pat
     job = LiveStart(str(folder), {"programs/main.task": program}, "", 1.0)
     assert run_live(job, line, Clocks(line.now, lambda: DAY), shelf).state == "done"
     told = [one["event"] for one in line.messages("happened")]
-    kinds = [one["kind"] for one in told if isinstance(one, dict)]
-    assert kinds == ["move", "move", "task", "grip", "task", "move", "release"]
-    _, lin, begun, grip, whole, *_ = (one for one in told if isinstance(one, dict))
+    kinds = [one["kind"] for one in told if isinstance(one, dict) and one["kind"] != "task"]
+    assert kinds == ["move", "move", "grip", "move", "release"]
+    _, lin, grip, *_ = (one for one in told if isinstance(one, dict) and one["kind"] != "task")
+    first, *longer = (one for one in told if isinstance(one, dict) and one["kind"] == "task")
+    assert told.index(first) < told.index(lin)
+    assert (first["time"], first["duration"]) == (lin["time"], pytest.approx(0.0, abs=2 * SLICE))
+    assert sorted(one["duration"] for one in longer) == [one["duration"] for one in longer]
+    begun, whole = longer[-2], longer[-1]
     assert grip["data"]["part"] == "box_1"
     assert begun["data"]["name"] == whole["data"]["name"] == "Pick"
     assert begun["duration"] == pytest.approx(lin["duration"])
@@ -296,6 +301,8 @@ def test_a_step_among_moves_that_pass_by_ends_on_the_path_behind_the_target(fold
     assert np.ptp(recording.channels["q"].values[stands], axis=0).max() == 0.0
     ends = [one.channels["q"].values[-1] for one in (recording, plain)]
     assert ends[0].tolist() == ends[1].tolist()
+    (told,) = line.messages("notice")
+    assert "behind the target of line 3, which the path passes by (zone 20 mm)" in str(told["text"])
 
 
 def test_a_key_for_something_else_is_told_in_words_and_changes_nothing(folder: Path) -> None:
