@@ -7,25 +7,21 @@ from itertools import pairwise
 import numpy as np
 import numpy.typing as npt
 
+from ropsim.controller.chosen_stops import by_joints, by_tool
 from ropsim.controller.corners import Corner, Stop, corner_between
 from ropsim.controller.correction_check import beside_correction, correction_refusal
-from ropsim.controller.course import course_of
 from ropsim.controller.entities import Refusal
 from ropsim.controller.flown_zones import flown_zones
 from ropsim.controller.hopeless import joints_refusal, rest_to_rest_refusal, standing_refusal
-from ropsim.controller.keeping import keeping_of
 from ropsim.controller.kept_limits import arm_bounds, beyond_refusal, move_at, slowed_findings
 from ropsim.controller.leg import Leg
 from ropsim.controller.motion_chain import MotionChain
 from ropsim.controller.motion_plan import MotionPlan, MotionState
 from ropsim.controller.move_check import check_duration
-from ropsim.controller.parts import parts_of
 from ropsim.controller.pieces import pieces_of
-from ropsim.controller.quicker_stops import quicker_stops, without
 from ropsim.controller.stages import along_with, joint_stages, tool_stages
 from ropsim.controller.start_check import check_start
 from ropsim.controller.stretch_legs import legs_of
-from ropsim.controller.stretch_times import arm_times, times_alone, tool_times
 from ropsim.controller.ticks import in_ticks, standing
 from ropsim.controller.zone_findings import clipped, stopped
 from ropsim.core import Diagnostic
@@ -100,36 +96,28 @@ def _planned(
         if refusal := standing_refusal(legs[piece.leg], piece):
             return _Hurdle(piece.leg, refusal)
     ahead, period = chain.controller.look_ahead, chain.controller.rates.control_period
-    parts, singly = parts_of(walks, ahead), times_alone(legs, walks, ahead)
-    course, of_tool = course_of(parts, len(legs)), tool_times(legs, corners, ahead)
-    while quicker := quicker_stops(corners, course.ends, singly, of_tool):
-        findings += (hint for one in quicker for hint in stopped(legs[one].move, Stop.QUICKER))
-        corners = without(corners, quicker)
-        parts = parts_of(pieces_of(legs, corners), ahead)
-        course = course_of(parts, len(legs))
+    chosen = by_tool(legs, corners, walks, ahead)
+    findings += (hint for one in chosen.stops for hint in stopped(legs[one].move, Stop.QUICKER))
+    course = chosen.course
     if not course.runs:
         return standing(legs, state.q, period, findings)
     if late := _late(legs, course.ends):
         return _too_long(legs, *late)
     bounds = arm_bounds(chain.robot, payload)
-    if hopeless := _hopeless(legs, corners, state.q, bounds.joints):
+    if hopeless := _hopeless(legs, chosen.corners, state.q, bounds.joints):
         return hopeless
     if any(leg.move.tracking for leg in legs):
         bounds = beside_correction(bounds)
-    keeping = keeping_of(parts, len(legs), bounds, period, ahead)
-    of_arm = arm_times(legs, corners, ahead, of_tool, bounds, period)
-    while quicker := quicker_stops(corners, keeping.ends, singly, of_arm):
-        findings += (hint for one in quicker for hint in stopped(legs[one].move, Stop.SLOWED))
-        corners = without(corners, quicker)
-        keeping = keeping_of(parts_of(pieces_of(legs, corners), ahead), len(legs), bounds, period, ahead)
-    course, kept = keeping.course, keeping.kept
+    flown = by_joints(legs, chosen, bounds, period, ahead)
+    findings += (hint for one in flown.stops for hint in stopped(legs[one].move, Stop.SLOWED))
+    course, kept = flown.keeping.course, flown.keeping.kept
     if isinstance(kept, Beyond):
         number = move_at(course.ends, kept.phi)
         return _Hurdle(number, beyond_refusal(legs[number], kept, chain.robot))
     if late := _late(legs, kept.clock.times_of(course.ends)):
         return _Hurdle(late[0], Refusal(check_duration(legs[late[0]].move, late[1])))
-    findings += slowed_findings(legs, course.ends, keeping.slowed, chain.robot)
-    zones = flown_zones(chain.robot, legs, corners, course)
+    findings += slowed_findings(legs, course.ends, flown.keeping.slowed, chain.robot)
+    zones = flown_zones(chain.robot, legs, flown.corners, course)
     return in_ticks(chain, legs, zones, course, kept, findings)
 
 

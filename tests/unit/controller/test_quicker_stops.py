@@ -18,6 +18,7 @@ COSTLY = [
     ("puma560", 7019),
     ("puma560 on a track", 7017),
     ("puma560 on a track", 5206),
+    ("puma560 on a track", 5050),
     ("puma560 with wrist angles", 7033),
     ("scara", 7000),
 ]
