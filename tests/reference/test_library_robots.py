@@ -56,7 +56,7 @@ SOLVERS = {
     "m410ib_700": ("level wrist", Method.CLOSED_FORM),
     "iiwa14": ("S-R-S", Method.CLOSED_FORM),
     "panda": ("general seven-axis", Method.ALGEBRAIC),
-    "stanford": ("numeric", Method.NUMERIC),
+    "stanford": ("sliding joint, spherical wrist", Method.CLOSED_FORM),
     "ur10e": ("three parallel axes", Method.CLOSED_FORM),
     "ur3e": ("three parallel axes", Method.CLOSED_FORM),
     "ur5e": ("three parallel axes", Method.CLOSED_FORM),

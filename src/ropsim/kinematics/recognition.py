@@ -10,6 +10,7 @@ from ropsim.kinematics.solvers import (
     level_wrist,
     planar_two_link,
     scara,
+    sliding_wrist,
     spherical_wrist,
     swivel,
     three_parallel,
@@ -21,6 +22,7 @@ from ropsim.model import RobotModel, held_arm
 CLASSES: tuple[tuple[str, Callable[[RobotModel], InverseSolver | str]], ...] = (
     ("spherical wrist", spherical_wrist.recognise),
     ("three parallel axes", three_parallel.recognise),
+    ("sliding joint, spherical wrist", sliding_wrist.recognise),
     ("SCARA", scara.recognise),
     ("planar two-link", planar_two_link.recognise),
     ("level wrist", level_wrist.recognise),

@@ -43,6 +43,7 @@ def test_the_solver_says_that_it_is_numeric_and_why() -> None:
     assert classes_missed(robot) == {
         "spherical wrist": "it has 7 joints, the class has 6",
         "three parallel axes": "it has 7 joints, the class has 6",
+        "sliding joint, spherical wrist": "it has 7 joints, the class has 6",
         "SCARA": "it has 7 joints, the class has 4",
         "planar two-link": "it has 7 joints, the class has 2",
         "level wrist": "it has 7 axes, the class has 4",

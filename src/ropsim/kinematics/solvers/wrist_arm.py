@@ -70,8 +70,8 @@ def wrist_arm(chain: ChainArrays, frames: ZeroFrames, wrist: Array) -> WristArm:
     a1, beta2, beta3 = float(origins[1] @ e_x), _direction(upper, e_x), _direction(fore, e_x)
     L2, L3 = hypot(upper @ e_x, upper[2]), hypot(fore @ e_x, fore[2])
     elbow_sign = 1.0 if float(rotations[2][:, 2] @ u) > 0.0 else -1.0
-    before5, after5 = _split(frames.steps[4])
-    before6, after6 = _split(frames.steps[5])
+    before5, after5 = split(frames.steps[4])
+    before6, after6 = split(frames.steps[5])
     # θ1 = q1 + ., θ2 = q2 + β2, γ = θ23 - θ2 = ±q3 + β3 - β2, wrist A = q4 + ., β = -q5 - ., C = -q6 - .
     zeros = (
         np.array([atan2(e_x[1], e_x[0]), beta2, beta3 - beta2, before5, -(after5 + before6), -after6])
@@ -102,7 +102,7 @@ def _direction(vector: Array, e_x: Array) -> float:
     return atan2(float(vector[2]), float(vector @ e_x))
 
 
-def _split(R: Array) -> tuple[float, float]:
+def split(R: Array) -> tuple[float, float]:
     """Return (a, b) with R = Rz(a)·Rx(π/2)·Rz(b), for a rotation whose z is perpendicular to the old z."""
     return atan2(R[0, 2], -R[1, 2]), atan2(R[2, 0], R[2, 1])
 
