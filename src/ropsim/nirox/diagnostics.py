@@ -1,4 +1,4 @@
-"""What can be said of NIROX files (codes X950 to X956)."""
+"""What can be said of NIROX files (codes X950 to X957)."""
 
 from ropsim.core import Severity, define
 
@@ -83,5 +83,19 @@ REFUSED = define(
     """
 What is written keeps to the schema. A negative mass, a limit of 0 or a number that is not finite does not;
 `ropsim robot audit` says more of it.
+""",
+)
+
+NO_MASS = define(
+    "X957",
+    "ap242-mass-not-given",
+    Severity.HINT,
+    "a file of AP242 does not give the masses of links, or not all of one",
+    """
+In AP242 products have masses, not links. Those of a link are read where an association leads from its
+representation to the shape of a product (`KINEMATIC_LINK_REPRESENTATION_ASSOCIATION`), and properties of that
+product say a mass measure, a representation called `centre of mass` with one point, and a
+`MOMENTS_OF_INERTIA_REPRESENTATION` with three rows of three: the tensor about the centre of mass. Without
+masses an arm moves as it is commanded; weights and torques need them.
 """,
 )

@@ -12,12 +12,16 @@ from ropsim.nirox.conformance import ConformanceClass, conformance_of
 from ropsim.nirox.diagnostics import KEPT, LOST, NOT_NIROX
 from ropsim.nirox.further_frame import FurtherFrame
 from ropsim.nirox.plain_mechanism import SCHEMA, with_arm
+from ropsim.nirox.product_masses import with_masses
 from ropsim.nirox.read_arm import read_arm
 from ropsim.nirox.schema_text import NAME, nirox_schema
 from ropsim.nirox.seen import Seen
 from ropsim.part21 import ExchangeFile, read_exchange
 
-_NO_INTERFACE = "`robot_arm.doubt1`"  # said of an arm that was made of a mechanism, it would say nothing
+_OF_PLAIN = (
+    "`robot_arm.doubt1`",
+    "`moving_links_have_mass.doubt1`",
+)  # X957 says it in other words, or nobody need
 _NAMED = 6  # entities that a message names
 _WORDS: Mapping[Attribute, tuple[str, ...]] = MappingProxyType(
     {
@@ -67,13 +71,14 @@ def read_nirox(source: SourceText) -> ReadNirox:
     file, findings = read_exchange(source)
     if any(one.is_error for one in findings):
         return ReadNirox(None, findings)
-    arm = _with_arm(file)
-    if arm is None:
+    completed = _with_arm(file)
+    if completed is None:
         return ReadNirox(None, (_other_schema(file),))
+    arm, missing = completed
     seen = Seen(nirox_schema(), arm)
     found = validate(seen.population)
     if arm is not file:
-        found = tuple(one for one in found if _NO_INTERFACE not in one.message)
+        found = (*(one for one in found if not any(word in one.message for word in _OF_PLAIN)), *missing)
     if any(one.is_error for one in found):
         return ReadNirox(None, found)
     made = _robot(seen, source.name)
@@ -104,16 +109,20 @@ def read_valid_nirox(source: SourceText) -> RobotModel:
 def nirox_places(source: SourceText) -> PlaceOf:
     """Return where the numbers of the robot stand in a file that could be read."""
     file, _ = read_exchange(source)
-    seen = Seen(nirox_schema(), _with_arm(file) or file)
+    seen = Seen(nirox_schema(), (_with_arm(file) or (file,))[0])
     made = _robot(seen, source.name)
     return _place_of(seen, made[0].axes) if made else _nowhere
 
 
-def _with_arm(file: ExchangeFile) -> ExchangeFile | None:
-    """Return a NIROX file, or one of AP242 with the arm that follows from its mechanism; else nothing."""
+def _with_arm(file: ExchangeFile) -> tuple[ExchangeFile, tuple[Diagnostic, ...]] | None:
+    """Return a NIROX file, or one of AP242 with the arm and the masses that follow from it; else nothing.
+
+    With it comes what AP242 does not say of masses.
+    """
     if NAME in file.schemas:
-        return file
-    return with_arm(file) if any(one.startswith(SCHEMA) for one in file.schemas) else None
+        return file, ()
+    arm = with_arm(file) if any(one.startswith(SCHEMA) for one in file.schemas) else None
+    return with_masses(arm) if arm is not None else None
 
 
 def _other_schema(file: ExchangeFile) -> Diagnostic:

@@ -6,7 +6,7 @@ from ropsim.core import frozen_dataclass
 from ropsim.nirox.diagnostics import UNIT_UNKNOWN
 from ropsim.nirox.seen import Seen
 
-_PREFIXES = {
+PREFIXES = {
     "exa": 18, "peta": 15, "tera": 12, "giga": 9, "mega": 6, "kilo": 3, "hecto": 2, "deca": 1,
     "deci": -1, "centi": -2, "milli": -3, "micro": -6, "nano": -9, "pico": -12, "femto": -15, "atto": -18,
 }  # fmt: skip
@@ -80,7 +80,7 @@ def units_of(seen: Seen, context: int) -> Units:
 def _unit(seen: Seen, number: int, steps: int) -> Unit | None:
     seen.take(number)
     if seen.is_a(number, "si_unit"):
-        power = _PREFIXES.get(seen.text(number, "prefix"), 0)
+        power = PREFIXES.get(seen.text(number, "prefix"), 0)
         known = seen.text(number, "name") in ("metre", "radian")
         return Unit(10.0 ** max(power, 0), 10.0 ** max(-power, 0)) if known else None
     if not steps or not seen.is_a(number, "conversion_based_unit"):

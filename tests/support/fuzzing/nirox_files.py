@@ -17,11 +17,10 @@ from ropsim.views import Style, diagnostics_text
 from support.exchange_laws import random_chain
 from support.fuzzing.mutation import TEXT, mutated, numeral, word
 from support.fuzzing.target import Target
-from support.nirox_texts import END
 from support.nirox_texts import TEXT as HAND
+from support.nirox_texts import WEIGHED_PLAIN
 from support.trees import random_tree
 
-_PLAIN = HAND.partition("/* what NIROX adds */")[0].replace("ROPSIM_NIROX_V1", "AP242_MIM_LF") + END
 _CUT = LoopCut(-1, Pose(), 4, Pose(), ALL_DIRECTIONS[:5])
 _REFERENCE, _KEYWORD = re.compile(rb"#\d+"), re.compile(rb"(?<==)[A-Z_0-9]+")
 _SHOWN = 5  # findings that are written out
@@ -34,7 +33,7 @@ def _texts() -> tuple[bytes, ...]:
     drawn = (scara.links[0], *(replace(one, shapes=()) for one in scara.links[1:]))  # fewer shapes: faster
     chain = replace(random_chain(2), couplings=(), axes=(0,), home=np.zeros(1), cuts=(_CUT,))
     written = [write_nirox(one).text for one in (replace(scara, links=drawn, base_shapes=()), tree, chain)]
-    return tuple(one.encode() for one in (HAND, _PLAIN, *written))
+    return tuple(one.encode() for one in (HAND, WEIGHED_PLAIN, *written))
 
 
 @lru_cache(maxsize=1)
@@ -47,7 +46,7 @@ def _made(random: Random) -> bytes:
     for _ in range(random.choice((0, 1, 1, 2, 3))):
         choice = random.random()
         if choice < 0.3:
-            content = _exchanged(random, content, _REFERENCE, b"#%d" % random.randint(1, 140))
+            content = _exchanged(random, content, _REFERENCE, b"#%d" % random.randint(1, 262))
         elif choice < 0.5:
             content = _exchanged(random, content, _KEYWORD, random.choice(_entities()))
         elif choice < 0.8:

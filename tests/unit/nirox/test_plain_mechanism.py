@@ -1,23 +1,17 @@
 """Files of AP242 with a mechanism and without an arm, as CAD systems could write them."""
 
+import re
+
 import numpy as np
 
 from ropsim.core import SourceText
 from ropsim.kinematics import forward
 from ropsim.nirox import ConformanceClass, ReadNirox, read_nirox, write_nirox
-from support.nirox_texts import END, TEXT
+from support.nirox_texts import AP242 as SCHEMA
+from support.nirox_texts import PLAIN
+from support.nirox_texts import WEIGHED_PLAIN as GIVEN
 
-SCHEMA = "AP242_MANAGED_MODEL_BASED_3D_ENGINEERING_MIM_LF { 1 0 10303 442 3 1 4 }"
-PRODUCT = """#200=PRODUCT('arm','arm','',(#201));
-#201=PRODUCT_CONTEXT('',#202,'mechanical');
-#202=APPLICATION_CONTEXT('managed model based 3d engineering');
-#203=KINEMATIC_LINK_REPRESENTATION_ASSOCIATION('','',#51,#204);
-#204=SHAPE_REPRESENTATION('arm',(#43),#4);
-#205=MEASURE_WITH_UNIT(MASS_MEASURE(4.),#206);
-#206=(MASS_UNIT()NAMED_UNIT(*)SI_UNIT(.KILO.,.GRAM.));
-"""
-PLAIN = TEXT.partition("/* what NIROX adds */")[0].replace("ROPSIM_NIROX_V1", SCHEMA) + PRODUCT + END
-HINTS = ["X972", "X955", "X955", "X954"]
+HINTS = ["X957", "X955", "X955", "X954"]
 """There are no masses, limits of motion are estimated for both axes, entities of products are kept."""
 
 
@@ -96,3 +90,46 @@ def test_contexts_as_cad_systems_write_them_are_understood() -> None:
     assert [one.code for one in found.findings] == HINTS
     assert found.robot is not None
     assert "UNCERTAINTY" not in write_nirox(found.robot, found.beside).text
+
+
+def test_masses_of_products_are_those_of_their_links_in_their_own_units() -> None:
+    found = read(GIVEN)
+    assert found.robot is not None, found.findings
+    arm, hand = found.robot.links
+    assert (arm.mass, hand.mass) == (4.0, 0.0)
+    np.testing.assert_allclose(arm.com, [0.1, -0.02, 0.005])
+    matrix = [[0.02, -0.001, 5e-4], [-0.001, 0.07, 5e-4], [5e-4, 5e-4, 0.08]]
+    np.testing.assert_allclose(arm.inertia, matrix, rtol=1e-14)
+    (told,) = [one for one in found.findings if one.code == "X957"]
+    assert "`hand`" in told.message
+    assert "`arm`" not in told.message
+
+
+def test_without_units_of_their_own_moments_are_in_those_of_their_context() -> None:
+    measure = r"=MEASURE_REPRESENTATION_ITEM\('',NUMERIC_MEASURE\((.*?)\),#260\)"
+    robot = read(re.sub(measure, r"=REAL_REPRESENTATION_ITEM('',\1)", GIVEN)).robot
+    assert robot is not None
+    np.testing.assert_allclose(robot.links[0].inertia[2, 2], 0.08, rtol=1e-14)
+
+
+def test_what_a_product_does_not_say_of_its_mass_is_told() -> None:
+    found = read(GIVEN.replace("#230=PROPERTY_DEFINITION_REPRESENTATION(#220,#231);\n", ""))
+    assert found.robot is not None
+    assert found.robot.links[0].mass == 4.0
+    assert not found.robot.links[0].com.any()
+    assert any("without its centre, 0 here" in one.message for one in found.findings)
+
+
+def test_a_mass_that_no_body_has_is_refused_where_it_stands() -> None:
+    text = GIVEN.replace("MASS_MEASURE(4000.)", "MASS_MEASURE(-4000.)")
+    (wrong,) = [one for one in read(text).findings if one.is_error]
+    assert wrong.code == "X970"
+    assert wrong.span is not None
+    assert text.splitlines()[wrong.span.line - 1].startswith("#222=")
+
+
+def test_products_with_masses_are_written_and_read_again_as_nirox() -> None:
+    found = read(GIVEN)
+    assert found.robot is not None
+    text = write_nirox(found.robot, found.beside).text
+    assert read(text).robot == found.robot
