@@ -23,9 +23,9 @@ const LIST: TaskList = {
       group: 'pick',
       needs: [],
       parameters: [
-        { name: 'P', kind: 'part', default: '', units: [], told: true },
-        { name: 'L', kind: 'location', default: '', units: [], told: false },
-        { name: 'C', kind: 'length', default: '50 mm', units: ['mm'], told: false },
+        { name: 'P', kind: 'part', default: '', units: [], told: true, word: 'x', sentence: '' },
+        { name: 'L', kind: 'location', default: '', units: [], told: false, word: 'x', sentence: '' },
+        { name: 'C', kind: 'length', default: '50 mm', units: ['mm'], told: false, word: 'x', sentence: '' },
       ],
     },
   ],

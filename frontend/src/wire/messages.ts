@@ -248,6 +248,10 @@ export interface TaskParameter {
   readonly units: readonly string[]
   /** The state of the cell tells it, nobody types it. */
   readonly told: boolean
+  /** What people call it; its name where it has no word. */
+  readonly word: string
+  /** What they should know of it, with the bounds of its value. */
+  readonly sentence: string
 }
 
 /** A task that may be chosen. */

@@ -14,12 +14,14 @@ from ropsim.tasks import (
     Draft,
     KnowledgeBase,
     KnownTask,
+    Parameter,
     Point,
     PointList,
     TaskCall,
     TaskError,
     Value,
     added,
+    default_text,
     draft_points,
     draft_text,
     not_defined,
@@ -83,7 +85,7 @@ def _choose(desk: _Desk, name: str) -> None:
 
 def _points(desk: _Desk, task: KnownTask) -> tuple[Point, ...]:
     """Return the points that are typed: names of locations or lists, or X Y Z, or X Y Z Pitch Roll."""
-    wanted = [one.name for one in task.passed if one.kind == "location"]
+    wanted = [_words(one) for one in task.passed if one.kind == "location"]
     found: list[Point] = []
     while len(found) < len(wanted):
         line = _asked(f"POINT {wanted[len(found)]}, by name or X Y Z [Pitch Roll] in mm and deg")
@@ -101,11 +103,19 @@ def _parameters(task: KnownTask) -> tuple[Value, ...]:
     """
     found: list[Value] = []
     for one in (one for one in task.passed if one.kind != "location"):
-        line = _asked(f"PARAMETER {one}")
+        line = _asked(f"PARAMETER {_words(one)}")
         if not line:
             break
         found += typed_values(line, task)
     return tuple(found)
+
+
+def _words(parameter: Parameter) -> str:
+    """Return what is asked for: word and unit, what is known of it, and what stands for an empty line."""
+    unit = f" [{parameter.unit}]" if parameter.unit else ""
+    default = f"{default_text(parameter)} if left blank" if parameter.default is not None else ""
+    more = ", ".join(filter(None, (parameter.sentence, *map(str, parameter.bounds), default)))
+    return f"{parameter.label}{unit}{f' ({more})' if more else ''}"
 
 
 def _show(desk: _Desk) -> None:

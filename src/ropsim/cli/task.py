@@ -15,6 +15,7 @@ from ropsim.tasks import (
     KnownTask,
     TaskCall,
     WorldState,
+    default_text,
     not_defined,
     program_text,
     task_text,
@@ -51,7 +52,7 @@ def show(options: argparse.Namespace, output: Output) -> int:
         output.document({"ok": False, **diagnostic_document(found)})
         return code
     text = task_text(task)
-    lines = [_head(task), *textwrap.wrap(task.doc, COLUMNS), ""]
+    lines = [_head(task), *textwrap.wrap(task.doc, COLUMNS), "", *_parameters(task)]
     for word, terms in (("needs", task.needs), ("adds", task.adds), ("removes", task.removes)):
         lines += [f"{word:8} {term_text(one)}" for one in terms]
     lines += [f"{'geometry':8} {term_text(one)}" for one in task.geometry]
@@ -119,11 +120,22 @@ def _state(options: argparse.Namespace, known: Knowledge) -> WorldState:
 
 
 def _head(task: KnownTask) -> str:
-    """Return name and parameters, with defaults."""
+    """Return name and parameters by their words, with defaults."""
     inside = (
-        f"{one}{'' if one.default is None else f' = {term_text(one.default)}'}" for one in task.parameters
+        f"{one.label}{'' if one.default is None else f' = {default_text(one)}'}" for one in task.parameters
     )
     return f"{task.name}({', '.join(inside)})"
+
+
+def _parameters(task: KnownTask) -> list[str]:
+    """Return a line for each parameter that has a word: its name in the text, what it is, and its bounds."""
+    told = [one for one in task.parameters if one.word]
+    width = max((len(one.word) for one in told), default=0)
+    lines = [
+        f"{one.word:{width}}  {', '.join(filter(None, (one.sentence, *map(str, one.bounds))))} ({one.name})"
+        for one in told
+    ]
+    return [*lines, ""] if lines else []
 
 
 def _steps(calls: Sequence[TaskCall]) -> str:
@@ -171,6 +183,10 @@ def _entry(task: KnownTask) -> Mapping[str, object]:
             "name": one.name,
             "kind": one.kind,
             "default": None if one.default is None else term_text(one.default),
+            "word": one.word,
+            "sentence": one.sentence,
+            "unit": one.unit,
+            "range": [str(bound) for bound in one.bounds],
         }
         for one in task.parameters
     ]

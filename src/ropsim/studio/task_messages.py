@@ -19,6 +19,8 @@ class TaskParameter(Struct, frozen=True):
         default: as it is typed; empty where there is none.
         units: that a value may have; empty for a plain number.
         told: the state of the cell tells it, nobody types it.
+        word: what people call it; its name where it has no word.
+        sentence: what they should know of it, with the bounds of its value.
     """
 
     name: str
@@ -26,6 +28,8 @@ class TaskParameter(Struct, frozen=True):
     default: str
     units: tuple[str, ...]
     told: bool
+    word: str
+    sentence: str
 
 
 class TaskChoice(Struct, frozen=True):

@@ -133,7 +133,7 @@ def _wrong(call: TaskCall, task: KnownTask) -> Iterator[Diagnostic]:
         least = sum(one.default is None for one in wanted)
         if not least <= len(given) <= len(wanted):
             allowed = f"{least}" if least == len(wanted) else f"{least} to {len(wanted)}"
-            words = ", ".join(map(str, wanted)) or f"it takes no {word}"
+            words = ", ".join(f"{one.label} ({one.kind})" for one in wanted) or f"it takes no {word}"
             counted = word.removesuffix("s") if allowed == "1" else word
             message = f"`{task.name}` takes {allowed} {counted}, given: {len(given)}"
             yield WRONG_CALL.at(None, message, hint=words)
@@ -144,7 +144,7 @@ def _wrong(call: TaskCall, task: KnownTask) -> Iterator[Diagnostic]:
     for value, parameter in zip(call.parameters, others, strict=False):
         wanted_words = _misfit(value, parameter)
         if wanted_words:
-            message = f"`{parameter.name}` of `{task.name}` is {wanted_words}, given: {value}"
+            message = f"`{parameter.label}` of `{task.name}` is {wanted_words}, given: {value}"
             yield WRONG_CALL.at(None, message)
 
 
@@ -158,8 +158,14 @@ def _misfit(value: Value, parameter: Parameter) -> str:
             return "" if kind == "bool" else f"a value of kind `{kind}`"
         case Quantity(_, unit):
             if unit in units:
-                return ""
+                return _outside(value, parameter)
             return f"in {', '.join(sorted(units))}" if units else f"a value of kind `{kind}` without a unit"
     if kind == "int" and not float(value).is_integer():
         return "a whole number"
-    return f"a value of kind `{kind}`" if kind in ("bool", "str", "joints") else ""
+    return f"a value of kind `{kind}`" if kind in ("bool", "str", "joints") else _outside(value, parameter)
+
+
+def _outside(value: Value, parameter: Parameter) -> str:
+    """Return the bounds of a parameter where a value does not keep them."""
+    is_inside = all(one.keeps(value, parameter.kind) for one in parameter.bounds)
+    return "" if is_inside else " and ".join(map(str, parameter.bounds))

@@ -9,18 +9,22 @@ TASK_FORM = define(
     "a task of a knowledge base does not have the form of one",
     """
 A task is a fact `task(Head, [Properties])`. Its head is a name with variables that differ; its properties
-are `doc("…")` and the lists `params`, `pre`, `eff`, `geo` and `body`, each once at most. Such a task is
-left out, all others of the text stay.
+are `doc("…")` and the lists `params`, `words`, `range`, `pre`, `eff`, `geo` and `body`, each once at most.
+Such a task is left out, all others of the text stay.
 
 ```prolog
 task(grip(P, L), [
   doc("takes the part that lies at a location"),
   params([P-part, L-location]),
+  words([word(L, "place", "where the part lies")]),
   pre([gripper(open), at(P, L)]),
   eff([-gripper(open), -at(P, L), +held(P), +free(L)]),
   geo([reachable(arm, L)]),
   body([mov(L), close])]).
 ```
+
+`words` has `word(L, "place")` or `word(L, "place", "a sentence on it")` for parameters, `range` bounds of
+parameters that are numbers, such as `N >= 1` or `D =< 2*m`.
 """,
 )
 

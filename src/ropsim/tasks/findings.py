@@ -10,7 +10,7 @@ from ropsim.tasks.words import KINDS, PROPERTIES
 
 Words = tuple[Kind, str, str]
 """Kind, message and hint of a finding."""
-_ORDER = "the properties are `doc`, `params`, `pre`, `eff`, `geo` and `body`"
+_ORDER = "the properties are `doc`, `params`, `words`, `range`, `pre`, `eff`, `geo` and `body`"
 _FIXED: Mapping[str, Words] = {
     "deep": (kinds.TOO_DEEP, "the clause is nested deeper than 60", "split it into facts"),
     "directive": (kinds.NOT_USED, "a directive of a knowledge base is not run", "take it out"),
@@ -45,6 +45,14 @@ _FORMS: Mapping[str, tuple[str, str]] = {
     "head_arguments": ("the arguments of the head are not variables that differ", "write it as `grip(P, L)`"),
     "properties": ("the properties of a task are no list", _ORDER),
     "property": ("this is no property of a task", _ORDER),
+    "of_word": (
+        "this says no word of a parameter",
+        'write `word(L, "place")` or `word(L, "place", "where the part lies")`',
+    ),
+    "of_range": (
+        "this is no bound of a parameter that is a number",
+        "write a number behind `>=`, `=<`, `>` or `<`, such as `N >= 1` or `D > 0*mm`",
+    ),
     "twice": ("a property stands twice", "join the two"),
 }
 

@@ -2,6 +2,8 @@
 
 from ropsim.core import Span, frozen_dataclass
 from ropsim.prolog import Struct, Term
+from ropsim.tasks.bounds import PROGRAM_UNITS, Bound
+from ropsim.tasks.expression_text import unit_of
 from ropsim.tasks.kinds import SYMBOLIC
 from ropsim.tasks.layer import Layer
 
@@ -14,16 +16,33 @@ class Parameter:
         name: its variable, such as `L`.
         kind: what it is, a word of `KINDS`.
         default: its value where a call does not tell it, None where it must.
+        word: what people call it; empty where the text has no word for it.
+        sentence: what they should know of it; empty where the text says nothing.
+        bounds: all of which its value keeps.
     """
 
     name: str
     kind: str
     default: Term | None = None
+    word: str = ""
+    sentence: str = ""
+    bounds: tuple[Bound, ...] = ()
+
+    @property
+    def label(self) -> str:
+        """Return its word, or its name where it has none."""
+        return self.word or self.name
 
     @property
     def is_symbolic(self) -> bool:
         """Return whether the state of the cell tells it instead of task text."""
         return self.kind in SYMBOLIC
+
+    @property
+    def unit(self) -> str:
+        """Return the unit in which people give it: that of its default, or that of programs; else nothing."""
+        quantity = unit_of(self.default) if isinstance(self.default, Struct) else None
+        return PROGRAM_UNITS.get(self.kind, "") if quantity is None else quantity[1]
 
     def __str__(self) -> str:
         return f"{self.name}: {self.kind}"

@@ -4,6 +4,7 @@ from collections.abc import Mapping
 
 from ropsim.core import Span
 from ropsim.prolog import Atom, Struct, Term, Var
+from ropsim.tasks.bounds import bound_of
 from ropsim.tasks.known_task import KnownTask, Parameter
 from ropsim.tasks.layer import Layer
 
@@ -20,9 +21,10 @@ def task_of(told: Term, place: Span, layer: Layer) -> KnownTask | None:
         case Struct("told", (Atom(name), int(), Struct("task", parts))):
             names = names_in(parts[7])
             parameters, pre, eff, geo, body = (_list(renamed(part, names)) for part in parts[2:7])
+            words, ranges = (_list(renamed(part, names)) for part in parts[8:10])
             return KnownTask(
                 name,
-                tuple(map(_parameter, parameters)),
+                tuple(_parameter(one, words, ranges) for one in parameters),
                 parts[1] if isinstance(parts[1], str) else getattr(parts[1], "name", ""),
                 pre,
                 tuple(one.arguments[0] for one in eff if isinstance(one, Struct) and one.name == "+"),
@@ -52,11 +54,22 @@ def names_in(told: Term) -> Mapping[str, str]:
     return {variable.name: word for word, variable in map(_name, _list(told)) if variable}
 
 
-def _parameter(term: Term) -> Parameter:
+def _parameter(term: Term, words: tuple[Term, ...], ranges: tuple[Term, ...]) -> Parameter:
     match term:
         case Struct("p", (Var(name), Atom(kind), default)):
-            return Parameter(name, kind, None if default == Atom("none") else default)
+            word, sentence = next((said for one in words if (said := _said(one, name))), ("", ""))
+            bounds = tuple(found[1] for one in ranges if (found := bound_of(one)) and found[0] == name)
+            given = None if default == Atom("none") else default
+            return Parameter(name, kind, given, word, sentence, bounds)
     raise ValueError(f"{term} is no parameter")
+
+
+def _said(term: Term, parameter: str) -> tuple[str, str] | None:
+    """Return word and sentence of `word(V, Word, Sentence)`, None where V is another parameter."""
+    match term:
+        case Struct("word", (Var(name), str(word), *rest)) if name == parameter:
+            return word, next((one for one in rest if isinstance(one, str)), "")
+    return None
 
 
 def _name(pair: Term) -> tuple[str, Var | None]:

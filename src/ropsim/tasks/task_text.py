@@ -3,6 +3,7 @@
 import re
 from collections.abc import Iterator, Mapping
 from itertools import pairwise
+from textwrap import wrap
 
 from ropsim.core import Diagnostic, SourceText
 from ropsim.language import Environment, LineCache, ParameterForm, compile, read, statements
@@ -18,6 +19,8 @@ from ropsim.tasks.kinds import TYPES, kind_of_type
 from ropsim.tasks.known_task import KnownTask, Parameter
 
 _WORD = re.compile(r"\W+")
+_COLUMNS = 100
+"""Width to which comments are wrapped."""
 
 
 def task_text(task: KnownTask) -> str:
@@ -35,8 +38,13 @@ def task_text(task: KnownTask) -> str:
 
 def _text(task: KnownTask, names: Mapping[str, str]) -> str:
     header = f"task {task.name}({', '.join(_parameter(one, names) for one in task.passed)})"
-    doc = [f"# {line}" for line in task.doc.splitlines()]
-    return "\n".join([*doc, header, *body_lines(task.body, names), "endp"])
+    doc = [f"# {line}" for one in task.doc.splitlines() for line in wrap(one, _COLUMNS)]
+    words = [f"#   {names[one.name]}: {_comment(one)}" for one in task.passed if one.word]
+    return "\n".join([*doc, *words, header, *body_lines(task.body, names), "endp"])
+
+
+def _comment(parameter: Parameter) -> str:
+    return ", ".join(" ".join(one.split()) for one in (parameter.word, parameter.sentence) if one)
 
 
 def text_names(task: KnownTask) -> Mapping[str, str]:

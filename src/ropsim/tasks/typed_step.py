@@ -117,13 +117,13 @@ def default_text(parameter: Parameter) -> str:
 def _values(step: TypedStep, task: KnownTask) -> Iterator[Value]:
     wanted = [one for one in task.passed if one.kind != LOCATION]
     typed = [one.strip() for one in step.values]
-    while typed and not typed[-1]:
+    defaults = [default_text(one) for one in wanted]
+    while typed and (not typed[-1] or typed[-1] in defaults[len(typed) - 1 : len(typed)]):
         typed.pop()
     for index, one in enumerate(typed):
-        words = one or (default_text(wanted[index]) if index < len(wanted) else "")
+        words = one or (defaults[index] if index < len(wanted) else "")
         if not words:
-            message = (
-                f"`{wanted[index].name if index < len(wanted) else index + 1}` of `{task.name}` is not given"
-            )
+            label = wanted[index].label if index < len(wanted) else index + 1
+            message = f"`{label}` of `{task.name}` is not given"
             raise TaskError(WRONG_CALL.at(None, message, hint="give it, or leave out all behind it"))
         yield from typed_values(words, task)

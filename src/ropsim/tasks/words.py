@@ -7,6 +7,8 @@ from ropsim.tasks.kinds import SYMBOLIC, TYPES
 PROPERTIES: Mapping[str, str] = {
     "doc": "what the task is for",
     "params": "the kind of each variable of the head",
+    "words": "what people call the variables, and a sentence on each",
+    "range": "between which bounds the value of a variable is",
     "pre": "what must hold before",
     "eff": "what is true, or not true any more, afterwards",
     "geo": "what only geometry can tell",

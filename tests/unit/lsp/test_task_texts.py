@@ -94,7 +94,7 @@ def test_a_call_leads_to_the_task_and_shows_what_it_is_for(desk: Desk) -> None:
 
 def test_words_are_proposed_where_they_fit(desk: Desk) -> None:
     begin = 'task(go(L), [doc("a) b"), '
-    assert desk.proposed(f"{begin}|")[:3] == ["doc", "params", "pre"]
+    assert desk.proposed(f"{begin}|")[:3] == ["doc", "params", "words"]
     assert {"location", "part"} <= set(desk.proposed(f"{begin}params([L-lo|"))
     assert {"mov", "wait_until"} <= set(desk.proposed(f"{begin}body([mov(L), repeat(3, [|"))
     assert "palletize" in desk.proposed(f"{begin}body([call(pa|")

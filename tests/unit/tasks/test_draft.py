@@ -150,7 +150,7 @@ def test_typed_steps_say_what_the_terminal_says() -> None:
         "Task not defined: `xyz`",
         "accepted",
         "accepted",
-        "`A` of `palletize` is not given",
+        "`distance` of `palletize` is not given",
         "`move_over 5 furlong` is no call of a task: unknown unit `furlong`",
         "`nan 0 0` is neither a name nor numbers",
         "`s1\nhalt` is neither a name nor numbers",

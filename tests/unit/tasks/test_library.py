@@ -2,14 +2,17 @@
 
 import pytest
 
+from ropsim.flow import GripAction
 from ropsim.icr import StillWorld, run
 from ropsim.language import compile
+from ropsim.spatial import Pose
 from ropsim.tasks import KnownTask, Quantity, TaskCall, Value, program_text
 from support.knowledge import CELL, INPUTS, base
 
 TASKS = {
     "grip", "release", "palletize", "pick", "place", "move_over", "depalletize", "insert", "screw",
     "dispense", "inspect", "load_machine", "unload_machine", "tool_change", "park",
+    "load_pallet", "unload_pallet",
 }  # fmt: skip
 VALUES: dict[str, Value] = {"length": Quantity(10, "mm"), "int": 2}
 
@@ -26,6 +29,22 @@ def test_the_library_has_its_tasks_and_nothing_is_wrong_with_them() -> None:
     assert known.findings == ()
     assert set(known.names) == TASKS
     assert all(one.doc and one.is_built_in for one in known.tasks())
+    assert all(one.word and one.sentence for task in known.tasks() for one in task.parameters)
+
+
+def test_a_pallet_is_filled_and_emptied_from_above_in_rows() -> None:
+    spots = [(0.0, 0.0), (50.0, 0.0), (0.0, 50.0), (50.0, 50.0), (0.0, 100.0), (50.0, 100.0)]
+    for name, far in (("load_pallet", 1), ("unload_pallet", 0)):
+        call = TaskCall(name, ("s1", (100.0, 300.0, 200.0))[:: 1 if far else -1], (2, 3, Quantity(50, "mm")))
+        code = compile(program_text(base().task, [call], "main"), CELL).icr
+        assert code is not None
+        trace = run(code)
+        poses = [one.target for one in trace.moves if isinstance(one.target, Pose)]
+        places = [tuple(round(1e3 * c, 6) for c in pose.position.tolist()) for pose in poses]
+        patterned = places[3 * far :: 6], places[3 * far + 1 :: 6], places[3 * far + 2 :: 6]
+        assert patterned[1] == [(100.0 + x, 300.0 + y, 200.0) for x, y in spots]
+        assert patterned[0] == patterned[2] == [(x, y, z + 50.0) for x, y, z in patterned[1]]
+        assert [one.action for one in trace.grips] == [GripAction.CLOSE, GripAction.OPEN] * 6
 
 
 @pytest.mark.parametrize("name", sorted(TASKS))

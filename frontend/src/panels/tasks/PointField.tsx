@@ -4,9 +4,12 @@ import { isName, joinNumbers, numbersOfLocation, splitNumbers } from '../../stud
 import { useStudio } from '../../studio/context'
 import { useChanges } from '../../studio/hooks'
 import { taskWords } from '../../text/tasks'
+import { FieldLabel } from './FieldLabel'
 
 interface PointFieldProps {
+  /** What people call it. */
   readonly parameter: string
+  readonly sentence?: string
   /** The list before it that gives it; empty for none. */
   readonly listed?: string
   readonly value: string
@@ -18,7 +21,14 @@ interface PointFieldProps {
 /** The choice that opens fields for numbers; no point has this text. */
 const NUMBERS = '#'
 
-export function PointField({ parameter, listed = '', value, onValue, onDone }: PointFieldProps) {
+export function PointField({
+  parameter,
+  sentence = '',
+  listed = '',
+  value,
+  onValue,
+  onDone,
+}: PointFieldProps) {
   const { jog, tasks } = useStudio()
   useChanges(jog)
   const [typing, setTyping] = useState(false)
@@ -36,7 +46,7 @@ export function PointField({ parameter, listed = '', value, onValue, onDone }: P
   return (
     <div className="point-field">
       <label>
-        <span className="label">{taskWords.parameter(parameter, taskWords.kinds.location)}</span>
+        <FieldLabel word={parameter} sentence={sentence} />
         <select
           aria-label={taskWords.point(parameter)}
           value={byNumbers ? NUMBERS : value}

@@ -5,7 +5,6 @@ import { useStudio } from '../../studio/context'
 import { taskWords } from '../../text/tasks'
 import type { StepState, TaskParameter } from '../../wire/messages'
 import { Marked } from '../Marked'
-import { kindWords } from './kind_words'
 import { PointField } from './PointField'
 import { TaskPicture } from './TaskPicture'
 import { ValueField } from './ValueField'
@@ -102,7 +101,8 @@ export function StepCard({ step, at, last, onRemoved }: StepCardProps) {
           {points.map((one, k) => (
             <PointField
               key={one.name}
-              parameter={one.name}
+              parameter={one.word}
+              sentence={one.sentence}
               listed={listed[k] ?? ''}
               value={step.points[k] ?? ''}
               onValue={typed => tasks.edit(key, { points: withEntry(step.points, k, typed) })}
@@ -143,8 +143,8 @@ function Verdict({
     )
   }
   const told = state.told.map(({ part, place }) => {
-    const kind = parameters.find(one => one.name === part)?.kind ?? ''
-    return taskWords.told(kindWords(kind), part, place)
+    const parameter = parameters.find(one => one.name === part)
+    return taskWords.told(parameter?.word ?? part, place)
   })
   return (
     <p className="verdict" id={id} aria-live="polite">

@@ -66,6 +66,24 @@ const ANY = (
   </>
 )
 
+const EMPTIED = (
+  <>
+    <Ground />
+    <Grid />
+    <Part x={8} y={33} />
+    <Arrow from={{ x: 24, y: 12 }} to={{ x: 10, y: 20 }} />
+  </>
+)
+
+const FILLED = (
+  <>
+    <Ground />
+    <Grid faint="yes" />
+    <Part x={8} y={33} />
+    <Arrow from={{ x: 10, y: 22 }} to={{ x: 24, y: 12 }} />
+  </>
+)
+
 const PICTURES: Readonly<Record<string, ReactNode>> = {
   grip: (
     <>
@@ -126,22 +144,10 @@ const PICTURES: Readonly<Record<string, ReactNode>> = {
       <Arrow from={{ x: 5, y: 17 }} to={{ x: 22, y: 17 }} />
     </>
   ),
-  palletize: (
-    <>
-      <Ground />
-      <Grid />
-      <Part x={8} y={33} />
-      <Arrow from={{ x: 24, y: 12 }} to={{ x: 10, y: 20 }} />
-    </>
-  ),
-  depalletize: (
-    <>
-      <Ground />
-      <Grid faint="yes" />
-      <Part x={8} y={33} />
-      <Arrow from={{ x: 10, y: 22 }} to={{ x: 24, y: 12 }} />
-    </>
-  ),
+  palletize: EMPTIED,
+  unload_pallet: EMPTIED,
+  depalletize: FILLED,
+  load_pallet: FILLED,
   screw: (
     <>
       <Ground />

@@ -2,7 +2,7 @@
 import { oneNumber, splitValue } from '../../studio/chosen_step'
 import { taskWords } from '../../text/tasks'
 import type { TaskParameter } from '../../wire/messages'
-import { kindWords } from './kind_words'
+import { FieldLabel } from './FieldLabel'
 
 interface ValueFieldProps {
   readonly parameter: TaskParameter
@@ -13,14 +13,14 @@ interface ValueFieldProps {
 }
 
 export function ValueField({ parameter, value, onValue, onDone }: ValueFieldProps) {
-  const { name, kind, units } = parameter
-  const label = taskWords.parameter(name, kindWords(kind))
+  const { word, kind, units } = parameter
+  const label = <FieldLabel word={word} sentence={parameter.sentence} />
   if (kind === 'bool') {
     return (
       <label className="value-field">
-        <span className="label">{label}</span>
+        {label}
         <select
-          aria-label={taskWords.value(name)}
+          aria-label={taskWords.value(word)}
           value={value}
           onChange={event => {
             onValue(event.target.value)
@@ -41,11 +41,11 @@ export function ValueField({ parameter, value, onValue, onDone }: ValueFieldProp
   return (
     <div className="value-field">
       <label>
-        <span className="label">{label}</span>
+        {label}
         <input
           type="text"
           inputMode="decimal"
-          aria-label={taskWords.value(name)}
+          aria-label={taskWords.value(word)}
           placeholder={parameter.default}
           value={number}
           onChange={event => {
@@ -57,7 +57,7 @@ export function ValueField({ parameter, value, onValue, onDone }: ValueFieldProp
       </label>
       {choices.length > 0 ? (
         <select
-          aria-label={taskWords.unit(name)}
+          aria-label={taskWords.unit(word)}
           value={shown}
           onChange={event => {
             onValue(compose(number, event.target.value))

@@ -3,6 +3,10 @@
 task(load_machine(P, M, L), [
   doc("Puts the part that is held into the chuck of a machine."),
   params([P-part, M-device, L-location]),
+  words([
+    word(P, "part", "the part in the gripper"),
+    word(M, "machine", "the one that has its chuck there"),
+    word(L, "chuck", "where the part is in the chuck")]),
   pre([gripper(closed), held(P), chuck_of(M, L), empty(M)]),
   eff([-gripper(closed), +gripper(open), -held(P), -empty(M), +loaded(P, M)]),
   geo([reachable(arm, L), collision_free(arm, P, L)]),
@@ -14,6 +18,10 @@ given(chuck_of/2).
 task(unload_machine(P, M, L), [
   doc("Takes the part out of the chuck of a machine that is ready."),
   params([P-part, M-device, L-location]),
+  words([
+    word(P, "part", "the part in the chuck"),
+    word(M, "machine", "the one that has its chuck there"),
+    word(L, "chuck", "where the part is in the chuck")]),
   pre([gripper(open), loaded(P, M), chuck_of(M, L)]),
   eff([-gripper(open), +gripper(closed), +held(P), +empty(M), -loaded(P, M)]),
   geo([reachable(arm, L)]),

@@ -7,7 +7,7 @@
 :- use_module(library(lists)).
 :- use_module(library(apply)).
 
-:- dynamic known/3.            % known(Name, Arity, task(Head, Doc, Parameters, Pre, Eff, Geo, Body, Names))
+:- dynamic known/3.            % known(Name, Arity, task(Head, Doc, Parameters, Pre, Eff, Geo, Body, Names, Words, Ranges))
 :- dynamic place/4.            % place(Name, Text, From, To)
 :- dynamic has_read/0.
 :- dynamic standing/1, rule/2.
@@ -124,9 +124,12 @@ task_read(Head, Properties, P0, Names, Text) :-
         properties(Properties, PropertiesP, Text, Parts),
         part(doc, Parts, Doc, _), part(params, Parts, Params, ParamsP), part(pre, Parts, Pre, PreP),
         part(eff, Parts, Eff, EffP), part(geo, Parts, Geo, GeoP), part(body, Parts, Body, BodyP),
+        part(words, Parts, Words, WordsP), part(range, Parts, Ranges, RangesP),
         head_read(Head, HeadP, Text),
         parameters_read(Head, HeadP, Params, ParamsP, Text, Parameters),
         term_variables(Parameters, Known),
+        each(Words, WordsP, word_read(Known, Text)),
+        each(Ranges, RangesP, range_read(Parameters, Text)),
         each(Pre, PreP, pre_read(Known, Text)),
         each(Eff, EffP, eff_read(Known, Text)),
         each(Geo, GeoP, geo_read(Known, Text)),
@@ -135,7 +138,8 @@ task_read(Head, Properties, P0, Names, Text) :-
         (   nb_getval(ropsim_wrong, yes)
         ->  true
         ;   assertz(later(clash(Name, Arity, Text, HeadP))),
-            keep_task(Name, Arity, task(Head, Doc, Parameters, Pre, Eff, Geo, Body, Names), place(Name, Text, From, To))
+            keep_task(Name, Arity, task(Head, Doc, Parameters, Pre, Eff, Geo, Body, Names, Words, Ranges),
+                      place(Name, Text, From, To))
         )
     ).
 
@@ -185,6 +189,8 @@ properties([One|More], P0, Text, Parts0, Parts) :-
 
 property(doc, text).
 property(params, list).
+property(words, list).
+property(range, list).
 property(pre, list).
 property(eff, list).
 property(geo, list).
@@ -232,6 +238,33 @@ parameter_of(Params, Name, HeadP, Text, Argument, p(Argument, Kind, Default)) :-
     ;   Kind = number, Default = none,
         (   var(Argument) -> wrong(Text, HeadP, untyped, [Name]) ; true )
     ).
+
+%   word_read, range_read: what people call a parameter and know of it, and between which bounds its values are.
+word_read(Known, Text, One, P) :-
+    (   word(One, V, Word, Sentence), var(V), string(Word), Word \== "", string(Sentence)
+    ->  bound(V, Known, Text, P)
+    ;   wrong(Text, P, form, [of_word])
+    ).
+
+word(One, _, _, _) :- var(One), !, fail.
+word(word(V, Word), V, Word, "").
+word(word(V, Word, Sentence), V, Word, Sentence).
+
+range_read(Parameters, Text, One, P) :-
+    (   nonvar(One), One =.. [Sign, V, Bound], memberchk(Sign, [>=, =<, >, <]), var(V), a_number(Bound),
+        member(p(Known, Kind, _), Parameters), Known == V, measured(Kind)
+    ->  true
+    ;   wrong(Text, P, form, [of_range])
+    ).
+
+a_number(Bound) :- var(Bound), !, fail.
+a_number(Bound) :- number(Bound), !.
+a_number(N * Unit) :- number(N), !, unit(Unit).
+a_number(N * Unit / Per) :- number(N), unit(Unit), unit(Per).
+
+unit(Unit) :- atom(Unit).
+
+measured(Kind) :- memberchk(Kind, [num, int, length, angle, time, speed, accel, force]).
 
 %   kind(Kind, Where): whether task text passes it, or it is told by the state.
 kind(part, state).
@@ -373,7 +406,7 @@ looked_at(clash(Name, _, Text, P)) :-
 looked_at(called(Own, Name, Arity, Text, P)) :-
     (   Own == Name
     ->  found_at(Text, P, itself, [Name])
-    ;   known(Name, _, task(_, _, Parameters, _, _, _, _, _))
+    ;   known(Name, _, task(_, _, Parameters, _, _, _, _, _, _, _))
     ->  include(passed, Parameters, Passed),
         include(needed, Passed, Needed),
         length(Passed, Most), length(Needed, Least),

@@ -55,7 +55,7 @@ templates(Goals) :-
     findall(Name/Arity, ( member(Goal, Goals), ropsim_kb:condition(Goal, Name, Arity) ), Wanted0),
     sort(Wanted0, Wanted),
     findall(Name-t(Head, Parameters, Pre, Eff, Geo),
-            ropsim_kb:known(Name, _, task(Head, _, Parameters, Pre, Eff, Geo, _, _)), All),
+            ropsim_kb:known(Name, _, task(Head, _, Parameters, Pre, Eff, Geo, _, _, _, _)), All),
     relevant(Wanted, [], All).
 
 relevant([], _, _) :- !.

@@ -62,7 +62,7 @@ refusal(Geo, One) :- member(One, Geo), \+ looked(One).
 %   check_call(+Name, +Given, +Facts, -Report): Given are the values of all parameters, `_` where they are not told.
 %   Report is done(Call, After) | refused(Call, Geometry) | lacks(Call, Conditions, Providers) | nothing_for(Kinds).
 check_call(Name, Given, Facts, Report) :-
-    ropsim_kb:known(Name, _, task(Head, _, Parameters, Pre, Eff, Geo, _, Names)),
+    ropsim_kb:known(Name, _, task(Head, _, Parameters, Pre, Eff, Geo, _, Names, _, _)),
     with_places(Given, Facts, Facts1),
     state(Facts1, State),
     given(Parameters, Given),
@@ -103,5 +103,5 @@ missing([One|More], State, Missing) :-
 
 provider(Fact, Name) :-
     callable(Fact),
-    ropsim_kb:known(Name, _, task(_, _, _, _, Eff, _, _, _)),
+    ropsim_kb:known(Name, _, task(_, _, _, _, Eff, _, _, _, _, _)),
     \+ \+ memberchk(+ Fact, Eff).

@@ -50,12 +50,9 @@ def _choice(task: KnownTask) -> TaskChoice:
 
 def _parameter(one: Parameter) -> TaskParameter:
     default = "" if one.is_symbolic else default_text(one)
-    units = tuple(sorted(UNITS.get(one.kind, ()), key=lambda unit: (unit not in _FIRST, unit)))
-    return TaskParameter(one.name, one.kind, default, units, one.is_symbolic)
-
-
-_FIRST = frozenset(("mm", "deg", "s", "mm/s", "mm/s2"))
-"""Units of programs; lists begin with them."""
+    units = tuple(sorted(UNITS.get(one.kind, ()), key=lambda unit: (unit != one.unit, unit)))
+    sentence = ", ".join(filter(None, (one.sentence, *map(str, one.bounds))))
+    return TaskParameter(one.name, one.kind, default, units, one.is_symbolic, one.label, sentence)
 
 
 def _places(known: KnownProject) -> Iterator[PlaceChoice]:
