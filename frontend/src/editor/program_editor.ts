@@ -265,7 +265,7 @@ export class ProgramEditor {
       staysOpen(),
       closesLateWords(),
       history(),
-      drawSelection({ cursorBlinkRate: blinkRate() }),
+      drawSelection(),
       highlightActiveLine(),
       highlightActiveLineGutter(),
       highlightSelectionMatches(),
@@ -302,9 +302,4 @@ function wrapping(wrap: Wrap): Extension {
 function nonce(): Extension {
   const tag = document.querySelector<HTMLElement>('meta[property=csp-nonce]')
   return EditorView.cspNonce.of(tag?.nonce ?? '')
-}
-
-/** Time between two blinks of the cursor [ms]; it stands still where the system asks for less motion. */
-function blinkRate(): number {
-  return matchMedia('(prefers-reduced-motion: reduce)').matches ? 0 : 1200
 }
