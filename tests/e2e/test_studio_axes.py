@@ -141,6 +141,7 @@ def test_in_a_live_run_parts_ride_too(page: StudioPage) -> None:
     page.page.evaluate("() => __ropsim.command('live.start')")
     page.page.wait_for_function("() => __ropsim.state().live === 'running' && __ropsim.state().frames > 0")
     start = page.poses()
+    page.hurry()
     for name in ("goods", "box"):
         page.until(partial(has_moved, page, name, start[name]))
     page.page.evaluate("() => __ropsim.command('live.stop')")

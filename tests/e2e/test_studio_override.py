@@ -97,7 +97,8 @@ def test_a_live_run_is_held_slowed_stepped_and_ended_on_its_path(hand: StudioPag
     slider.fill("100")
     bar.get_by_role("button", name="Step").click()
     hand.page.wait_for_function("() => __ropsim.state().live === 'running'")
-    hand.page.wait_for_function("() => __ropsim.state().live === 'held'")  # at its end, some seconds away
+    hand.hurry()  # its end is some seconds away
+    hand.page.wait_for_function("() => __ropsim.state().live === 'held'")
     assert not moves(hand)
     bar.get_by_role("button", name="End live run").click()
     hand.page.wait_for_function(OVER)

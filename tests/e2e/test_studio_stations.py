@@ -183,6 +183,7 @@ def test_a_live_run_moves_both_arms_and_the_belt(page: StudioPage) -> None:
     page.page.evaluate("() => __ropsim.command('live.start')")
     page.page.wait_for_function("() => __ropsim.state().live === 'running' && __ropsim.state().frames > 0")
     start = page.poses()
+    page.hurry()
     for name in ("left/link6", "right/link6", "infeed/link1"):
         page.until(partial(_has_moved, page, name, start[name]))
     shown = page.state()["shown"]

@@ -143,10 +143,10 @@ def test_a_miss_is_told_as_the_distance_to_the_workspace(name: str) -> None:
     robot = robots.load(name)
     space = reachable(robot, moved_point(robot, PointKind.FLANGE))
     size = 1.5 * max(abs(one.value) for one in space.extremes)
-    places = np.random.default_rng(7).uniform(-size, size, (200, 3))
+    places = np.random.default_rng(7).uniform(-size, size, (40, 3))
     off = distances(space, places)
-    far = np.flatnonzero(off > 0.0)[:60]
-    assert len(far) == 60
+    far = np.flatnonzero(off > 0.0)[:20]
+    assert len(far) == 20
     told = np.array([reaching(robot, np.zeros(3), one)[1] for one in places[far]])
     cell = float(np.sqrt(2.0)) * space.section.spacing
     assert (told <= off[far] + cell).all()

@@ -56,7 +56,7 @@ ORDERS: st.SearchStrategy[Order] = st.one_of(
 
 @settings(max_examples=10, deadline=None, derandomize=True)
 @given(
-    plan=st.lists(st.tuples(st.floats(0.0, 4.0), ORDERS), max_size=12),
+    plan=st.lists(st.tuples(st.floats(0.0, 2.0), ORDERS), max_size=12),
     speed=st.floats(0.1, 8.0),
     work=st.sampled_from([0.0, 1e-5, 1e-4]),
     end=st.sampled_from(["continue", "stop"]),
@@ -69,10 +69,10 @@ def test_what_was_done_to_a_live_run_gives_the_same_recording_again(
     end: Literal["continue", "stop"],
 ) -> None:
     after: list[tuple[float, Order]] = [
-        (4.5, LiveControl(end)),
-        (4.5, LiveOverride(1.0)),
-        (4.5, LiveSpeed(8.0)),
-        (4.6, SetSignal("start", 1.0)),
+        (2.2, LiveControl(end)),
+        (2.2, LiveOverride(1.0)),
+        (2.2, LiveSpeed(8.0)),
+        (2.3, SetSignal("start", 1.0)),
     ]
     line = FakeLine([*plan, *after], work=work)
     options = RunOptions(Fidelity.KINEMATIC)
