@@ -12,6 +12,13 @@ import { gotoLine, openSearchPanel } from '@codemirror/search'
 import type { Command, KeyBinding } from '@codemirror/view'
 import { EDIT_ENTRIES, type EditAction, type EditEntry } from '../studio/edit_table'
 import { closeActions, showActions } from './actions_panel'
+import { closeRefusals } from './refusals'
+
+/** A name that was refused before is no answer to the next one. */
+const rename: Command = view => {
+  closeRefusals(view)
+  return renameSymbol(view)
+}
 
 /** The search panel with the keyboard in the field for the new text. */
 const replace: Command = view => {
@@ -27,7 +34,7 @@ const COMMANDS: Readonly<Record<EditAction, Command>> = {
   goToLine: gotoLine,
   definition: jumpToDefinition,
   references: findReferences,
-  rename: renameSymbol,
+  rename,
   signature: showSignatureHelp,
   fix: showActions,
   comment: toggleLineComment,
@@ -56,5 +63,5 @@ export const EDIT_KEYS: readonly KeyBinding[] = [
       scope: 'editor search-panel',
     })),
   ),
-  { key: 'Escape', run: view => closeActions(view) || closeReferencePanel(view) },
+  { key: 'Escape', run: view => closeActions(view) || closeReferencePanel(view) || closeRefusals(view) },
 ]

@@ -26,6 +26,7 @@ import { closesLateWords } from './late_words'
 import { LineEnds } from './line_ends'
 import type { LineInSight } from './line_in_sight'
 import { lineMarks, type MarkedLines, showMarks } from './marks'
+import { refusalsOfThisText } from './refusals'
 import { replacement } from './replacement'
 import { staysOpen } from './shown_marks'
 import { task } from './task_language'
@@ -287,6 +288,7 @@ export class ProgramEditor {
         indentWithTab,
       ]),
       theme,
+      refusalsOfThisText,
       // What scrolls must take the keyboard, also by the letter of the rule.
       EditorView.contentAttributes.of({ 'aria-label': words.label(document.name), tabindex: '0' }),
       EditorView.updateListener.of(update => this.#updated(update)),

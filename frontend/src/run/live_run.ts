@@ -178,7 +178,7 @@ export class LiveRun implements Run {
   #speedAt(position: readonly number[], time: number): number {
     if (this.#store.count === 0) return Number.NaN
     const { index, share } = this.#store.locate(time)
-    const [from, to] = [Math.max(index - 1, 0), Math.min(index + 3, this.#store.count)]
+    const [from, to] = [Math.max(index - AROUND, 0), Math.min(index + AROUND + 2, this.#store.count)]
     const speed = speedOf(position.map(place => this.#rows(place, from, to)))
     return speed ? valueIn(speed, index - from, share) : Number.NaN
   }
@@ -204,6 +204,8 @@ export class LiveRun implements Run {
 }
 
 const NONE = new Uint8Array(0)
+/** So many rows on either side tell the speed at a time, however near they lie. */
+const AROUND = 8
 
 /** Neighbouring entries of one name are the columns of one channel. */
 function channelsOf(layout: LiveLayout): LiveChannel[] {

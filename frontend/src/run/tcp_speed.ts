@@ -20,7 +20,14 @@ export function speedChannel(station: string, speed: Series | undefined): Channe
   }
 }
 
-/** Central differences of positions that are sampled together; undefined where one is missing. */
+/** Steps of time that are shorter say more of the digits of a position than of its speed [s]. */
+const LEAST_STEP = 2e-3
+
+/**
+ * The slope of the parabola through each position and its neighbours, which may lie at any distances: the slope on
+ * either side, weighted by the length of the other one. For equal steps these are central differences.
+ * Undefined where a coordinate is missing.
+ */
 export function speedOf(position: readonly (Series | undefined)[]): Series | undefined {
   const [x, y, z] = position
   if (!x || !y || !z) return undefined
@@ -28,19 +35,31 @@ export function speedOf(position: readonly (Series | undefined)[]): Series | und
     (longest, one) => (one.times.length > longest.length ? one.times : longest),
     x.times,
   )
-  const count = times.length
-  const values = new Float64Array(count)
-  for (let k = 0; k < count; k++) {
-    const [a, b] = [Math.max(k - 1, 0), Math.min(k + 1, count - 1)]
-    const span = (times[b] ?? 0) - (times[a] ?? 0)
-    values[k] = span > 0 ? Math.hypot(step(x, a, b), step(y, a, b), step(z, a, b)) / span : 0
+  const values = new Float64Array(times.length)
+  for (let k = 0; k < times.length; k++) {
+    const [a, b] = [neighbour(times, k, -1), neighbour(times, k, 1)]
+    values[k] = Math.hypot(slope(x, times, a, k, b), slope(y, times, a, k, b), slope(z, times, a, k, b))
   }
   return { times, values, held: false }
 }
 
+/** The next sample in a direction that is not too near; the last one where there is none. */
+function neighbour(times: Float64Array, of: number, way: 1 | -1): number {
+  const last = way > 0 ? times.length - 1 : 0
+  const from = times[of] ?? 0
+  let at = of
+  while (at !== last && Math.abs((times[at] ?? 0) - from) < LEAST_STEP) at += way
+  return at
+}
+
 /** A coordinate that never changes is stored as held: it does not move. */
-function step(series: Series, from: number, to: number): number {
-  return series.held ? 0 : (series.values[to] ?? Number.NaN) - (series.values[from] ?? Number.NaN)
+function slope({ values, held }: Series, times: Float64Array, a: number, k: number, b: number): number {
+  if (held) return 0
+  const number = (of: Float64Array, at: number) => of[at] ?? Number.NaN
+  const [before, after] = [number(times, k) - number(times, a), number(times, b) - number(times, k)]
+  const [fallen, risen] = [number(values, k) - number(values, a), number(values, b) - number(values, k)]
+  if (before === 0 || after === 0) return before + after > 0 ? (fallen + risen) / (before + after) : 0
+  return ((fallen / before) * after + (risen / after) * before) / (before + after)
 }
 
 /** A value between the samples of a series. */

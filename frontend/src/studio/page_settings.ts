@@ -1,10 +1,10 @@
 /** What the user has chosen for every project on this machine: light or dark, units, wrapped lines. */
 import { setTheme, THEMES, type Theme } from '../style/scheme'
 import { ANGLES, LENGTHS, METRIC, setUnits, type UnitChoice } from '../units/choice'
+import { MachineStorage } from './machine_storage'
 import type { Wrap } from './state'
-import { ProjectStorage } from './storage'
 
-const storage = new ProjectStorage('*')
+const storage = new MachineStorage(() => document)
 
 /** Let the page be as the user wanted it last. */
 export function restoreSettings(): void {
