@@ -1,20 +1,23 @@
 """Which stretches of a program a trace has."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
 from ropsim.calibration.diagnostics import NOT_IN_TRACE, OTHER_TRACE, CalibrationError
 from ropsim.calibration.limits import MotionSettings
 from ropsim.calibration.logged_stretch import LoggedStretch, logged_stretch
-from ropsim.calibration.matching import match
+from ropsim.calibration.matching import Passage, match
 from ropsim.calibration.replanning import Replan
-from ropsim.calibration.rests import rests_of
+from ropsim.calibration.rests import Rests, rests_of
+from ropsim.calibration.shift import shift_of
 from ropsim.calibration.trace import Trace
 from ropsim.calibration.zeros import zeros_beside
 from ropsim.controller import StretchOrder
 from ropsim.core import Diagnostic
 from ropsim.model import Joint
+from ropsim.spatial import Array
 
 _ENOUGH = 0.5
 """Share of the stretches that a trace must have to be one of the program, or of its own, to be a part."""
@@ -50,7 +53,7 @@ def compared(
     ends = np.array([moving[numbers[0]].q_start, *(moving[number].q_end for number in numbers)])
     rests = rests_of(trace)
     found: dict[int, LoggedStretch | None] = {}
-    passages = match(rests, ends, joints)
+    passages = _passages(rests, ends, joints)
     for passage in passages:
         number = numbers[passage.stretch]
         found[number] = logged_stretch(trace, rests, passage, moving[number], number)
@@ -67,6 +70,17 @@ def compared(
     lost = [number for number in numbers if found.get(number) is None or number not in own]
     beside = zeros_beside(rests, ends, passages, joints)
     return usable, len(numbers), (*beside, *_lost(lost, orders, len(numbers), max(found)))
+
+
+def _passages(rests: Rests, ends: Array, joints: Sequence[Joint]) -> tuple[Passage, ...]:
+    """Return which stretches the trace holds; where it has few of them, joints may count from other zeros."""
+    passages = match(rests, ends, joints)
+    if len(passages) >= _ENOUGH * (len(ends) - 1):
+        return passages
+    shift = shift_of(rests, ends, joints)
+    if shift is None:
+        return passages
+    return max(passages, match(replace(rests, q=rests.q - shift), ends, joints), key=len)
 
 
 def _hangs_on_sensors(orders: Sequence[StretchOrder], number: int) -> bool:

@@ -34,7 +34,9 @@ only, or its units are not those of its header. A trace of a part of the program
 it are of the program, and half of all that it has.
 
 Log the whole program, from its start position to its end, and give the very text that ran on the robot. A
-robot whose joints count from other zeros or the other way round has to be converted first.
+robot whose joints count the other way round, or from zeros that are more than 20° or 200 mm away, has to be
+converted first. Smaller shifts are found where at least four different places, and most of those of the
+program, are there with the same shift (X800).
 """,
 )
 

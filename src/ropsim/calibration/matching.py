@@ -48,7 +48,7 @@ def match(rests: Rests, ends: Array, joints: Sequence[Joint]) -> tuple[Passage, 
             n).
         joints: of the axes, n of them.
     """
-    near = np.array([_NEAR_TURN if one.measure is JointType.REVOLUTE else _NEAR_SLIDE for one in joints])
+    near = near_of(joints)
     count = min(rests.count, max(2, _MOST_CELLS // len(ends)))
     places = rests.q[:count]
     taken = _aligned(places, ends, near)
@@ -59,6 +59,11 @@ def match(rests: Rests, ends: Array, joints: Sequence[Joint]) -> tuple[Passage, 
             continue
         passages.append(_nearest(stretch, start, end, places, ends, near))
     return tuple(passages)
+
+
+def near_of(joints: Sequence[Joint]) -> Array:
+    """Return how near two stops are to each other that are one [rad | m], shape (n,)."""
+    return np.array([_NEAR_TURN if one.measure is JointType.REVOLUTE else _NEAR_SLIDE for one in joints])
 
 
 def _aligned(places: Array, ends: Array, near: Array) -> list[int | None]:

@@ -169,7 +169,7 @@ def test_half_a_trace_is_compared_and_what_it_lacks_is_said() -> None:
     assert said[0].span is not None
 
 
-@pytest.mark.parametrize(("joint", "degrees"), [(1, 1.0), (4, -0.3)])
+@pytest.mark.parametrize(("joint", "degrees"), [(1, 1.0), (4, -0.3), (2, 1.4), (0, -12.0)])
 def test_the_zero_of_a_joint_that_is_beside_the_model_is_said(joint: int, degrees: float) -> None:
     q = trace().q.copy()
     q[:, joint] += np.radians(degrees)
