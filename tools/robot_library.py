@@ -4,18 +4,19 @@ python -m tools.robot_library           write them
 python -m tools.robot_library --check   compare only; exit 1 where one differs
 
 The facts are robot files (docs/reference/robot-file.md), each with the sources of its numbers. What the arms
-look like is in tools/library_looks.toml: rods between points on the axes of their joints. Beside the
-files stands index.tsv, each built-in robot in a line, so that listing them reads none.
+look like is in tools/library_looks.toml: castings of a size, or rods between points on the axes of their
+joints. Beside the files stands index.tsv, each built-in robot in a line, so that listing them reads none.
 """
 
 import sys
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+from tools.industrial_looks import industrial
 from tools.library_chains import chain
 from tools.library_index import entry
 from tools.library_palletizers import palletizer
@@ -34,6 +35,7 @@ FACTS = ROOT / "tools" / "library"
 LOOKS = ROOT / "tools" / "library_looks.toml"
 TARGET = ROOT / "src" / "ropsim" / "robots" / "arms"
 DRAWN = ParameterOrigin("drawn shapes", "estimated", "round rods along and between the axes, by eye")
+CASTINGS = ParameterOrigin("drawn shapes", "estimated", "castings around the axes, by eye")
 
 
 def robots() -> dict[str, RobotModel]:
@@ -56,12 +58,21 @@ def robots() -> dict[str, RobotModel]:
 
 
 def drawn(robot: RobotModel, look: Mapping[str, Any]) -> RobotModel:
-    """Return a robot with the rods of its look.
+    """Return a robot with the castings or rods of its look.
 
     Args:
         robot: a serial arm; cranks of coupled axes stand behind its links.
         look: its table in the file of looks, which says what the keys mean.
     """
+    seen = (
+        _with(robot, industrial(robot, look), CASTINGS)
+        if look.get("style") == "industrial"
+        else _with(robot, _rods(robot, look), DRAWN)
+    )
+    return with_rod(seen, look["rod"], look["tones"]) if "rod" in look else seen
+
+
+def _rods(robot: RobotModel, look: Mapping[str, Any]) -> Sequence[Sequence[Shape]]:
     frames = joint_frames(robot, np.zeros(robot.n))
     X_B = np.array([np.eye(4), *frames[: robot.n], frames[-1]])
     bodies: list[list[Shape]] = [[] for _ in range(robot.n + 1)]
@@ -70,17 +81,17 @@ def drawn(robot: RobotModel, look: Mapping[str, Any]) -> RobotModel:
         first, last = (np.round(X_LB @ _point(X_B, *one[key]), 9)[:3] + 0.0 for key in ("from", "to"))
         radius, top = (1e-3 * value for value in one["radii"])
         bodies[one["link"]].append(rod(first, last, radius, top, look["tones"][one["tone"]]))
+    return bodies
+
+
+def _with(robot: RobotModel, bodies: Sequence[Sequence[Shape]], origin: ParameterOrigin) -> RobotModel:
+    """Return a robot that looks so: shapes of the base, then of each link of its axes."""
     links = [
         replace(link, shapes=tuple(body))
         for link, body in zip(robot.links[: robot.n], bodies[1:], strict=True)
     ]
-    seen = replace(
-        robot,
-        links=(*links, *robot.links[robot.n :]),
-        base_shapes=tuple(bodies[0]),
-        origins=(*robot.origins, DRAWN),
-    )
-    return with_rod(seen, look["rod"], look["tones"]) if "rod" in look else seen
+    every = (*links, *robot.links[robot.n :])
+    return replace(robot, links=every, base_shapes=tuple(bodies[0]), origins=(*robot.origins, origin))
 
 
 def _point(X_B: Array, axis: int, place: float) -> Array:
