@@ -5,7 +5,7 @@ from functools import cache
 from ropsim.core import SourceText
 from ropsim.language import Environment
 from ropsim.program import SignalUse, ValueType
-from ropsim.tasks import KnowledgeBase, Point
+from ropsim.tasks import KnowledgeBase, Obstruction, Point
 
 STANDING = (0.4, 0.0, 0.2, 0.0, 1.0, 0.0, 0.0)
 """A pose with the tool straight down [m, quaternion w x y z]."""
@@ -38,9 +38,13 @@ class Refusing:
         """Return whether `(robot, location)` is not refused."""
         return self._answer((robot, str(location)))
 
-    def collision_free(self, robot: str, part: str, location: Point) -> bool:
-        """Return whether `(robot, part, location)` is not refused."""
-        return self._answer((robot, part, str(location)))
+    def obstruction(self, robot: str, part: str, location: Point) -> Obstruction | None:
+        """Return that a part is in a post where `(robot, part, location)` is refused."""
+        free = self._answer((robot, part, str(location)))
+        return None if free else Obstruction(f"the part `{part}`", "`post`", 0.0123)
+
+    def prepare(self) -> None:
+        """Do nothing."""
 
     def _answer(self, asked: tuple[str, ...]) -> bool:
         self.asked.append(asked)

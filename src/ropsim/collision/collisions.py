@@ -1,6 +1,6 @@
 """The bodies of a cell made ready, so that many configurations can be looked at."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Hashable, Iterable, Mapping
 from dataclasses import replace
 from typing import TypeAlias
 
@@ -43,8 +43,9 @@ class Collisions:
     """Distances between the bodies of a cell.
 
     Poses are in the world frame W. What is not visible at the start, such as a tool that is not mounted or a
-    part in its supply, is not there. Pairs that touch by the way they are built are left out, see `left_out`,
-    and so are bodies of one robot or device that are in each other while it rests: they are drawn so.
+    part in its supply, is there only where it is said on what it hangs. Pairs that touch by the way they are
+    built are left out, see `left_out`, and so are bodies of one robot or device that are in each other while
+    it rests: they are drawn so.
 
     Args:
         cell: its bodies.
@@ -58,13 +59,15 @@ class Collisions:
         solids = {
             body.name: [one for shape in body.shapes for one in convexes(shape, meshes)]
             for body in self.tree.bodies
-            if body.visible
         }
+        self._hidden = frozenset(body.name for body in self.tree.bodies if not body.visible)
+        self._known: dict[Hashable, Looked] = {}
         there = [body for body in self.tree.bodies if body.visible]
         self.unseen = tuple(body.name for body in there if not _is_seen(body, meshes))
         self.bodies = SolidBodies({name: some for name, some in solids.items() if some})
         self._at_rest: frozenset[Pair] = frozenset()
         self._at_rest = frozenset(self._drawn_so())
+        self._known.clear()
 
     def separation(
         self, q: Coordinates, elsewhere: Elsewhere = AS_AT_START, absent: Iterable[str] = ()
@@ -93,7 +96,13 @@ class Collisions:
         return self._meetings(q, self._looked(elsewhere, absent), elsewhere)
 
     def _looked(self, elsewhere: Elsewhere, absent: Iterable[str]) -> Looked:
-        gone = frozenset(absent)
+        gone = frozenset(absent) | (self._hidden - elsewhere.keys())
+        key = gone, tuple((name, parent) for name, (parent, _) in elsewhere.items())
+        if key not in self._known:
+            self._known[key] = self._pairs(elsewhere, gone)
+        return self._known[key]
+
+    def _pairs(self, elsewhere: Elsewhere, gone: frozenset[str]) -> Looked:
         names = [name for name in self.bodies.rows if name not in gone]
         out = left_out(self.tree, frozenset(names), elsewhere)
         out |= {pair: LeftOut.AT_REST for pair in self._at_rest if pair not in out and not gone & {*pair}}

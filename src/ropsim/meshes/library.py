@@ -66,7 +66,7 @@ def load_meshes(
         known: an earlier library; files that have not changed since are not converted again.
     """
     made = _Making(folder.resolve(), place_of, known)
-    for mesh in dict.fromkeys(_meshes(cell)):
+    for mesh in dict.fromkeys(cell_meshes(cell)):
         made.add(mesh)
     total = sum(made.triangles.values())
     if total > TRIANGLE_BUDGET:
@@ -97,7 +97,7 @@ class _Making:
         from ropsim.views import MeshSource
 
         try:
-            content = _content(self.folder, mesh.file)
+            content = mesh_content(self.folder, mesh.file)
             source = hashlib.sha256(content).hexdigest()
             if self.known.sources.get(mesh) == source:
                 self._keep(mesh, self.known.triangles[mesh], self.known.addresses[mesh])
@@ -128,12 +128,13 @@ class _Making:
         self.contents[address] = glb
 
 
-def _meshes(cell: Cell) -> Iterator[Mesh]:
+def cell_meshes(cell: Cell) -> Iterator[Mesh]:
+    """Return the meshes of the shapes of a cell, one as often as it is used."""
     shapes = (shape for body in body_tree(cell).bodies for shape in body.shapes)
     return (shape.solid for shape in shapes if isinstance(shape.solid, Mesh))
 
 
-def _content(folder: Path, file: str) -> bytes:
+def mesh_content(folder: Path, file: str) -> bytes:
     """Return the bytes of a file in the project folder.
 
     Raises:

@@ -20,6 +20,7 @@ from ropsim.tasks.errors import TaskError as TaskError
 from ropsim.tasks.fact_words import fact_words as fact_words
 from ropsim.tasks.folder import read_folder as read_folder
 from ropsim.tasks.geometry import Geometry as Geometry
+from ropsim.tasks.geometry import Obstruction as Obstruction
 from ropsim.tasks.geometry import unchecked_text as unchecked_text
 from ropsim.tasks.kinds import UNITS as UNITS
 from ropsim.tasks.known_task import KnownTask as KnownTask

@@ -131,7 +131,8 @@ class KnowledgeBase:
             GoalError: a function of the geometry failed, or it takes longer than it may.
         """
         one = call_of(call) if isinstance(call, str) else call
-        report = checked(one, self.task(one.name), self.names, self._host, state)
+        self._geometry.prepare()
+        report = checked(one, self.task(one.name), self.names, self._host, state, self._geometry)
         return replace(report, unchecked=self.unchecked)
 
     def check_all(self, calls: Sequence[TaskCall | str], state: WorldState) -> tuple[CallReport, ...]:
@@ -167,7 +168,8 @@ class KnowledgeBase:
         Raises:
             TaskError: the goal is no list of facts.
         """
-        plan = planned(self._host, self.task, goal, state, seconds, progress)
+        self._geometry.prepare()
+        plan = planned(self._host, self.task, goal, state, seconds, progress, self._geometry)
         return replace(plan, unchecked=self.unchecked)
 
     def cancel(self) -> None:

@@ -6,7 +6,8 @@ from ropsim.core import Diagnostic
 from ropsim.prolog import Atom, Struct, Term, Var
 from ropsim.tasks.call_report import CallReport
 from ropsim.tasks.diagnostics import GEOMETRY_REFUSES, PRECONDITION, WRONG_CALL
-from ropsim.tasks.fact_words import fact_words, refusal_words
+from ropsim.tasks.fact_words import fact_words
+from ropsim.tasks.geometry import RememberedGeometry
 from ropsim.tasks.host import CHECK_SECONDS, Host
 from ropsim.tasks.kinds import LOCATION, UNITS
 from ropsim.tasks.known_task import KnownTask, Parameter
@@ -20,7 +21,12 @@ OPEN = Atom("$open")
 
 
 def checked(
-    call: TaskCall, task: KnownTask | None, names: Sequence[str], host: Host, state: WorldState
+    call: TaskCall,
+    task: KnownTask | None,
+    names: Sequence[str],
+    host: Host,
+    state: WorldState,
+    geometry: RememberedGeometry,
 ) -> CallReport:
     """Return what is said of a call.
 
@@ -30,6 +36,7 @@ def checked(
         names: of all tasks.
         host: asks Prolog.
         state: in which it is called.
+        geometry: says why it refuses.
 
     Raises:
         GoalError: a function of the geometry failed, or it takes longer than it may.
@@ -42,16 +49,18 @@ def checked(
         fails = tuple(Struct("fails", (Atom("call"), one.message)) for one in wrong)
         return _refused(call, state, wrong, fails)
     goal = Struct("check_call", (Atom(task.name), tuple(_given(call, task)), state.facts, Var("Found")))
-    return _report(call, task, state, host.ask("ropsim_world", goal, CHECK_SECONDS))
+    return _report(call, task, state, host.ask("ropsim_world", goal, CHECK_SECONDS), geometry)
 
 
-def _report(call: TaskCall, task: KnownTask, state: WorldState, found: Term) -> CallReport:
+def _report(
+    call: TaskCall, task: KnownTask, state: WorldState, found: Term, geometry: RememberedGeometry
+) -> CallReport:
     """Return the report of what Prolog found."""
     match found:
         case Struct("done", (head, tuple(after))):
             return CallReport(_told(call, task, head), (), (), (), WorldState(ordered(after)))
         case Struct("refused", (_, tuple(conditions))):
-            findings = tuple(_geometry(task, one) for one in conditions)
+            findings = tuple(_geometry(task, geometry, one) for one in conditions)
             return _refused(call, state, findings, _fails("geo", conditions))
         case Struct("lacks", (_, tuple(missing), tuple(providers), names)):
             variables = names_in(names)
@@ -88,9 +97,9 @@ def _precondition(task: KnownTask, condition: Term, providers: list[str]) -> Dia
     return PRECONDITION.at(None, message, hint=hint)
 
 
-def _geometry(task: KnownTask, condition: Term) -> Diagnostic:
-    message = f"`{task.name}` is not possible here: {refusal_words(condition)}"
-    return GEOMETRY_REFUSES.at(None, message, hint="choose another location, or move it in the cell")
+def _geometry(task: KnownTask, geometry: RememberedGeometry, condition: Term) -> Diagnostic:
+    message = f"`{task.name}` is not possible here: {geometry.refusal(condition)}"
+    return GEOMETRY_REFUSES.at(None, message, hint=geometry.hint(condition))
 
 
 def _provider(term: Term) -> tuple[int, str]:

@@ -288,7 +288,11 @@ GEOMETRY_REFUSES = define(
     "task-geometry",
     Severity.ERROR,
     "the robot cannot do a task where it is called",
-    "A location is out of reach, or the way there is not free of collisions.",
+    """
+A location is out of reach, or the robot, its tool or the part that it holds would be in something there, in
+each posture that it could take. The message names both and how deep they are in each other; the ways between
+places are not looked at.
+""",
 )
 
 NO_PLAN = define(

@@ -30,8 +30,19 @@ def refusal_words(condition: Term) -> str:
         case Struct("reachable", (_, place)):
             return f"`{_name(place)}` cannot be reached"
         case Struct("collision_free", (_, part, place)):
-            return f"the way of `{_name(part)}` to `{_name(place)}` is not free"
+            return f"`{_name(part)}` is in something at `{_name(place)}`"
     return f"`{_name(condition)}` does not hold"
+
+
+def meeting_words(one: str, other: str, depth: float) -> str:
+    """Return that two bodies, by what people call them, would be in each other by a depth [m]."""
+    return f"{one} would be {max(depth * 1e3, 0.1):.1f} mm deep in {other}"
+
+
+def place_words(condition: Term) -> str:
+    """Return where a condition of geometry is asked for: "at `s1`"."""
+    place = condition.arguments[-1] if isinstance(condition, Struct) else condition
+    return f"at `{_name(place)}`"
 
 
 def _name(term: Term) -> str:

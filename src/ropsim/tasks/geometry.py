@@ -3,8 +3,28 @@
 from collections.abc import Callable, Hashable
 from typing import Protocol
 
+from ropsim.core import frozen_dataclass
 from ropsim.prolog import Atom, Predicate, Sort, Struct, Term, question
+from ropsim.tasks.fact_words import meeting_words, place_words, refusal_words
 from ropsim.tasks.task_call import Point, point_of_term
+
+
+@frozen_dataclass
+class Obstruction:
+    """Two bodies that would be in each other.
+
+    Attributes:
+        one: what the robot moves, as people call it: "the tool `jaws`".
+        other: what is in its way, likewise.
+        depth: how far they would have to be apart [m].
+    """
+
+    one: str
+    other: str
+    depth: float
+
+    def __str__(self) -> str:
+        return meeting_words(self.one, self.other, self.depth)
 
 
 class Geometry(Protocol):
@@ -24,8 +44,12 @@ class Geometry(Protocol):
         """Return whether a robot can bring its tool to a location."""
         ...
 
-    def collision_free(self, robot: str, part: str, location: Point) -> bool:
-        """Return whether a robot can bring a part to a location without touching anything on its way."""
+    def obstruction(self, robot: str, part: str, location: Point) -> Obstruction | None:
+        """Return what is in the way of a robot that holds a part at a location; None for nothing."""
+        ...
+
+    def prepare(self) -> None:
+        """Make ready what first answers would take long for: a call is checked in little time."""
         ...
 
 
@@ -44,9 +68,11 @@ class Anywhere:
         """Return True."""
         return True
 
-    def collision_free(self, robot: str, part: str, location: Point) -> bool:  # noqa: ARG002 - the same
-        """Return True."""
-        return True
+    def obstruction(self, robot: str, part: str, location: Point) -> None:
+        """Return None."""
+
+    def prepare(self) -> None:
+        """Do nothing."""
 
 
 class RememberedGeometry:
@@ -56,12 +82,28 @@ class RememberedGeometry:
         self._geometry = geometry
         self._revision = geometry.revision
         self._known: dict[tuple[Term, ...], bool] = {}
+        self._why: dict[Term, Obstruction] = {}
         self.asked = 0
 
     @property
     def unchecked(self) -> tuple[str, ...]:
         """Return what answers leave out."""
         return self._geometry.unchecked
+
+    def prepare(self) -> None:
+        """Make ready what first answers would take long for."""
+        self._geometry.prepare()
+
+    def refusal(self, condition: Term) -> str:
+        """Return why a condition does not hold, as people say it."""
+        found = self._why.get(condition)
+        return refusal_words(condition) if found is None else f"{place_words(condition)} {found}"
+
+    def hint(self, condition: Term) -> str:
+        """Return what can be done about a condition that does not hold."""
+        found = self._why.get(condition)
+        moved = "it in the cell" if found is None else found.other
+        return f"choose another location, or move {moved}"
 
     def predicates(self) -> tuple[Predicate, ...]:
         """Return the predicates that knowledge bases may ask."""
@@ -75,14 +117,21 @@ class RememberedGeometry:
 
     def _collision_free(self, robot: Atom, part: Term, location: Term) -> bool:
         name = part.name if isinstance(part, Atom | Struct) else str(part)
-        free = self._geometry.collision_free
-        return self._remembered((robot, part, location), lambda at: free(robot.name, name, at))
+
+        def is_free(at: Point) -> bool:
+            found = self._geometry.obstruction(robot.name, name, at)
+            if found is not None:
+                self._why[Struct("collision_free", (robot, part, location))] = found
+            return found is None
+
+        return self._remembered((robot, part, location), is_free)
 
     def _remembered(self, asked: tuple[Term, ...], answer: Callable[[Point], bool]) -> bool:
         revision = self._geometry.revision
         if revision != self._revision:
             self._revision = revision
             self._known.clear()
+            self._why.clear()
         found = self._known.get(asked)
         if found is None:
             at = point_of_term(asked[-1])

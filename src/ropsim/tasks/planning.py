@@ -6,7 +6,8 @@ from ropsim.core import Diagnostic, frozen_dataclass
 from ropsim.prolog import Atom, GoalError, Struct, Term, Var
 from ropsim.tasks.diagnostics import NO_PLAN, PLAN_STOPPED
 from ropsim.tasks.expression_text import unit_of
-from ropsim.tasks.fact_words import fact_words, refusal_words
+from ropsim.tasks.fact_words import fact_words
+from ropsim.tasks.geometry import RememberedGeometry
 from ropsim.tasks.host import Host, Progress
 from ropsim.tasks.kinds import LOCATION
 from ropsim.tasks.known_task import KnownTask
@@ -49,6 +50,7 @@ def planned(
     state: WorldState,
     seconds: float,
     progress: Progress | None,
+    geometry: RememberedGeometry,
 ) -> Plan:
     """Return the fewest tasks that reach a goal, or why there are none.
 
@@ -59,6 +61,7 @@ def planned(
         state: what is true before.
         seconds: after so much time it is stopped [s].
         progress: told how many states have been looked at.
+        geometry: says why it refuses.
 
     Raises:
         TaskError: the goal is no list of facts.
@@ -73,7 +76,7 @@ def planned(
         case Struct("plan", (tuple(heads), int(looked_at))):
             return Plan(tuple(_call(head, task) for head in heads), (), looked_at)
         case Struct("none", (why, int(looked_at))):
-            return Plan((), (_nothing(why),), looked_at)
+            return Plan((), (_nothing(why, geometry),), looked_at)
     raise ValueError(f"{found} is no plan")
 
 
@@ -85,17 +88,19 @@ def _stopped(error: GoalError, seconds: float) -> Diagnostic:
     return PLAN_STOPPED.at(None, f"planning was stopped: {cause.message}", hint=cause.hint)
 
 
-def _nothing(why: Term) -> Diagnostic:
+def _nothing(why: Term, geometry: RememberedGeometry) -> Diagnostic:
     match why:
         case Struct("nobody", (fact,)):
             message = f"no plan: no task can make {fact_words(fact)}"
             hint = "a task with such an effect is missing, or a fact of the state"
             return NO_PLAN.at(None, message, hint=hint)
         case Struct("refused", (fact, tuple(conditions))):
-            words = ", and ".join(refusal_words(one) for one in conditions[:3])
+            words = ", and ".join(geometry.refusal(one) for one in conditions[:3])
             more = f", and {len(conditions) - 3} more" if len(conditions) > 3 else ""
             message = f"no plan: geometry refuses what would make {fact_words(fact)}: {words}{more}"
-            return NO_PLAN.at(None, message, hint="choose other locations, or move them in the cell")
+            hints = tuple(dict.fromkeys(geometry.hint(one) for one in conditions))
+            others = "choose other locations, or move them in the cell"
+            return NO_PLAN.at(None, message, hint=hints[0] if len(hints) == 1 else others)
     message = "no plan: each fact of the goal can be made, but not all of them together"
     return NO_PLAN.at(None, message, hint="look for facts that exclude each other, or a place too few")
 

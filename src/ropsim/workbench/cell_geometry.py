@@ -1,29 +1,38 @@
-"""What the geometry of a cell tells about tasks: where its arms can go."""
+"""What the geometry of a cell tells about tasks: where its arms can go, and what is in their way there."""
 
 from collections.abc import Hashable
+from pathlib import Path
 from typing import TYPE_CHECKING
+
+import numpy as np
 
 from ropsim import icr, language
 from ropsim.flow import MoveInstruction
 from ropsim.kinematics import IkOptions, inverse
 from ropsim.model import Cell, Station
-from ropsim.spatial import Pose
+from ropsim.spatial import Array, Pose
 from ropsim.workbench.environment import environment_of
 
 if TYPE_CHECKING:  # knowledge bases and their engine are loaded by who asks one
-    from ropsim.tasks import Point
+    from ropsim.tasks import Obstruction, Point
+    from ropsim.workbench.cell_collisions import CellCollisions
 
 ARM = "arm"
 """How tasks call the first robot of a cell; others have the names of their stations."""
 
 
 class CellGeometry:
-    """Answers by inverse kinematics, for the tool that a robot has at the start; it knows no collisions."""
+    """Answers by inverse kinematics and distances, for the tool that a robot has at the start.
 
-    unchecked = ("collisions",)
+    Args:
+        cell: with its bodies as at the start.
+        folder: of the project, whose meshes are read when collisions are asked for; None for none.
+    """
 
-    def __init__(self, cell: Cell) -> None:
+    def __init__(self, cell: Cell, folder: Path | None = None) -> None:
         self._cell = cell
+        self._folder = folder
+        self._made: CellCollisions | None = None
         self._environments: dict[str, language.Environment] = {}
         self.revision: Hashable = id(cell)
 
@@ -35,17 +44,50 @@ class CellGeometry:
             location: name of the cell, or numbers in millimetres and degrees, read as task text reads
                 them. One that has joint values, or lies in a frame that moves, is taken to be in reach.
         """
-        station = self._cell.first if robot == ARM else self._cell.stations.get(robot)
+        station = self._station(robot)
         if station is None:
             return False
         move = self._move(station, location)
         if move is None:
             return False
-        X_BT = self._pose(station, move)
-        if X_BT is None:
-            return True
-        X_BM = X_BT @ (move.modal.X_MT or Pose()).inverse()
-        return len(inverse(station.robot, X_BM, _near(station, move.external)).solutions) > 0
+        found = self._postures(station, move)
+        return found is None or len(found) > 0
+
+    def obstruction(self, robot: str, part: str, location: "Point") -> "Obstruction | None":
+        """Return what is in the way of a robot that holds a part at a location; None for nothing.
+
+        One posture within the limits that is free is enough. Of a location out of reach, or in a frame that
+        moves, nothing is said.
+
+        Args:
+            robot: as with `reachable`.
+            part: that it holds, as it was held where it lay at the start.
+            location: as with `reachable`.
+        """
+        from ropsim.tasks import Obstruction
+
+        station = self._station(robot)
+        move = self._move(station, location) if station is not None else None
+        if station is None or move is None:
+            return None
+        looked = self._collisions()
+        found = looked.first_meeting(station, part, self._postures(station, move) or ())
+        if found is None:
+            return None
+        names = found.pair
+        if not looked.is_moved(station, names[0], part):
+            names = names[1], names[0]
+        one, other = map(looked.words, names)
+        return Obstruction(one, other, -found.distance)
+
+    def prepare(self) -> None:
+        """Read meshes, and make distances ready."""
+        self._collisions()
+
+    @property
+    def unchecked(self) -> tuple[str, ...]:
+        """Return what is not looked at."""
+        return tuple(self._collisions().unchecked)
 
     def pose(self, location: "Point") -> Pose | None:
         """Return X_BT of a location for the first robot of the cell.
@@ -65,7 +107,8 @@ class CellGeometry:
 
         text = f"program reach\nunits mm, deg, s\nmov {TaskCall('', (location,))}\n"
         code = language.compile(text, self._environment(station)).icr
-        return icr.run(code).moves[0] if code is not None else None
+        moves = icr.run(code).moves if code is not None else ()
+        return moves[0] if moves else None
 
     def _pose(self, station: Station, move: MoveInstruction) -> Pose | None:
         """Return X_BT of the target of a move, None where it is not known before the program runs."""
@@ -78,9 +121,30 @@ class CellGeometry:
             self._environments[station.name] = environment_of(self._cell, station)
         return self._environments[station.name]
 
-    def collision_free(self, robot: str, part: str, location: "Point") -> bool:  # noqa: ARG002 - protocol
-        """Return True: nothing looks for collisions yet."""
-        return True
+    def _collisions(self) -> "CellCollisions":
+        if self._made is None:
+            from ropsim.collision import NO_MESHES
+            from ropsim.meshes import mesh_points
+            from ropsim.workbench.cell_collisions import CellCollisions
+
+            meshes = NO_MESHES if self._folder is None else mesh_points(self._folder, self._cell)
+            self._made = CellCollisions(self._cell, meshes)
+        return self._made
+
+    def _station(self, robot: str) -> Station | None:
+        return self._cell.first if robot == ARM else self._cell.stations.get(robot)
+
+    def _postures(self, station: Station, move: MoveInstruction) -> tuple[Array, ...] | None:
+        """Return joint coordinates within limits with which a move can end; None where it is not known."""
+        if move.target is None:
+            return None
+        if not isinstance(move.target, Pose):
+            return (np.asarray(move.target, dtype=np.float64),)
+        X_BT = self._pose(station, move)
+        if X_BT is None:
+            return None
+        X_BM = X_BT @ (move.modal.X_MT or Pose()).inverse()
+        return tuple(inverse(station.robot, X_BM, _near(station, move.external)).solutions)
 
 
 def _near(station: Station, external: tuple[float, ...]) -> IkOptions:

@@ -4,13 +4,12 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-import numpy as np
-
 from ropsim.core import Diagnostic, SourceText, frozen_dataclass
 from ropsim.model import Cell
 from ropsim.workbench.cell_geometry import CellGeometry
 from ropsim.workbench.environment import environment_of
 from ropsim.workbench.opening import open_project
+from ropsim.workbench.part_places import part_places
 from ropsim.workbench.project import Project
 from ropsim.workbench.task_texts import TaskTexts, users_folder
 from ropsim.workbench.workspace import Workspace
@@ -20,8 +19,6 @@ if TYPE_CHECKING:  # with their engine they take a tenth of a start, so they are
     from ropsim.tasks import KnowledgeBase, WorldState
 
 CELL_FILE, KNOWLEDGE = "cell.toml", "kb"
-NEAR = 0.005
-"""A part whose grasp point is so near to a location lies there [m]; a gripper captures it from as far."""
 
 
 @frozen_dataclass
@@ -75,7 +72,7 @@ def knowledge_of(project: Project, prolog: "Prolog | None" = None) -> Knowledge:
         found = (*project.diagnostics, *base.findings)
         return Knowledge(base, WorldState(), found, {**project.texts, **base.texts})
     texts = project.tasks
-    base = KnowledgeBase(texts.own, CellGeometry(cell), texts.findings, texts.users, which)
+    base = KnowledgeBase(texts.own, CellGeometry(cell, project.folder), texts.findings, texts.users, which)
     found = (*base.findings, *body_findings(base, environment_of(cell), own_tasks(base)))
     return Knowledge(base, world_state(cell), found, {**project.texts, **base.texts})
 
@@ -135,16 +132,13 @@ def _facts(cell: Cell) -> Iterator["Term"]:
     from ropsim.prolog import Atom, Struct
 
     yield Struct("gripper", (Atom("open"),))
-    taken: set[str] = set()
+    places = part_places(cell)
+    taken = frozenset(places.values())
     for part in cell.parts:
         if part.turn == 0:
             yield Struct("part", (Atom(part.name),))
-            for name, X_WT in cell.locations.items():
-                distance = float(np.linalg.norm(X_WT.position - part.X_WO.position))
-                if name not in cell.located and name not in taken and distance <= NEAR:
-                    taken.add(name)
-                    yield Struct("at", (Atom(part.name), Atom(name)))
-                    break
+            if part.name in places:
+                yield Struct("at", (Atom(part.name), Atom(places[part.name])))
     for name in cell.locations:
         yield Struct("location", (Atom(name),))
         if name not in taken and name not in cell.located:

@@ -110,7 +110,7 @@ def test_geometry_is_asked_only_for_what_a_plan_would_use() -> None:
             (("arm", "s0"),),
             "geometry refuses what would make `p0` in the gripper: `s0` cannot be reached",
         ),
-        ("at(p0, s1)", (("arm", "p0", "s1"),), "the way of `p0` to `s1` is not free"),
+        ("at(p0, s1)", (("arm", "p0", "s1"),), "at `s1` the part `p0` would be 12.3 mm deep in `post`"),
     ],
 )
 def test_it_is_said_why_there_is_no_plan(goal: str, refused: tuple[tuple[str, ...], ...], words: str) -> None:

@@ -5,6 +5,7 @@ from pathlib import Path
 import pytest
 
 from ropsim.cli.main import main
+from ropsim.tasks import WorldState, term_text
 from ropsim.workbench import Knowledge, has_knowledge, new_project, open_knowledge, open_project
 
 TASKS = """\
@@ -30,6 +31,7 @@ s1 = { position = [400, 100, -200], rpy = [180, 0, 0] }
 s2 = { position = [400, -100, -200], rpy = [180, 0, 0] }
 far = { position = [4000, 0, 0], rpy = [180, 0, 0] }
 rest = { position = [300, 0, 300], rpy = [180, 0, 0] }
+taken = { position = [300, 0, -200], rpy = [180, 0, 0] }
 [signals.glue]
 output = 1
 [[parts]]
@@ -37,6 +39,10 @@ name = "bolt"
 size = [20, 20, 20]
 mass = 0.1
 position = [401, 100, -200]
+[[objects]]
+name = "post"
+position = [300, 0, -215]
+shapes = [{ cylinder = { radius = 5, length = 20 } }]
 [[parts]]
 name = "nut"
 size = [20, 20, 20]
@@ -94,6 +100,38 @@ def test_a_plan_for_the_cell_avoids_what_is_out_of_reach(known: Knowledge) -> No
     assert [str(one) for one in plan.calls] == ["grip s1", "release s2"]
     refused = known.base.plan(["at(bolt, far)"], known.state)
     assert "`far` cannot be reached" in refused.findings[0].message
+
+
+def test_what_stands_at_a_destination_refuses_it_with_both_names_and_the_depth(known: Knowledge) -> None:
+    grip, there, beside = known.base.check_all(["grip s1", "release taken", "release s2"], known.state)
+    assert (grip.ok, beside.ok) == (True, True)
+    assert [(one.code, one.message, one.hint) for one in there.findings] == [
+        (
+            "P153",
+            "`release` is not possible here: at `taken` the part `bolt` would be 14.0 mm deep in `post`",
+            "choose another location, or move `post`",
+        )
+    ]
+    assert there.unchecked == (
+        "collisions on the way between places",
+        "collisions with parts at other places",
+        "collisions of the tool `jaws` without a known shape",
+    )
+
+
+def test_a_plan_goes_round_a_place_that_is_not_free_and_says_so_where_none_is_left(known: Knowledge) -> None:
+    state = WorldState.of(
+        "at(bolt, s1)", "at(nut, s2)", "free(taken)", "free(rest)", "gripper(open)", "location(rest)"
+    )
+    swapped = known.base.plan(["at(bolt, s2)", "at(nut, s1)"], state)
+    assert "rest" in str(swapped)
+    assert "taken" not in str(swapped)
+    left = WorldState.of(*(one for one in map(term_text, state.facts) if "rest" not in one))
+    stuck = known.base.plan(["at(bolt, s2)", "at(nut, s1)"], left)
+    assert not stuck.ok
+    refused = known.base.plan(["at(bolt, taken)"], state).findings[0]
+    assert "at `taken` the part `bolt` would be 14.0 mm deep in `post`" in refused.message
+    assert refused.hint == "choose another location, or move `post`"
 
 
 def test_texts_of_a_knowledge_base_need_no_trust(tmp_path: Path) -> None:

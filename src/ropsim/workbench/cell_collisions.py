@@ -1,0 +1,125 @@
+"""What is in the way of an arm that stands at a place of its cell and holds a part."""
+
+from collections.abc import Iterable, Iterator, Mapping
+
+import numpy as np
+
+from ropsim.collision import TOUCH, Collisions, Elsewhere, MeshPoints, Nearness
+from ropsim.model import Body, BodyKind, Cell, Station, link_name, tool_body
+from ropsim.spatial import Array, Pose
+from ropsim.workbench.part_places import part_places
+
+UPSIDE_DOWN = Pose(orientation=np.array([0.0, 1.0, 0.0, 0.0]))
+"""X_TO of a part that lies at no location: it hangs with its top against the tool."""
+
+
+class CellCollisions:
+    """Meetings of an arm, its tool and the part that it holds with all else, at one configuration.
+
+    Bodies that are in each other at the start already are not looked at (`met`), nor are other parts that lie
+    at locations: tasks may have moved them. All other parts stand where they stand at the start.
+
+    Args:
+        cell: its bodies.
+        meshes: points of its meshes.
+    """
+
+    def __init__(self, cell: Cell, meshes: MeshPoints) -> None:
+        self._cell = cell
+        self._collisions = Collisions(cell, meshes)
+        self._bodies = self._collisions.tree.by_name()
+        self._parts = {part.name: part for part in cell.parts}
+        self._places = part_places(cell)
+        self.met = tuple(one.pair for one in self._collisions.meetings({}))
+
+    @property
+    def unchecked(self) -> Iterator[str]:
+        """Yield what is not looked at, for a line behind `not checked`."""
+        yield "collisions on the way between places"
+        if self._places:
+            yield "collisions with parts at other places"
+        if unseen := list(self._unseen()):
+            yield f"collisions of {_listed(unseen)} without a known shape"
+        for one, other in self.met:
+            yield f"{self.words(one)} in {self.words(other)}, as at the start"
+
+    def first_meeting(self, station: Station, part: str, postures: Iterable[Array]) -> Nearness | None:
+        """Return None where an arm can stand in one of some postures without being in anything.
+
+        Otherwise the deepest meeting in the posture in which that is the least deep. A part may be as deep in
+        other things as the cell allows for parts that are set down; all else touches at most.
+
+        Args:
+            station: of the arm.
+            part: name of the part that it holds; of one that is not in the cell nothing is known.
+            postures: joint coordinates of the arm [rad | m], shape (n,) each.
+        """
+        held = self._held(station, part)
+        absent = self._places.keys() - {part}
+        best: Nearness | None = None
+        for q in postures:
+            found = self._collisions.meetings({station.name: q}, held, absent)
+            worst = next((one for one in found if self._counts(station, part, one)), None)
+            if worst is None:
+                return None
+            if best is None or worst.distance > best.distance:
+                best = worst
+        return best
+
+    def words(self, name: str) -> str:
+        """Return what people call a body."""
+        body = self._bodies[name]
+        match body.kind:
+            case BodyKind.TOOL:
+                return f"the tool `{name.rpartition(':')[2]}`"
+            case BodyKind.FINGER:
+                return f"a finger of {self.words(body.parent)}"
+            case BodyKind.PART:
+                return f"the part `{name}`"
+        return f"`{name}`"
+
+    def is_moved(self, station: Station, name: str, part: str) -> bool:
+        """Return whether a body belongs to an arm, or is the part that it holds."""
+        return name == part or _station_of(self._bodies, name) == station.name
+
+    def _unseen(self) -> Iterator[str]:
+        """Yield what has no known shape; an arm of which nothing has one by one name."""
+        unseen = dict.fromkeys(self._collisions.unseen)
+        for station in self._cell.stations.values():
+            names = [link_name(number, station.name) for number in range(len(station.robot.joints) + 1)]
+            if unseen.keys() >= {*names}:
+                unseen = {name: None for name in unseen if name not in names}
+                yield f"the arm of `{station.name}`" if len(self._cell.stations) > 1 else "the arm"
+        yield from map(self.words, unseen)
+
+    def _counts(self, station: Station, part: str, one: Nearness) -> bool:
+        if one.pair in self.met or not any(self.is_moved(station, name, part) for name in one.pair):
+            return False
+        return -one.distance > (self._cell.supports.depth if part in one.pair else TOUCH)
+
+    def _held(self, station: Station, name: str) -> Elsewhere:
+        """Return where a part hangs in the gripper: as when it is taken from where it lies at the start."""
+        part, tool = self._parts.get(name), station.tools.get(station.default_tool)
+        if part is None:
+            return {}
+        place = self._places.get(name)
+        X_TO = UPSIDE_DOWN if place is None else self._cell.locations[place].inverse() @ part.X_WO
+        if tool is None:
+            return {name: (link_name(station.robot.tip + 1, station.name), station.robot.X_nM @ X_TO)}
+        return {name: (tool_body(tool.name, station.name), tool.X_MT @ X_TO)}
+
+
+def _station_of(bodies: Mapping[str, Body], name: str) -> str:
+    """Return the mechanism that moves a body with its arm, empty for none."""
+    while name:
+        body = bodies[name]
+        if body.mover is not None and body.kind is BodyKind.LINK:
+            return body.mover.mechanism
+        name = body.parent
+    return ""
+
+
+def _listed(names: list[str]) -> str:
+    """Return up to three names, and how many more there are."""
+    more = f" and {len(names) - 3} more" if len(names) > 3 else ""
+    return f"{', '.join(names[:3])}{more}"

@@ -1,0 +1,31 @@
+"""At which locations of a cell its parts lie when a run starts."""
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from ropsim.model import Cell, Part
+
+NEAR = 0.005
+"""A part whose grasp point is so near to a location lies there [m]; a gripper captures it from as far."""
+
+
+def part_places(cell: Cell) -> Mapping[str, str]:
+    """Return the names of the locations at which parts lie, by part; at each location one at most.
+
+    Parts of a supply that are not there yet lie nowhere. Of a location in a frame that moves nobody knows.
+    """
+    found: dict[str, str] = {}
+    for part in cell.parts:
+        place = _place_of(cell, part, frozenset(found.values())) if part.turn == 0 else ""
+        if place:
+            found[part.name] = place
+    return found
+
+
+def _place_of(cell: Cell, part: Part, taken: frozenset[str]) -> str:
+    for name, X_WT in cell.locations.items():
+        distance = float(np.linalg.norm(X_WT.position - part.X_WO.position))
+        if name not in cell.located and name not in taken and distance <= NEAR:
+            return name
+    return ""
