@@ -19,6 +19,10 @@ from ropsim.tasks.draft import taken_back as taken_back
 from ropsim.tasks.errors import TaskError as TaskError
 from ropsim.tasks.fact_words import fact_words as fact_words
 from ropsim.tasks.folder import read_folder as read_folder
+from ropsim.tasks.form_clause import FieldFault as FieldFault
+from ropsim.tasks.form_clause import FormClause as FormClause
+from ropsim.tasks.form_clause import form_clause as form_clause
+from ropsim.tasks.form_edit import edited as edited
 from ropsim.tasks.geometry import Geometry as Geometry
 from ropsim.tasks.geometry import Obstruction as Obstruction
 from ropsim.tasks.geometry import unchecked_text as unchecked_text
@@ -38,6 +42,9 @@ from ropsim.tasks.task_call import Point as Point
 from ropsim.tasks.task_call import Quantity as Quantity
 from ropsim.tasks.task_call import TaskCall as TaskCall
 from ropsim.tasks.task_call import Value as Value
+from ropsim.tasks.task_form import FormParameter as FormParameter
+from ropsim.tasks.task_form import TaskForm as TaskForm
+from ropsim.tasks.task_form import form_of as form_of
 from ropsim.tasks.task_text import stored_clause as stored_clause
 from ropsim.tasks.task_text import task_text as task_text
 from ropsim.tasks.typed_step import TypedStep as TypedStep

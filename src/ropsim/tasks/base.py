@@ -10,6 +10,7 @@ from ropsim.prolog import Atom, Places, Prolog, Struct, Term, Var
 from ropsim.tasks.call_reading import call_of
 from ropsim.tasks.call_report import CallReport
 from ropsim.tasks.checking import checked
+from ropsim.tasks.clause_places import ClausePlaces, places_of
 from ropsim.tasks.folder import read_folder
 from ropsim.tasks.geometry import Anywhere, Geometry, RememberedGeometry
 from ropsim.tasks.host import Host, Progress
@@ -118,6 +119,18 @@ class KnowledgeBase:
         if name in self._spans and name not in self._tasks:
             self._fetch([name])
         return self._tasks.get(name)
+
+    def clause(self, name: str) -> ClausePlaces | None:
+        """Return where the parts of the clause of a task stand, None where there is no such task."""
+        if name not in self._spans:
+            return None
+        found = self._host.ask("ropsim_kb", Struct("clause_places", (Atom(name), Var("Found"))))
+        return places_of(found, self._spans[name][0].source)
+
+    def term_faults(self, texts: Sequence[str]) -> tuple[str, ...]:
+        """Return what is wrong with each text as a term of a knowledge base; empty where nothing is."""
+        found = self._host.ask("ropsim_kb", Struct("terms_read", (tuple(texts), Var("Found"))))
+        return tuple(map(str, found)) if isinstance(found, tuple) else ()
 
     def check(self, call: TaskCall | str, state: WorldState) -> CallReport:
         """Return whether a call is possible in a state, and the state that it makes.

@@ -14,6 +14,8 @@ _KEEPS: Mapping[str, Callable[[float, float], bool]] = {
     ">": operator.gt,
     "<": operator.lt,
 }
+SIGNS = tuple(_KEEPS)
+"""How bounds are written."""
 _WORDS: Mapping[str, str] = {">=": "at least", "=<": "at most", ">": "more than", "<": "less than"}
 _SCALES: Mapping[str, tuple[str, float]] = {
     **{unit: ("length", one) for unit, one in (("mm", 1e-3), ("cm", 1e-2), ("m", 1.0), ("inch", 0.0254))},
@@ -50,9 +52,13 @@ class Bound:
     sign: str
     value: float | Quantity
 
+    @property
+    def number(self) -> str:
+        """Return its value as it is typed."""
+        return str(self.value) if isinstance(self.value, Quantity) else short_text(self.value)
+
     def __str__(self) -> str:
-        shown = str(self.value) if isinstance(self.value, Quantity) else short_text(self.value)
-        return f"{_WORDS[self.sign]} {shown}"
+        return f"{_WORDS[self.sign]} {self.number}"
 
     def keeps(self, value: Value, kind: str) -> bool:
         """Return whether a value of a parameter of a kind lies on the right side; names and texts do."""

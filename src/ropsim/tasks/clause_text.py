@@ -1,5 +1,7 @@
 """A clause as people write it: operators between their terms, one property of a task on a line."""
 
+import re
+
 from ropsim.prolog import Atom, Struct, Term, Var, write_term
 
 _OPERATORS = {
@@ -7,6 +9,8 @@ _OPERATORS = {
     "+": 500, "-": 500, "*": 400, "/": 400, "mod": 400,
 }  # fmt: skip
 _LOOSEST = 999
+_ANONYMOUS = re.compile(r"_\d+")
+"""Names that Prolog gives to variables that have none."""
 
 
 def clause_text(task: Term) -> str:
@@ -22,7 +26,10 @@ def term_text(term: Term, most: int = _LOOSEST) -> str:
     """Return the text of a term, in parentheses where its operator is looser than `most`."""
     match term:
         case Var(name):
-            return name
+            return "_" if _ANONYMOUS.fullmatch(name) else name
+        case Struct("\\+", (one,)):
+            text = f"\\+ {term_text(one, 900)}"
+            return text if most >= 900 else f"({text})"
         case Struct(name, (left, right)) if name in _OPERATORS:
             level = _OPERATORS[name]
             is_left = level in (400, 500)

@@ -448,3 +448,34 @@ heads(Heads) :-
 %   tasks(+Names, -Tasks): told(Name, Arity, Task) for those that there are.
 tasks(Names, Tasks) :-
     findall(told(Name, Arity, Task), ( member(Name, Names), known(Name, Arity, Task) ), Tasks).
+
+%   clause_places(+Name, -Found): clause(Text, From, To, HeadFrom, HeadTo, ListFrom, ListTo, Properties) with place(Name, From, To)
+%   for each property, as the text of the task has them; the clause is read again for it.
+clause_places(Name, Found) :-
+    place(Name, Text, From, To),
+    ropsim_kb_texts:text(Text, String),
+    sub_string(String, From, _, 0, Rest),
+    setup_call_cleanup(open_string(Rest, Stream),
+                       read_term(Stream, task(_, Properties), [module(ropsim_kb_words), subterm_positions(P0)]),
+                       close(Stream)),
+    ropsim_reader:bare(P0, P),
+    arguments(P, [HeadP, ListP]),
+    shifted(From, HeadP, HeadFrom, HeadTo),
+    shifted(From, ListP, ListFrom, ListTo),
+    ( ropsim_reader:bare(ListP, list_position(_, _, Ps, _)) -> true ; Ps = [] ),
+    maplist(property_place(From), Properties, Ps, Places),
+    Found = clause(Text, From, To, HeadFrom, HeadTo, ListFrom, ListTo, Places).
+
+property_place(Start, Property, P, place(Name, From, To)) :- functor(Property, Name, _), shifted(Start, P, From, To).
+
+shifted(Start, P, From, To) :- ropsim_reader:ends(P, From0, To0), From is Start + From0, To is Start + To0.
+
+%   terms_read(+Texts, -Found): for each text what is wrong with it as one term of a list; empty where nothing is.
+terms_read(Texts, Found) :- maplist(term_fault, Texts, Found).
+
+term_fault(Text, Fault) :-
+    string_concat("[", Text, Opened),
+    string_concat(Opened, "]", Listed),
+    catch(( term_string(List, Listed, [module(ropsim_kb_words)]),
+            ( is_list(List), length(List, 1) -> Fault = "" ; Fault = "this is not one term" ) ),
+          _, Fault = "this is no term").
