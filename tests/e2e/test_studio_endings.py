@@ -73,8 +73,7 @@ def test_an_end_of_the_whole_group_is_quiet_and_complete(studio: Studio, phase: 
             page.say(type="edit", document=MAIN, text=ENDLESS, version=1)
             hear_newer(page, first, "running")
         if phase == "live":
-            page.say(type="live_start", program="", speed=0.1)
-            page.hear("live", state="running")
+            page.start_live(0.1)
         servers = language_servers(studio.process.pid)
         assert (len(workers(studio.process.pid)), len(servers)) == (2, 1)
         os.killpg(studio.process.pid, signal.Signals[number])
@@ -135,8 +134,7 @@ def test_every_process_may_be_killed_and_work_goes_on(studio: Studio) -> None:
         assert page.hear("scene")["scene"] is not None
         page.say(type="edit", document=MAIN, text=ENDLESS, version=1)
         hear_newer(page, first, "running")
-        page.say(type="live_start", program="", speed=1.0)
-        page.hear("live", state="running")
+        page.start_live(1.0)
         for pid in workers(studio.process.pid):
             os.kill(pid, signal.SIGKILL)
         page.hear("live", state="over")
@@ -162,8 +160,7 @@ def test_a_live_run_is_held_slowed_stopped_and_replaced_through_the_server(studi
         page.say(type="edit", document=MAIN, text=LONG, version=1)
         page.hear("run", state="done")
         for _ in range(2):
-            page.say(type="live_start", program="", speed=0.1)
-            page.hear("live", state="running")
+            page.start_live(0.1)
             page.say(type="live_control", action="hold")
             page.hear("live", state="held")
             page.say(type="live_override", value=0.5)
@@ -174,8 +171,7 @@ def test_a_live_run_is_held_slowed_stopped_and_replaced_through_the_server(studi
             page.say(type="live_control", action="stop")
             page.hear("live", state="over")
             page.hear("run", state="done")
-        page.say(type="live_start", program="", speed=0.1)
-        page.hear("live", state="running")
+        page.start_live(0.1)
         page.say(type="run", program="", fidelity="kinematic")
         page.hear("live", state="over")
         page.hear("run", state="done")

@@ -80,6 +80,14 @@ class Page:
             if isinstance(text, str):
                 self._heard.append(json.loads(text))
 
+    def start_live(self, speed: float) -> None:
+        """Start a live run and wait until it runs; what was heard of earlier ones is forgotten."""
+        self.say(type="live_start", program="", speed=speed)
+        begin = self.hear("live", state="starting")
+        self._heard = [one for one in self._heard if one["type"] != "live"]
+        assert begin["speed"] == speed
+        self.hear("live", state="running")
+
 
 @contextlib.contextmanager
 def page_of(studio: Studio) -> Iterator[Page]:

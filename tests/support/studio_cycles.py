@@ -76,8 +76,7 @@ def _fetch(studio: Studio, headers: dict[str, str], done: dict[str, Any]) -> Non
 
 
 def _live(page: Page) -> None:
-    page.say(type="live_start", program="", speed=1.0)
-    page.hear("live", state="running")
+    page.start_live(1.0)
     page.say(type="live_control", action="stop")
     page.hear("live", state="over")
 
