@@ -43,6 +43,13 @@ def hear_newer(page: Page, run: int, state: str) -> None:
         pass
 
 
+def kill_workers(studio: Studio, page: Page) -> None:
+    """Kill the workers and wait until the page has been told of each."""
+    for pid in workers(studio.process.pid):
+        os.kill(pid, signal.SIGKILL)
+        assert page.hear("notice")["code"] == "U955"
+
+
 def heard(page: Page) -> list[dict[str, object]]:
     """Return all that a page still hears until its socket is closed."""
     messages = []
@@ -128,21 +135,19 @@ def test_every_process_may_be_killed_and_work_goes_on(studio: Studio) -> None:
     with page_of(studio) as page:
         page.hear("scene")
         first = page.hear("run", state="done")["id"]
-        for pid in workers(studio.process.pid):
-            os.kill(pid, signal.SIGKILL)
-            assert page.hear("notice")["code"] == "U955"
+        kill_workers(studio, page)
         assert page.hear("scene")["scene"] is not None
         page.say(type="edit", document=MAIN, text=ENDLESS, version=1)
         hear_newer(page, first, "running")
         page.start_live(1.0)
-        for pid in workers(studio.process.pid):
-            os.kill(pid, signal.SIGKILL)
+        kill_workers(studio, page)
         page.hear("live", state="over")
         assert "killed by the system" in page.hear("run", state="failed")["message"]
         page.say(type="edit", document=MAIN, text=SHORT, version=2)
         done = page.hear("run", state="done")["id"]
-        for pid in (*origins(studio.process.pid), *workers(studio.process.pid)):
+        for pid in origins(studio.process.pid):
             os.kill(pid, signal.SIGKILL)
+        kill_workers(studio, page)
         page.say(type="edit", document=MAIN, text=SHORT + "wait 1\n", version=3)
         hear_newer(page, done, "done")
         with opened(studio, "/ws/lsp") as language:
