@@ -38,6 +38,8 @@ base of the robot stands in the frame of the points, both in millimetres and deg
 several times. Put the names of the robots before these options.
 """,
 )
+_PROJECTS = (".toml", ".task", ".icr")
+"""Endings of what stands for a project."""
 ACROSS = 11
 """Places along a side of the grid of `--place`."""
 
@@ -49,7 +51,7 @@ class FrameError(RopsimError):
 def workspace(options: argparse.Namespace, output: Output) -> int:
     """Print the workspaces of robots, and what they make of the points of a task."""
     tool, bases = _tool(options.tool), [_base(one) for one in options.base or [[0.0, 0.0, 0.0]]]
-    points, found = _points(options.points, output)
+    points, found = _points(options.points, tool, output)
     robots = [_robot(name, output) for name in options.names]
     if any(one is None for one in robots) or (options.points and not points):
         output.document({"ok": False, **diagnostic_document(found)})
@@ -77,10 +79,14 @@ def _robot(name: str, output: Output) -> RobotModel | None:
     return asked.robot
 
 
-def _points(name: str | None, output: Output) -> tuple[tuple[TaskPoint, ...], tuple[Diagnostic, ...]]:
-    """Return the points of a file, and what was found in it, which is said."""
+def _points(
+    name: str | None, tool: Pose, output: Output
+) -> tuple[tuple[TaskPoint, ...], tuple[Diagnostic, ...]]:
+    """Return the points of a file or of a program, and what was found in it, which is said."""
     if not name:
         return (), ()
+    if Path(name).is_dir() or Path(name).suffix.lower() in _PROJECTS:
+        return _points_of_program(name, tool, output)
     from ropsim.workspace import read_points
 
     text, found = read_text_file(Path(name), name)
@@ -88,6 +94,18 @@ def _points(name: str | None, output: Output) -> tuple[tuple[TaskPoint, ...], tu
     if text is not None:
         points, found = read_points(text)
     output.findings(found, {text.name: text} if text else {})
+    return points, found
+
+
+def _points_of_program(
+    name: str, tool: Pose, output: Output
+) -> tuple[tuple[TaskPoint, ...], tuple[Diagnostic, ...]]:
+    """Return the points to which the program of a project moves, and what is said of it."""
+    from ropsim.workbench import open_project, program_points
+
+    project = open_project(name)
+    points, found = program_points(project, tool)
+    output.findings(found, {text.name: text for text in project.sources.values()})
     return points, found
 
 

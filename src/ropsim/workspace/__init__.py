@@ -15,7 +15,9 @@ from ropsim.workspace.comparing import size_of as size_of
 from ropsim.workspace.dexterity import Dexterity as Dexterity
 from ropsim.workspace.dexterity import Directions as Directions
 from ropsim.workspace.dexterity import dexterity as dexterity
+from ropsim.workspace.diagnostics import NO_POINTS as NO_POINTS
 from ropsim.workspace.diagnostics import NO_SURFACE as NO_SURFACE
+from ropsim.workspace.diagnostics import POINTS_LEFT_OUT as POINTS_LEFT_OUT
 from ropsim.workspace.diagnostics import WorkspaceError as WorkspaceError
 from ropsim.workspace.margins import Margin as Margin
 from ropsim.workspace.margins import manipulability as manipulability

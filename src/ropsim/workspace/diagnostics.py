@@ -107,6 +107,19 @@ See [W110](W110.md) for the form of a table.
 )
 
 
+POINTS_LEFT_OUT = define(
+    "W112",
+    "points-left-out",
+    Severity.HINT,
+    "moves of a program are no points of the task",
+    """
+`--points` with a project takes the points to which its program moves, from a dry run. Joint coordinates
+belong to the arm that they were written for; where external axes stand, or a frame moves with one, a point
+says nothing of another place of the base.
+""",
+)
+
+
 class WorkspaceError(RopsimError):
     """A workspace that cannot be computed."""
 

@@ -86,7 +86,9 @@ def _workspace(actions: Commands) -> None:
         help="the TCP in the frame of the flange: X Y Z [ROLL PITCH YAW], mm and degrees",
     )
     parser.add_argument(
-        "--points", metavar="FILE.csv", help="points of a task: name, x, y, z [, roll, pitch, yaw]"
+        "--points",
+        metavar="FILE.csv|PROJECT",
+        help="points of a task: name, x, y, z [, roll, pitch, yaw]; or those of a program",
     )
     parser.add_argument(
         "--base",
