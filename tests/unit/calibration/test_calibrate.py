@@ -217,14 +217,13 @@ def test_a_trace_in_which_nothing_moves_is_refused() -> None:
 
 
 def test_a_motion_that_was_held_is_left_out_and_said() -> None:
-    made, known = site(), trace()
+    known = trace()
     speeds = np.abs(np.diff(known.q[:, 0]))
     middle = int(speeds.argmax())
     pause = np.repeat(known.q[middle : middle + 1], int(0.5 * RATE), axis=0)
     q = np.vstack((known.q[:middle], pause, known.q[middle:]))
-    found, findings = calibrate(made.cell, made.station, made.orders, Trace(np.arange(len(q)) / RATE, q))
-    assert found is not None
-    assert len(found.stretches) == found.made - 1
+    found, count, findings = in_trace(Trace(np.arange(len(q)) / RATE, q))
+    assert found == count - 1
     assert [one.code for one in findings] == ["X894"]
     assert findings[0].span is not None
 
