@@ -3,7 +3,7 @@
 
 VENV = PYTHON='$(PYTHON)' sh tools/venv.sh
 DEMO = examples/palletizing
-# One worker per core, at most four; tests of a module stay together, in the order of tests/conftest.py.
+# One worker more than cores (they wait now and then), at most four; tests of a module stay together, in the order of tests/conftest.py.
 SIDE_BY_SIDE = -n auto --maxprocesses 4 --dist loadfile --no-loadscope-reorder
 # Hundreds of processes are started: modules that are compiled once save each of them half of its start.
 KEEP_COMPILED = PYTHONDONTWRITEBYTECODE=

@@ -1,6 +1,8 @@
 """The order of the suite: fast tests first, whole programs last; the fixtures that several folders share."""
 
 import gc
+import os
+import sys
 from pathlib import Path
 
 import pytest
@@ -21,6 +23,12 @@ pytest_plugins = ("support.browser",)
 # Both look at the clock, and the cores are shared.
 settings.register_profile("suite", deadline=None, suppress_health_check=[HealthCheck.too_slow])
 settings.load_profile("suite")
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_xdist_auto_num_workers() -> int:
+    """Return one worker more than there are cores: some wait for a live run, a page or another process."""
+    return 1 + (len(os.sched_getaffinity(0)) if sys.platform == "linux" else os.cpu_count() or 1)
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
