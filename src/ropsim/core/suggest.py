@@ -38,6 +38,6 @@ def _begins(one: str, other: str) -> bool:
 
 
 def did_you_mean(name: str, candidates: Iterable[str]) -> str:
-    """Return "did you mean `x`?", or an empty string where nothing is near."""
-    close = near(name, candidates, limit=1)
+    """Return "did you mean `x`?", or an empty string where nothing but the name itself is near."""
+    close = near(name, (one for one in candidates if one != name), limit=1)
     return f"did you mean `{close[0]}`?" if close else ""

@@ -18,6 +18,11 @@ def test_nothing_near_gives_an_empty_hint() -> None:
     assert did_you_mean("xyz", ["grip", "release"]) == ""
 
 
+def test_nobody_is_asked_whether_they_mean_what_they_wrote() -> None:
+    assert did_you_mean("grip", ["grip", "release"]) == ""
+    assert did_you_mean("grip", ["Grip", "grip"]) == "did you mean `Grip`?"
+
+
 def test_a_huge_name_is_answered_quickly() -> None:
     assert did_you_mean("a" * 1_000_000, ["release"] * 3) == ""
 

@@ -7,7 +7,7 @@ from ropsim.language.findings import syntax as kinds
 from ropsim.language.syntax.fault import Fault, LineFaultError
 from ropsim.language.syntax.lexer import UNITS, Token
 from ropsim.language.syntax.nodes import Name
-from ropsim.language.syntax.other_languages import DECIMAL, LEFT_OVER, NO_VALUE, data_hint
+from ropsim.language.syntax.other_languages import DECIMAL, LEFT_OVER, MEMBERS, NO_VALUE, data_hint
 from ropsim.language.syntax.other_languages import UNITS as WRITTEN_OUT
 from ropsim.language.syntax.words import INSIDE, NOT_YET_MODIFIERS, RESERVED
 
@@ -126,6 +126,8 @@ class Cursor:
 
     def close_parenthesis(self) -> None:
         """Step over `)`, one level up."""
+        if self.token.kind == "number" or (self.token.kind == "word" and self.look(-1).kind != "number"):
+            self.fail("`,` or `)`", MEMBERS)
         self.expect(")")
         self.depth -= 1
 

@@ -5,7 +5,7 @@ from ropsim.language.syntax.cursor import Cursor
 from ropsim.language.syntax.expressions import expression, item, listed, total
 from ropsim.language.syntax.lexer import Token
 from ropsim.language.syntax.nodes import Name
-from ropsim.language.syntax.other_languages import ELSE_IF, FOR, STEP
+from ropsim.language.syntax.other_languages import ARGUMENTS, ELSE_IF, FOR, HINTS, STEP
 from ropsim.language.syntax.statements import (
     Assign,
     Call,
@@ -23,6 +23,7 @@ from ropsim.language.syntax.statements import (
     Until,
     While,
 )
+from ropsim.language.syntax.words import INSIDE, RESERVED
 
 
 def closer(cursor: Cursor, head: Token) -> Statement:
@@ -130,6 +131,15 @@ def plain(cursor: Cursor) -> Statement:
     return _arguments(cursor, name, name.start)
 
 
+def _is_argument(cursor: Cursor) -> bool:
+    """Return whether another argument comes next; a word behind a number is an odd unit."""
+    token = cursor.token
+    if token.kind == "word":
+        before = cursor.look(-1).kind
+        return before != "number" and token.word not in RESERVED and not did_you_mean(token.text, INSIDE)
+    return token.kind in ("number", "text")
+
+
 def _arguments(cursor: Cursor, name: Name, start: int) -> Statement:
     arguments = []
     cursor.arguments_at = cursor.index
@@ -137,4 +147,6 @@ def _arguments(cursor: Cursor, name: Name, start: int) -> Statement:
         arguments.append(item(cursor))
         while cursor.accept(","):
             arguments.append(item(cursor))
+        if name.text.lower() not in HINTS and _is_argument(cursor):
+            cursor.fail("`,` or the end of the line", ARGUMENTS)
     return Call(name, tuple(arguments), start, cursor.end)

@@ -5,6 +5,7 @@ from typing import NamedTuple
 
 from ropsim.language.findings import syntax as kinds
 from ropsim.language.syntax.fault import Fault, LineFaultError
+from ropsim.language.syntax.other_languages import COMMENT, COMMENT_OR_NOT
 
 UNITS = (
     "mm/s2", "cm/s2", "m/s2", "deg/s2", "rad/s2", "mm/s", "cm/s", "m/s", "deg/s", "rad/s", "mm", "cm", "inch",
@@ -107,4 +108,8 @@ def _bad(line: str, at: int) -> Fault:
         "°": "write `deg`",
         "\u00a0": "this is a non-breaking space; type an ordinary one",
     }.get(character, "leave it out; other languages' letters may stand in comments and texts")
+    if character in "!'" and not line[:at].strip():
+        hint = COMMENT
+    elif character == "!" and line[at + 1 : at + 2].isspace():
+        hint = COMMENT_OR_NOT
     return Fault(kinds.CHARACTER, at, at + 1, f"unexpected character `{shown}`", hint)

@@ -112,6 +112,16 @@ STEP = "write `{0} = {0} + 1`: an assignment names the variable on both sides"
 """What to write for `x++` and `x += 1`."""
 FOR = "write `for i = FIRST to LAST`, or `for each b in PATTERN`"
 """What to write for other headers of `for`."""
+COMMENT = "a comment begins with `#`"
+"""What to write for the signs with which comments begin elsewhere."""
+COMMENT_OR_NOT = f"{COMMENT}; in a condition write `not`"
+"""What to write for `!` with a blank behind it."""
+COMMENT_SIGNS: Mapping[str, str] = {";": "", "%": "", "*": "", "-": "-", "/": "*"}
+"""Signs with which a comment begins elsewhere, by what must stand behind them; empty for anything."""
+ARGUMENTS = "a comma stands between arguments: `Name a, b`"
+"""What to write for an argument right behind another one."""
+MEMBERS = "a comma stands between values: `(a, b)`"
+"""What to write for a value right behind another one in parentheses."""
 SET = _SET
 """What to write for `set NAME to …`."""
 LEFT_OVER: Mapping[str, str] = {

@@ -9,7 +9,13 @@ from ropsim.language.syntax.cursor import Cursor
 from ropsim.language.syntax.expressions import expression, total
 from ropsim.language.syntax.lexer import Token
 from ropsim.language.syntax.nodes import Node
-from ropsim.language.syntax.other_languages import WAIT_CONDITION, WAIT_FOR, WAIT_LEVEL
+from ropsim.language.syntax.other_languages import (
+    COMMENT,
+    COMMENT_SIGNS,
+    WAIT_CONDITION,
+    WAIT_FOR,
+    WAIT_LEVEL,
+)
 from ropsim.language.syntax.statements import (
     Assign,
     Broken,
@@ -40,6 +46,15 @@ _CONDITIONAL = frozenset(("timeout", "and", "or", "is", "=", "==", "<", ">", "<=
 """What stands in a condition, or behind one."""
 
 
+_START = "start with a statement word, a task or a variable"
+
+
+def _begins_comment(sign: str, behind: str) -> bool:
+    """Return whether a line that begins with these two words or signs is a comment elsewhere."""
+    needed = COMMENT_SIGNS.get(sign)
+    return needed is not None and needed in ("", behind)
+
+
 def statement(cursor: Cursor) -> Statement:
     """Read one statement from the cursor on."""
     token = cursor.token
@@ -49,7 +64,7 @@ def statement(cursor: Cursor) -> Statement:
             token.start,
             max(token.end, token.start + 1),
             f"a statement cannot start with `{token.text[:40]}`",
-            "start with a statement word, a task or a variable",
+            COMMENT if _begins_comment(token.word, cursor.look(1).word) else _START,
         )
     reader = _STATEMENTS.get(token.word)
     if reader is not None:
