@@ -282,7 +282,7 @@ def test_a_dialog_whose_wish_is_refused_stays_with_the_reason_and_what_was_typed
     dialog.get_by_role("alert").get_by_text("nowhere").wait_for()
     dialog.get_by_role("button", name=f"{folder.name} project").click()
     assert dialog.get_by_label("Folder of the project").input_value() == str(folder.resolve())
-    dialog.get_by_role("button", name="New project from an example").click()
+    dialog.get_by_role("button", name="New project …").click()
     dialog = page.page.get_by_role("dialog", name="New project")
     page.page.wait_for_function("() => document.activeElement.matches('dialog[open] input[type=text]')")
     page.page.keyboard.type("made")

@@ -3,7 +3,9 @@ import { type FormEvent, useEffect, useId, useLayoutEffect, useRef, useState } f
 import { fileWords } from '../text/files'
 import { useStudio, useStudioState } from './context'
 import { FolderList } from './FolderList'
+import { OriginChoice } from './OriginChoice'
 import type { DialogKind } from './state'
+import type { ProjectOrigin } from './studio'
 
 const words = fileWords.dialog
 
@@ -20,9 +22,10 @@ function Dialog({ kind }: { kind: Exclude<DialogKind, 'endTasks'> }) {
   const dialog = useRef<HTMLDialogElement>(null)
   const { folder, recent, examples } = studio.store.getState()
   const [typed, setTyped] = useState(kind === 'recent' ? (recent[0] ?? '') : '')
-  const [example, setExample] = useState(
-    (examples.find(one => one.name === STARTER) ?? examples[0])?.name ?? '',
-  )
+  const [origin, setOrigin] = useState<ProjectOrigin>({
+    example: (examples.find(one => one.name === STARTER) ?? examples[0])?.name ?? '',
+    robot: '',
+  })
   const refusal = useStudioState(state => state.refusal)
   const hint = useId()
   const why = useId()
@@ -43,7 +46,7 @@ function Dialog({ kind }: { kind: Exclude<DialogKind, 'endTasks'> }) {
     event.preventDefault()
     const text = typed.trim()
     if (!text) return
-    if (kind === 'newProject') studio.newProject(isPath(text) ? text : `${beside}/${text}`, example)
+    if (kind === 'newProject') studio.newProject(isFullPath(text) ? text : `${beside}/${text}`, origin)
     else if (kind === 'newProgram') studio.newProgram(text)
     else if (kind === 'saveAs') studio.saveAs(text)
     else studio.openProject(text)
@@ -63,16 +66,7 @@ function Dialog({ kind }: { kind: Exclude<DialogKind, 'endTasks'> }) {
       <form onSubmit={act}>
         <h2>{words.titles[kind]}</h2>
         {kind === 'newProject' ? (
-          <label>
-            {words.example}
-            <select value={example} onChange={event => setExample(event.target.value)}>
-              {examples.map(one => (
-                <option key={one.name} value={one.name}>
-                  {one.name} – {one.summary}
-                </option>
-              ))}
-            </select>
-          </label>
+          <OriginChoice origin={origin} onOrigin={setOrigin} examples={examples} />
         ) : null}
         <label>
           {label}
@@ -148,7 +142,7 @@ function Dialog({ kind }: { kind: Exclude<DialogKind, 'endTasks'> }) {
   )
 }
 
-/** What names a place of its own, not a folder beside others. */
-function isPath(text: string): boolean {
-  return /[/\\]/.test(text) || text.startsWith('~')
+/** What names a place of its own, not one in the folder that is shown. */
+function isFullPath(text: string): boolean {
+  return /^([/\\~]|[a-z]:)/i.test(text)
 }

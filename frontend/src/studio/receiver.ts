@@ -89,6 +89,7 @@ export class Receiver {
       tasks_checked: message => studio.tasks.receive(message),
       tasks_estimated: message => studio.tasks.receiveEstimate(message),
       notice: ({ level, text, hint, code }) => studio.notify(level, text, hint, code),
+      robots: ({ names }) => studio.store.setState({ robots: names }),
       folders: folders => studio.store.setState({ folders }),
       answered: ({ refusal }) => this.#answered(refusal),
     }

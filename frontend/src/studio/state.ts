@@ -86,6 +86,8 @@ export interface StudioState {
   readonly recent: readonly string[]
   readonly examples: Welcome['examples']
   /** The folders among which the dialog lets choose; null until they are told. */
+  /** For which robots a project can be made; empty until asked. */
+  readonly robots: readonly string[]
   readonly folders: Folders | null
 }
 
@@ -125,6 +127,7 @@ const START: StudioState = {
   recent: [],
   examples: [],
   folders: null,
+  robots: [],
 }
 
 export type StudioStore = StoreApi<StudioState>

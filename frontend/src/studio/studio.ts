@@ -47,6 +47,12 @@ export interface ShownPlot {
   readonly timeLine: { readonly drawn: number; readonly scale: number; readonly inside: boolean } | null
 }
 
+/** From what a project is made: an example, or a robot where one is named. */
+export interface ProjectOrigin {
+  readonly example: string
+  readonly robot: string
+}
+
 export class Studio {
   readonly store: StudioStore = createStudioStore()
   readonly cursor = new Cursor()
@@ -224,9 +230,14 @@ export class Studio {
     this.send({ type: 'list_folders', path })
   }
 
-  newProject(path: string, example: string): void {
+  /** Ask for which robots a project can be made. */
+  listRobots(): void {
+    this.send({ type: 'list_robots' })
+  }
+
+  newProject(path: string, from: ProjectOrigin): void {
     this.desk.flush()
-    this.send({ type: 'new_project', path, example })
+    this.send({ type: 'new_project', path, ...from })
   }
 
   takeOver(): void {

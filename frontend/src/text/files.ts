@@ -26,9 +26,12 @@ export const fileWords = {
       newProgram: 'New program',
       saveAs: 'Save program as',
     },
-    example: 'Start from the example',
+    origin: 'Start from',
+    examples: 'Examples',
+    robots: 'A cell of its own for a robot',
     newFolder: 'Folder of the new project',
-    newFolderHint: (beside: string) => `A name makes a folder in ${beside}; a full path goes anywhere.`,
+    newFolderHint: (beside: string) =>
+      `A name, or folders with / between them, is made in ${beside}; a full path goes anywhere.`,
     folder: 'Folder of the project',
     folderHint: 'A full path, or a path beside this project.',
     name: 'Name of the program',
@@ -39,7 +42,7 @@ export const fileWords = {
     home: 'home folder',
     isProject: 'project',
     noFolders: 'No folders here.',
-    fromExample: 'New project from an example …',
+    fromExample: 'New project …',
     recentList: 'Projects that were open last',
     ok: {
       newProject: 'Make and open',

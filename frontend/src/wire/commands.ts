@@ -54,11 +54,20 @@ export interface ListFolders {
   readonly path: string
 }
 
-/** Make a project from an example in a new folder and open it. */
+/** Make a project in a new folder, from an example or for a built-in robot, and open it. */
 export interface NewProject {
   readonly type: 'new_project'
+  /** Of the folder. */
   readonly path: string
+  /** From which it is made. */
   readonly example: string
+  /** For which it is made; empty for a project from the example. */
+  readonly robot: string
+}
+
+/** Tell for which robots a project can be made. */
+export interface ListRobots {
+  readonly type: 'list_robots'
 }
 
 /** Take the right to edit from another tab. */
@@ -174,6 +183,7 @@ export type Command =
   | OpenProject
   | ListFolders
   | NewProject
+  | ListRobots
   | TakeOver
   | RunNow
   | CancelRun

@@ -406,6 +406,12 @@ export interface Folders {
   readonly folders: readonly FolderState[]
 }
 
+/** The built-in robots, for which a project can be made, by name. */
+export interface Robots {
+  readonly type: 'robots'
+  readonly names: readonly string[]
+}
+
 export type Message =
   | Welcome
   | TrustChanged
@@ -425,3 +431,4 @@ export type Message =
   | Notice
   | Answered
   | Folders
+  | Robots

@@ -70,10 +70,21 @@ class ListFolders(Struct, frozen=True, tag_field="type", tag="list_folders"):
 
 
 class NewProject(Struct, frozen=True, tag_field="type", tag="new_project"):
-    """Make a project from an example in a new folder and open it."""
+    """Make a project in a new folder, from an example or for a built-in robot, and open it.
+
+    Attributes:
+        path: of the folder.
+        example: from which it is made.
+        robot: for which it is made; empty for a project from the example.
+    """
 
     path: Place
     example: Name
+    robot: Name = ""
+
+
+class ListRobots(Struct, frozen=True, tag_field="type", tag="list_robots"):
+    """Tell for which robots a project can be made."""
 
 
 class TakeOver(Struct, frozen=True, tag_field="type", tag="take_over"):
@@ -146,6 +157,7 @@ Command: TypeAlias = (
     | OpenProject
     | ListFolders
     | NewProject
+    | ListRobots
     | TakeOver
     | RunNow
     | CancelRun

@@ -341,6 +341,12 @@ class Folders(Struct, frozen=True, tag_field="type", tag="folders"):
     folders: tuple[FolderState, ...]
 
 
+class Robots(Struct, frozen=True, tag_field="type", tag="robots"):
+    """The built-in robots, for which a project can be made, by name."""
+
+    names: tuple[str, ...]
+
+
 Message: TypeAlias = (
     Welcome
     | TrustChanged
@@ -360,6 +366,7 @@ Message: TypeAlias = (
     | Notice
     | Answered
     | Folders
+    | Robots
     | Mapping[str, object]
 )
 """Mappings are messages of a live run and of tasks, as they come from a worker: see `plain`."""

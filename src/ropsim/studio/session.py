@@ -18,7 +18,7 @@ from ropsim.studio.diagnostics import (
 from ropsim.studio.document import Document
 from ropsim.studio.editing import Editing
 from ropsim.studio.folders import folders_in, places_of
-from ropsim.studio.messages import Answered, ExampleState, TrustChanged, TrustState, Welcome, notice
+from ropsim.studio.messages import Answered, ExampleState, Robots, TrustChanged, TrustState, Welcome, notice
 from ropsim.studio.project_files import CELL, project_folder
 from ropsim.studio.runs import Runs
 from ropsim.studio.scenes import Scenes
@@ -135,6 +135,8 @@ class Session:
                 await self._leave_for(tab, command)
             case commands.ListFolders(path):
                 tab.send(await asyncio.to_thread(folders_in, path, places_of(self._folder)))
+            case commands.ListRobots():
+                tab.send(Robots(await asyncio.to_thread(_robots)))
             case commands.TakeOver():
                 self._tabs.take_over(tab)
             case commands.Trust(trusted):
@@ -156,7 +158,7 @@ class Session:
         try:
             place = self._folder.parent / Path(command.path).expanduser()
             if isinstance(command, commands.NewProject):
-                place = await asyncio.to_thread(_made, place, command.example or STARTER)
+                place = await asyncio.to_thread(_made, place, command)
             folder = await asyncio.to_thread(project_folder, place)
         except (RopsimError, RuntimeError, ValueError) as error:
             finding = error.diagnostic if isinstance(error, RopsimError) else _no_place(command.path)
@@ -262,8 +264,17 @@ def _no_place(path: str) -> Diagnostic:
     )
 
 
-def _made(place: Path, example: str) -> Path:
+def _made(place: Path, order: commands.NewProject) -> Path:
     """Make a project; what knows of cells and robots is imported for that only."""
-    from ropsim.workbench import new_project
+    from ropsim.workbench import new_project, new_robot_project
 
-    return new_project(place, example)
+    if order.robot:
+        return new_robot_project(place, order.robot)
+    return new_project(place, order.example or STARTER)
+
+
+def _robots() -> tuple[str, ...]:
+    """Return the names of the built-in robots; what knows them is imported for that only."""
+    from ropsim.workbench import built_in_robots
+
+    return built_in_robots()

@@ -20,6 +20,7 @@ from ropsim.workbench.knowledge import text_findings as text_findings
 from ropsim.workbench.knowledge import world_state as world_state
 from ropsim.workbench.named_robot import NamedRobot as NamedRobot
 from ropsim.workbench.named_robot import RobotFileError as RobotFileError
+from ropsim.workbench.named_robot import built_in_robots as built_in_robots
 from ropsim.workbench.named_robot import find_robot as find_robot
 from ropsim.workbench.named_robot import load_robot as load_robot
 from ropsim.workbench.named_robot import robots_in as robots_in

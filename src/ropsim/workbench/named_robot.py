@@ -101,6 +101,11 @@ def written_robot(
     return format_.write(robot) if read is None else format_.write_again(robot, read)
 
 
+def built_in_robots() -> tuple[str, ...]:
+    """Return the names of the built-in robots."""
+    return robots.names()
+
+
 def robots_in(folder: Path) -> tuple[Path, ...]:
     """Return the robot files in the folder `robots` of a project, by name."""
     place = folder / "robots"

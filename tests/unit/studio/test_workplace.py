@@ -9,6 +9,7 @@ from typing import Any
 
 import pytest
 
+from ropsim import robots
 from ropsim.studio.place import Place, place_of
 from ropsim.studio.tab import Tab
 from ropsim.studio.workplace import Workplace
@@ -107,6 +108,14 @@ def test_a_new_project_is_made_where_it_was_typed_and_opened(home: Path) -> None
     assert (home / "third" / "cell.toml").is_file()
 
 
+def test_the_robots_are_told_for_which_projects_can_be_made(home: Path) -> None:
+    async def play(workplace: Workplace) -> None:
+        heard = await said(workplace, {"type": "list_robots"})
+        assert [one["names"] for one in heard if one["type"] == "robots"] == [list(robots.names())]
+
+    at(home / "first", play)
+
+
 @pytest.mark.parametrize(
     ("message", "code"),
     [
@@ -115,6 +124,7 @@ def test_a_new_project_is_made_where_it_was_typed_and_opened(home: Path) -> None
         ({"type": "open_project", "path": "a\0b"}, "U950"),
         ({"type": "new_project", "path": "first", "example": "fig5"}, "X849"),
         ({"type": "new_project", "path": "third", "example": "no such"}, "X848"),
+        ({"type": "new_project", "path": "third", "example": "fig5", "robot": "puma650"}, "X860"),
     ],
 )
 def test_what_cannot_be_opened_or_made_is_said_and_the_project_stays(
