@@ -11,11 +11,13 @@ import './editor.css'
 export function ProblemsPanel({ api }: IDockviewPanelProps) {
   const problems = useStudioState(state => state.problems)
   const [query, setQuery] = useState('')
-  const all = grouped(problems)
-  const shown = belowCauses(grouped(matching(problems, query)))
+  const found = matching(problems, query)
+  const shown = belowCauses(grouped(found))
+  // Each finding counts, as in the result and in the status line, also where some of them share a row.
+  const all = problems.length
   useEffect(() => {
-    api.setTitle(words.title(all.length))
-  }, [api, all.length])
+    api.setTitle(words.title(all))
+  }, [api, all])
   return (
     <div className="problems">
       <div className="problems-bar">
@@ -26,7 +28,7 @@ export function ProblemsPanel({ api }: IDockviewPanelProps) {
           value={query}
           onChange={event => setQuery(event.target.value)}
         />
-        <output>{words.problems(shown.length, all.length)}</output>
+        <output>{words.problems(found.length, all)}</output>
       </div>
       {shown.length === 0 ? (
         <p className="problems-empty">{problems.length === 0 ? words.allWell : words.noMatch}</p>

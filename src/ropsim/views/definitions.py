@@ -9,7 +9,7 @@ DEFINITIONS: Mapping[str, str] = MappingProxyType(
         "in motion": "Share of the cycle time in which moves were on their way, outside of zones and within "
         "them; of several stations, of their cycle times together.",
         "settling": "Time after a move until every joint is in position, summed over all moves. "
-        "A stop looks at positions only, not at speeds.",
+        "A stop looks at positions only, not at speeds. The program waits for it, unlike for stabilization.",
         "waiting": "Time in which the program stood at a `wait`: for a time, a signal or a condition. "
         "The share is that of the cycle time of the station.",
         "parts of the cycle time": "Motion and zones are the way of the moves, outside of and within the "
@@ -36,7 +36,8 @@ DEFINITIONS: Mapping[str, str] = MappingProxyType(
         "point of a rounded corner; CO the largest one from the commanded path behind it, on the outer side "
         "(8.5).",
         "position overshoot, OV": "Largest distance from the place of rest after the arm has first come "
-        "within 0.1 mm of it; 0 where it stays there. The stabilization time lasts from then until it stays "
+        "within 0.1 mm of it; 0 where it stays there. The stabilization time lasts from then until it stays, "
+        "whatever the program does meanwhile: it may be longer than settling, which joints in position end "
         "(7.4, 7.5).",
         "near, beyond": "Near: from 90 % of the limit. Beyond: above the limit, for speeds by more than 2 %, "
         "which the servo may overshoot.",

@@ -105,12 +105,13 @@ def _stops(stops: tuple[StopFigures, ...], style: Style) -> list[str]:
     far = max(stops, key=lambda one: one.overshoot)
     if not far.overshoot > 0.0:
         return [title, f"  position overshoot OV: none beyond {with_unit(BAND, MILLIMETRES, 1)}"]
+    band = with_unit(BAND, MILLIMETRES, 1)
     over = f"{with_unit(far.overshoot, MILLIMETRES, 3)}{place_text(far.line, far.visit)}"
     longest = f"max {slow.stabilization:.3f} s{place_text(slow.line, slow.visit)}"
     return [
         title,
         f"  position overshoot OV: max {over}",
-        f"  stabilization time, until the TCP stays within {with_unit(BAND, MILLIMETRES, 1)}: {longest}",
+        f"  stabilization time, from first coming within {band} of its rest until the TCP stays: {longest}",
     ]
 
 
