@@ -14,6 +14,7 @@ import numpy as np
 from ropsim.model import (
     Drive,
     EffortAmplifier,
+    ElasticGear,
     Friction,
     Gear,
     IdealMotor,
@@ -22,6 +23,7 @@ from ropsim.model import (
     Link,
     ParameterOrigin,
     RobotModel,
+    Transmission,
 )
 from ropsim.spatial import Array, Pose, frozen
 
@@ -69,9 +71,12 @@ def _link(row: dict[str, Any], R: Array) -> Link:
 
 
 def _drive(row: dict[str, float]) -> Drive:
-    """Return a drive with a rigid gear, friction at the motor or at the joint."""
+    """Return a drive: friction at the motor or at the joint, spring and damper of its gear at the motor."""
     ratio = row["ratio"]
     viscous = row.get("viscous", row.get("viscous_at_joint", 0.0) / ratio**2)
     dry = row.get("coulomb", row.get("coulomb_at_joint", 0.0) / abs(ratio))
     motor = IdealMotor(row["rotor_inertia"])
-    return Drive(EffortAmplifier(), motor, Gear(ratio), Friction(viscous, dry, -dry))
+    gear: Transmission = Gear(ratio)
+    if "stiffness" in row:
+        gear = ElasticGear(ratio, row["stiffness"] * ratio**2, row["damping"] * ratio**2)
+    return Drive(EffortAmplifier(), motor, gear, Friction(viscous, dry, -dry))

@@ -5,7 +5,7 @@ import pytest
 
 from ropsim import robots
 from ropsim.dynamics import gravity
-from ropsim.model import Payload
+from ropsim.model import ElasticGear, Gear, Payload
 
 START = np.radians([-60.0, 20.0, 90.0, 0.0, -110.0, 0.0])
 """Where the path of RobotR3 begins."""
@@ -26,3 +26,14 @@ def test_friction_of_the_wrist_is_the_published_one_at_the_joints() -> None:
     at_joint = [one.friction.coulomb_positive * abs(one.ratio) for one in drives]
     assert at_joint == pytest.approx([21.8, 30.1, 10.9])
     assert [one.friction.viscous * one.ratio**2 for one in drives] == pytest.approx([9.8, 0.03, 3.92])
+
+
+def test_gears_of_axes_1_to_3_are_the_published_springs() -> None:
+    gears = [drive.transmission for drive in robots.load("manutec_r3").drives]
+    springs = [
+        (one.stiffness / one.ratio**2, one.damping / one.ratio**2)
+        for one in gears[:3]
+        if isinstance(one, ElasticGear)
+    ]
+    np.testing.assert_allclose(springs, [(43.0, 0.005), (8.0, 0.01), (58.0, 0.04)], rtol=1e-12)
+    assert [type(one) for one in gears[3:]] == [Gear] * 3

@@ -39,8 +39,9 @@ class CompiledLaw:
     - `par` (p, n): the parameters, one row each;
     - `state` (s, n): what the law remembers; it changes it in place;
     - `ref` (3, n): reference coordinates, speeds, accelerations at that instant;
-    - `meas` (3, n): coordinates and speeds measured at that instant, and the torques of the drives at the
-      joints;
+    - `meas` (3, n): coordinates of the joints and speeds measured at that instant, and the torques of the
+      drives at the joints; speeds are those of the motors over the gear ratio, which behind elastic gears
+      differ from those of the joints;
     - `load` (10,): tool and grasped part in the mechanical interface frame: mass m [kg], m·c [kg·m] (3), and
       inertia about the origin of that frame as xx, yy, zz, xy, xz, yz [kg·m²];
     - `aux` (a,): values of the signals that `traits.aux` names;
@@ -76,8 +77,8 @@ class LawInput:
     Attributes:
         time: of that instant [s].
         ref: reference coordinates [rad | m], speeds and accelerations, shape (3, n).
-        meas: measured coordinates [rad | m], speeds, and torques of the drives at the joints [N·m | N], shape
-            (3, n).
+        meas: measured coordinates of the joints [rad | m], speeds of the motors over their gear ratios, and
+            torques of the drives at the joints [N·m | N], shape (3, n).
         payload: tool and grasped part.
         aux: values of the signals that the traits name, shape (a,).
     """

@@ -27,6 +27,7 @@ from ropsim.dynamics.drives import chain_of as chain_of
 from ropsim.dynamics.drives import command_band as command_band
 from ropsim.dynamics.drives import command_limit as command_limit
 from ropsim.dynamics.drives import drive_fault as drive_fault
+from ropsim.dynamics.drives import reflected_inertia as reflected_inertia
 from ropsim.dynamics.drives import steady_drive as steady_drive
 from ropsim.dynamics.effort_limits import effort_limits as effort_limits
 from ropsim.dynamics.effort_rows import EffortRows as EffortRows

@@ -3,14 +3,15 @@
 An arm with geared motors gets cascaded loops, joint by joint. Where motors act on the joints directly,
 without an inertia of their own, the links push each other as hard as the motors do, and loops of single
 joints have to be slow; such an arm gets the computed-torque law. An arm without drives is where its
-reference is.
+reference is. Elastic gears keep the speed loops of their axes below the frequency at which the arm swings on
+them.
 """
 
 from functools import lru_cache
 
 import numpy as np
 
-from ropsim.dynamics import axis_inertias, chain_of, free_inertias, steady_drive
+from ropsim.dynamics import axis_inertias, chain_of, free_inertias, reflected_inertia, steady_drive
 from ropsim.kinematics import configurations
 from ropsim.model import (
     CascadedGains,
@@ -27,6 +28,13 @@ from ropsim.model import (
     Rates,
 )
 from ropsim.robots.diagnostics import NoControllerError
+from ropsim.robots.elastic_gears import (
+    ELASTIC_SHARE,
+    SOFTER,
+    elastic_axes,
+    elastic_frequencies,
+    gear_stiffnesses,
+)
 from ropsim.spatial import Array, frozen, record
 
 ELECTRICAL_SHARE = 1.0 / 3.0
@@ -80,10 +88,14 @@ def standard_bandwidths(robot: Mechanism, rates: Rates) -> LoopBandwidths:
     """
     if not robot.drives:
         raise NoControllerError(robot.name)
+    is_elastic = elastic_axes(robot)
     poles = np.array([chain_of(drive).motor.pole(drive.motor) for drive in robot.drives])
-    design, free = _inertias(robot)
+    design, free, swing = _inertias(robot)
     coupled = COUPLED_SHARE * rates.control_hz * free / design
-    speed = np.minimum(np.minimum(ELECTRICAL_SHARE * poles, CONTROL_SHARE * rates.control_hz), coupled)
+    lag = np.where(is_elastic, free / design, 1.0)  # beyond its swing the motor turns by itself, lighter
+    speed = np.minimum(np.minimum(ELECTRICAL_SHARE * poles * lag, CONTROL_SHARE * rates.control_hz), coupled)
+    softer = np.sqrt(SOFTER * gear_stiffnesses(robot) / (POSITION_SHARE * design))  # kv·kp = 0.3·ω_s²·M
+    speed = np.minimum(speed, np.minimum(ELASTIC_SHARE * swing, softer))  # both are inf for rigid gears
     return LoopBandwidths(frozen(speed), frozen(POSITION_SHARE * speed), frozen(INTEGRAL_SHARE * speed))
 
 
@@ -102,7 +114,7 @@ def standard_gains(robot: Mechanism, rates: Rates) -> CascadedGains:
         NoControllerError: X861, the arm has no drives.
     """
     bandwidths = standard_bandwidths(robot, rates)
-    inertia, _ = _inertias(robot)
+    inertia, _, _ = _inertias(robot)
     per_effort = np.array([steady_drive(drive, 0.0, 0.0, 1.0).command for drive in robot.drives])
     viscous = [drive.ratio**2 * drive.friction.viscous for drive in robot.drives]
     pairs = zip(robot.drives, viscous, strict=True)
@@ -120,11 +132,18 @@ def standard_gains(robot: Mechanism, rates: Rates) -> CascadedGains:
 
 
 @lru_cache(maxsize=16)
-def _inertias(robot: Mechanism) -> tuple[Array, Array]:
-    """Return for which inertia each axis is designed, and the least that it has while the others are free."""
+def _inertias(robot: Mechanism) -> tuple[Array, Array, Array]:
+    """Return for which inertia each axis is designed, the least that it has, and how fast the arm swings.
+
+    The least one is that while the other axes are free, behind an elastic gear that of the rotor alone; the
+    arm swings on elastic gears with motors held, `elastic_frequencies` [rad/s].
+    """
     Q = configurations(robot, SAMPLES)
     inertias = axis_inertias(robot, Q)
-    return np.sqrt(inertias.min(axis=0) * inertias.max(axis=0)), free_inertias(robot, Q).min(axis=0)
+    rotors = np.array([reflected_inertia(drive) for drive in robot.drives])
+    free = np.where(elastic_axes(robot), rotors, free_inertias(robot, Q).min(axis=0))
+    design = np.sqrt(inertias.min(axis=0) * inertias.max(axis=0))
+    return design, free, elastic_frequencies(robot, Q)
 
 
 def standard_torque_gains(robot: Mechanism, rates: Rates) -> ComputedTorqueGains:
@@ -179,10 +198,17 @@ def _statement(robot: Mechanism, rates: Rates) -> str:
     speed, position, integral = (
         _range(values) for values in (bandwidths.speed, bandwidths.position, bandwidths.integral)
     )
+    swings = _inertias(robot)[2]
+    elastic = (
+        f"; axes with elastic gears swing at {_range(swings[np.isfinite(swings)])} rad/s while motors are "
+        f"held, their speeds are measured at the motors, in loops of at most {ELASTIC_SHARE:g} of that"
+        if np.isfinite(swings).any()
+        else ""
+    )
     return (
         f"from masses, gears and motors of the model: speed loops {speed} rad/s, "
         f"position loops {position} rad/s, integral action {integral} rad/s; speed and acceleration "
-        "fed forward"
+        f"fed forward{elastic}"
     )
 
 

@@ -260,8 +260,9 @@ class Servo:
             self._advance(before, (q, qd, qdd), signals[k : k + 1], payload, recorder)
 
     def _measured(self, state: ServoState) -> Array:
-        """Return coordinates, speeds and torques of the drives, shape (3, n)."""
-        return np.array((state.q, state.qd, self.efforts(state)))
+        """Return coordinates of joints, speeds as measured at the motors, torques of drives, shape (3, n)."""
+        speeds = state.values[list(self.layout.measured_speeds)]
+        return np.array((state.q, speeds, self.efforts(state)))
 
     def efforts(self, state: ServoState) -> Array:
         """Return the torques of the drives at the joints in a state [N·m | N], shape (n,)."""

@@ -35,7 +35,14 @@ def _slice_text(structure: ArmStructure, traits: LawTraits) -> str:
     `full` (w,) is from where on values count as at their limits. What is the same in many calls comes first.
     """
     n = structure.n
-    size = StateLayout.of(structure.drives, traits).integrated
+    layout = StateLayout.of(structure.drives, traits)
+    size = layout.integrated
+    motors = [
+        f"seen[1, {axis}] = x[{place}]"
+        for axis, place in enumerate(layout.measured_speeds)
+        if place != n + axis
+    ]
+    at_motors = "".join(f"\n        {line}" for line in motors)
     amplified = _delayed(n, traits.delay) if traits.delay else "amplify(out, constants, u)"
     log = LogLayout.of(structure.drives)
     q_ref, qd_ref = log.field("q_ref").first, log.field("qd_ref").first
@@ -55,7 +62,7 @@ def run_slice(
     for k in range(q_ref.shape[0]):
         for j in range({n}):
             seen[0, j] = x[j]
-            seen[1, j] = x[{n} + j]
+            seen[1, j] = x[{n} + j]{at_motors}
         efforts(x, u, constants, seen[2])
         law(par, memory, ref, seen, load, aux[k], out)
         {amplified}

@@ -6,6 +6,9 @@ from ropsim.dynamics import DriveChain
 from ropsim.simulation.fields import Field, fields
 from ropsim.spatial import Array, record
 
+MOTOR_SPEED = "motor_speed"
+"""Name of the state of drives behind whose gears the motor turns by itself: its speed over the gear ratio."""
+
 
 @frozen_dataclass
 class StateLayout:
@@ -86,6 +89,17 @@ class StateLayout:
     def memory(self, values: Array) -> Array:
         """Return what the law remembers, shape (law_rows, n); a view of a state vector."""
         return values[self.law].reshape(self.law_rows, self.n)
+
+    @property
+    def measured_speeds(self) -> tuple[int, ...]:
+        """Return the places of the speeds that a law is given: of the motor where it has one of its own."""
+        motors = {
+            axis: field.first + number
+            for field in self.drives
+            if field.name == MOTOR_SPEED
+            for number, axis in enumerate(field.axes)
+        }
+        return tuple(motors.get(axis, self.n + axis) for axis in range(self.n))
 
     def drive(self, axis: int) -> tuple[int, ...]:
         """Return the places of the states of one drive, in the order of its chain."""

@@ -8,7 +8,7 @@ from scipy.linalg import expm
 
 from ropsim import robots
 from ropsim.codegen import Engine
-from ropsim.controller import CompiledLaw
+from ropsim.controller import CompiledLaw, LawInput, LawTraits
 from ropsim.dynamics import forward_dynamics, gravity
 from ropsim.model import (
     Drive,
@@ -179,3 +179,34 @@ def test_states_of_the_same_name_stand_together() -> None:
     assert (layout.integrated, layout.output) == (10, slice(10, 13))
     assert (layout.reference, layout.size) == (slice(13, 22), 22)
     assert layout.drive(2) == (7, 8, 9)
+
+
+ECHO = """\
+def law(par, state, ref, meas, load, aux, out):
+    for j in range(out.shape[0]):
+        out[j] = meas[1, j] + par[0, j]
+"""
+
+
+class EchoLaw:
+    """What `ECHO` does, in Python."""
+
+    traits = LawTraits()
+
+    def step(self, now: LawInput, state: Array) -> Array:
+        """Return the measured speeds, more by 5."""
+        del state
+        return np.asarray(now.meas[1] + 5.0)
+
+
+@pytest.mark.parametrize("law", [CompiledLaw("echo", ECHO, ("more",), np.array([[5.0, 5.0]])), EchoLaw()])
+def test_laws_are_given_the_speeds_of_the_motors(law: CompiledLaw | EchoLaw) -> None:
+    rigid = drive()
+    robot = replace(random_arm(6, "RR", (ELASTIC, rigid)), gravity=np.zeros(3))
+    servo = Servo.build(robot, controller(2), law, Engine.PYTHON)
+    state = servo.initial_state(np.zeros(2))
+    for _ in range(15):
+        speeds = [state.drive("motor_speed")[0], state.qd[1]]
+        state = servo.run(state, standing(np.zeros(2), 1), NOTHING, servo.recorder(state))
+        np.testing.assert_allclose(state.output, np.sign(RATIO) * (np.array(speeds) + 5.0), rtol=1e-12)
+    assert abs(state.drive("motor_speed")[0] - state.qd[0]) > 1e-3

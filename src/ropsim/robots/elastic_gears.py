@@ -1,0 +1,61 @@
+"""What elastic gears leave to the loops of a controller: how fast the arm swings on them.
+
+A law is given coordinates of the joints and speeds of the motors. A loop of the motor speed damps the arm on
+its springs, as long as it is slower than the arm swings while motors are held (W. Leonhard, Control of
+Electrical Drives, 3rd ed., Springer 2001, on drives with elastic couplings), and the loop of the joint
+coordinate lets it swing where it is stiffer than the gear: the motor about a joint that swings is at
+θ/q = (k - kv·kp + i·ki·kp/ω) / (k + ki - J·ω² + i·ω·kv), so that a slow loop takes energy out of the swing
+for kv·kp < k.
+"""
+
+import numpy as np
+
+from ropsim.dynamics import mass_matrices, reflected_inertia
+from ropsim.model import ElasticGear, Mechanism
+from ropsim.spatial import Array
+
+ELASTIC_SHARE = 0.7
+"""Crossover of the speed loop over the frequency at which its axis swings."""
+SOFTER = 1.0 / 3.0
+"""Greatest stiffness kv·kp of a position loop, as a torque at the joint, over that of the gear."""
+
+
+def elastic_axes(robot: Mechanism) -> Array:
+    """Return which axes have elastic gears, shape (n,)."""
+    return np.isfinite(gear_stiffnesses(robot))
+
+
+def gear_stiffnesses(robot: Mechanism) -> Array:
+    """Return the stiffness of the gear of each axis [N·m/rad | N/m], shape (n,); inf for rigid gears."""
+    gears = [drive.transmission for drive in robot.drives]
+    return np.array([one.stiffness if isinstance(one, ElasticGear) else np.inf for one in gears])
+
+
+def elastic_frequencies(robot: Mechanism, Q: Array) -> Array:
+    """Return how fast each axis swings on its gear while all motors are held [rad/s], shape (n,).
+
+    For one axis by itself that is sqrt(k/M) with the stiffness k of its gear and the greatest inertia M of
+    the links about it; together they swing slower, K·v = ω²·M·v, so all are brought down by as much as the
+    lowest frequency of the arm is below the lowest one of its axes.
+
+    Args:
+        robot: the arm with its drives.
+        Q: configurations at which it is looked at [rad | m], shape (k, n).
+
+    Returns:
+        inf for rigid gears, and where a gear carries no mass.
+    """
+    found = np.full(robot.n, np.inf)
+    axes = np.flatnonzero(elastic_axes(robot))
+    if not len(axes):
+        return found
+    rotors = np.diag([reflected_inertia(drive) for drive in robot.drives])
+    links = (mass_matrices(robot, Q) - rotors)[:, axes[:, np.newaxis], axes]
+    softness = gear_stiffnesses(robot)[axes] ** -0.5
+    slowness = softness[:, np.newaxis] * links * softness  # its eigenvalues are 1/ω²
+    alone = np.einsum("kii->ki", slowness).max(axis=0)
+    together = float(np.linalg.eigvalsh(slowness).max())
+    if together > 0.0:
+        with np.errstate(divide="ignore"):
+            found[axes] = np.sqrt(alone.max() / together / alone)
+    return found
