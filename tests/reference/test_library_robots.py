@@ -53,6 +53,7 @@ def test_at_home_the_tool_points_down_and_the_joints_are_within_their_limits(nam
 SOLVERS = {
     "cobra600": ("SCARA", Method.CLOSED_FORM),
     "irb460_110_240": ("level wrist", Method.CLOSED_FORM),
+    "irb660_180_315": ("level wrist", Method.CLOSED_FORM),
     "m410ib_700": ("level wrist", Method.CLOSED_FORM),
     "iiwa14": ("S-R-S", Method.CLOSED_FORM),
     "panda": ("general seven-axis", Method.ALGEBRAIC),
@@ -70,7 +71,7 @@ def test_the_class_is_recognised(name: str) -> None:
     assert (solver.name, solver.method) == SOLVERS.get(name, ("spherical wrist", Method.CLOSED_FORM))
 
 
-NEW_CLASSES = ("cobra600", "iiwa14", "irb460_110_240", "m410ib_700")
+NEW_CLASSES = ("cobra600", "iiwa14", "irb460_110_240", "irb660_180_315", "m410ib_700")
 
 
 @pytest.mark.parametrize("name", [*NEW_CLASSES, "irb140", "irb6640_180_255"])

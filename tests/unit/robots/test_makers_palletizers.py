@@ -11,7 +11,7 @@ from ropsim.spatial import Array
 CLOSED = 1e-12  # [m]
 LEVEL = 1e-9  # [rad]
 ANYWHERE = np.random.default_rng(4).uniform(-np.pi, np.pi, (50, 4))
-LENGTHS = {"irb460_110_240": (0.945, 1.025), "m410ib_700": (1.22, 1.3)}
+LENGTHS = {"irb460_110_240": (0.945, 1.025), "irb660_180_315": (1.28, 1.35), "m410ib_700": (1.22, 1.3)}
 """Lower arm and forearm [m]."""
 
 
@@ -35,9 +35,10 @@ def test_the_flange_is_level_and_each_rod_ends_at_the_pin_that_holds_it(name: st
     assert np.linalg.norm(forward_batch(robot, ANYWHERE)[:, :2, 2], axis=1).max() < LEVEL
 
 
-def test_drawn_out_the_irb_460_comes_as_far_as_its_designation_says() -> None:
-    (entry,) = (one for one in robots.catalogue() if one.name == "irb460_110_240")
-    assert entry.reach == pytest.approx(2.403, abs=2e-3)
+@pytest.mark.parametrize(("name", "reach"), [("irb460_110_240", 2.403), ("irb660_180_315", 3.15)])
+def test_drawn_out_they_come_as_far_as_their_designations_say(name: str, reach: float) -> None:
+    (entry,) = (one for one in robots.catalogue() if one.name == name)
+    assert entry.reach == pytest.approx(reach, abs=2e-3)
 
 
 @pytest.mark.parametrize("name", LENGTHS)
