@@ -7,6 +7,7 @@ from typing import TypeAlias
 import numpy as np
 import numpy.typing as npt
 
+from ropsim.collision.depth import ROUGH
 from ropsim.collision.pairs import Elsewhere, LeftOut, Pair, left_out, owners
 from ropsim.collision.separation import Nearness, Separation
 from ropsim.collision.solid_bodies import Rows, SolidBodies
@@ -86,7 +87,7 @@ class Collisions:
     def meetings(
         self, q: Coordinates, elsewhere: Elsewhere = AS_AT_START, absent: Iterable[str] = ()
     ) -> tuple[Nearness, ...]:
-        """Return the pairs of bodies that are in each other, deepest first.
+        """Return the pairs of bodies that are in each other, deepest first; depths to 0.05 mm.
 
         Args:
             q: as with `separation`.
@@ -144,7 +145,7 @@ class Collisions:
         found = self.bodies.distances(placed, rows, bounds[near], (0.0, np.inf))
         deepest: dict[Pair, Nearness] = {}
         for k in np.flatnonzero(found[:, 0] - self.bodies.margins(rows) <= 0.0).tolist():
-            one = self.bodies.nearness(placed, rows[k], found[k])
+            one = self.bodies.nearness(placed, rows[k], found[k], ROUGH)
             if one.distance < min(-TOUCH, deepest[one.pair].distance if one.pair in deepest else 0.0):
                 deepest[one.pair] = one
         return tuple(sorted(deepest.values(), key=lambda one: one.distance))

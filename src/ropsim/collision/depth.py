@@ -13,6 +13,8 @@ MOST = 120
 """Points that are added; bodies with corners take about twenty."""
 FINE = 1e-9
 """A depth is found so finely [m]."""
+ROUGH = 5e-5
+"""So finely where only people read it: round bodies take many steps for more [m]."""
 
 Support = Callable[[Array], Array]
 """Returns the point of a body that lies farthest along a direction, in W [m]."""
@@ -34,12 +36,17 @@ class Depth(NamedTuple):
     point: Array
 
 
-def depth_of(one: Support, other: Support) -> Depth:
+def depth_of(one: Support, other: Support, fine: float = FINE) -> Depth:
     """Return how deep two bodies that meet are in each other (van den Bergen 2001).
 
     Of a polytope inside of the difference of the bodies the face nearest to the origin is pushed outward,
     until no point of the difference is farther out. The answer is the least extent of the difference that was
     seen, so never too small.
+
+    Args:
+        one: of the first body.
+        other: of the second body.
+        fine: so much too great it may be [m].
     """
     seeds = [(one(d), other(-d)) for d in _AROUND]
     polytope = Polytope.within(np.array([a - b for a, b in seeds]))
@@ -53,6 +60,6 @@ def depth_of(one: Support, other: Support) -> Depth:
         extent = float(corner @ face.normal)
         if extent < least:
             least, direction, deepest = extent, face.normal, point
-        if extent - face.offset <= FINE or not polytope.add(corner, number)[1]:
+        if extent - face.offset <= fine or not polytope.add(corner, number)[1]:
             break
     return Depth(max(least, 0.0), -direction, deepest)

@@ -1,6 +1,7 @@
 """A convex polytope that grows point by point, by its triangles."""
 
 from dataclasses import dataclass, field
+from math import hypot
 
 import numpy as np
 
@@ -72,11 +73,13 @@ class Polytope:
 
     def put(self, corners: tuple[int, int, int]) -> int:
         """Add a face and return its number."""
-        p0, p1, p2 = (self.points[k] for k in corners)
-        normal = np.cross(p1 - p0, p2 - p0)
-        length = float(np.linalg.norm(normal))
-        normal = normal / length if length > 0.0 else normal
-        face = Face(corners, normal, float(normal @ p0))
+        (x, y, z), one, other = (self.points[k].tolist() for k in corners)
+        a, b, c = one[0] - x, one[1] - y, one[2] - z
+        d, e, f = other[0] - x, other[1] - y, other[2] - z
+        across = b * f - c * e, c * d - a * f, a * e - b * d
+        length = hypot(*across) or 1.0
+        u, v, w = across[0] / length, across[1] / length, across[2] / length
+        face = Face(corners, np.array([u, v, w]), u * x + v * y + w * z)
         number, self.made = self.made, self.made + 1
         self.faces[number] = face
         self.beside.update(dict.fromkeys(face.edges, number))

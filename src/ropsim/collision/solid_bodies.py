@@ -6,7 +6,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ropsim.collision.convex import Convex
-from ropsim.collision.depth import Support, depth_of
+from ropsim.collision.depth import FINE, Support, depth_of
 from ropsim.collision.gjk_kernel import distances
 from ropsim.collision.separation import Nearness
 from ropsim.spatial import Array
@@ -64,13 +64,14 @@ class SolidBodies:
         distances(self._points, self._bodies, placed, numbers, bounds, np.array(limits), room, found)
         return found
 
-    def nearness(self, placed: Array, pair: Sequence[int], row: Array) -> Nearness:
+    def nearness(self, placed: Array, pair: Sequence[int], row: Array, fine: float = FINE) -> Nearness:
         """Return what is found of a pair, with its margins; where hulls meet, how deep they are.
 
         Args:
             placed: where all are.
             pair: two numbers.
             row: distance and nearest points of their hulls, shape (7,).
+            fine: so much too great a depth may be [m].
         """
         i, j = pair
         margins = float(self._bodies[i, 3]), float(self._bodies[j, 3])
@@ -78,7 +79,7 @@ class SolidBodies:
         if distance > 0.0:
             normal = (second - first) / distance
         else:
-            depth, away, first = depth_of(self._support(placed, i), self._support(placed, j))
+            depth, away, first = depth_of(self._support(placed, i), self._support(placed, j), fine)
             distance, normal, second = -depth, -away, first + depth * away
         first, second = first + margins[0] * normal, second - margins[1] * normal
         return Nearness(self.owners[i], self.owners[j], distance - sum(margins), first, second)
