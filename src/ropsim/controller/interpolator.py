@@ -7,6 +7,7 @@ import numpy as np
 from ropsim.core import frozen_dataclass
 from ropsim.flow import PoseSetpoints
 from ropsim.motion import ToolPath
+from ropsim.spatial import Array
 
 FEWEST = 16
 """Steps of the shortest path."""
@@ -31,9 +32,15 @@ class StandardInterpolator:
             path: of the tool.
             density: how many times more samples than at first.
         """
-        ends = path.tool(np.linspace(0.0, path.length, 5)).d1  # (5, 6)
-        way, turn = (
-            float(np.linalg.norm(part, axis=1).max()) * path.length for part in (ends[:, :3], ends[:, 3:])
-        )
+        looks = path.tool(_places(path.length, 4)).d1  # (5, 6)
+        squares = np.add.reduce((looks * looks).reshape(-1, 2, 3), axis=2)
+        way, turn = (np.sqrt(np.maximum.reduce(squares, axis=0)) * path.length).tolist()
         steps = density * max(FEWEST, math.ceil(way / self.way), math.ceil(turn / self.turn))
-        return PoseSetpoints(path.length, path.tool(np.linspace(0.0, path.length, steps + 1)).matrices)
+        return PoseSetpoints(path.length, path.tool(_places(path.length, steps)).matrices)
+
+
+def _places(length: float, steps: int) -> Array:
+    """Return the places between equal steps from 0 to a length, bit by bit as `numpy.linspace` does."""
+    places = np.arange(steps + 1, dtype=np.float64) * (length / steps)
+    places[-1] = length
+    return np.asarray(places)

@@ -72,8 +72,9 @@ def _with_horizons(pieces: Sequence[Piece], look_ahead: int) -> list[Stage]:
     final = pieces[-1].leg
     stages: list[Stage] = []
     for piece in pieces:
-        stages += piece.stages
-        stages[-1] = replace(stages[-1], horizon=last[min(piece.leg + look_ahead, final)])
+        *inner, end = piece.stages
+        horizon = last[min(piece.leg + look_ahead, final)]
+        stages += (*inner, Stage(end.length, end.speed, end.acceleration, end.jerk, end.ratio, horizon))
     return stages
 
 

@@ -48,8 +48,7 @@ def trace(
     found = _traced(chain, path, q_start, move, coordination)
     if isinstance(found, Refusal):
         return found
-    joints, samples = found
-    rough = _roughness(chain.joint_interpolator, samples)
+    joints, samples, rough = found
     if rough is None or not rough.max() > SMOOTH:
         return joints, samples.findings
     step = samples.length / (len(samples.q) - 1)
@@ -60,7 +59,7 @@ def trace(
         again = _traced(chain, section, samples.q[first], move, along)
         if isinstance(again, Refusal) or not joins(joints, first * step, again[0], step, SMOOTH):
             continue
-        left = _roughness(chain.joint_interpolator, again[1])
+        left = again[2]
         if left is not None and left.max() <= max(SMOOTH, _BETTER * rough[first // 2 : last // 2].max()):
             begins.append(first * step)
             parts.append(again[0])
@@ -73,8 +72,8 @@ def _traced(
     q_start: Array,
     move: MoveInstruction,
     coordination: Coordination | None,
-) -> tuple[JointPath, JointSamples] | Refusal:
-    """Return the path of the joints through samples that are as dense as they must, and these."""
+) -> tuple[JointPath, JointSamples, Array | None] | Refusal:
+    """Return the path of the joints through samples as dense as they must be, these, and its roughness."""
     density = 1
     while True:
         setpoints = _setpoints(chain, path, move, density)
@@ -100,7 +99,7 @@ def _traced(
                 return wrong
             rough = _roughness(entity, samples)
             if density == MOST_DENSITY or (rough is not None and not rough.max() > SMOOTH):
-                return joints, samples
+                return joints, samples, rough
         density *= 2
 
 
