@@ -26,6 +26,7 @@ import { closesLateWords } from './late_words'
 import { LineEnds } from './line_ends'
 import type { LineInSight } from './line_in_sight'
 import { lineMarks, type MarkedLines, showMarks } from './marks'
+import { prolog } from './prolog_language'
 import { refusalsOfThisText } from './refusals'
 import { replacement } from './replacement'
 import { staysOpen } from './shown_marks'
@@ -63,7 +64,7 @@ interface Kept {
 const External = Annotation.define<true>()
 
 /** Colours and folding by the language of a document; code of ICR has none. */
-const LANGUAGES: Readonly<Record<string, () => Extension>> = { task, toml }
+const LANGUAGES: Readonly<Record<string, () => Extension>> = { task, toml, prolog }
 
 export class ProgramEditor {
   readonly #options: ProgramEditorOptions

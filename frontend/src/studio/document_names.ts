@@ -15,6 +15,11 @@ export function documentOfSource(source: string, documents: readonly Named[]): s
   return documents.find(one => fileName(one.name) === fileName(path) || stem(one.name) === path)?.name ?? ''
 }
 
+/** Whether a document is a text of tasks. */
+export function isTaskText(document: string): boolean {
+  return document.startsWith('kb/')
+}
+
 /** Name of a file without its folders. */
 export function fileName(path: string): string {
   return path.slice(path.lastIndexOf('/') + 1)

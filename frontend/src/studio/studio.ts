@@ -17,7 +17,7 @@ import { programWord } from './chosen_step'
 import { ChosenTasks } from './chosen_tasks'
 import { Commands } from './commands'
 import type { Dock } from './dock'
-import { programIn, stationOf } from './document_names'
+import { isTaskText, programIn, stationOf } from './document_names'
 import type { StudioDocument } from './documents'
 import { Jog } from './jog'
 import { LineGhost } from './line_ghost'
@@ -53,6 +53,9 @@ export interface ProjectOrigin {
   readonly robot: string
 }
 
+/** So long typing in a text of tasks rests before the tasks are asked for anew [ms]. */
+const TASKS_REST = 400
+
 export class Studio {
   readonly store: StudioStore = createStudioStore()
   readonly cursor = new Cursor()
@@ -75,6 +78,7 @@ export class Studio {
   /** The plots that stand in panels. */
   readonly plots = new Set<ShownPlot>()
   storage = new ProjectStorage('')
+  #renewing = 0
   /** Null until the panels stand. */
   dock: Dock | null = null
   /** The timeline that is shown, null until it stands. */
@@ -161,6 +165,16 @@ export class Studio {
   edit(document: string, text: string): void {
     this.desk.edit(document, text)
     this.textsMoved()
+    if (isTaskText(document)) this.#renewTasks()
+  }
+
+  /** A text of tasks has changed: what may be chosen is asked anew, when typing rests. */
+  #renewTasks(): void {
+    window.clearTimeout(this.#renewing)
+    this.#renewing = window.setTimeout(() => {
+      this.desk.flush()
+      this.tasks.renew()
+    }, TASKS_REST)
   }
 
   /** Texts have changed: what stands on their lines moves along. */
@@ -202,7 +216,8 @@ export class Studio {
   saveAs(name: string): void {
     const { document } = this.store.getState()
     const ending = /\.[^.]*$/.exec(document)?.[0] ?? '.task'
-    this.desk.create(`programs/${name}${ending}`, this.text(document))
+    const folder = isTaskText(document) ? 'kb' : 'programs'
+    this.desk.create(`${folder}/${name}${ending}`, this.text(document))
   }
 
   /** Make a program of the steps that are accepted, and run it; a text that is there is replaced only if asked for. */

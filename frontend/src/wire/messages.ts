@@ -13,7 +13,7 @@ export interface DocumentState {
   /** Under which the language server knows it. */
   readonly uri: string
   /** By the ending of its name. */
-  readonly language: 'task' | 'toml' | 'icr'
+  readonly language: 'task' | 'toml' | 'icr' | 'prolog'
   /** Null where the tab has it already. */
   readonly text: string | null
   /** The last one of the editing tab that the server has; 0 for the text of the file. */

@@ -14,7 +14,11 @@ LARGEST = 5_000_000
 
 BOM = b"\xef\xbb\xbf"
 
-_LANGUAGES: dict[str, Literal["task", "toml", "icr"]] = {".toml": "toml", ".icr": "icr"}
+_LANGUAGES: dict[str, Literal["task", "toml", "icr", "prolog"]] = {
+    ".toml": "toml",
+    ".icr": "icr",
+    ".pl": "prolog",
+}
 
 
 @dataclass(slots=True)

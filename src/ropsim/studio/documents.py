@@ -156,21 +156,24 @@ class Documents:
         return None
 
     async def create(self, name: str, text: str) -> tuple[Document | None, Diagnostic | None]:
-        """Make a new program in a file of its own; return why that was not possible instead."""
+        """Make a new program, or a text of tasks, in a file of its own; return why that was not possible instead."""
         path = self._folder / name
+        noun = "text of tasks" if name.startswith("kb/") else "program"
         if not _is_new_name(name):
-            hint = "names of programs have letters, digits, `_`, `-` and blanks"
-            return None, NOT_SAVED.at(None, f"`{name[:200]}` cannot be the name of a program", hint=hint)
+            hint = "names have letters, digits, `_`, `-` and blanks"
+            return None, NOT_SAVED.at(None, f"`{name[:200]}` cannot be the name of a {noun}", hint=hint)
         if leaves_project(self._folder, path):
             message = f"`{name}` would be outside of the project folder; it is not written"
-            return None, NOT_SAVED.at(None, message, hint="`programs` must be a folder of the project")
+            return None, NOT_SAVED.at(
+                None, message, hint=f"`{path.parent.name}` must be a folder of the project"
+            )
         content = plain_lines(text).encode("utf-8", "replace")
         if len(content) > LARGEST:
             message = f"`{name}` would have more than {LARGEST / 1e6:.0f} MB"
             return None, NOT_SAVED.at(None, message, hint="is this a program?")
         async with self._disk:
             if name in self._all or os.path.lexists(path):
-                message = f"there is a program `{name}` already; it is not written over"
+                message = f"there is a {noun} `{name}` already; it is not written over"
                 return None, NOT_SAVED.at(None, message, hint="choose another name")
             try:
                 await asyncio.to_thread(replace_file, path, content)
@@ -239,10 +242,11 @@ class Documents:
 
 
 def _is_new_name(name: str) -> bool:
-    """Return whether a new program may have a name; it never leads out of `programs`, on any system."""
-    if re.fullmatch(r"programs/\w[\w \-]{0,100}\.(task|icr)", name) is None:
+    """Return whether a new text may have a name; it never leads out of its folder, on any system."""
+    found = re.fullmatch(r"(?:programs/(\w[\w \-]{0,100})\.(?:task|icr)|kb/(\w[\w \-]{0,100})\.pl)", name)
+    if found is None:
         return False
-    stem = name.removeprefix("programs/").partition(".")[0].rstrip().lower()
+    stem = (found[1] or found[2]).rstrip().lower()
     return re.fullmatch(r"con|prn|aux|nul|com\d|lpt\d", stem) is None  # devices of Windows
 
 

@@ -38,7 +38,7 @@ class DocumentState(Struct, frozen=True):
 
     name: str
     uri: str
-    language: Literal["task", "toml", "icr"]
+    language: Literal["task", "toml", "icr", "prolog"]
     text: str | None
     version: int
     unsaved: bool

@@ -14,6 +14,7 @@ from ropsim.studio.document import LARGEST
 CELL = "cell.toml"
 PROGRAM_ENDINGS = (".task", ".icr")
 ROBOT_ENDING = ".toml"
+TASK_ENDING = ".pl"
 
 Stamp: TypeAlias = tuple[int, int, int, int]
 """Time of the last change [ns], size, number and permissions of a file: one of them changes with it."""
@@ -44,8 +45,9 @@ def _nothing_at(path: Path, found: str) -> Diagnostic:
 
 
 def stamps(folder: Path) -> dict[str, Stamp]:
-    """Return the texts of a project by name: `cell.toml`, then programs, then robot files, each by name."""
-    names = [CELL, *_inside(folder, "programs", PROGRAM_ENDINGS), *_inside(folder, "robots", (ROBOT_ENDING,))]
+    """Return the texts of a project by name: `cell.toml`, then programs, robot files and tasks, each by name."""
+    places = {"programs": PROGRAM_ENDINGS, "robots": (ROBOT_ENDING,), "kb": (TASK_ENDING,)}
+    names = [CELL, *(name for place, endings in places.items() for name in _inside(folder, place, endings))]
     found = ((name, _stamp(folder / name)) for name in names)
     return {name: stamp for name, stamp in found if stamp is not None}
 
@@ -73,6 +75,8 @@ def is_text_of_project(name: str) -> bool:
             return path.suffix in PROGRAM_ENDINGS
         case ("robots",):
             return path.suffix == ROBOT_ENDING
+        case ("kb",):
+            return path.suffix == TASK_ENDING
         case _:
             return name == CELL
 

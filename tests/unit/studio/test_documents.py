@@ -46,6 +46,24 @@ def test_documents_are_the_cell_file_and_the_programs(folder: Path) -> None:
     assert documents.unsaved_texts == {}
 
 
+def test_texts_of_tasks_are_documents_and_no_programs(folder: Path) -> None:
+    (folder / "kb").mkdir()
+    (folder / "kb" / "main.pl").write_text("at(a, b).\n")
+    (folder / "kb" / "manifest.toml").write_text("order = []\n")
+    documents = opened(folder)
+    assert [one.name for one in documents.all if one.name.startswith("kb")] == ["kb/main.pl"]
+    assert documents.programs == ("main", "other")
+    made, finding = asyncio.run(documents.create("kb/wave.pl", "at(a, c).\n"))
+    assert finding is None
+    assert made is not None
+    assert made.state(None).language == "prolog"
+    assert (folder / "kb" / "wave.pl").read_text() == "at(a, c).\n"
+    for name in ("kb/con.pl", "kb/../wave.pl", "kb/wave.task", "programs/wave.pl"):
+        assert asyncio.run(documents.create(name, ""))[1] is not None
+    documents.edit("kb/wave.pl", "at(a, d).\n", 1)
+    assert documents.unsaved_texts == {"kb/wave.pl": "at(a, d).\n"}
+
+
 def test_robot_files_are_documents_and_no_programs(folder: Path) -> None:
     (folder / "robots").mkdir()
     (folder / "robots" / "main.toml").write_text("one")
