@@ -156,7 +156,7 @@ class Documents:
         return None
 
     async def create(self, name: str, text: str) -> tuple[Document | None, Diagnostic | None]:
-        """Make a new program, or a text of tasks, in a file of its own; return why that was not possible instead."""
+        """Make a new program or text of tasks in a file of its own; return why that was not possible."""
         path = self._folder / name
         noun = "text of tasks" if name.startswith("kb/") else "program"
         if not _is_new_name(name):

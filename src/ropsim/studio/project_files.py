@@ -45,7 +45,7 @@ def _nothing_at(path: Path, found: str) -> Diagnostic:
 
 
 def stamps(folder: Path) -> dict[str, Stamp]:
-    """Return the texts of a project by name: `cell.toml`, then programs, robot files and tasks, each by name."""
+    """Return the texts of a project: `cell.toml`, then programs, robot files and tasks, each by name."""
     places = {"programs": PROGRAM_ENDINGS, "robots": (ROBOT_ENDING,), "kb": (TASK_ENDING,)}
     names = [CELL, *(name for place, endings in places.items() for name in _inside(folder, place, endings))]
     found = ((name, _stamp(folder / name)) for name in names)
