@@ -18,6 +18,7 @@ from ropsim.spatial import Array, Pose, frozen
 SHARES = (0.2, 0.1, 0.05)
 """Sides of the square that are tried, over the length of the arm."""
 _CANDIDATES = 48
+_REDUNDANT_CANDIDATES = 12  # arms with more axes than six can choose a posture at each of them
 _STEPS = 12  # poses along a side
 _MARGIN = 0.05  # of the range of a joint, to each of its limits
 _FREE = 6  # axes from which on the orientation of the tool can be chosen
@@ -70,7 +71,8 @@ def turning(robot: RobotModel) -> FirstWay:
 def _starts(robot: RobotModel, X_MT: Pose) -> Iterator[tuple[float, Array, Pose]]:
     """Yield how good a configuration is, the configuration, and where the tool is then."""
     length = _length(robot, X_MT)
-    for q in (robot.home, *kinematics.configurations(robot, _CANDIDATES)):
+    count = _CANDIDATES if robot.n <= _FREE else _REDUNDANT_CANDIDATES
+    for q in (robot.home, *kinematics.configurations(robot, count)):
         X_BT = kinematics.forward(robot, q) @ X_MT
         place = np.round(X_BT.position / _GRID) * _GRID
         wishes = [Pose(place, X_BT.orientation)]
