@@ -35,7 +35,7 @@ export interface Revert {
   readonly document: string
 }
 
-/** Make a new `programs/NAME.task` or `.icr`, or `kb/NAME.pl`, with a text; never over one that is there. */
+/** Make a new `programs/NAME.task` or `.icr`, or `kb/NAME.pl`, with a text; never over another. */
 export interface Create {
   readonly type: 'create'
   readonly document: string

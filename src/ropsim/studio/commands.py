@@ -51,7 +51,7 @@ class Revert(Struct, frozen=True, tag_field="type", tag="revert"):
 
 
 class Create(Struct, frozen=True, tag_field="type", tag="create"):
-    """Make a new `programs/NAME.task` or `.icr`, or `kb/NAME.pl`, with a text; never over one that is there."""
+    """Make a new `programs/NAME.task` or `.icr`, or `kb/NAME.pl`, with a text; never over another."""
 
     document: Name
     text: str

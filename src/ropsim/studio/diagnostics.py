@@ -102,8 +102,8 @@ NOT_EDITABLE = define(
     "a document that the studio shows but does not change",
     """
 Documents are texts in UTF-8 of at most 5 MB which belong to the project: `cell.toml`, the programs, the
-tasks `kb/*.pl` and the robot files `robots/*.toml`. A file in another encoding is shown with `�` for what cannot be read; convert
-it to UTF-8 first.
+tasks `kb/*.pl` and the robot files `robots/*.toml`. A file in another encoding is shown with `�` for what
+cannot be read; convert it to UTF-8 first.
 """,
 )
 
