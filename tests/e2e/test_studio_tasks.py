@@ -52,6 +52,25 @@ def test_an_operator_makes_a_palletizing_program_that_runs(
     tab.command("New program from tasks")
     panel = tab.page.locator(".panel-tasks")
 
+    panel.get_by_role("button", name="Make a task of your own").click()
+    form = panel.get_by_role("form", name="A new task")
+    form.get_by_text("a task needs a name").wait_for()
+    form.get_by_label("Name", exact=True).fill("rest")
+    form.get_by_label("What it does").fill("Rests over a place.")
+    form.get_by_label("How it is done").fill("mov l above 20 mm\nwait 1 s\nendr")
+    form.get_by_text("line 3: there is no block to end here").wait_for()
+    form.get_by_label("How it is done").fill("mov l above 20 mm\nwait 1 s")
+    form.get_by_text("nothing is wrong with it").wait_for()
+    for theme in THEMES:
+        tab.page.emulate_media(color_scheme=theme)
+        assert axe(tab.page, ".panel-tasks") == []
+    form.get_by_role("button", name="Keep the task").click()
+    choose(tab, panel, "rest")
+    assert "mov(above(L, 20*mm))" in (project / "kb" / "rest.pl").read_text("utf-8")
+    step(panel, 1).get_by_role("button", name="Change the task").click()
+    panel.get_by_role("form", name="The task rest").get_by_role("button", name="Cancel").click()
+    step(panel, 1).get_by_role("button", name="Remove step 1").click()
+
     choose(tab, panel, "load_pallet")
     first = step(panel, 1)
     first.get_by_text("load_pallet takes 2 points, given: 0").wait_for()

@@ -16,6 +16,7 @@ const WORLD = { gripper: 'open', held: '', parts: [], others: [] }
 const LIST: TaskList = {
   type: 'task_list',
   revision: 1,
+  kinds: [],
   tasks: [
     {
       name: 'pick',

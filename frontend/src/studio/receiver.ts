@@ -14,6 +14,7 @@ import type { Runs } from './runs'
 import type { SignalBoard } from './signal_board'
 import type { StudioStore } from './state'
 import { ProjectStorage } from './storage'
+import type { TaskForms } from './task_forms'
 import type { TextDesk } from './text_desk'
 
 /** What messages change. */
@@ -30,6 +31,7 @@ export interface Receiving {
   readonly runs: Runs
   readonly signals: SignalBoard
   readonly tasks: ChosenTasks
+  readonly forms: TaskForms
   readonly view: RunView
   notify(level: 'error' | 'warning' | 'info', text: string, hint?: string, code?: string): void
   select(body: number | null): void
@@ -87,6 +89,8 @@ export class Receiver {
       jogged: message => studio.jog.receive(message),
       task_list: message => studio.tasks.receiveList(message),
       tasks_checked: message => studio.tasks.receive(message),
+      task_form: message => studio.forms.receive(message),
+      task_form_checked: message => studio.forms.receiveChecked(message),
       tasks_estimated: message => studio.tasks.receiveEstimate(message),
       notice: ({ level, text, hint, code }) => studio.notify(level, text, hint, code),
       robots: ({ names }) => studio.store.setState({ robots: names }),

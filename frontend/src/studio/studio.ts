@@ -37,6 +37,7 @@ import { Runs, type RunTexts } from './runs'
 import { SignalBoard } from './signal_board'
 import { createStudioStore, type StudioStore, type Wrap } from './state'
 import { ProjectStorage, tabName } from './storage'
+import { TaskForms } from './task_forms'
 import { type Place, TextDesk } from './text_desk'
 import { UndoStack } from './undo'
 
@@ -70,6 +71,7 @@ export class Studio {
   readonly jog: Jog
   readonly signals: SignalBoard
   readonly tasks: ChosenTasks
+  readonly forms = new TaskForms({ send: command => this.send(command) })
   readonly connection: Connection
   readonly lines = new RunLines({
     text: name => this.text(name),
@@ -233,6 +235,26 @@ export class Studio {
     this.save(document)
     this.store.setState({ document, dialog: null, refusal: null })
     run()
+  }
+
+  /** Show the text of the task whose form is open. */
+  showTaskText(): void {
+    this.store.setState({ document: this.forms.document })
+    this.dock?.show('program')
+  }
+
+  /** Write the task of the form into its text and save that; it can be chosen at once. */
+  keepTask(): void {
+    const { document, checked } = this.forms
+    if (!checked) return
+    if (this.desk.documents.has(document)) {
+      this.edit(document, checked.text)
+      this.save(document)
+    } else {
+      this.desk.create(document, checked.text)
+    }
+    this.forms.close()
+    this.#renewTasks()
   }
 
   openProject(path: string): void {

@@ -35,7 +35,7 @@ export interface Revert {
   readonly document: string
 }
 
-/** Make a new `programs/NAME.task` or `.icr`, or `kb/NAME.pl`, with a text; never over another. */
+/** Make a new `programs/NAME.task`, `.icr` or `kb/NAME.pl` with a text; never over one that is there. */
 export interface Create {
   readonly type: 'create'
   readonly document: string
@@ -168,6 +168,47 @@ export interface CheckTasks {
   readonly steps: readonly TaskStep[]
 }
 
+/** Ask for the form of a task; answered by `task_form`. */
+export interface OpenTaskForm {
+  readonly type: 'open_task_form'
+  readonly task: string
+}
+
+/** The fields of a parameter in the form of a task, as `ropsim.tasks.FormParameter` has them. */
+export interface FormParameterFields {
+  readonly name: string
+  readonly kind: string
+  readonly default: string
+  readonly word: string
+  readonly sentence: string
+  readonly bounds: readonly string[]
+  readonly called: string
+}
+
+/** The fields of a form of a task, as `ropsim.tasks.TaskForm` has them. */
+export interface TaskFormFields {
+  readonly name: string
+  readonly doc: string
+  readonly parameters: readonly FormParameterFields[]
+  readonly needs: readonly string[]
+  readonly effects: readonly string[]
+  readonly geometry: readonly string[]
+  readonly body: string
+}
+
+/** Ask what is said of a form; answered by `task_form_checked`. */
+export interface CheckTaskForm {
+  readonly type: 'check_task_form'
+  /** Comes back. */
+  readonly id: number
+  /** The text into which it is to be written, `kb/NAME.pl`. */
+  readonly document: string
+  /** Name of the task there that is changed; empty for a new one. */
+  readonly task: string
+  /** Its fields. */
+  readonly form: TaskFormFields
+}
+
 /** Let code inside the project folder run, or no more. */
 export interface Trust {
   readonly type: 'trust'
@@ -197,4 +238,6 @@ export type Command =
   | JogTcp
   | OpenTasks
   | CheckTasks
+  | OpenTaskForm
+  | CheckTaskForm
   | Trust

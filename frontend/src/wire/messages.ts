@@ -305,6 +305,8 @@ export interface TaskList {
   readonly revision: number
   /** Those of the library first. */
   readonly tasks: readonly TaskChoice[]
+  /** That parameters of tasks may have. */
+  readonly kinds: readonly string[]
   /** Locations of the cell, then lists of points with their points. */
   readonly places: readonly PlaceChoice[]
   /** What is true before the first step. */
@@ -369,6 +371,70 @@ export interface TasksEstimated {
   readonly message: string
 }
 
+/** The fields of a parameter in the form of a task, as `ropsim.tasks.FormParameter` has them. */
+export interface FormParameterFields {
+  readonly name: string
+  readonly kind: string
+  readonly default: string
+  readonly word: string
+  readonly sentence: string
+  readonly bounds: readonly string[]
+  readonly called: string
+}
+
+/** The fields of a form of a task, as `ropsim.tasks.TaskForm` has them. */
+export interface TaskFormFields {
+  readonly name: string
+  readonly doc: string
+  readonly parameters: readonly FormParameterFields[]
+  readonly needs: readonly string[]
+  readonly effects: readonly string[]
+  readonly geometry: readonly string[]
+  readonly body: string
+}
+
+/** Answer to `open_task_form`. */
+export interface TaskFormOpened {
+  readonly type: 'task_form'
+  /** Name of the task. */
+  readonly task: string
+  /** Text of the project that has it, or that is to have it where it is of the library. */
+  readonly document: string
+  /** Its fields; null where a form cannot show it. */
+  readonly form: TaskFormFields | null
+  /** Why not; empty where it can. */
+  readonly problem: string
+  /** That parameters may have. */
+  readonly kinds: readonly string[]
+}
+
+/** What is found of a field. */
+export interface FormFault {
+  /** `name`, `parameters`, or a property of the clause, such as `pre` or `body`. */
+  readonly field: string
+  /** Which of several fields, from 0; -1 where it is not known. */
+  readonly place: number
+  /** `error`, `warning` or `hint`. */
+  readonly severity: string
+  /** In words. */
+  readonly message: string
+  /** What to do; empty for nothing. */
+  readonly hint: string
+}
+
+/** Answer to `check_task_form`. */
+export interface TaskFormChecked {
+  readonly type: 'task_form_checked'
+  /** Of the command. */
+  readonly id: number
+  /** The whole text of the document with the form in it; empty where the form is no clause yet. */
+  readonly text: string
+  /** The clause alone, as it stands in that text. */
+  readonly clause: string
+  /** Of the fields. */
+  readonly faults: readonly FormFault[]
+}
+
 /** Something to tell the user. */
 export interface Notice {
   readonly type: 'notice'
@@ -428,6 +494,8 @@ export type Message =
   | TaskList
   | TasksChecked
   | TasksEstimated
+  | TaskFormOpened
+  | TaskFormChecked
   | Notice
   | Answered
   | Folders

@@ -51,7 +51,7 @@ class Revert(Struct, frozen=True, tag_field="type", tag="revert"):
 
 
 class Create(Struct, frozen=True, tag_field="type", tag="create"):
-    """Make a new `programs/NAME.task` or `.icr`, or `kb/NAME.pl`, with a text; never over another."""
+    """Make a new `programs/NAME.task`, `.icr` or `kb/NAME.pl` with a text; never over one that is there."""
 
     document: Name
     text: str
@@ -142,6 +142,28 @@ class CheckTasks(Struct, frozen=True, tag_field="type", tag="check_tasks"):
     steps: jobs.TaskSteps
 
 
+class OpenTaskForm(Struct, frozen=True, tag_field="type", tag="open_task_form"):
+    """Ask for the form of a task; answered by `task_form`."""
+
+    task: Name
+
+
+class CheckTaskForm(Struct, frozen=True, tag_field="type", tag="check_task_form"):
+    """Ask what is said of a form; answered by `task_form_checked`.
+
+    Attributes:
+        id: comes back.
+        document: the text into which it is to be written, `kb/NAME.pl`.
+        task: name of the task there that is changed; empty for a new one.
+        form: its fields.
+    """
+
+    id: Number
+    document: Name
+    task: Annotated[str, Meta(max_length=500)]
+    form: jobs.TaskFormFields
+
+
 class Trust(Struct, frozen=True, tag_field="type", tag="trust"):
     """Let code inside the project folder run, or no more."""
 
@@ -171,6 +193,8 @@ Command: TypeAlias = (
     | JogTcp
     | OpenTasks
     | CheckTasks
+    | OpenTaskForm
+    | CheckTaskForm
     | Trust
 )
 

@@ -132,6 +132,59 @@ class TaskStep(Struct, frozen=True):
 TaskSteps: TypeAlias = Annotated[tuple[TaskStep, ...], Meta(max_length=200)]
 
 
+Texts: TypeAlias = Annotated[tuple[Name, ...], Meta(max_length=100)]
+
+
+class FormParameterFields(Struct, frozen=True):
+    """The fields of a parameter in the form of a task, as `ropsim.tasks.FormParameter` has them."""
+
+    name: Name
+    kind: Name
+    default: Name
+    word: Name
+    sentence: Name
+    bounds: Texts
+    called: Name
+
+
+class TaskFormFields(Struct, frozen=True):
+    """The fields of a form of a task, as `ropsim.tasks.TaskForm` has them."""
+
+    name: Name
+    doc: Annotated[str, Meta(max_length=4000)]
+    parameters: Annotated[tuple[FormParameterFields, ...], Meta(max_length=30)]
+    needs: Texts
+    effects: Texts
+    geometry: Texts
+    body: Annotated[str, Meta(max_length=100_000)]
+
+
+@frozen_dataclass
+class OpenTaskForm:
+    """Tell the form of a task (`TasksReply`)."""
+
+    folder: str
+    texts: Mapping[str, str]
+    task: str
+
+
+@frozen_dataclass
+class CheckTaskForm:
+    """Tell what is said of a form, and the text with it (`TasksReply`); `id` comes back.
+
+    Attributes:
+        document: the text into which the form is written, `kb/NAME.pl`.
+        task: name of the task there that is changed; empty for a new one.
+    """
+
+    folder: str
+    texts: Mapping[str, str]
+    id: int
+    document: str
+    task: str
+    form: TaskFormFields
+
+
 @frozen_dataclass
 class ListTasks:
     """Tell what tasks and places there are (`TasksReply`)."""
@@ -209,7 +262,7 @@ class Stop:
     """End the worker process (number 0); a running job is given up."""
 
 
-TasksJob: TypeAlias = ListTasks | CheckTasks | EstimateTasks
+TasksJob: TypeAlias = ListTasks | CheckTasks | EstimateTasks | OpenTaskForm | CheckTaskForm
 Job: TypeAlias = OpenScene | Simulate | LiveStart | SaveRun | JogJoints | JogTcp | TasksJob
 LiveOrder: TypeAlias = LiveControl | LiveOverride | LiveSpeed | SetSignal
 Order: TypeAlias = Cancel | Renew | LiveOrder | Stop

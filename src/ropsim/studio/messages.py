@@ -13,7 +13,13 @@ from msgspec import Meta, Struct
 from ropsim.core import Diagnostic
 from ropsim.studio.finding import Finding
 from ropsim.studio.jobs import Level, PoseNumbers
-from ropsim.studio.task_messages import TaskList, TasksChecked, TasksEstimated
+from ropsim.studio.task_messages import (
+    TaskFormChecked,
+    TaskFormOpened,
+    TaskList,
+    TasksChecked,
+    TasksEstimated,
+)
 
 RunEvent: TypeAlias = Annotated[Mapping[str, object], Meta(title="RunEvent")]
 """An event of a run as plain JSON values."""
@@ -363,6 +369,8 @@ Message: TypeAlias = (
     | TaskList
     | TasksChecked
     | TasksEstimated
+    | TaskFormOpened
+    | TaskFormChecked
     | Notice
     | Answered
     | Folders

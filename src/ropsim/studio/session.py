@@ -145,6 +145,8 @@ class Session:
                 self._in_background(self._jog(tab, command))
             case commands.OpenTasks() | commands.CheckTasks():
                 self._in_background(self.tasks.answer(tab, command))
+            case commands.OpenTaskForm() | commands.CheckTaskForm():
+                self._in_background(self.tasks.answer_form(tab, command))
             case _:
                 self._run(command)
 

@@ -5,7 +5,7 @@ from typing import TypeAlias
 from msgspec import Struct
 
 from ropsim.studio.finding import Finding
-from ropsim.studio.jobs import PoseNumbers
+from ropsim.studio.jobs import PoseNumbers, TaskFormFields
 
 SixNumbers: TypeAlias = tuple[float, float, float, float, float, float]
 
@@ -95,6 +95,7 @@ class TaskList(Struct, frozen=True, tag_field="type", tag="task_list"):
     Attributes:
         revision: counts how often cell, tasks or lists of points were others.
         tasks: those of the library first.
+        kinds: that parameters of tasks may have.
         places: locations of the cell, then lists of points with their points.
         begin: what is true before the first step.
         findings: of cell, tasks and lists.
@@ -102,6 +103,7 @@ class TaskList(Struct, frozen=True, tag_field="type", tag="task_list"):
 
     revision: int
     tasks: tuple[TaskChoice, ...]
+    kinds: tuple[str, ...]
     places: tuple[PlaceChoice, ...]
     begin: WorldNow
     findings: tuple[Finding, ...]
@@ -175,3 +177,55 @@ class TasksEstimated(Struct, frozen=True, tag_field="type", tag="tasks_estimated
     id: int
     seconds: float | None
     message: str
+
+
+class TaskFormOpened(Struct, frozen=True, tag_field="type", tag="task_form"):
+    """Answer to `open_task_form`.
+
+    Attributes:
+        task: name of the task.
+        document: text of the project that has it, or that is to have it where it is of the library.
+        form: its fields; null where a form cannot show it.
+        problem: why not; empty where it can.
+        kinds: that parameters may have.
+    """
+
+    task: str
+    document: str
+    form: TaskFormFields | None
+    problem: str
+    kinds: tuple[str, ...]
+
+
+class FormFault(Struct, frozen=True):
+    """What is found of a field.
+
+    Attributes:
+        field: `name`, `parameters`, or a property of the clause, such as `pre` or `body`.
+        place: which of several fields, from 0; -1 where it is not known.
+        severity: `error`, `warning` or `hint`.
+        message: in words.
+        hint: what to do; empty for nothing.
+    """
+
+    field: str
+    place: int
+    severity: str
+    message: str
+    hint: str
+
+
+class TaskFormChecked(Struct, frozen=True, tag_field="type", tag="task_form_checked"):
+    """Answer to `check_task_form`.
+
+    Attributes:
+        id: of the command.
+        text: the whole text of the document with the form in it; empty where the form is no clause yet.
+        clause: the clause alone, as it stands in that text.
+        faults: of the fields.
+    """
+
+    id: int
+    text: str
+    clause: str
+    faults: tuple[FormFault, ...]

@@ -10,7 +10,14 @@ from ropsim.studio import commands, jobs
 from ropsim.studio.diagnostics import WORKER_LOST
 from ropsim.studio.messages import Message
 from ropsim.studio.tab import Tab
-from ropsim.studio.task_messages import TaskList, TasksChecked, WorldNow
+from ropsim.studio.task_messages import (
+    FormFault,
+    TaskFormChecked,
+    TaskFormOpened,
+    TaskList,
+    TasksChecked,
+    WorldNow,
+)
 from ropsim.studio.workers import Task, WorkerLink
 
 PATIENCE = 60.0
@@ -49,6 +56,22 @@ class ChosenTasks:
         if isinstance(program, str) and program:
             await self._time(tab, number, command.id, program)
 
+    async def answer_form(self, tab: Tab, command: commands.OpenTaskForm | commands.CheckTaskForm) -> None:
+        """Answer a tab that fills in the form of a task."""
+        self._give_up()
+        if isinstance(command, commands.OpenTaskForm):
+            job: jobs.Job = jobs.OpenTaskForm(self._folder, self._texts(), command.task)
+        else:
+            fields = (command.id, command.document, command.task, command.form)
+            job = jobs.CheckTaskForm(self._folder, self._texts(), *fields)
+        reply = await self._reply(job)
+        if isinstance(reply, jobs.TasksReply):
+            tab.send(reply.payload)
+        elif isinstance(command, commands.OpenTaskForm):
+            tab.send(TaskFormOpened(command.task, "", None, _why(reply), ()))
+        else:
+            tab.send(TaskFormChecked(command.id, "", "", (FormFault("name", 0, "error", _why(reply), ""),)))
+
     async def _time(self, tab: Tab, number: int, answered: int, program: str) -> None:
         """Tell a tab the time of a program; where it gave way to another question it is asked for again."""
         while self._newest.get(tab) == number and not tab.closed:
@@ -73,7 +96,7 @@ class ChosenTasks:
             "span": None,
             "time": None,
         }
-        return TaskList(0, (), (), NOTHING, (finding,))
+        return TaskList(0, (), (), (), NOTHING, (finding,))
 
     async def _check(self, command: commands.CheckTasks) -> Message:
         reply = await self._reply(jobs.CheckTasks(self._folder, self._texts(), command.id, command.steps))

@@ -4,6 +4,8 @@ from ropsim.tasks import words as words
 from ropsim.tasks.base import KnowledgeBase as KnowledgeBase
 from ropsim.tasks.call_reading import call_of as call_of
 from ropsim.tasks.call_report import CallReport as CallReport
+from ropsim.tasks.clause_places import ClausePlaces as ClausePlaces
+from ropsim.tasks.clause_places import field_at as field_at
 from ropsim.tasks.clause_text import term_text as term_text
 from ropsim.tasks.compiling import Library as Library
 from ropsim.tasks.compiling import body_findings as body_findings

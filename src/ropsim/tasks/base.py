@@ -6,7 +6,7 @@ from importlib.resources import files
 from pathlib import Path
 
 from ropsim.core import Diagnostic, SourceText, Span, read_bytes
-from ropsim.prolog import Atom, Places, Prolog, Struct, Term, Var
+from ropsim.prolog import Atom, GoalError, Places, Prolog, Struct, Term, Var
 from ropsim.tasks.call_reading import call_of
 from ropsim.tasks.call_report import CallReport
 from ropsim.tasks.checking import checked
@@ -126,6 +126,14 @@ class KnowledgeBase:
             return None
         found = self._host.ask("ropsim_kb", Struct("clause_places", (Atom(name), Var("Found"))))
         return places_of(found, self._spans[name][0].source)
+
+    def clause_at(self, text: str, begin: int) -> ClausePlaces | None:
+        """Return the same for the task that begins at a character of any text, None without one."""
+        goal = Struct("clause_at", (text, begin, Var("Found")))
+        try:
+            return places_of(self._host.ask("ropsim_kb", goal), "")
+        except GoalError:  # a syntax error: its place is told by who reads the text
+            return None
 
     def term_faults(self, texts: Sequence[str]) -> tuple[str, ...]:
         """Return what is wrong with each text as a term of a knowledge base; empty where nothing is."""

@@ -108,7 +108,8 @@ def _names(form: TaskForm) -> Iterator[FieldFault]:
     """Yield what is wrong with names and kinds."""
     if not re.fullmatch(r"[a-z]\w*", form.name, re.ASCII) or is_reserved(form.name):
         hint = "a small letter, then letters, digits and `_`; no word of the task language"
-        yield _fault("name", 0, f"`{form.name}` is no name of a task", hint)
+        found = f"`{form.name}` is no name of a task" if form.name else "a task needs a name"
+        yield _fault("name", 0, found, hint)
     seen: set[str] = set()
     for place, one in enumerate(form.parameters):
         if not re.fullmatch(r"[A-Z]\w*", one.name, re.ASCII) or one.name in seen:

@@ -102,6 +102,7 @@ def test_a_new_task_is_a_clause_that_is_read_without_findings() -> None:
     ("change", "field", "words"),
     [
         ({"name": "Lift"}, "name", "`Lift` is no name of a task"),
+        ({"name": ""}, "name", "a task needs a name"),
         ({"name": "mov"}, "name", "`mov` is no name of a task"),
         ({"needs": ("held(P",)}, "pre", "`held(P`: this is no term"),
         ({"needs": ("held(P)", "a, b")}, "pre", "`a, b`: this is not one term"),

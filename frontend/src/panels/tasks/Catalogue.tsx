@@ -1,4 +1,5 @@
 /** The tasks there are, in groups, each with a picture and a sentence. */
+import { formWords } from '../../text/task_form'
 import { taskWords } from '../../text/tasks'
 import type { TaskChoice } from '../../wire/messages'
 import { TaskPicture } from './TaskPicture'
@@ -6,16 +7,21 @@ import { TaskPicture } from './TaskPicture'
 interface CatalogueProps {
   readonly tasks: readonly TaskChoice[]
   readonly onChoose: (name: string) => void
+  /** A task that is not there yet is wanted. */
+  readonly onMake: () => void
 }
 
 /** Groups that have words stand first, in the order of these; further ones have the name of their file. */
 const ORDER = Object.keys(taskWords.groups)
 
-export function Catalogue({ tasks, onChoose }: CatalogueProps) {
+export function Catalogue({ tasks, onChoose, onMake }: CatalogueProps) {
   const groups = [...new Set(tasks.map(one => one.group))].sort((a, b) => rank(a) - rank(b))
   return (
     <section className="catalogue" aria-label={taskWords.catalogue}>
       <p className="quiet">{taskWords.catalogueHint}</p>
+      <button type="button" className="make-task" title={formWords.makeHint} onClick={onMake}>
+        {formWords.make} …
+      </button>
       {groups.map(group => (
         <section key={group} aria-label={titleOf(group)}>
           <h2>{titleOf(group)}</h2>

@@ -2,6 +2,7 @@
 import { useId } from 'react'
 import { type ChosenStep, withEntry } from '../../studio/chosen_step'
 import { useStudio } from '../../studio/context'
+import { formWords } from '../../text/task_form'
 import { taskWords } from '../../text/tasks'
 import type { StepState, TaskParameter } from '../../wire/messages'
 import { Marked } from '../Marked'
@@ -19,7 +20,7 @@ interface StepCardProps {
 }
 
 export function StepCard({ step, at, last, onRemoved }: StepCardProps) {
-  const { tasks } = useStudio()
+  const { tasks, forms } = useStudio()
   const { key, name } = step
   const state = tasks.stateOf(key)
   const task = tasks.list?.tasks.find(one => one.name === name)
@@ -95,7 +96,19 @@ export function StepCard({ step, at, last, onRemoved }: StepCardProps) {
           </button>
         </span>
       </div>
-      {task ? <p className="doc quiet">{task.doc}</p> : null}
+      {task ? (
+        <p className="doc quiet">
+          {task.doc}{' '}
+          <button
+            type="button"
+            className="change-task"
+            title={formWords.changeHint(name)}
+            onClick={() => forms.open(name)}
+          >
+            {formWords.change} …
+          </button>
+        </p>
+      ) : null}
       {passed.length > 0 ? (
         <div className="step-fields">
           {points.map((one, k) => (

@@ -3,19 +3,21 @@ import { useEffect, useRef, useState } from 'react'
 import { useStudio, useStudioState } from '../../studio/context'
 import { useChanges } from '../../studio/hooks'
 import { words } from '../../text/messages'
+import { formWords } from '../../text/task_form'
 import { taskWords } from '../../text/tasks'
 import { Scroll } from '../Scroll'
 import { Catalogue } from './Catalogue'
 import { EndDialog } from './EndDialog'
 import { PointTable } from './PointTable'
 import { StepCard } from './StepCard'
+import { TaskForm } from './TaskForm'
 import { TextView } from './TextView'
 import { WorldView } from './WorldView'
 import './tasks.css'
 
 export function TasksPanel() {
   const studio = useStudio()
-  const { tasks, undo } = studio
+  const { tasks, undo, forms } = studio
   const lost = useStudioState(state => state.connection !== 'connected')
   const [choosing, setChoosing] = useState(false)
   const [text, setText] = useState(false)
@@ -42,6 +44,14 @@ export function TasksPanel() {
     return () => tasks.hidePoints()
   }, [studio, tasks])
   const { list, steps } = tasks
+  useChanges(forms)
+  if (forms.form) {
+    return (
+      <Scroll label={formWords.title(forms.form.name)} className="tasks">
+        <TaskForm />
+      </Scroll>
+    )
+  }
   if (!list) return <p className="empty">{lost ? words.connection.lost : taskWords.waiting}</p>
   const isChoosing = choosing || steps.length === 0
   return (
@@ -68,6 +78,7 @@ export function TasksPanel() {
         </button>
         <EndButton />
       </div>
+      {forms.problem ? <p className="tasks-summary error">{forms.problem}</p> : null}
       <Summary />
       <Scroll label={taskWords.steps} className="tasks">
         <div className="tasks-sides" ref={sides}>
@@ -75,6 +86,7 @@ export function TasksPanel() {
             {isChoosing ? (
               <Catalogue
                 tasks={list.tasks}
+                onMake={() => forms.begin(list.kinds)}
                 onChoose={name => {
                   tasks.add(name, taskWords.added(name))
                   setChoosing(false)

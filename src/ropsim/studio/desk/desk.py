@@ -11,6 +11,7 @@ from ropsim.studio.desk.live.run import run_live
 from ropsim.studio.desk.scene import open_scene
 from ropsim.studio.desk.simulate import simulate
 from ropsim.studio.jobs import (
+    CheckTaskForm,
     CheckTasks,
     EstimateTasks,
     Failed,
@@ -20,6 +21,7 @@ from ropsim.studio.jobs import (
     ListTasks,
     LiveStart,
     OpenScene,
+    OpenTaskForm,
     Reply,
     SaveRun,
     Simulate,
@@ -76,7 +78,7 @@ class Desk:
                 return kept.file(form) if kept is not None and kept.number == number else Failed(NOT_KEPT)
             case JogJoints() | JogTcp():
                 return self.arms.move(job) if self.arms else Failed(NOTHING_OPEN)
-            case ListTasks() | CheckTasks() | EstimateTasks():
+            case ListTasks() | CheckTasks() | EstimateTasks() | OpenTaskForm() | CheckTaskForm():
                 from ropsim.studio.desk.tasks.bench import TaskBench
 
                 self.bench = self.bench or TaskBench(self.workspace)

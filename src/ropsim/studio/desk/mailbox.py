@@ -10,6 +10,7 @@ from ropsim.studio.desk.line import Cancelled
 from ropsim.studio.jobs import (
     Answer,
     Cancel,
+    CheckTaskForm,
     CheckTasks,
     EstimateTasks,
     Failed,
@@ -22,6 +23,7 @@ from ropsim.studio.jobs import (
     LiveSpeed,
     LiveStart,
     OpenScene,
+    OpenTaskForm,
     Order,
     Renew,
     Reply,
@@ -126,6 +128,8 @@ class Mailbox:
                 | ListTasks()
                 | CheckTasks()
                 | EstimateTasks()
+                | OpenTaskForm()
+                | CheckTaskForm()
             ) as job:
                 self._jobs.append((request.number, job))
             case _:  # an order for a live run that has just ended

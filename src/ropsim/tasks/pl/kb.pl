@@ -449,11 +449,15 @@ heads(Heads) :-
 tasks(Names, Tasks) :-
     findall(told(Name, Arity, Task), ( member(Name, Names), known(Name, Arity, Task) ), Tasks).
 
-%   clause_places(+Name, -Found): clause(Text, From, To, HeadFrom, HeadTo, ListFrom, ListTo, Properties) with place(Name, From, To)
+%   clause_places(+Name, -Found): clause(From, HeadFrom, HeadTo, ListFrom, ListTo, Properties) with place(Name, From, To)
 %   for each property, as the text of the task has them; the clause is read again for it.
 clause_places(Name, Found) :-
-    place(Name, Text, From, To),
+    place(Name, Text, From, _),
     ropsim_kb_texts:text(Text, String),
+    clause_at(String, From, Found).
+
+%   clause_at(+String, +From, -Found): the same for the task that begins at a place of a string.
+clause_at(String, From, Found) :-
     sub_string(String, From, _, 0, Rest),
     setup_call_cleanup(open_string(Rest, Stream),
                        read_term(Stream, task(_, Properties), [module(ropsim_kb_words), subterm_positions(P0)]),
@@ -464,7 +468,7 @@ clause_places(Name, Found) :-
     shifted(From, ListP, ListFrom, ListTo),
     ( ropsim_reader:bare(ListP, list_position(_, _, Ps, _)) -> true ; Ps = [] ),
     maplist(property_place(From), Properties, Ps, Places),
-    Found = clause(Text, From, To, HeadFrom, HeadTo, ListFrom, ListTo, Places).
+    Found = clause(From, HeadFrom, HeadTo, ListFrom, ListTo, Places).
 
 property_place(Start, Property, P, place(Name, From, To)) :- functor(Property, Name, _), shifted(Start, P, From, To).
 

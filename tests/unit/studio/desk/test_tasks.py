@@ -4,12 +4,26 @@ import os
 from pathlib import Path
 from typing import Any
 
+import msgspec
 import pytest
 
 from ropsim.spatial import Pose
 from ropsim.studio.desk.desk import Desk
 from ropsim.studio.desk.line import Cancelled
-from ropsim.studio.jobs import CheckTasks, EstimateTasks, Job, ListTasks, Order, Report, TasksReply, TaskStep
+from ropsim.studio.jobs import (
+    CheckTaskForm,
+    CheckTasks,
+    EstimateTasks,
+    FormParameterFields,
+    Job,
+    ListTasks,
+    OpenTaskForm,
+    Order,
+    Report,
+    TaskFormFields,
+    TasksReply,
+    TaskStep,
+)
 
 CELL = """\
 [cell]
@@ -174,3 +188,44 @@ def test_texts_of_tasks_count_by_what_they_say(
     assert "34 mm" in body()
     revision = said(desk, ListTasks(str(folder), {}))["revision"]
     assert said(desk, ListTasks(str(folder), {}))["revision"] == revision
+
+
+def test_a_task_is_opened_as_a_form_and_written_where_it_stands(desk: Desk, folder: Path) -> None:
+    own = "% ours\ntask(rest(L), [params([L-location]), body([mov(L)])]).  % done\ngoal(rested/0).\n"
+    texts = {"kb/own.pl": own}
+    opened = said(desk, OpenTaskForm(str(folder), texts, "rest"))
+    assert (opened["document"], opened["problem"], opened["form"]["body"]) == ("kb/own.pl", "", "mov l")
+    form = msgspec.convert(opened["form"], TaskFormFields)
+    job = CheckTaskForm(str(folder), texts, 3, "kb/own.pl", "rest", form)
+    assert (said(desk, job)["text"], said(desk, job)["faults"]) == (own, ())
+    changed = msgspec.structs.replace(form, doc="Rests.", effects=("+rested",), body="mov l above 5 mm")
+    found = said(desk, CheckTaskForm(str(folder), texts, 4, "kb/own.pl", "rest", changed))
+    assert (found["id"], found["faults"]) == (4, ())
+    assert found["text"] == own.replace("mov(L)", "mov(above(L, 5*mm))").replace(
+        "])]).", ']),\n  doc("Rests."),\n  eff([+rested])]).'
+    )
+    library = said(desk, OpenTaskForm(str(folder), texts, "pick"))
+    assert library["document"] == "kb/pick.pl"
+    assert said(desk, OpenTaskForm(str(folder), texts, "xyz"))["problem"] == "Task not defined: `xyz`"
+
+
+def test_each_field_of_a_form_is_told_what_check_tells(desk: Desk, folder: Path) -> None:
+    parameter = FormParameterFields("L", "location", "", "", "", (), "")
+    form = TaskFormFields("pick", "", (parameter,), ("helt(_)",), ("+lost(L, Q)",), (), "mov l\nmoov l")
+
+    def faults(one: TaskFormFields) -> list[tuple[str, str]]:
+        found = said(desk, CheckTaskForm(str(folder), {}, 1, "kb/pick.pl", "", one))
+        return [(fault["field"], fault["message"].split(":")[0]) for fault in found["faults"]]
+
+    assert faults(form) == [
+        ("pre", "nobody makes a fact `helt/1`"),
+        ("eff", "a variable is no parameter of the task"),
+        ("eff", "no condition looks at `lost/2`"),
+        ("eff", "variable `Q` occurs only once in its clause"),
+        ("body", "Task not defined"),
+    ]
+    good = msgspec.structs.replace(form, needs=(), effects=(), body="mov l")
+    assert faults(good) == [("name", "`pick` takes the place of the task of the library")]
+    assert faults(msgspec.structs.replace(good, body="mov l\nmov s9"))[1:] == [
+        ("body", "the body of `pick` does not compile")
+    ]

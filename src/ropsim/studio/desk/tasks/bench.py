@@ -5,10 +5,19 @@ from pathlib import Path
 
 from ropsim.studio.desk.line import Line
 from ropsim.studio.desk.tasks.estimate import estimated
+from ropsim.studio.desk.tasks.forms import form_checked, form_opened
 from ropsim.studio.desk.tasks.known_project import KnownProject, key_of, known_project
 from ropsim.studio.desk.tasks.listing import task_list
 from ropsim.studio.desk.tasks.stating import checked
-from ropsim.studio.jobs import CheckTasks, EstimateTasks, ListTasks, TasksJob, TasksReply
+from ropsim.studio.jobs import (
+    CheckTaskForm,
+    CheckTasks,
+    EstimateTasks,
+    ListTasks,
+    OpenTaskForm,
+    TasksJob,
+    TasksReply,
+)
 from ropsim.studio.messages import plain
 from ropsim.workbench import Workspace, open_overlaid
 
@@ -41,10 +50,15 @@ class TaskBench:
             case CheckTasks(_, _, number, steps):
                 known = self._known(job)
                 return TasksReply(plain(checked(known, steps, number, self.revision)))
+            case OpenTaskForm():
+                return TasksReply(plain(form_opened(job, self._known(job).knowledge.base)))
+            case CheckTaskForm():
+                project = open_overlaid(Path(job.folder), job.texts, self.workspace)
+                return TasksReply(plain(form_checked(job, project, self.workspace)))
             case EstimateTasks():
                 return TasksReply(plain(estimated(job, line, self.workspace)))
 
-    def _known(self, job: ListTasks | CheckTasks) -> KnownProject:
+    def _known(self, job: ListTasks | CheckTasks | OpenTaskForm) -> KnownProject:
         project = open_overlaid(Path(job.folder), job.texts, self.workspace)
         key = key_of(project)
         if self.known is None or self.known.key != key:

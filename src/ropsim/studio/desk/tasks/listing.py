@@ -13,6 +13,7 @@ from ropsim.tasks import (
     WorldState,
     default_text,
     fact_words,
+    words,
     world_table,
 )
 from ropsim.views import plain_findings
@@ -25,7 +26,9 @@ def task_list(known: KnownProject, revision: int) -> TaskList:
     """Return tasks, places and the world before the first step."""
     tasks = tuple(map(_choice, known.knowledge.base.tasks()))
     begin = world_now(known.knowledge.state, {})
-    return TaskList(revision, tasks, tuple(_places(known)), begin, plain_findings(known.findings))
+    return TaskList(
+        revision, tasks, words.KINDS, tuple(_places(known)), begin, plain_findings(known.findings)
+    )
 
 
 def world_now(state: WorldState, names: Mapping[Numbers, str]) -> WorldNow:
