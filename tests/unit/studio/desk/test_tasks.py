@@ -188,6 +188,12 @@ def test_texts_of_tasks_count_by_what_they_say(
     assert "34 mm" in body()
     revision = said(desk, ListTasks(str(folder), {}))["revision"]
     assert said(desk, ListTasks(str(folder), {}))["revision"] == revision
+    table = folder / "points" / "table.csv"
+    stamp, text = table.stat(), table.read_text()
+    table.write_text(text.replace("a,400,100", "a,401,100"))
+    os.utime(table, ns=(stamp.st_atime_ns, stamp.st_mtime_ns))
+    assert said(desk, ListTasks(str(folder), {}))["places"][3]["text"] == "401 100 -150"
+    table.write_text(text)
 
 
 def test_a_task_is_opened_as_a_form_and_written_where_it_stands(desk: Desk, folder: Path) -> None:

@@ -1,9 +1,10 @@
 """The knowledge of a project, kept as long as its cell, its tasks and its lists of points stay."""
 
+import hashlib
 from collections.abc import Hashable, Mapping
 from pathlib import Path
 
-from ropsim.core import Diagnostic, frozen_dataclass
+from ropsim.core import Diagnostic, frozen_dataclass, read_bytes
 from ropsim.model import Cell
 from ropsim.spatial import Pose
 from ropsim.tasks import Point, PointList, point_files, read_point_lists
@@ -51,13 +52,13 @@ def known_project(project: Project, key: Hashable) -> KnownProject:
 def key_of(project: Project) -> Hashable:
     """Return what stays the same as long as cell, tasks and lists of points do."""
     robots = tuple(one.text for one in project.robot_files.values())
-    lists = tuple(map(_stamp, point_files(project.folder)))
+    lists = tuple(map(_content, point_files(project.folder)))
     return project.folder, project.cell_text, robots, project.tasks, lists
 
 
-def _stamp(path: Path) -> Hashable:
+def _content(path: Path) -> Hashable:
+    """Return what is the same as long as a list says the same."""
     try:
-        facts = path.stat()
+        return path, hashlib.sha256(read_bytes(path)).digest()
     except OSError:
         return path
-    return path, facts.st_mtime_ns, facts.st_size
