@@ -21,9 +21,12 @@ from ropsim.tasks import (
     task_text,
     term_text,
     unchecked_text,
+    version_of,
 )
 from ropsim.workbench import Knowledge, open_knowledge
 
+SHORT = 8
+"""Digits of a version that are shown."""
 COLUMNS = 80
 """Width to which descriptions are wrapped."""
 
@@ -35,7 +38,8 @@ def list_(options: argparse.Namespace, output: Output) -> int:
     code = output.findings(known.findings, known.texts)
     width = max(len(_head(one)) for one in tasks)
     for one in tasks:
-        output.text(f"{_head(one):{width}}  {'library' if one.is_built_in else one.span}")
+        place = "library" if one.is_built_in else one.span
+        output.text(f"{_head(one):{width}}  {version_of(one)[:SHORT]:{SHORT}}  {place}")
     output.document(
         {"ok": code == 0, "tasks": [_entry(one) for one in tasks], **diagnostic_document(known.findings)}
     )
@@ -53,6 +57,7 @@ def show(options: argparse.Namespace, output: Output) -> int:
         return code
     text = task_text(task)
     lines = [_head(task), *textwrap.wrap(task.doc, COLUMNS), "", *_parameters(task)]
+    lines += [f"{'version':8} {version_of(task)[:SHORT]}"]
     for word, terms in (("needs", task.needs), ("adds", task.adds), ("removes", task.removes)):
         lines += [f"{word:8} {term_text(one)}" for one in terms]
     lines += [f"{'geometry':8} {term_text(one)}" for one in task.geometry]
@@ -196,6 +201,7 @@ def _entry(task: KnownTask) -> Mapping[str, object]:
         "doc": task.doc,
         "parameters": parameters,
         **{word: [term_text(one) for one in some] for word, some in terms.items()},
+        "version": version_of(task),
         "library": task.is_built_in,
         "source": task.span.source,
         "line": task.span.line,

@@ -11,6 +11,7 @@ from ropsim.tasks.compiling import Library as Library
 from ropsim.tasks.compiling import body_findings as body_findings
 from ropsim.tasks.compiling import library as library
 from ropsim.tasks.compiling import own_tasks as own_tasks
+from ropsim.tasks.compiling import version_of as version_of
 from ropsim.tasks.differing import differing_tasks as differing_tasks
 from ropsim.tasks.draft import Draft as Draft
 from ropsim.tasks.draft import added as added

@@ -190,6 +190,14 @@ def _told(signature: TaskSignature, task: KnownTask, text: str) -> TaskSignature
     return replace(signature, source=_file(task), version=_version(text))
 
 
+def version_of(task: KnownTask) -> str:
+    """Return the version of a task, by its content: the SHA-256 of its task text, empty where it has none."""
+    try:
+        return _version(task_text(task))
+    except TaskError:
+        return ""
+
+
 def _version(text: str) -> str:
     return hashlib.sha256(text.encode(errors="surrogatepass")).hexdigest()
 

@@ -14,7 +14,7 @@ from ropsim.icr import run
 from ropsim.language import LineCache, compile, read, statements
 from ropsim.prolog import Atom, Struct, Term, Var
 from ropsim.spatial import Pose
-from ropsim.tasks import TaskCall, library, program_text, stored_clause, task_text, words
+from ropsim.tasks import TaskCall, library, program_text, stored_clause, task_text, version_of, words
 from ropsim.tasks.body_terms import body_terms
 from ropsim.tasks.body_text import body_lines
 from ropsim.tasks.expression_text import NotTextError
@@ -233,6 +233,19 @@ def test_what_terms_have_no_form_for_is_told(line: str, code: str) -> None:
     clause, findings = stored_clause(SourceText("a.task", f"program p\ntask T(l: loc)\n{line}\nendp"), CELL)
     assert clause is None
     assert code in [one.code for one in findings] or code == "L101"
+
+
+def test_the_version_of_a_task_is_that_which_its_calls_name_and_changes_with_its_content() -> None:
+    versions: list[str] = []
+    for height in (10, 10, 11):
+        known = base(
+            f"% {len(versions)}\ntask(go(L), [params([L-location]), body([mov(above(L, {height}*mm))])])."
+        )
+        task = known.task("go")
+        assert task is not None
+        versions.append(version_of(task))
+        assert library(known, CELL, ["go"]).tasks["go"].version == versions[-1]
+    assert versions[0] == versions[1] != versions[2]
 
 
 def test_palletize_of_the_library_makes_the_moves_of_the_paper() -> None:
