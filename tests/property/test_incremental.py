@@ -26,8 +26,32 @@ TASK = """task Lift(part: loc, height = 20, n = 2)
   endr
 endp
 """
+FLAT = [
+    line
+    for k in range(40)
+    for line in (
+        f"lin (400, {k}, 300) speed {k + 1} mm/s",
+        f"x{k % 9} = count + {k}",
+        f"if x{k % 9} > {k} then print count",
+        f"mov (300, 0, x{k % 9})",
+        f"repeat {k % 4}",
+        f"  count = count + {'0.5' if k == 30 else 1}",
+        "endr",
+        "circ via (400, 10, 300) to (400, 20, 300)",
+        "lin (400, 10, 300) store seen",
+    )
+]
+"""Control statements without tasks, more than are read as one part."""
 PIECES = [
     *LINES,
+    *FLAT,
+    "count = 0",
+    "count = 0.5",
+    "x1 = x2",
+    "x3 = infeed",
+    "stop",
+    "for x1 = 1 to 3",
+    "load (x, y, z), infeed",
     *TASK.split("\n"),
     "task Lift(part: loc)",
     "task again",
@@ -72,7 +96,7 @@ class Typist:
 
     def __init__(self, seed: int) -> None:
         self.random = random.Random(seed)
-        self.lines = self.random.choice(TEXTS).split("\n")
+        self.lines = list(FLAT) if seed % 2 else self.random.choice(TEXTS).split("\n")
         self.before: list[list[str]] = []
 
     def edit(self) -> str:

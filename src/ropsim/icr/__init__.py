@@ -31,8 +31,11 @@ from ropsim.icr.program import Variable as Variable
 from ropsim.icr.reader import assemble as assemble
 from ropsim.icr.reader import read_text as read_text
 from ropsim.icr.rules.assignment import Need as Need
+from ropsim.icr.rules.assignment import Passage as Passage
 from ropsim.icr.rules.assignment import Summary as Summary
 from ropsim.icr.rules.assignment import given_at_once as given_at_once
+from ropsim.icr.rules.assignment import needs_of_passages as needs_of_passages
+from ropsim.icr.rules.assignment import passage as passage
 from ropsim.icr.rules.assignment import refused_needs as refused_needs
 from ropsim.icr.rules.assignment import summary as summary
 from ropsim.icr.rules.assignment import unassigned as unassigned

@@ -1,19 +1,19 @@
 """The whole text: what is told of each body, put together."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Hashable, Iterable, Mapping
 
 from ropsim.core import Diagnostic, Span, frozen_dataclass
 from ropsim.language import questions
 from ropsim.language.check.body import settled
+from ropsim.language.check.declarations import Declared
 from ropsim.language.check.outcome import Outcome
 from ropsim.language.check.world import Variable, World
+from ropsim.language.control import check_control, give_equal, walk_control
 from ropsim.language.division import Units
 from ropsim.language.findings import syntax as syntax_kinds
 from ropsim.language.report import Report
-from ropsim.language.syntax import statements as syntax
 from ropsim.language.task_form import TaskForm
 from ropsim.language.text import Line
-from ropsim.language.units import Items
 from ropsim.program import Local, Program
 from ropsim.query import Database
 
@@ -59,9 +59,13 @@ def check(units: Units, report: Report, db: Database) -> Checked:
     db.give({questions.DECLARED: declared, questions.ORDER: order})
     for name in order:  # callees first, so that no chain of calls becomes a chain of questions
         tell(db.ask(questions.header, name).found)
-    db.give({questions.INFERRED: db.ask(questions.inference)})
+    inferred = db.ask(questions.inference)
+    db.give({questions.INFERRED: inferred})
     for name in order:
         db.ask(questions.types, name)
+    parts: tuple[str, ...] = db.read(questions.PARTS)
+    if inferred is None:
+        give_equal(db, questions.WALKED_CONTROL, walk_control(db, parts))
     db.give({questions.JOINT_COUNT: db.ask(questions.joint_count)})
     for name in order:
         called = db.ask(questions.signature, name)
@@ -70,16 +74,16 @@ def check(units: Units, report: Report, db: Database) -> Checked:
     for name in order:
         bodies[name] = db.ask(questions.checked, name)
         tell(bodies[name].found)
-    control = db.ask(questions.checked_control)
+    control = check_control(db, parts, db.ask(questions.types, "").types)
     tell(control.found)
-    db.give({questions.CONTROL_LOCALS: control.locals})
+    _give_variables(db, control.locals)
     if not report.has_errors:
         for one in (*bodies.values(), control):
             tell(one.unread)
     if not control.block:
         _report_empty(tuple(units.tasks), units.opener, report)
     world = declared.world
-    program = _program(units.tasks, bodies, control, world, db)
+    program = _program(units.tasks, bodies, control, declared, db)
     told = ((name, db.ask(questions.form, name)) for name in (*world.environment.tasks, *order))
     forms = {name: form for name, form in told if form is not None}
     words = {name: db.ask(questions.words, name) for name in ("", *order)}
@@ -87,14 +91,15 @@ def check(units: Units, report: Report, db: Database) -> Checked:
 
 
 def _program(
-    names: Iterable[str], bodies: Mapping[str, Outcome], control: Outcome, world: World, db: Database
+    names: Iterable[str], bodies: Mapping[str, Outcome], control: Outcome, declared: Declared, db: Database
 ) -> Program:
+    world = declared.world
     environment = world.environment
     signals = {signal.name: signal for one in (*bodies.values(), control) for signal in one.signals}
     own = tuple(task for name in names if (task := bodies[name].task) is not None)
     library = tuple(one.task for name, one in environment.tasks.items() if name not in bodies)
     return Program(
-        _program_name(db.read(questions.STATEMENTS)),
+        declared.name,
         control.block,
         (*_globals(world, db), *control.locals),
         (*own, *library),
@@ -112,11 +117,17 @@ def _globals(world: World, db: Database) -> tuple[Local, ...]:
     return tuple(Local(one.name, settled(one.type).value) for one in found if isinstance(one, Variable))
 
 
-def _program_name(items: Items) -> str:
-    for item in items:
-        if isinstance(item, Line) and isinstance(item.statement, syntax.ProgramHeader):
-            return item.statement.name.text
-    return "main"
+def _give_variables(db: Database, variables: tuple[Local, ...]) -> None:
+    """Give the types of the variables of the control statements, name by name."""
+    before: tuple[Local, ...] = db.read(questions.CONTROL_LOCALS) or ()
+    if before == variables:
+        return
+    types = {one.name: one.type for one in variables}
+    inputs: dict[Hashable, object] = {
+        (questions.CONTROL_LOCAL, one.name): types.get(one.name) for one in before
+    }
+    inputs |= {(questions.CONTROL_LOCAL, name): kind for name, kind in types.items()}
+    db.give({questions.CONTROL_LOCALS: variables, **inputs})
 
 
 def _report_empty(names: tuple[str, ...], opener: Span | None, report: Report) -> None:

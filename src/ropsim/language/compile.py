@@ -15,6 +15,7 @@ from ropsim.language.codes import code_of
 from ropsim.language.division import divided
 from ropsim.language.environment import NO_SIGNATURES, Environment, TaskSignature
 from ropsim.language.findings import syntax as kinds
+from ropsim.language.main_code import HIDDEN
 from ropsim.language.places import at_names
 from ropsim.language.report import Report, TooManyFindingsError
 from ropsim.language.task_form import TaskForm
@@ -22,6 +23,9 @@ from ropsim.language.text import Line
 from ropsim.language.units import of_task
 from ropsim.program import Program, SourceMap, check_contracts, circles, recursion
 from ropsim.query import Database
+
+OF_UNITS = (*questions.OF_PARTS, HIDDEN, "places")
+"""Inputs about a part of the control statements."""
 
 
 @frozen_dataclass
@@ -154,11 +158,18 @@ def _checked(
     try:
         units = divided(source, environment, report, db)
         gone = db.read(questions.TASKS) or ()
+        left = db.read(questions.PARTS) or ()
         inputs: dict[Hashable, object] = {("task", name): None for name in gone}
         inputs |= {("places", of_task(name)): None for name in gone}
+        units_now = {one.unit for one in units.parts}
+        inputs |= {(what, unit): None for unit in left if unit not in units_now for what in OF_UNITS}
         inputs |= {("task", name): task for name, task in units.tasks.items()}
         inputs |= {("places", unit): one for unit, one in units.map.units.items()}
-        inputs |= {questions.TASKS: tuple(units.tasks), questions.STATEMENTS: units.control}
+        inputs |= {(questions.PART, one.unit): one.items for one in units.parts}
+        inputs |= {
+            questions.TASKS: tuple(units.tasks),
+            questions.PARTS: tuple(one.unit for one in units.parts),
+        }
         db.give(inputs)
         return checker.check(units, report, db), units.map
     except TooManyFindingsError:

@@ -4,11 +4,13 @@ from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from functools import partial
+from itertools import islice
+from zlib import crc32
 
 from ropsim.core import SourceText, Span
 from ropsim.language import prose, units
 from ropsim.language.check.tasks import TaskText
-from ropsim.language.chunks import Chunk, chunks
+from ropsim.language.chunks import Chunk, chunks, is_marked
 from ropsim.language.environment import Environment
 from ropsim.language.findings import names as name_kinds
 from ropsim.language.reading import (
@@ -30,6 +32,11 @@ from ropsim.language.report import MAX_FINDINGS, Report
 from ropsim.program import Places, SourceMap, placed
 from ropsim.query import Database
 
+MOST_ITEMS = 256
+"""Of a part of the control statements, unless they are of one piece."""
+LINES_OF_NAME = 3
+"""Lines that tell the name of a part: few enough that it keeps its name while it is being written."""
+
 
 @dataclass(slots=True)
 class Units:
@@ -37,13 +44,13 @@ class Units:
 
     Attributes:
         tasks: by name, in order.
-        control: what stands outside of them.
+        parts: what stands outside of them.
         map: where they lie.
         opener: where the first line with a statement lies, None where there is none.
     """
 
     tasks: dict[str, TaskText] = field(default_factory=dict)
-    control: units.Items = ()
+    parts: list[units.Part] = field(default_factory=list)
     map: SourceMap = field(default_factory=lambda: SourceMap(""))
     opener: Span | None = None
 
@@ -109,7 +116,8 @@ def _joined(source: SourceText, read: list[tuple[Chunk, Key, Read]], report: Rep
     """
     result = Units()
     places: dict[str, Places] = {}
-    control: list[int] = []
+    open_part = _OpenPart()
+    names: Counter[str] = Counter()
     doubles: list[tuple[str, Span]] = []
     for chunk, key, one in read:
         for finding in one.found:
@@ -122,15 +130,45 @@ def _joined(source: SourceText, read: list[tuple[Chunk, Key, Read]], report: Rep
             name = _entered(result.tasks, task, doubles)
             places[units.of_task(name)] = Places(chunk.first, task.places)
         if one.control:
-            items, offsets = db.ask(control_of, key, len(control))
-            result.control += items
-            control += [chunk.first + offset for offset in offsets]
-    places[units.CONTROL] = Places(0, tuple(control))
+            items, offsets = db.ask(control_of, key, len(open_part.offsets))
+            open_part.items += items
+            ends = chunk.ends_part or is_marked(next(units.lines_of(items)).logical.text)
+            open_part.offsets += [chunk.first + offset for offset in offsets]
+            if ends or len(open_part.items) >= MOST_ITEMS:
+                _end_part(open_part, result, places, names)
+                open_part = _OpenPart()
+    if open_part.items or not result.parts:
+        _end_part(open_part, result, places, names)
     result.map = SourceMap(source.name, places)
     for name, span in doubles:
         message = f"task `{name}` is defined twice"
         report.add(name_kinds.DUPLICATE.at(result.map.span(span), message, hint="rename one of them"))
     return result
+
+
+@dataclass(slots=True)
+class _OpenPart:
+    """A part of the control statements that more may come to.
+
+    Attributes:
+        items: its lines and blocks so far.
+        offsets: where its lines lie.
+    """
+
+    items: units.Items = ()
+    offsets: list[int] = field(default_factory=list)
+
+
+def _end_part(part: _OpenPart, result: Units, places: dict[str, Places], names: Counter[str]) -> None:
+    """Enter a part; its name tells how it begins, so that it keeps it wherever it stands."""
+    lines = islice(units.lines_of(part.items), LINES_OF_NAME)
+    start = "\n".join(line.logical.text.strip() for line in lines)
+    name = f"{units.CONTROL} {crc32(start.encode(errors='surrogatepass')):08x}"
+    names[name] += 1
+    unit = name if names[name] == 1 else f"{name}.{names[name]}"
+    result.parts.append(units.Part(unit, part.items))
+    first = part.offsets[0] if part.offsets else 0
+    places[unit] = Places(first, tuple(offset - first for offset in part.offsets))
 
 
 def _entered(tasks: dict[str, TaskText], task: Task, doubles: list[tuple[str, Span]]) -> str:

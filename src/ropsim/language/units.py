@@ -1,7 +1,9 @@
 """The parts of a text whose lines belong together: each task, and the control statements."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
+from ropsim.core import frozen_dataclass
 from ropsim.language.blocks import Block, Section
 from ropsim.language.text import Line
 
@@ -11,9 +13,35 @@ CONTROL = "control statements"
 Items = tuple[Line | Block, ...]
 
 
+@frozen_dataclass
+class Part:
+    """Some of the control statements that follow each other.
+
+    Attributes:
+        unit: name of the unit that they make.
+        items: lines and blocks.
+    """
+
+    unit: str
+    items: Items
+
+
 def of_task(name: str) -> str:
     """Return the name of the unit of a task."""
     return f"task {name}"
+
+
+def lines_of(items: Items) -> Iterator[Line]:
+    """Yield all lines, also those in blocks."""
+    for item in items:
+        if isinstance(item, Line):
+            yield item
+            continue
+        for section in item.sections:
+            yield section.header
+            yield from lines_of(section.body)
+        if item.closer is not None:
+            yield item.closer
 
 
 @dataclass(slots=True)

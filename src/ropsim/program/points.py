@@ -20,7 +20,7 @@ _Point = tuple[float, float, float]
 
 
 @frozen_dataclass
-class _Place:
+class KnownPlace:
     """Where a location is known to be: a point in the work frame, or in a frame that moves."""
 
     frame: str
@@ -35,9 +35,16 @@ def check_points(program: Program) -> tuple[Diagnostic, ...]:
 
 def points_of(block: st.Block) -> tuple[Diagnostic, ...]:
     """Return the same for one task, or for the control statements."""
+    return points_from(block, None)[0]
+
+
+def points_from(
+    block: st.Block, place: KnownPlace | None
+) -> tuple[tuple[Diagnostic, ...], KnownPlace | None]:
+    """Return the same for statements that begin with the TCP at a place, and the place where they end."""
     check = _Check()
-    check.block(block, None)
-    return tuple(check.found)
+    after = check.block(block, place)
+    return tuple(check.found), after
 
 
 @dataclass(slots=True)
@@ -46,12 +53,12 @@ class _Check:
 
     found: list[Diagnostic] = field(default_factory=list)
 
-    def block(self, block: st.Block, place: _Place | None) -> _Place | None:
+    def block(self, block: st.Block, place: KnownPlace | None) -> KnownPlace | None:
         for statement in block:
             place = self.statement(statement, place)
         return place
 
-    def statement(self, statement: st.Statement, place: _Place | None) -> _Place | None:
+    def statement(self, statement: st.Statement, place: KnownPlace | None) -> KnownPlace | None:
         """Return the place after a statement; what steers the flow leaves none that is known for certain."""
         match statement:
             case Move():
@@ -73,7 +80,7 @@ class _Check:
                 return None
         return place
 
-    def move(self, move: Move, start: _Place | None) -> _Place | None:
+    def move(self, move: Move, start: KnownPlace | None) -> KnownPlace | None:
         is_other = move.settings.tool is not None
         places = [None if is_other else start, *map(_place, (*move.via, move.target))]
         if move.kind == MotionKind.CIRC and len(places) == 3:
@@ -88,7 +95,7 @@ class _Check:
         return None if is_other or ends_elsewhere else places[-1]
 
 
-def _place(location: Expression) -> _Place | None:
+def _place(location: Expression) -> KnownPlace | None:
     """Return where a location is, None where only a run tells."""
     frame = location.frame if isinstance(location, InFrame) else ""
     inner = location.operand if isinstance(location, InFrame) else location
@@ -96,11 +103,11 @@ def _place(location: Expression) -> _Place | None:
         inner = inner.operand
     if isinstance(inner, Constant) and inner.type is ValueType.POSE and isinstance(inner.value, tuple):
         x, y, z = inner.value[:3]
-        return _Place(frame, (x, y, z))
+        return KnownPlace(frame, (x, y, z))
     return None
 
 
-def _arc_fault(places: list[_Place | None]) -> tuple[str, str] | None:
+def _arc_fault(places: list[KnownPlace | None]) -> tuple[str, str] | None:
     """Return what is wrong with the points of an arc, and what to do."""
     start, via, target = places
     if _is_one(via, target):
@@ -119,7 +126,7 @@ def _arc_fault(places: list[_Place | None]) -> tuple[str, str] | None:
     return None
 
 
-def _curve_fault(places: list[_Place | None]) -> tuple[str, str] | None:
+def _curve_fault(places: list[KnownPlace | None]) -> tuple[str, str] | None:
     """Return which points of a curve are one; a first point at the start is no further one."""
     points = places[1:]
     for number, (one, other) in enumerate(pairwise(points), 1):
@@ -129,18 +136,18 @@ def _curve_fault(places: list[_Place | None]) -> tuple[str, str] | None:
     return None
 
 
-def _joined(places: list[_Place | None]) -> _Place | None:
+def _joined(places: list[KnownPlace | None]) -> KnownPlace | None:
     first, *others = places
     return first if all(one == first for one in others) else None
 
 
-def _is_one(one: _Place | None, other: _Place | None) -> bool:
+def _is_one(one: KnownPlace | None, other: KnownPlace | None) -> bool:
     if one is None or other is None or one.frame != other.frame:
         return False
     return math.dist(one.point, other.point) <= TOLERANCE
 
 
-def _way(start: _Place, end: _Place) -> _Point:
+def _way(start: KnownPlace, end: KnownPlace) -> _Point:
     a, b = start.point, end.point
     return b[0] - a[0], b[1] - a[1], b[2] - a[2]
 

@@ -80,6 +80,11 @@ class _Types:
         return self.own[name] if name in self.own else self.globals[name]
 
 
+def no_number(_: str) -> int:
+    """Return 0: no hidden name stands before."""
+    return 0
+
+
 @dataclass(slots=True)
 class Scope:
     """The lowering of one procedure.
@@ -97,6 +102,7 @@ class Scope:
         depth: modal states saved here.
         kept: names of the values that expressions around keep, innermost last.
         numbers: of the newest hidden name, by its purpose.
+        first: tells the number of the newest one that stands before this scope, 0 for none.
         types: of the variables in sight, by name; locals hide globals.
     """
 
@@ -112,6 +118,7 @@ class Scope:
     depth: int = 0
     kept: list[str] = field(default_factory=list)
     numbers: dict[str, int] = field(default_factory=dict)
+    first: Callable[[str], int] = field(default=no_number)
     types: "_Types" = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
@@ -134,7 +141,8 @@ class Scope:
 
     def hide(self, purpose: str, kind: Type) -> str:
         """Return a new local whose name no variable of the program has."""
-        number = self.numbers.get(purpose, 0) + 1
+        before = self.numbers.get(purpose)
+        number = (self.first(purpose) if before is None else before) + 1
         while f"{purpose}.{number}" in self.types:
             number += 1
         self.numbers[purpose] = number

@@ -3,6 +3,7 @@
 import pytest
 
 from ropsim import icr, language
+from ropsim.language.main_code import END, START
 from ropsim.query import Outcome
 from support.tasks import CELL
 
@@ -44,11 +45,11 @@ mov home
 class Editor:
     """A text that is edited, and which bodies the compiler worked on at the last edit."""
 
-    def __init__(self) -> None:
+    def __init__(self, text: str = TEXT) -> None:
         self.cache = language.LineCache()
         self.db = self.cache.database(CELL, "t.task")
         self.db.events = []
-        self.result = language.compile(TEXT, CELL, "t.task", self.cache)
+        self.result = language.compile(text, CELL, "t.task", self.cache)
         assert self.result.diagnostics == ()
 
     def edited(self, text: str) -> language.Compiled:
@@ -62,19 +63,23 @@ class Editor:
         return self.result
 
     def ran(self, function: str) -> set[object]:
-        """Return for which tasks a function was called, `main` for the control statements."""
+        """Return for which tasks, or parts of the control statements, a function was called."""
         events = self.db.events or []
         called = [one for one in events if one.function == function and one.outcome is not Outcome.REUSED]
-        return {one.arguments[0] if one.arguments and one.arguments[0] else "main" for one in called}
+        return {one.arguments[0] for one in called if one.arguments[0] not in {START, END}}
 
     def checked(self) -> set[object]:
-        """Return the bodies that were checked again."""
-        return self.ran("checked") | self.ran("checked_control")
+        """Return the bodies that were checked again, `main` for control statements."""
+        return self.ran("checked") | {"main" for _ in self.ran("checked_part")}
+
+    def lowered(self) -> set[object]:
+        """Return the bodies of which code was made again, `main` for control statements."""
+        return self.ran("lowered") | {"main" for _ in self.ran("lowered_part")}
 
 
 def test_at_first_all_is_worked_out_once() -> None:
     editor = Editor()
-    assert editor.checked() == editor.ran("lowered") == {"Pick", "Count", "Fetch", "main"}
+    assert editor.checked() == editor.lowered() == {"Pick", "Count", "Fetch", "main"}
 
 
 @pytest.mark.parametrize(
@@ -101,7 +106,7 @@ def test_an_edit_reaches_what_depends_on_it(old: str, new: str, checked: set[str
     assert TEXT.count(old) >= 1
     editor.edited(TEXT.replace(old, new))
     assert editor.checked() == checked
-    assert editor.ran("lowered") == lowered
+    assert editor.lowered() == lowered
 
 
 def test_a_task_that_is_written_reaches_no_other_one() -> None:
@@ -164,3 +169,50 @@ def test_what_depends_on_a_name_is_found_by_name() -> None:
     assert editor.checked() == {"Fetch"}
     editor.edited(f"{TEXT}const part = 3 mm\n")
     assert editor.checked() == {"Pick"}  # whose parameter hides that constant
+
+
+FLAT = "program p\nunits mm, deg\ncount = 0\nhigh = 50 mm\n" + "".join(
+    f"lin (400, {k}, 300) speed {k + 1} mm/s\nif count > {k} then print count\ncount = count + 1\n"
+    f"x{k} = high + {k} mm\nmov (300, 0, x{k})\nrepeat 2\n  lin (400, {k}, high)\nendr\n"
+    for k in range(60)
+)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "checked", "lowered"),
+    [
+        ("lin (400, 30, 300)", "lin (400, 30, 310)", 1, 1),  # one line
+        ("lin (400, 30, 300)", "\n# a note\nlin (400, 30, 300)", 0, 0),
+        ("mov (300, 0, x30)", "open\nmov (300, 0, x30)", 1, 1),  # a new line: all below move
+        ("mov (300, 0, x30)\n", "", 1, 1),
+        ("mov (300, 0, x30)", "y = 3 mm\nmov (300, 0, x30 + y)", 1, 1),  # a new variable
+        ("lin (400, 30, 300)", "lin (400, 30, x29)", 1, 1),  # one of another line
+        ("lin (400, 30, 300)", "count = 7\nlin (400, 30, 300)", 1, 1),
+    ],
+)
+def test_an_edit_of_a_text_without_tasks_reaches_the_lines_around_it(
+    old: str, new: str, checked: int, lowered: int
+) -> None:
+    editor = Editor(FLAT)
+    parts = len(editor.ran("checked_part"))
+    assert parts > 5
+    assert FLAT.count(old) == 1
+    editor.edited(FLAT.replace(old, new))
+    assert len(editor.ran("checked_part")) <= checked
+    assert len(editor.ran("walked_part")) <= checked
+    assert len(editor.ran("lowered_part")) <= lowered
+    assert len(editor.ran("parsed")) <= 1
+
+
+def test_a_type_reaches_all_lines_that_read_the_variable() -> None:
+    editor = Editor(FLAT)
+    parts = len(editor.ran("checked_part"))
+    editor.edited(FLAT.replace("count = 0", "count = 0.5"))
+    assert len(editor.ran("checked_part")) > parts // 2
+
+
+def test_a_frame_reaches_the_lines_below_it_alone() -> None:
+    editor = Editor(FLAT)
+    parts = len(editor.ran("checked_part"))
+    editor.edited(FLAT.replace("lin (400, 30, 300)", "set frame pallet\nlin (400, 30, 300)"))
+    assert parts // 3 < len(editor.ran("checked_part")) < parts * 2 // 3

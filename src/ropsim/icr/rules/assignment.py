@@ -8,7 +8,7 @@ from ropsim.icr import diagnostics as kinds
 from ropsim.icr.program import Procedure, Program, text_place
 from ropsim.icr.rules.calls import callees_first
 from ropsim.icr.rules.flow import JUMPS, successors
-from ropsim.icr.rules.held import Slot, Slots, common, held_before, missing, ways
+from ropsim.icr.rules.held import Held, Slot, Slots, Ways, common, held_before, missing, ways
 
 _NONE: Slots = frozenset()
 
@@ -73,6 +73,52 @@ def given_at_once(main: Procedure) -> Slots:
     return frozenset(given)
 
 
+class Passage(NamedTuple):
+    """What a part of a procedure does with variables; control enters it at its first instruction only.
+
+    Attributes:
+        needs: variables that are read before a value was given in it.
+        gives: variables that have a value whenever its end is reached; None where it never is.
+    """
+
+    needs: tuple[Need, ...]
+    gives: Slots | None
+
+
+def passage(part: Procedure, known: Mapping[str, Summary]) -> Passage:
+    """Return what a part of a procedure does with variables.
+
+    Args:
+        part: its code, with the variables of the procedure that it uses; a jump behind its end leaves it.
+        known: what the procedures do that it calls, by name.
+    """
+    end = len(part.code)
+    if not end:
+        return Passage((), _NONE)
+    _, before, needs = _followed(part, known, _NONE, end)
+    return Passage(tuple(needs.values()), before[end].all() if end in before else None)
+
+
+def needs_of_passages(passages: Iterable[tuple[Passage, int]]) -> tuple[Need, ...]:
+    """Return the variables that may be read without a value in parts that follow each other.
+
+    Args:
+        passages: what each does, and the number of its instructions.
+    """
+    held: set[Slot] = set()
+    needs: dict[Slot, Need] = {}
+    start = 0
+    for one, size in passages:
+        for need in one.needs:
+            if need.slot not in held:
+                needs.setdefault(need.slot, Need(need.slot, start + need.at))
+        if one.gives is None:
+            break
+        held |= one.gives
+        start += size
+    return tuple(needs.values())
+
+
 def summary(procedure: Procedure, known: Mapping[str, Summary], given: Slots) -> Summary:
     """Return what a procedure does with variables.
 
@@ -80,6 +126,25 @@ def summary(procedure: Procedure, known: Mapping[str, Summary], given: Slots) ->
         procedure: that passes the rules before.
         known: the same of all that it calls, by name.
         given: global variables that have a value before it is called.
+    """
+    start = frozenset(Slot(variable.name, is_global=False) for variable in procedure.parameters)
+    way, before, found = _followed(procedure, known, start, -1)
+    needs = {slot: need for slot, need in found.items() if slot not in given}
+    ends = [before[index] for index in way.order if procedure.code[index].mnemonic == "RET"]
+    assigns = _global(common(ends).all()) - given if ends else None
+    return Summary(tuple(needs.values()), _global(needs), assigns)
+
+
+def _followed(
+    procedure: Procedure, known: Mapping[str, Summary], start: Slots, end: int
+) -> tuple[Ways, dict[int, Held], dict[Slot, Need]]:
+    """Return the ways through code, what holds a value before each instruction, and what is missing.
+
+    Args:
+        procedure: the code.
+        known: what the procedures do that it calls, by name.
+        start: what holds a value at its start.
+        end: the instruction behind which nothing follows, -1 where the code says so itself.
     """
     own = procedure.numbers
     gives: dict[int, Slots] = {}
@@ -95,16 +160,13 @@ def summary(procedure: Procedure, known: Mapping[str, Summary], given: Slots) ->
             name = str(step.operands[0])
             touched = frozenset({Slot(name, is_global=name not in own)})
             (reads if step.mnemonic == "LOAD" else gives)[index] = touched
+    lost.add(end)
     way = ways(lambda index: () if index in lost else successors(procedure, index))
-    start = frozenset(Slot(variable.name, is_global=False) for variable in procedure.parameters)
     before = held_before(way, start, lambda index: gives.get(index, _NONE))
     needs: dict[Slot, Need] = {}
     for index, slot in missing(before, reads):
-        if slot not in given:
-            needs.setdefault(slot, Need(slot, index))
-    ends = [before[index] for index in way.order if procedure.code[index].mnemonic == "RET"]
-    assigns = _global(common(ends).all()) - given if ends else None
-    return Summary(tuple(needs.values()), _global(needs), assigns)
+        needs.setdefault(slot, Need(slot, index))
+    return way, before, needs
 
 
 def _global(slots: Iterable[Slot]) -> Slots:

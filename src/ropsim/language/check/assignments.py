@@ -1,7 +1,7 @@
 """Statements that give variables values: `=`, `load`, `var` and calls with a result."""
 
 from ropsim.language.check import calls, components, convert, fold, poses, values
-from ropsim.language.check.body import Body, RejectedError
+from ropsim.language.check.body import Body, Made, RejectedError
 from ropsim.language.check.types import (
     ANGLE,
     INT,
@@ -94,7 +94,7 @@ def target(body: Body, name: nodes.Name, kind: AnyType) -> Variable:
         if body.world.is_strict and symbol is None:
             hint = f"write `var {name.text}: type` outside the tasks, or make it a parameter"
             body.fail(kinds.UNDECLARED, name, f"`{name.text}` is not declared", hint)
-        body.made.setdefault(name.text, (body.line, name))
+        body.made.setdefault(name.text, Made(body.report.source, body.line, name))
         return body.declare(name.text, kind)
     body.fail(
         name_kinds.NOT_ASSIGNABLE,

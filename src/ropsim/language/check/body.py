@@ -6,6 +6,7 @@ from typing import Any, NoReturn
 
 from ropsim.core import Kind, Span, did_you_mean, frozen_dataclass
 from ropsim.language.check.fold import IDENTITY
+from ropsim.language.check.sight import NOTHING_BEFORE, Sight
 from ropsim.language.check.types import AnyType, Type, Unknown, Value, known
 from ropsim.language.check.world import Poison, Symbol, Variable, World
 from ropsim.language.findings import names as kinds
@@ -33,6 +34,15 @@ class Loop:
     variable: str = ""
 
 
+@frozen_dataclass
+class Made:
+    """Where an assignment has made a variable: unit, line, and place of the name."""
+
+    unit: str
+    line: Line
+    place: Name
+
+
 Expressions = Mapping[type, Callable[["Body", Any], Value]]
 """How each kind of expression node is checked."""
 
@@ -56,7 +66,9 @@ class Body:
         loops: open loops, innermost last.
         depth: nesting of the lines in hand; 1 outside all blocks.
         is_tolerant: unknown names are not reported (the header of the task could not be read).
-        made: variables that an assignment made, with its line and place.
+        sight: what this part of a body sees of what stands before it.
+        looked_around: whether all names were asked for and `sight` did not tell them.
+        made: variables that an assignment made, and where.
         read: names of the variables that are read.
         used_signals: signals that are named.
         joint_count: how many coordinates `joints(…)` has, 0 as long as there is none.
@@ -71,28 +83,31 @@ class Body:
         expressions: Expressions,
         settled: Mapping[str, Type] | None,
         task: str = "",
+        sight: Sight = NOTHING_BEFORE,
     ) -> None:
         self.world = world
         self.report = report
         self.expressions = expressions
-        self.names: dict[str, Symbol] = {}
+        self.sight = sight
+        self.looked_around = False
+        self.names: dict[str, Symbol] = sight.symbols()
         self.variables: dict[str, Variable] = {}
-        self.past: set[str] = set()
-        self._numbers: dict[str, int] = {}
+        self.past = {name for name, one in sight.names.items() if one.is_past}
+        self.numbers = {name: one.number for name, one in sight.names.items()}
         self.references: tuple[str, ...] = ()
         self.result: Type | None = None
         self.task = task
         self.line = Line.empty()
-        self.X_KC: PoseTuple = IDENTITY
-        self.moving = ""
+        self.X_KC = sight.X_KC
+        self.moving = sight.moving
         self.loops: list[Loop] = []
         self.depth = 0
         self.is_tolerant = False
         self.has_gaps = False
-        self.made: dict[str, tuple[Line, Name]] = {}
+        self.made: dict[str, Made] = {}
         self.read: set[str] = set()
         self.used_signals: dict[str, SignalUse] = {}
-        self.joint_count = world.joint_count
+        self.joint_count = sight.joint_count or world.joint_count
         self.lacks_result = False
         self._settled = settled
 
@@ -128,6 +143,12 @@ class Body:
         """Return what a name means here."""
         return self.names.get(name) or self.world.symbols.get(name)
 
+    def visible(self) -> dict[str, Symbol | None]:
+        """Return all names in sight but those of cell and declarations; None for what stands far before."""
+        if self.sight.around is None:
+            self.looked_around = True
+        return {**dict.fromkeys(self.sight.around or ()), **self.names}
+
     def enter(self, name: str, kind: AnyType) -> None:
         """Enter a parameter."""
         self.names[name] = self.variables[name] = Variable(name, kind)
@@ -157,12 +178,12 @@ class Body:
 
     def _free(self, name: str) -> str:
         """Return a name that no other variable in sight has in the structured program."""
-        number = self._numbers.get(name, 1)
+        number = self.numbers.get(name, 0) + 1
         chosen = name if number == 1 else f"{name}.{number}"
         while chosen in self.variables or isinstance(self.world.symbols.get(chosen), Variable):
             number += 1
             chosen = f"{name}.{number}"
-        self._numbers[name] = number
+        self.numbers[name] = number
         return chosen
 
     def poison(self, name: str) -> None:

@@ -21,16 +21,18 @@ from ropsim.language.report import Report
 from ropsim.language.syntax import nodes
 from ropsim.language.syntax import statements as syntax
 from ropsim.language.text import Line
+from ropsim.language.units import Part
 from ropsim.program import SignalUse, ValueType
 from ropsim.spatial import PoseTuple, quaternion
 
 
 @frozen_dataclass
 class Declared:
-    """What a text declares outside of its tasks, and what is wrong with it."""
+    """What a text declares outside of its tasks, what is wrong with it, and the name that it has."""
 
     world: World
     found: tuple[Diagnostic, ...]
+    name: str = "main"
 
 
 @frozen_dataclass
@@ -41,17 +43,25 @@ class _Tables:
     tools: dict[str, PoseTuple]
 
 
-def world(tree: tuple[Line | Block, ...], environment: Environment, report: Report) -> Declared:
+def world(parts: tuple[Part, ...], environment: Environment, report: Report) -> Declared:
     """Return what a text and its environment declare; wrong declarations are reported.
 
     Args:
-        tree: the text, tasks or not.
+        parts: of the control statements; of each what may declare something is enough, and all up to the
+            first item that does not.
         environment: cell and library.
         report: takes findings.
     """
-    top = [item for item in tree if isinstance(item, Line) and item.statement is not None]
-    modes = {line.statement.word for line in top if isinstance(line.statement, syntax.Mode)}
-    has_program = any(isinstance(line.statement, syntax.ProgramHeader) for line in top)
+    top = [
+        (part.unit, item)
+        for part in parts
+        for item in part.items
+        if isinstance(item, Line) and item.statement is not None
+    ]
+    modes = {line.statement.word for _, line in top if isinstance(line.statement, syntax.Mode)}
+    named = (line.statement.name.text for _, line in top if isinstance(line.statement, syntax.ProgramHeader))
+    title = next(named, None)
+    tree = tuple(item for part in parts for item in part.items)
     frames, X_BK, frame = _frames(top, tree, environment, report)
     X_KB = quaternion.invert(X_BK)
     has_axes = bool(environment.moving) or any(
@@ -63,7 +73,7 @@ def world(tree: tuple[Line | Block, ...], environment: Environment, report: Repo
         environment,
         _units(top, environment),
         "strict" in modes,
-        "classic" in modes or not (has_program or "strict" in modes),
+        "classic" in modes or not (title is not None or "strict" in modes),
         frame,
         X_BK,
         frames,
@@ -79,7 +89,20 @@ def world(tree: tuple[Line | Block, ...], environment: Environment, report: Repo
     for name, symbol in symbols.items():
         if isinstance(symbol, Variable):
             symbols[name] = replace(symbol, type=closed(symbol.type))
-    return Declared(replace(result, joint_count=count), tuple(report.log))
+    return Declared(
+        replace(result, joint_count=count), tuple(report.log), title if title is not None else "main"
+    )
+
+
+def may_stand_above(item: Line | Block) -> bool:
+    """Return whether the work frame may be set below an item, as only declarations and settings may be."""
+    node = item.statement if isinstance(item, Line) else None
+    return isinstance(item, Line) and isinstance(node, (*syntax.DECLARATIONS, syntax.SetMode, NoneType))
+
+
+def may_declare(item: Line | Block) -> bool:
+    """Return whether an item declares something, or was meant to."""
+    return isinstance(item, Line) and isinstance(item.statement, (*syntax.DECLARATIONS, syntax.Broken))
 
 
 def _location(moving: str, X_KB: PoseTuple, pose: Location, X_KF: PoseTuple) -> Value:
@@ -89,9 +112,9 @@ def _location(moving: str, X_KB: PoseTuple, pose: Location, X_KF: PoseTuple) -> 
     return Value(fold.pose(composed(X_KB, pose)), POSE, X_KF=X_KF)
 
 
-def _units(top: Iterable[Line], environment: Environment) -> UnitSystem:
+def _units(top: Iterable[tuple[str, Line]], environment: Environment) -> UnitSystem:
     system = UnitSystem(environment.length, environment.angle)
-    for line in top:
+    for _, line in top:
         if isinstance(line.statement, syntax.Units):
             for name in line.statement.names:
                 system = system.using(name.text)
@@ -99,7 +122,7 @@ def _units(top: Iterable[Line], environment: Environment) -> UnitSystem:
 
 
 def _frames(
-    top: list[Line], tree: tuple[Line | Block, ...], environment: Environment, report: Report
+    top: list[tuple[str, Line]], tree: tuple[Line | Block, ...], environment: Environment, report: Report
 ) -> tuple[dict[str, PoseTuple], PoseTuple, str]:
     """Return all frames in the base frame, and pose and name of the work frame.
 
@@ -118,9 +141,10 @@ def _frames(
         tools={},
     )
     declared: set[str] = set()
-    for line in top:
+    for unit, line in top:
         node = line.statement
         if isinstance(node, syntax.FrameDeclaration):
+            report.source = unit
             body = Body(bare, report, EXPRESSIONS, None)
             body.line = line
             try:
@@ -134,11 +158,9 @@ def _frames(
             frames.setdefault(node.name, fold.IDENTITY)
     chosen = environment.frame
     for item in tree:
-        node = item.statement if isinstance(item, Line) else None
-        if isinstance(item, Block) and isinstance(item.opener.statement, syntax.TaskHeader):
-            continue
-        if isinstance(item, Block) or not isinstance(node, (*syntax.DECLARATIONS, syntax.SetMode, NoneType)):
+        if not may_stand_above(item):
             break
+        node = item.statement if isinstance(item, Line) else None
         if (
             isinstance(node, syntax.SetMode)
             and node.setting.word == "frame"
@@ -151,12 +173,13 @@ def _frames(
     return frames, frames.get(chosen, fold.IDENTITY), chosen if chosen in frames else ""
 
 
-def _declare_all(world: World, tables: _Tables, top: Iterable[Line], report: Report) -> int:
+def _declare_all(world: World, tables: _Tables, top: Iterable[tuple[str, Line]], report: Report) -> int:
     """Enter all declarations; return how many coordinates `joints(…)` has in them."""
     body = Body(world, report, EXPRESSIONS, None)
     declared: set[str] = set()
     tools: set[str] = set()
-    for line in top:
+    for unit, line in top:
+        report.source = unit
         body.line = line
         node = line.statement
         try:

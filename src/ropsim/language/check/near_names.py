@@ -1,13 +1,13 @@
 """Variables that nothing reads, and those that a misspelt assignment has made."""
 
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Container, Iterable, Iterator, Mapping
 
-from ropsim.language.check.body import Body
-from ropsim.language.check.world import Variable
+from ropsim.core import Diagnostic, Span, TextEdit
+from ropsim.language.check.body import Made
+from ropsim.language.check.world import Symbol, Variable
 from ropsim.language.findings import names as kinds
 from ropsim.language.prose import edit_distance
-from ropsim.language.report import Report
 
 SHORTEST = 4
 """Shorter names are near to each other by chance."""
@@ -15,15 +15,22 @@ SHORTEST = 4
 _DIGITS = re.compile(r"\d+")
 
 
-def check_near_names(body: Body) -> None:
-    """Warn of each variable that nothing reads and whose name is one slip from that of another (N237).
+def near_names(
+    made: Mapping[str, Made], read: Container[str], visible: Callable[[], Iterable[str]]
+) -> Iterator[tuple[str, Diagnostic]]:
+    """Yield a warning for each variable that nothing reads and whose name is one slip from another's (N237).
 
     Numbers in names do not count: `slot1` is not `slot2` misspelt.
+
+    Args:
+        made: variables that an assignment made, and where.
+        read: names of the variables that are read.
+        visible: tells the names of all variables that can be seen.
     """
-    unread = [name for name in body.made if name not in body.read]
+    unread = [name for name in made if name not in read]
     if not unread:
         return
-    variables = _by_letters(body)
+    variables = _by_letters(visible())
     by_slip: dict[str, set[str]] = {}
     for letters in variables:
         for key in _slips(letters):
@@ -32,26 +39,38 @@ def check_near_names(body: Body) -> None:
         letters = _letters(name)
         near = {one for key in _slips(letters) for one in by_slip.get(key, ()) if _is_near(letters, one)}
         if near:
-            line, place = body.made[name]
             best = variables[min(near)][0]
             message = f"`{name}` is a new variable that nothing reads"
-            body.report.at(kinds.NEW_BESIDE, line, place, message, f"did you mean `{best}`?", fix=best)
-            del body.made[name]
+            span = _span(made[name])
+            hint, fix = f"did you mean `{best}`?", TextEdit(span, best)
+            yield name, kinds.NEW_BESIDE.at(span, message, hint=hint, fix=fix)
 
 
-def check_unread(body: Body, report: Report) -> None:
-    """Hint at each variable that nothing reads (N239), where all lines are right: a wrong one may read it."""
-    for name, (line, place) in body.made.items():
-        if name not in body.read:
-            hint = "leave the assignment out, or use what it keeps"
-            report.at(kinds.UNUSED_VARIABLE, line, place, f"nothing reads the variable `{name}`", hint)
+def unread_variables(made: Mapping[str, Made], read: Container[str]) -> Iterator[Diagnostic]:
+    """Yield a hint for each variable that nothing reads (N239): worth telling where all lines are right."""
+    for name, one in made.items():
+        if name not in read:
+            message, hint = (
+                f"nothing reads the variable `{name}`",
+                "leave the assignment out, or use what it keeps",
+            )
+            yield kinds.UNUSED_VARIABLE.at(_span(one), message, hint=hint)
 
 
-def _by_letters(body: Body) -> dict[str, list[str]]:
-    """Return the variables that can be seen, by their names without numbers."""
+def seen_variables(symbols: Mapping[str, Symbol]) -> Iterator[str]:
+    """Yield the names of all variables."""
+    return (name for name, symbol in symbols.items() if isinstance(symbol, Variable))
+
+
+def _span(made: Made) -> Span:
+    return made.line.logical.span(made.unit, made.place.start, made.place.end)
+
+
+def _by_letters(names: Iterable[str]) -> dict[str, list[str]]:
+    """Return names of variables by themselves without numbers."""
     found: dict[str, list[str]] = {}
-    for name, symbol in {**body.world.symbols, **body.names}.items():
-        if isinstance(symbol, Variable) and "__" not in name:
+    for name in names:
+        if "__" not in name:
             found.setdefault(_letters(name), []).append(name)
     return found
 

@@ -1,12 +1,12 @@
 """One body by itself: the walk that finds types, and the one that finds what is wrong."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from contextlib import suppress
 
 from ropsim.language.check import hidden, structures
 from ropsim.language.check.body import Body, settled
 from ropsim.language.check.expressions import EXPRESSIONS
-from ropsim.language.check.near_names import check_near_names, check_unread
+from ropsim.language.check.near_names import near_names, seen_variables, unread_variables
 from ropsim.language.check.outcome import Outcome
 from ropsim.language.check.reached import late
 from ropsim.language.check.tasks import TaskText
@@ -37,17 +37,6 @@ def walked_control(world: World, items: Items) -> Body:
     return body
 
 
-def checked_control(world: World, items: Items, types: Mapping[str, Type]) -> Outcome:
-    """Return the control statements; `types` is what the walk before has found."""
-    report = Report(CONTROL)
-    body = Body(world, report, EXPRESSIONS, types)
-    block: StatementBlock = ()
-    with suppress(TooManyFindingsError):  # the list of the whole text will be full as well
-        block = structures.walk(body, items)
-        check_near_names(body)
-    return _outcome(body, report, block, body.locals(()), None)
-
-
 def checked_task(world: World, task: TaskText, signature: Signature, types: Mapping[str, Type]) -> Outcome:
     """Return a task; `types` is what the walk before has found."""
     report = Report(of_task(task.name))
@@ -56,31 +45,23 @@ def checked_task(world: World, task: TaskText, signature: Signature, types: Mapp
     with suppress(TooManyFindingsError):  # the list of the whole text will be full as well
         made = _task(body, task, signature)
     block = made.body if made is not None else ()
-    return _outcome(body, report, block, made.locals if made is not None else (), made)
+    return Outcome(
+        block,
+        made.locals if made is not None else (),
+        made,
+        tuple(report.log),
+        tuple(unread_variables(body.made, body.read)),
+        tuple(body.used_signals.values()),
+        tuple((one.task, one.span) for one in walk(block) if isinstance(one, Call)),
+        tuple(late(block)),
+        points_of(block),
+    )
 
 
 def _muted(unit: str) -> Report:
     report = Report(unit)
     report.muted = True
     return report
-
-
-def _outcome(
-    body: Body, report: Report, block: StatementBlock, variables: tuple[Local, ...], task: Task | None
-) -> Outcome:
-    unread = Report(report.source)
-    check_unread(body, unread)
-    return Outcome(
-        block,
-        variables,
-        task,
-        tuple(report.log),
-        tuple(unread.log),
-        tuple(body.used_signals.values()),
-        tuple((one.task, one.span) for one in walk(block) if isinstance(one, Call)),
-        tuple(late(block)),
-        points_of(block),
-    )
 
 
 def _enter(
@@ -108,7 +89,7 @@ def _task(body: Body, task: TaskText, signature: Signature) -> Task:
         contracts.append(Contract(clause.gripper, clause.text, body.statement_span))
         _check_counts(body, task, signature, clause)
     block = structures.walk(body, task.block.sections[0].body)
-    check_near_names(body)
+    _check_near_names(body)
     body.line = task.block.opener
     is_open = (
         signature.result is not None
@@ -127,6 +108,15 @@ def _task(body: Body, task: TaskText, signature: Signature) -> Task:
     names = tuple(p.name for p in parameters)
     result = signature.result.value if signature.result is not None else None
     return Task(task.name, parameters, body.locals(names), result, block, tuple(contracts), header_span)
+
+
+def _check_near_names(body: Body) -> None:
+    def visible() -> Iterator[str]:
+        return seen_variables({**body.world.symbols, **body.names})
+
+    for name, found in list(near_names(body.made, body.read, visible)):
+        body.report.add(found)
+        del body.made[name]
 
 
 def _check_hidden(body: Body, task: TaskText, signature: Signature) -> None:

@@ -83,6 +83,11 @@ def _blocks(statement: Statement) -> tuple[Block, ...]:
     return ()
 
 
+def goes_on(statement: Statement) -> bool:
+    """Return whether what stands behind a statement may be reached."""
+    return not _ends(statement)
+
+
 def _ends(statement: Statement) -> bool:
     """Return whether nothing behind a statement is reached."""
     match statement:

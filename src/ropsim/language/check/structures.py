@@ -22,6 +22,13 @@ def walk(body: Body, items: Iterable[Line | SyntaxBlock]) -> Block:
     A `set frame` holds up to the end of these items.
     """
     before = body.X_KC, body.moving
+    result = walk_part(body, items)
+    body.X_KC, body.moving = before
+    return result
+
+
+def walk_part(body: Body, items: Iterable[Line | SyntaxBlock]) -> Block:
+    """Return the statements of a part of a body; a `set frame` holds on behind it."""
     body.depth += 1
     result: list[Statement] = []
     for item in items:
@@ -36,7 +43,6 @@ def walk(body: Body, items: Iterable[Line | SyntaxBlock]) -> Block:
         except RejectedError:
             body.has_gaps |= isinstance(line.statement, syntax.Return | syntax.Call)
             lines.poison_targets(body, line.statement)
-    body.X_KC, body.moving = before
     body.depth -= 1
     return tuple(result)
 

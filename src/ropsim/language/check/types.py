@@ -96,6 +96,9 @@ AnyType = Type | Unknown
 _OPEN = {(n, f): Unknown(has_number=n, has_fraction=f) for n in (False, True) for f in (False, True)}
 """Stand, in what is kept between bodies, for types that only use will tell, by what literals have told."""
 
+OPEN = _OPEN[False, False]
+"""Stands for such a type where it is told elsewhere what is known of it."""
+
 
 def is_open(kind: AnyType) -> bool:
     """Return whether only use will tell a type."""

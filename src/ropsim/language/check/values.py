@@ -101,7 +101,7 @@ def name(body: Body, node: nodes.Name) -> Value:
 
 def visible(body: Body) -> list[str]:
     """Return all names that an expression could use here."""
-    names = {**body.world.symbols, **body.names}.items()
+    names = {**body.world.symbols, **body.visible()}.items()
     return [name for name, symbol in names if not isinstance(symbol, Poison) and "__" not in name]
 
 

@@ -8,7 +8,6 @@ parameters.
 
 from ropsim.language.questions.bodies import calls_of as calls_of
 from ropsim.language.questions.bodies import checked as checked
-from ropsim.language.questions.bodies import checked_control as checked_control
 from ropsim.language.questions.callers import is_own as is_own
 from ropsim.language.questions.callers import order as order
 from ropsim.language.questions.calls import form as form
@@ -23,11 +22,25 @@ from ropsim.language.questions.headers import header as header
 from ropsim.language.questions.inference import inference as inference
 from ropsim.language.questions.inference import types as types
 from ropsim.language.questions.inference import words as words
+from ropsim.language.questions.inputs import BEFORE_CHECK as BEFORE_CHECK
+from ropsim.language.questions.inputs import BEFORE_WALK as BEFORE_WALK
+from ropsim.language.questions.inputs import BLOCK as BLOCK
+from ropsim.language.questions.inputs import CONTROL_LOCAL as CONTROL_LOCAL
 from ropsim.language.questions.inputs import CONTROL_LOCALS as CONTROL_LOCALS
 from ropsim.language.questions.inputs import DECLARED as DECLARED
 from ropsim.language.questions.inputs import ENVIRONMENT as ENVIRONMENT
 from ropsim.language.questions.inputs import INFERRED as INFERRED
 from ropsim.language.questions.inputs import JOINT_COUNT as JOINT_COUNT
+from ropsim.language.questions.inputs import OF_PARTS as OF_PARTS
 from ropsim.language.questions.inputs import ORDER as ORDER
-from ropsim.language.questions.inputs import STATEMENTS as STATEMENTS
+from ropsim.language.questions.inputs import PART as PART
+from ropsim.language.questions.inputs import PARTS as PARTS
 from ropsim.language.questions.inputs import TASKS as TASKS
+from ropsim.language.questions.inputs import TYPES as TYPES
+from ropsim.language.questions.inputs import WALKED_CONTROL as WALKED_CONTROL
+from ropsim.language.questions.parts import checked_part as checked_part
+from ropsim.language.questions.parts import mentions as mentions
+from ropsim.language.questions.parts import points as points
+from ropsim.language.questions.parts import variables_of as variables_of
+from ropsim.language.questions.parts import walked_part as walked_part
+from ropsim.language.questions.told import inferred as inferred

@@ -9,7 +9,7 @@ from ropsim.language.check.table import Marked, Table
 from ropsim.language.check.world import Signature, World
 from ropsim.language.questions.callers import task
 from ropsim.language.questions.calls import lacks_result, signature
-from ropsim.language.questions.declarations import names_in, statements, symbol
+from ropsim.language.questions.declarations import names_in, symbol
 from ropsim.language.questions.headers import header
 from ropsim.language.questions.inference import types
 from ropsim.language.questions.inputs import JOINT_COUNT
@@ -24,7 +24,7 @@ def checked(db: Database, name: str) -> Outcome:
     assert text is not None
     assert found is not None
     own = replace(found.signature, is_known=db.ask(header, name).signature.is_known)
-    return one_body.checked_task(_final_world(db), text, own, db.ask(types, name).types)
+    return one_body.checked_task(final_world(db), text, own, db.ask(types, name).types)
 
 
 def calls_of(db: Database, name: str) -> tuple[tuple[str, Span], ...]:
@@ -32,12 +32,8 @@ def calls_of(db: Database, name: str) -> tuple[tuple[str, Span], ...]:
     return db.ask(checked, name).calls
 
 
-def checked_control(db: Database) -> Outcome:
-    """Return the control statements, checked."""
-    return one_body.checked_control(_final_world(db), db.ask(statements), db.ask(types, "").types)
-
-
-def _final_world(db: Database) -> World:
+def final_world(db: Database) -> World:
+    """Return the world as a body sees it when all types are known."""
     return replace(
         world_of(db, lambda name: _signature(db, name)),
         symbols=Table(lambda name: db.ask(symbol, name), lambda: db.ask(names_in, "symbols")),

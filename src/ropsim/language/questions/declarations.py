@@ -8,11 +8,11 @@ from ropsim.language.check.types import is_open
 from ropsim.language.check.units import UnitSystem
 from ropsim.language.check.world import Symbol, Variable, World
 from ropsim.language.environment import Environment
-from ropsim.language.questions.inputs import DECLARED, ENVIRONMENT, STATEMENTS
+from ropsim.language.questions.inputs import DECLARED, ENVIRONMENT, PART, PARTS
 from ropsim.language.questions.told import inferred
 from ropsim.language.report import Report, TooManyFindingsError
 from ropsim.language.text import Line
-from ropsim.language.units import CONTROL, Items
+from ropsim.language.units import CONTROL, Items, Part
 from ropsim.query import Database
 from ropsim.spatial import PoseTuple
 
@@ -22,9 +22,19 @@ def declared(db: Database) -> Declared:
     environment: Environment = db.read(ENVIRONMENT)
     report = Report(CONTROL)
     try:
-        return declarations.world(db.read(STATEMENTS), environment, report)
+        return declarations.world(
+            tuple(Part(unit, db.ask(declaring, unit)) for unit in db.read(PARTS)), environment, report
+        )
     except TooManyFindingsError:
         return Declared(_nothing(environment), tuple(report.log))
+
+
+def declaring(db: Database, unit: str) -> Items:
+    """Return the items of a part that may declare something, and all up to the first one that does not."""
+    items: Items = db.read((PART, unit))
+    first = next((k for k, item in enumerate(items) if not declarations.may_stand_above(item)), len(items))
+    rest = (item for item in items[first + 1 :] if declarations.may_declare(item))
+    return (*items[: first + 1], *rest)
 
 
 def _nothing(environment: Environment) -> World:
@@ -83,8 +93,13 @@ def symbol(db: Database, name: str) -> Symbol | None:
 
 def statements(db: Database) -> Items:
     """Return the control statements without the declarations among them."""
+    return tuple(item for unit in db.read(PARTS) for item in db.ask(statements_of, unit))
+
+
+def statements_of(db: Database, unit: str) -> Items:
+    """Return a part of them without the declarations."""
     return tuple(
         item
-        for item in db.read(STATEMENTS)
+        for item in db.read((PART, unit))
         if not isinstance(item, Line) or not isinstance(item.statement, declarations.WITHOUT_CODE)
     )

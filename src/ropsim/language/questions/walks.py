@@ -7,8 +7,8 @@ from ropsim.language.check import one_body
 from ropsim.language.check.types import Type, Unknown
 from ropsim.language.check.world import Signature
 from ropsim.language.questions.callers import is_own, library, precedes, task
-from ropsim.language.questions.declarations import statements
 from ropsim.language.questions.headers import header, opened_formals, with_types
+from ropsim.language.questions.inputs import WALKED_CONTROL
 from ropsim.language.questions.told import Walked, told
 from ropsim.language.questions.worlds import world_of
 from ropsim.query import Database
@@ -25,8 +25,8 @@ def walked(db: Database, name: str) -> Walked:
 
 def walked_control(db: Database) -> Walked:
     """Return what the control statements tell of their own types."""
-    body = one_body.walked_control(world_of(db, partial(own_signature, db)), db.ask(statements))
-    return told(body, None)
+    found: Walked = db.read(WALKED_CONTROL)
+    return found
 
 
 def _signature_before(db: Database, caller: str, name: str) -> Signature | None:

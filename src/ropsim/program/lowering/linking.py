@@ -9,11 +9,10 @@ from ropsim.icr import Type
 from ropsim.program.diagnostics import without_value
 from ropsim.program.lowering.expressions import zero_of
 from ropsim.program.lowering.procedure import Lowered
+from ropsim.program.lowering.shifting import shifted
 from ropsim.program.program import Program
 from ropsim.program.source_map import SourceMap
 from ropsim.spatial import PoseTuple, quaternion
-
-_JUMPS = frozenset(("JMP", "JF", "JT"))
 
 
 def draft_of(lowered: Lowered) -> icr.Procedure:
@@ -36,22 +35,21 @@ def started(
     """
     if not needs:
         return draft
-    types = _types(draft, variables)
-    prologue: list[icr.Step] = []
+    start = prologue(needs, _types(draft, variables), axes)
+    return replace(draft, code=(*start, *shifted(draft.code, len(start))))
+
+
+def prologue(needs: Sequence[icr.Need], types: Mapping[str, Type], axes: int | None) -> tuple[icr.Step, ...]:
+    """Return what gives values to variables that would have none; see `started`."""
+    start: list[icr.Step] = []
     for name in dict.fromkeys(need.slot.name for need in needs):  # in the order in which they are read
-        prologue.append(icr.Step("PUSH", (zero_of(types[name], axes or 1),)))
-        prologue.append(icr.Step("STORE", (name,)))
-    code = (*prologue, *(_shifted(step, len(prologue)) for step in draft.code))
-    return replace(draft, code=code)
+        start.append(icr.Step("PUSH", (zero_of(types[name], axes or 1),)))
+        start.append(icr.Step("STORE", (name,)))
+    return tuple(start)
 
 
 def _types(procedure: icr.Procedure, variables: Mapping[str, Type]) -> Mapping[str, Type]:
     return {**variables, **{one.name: one.type for one in procedure.variables}}
-
-
-def _shifted(step: icr.Step, by: int) -> icr.Step:
-    target = step.operands[0] if step.mnemonic in _JUMPS else None
-    return step._replace(operands=(target + by,)) if isinstance(target, int) else step
 
 
 def placed_lines(lowered: Lowered, procedure: icr.Procedure, places: SourceMap) -> tuple[int, ...]:
@@ -117,7 +115,8 @@ def _axes(lowered: Sequence[Lowered], procedures: Sequence[icr.Procedure]) -> in
     """Return how many joint coordinates the values of a program have, those of its starts among them."""
     found = axes_of(lowered)
     has_start = (
-        len(ready.code) > len(one.code) and any(_is_joints(step) for step in ready.code)
+        len(ready.code) > len(one.code)
+        and any(_is_joints(step) for step in ready.code[: len(ready.code) - len(one.code)])
         for one, ready in zip(lowered, procedures, strict=True)
     )
     return found if found is not None else (1 if any(has_start) else None)

@@ -1,6 +1,6 @@
 """Structured program (SIR) -> ICR: its procedures, put together."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 
 from ropsim import icr
@@ -54,19 +54,18 @@ def lower_with_findings(program: Program, source: str) -> tuple[icr.Program, tup
 
 def _lowered(program: Program, known: Known) -> dict[str, Lowered]:
     main = lower_control(known, program.main, program.frame, program.tool)
-    return reached(main, lambda name: lower_task(known, known.tasks[name]))
+    tasks = reached(main.callees, lambda name: lower_task(known, known.tasks[name]))
+    return {one.name: one for one in (main, *tasks)}
 
 
-def reached(main: Lowered, lowered: Callable[[str], Lowered]) -> dict[str, Lowered]:
-    """Return `main` and all that it reaches, depth first, by the names of the procedures."""
-    found = {main.name: main}
-    work = list(reversed(main.callees))
+def reached(callees: Iterable[str], lowered: Callable[[str], Lowered]) -> Iterator[Lowered]:
+    """Yield tasks that are called and all that they call, depth first."""
+    work = list(reversed(tuple(callees)))
     seen = set()
     while work:
         task = work.pop()
         if task not in seen:
             seen.add(task)
             one = lowered(task)
-            found[one.name] = one
+            yield one
             work += reversed(one.callees)
-    return found

@@ -1,6 +1,8 @@
 """A task, or the control statements, to the code of one procedure."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import field, replace
+from itertools import chain
 
 from ropsim.core import frozen_dataclass
 from ropsim.icr import IoChannel, Procedure, Step, Type, Variable, capabilities
@@ -9,9 +11,13 @@ from ropsim.program.diagnostics import unsound
 from ropsim.program.lowering import flow, robot
 from ropsim.program.lowering.expressions import evaluate, push, zero
 from ropsim.program.lowering.motion import lower_move
+from ropsim.program.lowering.shifting import shifted
 from ropsim.program.move import Move
 from ropsim.program.program import Local, Task
-from ropsim.program.scope import Known, Scope
+from ropsim.program.scope import Known, Scope, no_number
+
+MAIN = "main"
+"""Name of the procedure of the control statements."""
 
 
 @frozen_dataclass
@@ -35,6 +41,8 @@ class Lowered:
         axes: how many joint coordinates its values have, None where there are none.
         has_guessed_axes: whether it has values of joint coordinates whose number only other procedures tell.
         capabilities: what a robot must offer for it.
+        numbers: of the newest name in `hidden` of each purpose; of a part only.
+        goes_on: whether control reaches the end of the code; of a part only.
     """
 
     name: str
@@ -53,6 +61,8 @@ class Lowered:
     axes: int | None
     has_guessed_axes: bool
     capabilities: tuple[str, ...]
+    numbers: Mapping[str, int] = field(default_factory=dict)
+    goes_on: bool = False
 
 
 def lower_control(known: Known, block: st.Block, frame: str, tool: str) -> Lowered:
@@ -64,16 +74,77 @@ def lower_control(known: Known, block: st.Block, frame: str, tool: str) -> Lower
         frame: name of the work frame, empty for the base frame.
         tool: in force at the start, empty for none.
     """
-    scope = Scope(known, None, block[0].span.source if block else "", _block)
+    part = lower_part(known, block)
+    parts = (lower_start(known, frame, tool), part, *((lower_end(known),) if part.goes_on else ()))
+    return joined((one, one.code, one.lines) for one in placed_in_turn(parts))
+
+
+def placed_in_turn(parts: Iterable[Lowered]) -> Iterator[Lowered]:
+    """Yield parts with jumps that lead to where their targets stand when the parts follow each other."""
+    start = 0
+    for one in parts:
+        yield replace(one, code=shifted(one.code, start))
+        start += len(one.code)
+
+
+def lower_start(known: Known, frame: str, tool: str) -> Lowered:
+    """Return what stands before the control statements: their frame and the tool in force."""
+    scope = Scope(known, None, "", _block)
     if frame:
         scope.emitter.emit("FRAME", scope.frame(frame))
     if tool:
         robot.use_tool(scope, tool)
         scope.emitter.emit("TOOL", tool)
+    return _lowered(scope, MAIN)
+
+
+def lower_part(known: Known, block: st.Block, first: Callable[[str], int] = no_number) -> Lowered:
+    """Return the code of some of the control statements that follow each other.
+
+    Args:
+        known: what the program defines.
+        block: the statements.
+        first: tells the number of the newest hidden name of a purpose that stands before them, 0 for none.
+    """
+    scope = Scope(known, None, block[0].span.source if block else "", _block, first=first)
     _block(scope, block)
-    scope.emitter.line = 0
+    return _lowered(scope, MAIN)
+
+
+def lower_end(known: Known) -> Lowered:
+    """Return what stands behind the control statements."""
+    scope = Scope(known, None, "", _block)
     _end(scope)
-    return _lowered(scope, "main")
+    return _lowered(scope, MAIN)
+
+
+def joined(parts: Iterable[tuple[Lowered, tuple[Step, ...], tuple[int, ...]]], unit: str = "") -> Lowered:
+    """Return the procedure `main` of parts that follow each other.
+
+    Args:
+        parts: each with its code, in which jumps lead to where it stands, and the lines of that.
+        unit: what spans name whose lines these are, empty for that of the parts.
+    """
+    every = list(parts)
+    lowered = [one for one, _, _ in every]
+    return Lowered(
+        MAIN,
+        "",
+        (),
+        (),
+        tuple(one for part in lowered for one in part.hidden),
+        (),
+        tuple(chain.from_iterable(code for _, code, _ in every)),
+        tuple(chain.from_iterable(lines for _, _, lines in every)),
+        unit or next((one.unit for one in lowered if one.unit), ""),
+        tuple(dict.fromkeys(one for part in lowered for one in part.callees)),
+        tuple({one.name: one for part in lowered for one in part.channels}.values()),
+        tuple(dict.fromkeys(one for part in lowered for one in part.tools)),
+        tuple(dict.fromkeys(one for part in lowered for one in part.frames)),
+        next((one.axes for one in lowered if one.axes is not None), None),
+        any(one.has_guessed_axes for one in lowered),
+        tuple(sorted({one for part in lowered for one in part.capabilities})),
+    )
 
 
 def lower_task(known: Known, task: Task) -> Lowered:
@@ -108,6 +179,8 @@ def _lowered(scope: Scope, name: str) -> Lowered:
         used.axes,
         used.has_guessed_axes,
         capabilities((Procedure(name, code=code),)),
+        scope.numbers,
+        scope.emitter.is_live,
     )
 
 

@@ -1,0 +1,196 @@
+"""A part of the control statements by itself: what is wrong in it, and what it leaves to those behind it."""
+
+from collections.abc import Iterator, Mapping
+from contextlib import suppress
+from dataclasses import replace
+
+from ropsim.core import Diagnostic, Span, frozen_dataclass
+from ropsim.language.check import structures
+from ropsim.language.check.body import Body, Made
+from ropsim.language.check.expressions import EXPRESSIONS
+from ropsim.language.check.reached import goes_on, late
+from ropsim.language.check.sight import Seen, Sight
+from ropsim.language.check.types import OPEN, Type, Unknown, known
+from ropsim.language.check.world import Symbol, Variable, World
+from ropsim.language.report import Report, TooManyFindingsError
+from ropsim.language.units import Part
+from ropsim.program import Block, Call, Local, SignalUse, walk
+from ropsim.spatial import PoseTuple
+
+
+@frozen_dataclass
+class Open:
+    """A type that only use will tell.
+
+    Attributes:
+        name: of the first variable that has it.
+        has_number: whether a number was seen.
+        has_fraction: whether one with a fraction was seen.
+    """
+
+    name: str
+    has_number: bool
+    has_fraction: bool
+
+    @property
+    def settled(self) -> Type:
+        """Return what the type falls back to."""
+        return Unknown(has_number=self.has_number, has_fraction=self.has_fraction).settle()
+
+
+AnyState = Type | Open
+
+
+@frozen_dataclass
+class Left:
+    """What a part leaves to the parts behind it.
+
+    Attributes:
+        names: what is known of names where that has changed.
+        X_KC: frame of literals, in the work frame; the identity where that frame moves.
+        moving: name of the frame of literals where it moves, empty where it stands still.
+        joint_count: how many coordinates `joints(…)` has, 0 as long as there is none.
+    """
+
+    names: Mapping[str, Seen]
+    X_KC: PoseTuple
+    moving: str
+    joint_count: int
+
+
+@frozen_dataclass
+class WalkedPart:
+    """What the silent walk through a part tells of types.
+
+    Attributes:
+        left: to the parts behind it.
+        types: of the variables that it makes.
+        told: what it tells of open types of variables made before, by the names of those.
+    """
+
+    left: Left
+    types: Mapping[str, AnyState]
+    told: Mapping[str, AnyState]
+
+
+@frozen_dataclass
+class CheckedPart:
+    """A checked part. Places count lines in its unit.
+
+    Attributes:
+        left: to the parts behind it.
+        block: its statements, as far as they are right.
+        locals: variables that it makes.
+        found: findings, in the order in which they were made.
+        made: variables that an assignment made, and where.
+        read: names of the variables that are read.
+        signals: that it names.
+        calls: tasks that it calls, and where.
+        late: what no way leads to, and what stands before that.
+        end: number of the first statement that does not go on, None where all do.
+        looked_around: whether the names of all variables before it would be worth telling to it.
+    """
+
+    left: Left
+    block: Block
+    locals: tuple[Local, ...]
+    found: tuple[Diagnostic, ...]
+    made: Mapping[str, Made]
+    read: frozenset[str]
+    signals: tuple[SignalUse, ...]
+    calls: tuple[tuple[str, Span], ...]
+    late: tuple[tuple[Span, Span], ...]
+    end: int | None
+    looked_around: bool
+
+
+def walked_part(world: World, part: Part, sight: Sight, states: Mapping[str, AnyState]) -> WalkedPart:
+    """Return what a part tells of types.
+
+    Args:
+        world: what the text declares.
+        part: of the control statements.
+        sight: what stands before it; all its types that were open are `OPEN`.
+        states: of those variables.
+    """
+    report = Report(part.unit)
+    report.muted = True
+    cells: dict[str, Unknown] = {}
+    names = {
+        name: replace(one, symbol=_opened(one.symbol, states, cells)) for name, one in sight.names.items()
+    }
+    inner = replace(sight, names=names)
+    body = Body(world, report, EXPRESSIONS, None, sight=inner)
+    structures.walk_part(body, part.items)
+    firsts = {id(cell.root()): name for name, cell in reversed(cells.items())}
+    types = {name: _state(name, one, firsts) for name, one in body.variables.items()}
+    told = {name: _state(name, Variable(name, cell), firsts) for name, cell in cells.items()}
+    return WalkedPart(_left(body, inner), types, told)
+
+
+def checked_part(world: World, part: Part, sight: Sight, types: Mapping[str, Type]) -> CheckedPart:
+    """Return a part, checked; `types` are those of the variables that it makes."""
+    report = Report(part.unit)
+    body = Body(world, report, EXPRESSIONS, types, sight=sight)
+    block: Block = ()
+    with suppress(TooManyFindingsError):  # the list of the whole text will be full as well
+        block = structures.walk_part(body, part.items)
+    return CheckedPart(
+        _left(body, sight),
+        block,
+        body.locals(()),
+        tuple(report.log),
+        body.made,
+        frozenset(body.read),
+        tuple(body.used_signals.values()),
+        tuple((one.task, one.span) for one in walk(block) if isinstance(one, Call)),
+        tuple(late(block)),
+        next((number for number, statement in enumerate(block) if not goes_on(statement)), None),
+        body.looked_around,
+    )
+
+
+def _opened(
+    symbol: Symbol | None, states: Mapping[str, AnyState], cells: dict[str, Unknown]
+) -> Symbol | None:
+    """Return what a name means, its open type in a cell of its own that variables of one type share."""
+    if not isinstance(symbol, Variable) or symbol.type is not OPEN:
+        return symbol
+    state = states[symbol.name]
+    if isinstance(state, Type):
+        return replace(symbol, type=state)
+    cell = cells.setdefault(state.name, Unknown(has_number=state.has_number, has_fraction=state.has_fraction))
+    return replace(symbol, type=cell)
+
+
+def _state(name: str, variable: Variable, firsts: dict[int, str]) -> AnyState:
+    """Return the type of a variable, or what is known of it."""
+    found = known(variable.type)
+    if isinstance(found, Type):
+        return found
+    return Open(firsts.setdefault(id(found), name), found.has_number, found.has_fraction)
+
+
+def _left(body: Body, sight: Sight) -> Left:
+    return Left(dict(_changed(body, sight)), body.X_KC, body.moving, body.joint_count)
+
+
+def _changed(body: Body, sight: Sight) -> Iterator[tuple[str, Seen]]:
+    """Yield what is known of each name, where it is not what was known before."""
+    for name in dict.fromkeys((*body.names, *body.numbers, *body.past)):
+        symbol, number, is_past = body.names.get(name), body.numbers.get(name, 0), name in body.past
+        before = sight.names.get(name)
+        if (
+            before is None
+            or before.symbol is not symbol
+            or before.number != number
+            or before.is_past != is_past
+        ):
+            yield name, Seen(_closed(symbol), number, is_past)
+
+
+def _closed(symbol: Symbol | None) -> Symbol | None:
+    if not isinstance(symbol, Variable) or isinstance(symbol.type, Type):
+        return symbol
+    found = known(symbol.type)
+    return replace(symbol, type=found if isinstance(found, Type) else OPEN)
