@@ -79,9 +79,7 @@ def test_edits_of_10k_lines(benchmark: Any, kind: str) -> None:
     (anew, after), _ = measure(lambda: processor_time_of_edits(text), rounds=1, warmup=0)
     measure.figure("seconds anew", anew)
     measure.figure("seconds after an edit", after)
-    measure.figure(
-        "part of the work that an edit costs", after / anew, most=0.05 if kind == "of tasks" else 1.5
-    )
+    measure.figure("part of the work that an edit costs", after / anew, most=0.05)
 
 
 LOOP = """\
