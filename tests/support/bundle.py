@@ -17,13 +17,12 @@ def compressed(paths: Iterable[Path]) -> int:
 
 def scripts_at_once() -> set[Path]:
     """Return the scripts that index.html names: the entry and what it imports statically."""
-    index = (STATIC / "studio" / "index.html").read_text("utf-8")
-    return {STATIC / "studio" / name for name in re.findall(r'"/(assets/[^"]+\.js)"', index)}
+    return _at_once("js")
 
 
-def styles() -> set[Path]:
-    """Return all style sheets of the studio."""
-    return set((STATIC / "studio").rglob("*.css"))
+def styles_at_once() -> set[Path]:
+    """Return the style sheets that index.html names; those of panels that open later come with these."""
+    return _at_once("css")
 
 
 def scripts_of_the_editor() -> set[Path]:
@@ -35,3 +34,8 @@ def scripts_of_the_editor() -> set[Path]:
 def of_the_replay() -> list[Path]:
     """Return script and style of the replay."""
     return [STATIC / "replay" / name for name in ("replay.js", "replay.css")]
+
+
+def _at_once(ending: str) -> set[Path]:
+    index = (STATIC / "studio" / "index.html").read_text("utf-8")
+    return {STATIC / "studio" / name for name in re.findall(rf'"/(assets/[^"]+\.{ending})"', index)}
