@@ -20,6 +20,7 @@ from ropsim.studio.editing import Editing
 from ropsim.studio.folders import folders_in, places_of
 from ropsim.studio.messages import Answered, ExampleState, Robots, TrustChanged, TrustState, Welcome, notice
 from ropsim.studio.project_files import CELL, project_folder
+from ropsim.studio.project_maker import project_made
 from ropsim.studio.runs import Runs
 from ropsim.studio.scenes import Scenes
 from ropsim.studio.tab import Tab
@@ -63,6 +64,7 @@ class Session:
         self._folder = folder
         self._tabs = Tabs(time.monotonic)
         self.editing = Editing(folder, self._tabs, self._welcome_all, self._text_changed)
+        self._neutral = neutral
         self._desk = WorkerLink("drawing desk", str(neutral), self._desk_lost, worker)
         self._simulator = WorkerLink("simulator", str(neutral), self._simulator_lost, worker)
         self._bench = WorkerLink("task bench", str(neutral), self._tell_lost, worker)
@@ -160,7 +162,9 @@ class Session:
         try:
             place = self._folder.parent / Path(command.path).expanduser()
             if isinstance(command, commands.NewProject):
-                place = await asyncio.to_thread(_made, place, command)
+                example = command.example or STARTER
+                making = asyncio.to_thread(project_made, place, example, command.robot, self._neutral)
+                place = await making
             folder = await asyncio.to_thread(project_folder, place)
         except (RopsimError, RuntimeError, ValueError) as error:
             finding = error.diagnostic if isinstance(error, RopsimError) else _no_place(command.path)
@@ -264,15 +268,6 @@ def _no_place(path: str) -> Diagnostic:
     return NO_PROJECT.at(
         None, f"`{path[:200]}` is no path of this machine", hint="give the folder of a project"
     )
-
-
-def _made(place: Path, order: commands.NewProject) -> Path:
-    """Make a project; what knows of cells and robots is imported for that only."""
-    from ropsim.workbench import new_project, new_robot_project
-
-    if order.robot:
-        return new_robot_project(place, order.robot)
-    return new_project(place, order.example or STARTER)
 
 
 def _robots() -> tuple[str, ...]:

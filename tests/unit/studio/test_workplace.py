@@ -99,9 +99,10 @@ def test_a_project_that_was_opened_here_is_found_at_the_same_place_by_the_next_s
     assert place_of(home / "second", PLACE.made) == PLACE
 
 
-def test_a_new_project_is_made_where_it_was_typed_and_opened(home: Path) -> None:
+@pytest.mark.parametrize("origin", [{"example": "fig5"}, {"example": "", "robot": "two_link"}])
+def test_a_new_project_is_made_where_it_was_typed_and_opened(home: Path, origin: dict[str, str]) -> None:
     async def play(workplace: Workplace) -> None:
-        await said(workplace, {"type": "new_project", "path": "third", "example": "fig5"})
+        await said(workplace, {"type": "new_project", "path": "third", **origin})
         await switched(workplace, home / "third")
 
     at(home / "first", play)
