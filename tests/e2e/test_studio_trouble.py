@@ -264,7 +264,11 @@ def test_a_dialog_whose_wish_is_refused_stays_with_the_reason_and_what_was_typed
     page.command("New program …")
     dialog = page.page.get_by_role("dialog", name="New program")
     name = dialog.get_by_label("Name of the program")
-    for refused, why in (("main", "there is a program"), ("a:b", "cannot be the name of a program")):
+    for refused, why in (
+        ("main", "there is a program"),
+        ("a:b", "cannot be the name of a program"),
+        ("load", "is a word of the task language"),
+    ):
         name.fill(refused)
         name.press("Enter")
         dialog.get_by_role("alert").get_by_text(why).wait_for()

@@ -162,6 +162,9 @@ class Documents:
         if not _is_new_name(name):
             hint = "names have letters, digits, `_`, `-` and blanks"
             return None, NOT_SAVED.at(None, f"`{name[:200]}` cannot be the name of a {noun}", hint=hint)
+        if (word := await asyncio.to_thread(_reserved, name)) is not None:
+            message = f"`{word}` is a word of the task language and cannot be the name of a program"
+            return None, NOT_SAVED.at(None, message, hint=f"such as `{word}_1`")
         if leaves_project(self._folder, path):
             message = f"`{name}` would be outside of the project folder; it is not written"
             return None, NOT_SAVED.at(
@@ -248,6 +251,14 @@ def _is_new_name(name: str) -> bool:
         return False
     stem = (found[1] or found[2]).rstrip().lower()
     return re.fullmatch(r"con|prn|aux|nul|com\d|lpt\d", stem) is None  # devices of Windows
+
+
+def _reserved(name: str) -> str | None:
+    """Return the word of the task language that a new program would be called; None where it is none."""
+    from ropsim.language import INNER_WORDS, STATEMENT_WORDS
+
+    found = re.fullmatch(r"programs/(\w+)\.task", name)
+    return found[1] if found and found[1].lower() in INNER_WORDS | STATEMENT_WORDS else None
 
 
 def _named_program(cell: str) -> str:

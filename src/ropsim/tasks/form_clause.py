@@ -112,7 +112,7 @@ def _names(form: TaskForm) -> Iterator[FieldFault]:
         yield _fault("name", 0, found, hint)
     seen: set[str] = set()
     for place, one in enumerate(form.parameters):
-        if not re.fullmatch(r"[A-Z]\w*", one.name, re.ASCII) or one.name in seen:
+        if not re.fullmatch(r"(?:[A-Z]|_+[A-Za-z])\w*", one.name, re.ASCII) or one.name in seen:
             hint = "a capital letter, then letters, digits and `_`; each name once"
             yield _fault("parameters", place, f"`{one.name}` is no name of a parameter, or there twice", hint)
         if one.kind not in KINDS:

@@ -6,8 +6,10 @@ from ropsim.tasks.clause_places import ClausePlaces
 from ropsim.tasks.diagnostics import TASK_FORM
 from ropsim.tasks.form_clause import ORDER, FieldFault, FormClause
 
-_QUOTED = re.compile(r"\"(?:[^\"\\]|\\.|\"\")*\"|'(?:[^'\\]|\\.|'')*'", re.DOTALL)
+_QUOTED = re.compile(r"0'(?:\\.|''|.)|\"(?:[^\"\\]|\\.|\"\")*\"|'(?:[^'\\]|\\.|'')*'", re.DOTALL)
 _COMMENT = re.compile(r"%|/\*")
+_NUMBERED = re.compile(r"(?<!\w)_\d+(?!\w)")
+"""Variables that Prolog, and so a form, takes for nameless ones."""
 
 
 def edited(
@@ -16,6 +18,7 @@ def edited(
     """Return a text whose clause says what the form says after a change, and which fields it cannot take.
 
     A property with a comment inside is not written anew: a form does not show the comment, and would lose it.
+    Nor is one with variables such as `_1`, which a form shows as `_`.
 
     Args:
         text: as it stands.
@@ -36,9 +39,10 @@ def edited(
             added.append(new)
             continue
         begin, end = places.properties[name]
-        if _COMMENT.search(_QUOTED.sub("", text[begin:end])):
-            message = f"`{name}` has a comment that a form does not show"
-            hint = "change it in the text, or take the comment out there"
+        hidden = _hidden(_QUOTED.sub("", text[begin:end]))
+        if hidden:
+            message = f"`{name}` has {hidden} that a form does not show"
+            hint = "change it in the text, or take that out there"
             faults.append(FieldFault(name, 0, TASK_FORM.at(None, message, hint=hint)))
             continue
         changes.append((begin, end, new or (f'{name}("")' if name == "doc" else f"{name}([])")))
@@ -47,6 +51,14 @@ def edited(
     for begin, end, new in sorted(changes, reverse=True):
         text = text[:begin] + new + text[end:]
     return text, tuple(faults)
+
+
+def _hidden(text: str) -> str:
+    """Return what a form does not show of a text without quoted parts; empty for nothing."""
+    if _COMMENT.search(text):
+        return "a comment"
+    found = _NUMBERED.search(text)
+    return f"the variable `{found[0]}`" if found else ""
 
 
 def _addition(places: ClausePlaces, added: list[str]) -> tuple[int, int, str]:

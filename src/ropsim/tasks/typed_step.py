@@ -4,7 +4,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from math import isfinite, nan
 
 from ropsim.core import RopsimError, frozen_dataclass
-from ropsim.prolog import Struct
+from ropsim.prolog import Atom, Struct
 from ropsim.tasks.base import KnowledgeBase
 from ropsim.tasks.call_reading import call_of
 from ropsim.tasks.call_report import CallReport
@@ -111,6 +111,8 @@ def default_text(parameter: Parameter) -> str:
     quantity = unit_of(default) if isinstance(default, Struct) else None
     if quantity is not None:
         return str(Quantity(*quantity))
+    if parameter.kind == LOCATION and isinstance(default, Atom):
+        return default.name
     return "" if default is None else term_text(default)
 
 

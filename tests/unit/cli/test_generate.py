@@ -54,3 +54,10 @@ def test_a_dialogue_makes_a_program_that_compiles(
     monkeypatch.setattr("sys.stdin", io.StringIO("grip\ns1\n"))
     assert main(["generate", str(tmp_path), "--name", "shift", "--write"]) == 2
     assert (tmp_path / "programs" / "shift.task").read_text() == text
+
+
+@pytest.mark.parametrize("name", ["load", "Repeat", "my pallet"])
+def test_a_name_that_no_program_can_have_is_refused(name: str, capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit):
+        main(["generate", ".", "--name", name])
+    assert f"`{name}` is" in capsys.readouterr().err

@@ -127,3 +127,18 @@ def test_what_a_form_cannot_show_is_told() -> None:
     odd = task_of("odd", "task(odd(L), [params([L-location]), body([mov(in(L, 3))])]).")
     with pytest.raises(TaskError, match="a form cannot show the body of `odd`"):
         form_of(odd)
+
+
+def test_what_is_quoted_or_nameless_in_a_text_stays_what_it_is() -> None:
+    text = """\
+task(turn(P, _L), [doc("Turns."), params([P-part, _L-location = 'my Place']),
+  pre([at(P, _5), free(_5)]), body([mov(_L), repeat(0'%, [open])])]).
+"""
+    form = form_of(task_of("turn", text))
+    more = replace(form, parameters=(*form.parameters, FormParameter("M", "int")), body=form.body + "\nclose")
+    found, faults = changed(text, "turn", more)
+    assert faults == []
+    assert "params([P-part, _L-location = 'my Place', M-int])" in found
+    assert "pre([at(P, _5), free(_5)])" in found
+    assert "body([mov(_L), repeat(37, [open]), close])" in found
+    assert changed(text, "turn", replace(form, needs=("free(P)",))) == (text, ["pre"])
