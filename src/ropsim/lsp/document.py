@@ -4,6 +4,7 @@ import re
 import sys
 from collections.abc import Iterable
 from dataclasses import field, replace
+from itertools import accumulate
 from pathlib import Path
 from urllib.parse import unquote, urlsplit
 
@@ -40,9 +41,9 @@ class Document:
     ends: tuple[int, ...] = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
-        ends = [match.span() for match in _LINE_END.finditer(self.text)]
-        object.__setattr__(self, "starts", (0, *(end for _, end in ends)))
-        object.__setattr__(self, "ends", (*(start for start, _ in ends), len(self.text)))
+        starts, ends = _bounds(self.text)
+        object.__setattr__(self, "starts", starts)
+        object.__setattr__(self, "ends", ends)
 
     @property
     def path(self) -> Path | None:
@@ -134,8 +135,21 @@ class Document:
                 start = after.offset(change.range.start)
                 end = max(after.offset(change.range.end), start)
                 text = after.text[:start] + change.text + after.text[end:]
-            after = replace(after, text=text)
-        return replace(after, version=version)
+            after = replace(after, text=text, version=version)
+        return after if after.version == version else replace(after, version=version)
+
+
+def _bounds(text: str) -> tuple[tuple[int, ...], tuple[int, ...]]:
+    """Return the offsets of the first character of each line, and those after its last one."""
+    if text.count("\r") != text.count("\r\n"):
+        found = [match.span() for match in _LINE_END.finditer(text)]
+        return (0, *(end for _, end in found)), (*(start for start, _ in found), len(text))
+    lines = text.split("\n")
+    after = tuple(accumulate(map(len, lines), lambda end, length: end + 1 + length))
+    starts = (0, *(end + 1 for end in after[:-1]))
+    if "\r" in text:
+        after = tuple(end - line.endswith("\r") for end, line in zip(after, lines, strict=True))
+    return starts, after
 
 
 def _units(text: str, encoding: str) -> int:

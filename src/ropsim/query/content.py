@@ -3,7 +3,9 @@
 from collections.abc import Hashable, Mapping
 from dataclasses import fields, is_dataclass
 from functools import cache
+from itertools import compress, starmap
 from math import copysign, isnan
+from operator import is_not
 from typing import Any, cast
 
 _PLAIN = (str, int, bool, bytes, type(None))
@@ -25,7 +27,10 @@ def is_same(one: object, other: object) -> bool:
     if isinstance(one, float) and isinstance(other, float):
         return (one == other and copysign(1.0, one) == copysign(1.0, other)) or (isnan(one) and isnan(other))
     if isinstance(one, tuple | list) and isinstance(other, tuple | list):
-        return len(one) == len(other) and all(map(is_same, one, other))
+        if len(one) != len(other):
+            return False
+        apart = compress(zip(one, other, strict=True), map(is_not, one, other))  # mostly few of many
+        return all(starmap(is_same, apart))
     if isinstance(one, Mapping) and isinstance(other, Mapping):
         return is_same(tuple(one.items()), tuple(other.items()))
     if hasattr(one, "tobytes"):  # arrays: their numbers, and how they lie

@@ -30,6 +30,13 @@ def test_every_line_end_ends_a_line(end: str) -> None:
     assert document.offset(Position(1, 1)) == 4 + len(end)
 
 
+def test_line_ends_of_every_kind_may_be_mixed() -> None:
+    document = Document("a", 1, "one\r\ntwo\rthree\nfour\r\n")
+    assert [document.line(k) for k in range(5)] == ["one", "two", "three", "four", ""]
+    plain = Document("a", 1, "one\r\n\ntwo\u2028\x0c\r\n")
+    assert [plain.line(k) for k in range(4)] == ["one", "", "two\u2028\x0c", ""]
+
+
 def test_positions_beyond_a_line_or_the_text_are_its_end() -> None:
     document = Document("a", 1, "one\r\ntwo")
     assert document.offset(Position(0, 99)) == 3
