@@ -4,7 +4,9 @@
 VENV = PYTHON='$(PYTHON)' sh tools/venv.sh
 DEMO = examples/palletizing
 # One worker more than cores (they wait now and then), at most four; tests of a module stay together, in the order of tests/conftest.py.
-SIDE_BY_SIDE = -n auto --maxprocesses 4 --dist loadfile --no-loadscope-reorder
+SIDE_BY_SIDE = -n auto --maxprocesses 4 --dist loadfile --no-loadscope-reorder $(PLAIN)
+# Parts of pytest that no test uses and each test would pass through.
+PLAIN = -p no:benchmark -p no:anyio -p no:logging -p no:legacypath
 # Hundreds of processes are started: modules that are compiled once save each of them half of its start.
 KEEP_COMPILED = PYTHONDONTWRITEBYTECODE=
 
