@@ -5,6 +5,7 @@ from ropsim.icr.binary import read_binary as read_binary
 from ropsim.icr.computing import computed as computed
 from ropsim.icr.dry_run import DryRun as DryRun
 from ropsim.icr.dry_run import run as run
+from ropsim.icr.dry_run import run_verified as run_verified
 from ropsim.icr.errors import AssemblyError as AssemblyError
 from ropsim.icr.errors import UnverifiedError as UnverifiedError
 from ropsim.icr.identity import code_lines as code_lines

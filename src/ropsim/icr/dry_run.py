@@ -74,6 +74,11 @@ def run(program: Program, world: World | None = None, budget: int = BUDGET) -> D
     found = verify(program)
     if found:
         raise UnverifiedError(found)
+    return run_verified(program, world, budget)
+
+
+def run_verified(program: Program, world: World | None = None, budget: int = BUDGET) -> DryRun:
+    """Run a program in which the verifier finds nothing, as in all that the compiler makes; see `run`."""
     world = world or StillWorld()
     machine = Machine(program, world, MachineOptions(budget))
     instructions: list[Instruction] = []

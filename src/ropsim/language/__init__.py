@@ -8,7 +8,7 @@ from ropsim.language.environment import NO_SIGNATURES as NO_SIGNATURES
 from ropsim.language.environment import Environment as Environment
 from ropsim.language.environment import TaskSignature as TaskSignature
 from ropsim.language.form import formatted as formatted
-from ropsim.language.literals import literals_of as literals_of
+from ropsim.language.literals import literals_on as literals_on
 from ropsim.language.marked_words import Mark as Mark
 from ropsim.language.marked_words import Marked as Marked
 from ropsim.language.marked_words import marked_words as marked_words

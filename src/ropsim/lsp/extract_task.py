@@ -42,7 +42,7 @@ def extract_task(
     if isinstance(made, str):
         yield refused(TITLE, KIND, made)
         return
-    if does_the_same(document.text, applied(document, made), workshop.named(document, documents).environment):
+    if does_the_same(document, applied(document, made), workshop.named(document, documents), workshop):
         yield action(TITLE, KIND, document, made)
     else:
         yield refused(TITLE, KIND, "as a task they would not be complete, or would not do the same")

@@ -4,7 +4,7 @@ import re
 from collections.abc import Iterator, Mapping
 
 from ropsim.core import SourceText, Span
-from ropsim.language import Role, Uses, literals_of
+from ropsim.language import Role, Uses, literals_on
 from ropsim.lsp.cell_names import names_of
 from ropsim.lsp.document import Document
 from ropsim.lsp.edits import Change, action, applied, refused
@@ -26,7 +26,7 @@ def name_location(
     """Yield the change for the location at a place; where the code would not be the same, the reason."""
     line, column = params.range.start.line + 1, document.column(params.range.start) + 1
     source = SourceText(document.name, document.text)
-    spans = [one for one in literals_of(source, workshop.lines) if one.line == one.end_line == line]
+    spans = literals_on(source, line, workshop.lines)
     at = [one for one in spans if one.column <= column <= one.end_column]
     if not at:
         return
@@ -34,7 +34,7 @@ def name_location(
     name = free_name("place", workshop.uses(document, documents), around)
     for span in at:
         changes = _changes(document, span, name, workshop)
-        if has_same_code(document.text, applied(document, changes), around.environment):
+        if has_same_code(document, applied(document, changes), around, workshop):
             yield action(f"{TITLE} `{name}`", KIND, document, changes)
             return
     reason = "as a declaration it would not be the same: it needs names or a frame of its own place"

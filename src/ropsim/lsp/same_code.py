@@ -1,37 +1,46 @@
 """Whether a changed text does what it did: by its code, or by all that a dry run hands out."""
 
-import re
 from dataclasses import fields, replace
 
 from ropsim import icr, language
 from ropsim.flow import Instruction, Origin
-from ropsim.language import Environment
+from ropsim.lsp.document import Document
+from ropsim.lsp.workshop import Surroundings, Workshop
+from ropsim.query import is_same
 
 #: ICR instructions after which the comparison of two dry runs ends.
 BUDGET = 100_000
 
-_LINES = re.compile(r"^\s*LINE \d+$\n", re.MULTILINE)
+
+def has_same_code(document: Document, after: str, around: Surroundings, workshop: Workshop) -> bool:
+    """Return whether a document and a text in its place compile to the same code, whatever its lines."""
+    old, new = _codes(document, after, around, workshop)
+    return old is not None and new is not None and old == new and is_same(_steps(old), _steps(new))
 
 
-def has_same_code(before: str, after: str, environment: Environment) -> bool:
-    """Return whether two texts compile to the same code, whatever the lines it comes from."""
-    old, new = _code(before, environment), _code(after, environment)
-    return old is not None and old == new
-
-
-def does_the_same(before: str, after: str, environment: Environment) -> bool:
-    """Return whether dry runs of two texts hand out the same instructions, whoever calls for them."""
-    old, new = language.compile(before, environment).icr, language.compile(after, environment).icr
+def does_the_same(document: Document, after: str, around: Surroundings, workshop: Workshop) -> bool:
+    """Return whether dry runs of both hand out the same instructions, whoever calls for them."""
+    old, new = _codes(document, after, around, workshop)
     return old is not None and new is not None and _handed_out(old) == _handed_out(new)
 
 
-def _code(text: str, environment: Environment) -> str | None:
-    code = language.compile(text, environment).icr
-    return _LINES.sub("", icr.disassemble(code)) if code is not None else None
+def _codes(
+    document: Document, after: str, around: Surroundings, workshop: Workshop
+) -> tuple[icr.Program | None, icr.Program | None]:
+    """Return the code of both, of which most is known: the document last, to which its next edit is near."""
+    new, old = (
+        language.compile(text, around.environment, document.name, workshop.lines).icr
+        for text in (after, document.text)
+    )
+    return old, new
+
+
+def _steps(code: icr.Program) -> tuple[tuple[icr.Step, ...], ...]:
+    return tuple(one.code for one in code.procedures)
 
 
 def _handed_out(code: icr.Program) -> list[Instruction]:
-    return [_without_origin(one) for one in icr.run(code, budget=BUDGET).instructions]
+    return [_without_origin(one) for one in icr.run_verified(code, budget=BUDGET).instructions]
 
 
 def _without_origin(one: Instruction) -> Instruction:

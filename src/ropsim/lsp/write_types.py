@@ -30,7 +30,7 @@ def write_types(
         if type_ and not (rest.startswith(":") and not rest.startswith(":=")):
             line, column = use.span.end_line - 1, use.span.end_column - 1
             changes.setdefault(meaning.task, []).append(Change(line, column, line, column, f": {type_}"))
-    environment = workshop.surroundings(document, documents).environment
+    around = workshop.surroundings(document, documents)
     for task, made in changes.items():
-        if has_same_code(document.text, applied(document, made), environment):
+        if has_same_code(document, applied(document, made), around, workshop):
             yield action(f"write the types of `{task}`", "refactor.rewrite", document, made)

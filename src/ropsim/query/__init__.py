@@ -2,6 +2,7 @@
 
 from ropsim.query.content import is_same as is_same
 from ropsim.query.database import Database as Database
+from ropsim.query.database import always_new as always_new
 from ropsim.query.event import Event as Event
 from ropsim.query.event import Outcome as Outcome
 from ropsim.query.once import Once as Once

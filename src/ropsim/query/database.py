@@ -24,6 +24,16 @@ KEPT_REVISIONS = 8
 """An answer that nobody asked for during so many changes of inputs is of no use lately."""
 
 _Key = tuple[Hashable, ...]
+_ALWAYS_NEW: set[Callable[..., object]] = set()
+
+
+def always_new(function: Callable[P, T]) -> Callable[P, T]:
+    """Say of a function that its answer is not worth comparing with its last one.
+
+    Such answers are large, and whoever is made of one is made of the inputs behind it, too.
+    """
+    _ALWAYS_NEW.add(function)
+    return function
 
 
 @dataclass(slots=True)
@@ -148,7 +158,7 @@ class Database:
             value = function(self, *key[1:])
         finally:
             looked = self._running.pop()
-        is_kept = known is not None and is_same(known.value, value)
+        is_kept = known is not None and function not in _ALWAYS_NEW and is_same(known.value, value)
         changed = known.changed if known is not None and is_kept else self.revision
         value = known.value if known is not None and is_kept else value
         users = known.users if known is not None else set()

@@ -15,7 +15,7 @@ from ropsim import icr, language
 from ropsim.cellfile import read_cell
 from ropsim.core import Diagnostic, SourceText, frozen_dataclass
 from ropsim.model import Cell, ReadRobot, Station
-from ropsim.query import Database
+from ropsim.query import Database, always_new
 from ropsim.userfiles import KeptAnswers
 from ropsim.workbench.answer_form import Translation, UnknownFormError, Verified, read, written
 from ropsim.workbench.at_station import AtStation
@@ -250,6 +250,7 @@ def code_lines(db: Database, name: str, at: AtStation) -> tuple[int, ...]:
     return icr.code_lines(code) if code is not None else ()
 
 
+@always_new
 def targets(db: Database, name: str, at: AtStation) -> Mapping[int, Resolved] | None:
     """Return where the moves of each line (from 1) go first; None for a text that has errors."""
     code = db.ask(translated, name, at).icr
@@ -261,11 +262,13 @@ def outline(db: Database, name: str) -> language.Outline:
     return language.outline(_text(db, name), db.read(LINES))
 
 
+@always_new
 def uses(db: Database, name: str, outside: frozenset[str]) -> language.Uses:
     """Return where a text uses which names; `outside` are those that its cell knows."""
     return language.uses_of(_text(db, name), db.read(LINES), outside)
 
 
+@always_new
 def marked(db: Database, name: str, outside: frozenset[str]) -> tuple[language.Marked, ...]:
     """Return words of the language, numbers, texts and comments of a text."""
     return language.marked_words(_text(db, name), db.read(LINES), db.ask(uses, name, outside))

@@ -89,7 +89,7 @@ def _moves(text: str, environment: Environment) -> tuple[MoveInstruction, ...]:
 
 
 def _run(program: icr.Program) -> tuple[MoveInstruction, ...]:
-    return icr.run(program, budget=BUDGET).moves
+    return icr.run_verified(program, budget=BUDGET).moves
 
 
 def _resolved(

@@ -8,6 +8,9 @@ import pytest
 
 from ropsim import icr, language
 from ropsim.flow import Origin
+from ropsim.language import cache
+from ropsim.language.syntax.line import parse_line
+from ropsim.language.text import Parsed
 from ropsim.workbench import new_project
 from support.editors import Editor, applied, place, uri_of
 
@@ -99,6 +102,23 @@ def test_a_literal_that_would_not_be_the_same_elsewhere_is_left_with_a_reason(li
     action = named(offered(TEXT, (line, column), (line, column)), "name this location")
     assert "edit" not in action
     assert "would not be the same" in action["disabled"]["reason"]
+
+
+def test_to_name_a_location_only_new_lines_are_read(monkeypatch: pytest.MonkeyPatch) -> None:
+    text = "".join(f"lin (300, {k}, 200)\n" for k in range(300))
+    editor = Editor()
+    editor.open(BARE, f"program p\nunits mm, deg\n{text}")
+    about = {"range": {"start": place(9, 9), "end": place(9, 9)}, "context": {"diagnostics": []}}
+    read: list[str] = []
+
+    def counted(line: str) -> Parsed:
+        read.append(line)
+        return parse_line(line)
+
+    monkeypatch.setattr(cache, "parse_line", counted)
+    action = named(editor.ask("textDocument/codeAction", textDocument={"uri": BARE}, **about), "name this")
+    assert "edit" in action
+    assert read == ["loc place1 = (300, 7, 200)", "lin place1"]
 
 
 def test_a_new_name_is_free() -> None:

@@ -1,6 +1,6 @@
 """The query engine: what runs again when an input changes, and what does not."""
 
-from ropsim.query import Database, Event, Once, Outcome
+from ropsim.query import Database, Event, Once, Outcome, always_new
 
 
 def words(db: Database) -> tuple[str, ...]:
@@ -14,6 +14,15 @@ def count(db: Database) -> int:
 
 def is_long(db: Database, limit: int) -> bool:
     return db.ask(count) > limit
+
+
+@always_new
+def large(db: Database) -> int:
+    return len(db.ask(words))
+
+
+def twice(db: Database) -> int:
+    return 2 * db.ask(large)
 
 
 def chosen(db: Database) -> str:
@@ -66,6 +75,17 @@ def test_an_equal_answer_ends_the_search() -> None:
         Event("words", (), Outcome.RAN),
         Event("count", (), Outcome.SAME),
         Event("is_long", (2,), Outcome.REUSED),
+    ]
+
+
+def test_an_answer_that_is_always_new_is_not_compared() -> None:
+    db = database(text="a b c")
+    assert db.ask(twice) == 6
+    db.give({"text": "x y z"})
+    assert db.ask(twice) == 6
+    assert [(event.function, event.outcome) for event in db.events or ()][-2:] == [
+        ("large", Outcome.RAN),
+        ("twice", Outcome.SAME),
     ]
 
 
