@@ -44,6 +44,8 @@ def test_a_task_that_is_not_there_is_told_with_a_near_one() -> None:
         (TaskCall("palletize", ("s1", "s2"), (Quantity(1, "cm"), 2)), None),
         ("palletize s1, s2, 10 mm, 1", None),
         ("palletize s1, s2, 10 mm, 0", "`parts in a row` of `palletize` is at least 1, given: 0"),
+        ("palletize s1, s2, 0 mm, 1", "`distance` of `palletize` is more than 0 mm, given: 0 mm"),
+        ("load_pallet s1, s2, 2, 2, 0", "`distance` of `load_pallet` is more than 0 mm, given: 0"),
         ("pick s1, -1 cm", "`clearance` of `pick` is at least 0 mm, given: -1 cm"),
         ("pick s1, 0 inch", None),
         ("insert s1, 0 m/s", "`speed` of `insert` is more than 0 mm/s, given: 0 m/s"),

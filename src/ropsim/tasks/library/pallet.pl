@@ -10,7 +10,7 @@ task(load_pallet(From, To, Columns, Rows, Distance, Clear), [
     word(Rows, "rows", "along Y"),
     word(Distance, "distance", "from the middle of each part to that of the next one"),
     word(Clear, "clearance", "how far above the parts the tool comes and goes")]),
-  range([Columns >= 1, Rows >= 1, Clear >= 0*mm]),
+  range([Columns >= 1, Rows >= 1, Distance > 0*mm, Clear >= 0*mm]),
   pre([gripper(open)]),
   geo([reachable(arm, From), reachable(arm, To)]),
   body([
@@ -33,7 +33,7 @@ task(unload_pallet(From, To, Columns, Rows, Distance, Clear), [
     word(Rows, "rows", "along Y"),
     word(Distance, "distance", "from the middle of each part to that of the next one"),
     word(Clear, "clearance", "how far above the parts the tool comes and goes")]),
-  range([Columns >= 1, Rows >= 1, Clear >= 0*mm]),
+  range([Columns >= 1, Rows >= 1, Distance > 0*mm, Clear >= 0*mm]),
   pre([gripper(open)]),
   geo([reachable(arm, From), reachable(arm, To)]),
   body([

@@ -9,7 +9,7 @@ task(palletize(From, To, A, B), [
     word(To, "goal", "where each part is brought"),
     word(A, "distance", "from each part to the next one, along X and Y"),
     word(B, "parts in a row", "the square has as many rows")]),
-  range([B >= 1]),
+  range([A > 0*mm, B >= 1]),
   pre([gripper(open)]),
   geo([reachable(arm, From), reachable(arm, To)]),
   body([
@@ -31,7 +31,7 @@ task(depalletize(From, To, A, B), [
     word(To, "first place", "the corner of the square: where the first part is to lie"),
     word(A, "distance", "from each part to the next one, along X and Y"),
     word(B, "parts in a row", "the square has as many rows")]),
-  range([B >= 1]),
+  range([A > 0*mm, B >= 1]),
   pre([gripper(open)]),
   geo([reachable(arm, From), reachable(arm, To)]),
   body([
