@@ -54,8 +54,9 @@ class Chunk:
 def chunks(lines: Sequence[str]) -> Iterator[Chunk]:
     """Yield the lines of a text in chunks: one begins before the header of a task and one after its end."""
     start, in_task = 0, False
-    for number, line in enumerate(lines):
-        if line.lstrip()[:1] not in _FIRST or (number and lines[number - 1].endswith("\\")):
+    for number in [number for number, line in enumerate(lines) if line.lstrip()[:1] in _FIRST]:
+        line = lines[number]
+        if number and lines[number - 1].endswith("\\"):
             continue
         if _TASK.match(line):
             if number > start:
@@ -84,9 +85,11 @@ def _pieces(lines: Sequence[str], start: int, end: int) -> Iterator[Chunk]:
 def _cuts(lines: Sequence[str], start: int, end: int) -> list[int]:
     """Return before which lines between two tasks no statement and no block goes on, of those to cut at."""
     found: list[int] = []
-    depth, size, goes_on = 0, 0, False
-    for number in range(start, end):
-        kind = _kind(lines[number])
+    depth, size, goes_on = 0, 0, start > 0 and lines[start - 1].endswith("\\")
+    for number, kind in enumerate(map(_kind, lines[start:end]), start):
+        if kind <= _BEGINS and size < MOST_LINES and not goes_on:  # most lines
+            size += kind
+            continue
         if not kind:
             continue
         if kind & _BEGINS:

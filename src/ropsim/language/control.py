@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
+from itertools import chain
 
 from ropsim.core import Diagnostic, Span
 from ropsim.language import questions
@@ -44,6 +45,7 @@ def walk_control(db: Database, units: Iterable[str]) -> Walked:
     types: dict[str, AnyState] = {}
     told: dict[str, AnyState] = {}
     open_names: set[str] = set()
+    has_open = False
     for unit in units:
         mentions = db.ask(questions.mentions, unit)
         states: tuple[tuple[str, AnyState], ...] = ()
@@ -57,10 +59,13 @@ def walk_control(db: Database, units: Iterable[str]) -> Walked:
         give_equal(db, (questions.BEFORE_WALK, unit), way.before(mentions, states))
         found = db.ask(questions.walked_part, unit)
         way.pass_by(found.left)
-        types |= {name: kind for name, kind in found.types.items() if name not in types}
-        told |= found.told
-        open_names.update(name for name, one in found.left.names.items() if _is_open(one))
-    kinds = {name: _last(kind, told) for name, kind in types.items()}
+        for name, kind in found.types.items():
+            types.setdefault(name, kind)
+            has_open = has_open or isinstance(kind, Open)
+        if has_open:
+            told |= found.told
+            open_names.update(name for name, one in found.left.names.items() if _is_open(one))
+    kinds = {name: _last(kind, told) for name, kind in types.items()} if has_open else types
     settled = {name: kind.settled if isinstance(kind, Open) else kind for name, kind in kinds.items()}
     return Walked((), settled, way.left.joint_count if way.left is not None else 0, lacks_result=False)
 
@@ -152,7 +157,7 @@ def _outcome(
         found.append(finding)
         del made[name]
     return Outcome(
-        tuple(statement for one in parts for statement in one.block),
+        tuple(chain.from_iterable(one.block for one in parts)),
         tuple(locals_.values()),
         None,
         tuple(found),
