@@ -2,7 +2,7 @@
 import { useId } from 'react'
 import { useStudio } from '../../studio/context'
 import { formWords as words } from '../../text/task_form'
-import { Faults } from './TaskForm'
+import { Faults } from './Faults'
 
 interface FormLinesProps {
   readonly title: string

@@ -4,8 +4,8 @@ import { useStudio, useStudioState } from '../../studio/context'
 import { useChanges } from '../../studio/hooks'
 import { formWords as words } from '../../text/task_form'
 import type { FormFault } from '../../wire/messages'
-import { Marked } from '../Marked'
 import { Scroll } from '../Scroll'
+import { Faults } from './Faults'
 import { FormLines } from './FormLines'
 import { ParameterRow } from './ParameterRow'
 import './form.css'
@@ -175,21 +175,6 @@ function Field({
       </span>
     </div>
   )
-}
-
-export function Faults({ faults }: { faults: readonly FormFault[] }) {
-  return faults.map(one => (
-    <span key={`${one.place} ${one.message}`} className={`form-fault ${one.severity}`}>
-      {one.field === 'body' && one.place >= 0 ? words.line(one.place) : ''}
-      <Marked text={one.message} />
-      {one.hint ? (
-        <span className="quiet">
-          {' – '}
-          <Marked text={one.hint} />
-        </span>
-      ) : null}
-    </span>
-  ))
 }
 
 /** A letter that no parameter has. */
