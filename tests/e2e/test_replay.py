@@ -12,7 +12,7 @@ from ropsim.core import replace_file
 from ropsim.flow import GripEvent, Recording, ReleaseEvent
 from ropsim.workbench import Project, open_project
 from ropsim.workbench.viewer import built_viewer
-from support.browser import UNPAINTED, Pages, axe
+from support.browser import UNPAINTED, VIEWPORT, Pages, in_both_schemes
 from support.patience import until
 from support.png import read_png
 from support.studio_gauges import drawn_in
@@ -32,6 +32,8 @@ PLACING = 1e-3
 SEEN = 15.0
 #: Of a picture on paper this share at least is white.
 WHITE, PAPER = 255.0, 0.2
+#: A window in which pictures are soon drawn.
+SMALL = {"width": 900, "height": 600}
 #: Drops the box on the way and grips where none is, with a comment that a careless page would run.
 TROUBLE = "  # </script><script>alert(1)</script>\n  open\n  mov b above 60 mm\n  close"
 
@@ -97,9 +99,19 @@ def first_pages(browser: "Browser") -> Iterator[Pages]:
 
 
 @pytest.fixture(scope="module")
-def first_page(first_pages: Pages, first: Made) -> "Page":
+def asked() -> list[str]:
+    """Return the addresses that the shared page has asked for, as they come."""
+    return []
+
+
+@pytest.fixture(scope="module")
+def first_page(first_pages: Pages, first: Made, asked: list[str]) -> "Page":
     """Return a page with the first report that the tests share."""
-    return opened(first_pages, first)
+    page = first_pages("about:blank")
+    page.on("request", lambda request: asked.append(request.url))
+    page.goto(first.url)
+    page.wait_for_selector("#replay[data-ready]")
+    return page
 
 
 @pytest.fixture
@@ -124,12 +136,8 @@ def poses(page: "Page") -> dict[str, list[float]]:
     return shown
 
 
-def test_it_opens_as_a_file_draws_and_asks_for_nothing(open_page: Pages, first: Made) -> None:
-    asked: list[str] = []
-    page = open_page("about:blank")
-    page.on("request", lambda request: asked.append(request.url))
-    page.goto(first.url)
-    page.wait_for_selector("#replay[data-ready]")
+def test_it_opens_as_a_file_draws_and_asks_for_nothing(page: "Page", first: Made, asked: list[str]) -> None:
+    """What is drawn is looked at by `test_the_path_is_chosen_and_the_picture_is_printed_on_white`."""
     assert asked == [first.url]
     assert page.evaluate("() => __ropsim.stats().frames") > 0
 
@@ -223,7 +231,7 @@ def test_the_keyboard_moves_through_the_program(page: "Page", first: Made) -> No
 
 
 def test_the_path_is_chosen_and_the_picture_is_printed_on_white(open_page: Pages, first: Made) -> None:
-    page = opened(open_page, first, color_scheme="dark")
+    page = opened(open_page, first, color_scheme="dark", viewport=SMALL)
     seek(page, 0.7 * first.recording.duration)
     stage, shown = page.locator(".replay-stage"), {}
     for path in ("none", "recent", "all"):
@@ -254,14 +262,17 @@ def test_findings_lead_to_their_time_and_texts_stay_texts(open_unpainted: Pages,
     assert page.get_by_text("</script><script>alert(1)</script>").first.is_visible()
 
 
-@pytest.mark.parametrize("scheme", ["light", "dark"])
-def test_it_is_accessible(open_unpainted: Pages, first: Made, scheme: str) -> None:
-    assert axe(opened(open_unpainted, first, color_scheme=scheme)) == []
+def test_it_is_accessible(page: "Page") -> None:
+    """The scheme of colours is nothing to the rules that are not about colour."""
+    light, dark = in_both_schemes(page)
+    assert (light, dark) == ([], [])
 
 
-def test_a_narrow_screen_needs_no_sideways_scrolling(open_unpainted: Pages, first: Made) -> None:
-    page = opened(open_unpainted, first, viewport={"width": 400, "height": 800})
+def test_a_narrow_screen_needs_no_sideways_scrolling(page: "Page") -> None:
+    page.set_viewport_size({"width": 400, "height": 800})
+    page.evaluate(TWO_FRAMES)
     assert page.evaluate("() => document.documentElement.scrollWidth") <= 400
+    page.set_viewport_size(VIEWPORT)
 
 
 def test_without_webgl_all_but_the_views_works(open_undrawn: Pages, first: Made) -> None:

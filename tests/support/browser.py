@@ -18,7 +18,7 @@ from support.patience import PATIENCE
 from support.studio_process import Studio, own_port
 
 if TYPE_CHECKING:
-    from playwright.sync_api import Browser, BrowserContext, Error, Page
+    from playwright.sync_api import Browser, BrowserContext, Error, Page, ViewportSize
 
     from support.studio_page import StudioPage
 
@@ -37,13 +37,14 @@ FLAGS = (
 )
 BROWSERS = ("chromium-headless-shell", "chromium", "chromium-browser", "google-chrome")
 """The shell without windows first: it takes a quarter less of the processor."""
-VIEWPORT = {"width": 1280, "height": 800}
+VIEWPORT: "ViewportSize" = {"width": 1280, "height": 800}
 UNDRAWN = (
     "const get = HTMLCanvasElement.prototype.getContext;"
     "HTMLCanvasElement.prototype.getContext = function (kind, ...rest)"
     " { return kind.startsWith('webgl') ? null : get.call(this, kind, ...rest) }"
 )
 """Takes the 3-D graphics away: half the work of a page where the processor draws."""
+GROUND = "getComputedStyle(document.body).backgroundColor"
 UNPAINTED = (
     "for (const name of Object.getOwnPropertyNames(WebGL2RenderingContext.prototype))"
     " if (/^(clear|draw(Arrays|Elements)(Instanced)?)$/.test(name))"
@@ -207,6 +208,22 @@ def axe(page: "Page", within: str | None = None, rules: Sequence[str] = ()) -> l
         f"{one['id']}: {one['help']}: {', '.join(' '.join(node['target']) for node in one['nodes'])}"
         for one in result["violations"]
     ]
+
+
+def in_both_schemes(page: "Page", within: str | None = None) -> tuple[list[str], list[str]]:
+    """Return the violations on a light page, and those of the rules about colour once it has turned dark.
+
+    Args:
+        page: to look at; it is light again afterwards.
+        within: selector of the part to look at; the whole page without one.
+    """
+    light, before = axe(page, within), page.evaluate(f"() => {GROUND}")
+    page.emulate_media(color_scheme="dark")
+    page.wait_for_function(f"before => {GROUND} !== before", arg=before)
+    dark = axe(page, within, ("color-contrast",))
+    page.emulate_media(color_scheme="light")
+    page.wait_for_function(f"before => {GROUND} === before", arg=before)
+    return light, dark
 
 
 @pytest.hookimpl(wrapper=True)
