@@ -11,9 +11,9 @@ from ropsim.collision.depth import ROUGH
 from ropsim.collision.pairs import Elsewhere, LeftOut, Pair, left_out, owners
 from ropsim.collision.separation import Nearness, Separation
 from ropsim.collision.solid_bodies import Rows, SolidBodies
-from ropsim.collision.solids import NO_MESHES, MeshPoints, convexes
+from ropsim.collision.solids import NO_MESHES, MeshPoints, convexes, readable
 from ropsim.core import frozen_dataclass
-from ropsim.kinematics import body_poses
+from ropsim.kinematics import NotFiniteError, body_poses
 from ropsim.model import Body, Cell, Mesh, body_tree, start_of
 from ropsim.spatial import Array
 
@@ -50,11 +50,11 @@ class Collisions:
 
     Args:
         cell: its bodies.
-        meshes: points of its meshes; one without them is not looked at.
+        meshes: points of its meshes; one without them, or with one that is not finite, is not looked at.
     """
 
     def __init__(self, cell: Cell, meshes: MeshPoints = NO_MESHES) -> None:
-        self.tree = body_tree(cell)
+        self.tree, meshes = body_tree(cell), readable(meshes)
         self._first, self._start = cell.first.name, dict(start_of(cell))
         self._home = self._start | {name: one.robot.home for name, one in cell.stations.items()}
         solids = {
@@ -79,6 +79,10 @@ class Collisions:
             q: joint coordinates; mechanisms that are not named stand as at the start.
             elsewhere: what hangs elsewhere than at the start.
             absent: names of bodies that are not there.
+
+        Raises:
+            ArrayShapeError: M551, coordinates have another shape.
+            NotFiniteError: M552, q holds NaN or infinity.
         """
         looked = self._looked(elsewhere, absent)
         nearest = self._nearest(q, looked, elsewhere)
@@ -87,12 +91,16 @@ class Collisions:
     def meetings(
         self, q: Coordinates, elsewhere: Elsewhere = AS_AT_START, absent: Iterable[str] = ()
     ) -> tuple[Nearness, ...]:
-        """Return the pairs of bodies that are in each other, deepest first; depths to 0.05 mm.
+        """Return the pairs of bodies that are in each other, deepest first; depths mostly to 0.05 mm.
 
         Args:
             q: as with `separation`.
             elsewhere: likewise.
             absent: likewise.
+
+        Raises:
+            ArrayShapeError: M551, coordinates have another shape.
+            NotFiniteError: M552, q holds NaN or infinity.
         """
         return self._meetings(q, self._looked(elsewhere, absent), elsewhere)
 
@@ -118,6 +126,9 @@ class Collisions:
     def _placed(self, q: Coordinates, elsewhere: Elsewhere) -> Array:
         given: Mapping[str, npt.ArrayLike] = q if isinstance(q, Mapping) else {self._first: q}
         rows = {name: np.asarray(values)[np.newaxis] for name, values in {**self._start, **given}.items()}
+        for values in rows.values():
+            if not np.isfinite(values).all():
+                raise NotFiniteError("q")
         poses = body_poses(self.tree, rows, list(self.bodies.rows), elsewhere)
         return self.bodies.placed({name: found[0] for name, found in poses.items()})
 

@@ -10,7 +10,8 @@ from ropsim.collision.polytope import Face, Polytope
 from ropsim.spatial import Array
 
 MOST = 120
-"""Points that are added; bodies with corners take about twenty."""
+"""Points that are added; bodies with corners take about twenty. Round ones about one axis take more: those
+of 2 m were up to 1 mm too deep, never too little."""
 FINE = 1e-9
 """A depth is found so finely [m]."""
 ROUGH = 5e-5

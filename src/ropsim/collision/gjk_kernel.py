@@ -15,7 +15,7 @@ MOST = 200
 NEAR = 1e-11
 """Between what is known from above and from below a distance is left so uncertain [m]."""
 ZERO = 1e-12
-"""Bodies that are nearer than this meet [m]."""
+"""Bodies that are nearer than this meet [m]; where their difference is larger than 1 m, this share of it."""
 
 
 @kernel(
@@ -57,7 +57,10 @@ def distances(
 def _pair(
     points: Array, bodies: Array, poses: Array, i: int, j: int, room: Array, found: Array, p: int
 ) -> None:
-    """Find the distance of one pair.
+    """Find the distance of one pair: 0 where no step saw a plane between the two.
+
+    Where rounding ends the steps early, the simplex is near to the origin and no such plane was seen, two
+    bodies may meet; how deep they are in each other, if at all, is for `depth_of` to say.
 
     Rows of `room`: 0 to 3 the corners of the simplex, 4 to 7 and 8 to 11 those of the two bodies behind
     them, 12 the point v of the simplex nearest to the origin, 13 the shares of the corners in it, 14 shares
@@ -69,22 +72,28 @@ def _pair(
         room[12, 0] = 1.0
     size = 0
     square = inf
+    largest = 1.0
+    parted = False
     for _ in range(MOST):
         _support(points, bodies, poses, i, -1.0, room, 4 + size)
         _support(points, bodies, poses, j, 1.0, room, 8 + size)
         for k in range(3):
             room[size, k] = room[4 + size, k] - room[8 + size, k]
-        if size > 0 and square - _dot(room, 12, size) <= NEAR * sqrt(square):
-            break
+            largest = max(largest, abs(room[size, k]))
+        if size > 0:
+            along = _dot(room, 12, size)
+            parted = parted or along > 0.0
+            if square - along <= NEAR * sqrt(square):
+                break
         better = _nearest(room, size + 1, square)
         if not better < square:
             break
         square = better
         size = _kept(room, size + 1)
-        if square <= ZERO * ZERO:
-            square = 0.0
+        if square <= (ZERO * largest) ** 2:
+            parted = False
             break
-    found[p, 0] = sqrt(square)
+    found[p, 0] = sqrt(square) if parted else 0.0
     for k in range(3):
         found[p, 1 + k] = 0.0
         found[p, 4 + k] = 0.0

@@ -89,7 +89,7 @@ class Polytope:
         """Take a point in; return the numbers of the faces that are gone, and of those that are new.
 
         Faces that see the point go, and those in whose plane it lies; the rim of the hole is joined to it
-        (Barber, Dobkin & Huhdanpaa 1996). Nothing is done where it has no rim, for rounding.
+        (Barber, Dobkin & Huhdanpaa 1996). Nothing is done where the rim is no simple ring, for rounding.
 
         Args:
             point: outside of a face [m], shape (3,).
@@ -108,7 +108,7 @@ class Polytope:
                     waiting.append(number)
         for number in visible:
             rim += [edge for edge in self.faces[number].edges if self.beside[edge[1], edge[0]] not in visible]
-        if not rim:
+        if not rim or len({start for start, _ in rim}) < len(rim):
             return [], []
         gone = sorted(visible)
         for number in gone:

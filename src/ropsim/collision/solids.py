@@ -4,6 +4,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import product
 from types import MappingProxyType
 
+import numpy as np
+
 from ropsim.collision.convex import Convex, hull_of, turned
 from ropsim.collision.quick_hull import bounded_hull
 from ropsim.model import Box, Cylinder, Mesh, Point2, Polyline, Prism, Revolve, Shape, Sphere
@@ -12,6 +14,11 @@ from ropsim.spatial import Array, Pose
 MeshPoints = Mapping[Mesh, Array]
 """Points of meshes [m], shape (k, 3) each; a mesh without them is not looked at."""
 NO_MESHES: MeshPoints = MappingProxyType({})
+
+
+def readable(meshes: MeshPoints) -> MeshPoints:
+    """Return the meshes that have points, all of them finite."""
+    return {mesh: points for mesh, points in meshes.items() if len(points) and np.isfinite(points).all()}
 
 
 def convexes(shape: Shape, meshes: MeshPoints = NO_MESHES) -> tuple[Convex, ...]:
@@ -51,7 +58,7 @@ def _convex_runs(profile: Sequence[Point2]) -> Iterator[Sequence[Point2]]:
     first = 0
     for k in range(2, len(profile)):
         (r0, z0), (r1, z1), (r2, z2) = profile[k - 2 : k + 1]
-        if k - first > 1 and (r1 - r0) * (z2 - z1) - (z1 - z0) * (r2 - r1) < 0.0:
+        if (r1 - r0) * (z2 - z1) - (z1 - z0) * (r2 - r1) < 0.0:
             yield profile[first:k]
             first = k - 1
     yield profile[first:]

@@ -8,7 +8,7 @@ import pytest
 
 from ropsim import robots
 from ropsim.collision import Collisions, LeftOut, distance, in_collision
-from ropsim.kinematics import inverse
+from ropsim.kinematics import NotFiniteError, inverse
 from ropsim.model import Box, Cell, FixedObject, Mesh, Part, Rates, Shape, Station, Tool
 from ropsim.robots.standard_controller import standard_controller
 from ropsim.spatial import Array, Pose
@@ -109,3 +109,30 @@ def test_a_part_hangs_on_its_gripper_without_touching_it_and_meets_what_is_in_it
 def test_an_arm_that_folds_into_its_base_is_in_collision() -> None:
     assert not in_collision(cell(), cell().first.robot.home)
     assert in_collision(cell(), np.array([0.6, -0.8, -2.7, -0.1, 1.4, 4.3]))
+
+
+@pytest.mark.parametrize("value", [np.nan, np.inf])
+def test_coordinates_that_are_no_numbers_are_refused(value: float) -> None:
+    q = np.array([0.0, 0.0, value, 0.0, 0.0, 0.0])
+    for look in (collisions().separation, collisions().meetings):
+        with pytest.raises(NotFiniteError):
+            look(q)
+
+
+@pytest.mark.parametrize(
+    "points",
+    [np.zeros((0, 3)), np.vstack([np.eye(3), [[np.nan, 0.0, 0.0]]])],
+    ids=["no point", "not a number"],
+)
+def test_a_mesh_without_points_that_are_all_numbers_is_not_looked_at_and_told(points: Array) -> None:
+    found = Collisions(cell(), {Mesh("sign.stl"): points}).separation(standing())
+    assert found.unseen == ("sign",)
+    assert found.distance == collisions().separation(standing()).distance
+
+
+def test_what_is_absent_once_is_there_again_and_a_micrometre_tells_meeting_from_touching() -> None:
+    for depth, pairs in ((5e-7, set()), (5e-5, {("tool:jaws", "table")})):
+        table = block("table", (0.1, 0.1, 0.02), *(PLACE - [0.0, 0.0, 0.01 - depth]))
+        looked = Collisions(replace(cell(), objects=(table,)))
+        assert looked.meetings(standing(), absent=["table"]) == ()
+        assert {one.pair for one in looked.meetings(standing())} == pairs

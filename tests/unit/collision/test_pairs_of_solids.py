@@ -147,3 +147,43 @@ def test_a_hollow_profile_is_cut_where_it_is_hollow_and_a_bulging_one_is_one_sol
         cut.placed({"spool": np.eye(4), "ball": np.eye(4)}), rows, np.zeros(3), (np.inf, np.inf)
     )
     assert gaps[:, 0].min() - 0.05 == pytest.approx(0.1 - 0.02 - 0.05, abs=EXACT)
+
+
+def two(one: Solid, other: Solid, pose: Pose) -> Nearness:
+    """Return how near a solid is to another one that stands at a pose of its frame."""
+    bodies = SolidBodies({"one": convexes(Shape(one)), "other": convexes(Shape(other))})
+    placed, pair = bodies.placed({"one": np.eye(4), "other": pose.matrix()}), np.array([[0, 1]])
+    row = bodies.distances(placed, pair, np.zeros(1), (np.inf, np.inf))[0]
+    return bodies.nearness(placed, [0, 1], row)
+
+
+@pytest.mark.parametrize(
+    ("lengths", "place"), [((0.01, 0.005), (0.025, -0.15000000000000002)), ((0.1, 0.02), (0.1, 0.05))]
+)
+@pytest.mark.parametrize("scale", [1.0, 1e3])
+def test_cylinders_with_one_axis_direction_are_in_each_other_as_deep_as_their_heights_say(
+    lengths: tuple[float, float], place: tuple[float, float], scale: float
+) -> None:
+    low, high = (Cylinder(0.5 * scale, length * scale) for length in lengths)
+    found = two(low, high, Pose(np.array([*place, 0.0]) * scale))
+    assert found.distance == pytest.approx(-sum(lengths) / 2.0 * scale, abs=EXACT * scale)
+
+
+def test_bodies_of_a_hundred_metres_have_a_depth_too_and_it_parts_them() -> None:
+    random = np.random.default_rng(4)
+    for _ in range(32):
+        one, other = (Cylinder(100 * random.uniform(0.2, 2.0), 100 * random.uniform(0.01, 2.0)) for _ in "ab")
+        pose = Pose(100 * random.uniform(-0.5, 0.5, 3), random.normal(size=4))
+        found = two(one, other, pose)
+        away = (found.point_other - found.point_one) / found.distance
+        (first,), (second,) = convexes(Shape(one)), convexes(Shape(other))
+        R = pose.matrix()[:3, :3]
+        low = (R @ second.farthest(-away @ R) + pose.position) @ away
+        assert low - first.farthest(away) @ away == pytest.approx(found.distance, abs=1e-7)
+
+
+def test_a_corner_of_a_profile_that_bends_once_makes_one_cut() -> None:
+    runs = [
+        one.points[:, :2].tolist() for one in convexes(Shape(Revolve(((0.1, 0.0), (0.05, 0.1), (0.1, 0.2)))))
+    ]
+    assert runs == [[[0.1, 0.0], [0.05, 0.1]], [[0.05, 0.1], [0.1, 0.2]]]
