@@ -14,7 +14,7 @@ from measuring import Measure
 
 from ropsim.workbench.viewer import built_viewer
 from support.browser import Pages
-from support.bundle import compressed, of_the_replay, scripts_at_once, scripts_of_the_editor, styles
+from support.bundle import compressed, of_the_replay, scripts_at_once, scripts_of_the_editor, styles_at_once
 from support.large_project import large_palletizing
 from support.studio_answers import edited, jogs, key_presses, squiggles
 from support.studio_gauges import opened
@@ -84,7 +84,7 @@ def test_start_of_the_server(benchmark: Any, tmp_path: Path) -> None:
 
 def test_sizes_of_the_pages(benchmark: Any) -> None:
     measure = Measure(benchmark)
-    size, _ = measure(lambda: compressed(scripts_at_once() | styles()), rounds=1, warmup=0)
+    size, _ = measure(lambda: compressed(scripts_at_once() | styles_at_once()), rounds=1, warmup=0)
     measure.figure("scripts and styles of the first page, compressed [kB]", size / 1e3)
     measure.figure("editor, compressed [kB]", compressed(scripts_of_the_editor()) / 1e3)
     measure.figure("replay [kB]", sum(path.stat().st_size for path in of_the_replay()) / 1e3)
