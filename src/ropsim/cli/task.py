@@ -74,7 +74,8 @@ def check(options: argparse.Namespace, output: Output) -> int:
     width = max(len(str(one.call)) for one in reports)
     for one in reports:
         output.text("\n".join(_answer(one, width)))
-    output.text(unchecked_text(known.base.unchecked))
+    unchecked = tuple(dict.fromkeys(word for one in reports for word in one.unchecked))
+    output.text(unchecked_text(unchecked))
     found = tuple(finding for one in reports for finding in one.findings)
     output.findings((one for one in known.findings if one.is_error), known.texts)
     is_good = all(one.ok for one in reports)
@@ -82,7 +83,7 @@ def check(options: argparse.Namespace, output: Output) -> int:
         {
             "ok": is_good,
             "calls": [_report(one) for one in reports],
-            "unchecked": known.base.unchecked,
+            "unchecked": unchecked,
             "state": [term_text(fact) for fact in reports[-1].state.facts],
             **diagnostic_document((*known.findings, *found)),
         }

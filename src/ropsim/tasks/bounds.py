@@ -68,6 +68,15 @@ class Bound:
         return of_value != of_bound or _KEEPS[self.sign](first, second)
 
 
+def millimetres(term: Term) -> float | None:
+    """Return a length of a call [mm], a bare number in the units of programs; None for a name."""
+    quantity = unit_of(term) if isinstance(term, Struct) else None
+    value = Quantity(*quantity) if quantity is not None else term
+    if not isinstance(value, int | float | Quantity):
+        return None
+    return _measured(value, "length")[1] / _SCALES["mm"][1]
+
+
 def bound_of(term: Term) -> tuple[str, Bound] | None:
     """Return the name of the parameter of which a term such as `B >= 1` tells a bound, and the bound."""
     match term:

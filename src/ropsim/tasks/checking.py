@@ -12,6 +12,7 @@ from ropsim.tasks.host import CHECK_SECONDS, Host
 from ropsim.tasks.kinds import LOCATION, UNITS
 from ropsim.tasks.known_task import KnownTask, Parameter
 from ropsim.tasks.not_defined import not_defined
+from ropsim.tasks.pattern import Spot
 from ropsim.tasks.task_call import Quantity, TaskCall, Value, term_of_point, term_of_value
 from ropsim.tasks.task_reading import names_in, renamed
 from ropsim.tasks.world_state import WorldState, ordered
@@ -99,7 +100,21 @@ def _precondition(task: KnownTask, condition: Term, providers: list[str]) -> Dia
 
 def _geometry(task: KnownTask, geometry: RememberedGeometry, condition: Term) -> Diagnostic:
     message = f"`{task.name}` is not possible here: {geometry.refusal(condition)}"
-    return GEOMETRY_REFUSES.at(None, message, hint=geometry.hint(condition))
+    spot = geometry.spot(condition)
+    hint = geometry.hint(condition) if spot is None else _pattern_hint(task, spot)
+    return GEOMETRY_REFUSES.at(None, message, hint=hint)
+
+
+def _pattern_hint(task: KnownTask, spot: Spot) -> str:
+    """Return which parameters ask for a place of a pattern."""
+    labels = {one.name: one.label for one in task.parameters}
+    patterns = (
+        one.arguments[1:] for one in task.geometry if isinstance(one, Struct) and one.name == "in_rows"
+    )
+    columns, rows, distance = (labels.get(getattr(one, "name", ""), "") for one in next(patterns))
+    asking = ((spot.column, columns), (spot.row, rows), (max(spot.column, spot.row), distance))
+    words = ", ".join(f"`{word}`" for number, word in asking if number > 1)
+    return f"take less for {words}, or choose another location" if words else "choose another location"
 
 
 def _provider(term: Term) -> tuple[int, str]:

@@ -153,7 +153,8 @@ UNKNOWN_GEOMETRY = define(
     "a condition of geometry is none that can be asked",
     """
 Conditions of geometry are `reachable(Robot, Location)` and `collision_free(Robot, Part, Location)`; Robot is
-a name, such as `arm`.
+a name, such as `arm`. `in_rows(reachable(arm, L), Columns, Rows, Distance)` asks one at every place of a
+pattern that begins at L; the three are parameters.
 """,
 )
 

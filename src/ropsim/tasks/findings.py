@@ -116,7 +116,10 @@ class Wording:
                 hint = did_you_mean(first, KINDS) or f"kinds are {', '.join(KINDS)}"
                 return kinds.UNKNOWN_KIND, f"there is no kind `{first}`", hint
             case "geometry":
-                hint = "there are `reachable(Robot, Location)` and `collision_free(Robot, Part, Location)`"
+                hint = (
+                    "there are `reachable(Robot, Location)`, `collision_free(Robot, Part, Location)` "
+                    "and `in_rows`"
+                )
                 return kinds.UNKNOWN_GEOMETRY, f"`{first}` is no condition of geometry", hint
             case "statement":
                 return kinds.UNKNOWN_STATEMENT, f"`{first}` is no statement", "see `ropsim explain P138`"

@@ -96,7 +96,7 @@ def form_clause(form: TaskForm, term_faults: TermFaults) -> FormClause:
 _TERMS = {
     "pre": "write a fact such as `gripper(open)` or `at(P, L)`",
     "eff": "write `+` or `-` before a fact, such as `+held(P)`",
-    "geo": "write `reachable(arm, L)` or `collision_free(arm, P, L)`",
+    "geo": "write `reachable(arm, L)`, `collision_free(arm, P, L)` or `in_rows(reachable(arm, L), N, M, D)`",
 }
 
 

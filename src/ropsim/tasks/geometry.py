@@ -5,8 +5,10 @@ from typing import Protocol
 
 from ropsim.core import frozen_dataclass
 from ropsim.prolog import Atom, Predicate, Sort, Struct, Term, question
+from ropsim.tasks.bounds import millimetres
 from ropsim.tasks.fact_words import meeting_words, place_words, refusal_words
-from ropsim.tasks.task_call import Point, point_of_term
+from ropsim.tasks.pattern import Spot, spots
+from ropsim.tasks.task_call import Point, point_of_term, term_of_point
 
 
 @frozen_dataclass
@@ -83,21 +85,32 @@ class RememberedGeometry:
         self._revision = geometry.revision
         self._known: dict[tuple[Term, ...], bool] = {}
         self._why: dict[Term, Obstruction] = {}
+        self._spots: dict[Term, tuple[Spot, Struct]] = {}
+        self._left: dict[str, None] = {}
         self.asked = 0
 
     @property
     def unchecked(self) -> tuple[str, ...]:
-        """Return what answers leave out."""
-        return self._geometry.unchecked
+        """Return what answers leave out, and what of patterns has been left out since it was made ready."""
+        return (*self._geometry.unchecked, *self._left)
 
     def prepare(self) -> None:
         """Make ready what first answers would take long for."""
+        self._left.clear()
         self._geometry.prepare()
 
     def refusal(self, condition: Term) -> str:
         """Return why a condition does not hold, as people say it."""
+        if condition in self._spots:
+            spot, one = self._spots[condition]
+            met = self._why.get(one)
+            return f"{spot} cannot be reached" if met is None else f"at {spot} {met}"
         found = self._why.get(condition)
         return refusal_words(condition) if found is None else f"{place_words(condition)} {found}"
+
+    def spot(self, condition: Term) -> Spot | None:
+        """Return the place of a pattern that refuses a condition, None for a condition of one place."""
+        return self._spots[condition][0] if condition in self._spots else None
 
     def hint(self, condition: Term) -> str:
         """Return what can be done about a condition that does not hold."""
@@ -110,6 +123,7 @@ class RememberedGeometry:
         return (
             question("reachable", (Sort.ATOM, Sort.TERM), self._reachable),
             question("collision_free", (Sort.ATOM, Sort.TERM, Sort.TERM), self._collision_free),
+            question("in_rows", (Sort.TERM, Sort.TERM, Sort.TERM, Sort.TERM), self._in_rows),
         )
 
     def _reachable(self, robot: Atom, location: Term) -> bool:
@@ -126,12 +140,40 @@ class RememberedGeometry:
 
         return self._remembered((robot, part, location), is_free)
 
+    def _in_rows(self, condition: Struct, columns: Term, rows: Term, distance: Term) -> bool:
+        first, apart = point_of_term(condition.arguments[-1]), millimetres(distance)
+        if first is None:
+            raise ValueError(f"{condition.arguments[-1]} is no location")
+        left = "places of the pattern behind the first one"
+        places = spots(first, 1, 1, 0.0)
+        if isinstance(columns, int | float) and isinstance(rows, int | float) and apart is not None:
+            places, count = spots(first, int(columns), int(rows), apart), int(columns) * int(rows)
+            left = f"{count - len(places)} of {count} places of the pattern" if count > len(places) else ""
+        asked = Struct("in_rows", (condition, columns, rows, distance))
+        for spot in places:
+            one = Struct(condition.name, (*condition.arguments[:-1], term_of_point(spot.point)))
+            if not self._holds(one):
+                self._spots[asked] = spot, one
+                return False
+        if left:
+            self._left[left] = None
+        return True
+
+    def _holds(self, condition: Struct) -> bool:
+        match condition:
+            case Struct("reachable", (Atom() as robot, location)):
+                return self._reachable(robot, location)
+            case Struct("collision_free", (Atom() as robot, part, location)):
+                return self._collision_free(robot, part, location)
+        raise ValueError(f"{condition} is no condition of geometry")
+
     def _remembered(self, asked: tuple[Term, ...], answer: Callable[[Point], bool]) -> bool:
         revision = self._geometry.revision
         if revision != self._revision:
             self._revision = revision
             self._known.clear()
             self._why.clear()
+            self._spots.clear()
         found = self._known.get(asked)
         if found is None:
             at = point_of_term(asked[-1])

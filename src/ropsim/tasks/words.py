@@ -52,5 +52,5 @@ BLOCKS = ("repeat", "repeat_until", "if", "while", "for", "for_each", "with")
 FACTS = ("at", "free", "gripper", "held", "tool", "part", "location", "device")
 """Names of the facts that cells have."""
 
-GEOMETRY = ("reachable", "collision_free")
+GEOMETRY = ("reachable", "collision_free", "in_rows")
 """Conditions that geometry tells."""

@@ -152,3 +152,28 @@ def test_what_is_no_call_is_refused(text: str) -> None:
 def test_what_is_no_fact_is_refused(fact: str) -> None:
     with pytest.raises(TaskError, match="P156"):
         WorldState.of(fact)
+
+
+def test_geometry_holds_at_every_place_of_a_pattern() -> None:
+    known = base()
+    GEOMETRY.refuse(("arm", "(610.0, -20.0, 5.0)"))
+    (finding,) = known.check("load_pallet s1, (10, -20, 5), 5, 2, 150", CELL).findings
+    assert finding.code == "P153"
+    assert finding.message == (
+        "`load_pallet` is not possible here: row 1, column 5 at `(610, -20, 5)` cannot be reached"
+    )
+    assert finding.hint == "take less for `parts in a row`, `distance`, or choose another location"
+    GEOMETRY.refuse(("arm", "bolt", "s3 offset (150, 300, 0)"))
+    (finding,) = known.check("load_pallet s1, s3, 2, 3, 15 cm", CELL).findings
+    assert "row 3, column 2 at `s3 offset (150, 300, 0)` the part `bolt` would be 12.3 mm" in finding.message
+
+
+def test_of_a_large_pattern_it_is_said_how_much_was_not_looked_at() -> None:
+    known = base()
+    report = known.check("load_pallet s1, s3, 40, 40, 75", CELL)
+    assert report.ok
+    assert len(GEOMETRY.asked) == 1 + 2 * 64
+    assert report.unchecked == ("draughts", "1536 of 1600 places of the pattern")
+    assert report.state.holds("at(bolt, s3)")
+    assert known.check("unload_pallet s3, s1, 2, 2, 75", report.state).ok
+    assert known.check("grip s2", CELL).unchecked == ("draughts",)

@@ -1,18 +1,23 @@
 % Patterns of parts on a pallet, filled and emptied from above.
 
-task(load_pallet(From, To, Columns, Rows, Distance, Clear), [
-  doc("Fills a pallet: takes parts one after the other at the supply and leaves them in rows on the pallet, each from above."),
-  params([From-location, To-location, Columns-int, Rows-int, Distance-length, Clear-length = 50*mm]),
+task(load_pallet(P, From, To, Columns, Rows, Distance, Clear), [
+  doc("Fills a pallet: takes parts one after the other at the supply and leaves them in rows on the pallet, each from above. Afterwards only the first part is known to lie there."),
+  params([P-part, From-location, To-location, Columns-int, Rows-int, Distance-length, Clear-length = 50*mm]),
   words([
+    word(P, "part", "the one that waits at the supply, first of all"),
     word(From, "supply", "where each part is taken"),
     word(To, "first place", "where the first part is to lie, a corner of the pattern"),
-    word(Columns, "parts in a row", "along X"),
-    word(Rows, "rows", "along Y"),
+    word(Columns, "parts in a row", "along X of the base, however the place is turned"),
+    word(Rows, "rows", "along Y of the base, however the place is turned"),
     word(Distance, "distance", "from the middle of each part to that of the next one"),
     word(Clear, "clearance", "how far above the parts the tool comes and goes")]),
   range([Columns >= 1, Rows >= 1, Distance > 0*mm, Clear >= 0*mm]),
-  pre([gripper(open)]),
-  geo([reachable(arm, From), reachable(arm, To)]),
+  pre([gripper(open), at(P, From)]),
+  eff([-at(P, From), +at(P, To), -free(To)]),
+  geo([
+    reachable(arm, From),
+    in_rows(reachable(arm, To), Columns, Rows, Distance),
+    in_rows(collision_free(arm, P, To), Columns, Rows, Distance)]),
   body([
     y := 0*mm,
     repeat(Rows, [
@@ -23,19 +28,21 @@ task(load_pallet(From, To, Columns, Rows, Distance, Clear), [
         x := x + Distance]),
       y := y + Distance])])]).
 
-task(unload_pallet(From, To, Columns, Rows, Distance, Clear), [
-  doc("Empties a pallet: takes parts one after the other from its rows and leaves each at the goal, each from above."),
-  params([From-location, To-location, Columns-int, Rows-int, Distance-length, Clear-length = 50*mm]),
+task(unload_pallet(P, From, To, Columns, Rows, Distance, Clear), [
+  doc("Empties a pallet: takes parts one after the other from its rows and leaves each at the goal, each from above. Where they lie afterwards is not known."),
+  params([P-part, From-location, To-location, Columns-int, Rows-int, Distance-length, Clear-length = 50*mm]),
   words([
+    word(P, "part", "the first one, at the corner of the pattern"),
     word(From, "first part", "where the first part lies, a corner of the pattern"),
     word(To, "goal", "where each part is brought"),
-    word(Columns, "parts in a row", "along X"),
-    word(Rows, "rows", "along Y"),
+    word(Columns, "parts in a row", "along X of the base, however the place is turned"),
+    word(Rows, "rows", "along Y of the base, however the place is turned"),
     word(Distance, "distance", "from the middle of each part to that of the next one"),
     word(Clear, "clearance", "how far above the parts the tool comes and goes")]),
   range([Columns >= 1, Rows >= 1, Distance > 0*mm, Clear >= 0*mm]),
-  pre([gripper(open)]),
-  geo([reachable(arm, From), reachable(arm, To)]),
+  pre([gripper(open), at(P, From)]),
+  eff([-at(P, From), +free(From), -free(To)]),
+  geo([in_rows(reachable(arm, From), Columns, Rows, Distance), reachable(arm, To), collision_free(arm, P, To)]),
   body([
     y := 0*mm,
     repeat(Rows, [

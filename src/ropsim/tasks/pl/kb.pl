@@ -302,13 +302,17 @@ effect(+ Fact, +, Fact) :- nonvar(Fact).
 effect(- Fact, -, Fact) :- nonvar(Fact).
 
 geo_read(Known, Text, One, P) :-
-    (   callable(One), functor(One, Name, Arity), geometry(Name, Arity), asks_of_places(One, Arity)
+    (   nonvar(One), One = in_rows(Inner, Columns, Rows, Distance), callable(Inner), maplist(var, [Columns, Rows, Distance])
+    ->  bound([Columns, Rows, Distance], Known, Text, P),
+        geo_read(Known, Text, Inner, P)
+    ;   callable(One), functor(One, Name, Arity), geometry(Name, Arity), asks_of_places(One, Arity)
     ->  bound(One, Known, Text, P)
     ;   callable(One)
     ->  functor(One, Name, Arity), wrong(Text, P, geometry, [Name/Arity])
     ;   wrong(Text, P, geometry, ['?'/0])
     ).
 
+%   in_rows(Condition, Columns, Rows, Distance) is a condition at each place of a pattern that begins at its location.
 %   asks_of_places(+Condition, +Arity): its first argument is the name of a robot, its last can be a location.
 asks_of_places(Condition, Arity) :-
     arg(1, Condition, Robot), atom(Robot),

@@ -28,7 +28,7 @@ plan(Facts, Goals, Reply) :-
     no_landmarks,
     assertz(expanded(0)), assertz(refusals(0)),
     ropsim_world:state(Facts, State),
-    templates(Goals),
+    templates(State, Goals),
     (   unreachable(State, Goals, Why)
     ->  Result = none(Why)
     ;   constants(State, Goals, Alike),
@@ -50,13 +50,22 @@ explained(dead(Why), _, _, none(Why)).
 explained(none, State, Goals, none(Why)) :-
     (   unreachable(State, Goals, Found) -> Why = Found ; Why = goals_clash ).
 
-%   templates(+Goals): tasks that make, or end, what the goals or other such tasks look at.
-templates(Goals) :-
+%   templates(+State, +Goals): tasks that make, or end, what the goals or other such tasks look at, and all of whose numbers
+%   somebody tells.
+templates(State, Goals) :-
     findall(Name/Arity, ( member(Goal, Goals), ropsim_kb:condition(Goal, Name, Arity) ), Wanted0),
     sort(Wanted0, Wanted),
     findall(Name-t(Head, Parameters, Pre, Eff, Geo),
-            ropsim_kb:known(Name, _, task(Head, _, Parameters, Pre, Eff, Geo, _, _, _, _)), All),
+            ( ropsim_kb:known(Name, _, task(Head, _, Parameters, Pre, Eff, Geo, _, _, _, _)),
+              \+ untold(Parameters, Pre, State) ), All),
     relevant(Wanted, [], All).
+
+untold(Parameters, Pre, State) :-
+    member(p(Value, Kind, none), Parameters),
+    ropsim_kb:measured(Kind),
+    term_variables(Pre, Told), \+ ( member(V, Told), V == Value ),
+    \+ ropsim_kb:makes(Kind, 1),
+    functor(Fact, Kind, 1), \+ memberchk(Fact, State), !.
 
 relevant([], _, _) :- !.
 relevant(Wanted, Done, All) :-

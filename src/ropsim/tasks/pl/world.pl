@@ -56,6 +56,7 @@ chosen([p(Value, Kind, Default)|More], State) :-
 %   looked(+Geometry): what refuses, by the functions of the host.
 looked(reachable(R, L)) :- ropsim_door:reachable(R, L).
 looked(collision_free(R, P, L)) :- ropsim_door:collision_free(R, P, L).
+looked(in_rows(Condition, Columns, Rows, Distance)) :- ropsim_door:in_rows(Condition, Columns, Rows, Distance).
 
 refusal(Geo, One) :- member(One, Geo), \+ looked(One).
 
