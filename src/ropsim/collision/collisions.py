@@ -70,6 +70,11 @@ class Collisions:
         self._at_rest = frozenset(self._drawn_so())
         self._known.clear()
 
+    @property
+    def at_rest(self) -> tuple[Pair, ...]:
+        """Return the pairs of one robot or device that are not looked at: they meet at rest."""
+        return tuple(sorted(self._at_rest))
+
     def separation(
         self, q: Coordinates, elsewhere: Elsewhere = AS_AT_START, absent: Iterable[str] = ()
     ) -> Separation:

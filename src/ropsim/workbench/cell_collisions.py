@@ -40,6 +40,8 @@ class CellCollisions:
             yield "collisions with parts at other places"
         if unseen := list(self._unseen()):
             yield f"collisions of {_listed(unseen)} without a known shape"
+        for one, other in self._collisions.at_rest:
+            yield f"{self.words(one)} against {self.words(other)}, since they are in each other at rest"
         for one, other in self.met:
             yield f"{self.words(one)} in {self.words(other)}, as at the start"
 

@@ -12,6 +12,7 @@ from ropsim.kinematics import NotFiniteError, inverse
 from ropsim.model import Box, Cell, FixedObject, Mesh, Part, Rates, Shape, Station, Tool
 from ropsim.robots.standard_controller import standard_controller
 from ropsim.spatial import Array, Pose
+from ropsim.workbench.cell_collisions import CellCollisions
 
 UP = 1.0
 """Height of the robot's base [m]."""
@@ -136,3 +137,14 @@ def test_what_is_absent_once_is_there_again_and_a_micrometre_tells_meeting_from_
         looked = Collisions(replace(cell(), objects=(table,)))
         assert looked.meetings(standing(), absent=["table"]) == ()
         assert {one.pair for one in looked.meetings(standing())} == pairs
+
+
+def test_a_tool_that_is_in_its_arm_at_rest_is_never_looked_at_against_it_and_tasks_say_so() -> None:
+    beam = replace(JAWS, shapes=(Shape(Box((0.9, 0.9, 0.04)), Pose(np.array([0.0, 0.0, 0.06]))),))
+    drawn = replace(cell(), stations={"robot": replace(cell().first, tools={"jaws": beam})})
+    looked = Collisions(drawn)
+    assert ("link2", "tool:jaws") in looked.at_rest
+    assert looked.separation(standing()).left_out["link2", "tool:jaws"] is LeftOut.AT_REST
+    told = "`link2` against the tool `jaws`, since they are in each other at rest"
+    assert told in CellCollisions(drawn, {}).unchecked
+    assert not any("at rest" in one for one in CellCollisions(cell(), {}).unchecked)
