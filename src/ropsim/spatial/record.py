@@ -4,6 +4,7 @@ import struct
 from collections.abc import Callable, Mapping
 from dataclasses import field, fields, is_dataclass
 from enum import Enum, StrEnum
+from functools import lru_cache
 from hashlib import sha256
 from math import isnan, nan
 from types import MappingProxyType
@@ -20,8 +21,8 @@ if TYPE_CHECKING:
 T = TypeVar("T")
 
 _records: set[type] = set()
-_prints: dict[int, tuple["ref[object]", str, int]] = {}
-"""Fingerprint and hash of records that live, by identity; only of those whose arrays nobody can write to."""
+_prints: dict[int, tuple["ref[object]", str, int, bytes]] = {}
+"""Fingerprint, hash and what is fed of records that live, by identity; of those that nobody can change."""
 
 
 @dataclass_transform(frozen_default=True, field_specifiers=(field,))
@@ -58,16 +59,19 @@ def fingerprint(value: object) -> str:
 
 def _printed(value: object) -> tuple[str, bool]:
     """Return the fingerprint of a value, and whether it stays as it is."""
+    if type(value) in _SCALARS:
+        return _scalar_print(value), True
     known = _prints.get(id(value))
     if known and known[0]() is value:
         return known[1], True
     hasher = sha256()
     lasts = _feed(hasher, value)
-    found = hasher.hexdigest()
-    if lasts and type(value) in _records:
-        key = id(value)
-        _prints[key] = ref(value, lambda _: _prints.pop(key, None)), found, _hash_of(found)
-    return found, lasts
+    return hasher.hexdigest(), lasts
+
+
+@lru_cache(maxsize=4096, typed=True)
+def _scalar_print(value: object) -> str:
+    return sha256(_SCALARS[type(value)](value)).hexdigest()
 
 
 def _feed(hasher: "_Hash", value: object) -> bool:
@@ -102,22 +106,31 @@ def _feed(hasher: "_Hash", value: object) -> bool:
 
 
 def _feed_fields(hasher: "_Hash", value: object) -> bool:
+    key = id(value)
+    known = _prints.get(key)
+    if known and known[0]() is value:
+        hasher.update(known[3])
+        return True
     kind = type(value)
-    names = _field_names(value)
-    hasher.update(f"record {kind.__qualname__}\0".encode())
+    parts = [f"record {kind.__qualname__}\0"]
     lasts = True
-    for name in names:
-        hasher.update(f"{name}\0".encode())
+    for name in _field_names(kind):
         inner, stays = _printed(getattr(value, name))
-        hasher.update(inner.encode())
+        parts.append(f"{name}\0{inner}")
         lasts &= stays
+    fed = "".join(parts).encode()
+    hasher.update(fed)
+    if lasts and kind in _records:
+        found = sha256(fed).hexdigest()
+        _prints[key] = ref(value, lambda _: _prints.pop(key, None)), found, _hash_of(found), fed
     return lasts
 
 
-def _field_names(value: object) -> tuple[str, ...]:
-    if not is_dataclass(value) or isinstance(value, type):
-        raise TypeError(f"a {type(value).__qualname__} is no value: it has no fingerprint")
-    return tuple(one.name for one in fields(value))
+@lru_cache(maxsize=4096)
+def _field_names(kind: type) -> tuple[str, ...]:
+    if not is_dataclass(kind):
+        raise TypeError(f"a {kind.__qualname__} is no value: it has no fingerprint")
+    return tuple(one.name for one in fields(kind))
 
 
 def _feed_array(hasher: "_Hash", array: "np.ndarray[Any, Any]") -> bool:
@@ -166,7 +179,7 @@ def _hash_of(found: str) -> int:
 
 
 def _restore(self: object, state: list[object]) -> None:
-    for name, value in zip(_field_names(self), state, strict=True):
+    for name, value in zip(_field_names(type(self)), state, strict=True):
         if isinstance(value, np.ndarray):
             value.flags.writeable = False
         object.__setattr__(self, name, value)
