@@ -123,6 +123,8 @@ def test_an_operator_makes_a_palletizing_program_that_runs(
     tab.page.get_by_text("ran to the end, no errors, no warnings").wait_for()
     fill = project / "programs" / "fill.task"
     text = fill.read_text("utf-8")
+    listed = (project / "points" / "fill.csv").read_text("utf-8").splitlines()
+    assert listed[2:] == ["point_1,412.5,-147.5,600,,"]
     assert text.startswith("program fill\n")
     assert text.endswith("load_pallet infeed, point_1, 2, 2, 75 mm\n")
 
@@ -132,6 +134,6 @@ def test_an_operator_makes_a_palletizing_program_that_runs(
     tab.page.get_by_text("There is a program fill already.").wait_for()
     make = tab.page.get_by_role("button", name="Make and run")
     assert make.is_disabled()
-    tab.page.get_by_label("Replace its text").check()
+    tab.page.get_by_label("Replace its text, and the list of points points/fill.csv").check()
     make.click()
     tab.until(lambda: fill.read_text("utf-8") == text.replace("2, 2, 75", "2, 1, 75"))

@@ -69,6 +69,7 @@ function bench() {
       steps,
       points: [],
       text: '',
+      listed: '',
       problem: '',
     }
     tasks.receive(message)

@@ -222,17 +222,19 @@ export class Studio {
     this.desk.create(`${folder}/${name}${ending}`, this.text(document))
   }
 
-  /** Make a program of the steps that are accepted, and run it; a text that is there is replaced only if asked for. */
+  /** Make a program of the steps that are accepted and its list of points, and run it; over others only if asked for. */
   makeProgram(name: string, kind: 'new' | 'replace'): void {
     const text = this.tasks.answer?.text.replace(/^program \S+/, `program ${programWord(name)}`) ?? ''
+    const points = this.tasks.answer?.listed ?? ''
     const document = `programs/${name}.task`
     const run = () => void this.send({ type: 'run', program: name, fidelity: 'dynamic' })
     if (kind === 'new') {
-      this.desk.create(document, text, run)
+      this.desk.create(document, text, run, points)
       return
     }
     this.edit(document, text)
     this.save(document)
+    if (points) this.send({ type: 'keep_points', program: document, points })
     this.store.setState({ document, dialog: null, refusal: null })
     run()
   }

@@ -71,11 +71,11 @@ export class TextDesk {
     if (!sent) this.#warn(words.documents.notSaved)
   }
 
-  /** Make a new program and show it as soon as it is there; `made` is called then. */
-  create(document: string, text: string, made: () => void = () => {}): void {
+  /** Make a new text and show it as soon as it is there; `made` is called then. Points of a program go with it. */
+  create(document: string, text: string, made: () => void = () => {}, points = ''): void {
     this.flush()
     this.#made = made
-    this.#wanted = this.#send({ type: 'create', document, text }) ? document : ''
+    this.#wanted = this.#send({ type: 'create', document, text, points }) ? document : ''
     if (!this.#wanted) this.#warn(words.documents.notSaved)
   }
 

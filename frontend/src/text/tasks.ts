@@ -87,7 +87,9 @@ export const taskWords = {
         ? 'One step is refused; it will not be in the program.'
         : `${count} steps are refused; they will not be in the program.`,
     there: (name: string) => `There is a program ${name} already.`,
+    pointsHint: 'The points that are typed stand in points/NAME.csv, too.',
     replace: 'Replace its text',
+    replaceBoth: (name: string) => `Replace its text, and the list of points points/${name}.csv`,
     make: 'Make and run',
     cancel: 'Cancel',
   },

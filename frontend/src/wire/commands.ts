@@ -38,8 +38,21 @@ export interface Revert {
 /** Make a new `programs/NAME.task`, `.icr` or `kb/NAME.pl` with a text; never over one that is there. */
 export interface Create {
   readonly type: 'create'
+  /** Its name. */
   readonly document: string
+  /** What it says. */
   readonly text: string
+  /** Of the program, written to `points/NAME.csv`, unless another list is there; empty for none. */
+  readonly points: string
+}
+
+/** Write `points/NAME.csv` of a program, over a list that is there: that was asked for. */
+export interface KeepPoints {
+  readonly type: 'keep_points'
+  /** `programs/NAME.task`. */
+  readonly program: string
+  /** The text of the list. */
+  readonly points: string
 }
 
 /** Let another project take the place of this one; relative paths begin beside this project. */
@@ -221,6 +234,7 @@ export type Command =
   | Save
   | Revert
   | Create
+  | KeepPoints
   | OpenProject
   | ListFolders
   | NewProject

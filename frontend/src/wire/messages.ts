@@ -356,6 +356,8 @@ export interface TasksChecked {
   readonly points: readonly ProgramPoint[]
   /** The program of the steps that are accepted; empty without one. */
   readonly text: string
+  /** Its points that are typed as numbers, as a list of points in a file; empty without one. */
+  readonly listed: string
   /** Why there is no answer or no text; empty where there is. */
   readonly problem: string
 }

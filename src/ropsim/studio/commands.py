@@ -51,10 +51,29 @@ class Revert(Struct, frozen=True, tag_field="type", tag="revert"):
 
 
 class Create(Struct, frozen=True, tag_field="type", tag="create"):
-    """Make a new `programs/NAME.task`, `.icr` or `kb/NAME.pl` with a text; never over one that is there."""
+    """Make a new `programs/NAME.task`, `.icr` or `kb/NAME.pl` with a text; never over one that is there.
+
+    Attributes:
+        document: its name.
+        text: what it says.
+        points: of the program, written to `points/NAME.csv`, unless another list is there; empty for none.
+    """
 
     document: Name
     text: str
+    points: str = ""
+
+
+class KeepPoints(Struct, frozen=True, tag_field="type", tag="keep_points"):
+    """Write `points/NAME.csv` of a program, over a list that is there: that was asked for.
+
+    Attributes:
+        program: `programs/NAME.task`.
+        points: the text of the list.
+    """
+
+    program: Name
+    points: str
 
 
 class OpenProject(Struct, frozen=True, tag_field="type", tag="open_project"):
@@ -176,6 +195,7 @@ Command: TypeAlias = (
     | Save
     | Revert
     | Create
+    | KeepPoints
     | OpenProject
     | ListFolders
     | NewProject

@@ -155,8 +155,16 @@ class Documents:
         document.saved(new)
         return None
 
-    async def create(self, name: str, text: str) -> tuple[Document | None, Diagnostic | None]:
-        """Make a new program or text of tasks in a file of its own; return why that was not possible."""
+    async def create(
+        self, name: str, text: str, points: str = ""
+    ) -> tuple[Document | None, Diagnostic | None]:
+        """Make a new program or text of tasks in a file of its own; return why that was not possible.
+
+        Args:
+            name: of the document.
+            text: what it says.
+            points: of the program, as a list in a file of its own name; empty for none.
+        """
         path = self._folder / name
         noun = "text of tasks" if name.startswith("kb/") else "program"
         if not _is_new_name(name):
@@ -178,6 +186,9 @@ class Documents:
             if name in self._all or os.path.lexists(path):
                 message = f"there is a {noun} `{name}` already; it is not written over"
                 return None, NOT_SAVED.at(None, message, hint="choose another name")
+            finding = await self.keep_points(name, points, Overwriting.REFUSED) if points else None
+            if finding is not None:
+                return None, finding
             try:
                 await asyncio.to_thread(replace_file, path, content)
             except OSError as error:
@@ -185,6 +196,33 @@ class Documents:
                 return None, NOT_SAVED.at(None, message, hint="nothing was made")
             await self._look()
         return self._all.get(name), None
+
+    async def keep_points(self, program: str, points: str, overwriting: Overwriting) -> Diagnostic | None:
+        """Write the points of a program to `points/NAME.csv`; return why that was not possible.
+
+        Another list that is there already is written over only where that is wanted.
+        """
+        found = re.fullmatch(r"programs/(.*)\.task", program)
+        if found is None or not _is_new_name(program):
+            return NOT_SAVED.at(None, f"`{program[:200]}` has no list of points", hint="programs have one")
+        name = f"points/{found[1]}.csv"
+        path, new = self._folder / name, plain_lines(points).encode("utf-8", "replace")
+        if leaves_project(self._folder, path) or len(new) > LARGEST:
+            message = f"`{name}` would be outside of the project folder, or is too long; it is not written"
+            return NOT_SAVED.at(None, message, hint="`points` must be a folder of the project")
+        present = await asyncio.to_thread(content, path)
+        if present == new:
+            return None
+        if os.path.lexists(path) and overwriting is Overwriting.REFUSED:
+            message = f"there is another list of points `{name}` already; it is not written over"
+            return NOT_SAVED.at(None, message, hint="choose another name")
+        try:
+            await asyncio.to_thread(replace_file, path, new)
+        except OSError as error:
+            return NOT_SAVED.at(
+                None, f"`{name}` cannot be written: {error.strerror or error}", hint="nothing was made"
+            )
+        return None
 
     async def look(self) -> tuple[tuple[Document, ...], ListChange]:
         """Meet what other programs have done to the files.

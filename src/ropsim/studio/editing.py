@@ -16,7 +16,9 @@ from ropsim.studio.tab import Tab
 from ropsim.studio.tabs import Tabs
 from ropsim.userfiles import Journal
 
-TextCommand: TypeAlias = commands.Edit | commands.Save | commands.Revert | commands.Create
+TextCommand: TypeAlias = (
+    commands.Edit | commands.Save | commands.Revert | commands.Create | commands.KeepPoints
+)
 LOOK = 1.0
 """Time between two looks at the files on the disk [s]."""
 
@@ -89,8 +91,12 @@ class Editing:
                 await self._save(tab, name, Overwriting.WANTED if overwrite else Overwriting.REFUSED)
             case commands.Revert(name):
                 await self._revert(tab, name)
-            case commands.Create(name, text):
-                await self._create(tab, name, text)
+            case commands.Create(name, text, points):
+                await self._create(tab, name, text, points)
+            case commands.KeepPoints(name, points):
+                finding = await self.documents.keep_points(name, points, Overwriting.WANTED)
+                if finding is not None:
+                    tab.send(notice(finding))
 
     def _edit(self, tab: Tab, name: str, text: str, version: int) -> None:
         document, finding = self.documents.edit(name, text, version)
@@ -124,8 +130,8 @@ class Editing:
         self._text_changed(document)
         await self._keeper.now()
 
-    async def _create(self, tab: Tab, name: str, text: str) -> None:
-        document, finding = await self.documents.create(name, text)
+    async def _create(self, tab: Tab, name: str, text: str, points: str) -> None:
+        document, finding = await self.documents.create(name, text, points)
         if document is not None:
             self._list_changed()
             self._tell([document])

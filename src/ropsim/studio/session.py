@@ -131,7 +131,13 @@ class Session:
         match command:
             case commands.Hello(name):
                 self._join(tab, name)
-            case commands.Edit() | commands.Save() | commands.Revert() | commands.Create():
+            case (
+                commands.Edit()
+                | commands.Save()
+                | commands.Revert()
+                | commands.Create()
+                | commands.KeepPoints()
+            ):
                 await self.editing.handle(tab, command)
             case commands.OpenProject() | commands.NewProject():
                 await self._leave_for(tab, command)

@@ -154,6 +154,7 @@ class TasksChecked(Struct, frozen=True, tag_field="type", tag="tasks_checked"):
         steps: one for each that was sent.
         points: of all steps, each once.
         text: the program of the steps that are accepted; empty without one.
+        listed: its points that are typed as numbers, as a list of points in a file; empty without one.
         problem: why there is no answer or no text; empty where there is.
     """
 
@@ -162,6 +163,7 @@ class TasksChecked(Struct, frozen=True, tag_field="type", tag="tasks_checked"):
     steps: tuple[StepState, ...]
     points: tuple[ProgramPoint, ...]
     text: str
+    listed: str
     problem: str
 
 

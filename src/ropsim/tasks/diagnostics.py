@@ -229,7 +229,8 @@ POINT_LIST = define(
     "a list of points cannot be read",
     """
 A file `points/NAME.csv` has the names of its columns, their units, and a point on each further line; pitch
-and roll may be empty or left out. Lengths are in mm, cm, m or inch, angles in deg or rad.
+and roll may be empty or left out. A last column `yaw` may follow; where it is empty the tool points as the
+azimuth of the point. Lengths are in mm, cm, m or inch, angles in deg or rad.
 
 ```text
 name,x,y,z,pitch,roll

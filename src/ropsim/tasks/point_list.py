@@ -12,12 +12,14 @@ from ropsim.tasks.task_call import Numbers
 
 COLUMNS = ("name", "x", "y", "z", "pitch", "roll")
 UNITS = ("", "mm", "mm", "mm", "deg", "deg")
+YAW = ("yaw", "deg")
+"""A further column, where a point has a yaw, and its unit; empty where it turns with its azimuth."""
 SCALES: Mapping[str, float] = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "inch": 25.4}
 """Millimetres per unit of a length."""
 DEGREES: Mapping[str, float] = {"deg": 1.0, "rad": 57.29577951308232}
 """Degrees per unit of an angle."""
 MOST_POINTS, MOST_BYTES = 10_000, 2_000_000
-_HINT = f"the first line is `{','.join(COLUMNS)}`, the second its units: `{','.join(UNITS)}`"
+_HINT = f"the first line is `{','.join(COLUMNS)}`, the second its units: `{','.join(UNITS)}`; or also yaw"
 
 
 @frozen_dataclass
@@ -26,7 +28,7 @@ class PointList:
 
     Attributes:
         name: of the list.
-        points: name, and x y z [mm], or x y z [mm] pitch roll [deg].
+        points: name, and x y z [mm], x y z [mm] pitch roll [deg] or x y z [mm] roll pitch yaw [deg].
     """
 
     name: str
@@ -87,19 +89,29 @@ def points_of(text: SourceText, name: str) -> tuple[PointList | None, tuple[Diag
 
 
 def points_text(points: Sequence[tuple[str, Numbers]]) -> str:
-    """Return the text of a list; points without pitch and roll leave them empty."""
-    rows = [",".join(COLUMNS), ",".join(UNITS)]
+    """Return the text of a list; points without pitch and roll leave them empty, a yaw has a column."""
+    has_yaw = any(len(numbers) == 6 for _, numbers in points)
+    heads, units = ((*COLUMNS, YAW[0]), (*UNITS, YAW[1])) if has_yaw else (COLUMNS, UNITS)
+    rows = [",".join(heads), ",".join(units)]
     for name, numbers in points:
-        cells = [short_text(one) for one in numbers]
-        rows.append(",".join([name, *cells, *[""] * (5 - len(cells))]))
+        cells = list(map(short_text, _exchanged(numbers)))
+        rows.append(",".join([name, *cells, *[""] * (len(heads) - 1 - len(cells))]))
     return "\n".join(rows) + "\n"
+
+
+def _exchanged(numbers: Numbers) -> Numbers:
+    """Return six numbers with pitch and roll exchanged: task text has roll first, columns pitch."""
+    if len(numbers) != 6:
+        return numbers
+    x, y, z, one, other, yaw = numbers
+    return x, y, z, other, one, yaw
 
 
 def _scales(heads: Sequence[str], units: Sequence[str]) -> tuple[float, ...] | None:
     """Return what each number is multiplied with to be in millimetres and degrees."""
-    if tuple(heads) not in (COLUMNS, COLUMNS[:4]) or len(units) != len(heads):
+    if tuple(heads) not in ((*COLUMNS, YAW[0]), COLUMNS, COLUMNS[:4]) or len(units) != len(heads):
         return None
-    tables = (SCALES, SCALES, SCALES, DEGREES, DEGREES)
+    tables = (SCALES, SCALES, SCALES, DEGREES, DEGREES, DEGREES)
     found = [table.get(unit) for table, unit in zip(tables, units[1:], strict=False)]
     return None if None in found else tuple(one for one in found if one is not None)
 
@@ -112,8 +124,8 @@ def _numbers(row: Sequence[str], scales: Sequence[float]) -> Numbers | None:
         values = [float(cell) for cell in cells]
     except ValueError:
         return None
-    if not row[:1] or not row[0] or len(values) not in (3, 5) or len(values) > len(scales):
+    if not row[:1] or not row[0] or len(values) not in (3, 5, 6) or len(values) > len(scales):
         return None
     if not all(abs(one) < 1e12 for one in values):
         return None
-    return tuple(value * scale for value, scale in zip(values, scales, strict=False))
+    return _exchanged(tuple(value * scale for value, scale in zip(values, scales, strict=False)))

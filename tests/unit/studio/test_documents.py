@@ -291,6 +291,25 @@ def test_a_new_program_is_never_written_over_a_file(folder: Path) -> None:
         assert (folder / name).read_bytes() == before
 
 
+def test_points_go_with_a_new_program_but_never_over_another_list(folder: Path) -> None:
+    documents = opened(folder)
+    table = folder / "points" / "a.csv"
+    assert asyncio.run(documents.create("programs/a.task", "program a\n", "one\n"))[1] is None
+    assert table.read_bytes() == b"one\n"
+    (folder / "programs" / "a.task").unlink()
+    asyncio.run(documents.look())
+    finding = asyncio.run(documents.create("programs/a.task", "program a\n", "other\n"))[1]
+    assert finding is not None
+    assert "points/a.csv" in finding.message
+    assert table.read_bytes() == b"one\n"
+    assert not (folder / "programs" / "a.task").exists()
+    assert asyncio.run(documents.create("programs/a.task", "program a\n", "one\n"))[1] is None
+    assert asyncio.run(documents.keep_points("programs/a.task", "other\n", Overwriting.WANTED)) is None
+    assert table.read_bytes() == b"other\n"
+    for name in ("kb/a.pl", "programs/../a.task", "cell.toml"):
+        assert asyncio.run(documents.keep_points(name, "x\n", Overwriting.WANTED)) is not None
+
+
 @pytest.mark.parametrize(
     "name",
     [

@@ -26,7 +26,7 @@ from ropsim.tasks import (
     world_table,
 )
 from ropsim.tasks.point_list import PointList, points_of, points_text, read_point_list, read_point_lists
-from ropsim.tasks.task_call import Quantity
+from ropsim.tasks.task_call import Numbers, Quantity
 from support.knowledge import CELL, base
 
 BEGIN = WorldState.of("gripper(open)", "at(bolt, s1)", "free(s2)")
@@ -76,11 +76,18 @@ EXACT = ((1234.5678, -0.1, 2345678.0), (1.0, 2.0, 3.0, 57.29577951308232, -1e-5)
 """Numbers of more than six digits, a whole one, and one that is written with an exponent."""
 
 
-def test_a_written_list_has_the_points_to_the_last_digit() -> None:
-    points = (("a", EXACT[0]), ("b", EXACT[1]))
-    found, findings = points_of(SourceText("p.csv", points_text(points)), "p")
+JOGGED = (1.5, 2.0, 3.0, 10.0, 20.0, 30.0)
+"""X Y Z [mm] Roll Pitch Yaw [deg]: a list has Pitch before Roll, as Fig. 4 of the paper, then Yaw."""
+
+
+@pytest.mark.parametrize("more", [(), (("c", JOGGED),)])
+def test_a_written_list_has_the_points_to_the_last_digit(more: tuple[tuple[str, Numbers], ...]) -> None:
+    points = (("a", EXACT[0]), ("b", EXACT[1]), *more)
+    text = points_text(points)
+    found, findings = points_of(SourceText("p.csv", text), "p")
     assert findings == ()
     assert found == PointList("p", points)
+    assert ("c,1.5,2,3,20,10,30" in text.splitlines(), "yaw" in text) == (bool(more), bool(more))
 
 
 def test_a_program_has_its_points_to_the_last_digit() -> None:

@@ -2,7 +2,9 @@
 import { type FormEvent, useEffect, useId, useLayoutEffect, useRef, useState } from 'react'
 import { createPortal } from 'react-dom'
 import { useStudio, useStudioState } from '../../studio/context'
+import { useChanges } from '../../studio/hooks'
 import { taskWords } from '../../text/tasks'
+import { cycleTime } from './cycle_time'
 
 const words = taskWords.dialog
 
@@ -22,6 +24,7 @@ function Dialog() {
   const [replace, setReplace] = useState(false)
   const hint = useId()
   const why = useId()
+  useChanges(tasks)
   useEffect(() => dialog.current?.showModal(), [])
   // Closed before it is taken away, the keyboard goes back to where it was.
   useLayoutEffect(() => {
@@ -30,6 +33,8 @@ function Dialog() {
   }, [])
   const name = typed.trim()
   const isThere = documents.some(one => one.name === `programs/${name}.task`)
+  const { answer, estimate } = tasks
+  const hasPoints = Boolean(answer?.listed)
   const refused = tasks.steps.filter(one => tasks.stateOf(one.key)?.accepted === false).length
   const act = (event: FormEvent) => {
     event.preventDefault()
@@ -68,7 +73,7 @@ function Dialog() {
             <span className="mistake">{words.there(name)}</span>
             <span>
               <input type="checkbox" checked={replace} onChange={() => setReplace(!replace)} />{' '}
-              {words.replace}
+              {hasPoints ? words.replaceBoth(name) : words.replace}
             </span>
           </label>
         ) : null}
@@ -79,7 +84,10 @@ function Dialog() {
           </p>
         ) : null}
         <p className="quiet" id={hint}>
-          {words.hint}
+          {words.hint} {hasPoints ? words.pointsHint : null}
+        </p>
+        <p>
+          {taskWords.time}: <strong>{cycleTime(answer, estimate)}</strong>
         </p>
         <div className="actions">
           <button type="button" onClick={() => dialog.current?.close()}>

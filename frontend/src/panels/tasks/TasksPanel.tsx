@@ -7,6 +7,7 @@ import { formWords } from '../../text/task_form'
 import { taskWords } from '../../text/tasks'
 import { Scroll } from '../Scroll'
 import { Catalogue } from './Catalogue'
+import { cycleTime } from './cycle_time'
 import { EndDialog } from './EndDialog'
 import { PointTable } from './PointTable'
 import { StepCard } from './StepCard'
@@ -146,13 +147,7 @@ function Summary() {
   const wrong = list?.findings.find(one => one.severity === 'error')?.message
   if (!answer || steps.length === 0) return wrong ? <p className="tasks-summary error">{wrong}</p> : null
   const refused = steps.filter(one => tasks.stateOf(one.key)?.accepted === false).length
-  const time = estimate
-    ? estimate.seconds === null
-      ? taskWords.noTime
-      : taskWords.seconds(estimate.seconds)
-    : answer.text
-      ? taskWords.timing
-      : taskWords.noTime
+  const time = cycleTime(answer, estimate)
   return (
     <p className="tasks-summary" role="status">
       <span className={refused ? 'error' : 'good'}>

@@ -136,6 +136,7 @@ def test_each_step_is_answered_in_the_world_that_the_one_before_it_made(desk: De
     assert found["points"][0]["numbers"] == pytest.approx((400, 100, -200, 180, 0, 0), abs=EXACT)
     assert Pose.from_tuple(found["points"][1]["pose"]).position == pytest.approx((0.5, -0.1, -0.15))
     assert found["text"].splitlines()[-2:] == ["pick s1", "place point_1, 20 mm"]
+    assert found["listed"].splitlines()[2:] == ["point_1,400,-100,-150,,"]
 
 
 def test_the_time_of_the_program_is_planned_and_can_be_given_up(desk: Desk, folder: Path) -> None:

@@ -8,7 +8,7 @@ from ropsim.studio.desk.tasks.known_project import KnownProject
 from ropsim.studio.desk.tasks.listing import world_now
 from ropsim.studio.jobs import TaskSteps
 from ropsim.studio.task_messages import PartPlace, ProgramPoint, SixNumbers, StepState, TasksChecked
-from ropsim.tasks import CallReport, Draft, Numbers, Point, TypedStep, draft_text, drafted
+from ropsim.tasks import CallReport, Draft, Numbers, Point, TypedStep, draft_points, draft_text, drafted
 
 PROGRAM = "chosen_tasks"
 """Name of the program of the steps as long as it has none."""
@@ -25,7 +25,8 @@ def checked(known: KnownProject, steps: TaskSteps, number: int, revision: int) -
     states = tuple(_state(one, names, places) for one in draft.entries)
     told = tuple(_point(known, one, names) for one in points)
     text, problem = _text(draft, known)
-    return TasksChecked(number, revision, states, told, text, problem)
+    listed = draft_points(draft) if draft.points else ""
+    return TasksChecked(number, revision, states, told, text, listed, problem)
 
 
 def _state(report: CallReport, names: dict[Numbers, str], places: dict[Point, int]) -> StepState:
