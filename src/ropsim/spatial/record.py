@@ -21,6 +21,8 @@ if TYPE_CHECKING:
 T = TypeVar("T")
 
 _records: set[type] = set()
+_names: dict[type, tuple[str, ...]] = {}
+"""Fields of the classes that were asked for so far."""
 _prints: dict[int, tuple["ref[object]", str, int, bytes]] = {}
 """Fingerprint, hash and what is fed of records that live, by identity; of those that nobody can change."""
 
@@ -126,11 +128,14 @@ def _feed_fields(hasher: "_Hash", value: object) -> bool:
     return lasts
 
 
-@lru_cache(maxsize=4096)
 def _field_names(kind: type) -> tuple[str, ...]:
+    known = _names.get(kind)
+    if known is not None:
+        return known
     if not is_dataclass(kind):
         raise TypeError(f"a {kind.__qualname__} is no value: it has no fingerprint")
-    return tuple(one.name for one in fields(kind))
+    _names[kind] = names = tuple(one.name for one in fields(kind))
+    return names
 
 
 def _feed_array(hasher: "_Hash", array: "np.ndarray[Any, Any]") -> bool:
