@@ -34,16 +34,17 @@ QUALITY = 72
 MOMENT = 62.0
 """Time of the pictures [s]: two rows of the pallet are full, the arm carries a box."""
 STEPS = {
-    "depalletize": {
-        "Point From": "infeed",
-        "Point To": "numbers …",
-        "To X": "412.5",
-        "To Y": "-147.5",
-        "To Z": "600",
-        "Value of A": "75",
-        "Value of B": "2",
+    "load_pallet": {
+        "Point supply": "infeed",
+        "Point first place": "numbers …",
+        "first place X": "412.5",
+        "first place Y": "-147.5",
+        "first place Z": "600",
+        "Value of distance": "75",
+        "Value of parts in a row": "2",
+        "Value of rows": "2",
     },
-    "pick": {"Point L": "infeed"},
+    "pick": {"Point place": "numbers …", "place X": "412.5", "place Y": "-147.5", "place Z": "600"},
 }
 """What is chosen and typed for the picture of the tasks, by task."""
 MOST_BYTES = 1_200_000
@@ -159,7 +160,7 @@ def tasks(tab: StudioPage) -> bytes:
         step.get_by_text("accepted").wait_for()
     panel.get_by_text("about").wait_for()
     panel.get_by_role("button", name="point_1").click()
-    panel.get_by_role("listitem").first.get_by_label("Point From").focus()
+    panel.get_by_role("listitem").first.get_by_label("Point supply").focus()
     return around(tab, tab.page.locator(".panel-views"), panel)
 
 

@@ -91,7 +91,9 @@ def test_an_operator_makes_a_palletizing_program_that_runs(
     panel.get_by_role("button", name="Add a task").click()
     choose(tab, panel, "pick")
     second = step(panel, 2)
-    second.get_by_label("Point place").select_option("infeed")
+    second.get_by_label("Point place").select_option("numbers …")
+    for axis, value in (("X", "412.5"), ("Y", "-147.5"), ("Z", "600")):
+        second.get_by_label(f"place {axis} [mm]").fill(value)
     second.get_by_text("part: box_1").wait_for()
     after = panel.get_by_role("region", name="After step 2, pick")
     assert re.sub(r"\s+", " ", after.inner_text()).startswith("After step 2, pick Gripper closed Held box_1")
