@@ -19,6 +19,7 @@ from ropsim.controller.motion_chain import MotionChain
 from ropsim.controller.motion_plan import MotionPlan, MotionState
 from ropsim.controller.move_check import check_duration
 from ropsim.controller.pieces import pieces_of
+from ropsim.controller.speed_findings import beyond_arm
 from ropsim.controller.stages import along_with, joint_stages, tool_stages
 from ropsim.controller.start_check import check_start
 from ropsim.controller.stretch_legs import legs_of
@@ -85,6 +86,7 @@ def _planned(
 ) -> MotionPlan | _Hurdle:
     """Return the motion through moves, or the move that cannot be made."""
     findings = [finding for leg in legs for finding in leg.findings]
+    findings += beyond_arm(legs, chain.robot)
     for number, leg in enumerate(legs):
         if _crawls(leg) and check_duration(leg.move, alone := _time_alone(leg)):
             return _too_long(legs, number, alone)

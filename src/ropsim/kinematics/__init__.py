@@ -56,3 +56,4 @@ from ropsim.kinematics.solver import Snap as Snap
 from ropsim.kinematics.supports import Standing as Standing
 from ropsim.kinematics.supports import height_above as height_above
 from ropsim.kinematics.supports import standings as standings
+from ropsim.kinematics.top_speed import speed_bound as speed_bound

@@ -103,6 +103,7 @@ from ropsim.motion.turn import Turn as Turn
 from ropsim.motion.turn import plan_turn as plan_turn
 from ropsim.motion.zone_diagnostics import BEYOND_LIMITS as BEYOND_LIMITS
 from ropsim.motion.zone_diagnostics import SLOWED as SLOWED
+from ropsim.motion.zone_diagnostics import SPEED_BEYOND_ARM as SPEED_BEYOND_ARM
 from ropsim.motion.zone_diagnostics import TRIGGER_OFF_PATH as TRIGGER_OFF_PATH
 from ropsim.motion.zone_diagnostics import UNKNOWN_PATH as UNKNOWN_PATH
 from ropsim.motion.zone_diagnostics import ZONE_CLIPPED as ZONE_CLIPPED

@@ -94,3 +94,18 @@ begins and ends in the middle of the rounded corner.
 **How to mend it.** Give less, or put the output on the move before or behind.
 """,
 )
+
+SPEED_BEYOND_ARM = define(
+    "M588",
+    "speed-beyond-arm",
+    Severity.HINT,
+    "a commanded path speed is beyond what the arm can do in any posture",
+    """
+With all axes at their speed limits, and the arm stretched so that their motions add up, the tool would still
+be slower than commanded. The move is made as fast as joints and path allow, and its time is true. Often the
+unit is another one than meant: 15000 mm/s are 15 m/s.
+
+**How to mend it.** Give the speed that is meant. Where the move is to be as fast as the arm can, any speed a
+little below the one in the message does that without this hint.
+""",
+)

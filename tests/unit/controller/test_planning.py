@@ -116,6 +116,14 @@ def test_the_tool_on_lines_keeps_its_limits_corners_included() -> None:
     assert np.linalg.norm(acceleration, axis=1).max() <= path.acceleration * (1.0 + 1e-3)  # by differences
 
 
+@pytest.mark.parametrize(("speed", "visit", "told"), [(15.0, 1, True), (15.0, 2, False), (0.25, 1, False)])
+def test_a_speed_beyond_every_motion_of_the_arm_is_told_at_its_first_visit(
+    speed: float, visit: int, told: bool
+) -> None:
+    done = planned_stretch(stretch("LIN", replace(ZONE, path_speed=speed), visit), START, CHAIN)
+    assert codes(done).count("M588") == 4 * told
+
+
 @pytest.mark.parametrize(("beside_axis", "is_slowed"), [(0.16, True), (0.2, True), (0.45, False)])
 def test_where_a_joint_slows_a_line_the_tool_keeps_the_limits_of_the_program(
     beside_axis: float, is_slowed: bool
