@@ -67,6 +67,18 @@ def test_every_answer_reaches_and_one_is_the_configuration_itself(robot: RobotMo
 
 
 @by_arm
+def test_the_elimination_that_is_asked_first_loses_no_answers(robot: RobotModel) -> None:
+    """One that loses a fifth is among the regular ones of some arms; roots of real polynomials come in pairs."""
+    solver = solver_of(robot)
+    assert isinstance(solver, GeneralSixAxisSolver)
+    Q = random_joints(robot, 100, seed=6)
+    found, _ = starts(solver.ways[0], forward_batch(robot, Q))
+    assert (np.nanmin(apart(found, Q[:, None]), axis=1) < 1e-3).mean() > 0.95
+    numbers = present(inverse_batch(robot, forward_batch(robot, Q))).sum(axis=1)
+    assert (numbers % 2 == 0).mean() > 0.95
+
+
+@by_arm
 def test_a_search_from_many_starts_finds_no_other_answer(robot: RobotModel) -> None:
     T = forward_batch(robot, random_joints(robot, 10, seed=2))
     searched, branches = numeric(robot).branches(T, np.zeros(6)), inverse_batch(robot, T)

@@ -20,6 +20,8 @@ FOUND = 1e-4
 """An elimination finds a configuration where it comes so near to it [rad]."""
 TOUCHING = 1e-6
 """Poses this far beyond all links in one line [m], and entries of rotations beyond 1, are rounding."""
+FEW = 8
+"""So many poses tell whether an elimination is singular for an arm."""
 AT_ONCE = 512
 """Poses whose matrices are in memory together."""
 TURN = 2.0 * np.pi
@@ -56,16 +58,26 @@ def _possible(chain: ChainArrays, T: Array) -> npt.NDArray[np.bool_]:
 
 
 def regular_ways(chain: ChainArrays, T: Array, Q: Array) -> tuple[int, ...]:
-    """Return numbers of the best two eliminations that find most of configurations Q (k, 6) of poses T."""
+    """Return numbers of the best two eliminations that find most of configurations Q (k, 6) of poses T.
+
+    A few poses tell which are singular for the arm. A way that loses some answers may find the few by chance,
+    so that the others are asked for all poses.
+    """
     qualities = []
     for number, way in enumerate(eliminations(steps_of(chain), range(WAYS))):
-        found, regular = starts(way, T)
-        apart = found - Q[:, np.newaxis]
-        apart = np.abs(apart - TURN * np.round(apart / TURN)).max(axis=2)
-        own = np.where(np.isnan(apart), np.inf, apart).min(axis=1) < FOUND
-        if own.mean() > 0.5:
-            qualities.append((-int(own.sum()), -float(np.median(regular)), number))
+        if _finding(way, T[:FEW], Q[:FEW])[0] > 0.5:
+            own, regular = _finding(way, T, Q)
+            qualities.append((-own, -regular, number))
     return tuple(number for _, _, number in sorted(qualities)[:2])
+
+
+def _finding(way: Elimination, T: Array, Q: Array) -> tuple[float, float]:
+    """Return the share of configurations Q (k, 6) of poses T that a way finds, and how regular it mostly is."""
+    found, regular = starts(way, T)
+    apart = found - Q[:, np.newaxis]
+    apart = np.abs(apart - TURN * np.round(apart / TURN)).max(axis=2)
+    own = np.where(np.isnan(apart), np.inf, apart).min(axis=1) < FOUND
+    return float(own.mean()), float(np.median(regular))
 
 
 def _answers(chain: ChainArrays, ways: tuple[Elimination, ...], T: Array, near: Array) -> Array:
