@@ -7,6 +7,7 @@ that ends in a fork. Large arms have a cylinder behind the turret that holds aga
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from math import hypot
 from typing import Any
 
 import numpy as np
@@ -217,7 +218,7 @@ def _short(length: float) -> float:
 
 
 def _unit(vector: Array) -> Array:
-    return np.asarray(vector / np.linalg.norm(vector))
+    return np.asarray(vector / hypot(*vector.tolist()))
 
 
 def _at(x: float, y: float, z: float) -> Pose:

@@ -5,7 +5,7 @@ the forearm, the rod is as long as the lower arm and stays parallel to it.
 """
 
 from dataclasses import replace
-from math import inf
+from math import hypot, inf
 from typing import Any
 
 import numpy as np
@@ -66,4 +66,4 @@ def with_rod(robot: RobotModel, look: dict[str, Any], tones: list[str]) -> Robot
 
 
 def _unit(vector: Array) -> Array:
-    return np.asarray(vector / np.linalg.norm(vector))
+    return np.asarray(vector / hypot(*vector.tolist()))

@@ -1,5 +1,7 @@
 """Rods: cylinders and frustums from one point to another."""
 
+from math import hypot
+
 import numpy as np
 import numpy.typing as npt
 
@@ -26,7 +28,7 @@ def rod(
         material: how its surface takes the light.
     """
     first, last = np.asarray(start, dtype=np.float64), np.asarray(end, dtype=np.float64)
-    length = float(np.linalg.norm(last - first))
+    length = hypot(*(last - first).tolist())  # unlike a norm of arrays the same bits on every machine
     pose = Pose((first + last) / 2.0, z_turned_to((last - first) / length))
     return Shape(Cylinder(radius, length, top), pose, colour, material=material)
 
@@ -37,4 +39,4 @@ def z_turned_to(direction: Array) -> Array:
     if z < -1.0 + 1e-12:
         return np.array([0.0, 1.0, 0.0, 0.0])  # straight down: half a turn about x, as about any other axis
     half = np.array([1.0 + z, -y, x, 0.0])
-    return np.asarray(half / np.linalg.norm(half))
+    return np.asarray(half / hypot(*half.tolist()))

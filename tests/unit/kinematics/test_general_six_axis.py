@@ -68,7 +68,7 @@ def test_every_answer_reaches_and_one_is_the_configuration_itself(robot: RobotMo
 
 @by_arm
 def test_the_elimination_that_is_asked_first_loses_no_answers(robot: RobotModel) -> None:
-    """One that loses a fifth is among the regular ones of some arms; roots of real polynomials come in pairs."""
+    """One that loses a fifth is regular for some arms; real roots of a polynomial come in pairs."""
     solver = solver_of(robot)
     assert isinstance(solver, GeneralSixAxisSolver)
     Q = random_joints(robot, 100, seed=6)

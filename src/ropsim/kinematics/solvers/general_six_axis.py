@@ -19,7 +19,7 @@ from ropsim.model import JointType, RobotModel
 from ropsim.spatial import Array, record
 
 PROBES = 48
-"""Configurations by which eliminations are compared: one that loses a fifth of them is not taken for the best."""
+"""Configurations by which eliminations are compared: one that loses a fifth of them is not the best."""
 
 
 @record

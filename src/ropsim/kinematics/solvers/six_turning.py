@@ -72,7 +72,7 @@ def regular_ways(chain: ChainArrays, T: Array, Q: Array) -> tuple[int, ...]:
 
 
 def _finding(way: Elimination, T: Array, Q: Array) -> tuple[float, float]:
-    """Return the share of configurations Q (k, 6) of poses T that a way finds, and how regular it mostly is."""
+    """Return the share of configurations Q (k, 6) of poses T that a way finds, and how regular it is."""
     found, regular = starts(way, T)
     apart = found - Q[:, np.newaxis]
     apart = np.abs(apart - TURN * np.round(apart / TURN)).max(axis=2)
