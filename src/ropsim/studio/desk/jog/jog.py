@@ -66,7 +66,7 @@ class JoggedArm:
         X_BM = self.station.X_WB.inverse() @ Pose.from_tuple(job.target) @ X_MT.inverse()
         found = inverse(robot, X_BM, IkOptions(near=here))
         if found.status is not IkStatus.FOUND:
-            return self._reply(here, X_MT, refusal_words(found))
+            return self._reply(here, X_MT, refusal_words(robot, found, here))
         choice = nearest(robot, found, here)
         words: Words = [*choice.words, *limit_words(robot, choice.q, choice.q)]
         if solver_of(robot).method is Method.NUMERIC:

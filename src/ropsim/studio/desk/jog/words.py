@@ -6,7 +6,15 @@ from typing import TypeAlias
 
 import numpy as np
 
-from ropsim.kinematics import IkResult, Shortfall, jacobian, singular_distances
+from ropsim.kinematics import (
+    IkResult,
+    Shortfall,
+    branch,
+    jacobian,
+    limit_violations,
+    posture,
+    singular_distances,
+)
 from ropsim.model import Joint, JointType, RobotModel, coupled_limits
 from ropsim.spatial import Array
 from ropsim.studio.jobs import Level
@@ -61,12 +69,22 @@ def limit_words(robot: RobotModel, q: Array, wanted: Array) -> Words:
     return words
 
 
-def refusal_words(found: IkResult) -> Words:
-    """Return why a pose cannot be had: out of reach, or which limits its nearest branch breaks."""
+def refusal_words(robot: RobotModel, found: IkResult, here: Array) -> Words:
+    """Return why a pose cannot be had: out of reach, or which limits it breaks.
+
+    Limits are those that the posture breaks in which the arm stands; where that has no answer, those of the
+    posture that breaks them least.
+
+    Args:
+        robot: the arm.
+        found: no solution.
+        here: where the arm stands [rad | m], shape (n,).
+    """
     if found.shortfall is not None:
         return [("error", _shortfall_text(found.shortfall))]
+    kept = branch(found, posture(robot, here))
     words: Words = []
-    for one in found.violations:
+    for one in found.violations if kept is None else limit_violations(robot, kept):
         joint = one.model
         side = "upper" if one.value > one.limit else "lower"
         text = (

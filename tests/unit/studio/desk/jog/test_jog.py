@@ -165,12 +165,25 @@ def test_a_pose_out_of_reach_is_told_in_millimetres_and_the_arm_stays() -> None:
 def test_a_pose_beyond_a_limit_is_told_with_the_joint_and_by_how_much() -> None:
     q = np.array([0.4, 1.0, -4.1, 0.4, -1.8, 0.8])
     target = CELL.first.X_WB @ forward(PUMA, q) @ TOOL.X_MT
-    reply = pose(BENT, target.as_tuple())
-    assert (reply.q, reply.reached) == (BENT, False)
+    here = (0.4, 1.0, -2.8, 0.4, -0.5, 0.8)
+    reply = pose(here, target.as_tuple())
+    assert (reply.q, reply.reached) == (here, False)
     assert reply.words[:2] == (
         ("error", "joint 3 would have to go to -234.9°, 9.9° beyond its lower limit -225°"),
         ("error", "joint 5 would have to go to -103.1°, 3.1° beyond its lower limit -100°"),
     )
+
+
+def test_limits_are_told_of_the_posture_in_which_the_arm_stands() -> None:
+    """With its wrist turned over the arm would come nearer, which is not what was asked for."""
+    q = np.array([0.4, 1.0, -2.4, 2.0, 1.9, 0.8])
+    here = (0.4, 1.0, -2.4, 0.5, 1.2, 0.8)
+    target = CELL.first.X_WB @ forward(PUMA, q) @ TOOL.X_MT
+    words = pose(here, target.as_tuple()).words
+    assert words[0] == ("error", "joint 5 would have to go to 108.9°, 8.9° beyond its upper limit 100°")
+    turned_over = (0.4, 1.0, -2.4, 0.5 - pi, -1.2, 0.8 - pi)
+    other = pose(turned_over, target.as_tuple()).words
+    assert other[0][1].startswith("joint 5 would have to go to -108.9°, 8.9° beyond its lower limit")
 
 
 def test_an_arm_of_two_links_is_jogged_to_poses_that_it_has_and_told_of_others() -> None:
