@@ -131,7 +131,9 @@ _ORIGINS = (
     ),
     ParameterOrigin("home position", "estimated", "elbow up, tool straight down in front, clear of limits"),
     ParameterOrigin(
-        "drawn shapes", "estimated", "drawn by eye around the link lengths; nothing is computed with them"
+        "drawn shapes",
+        "estimated",
+        "drawn by eye around the link lengths; collisions are looked for with these shapes",
     ),
 )
 
