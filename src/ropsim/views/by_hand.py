@@ -27,7 +27,7 @@ class ByHand:
     def mark(self) -> str:
         """Return a few words for beside the cycle time; empty where nothing of it is by hand.
 
-        Both times are those of the override as it was set: braking to a hold is in them, speeding up after it not.
+        Both times are those of the override as set: braking to a hold is in them, speeding up after it not.
         """
         times = (("held", self.held), ("slowed", self.slowed))
         parts = [f"{word} for {seconds(time)} s" for word, time in times if shown(time)]
