@@ -66,7 +66,7 @@ def generate(options: argparse.Namespace, output: Output) -> int:
         output.text("no task was accepted: there is no program")
         return 1
     text = draft_text(desk.draft, desk.base, options.name)
-    output.text(f"\n{text.rstrip()}\n\n{unchecked_text(desk.base.unchecked)}")
+    output.text(f"\n{text.rstrip()}\n\n{unchecked_text(desk.draft.unchecked)}")
     return _written(folder, options.name, text, draft_points(desk.draft), output) if options.write else 0
 
 
@@ -84,11 +84,11 @@ def _choose(desk: _Desk, name: str) -> None:
 
 
 def _points(desk: _Desk, task: KnownTask) -> tuple[Point, ...]:
-    """Return the points that are typed: names of locations or lists, or X Y Z, or X Y Z Pitch Roll."""
+    """Return the points that are typed: names of locations or lists, or X Y Z [Pitch Roll [Yaw]]."""
     wanted = [_words(one) for one in task.passed if one.kind == "location"]
     found: list[Point] = []
     while len(found) < len(wanted):
-        line = _asked(f"POINT {wanted[len(found)]}, by name or X Y Z [Pitch Roll] in mm and deg")
+        line = _asked(f"POINT {wanted[len(found)]}, by name or X Y Z [Pitch Roll [Yaw]] in mm and deg")
         if not line:
             break
         found += typed_points(line, desk.lists)

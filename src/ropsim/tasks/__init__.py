@@ -36,6 +36,7 @@ from ropsim.tasks.layer import Layer as Layer
 from ropsim.tasks.not_defined import not_defined as not_defined
 from ropsim.tasks.planning import Plan as Plan
 from ropsim.tasks.point_list import PointList as PointList
+from ropsim.tasks.point_list import exchanged as exchanged
 from ropsim.tasks.point_list import point_files as point_files
 from ropsim.tasks.point_list import read_point_list as read_point_list
 from ropsim.tasks.point_list import read_point_lists as read_point_lists

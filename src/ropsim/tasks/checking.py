@@ -66,9 +66,12 @@ def _report(
         case Struct("lacks", (_, tuple(missing), tuple(providers), names)):
             variables = names_in(names)
             lacking = tuple(renamed(one, variables) for one in missing)
-            by_index = [_provider(one) for one in providers]
+            hindered = {number for number, one in enumerate(lacking) if _is_hindered(one, state)}
+            by_index = [one for one in map(_provider, providers) if one[0] not in hindered]
             findings = tuple(
-                _precondition(task, one, [name for index, name in by_index if index == number])
+                _without_gripper(task, state)
+                if number in hindered
+                else _precondition(task, one, [name for index, name in by_index if index == number])
                 for number, one in enumerate(lacking)
             )
             able = tuple(dict.fromkeys(name for _, name in by_index))
@@ -96,6 +99,21 @@ def _precondition(task: KnownTask, condition: Term, providers: list[str]) -> Dia
     able = ", ".join(f"`{name}`" for name in dict.fromkeys(providers))
     hint = f"{able} could provide it" if able else "no task provides it: state it, or change the cell"
     return PRECONDITION.at(None, message, hint=hint)
+
+
+def _is_hindered(condition: Term, state: WorldState) -> bool:
+    """Return whether a condition asks for a gripper that the arm does not have."""
+    if not isinstance(condition, Struct) or condition.name != "gripper":
+        return False
+    grippers = any(isinstance(one, Struct) and one.name == "gripper" for one in state.facts)
+    return bool(state.gripperless) or not grippers
+
+
+def _without_gripper(task: KnownTask, state: WorldState) -> Diagnostic:
+    tool = f"the tool `{state.gripperless}` has no gripper" if state.gripperless else "no gripper is known"
+    racks = "take a tool with a gripper first" if state.gripperless else "state `gripper(open)`"
+    message = f"`{task.name}` is not possible now: {tool}"
+    return PRECONDITION.at(None, message, hint=f"{racks}, or give the tool of the cell a `gripper`")
 
 
 def _geometry(task: KnownTask, geometry: RememberedGeometry, condition: Term) -> Diagnostic:

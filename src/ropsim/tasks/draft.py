@@ -37,6 +37,11 @@ class Draft:
         return tuple(one.call for one in self.entries if one.ok)
 
     @property
+    def unchecked(self) -> tuple[str, ...]:
+        """Return what conditions may name and nothing has looked at, of any task that was asked for."""
+        return tuple(dict.fromkeys(word for one in self.entries for word in one.unchecked))
+
+    @property
     def points(self) -> tuple[tuple[str, Numbers], ...]:
         """Return the points that were given by numbers, each once, with their names in the program.
 

@@ -21,6 +21,10 @@ def fact_words(fact: Term) -> str:
             return f"an empty place `{_name(place)}`"
         case Struct("tool", (tool,)):
             return f"the tool `{_name(tool)}`"
+        case Struct("without_gripper", (tool,)):
+            return f"the tool `{_name(tool)}` without a gripper"
+        case Struct("follows", (part, other)):
+            return f"`{_name(part)}` behind `{_name(other)}` in its supply"
     return f"`{_name(fact)}`"
 
 

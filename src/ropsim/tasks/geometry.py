@@ -1,13 +1,13 @@
 """What only geometry can tell about tasks: asked outside, remembered as long as the cell stays as it is."""
 
-from collections.abc import Callable, Hashable
+from collections.abc import Callable, Hashable, Iterator, Sequence
 from typing import Protocol
 
 from ropsim.core import frozen_dataclass
 from ropsim.prolog import Atom, Predicate, Sort, Struct, Term, question
 from ropsim.tasks.bounds import millimetres
 from ropsim.tasks.fact_words import meeting_words, place_words, refusal_words
-from ropsim.tasks.pattern import Spot, spots
+from ropsim.tasks.pattern import Spot, places_in_rows, spots
 from ropsim.tasks.task_call import Point, point_of_term, term_of_point
 
 
@@ -124,6 +124,7 @@ class RememberedGeometry:
             question("reachable", (Sort.ATOM, Sort.TERM), self._reachable),
             question("collision_free", (Sort.ATOM, Sort.TERM, Sort.TERM), self._collision_free),
             question("in_rows", (Sort.TERM, Sort.TERM, Sort.TERM, Sort.TERM), self._in_rows),
+            Predicate("places_in_rows", (Sort.TERM,) * 4, (Sort.LIST,), _places_in_rows),
         )
 
     def _reachable(self, robot: Atom, location: Term) -> bool:
@@ -182,3 +183,10 @@ class RememberedGeometry:
             self.asked += 1
             found = self._known[asked] = bool(answer(at))
         return found
+
+
+def _places_in_rows(first: Term, columns: Term, rows: Term, distance: Term) -> Iterator[Sequence[Term]]:
+    """Yield the places of a pattern, none where its numbers are not known."""
+    place, apart = point_of_term(first), millimetres(distance)
+    if place is not None and apart is not None and isinstance(columns, int) and isinstance(rows, int):
+        yield (tuple(map(term_of_point, places_in_rows(place, columns, rows, apart))),)

@@ -1,15 +1,18 @@
 """The places of parts in rows, in the order in which they are looked at."""
 
 from collections.abc import Iterator
-from itertools import chain, islice
+from itertools import chain, islice, product
 
 from ropsim.core import frozen_dataclass
 from ropsim.tasks.expression_text import short_text
-from ropsim.tasks.task_call import Point
+from ropsim.tasks.task_call import Point, point_text
 
 MOST_PLACES = 64
 """So many places of a pattern are looked at;
 reach and collisions of one take about 10 ms when a machine is busy."""
+
+MOST_IN_ROWS = 1000
+"""Of so many places of a pattern it is known what lies there."""
 
 
 @frozen_dataclass
@@ -17,8 +20,8 @@ class Spot:
     """One place of a pattern.
 
     Attributes:
-        column: along X, from 1.
-        row: along Y, from 1.
+        column: along X of the first place, from 1.
+        row: against its Y, from 1: to the left of X for who looks along the approach of the tool.
         point: where it is, as task text has it.
     """
 
@@ -27,8 +30,7 @@ class Spot:
     point: Point
 
     def __str__(self) -> str:
-        words = self.point if isinstance(self.point, str) else f"({', '.join(map(short_text, self.point))})"
-        return f"row {self.row}, column {self.column} at `{words}`"
+        return f"row {self.row}, column {self.column} at `{point_text(self.point)}`"
 
 
 def spots(first: Point, columns: int, rows: int, distance: float) -> tuple[Spot, ...]:
@@ -36,8 +38,8 @@ def spots(first: Point, columns: int, rows: int, distance: float) -> tuple[Spot,
 
     Args:
         first: place of column 1 in row 1, with whose orientation all others are.
-        columns: places along X.
-        rows: places along Y.
+        columns: places along X of the first one.
+        rows: places against its Y.
         distance: of each place from the next one [mm].
     """
     looked = islice(dict.fromkeys(islice(_numbers(columns, rows), 4 * MOST_PLACES)), MOST_PLACES)
@@ -54,9 +56,23 @@ def _numbers(columns: int, rows: int) -> Iterator[tuple[int, int]]:
     return chain(corners, outline, inside)
 
 
+def places_in_rows(first: Point, columns: int, rows: int, distance: float) -> tuple[Point, ...]:
+    """Return the places of a pattern in the order in which a program fills them, `MOST_IN_ROWS` at most.
+
+    Args:
+        first: as with `spots`.
+        columns: likewise.
+        rows: likewise.
+        distance: likewise [mm].
+    """
+    numbers = islice(product(range(rows), range(columns)), MOST_IN_ROWS)
+    return tuple(_point(first, column * distance, row * distance) for row, column in numbers)
+
+
 def _point(first: Point, x: float, y: float) -> Point:
+    """Return a place that is moved by x along X of another one and by y against its Y [mm]."""
     if x == y == 0:
         return first
-    if isinstance(first, str):
-        return f"{first} offset ({short_text(x)}, {short_text(y)}, 0)"
-    return first[0] + x, first[1] + y, *first[2:]
+    if not isinstance(first, str) and len(first) == 3:  # the tool points down, its X along that of the base
+        return first[0] + x, first[1] + y, first[2]
+    return f"{point_text(first)} rel ({short_text(x)}, {short_text(0.0 - y)}, 0)"

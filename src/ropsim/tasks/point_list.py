@@ -94,13 +94,13 @@ def points_text(points: Sequence[tuple[str, Numbers]]) -> str:
     heads, units = ((*COLUMNS, YAW[0]), (*UNITS, YAW[1])) if has_yaw else (COLUMNS, UNITS)
     rows = [",".join(heads), ",".join(units)]
     for name, numbers in points:
-        cells = list(map(short_text, _exchanged(numbers)))
+        cells = list(map(short_text, exchanged(numbers)))
         rows.append(",".join([name, *cells, *[""] * (len(heads) - 1 - len(cells))]))
     return "\n".join(rows) + "\n"
 
 
-def _exchanged(numbers: Numbers) -> Numbers:
-    """Return six numbers with pitch and roll exchanged: task text has roll first, columns pitch."""
+def exchanged(numbers: Numbers) -> Numbers:
+    """Return six numbers with pitch and roll exchanged: task text has roll first, who types has pitch."""
     if len(numbers) != 6:
         return numbers
     x, y, z, one, other, yaw = numbers
@@ -128,4 +128,4 @@ def _numbers(row: Sequence[str], scales: Sequence[float]) -> Numbers | None:
         return None
     if not all(abs(one) < 1e12 for one in values):
         return None
-    return _exchanged(tuple(value * scale for value, scale in zip(values, scales, strict=False)))
+    return exchanged(tuple(value * scale for value, scale in zip(values, scales, strict=False)))

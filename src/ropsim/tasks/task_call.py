@@ -46,11 +46,14 @@ class TaskCall:
     objects: tuple[tuple[str, str], ...] = ()
 
     def __str__(self) -> str:
-        points = [
-            one if isinstance(one, str) else f"({', '.join(map(short_text, one))})" for one in self.points
-        ]
+        points = map(point_text, self.points)
         given = [str(one).lower() if isinstance(one, bool) else str(one) for one in self.parameters]
         return f"{self.name} {', '.join((*points, *given))}".rstrip()
+
+
+def point_text(point: Point) -> str:
+    """Return a point as it stands in task text."""
+    return point if isinstance(point, str) else f"({', '.join(map(short_text, point))})"
 
 
 def term_of_point(point: Point) -> Term:

@@ -1,6 +1,6 @@
 """Tasks as an operator types them, field by field: what fields say becomes a call, or is refused in words."""
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from math import isfinite, nan
 
 from ropsim.core import RopsimError, frozen_dataclass
@@ -15,11 +15,11 @@ from ropsim.tasks.errors import TaskError
 from ropsim.tasks.expression_text import unit_of
 from ropsim.tasks.kinds import LOCATION
 from ropsim.tasks.known_task import KnownTask, Parameter
-from ropsim.tasks.point_list import PointList
-from ropsim.tasks.task_call import Point, Quantity, TaskCall, Value
+from ropsim.tasks.point_list import COLUMNS, YAW, PointList, exchanged
+from ropsim.tasks.task_call import Numbers, Point, Quantity, TaskCall, Value
 from ropsim.tasks.world_state import WorldState
 
-_POINT = "give the name of a location or of a list, or X Y Z, X Y Z Pitch Roll or X Y Z Roll Pitch Yaw"
+_POINT = "give the name of a location or of a list, or X Y Z, X Y Z Pitch Roll or X Y Z Pitch Roll Yaw"
 
 _VALUE = "give a number, with its unit where it has one"
 
@@ -30,7 +30,8 @@ class TypedStep:
 
     Attributes:
         name: of the task.
-        points: a name of a location or of a list, or X Y Z, with Pitch Roll, in mm and deg, for each field.
+        points: a name of a location or of a list, or X Y Z, with Pitch Roll or Pitch Roll Yaw, in mm and deg,
+            for each field.
         values: a number, with its unit where it has one, for each other parameter that task text passes.
     """
 
@@ -75,7 +76,7 @@ def typed_points(typed: str, lists: Mapping[str, PointList]) -> tuple[Point, ...
     """Return what is typed for a point: numbers, a name, or all points of the list of that name.
 
     Args:
-        typed: a name, or three, five or six numbers with blanks or commas between them.
+        typed: a name, or X Y Z, X Y Z Pitch Roll or X Y Z Pitch Roll Yaw, with blanks or commas between them.
         lists: of points, by name.
 
     Raises:
@@ -84,13 +85,8 @@ def typed_points(typed: str, lists: Mapping[str, PointList]) -> tuple[Point, ...
     words = typed.replace(",", " ").split()
     if len(words) == 1 and words[0].isidentifier():
         return listed((words[0],), lists)
-    try:
-        numbers = tuple(float(word) for word in words)
-    except ValueError:
-        numbers = (nan,)
-    if not all(isfinite(one) for one in numbers):
-        raise TaskError(WRONG_CALL.at(None, f"`{typed[:80]}` is neither a name nor numbers", hint=_POINT))
-    return (numbers,) if numbers else ()
+    numbers = _point(typed, words)
+    return (exchanged(numbers),) if numbers else ()
 
 
 def typed_values(typed: str, task: KnownTask) -> tuple[Value, ...]:
@@ -114,6 +110,29 @@ def default_text(parameter: Parameter) -> str:
     if parameter.kind == LOCATION and isinstance(default, Atom):
         return default.name
     return "" if default is None else term_text(default)
+
+
+def _point(typed: str, words: Sequence[str]) -> Numbers:
+    """Return the numbers of a point as they are typed, none where nothing is.
+
+    Raises:
+        TaskError: they are no point.
+    """
+    try:
+        numbers = tuple(float(word) for word in words)
+    except ValueError:
+        numbers = (nan,)
+    cells = zip((*COLUMNS[1:], YAW[0]), typed.rstrip(", ").split(","), strict=False)
+    blank = ", ".join(name.capitalize() for name, cell in cells if not cell.strip())
+    if not all(isfinite(one) for one in numbers):
+        message = f"`{typed[:80]}` is neither a name nor numbers"
+    elif numbers and blank:
+        message = f"{blank} of `{typed[:80]}` is left blank"
+    elif len(numbers) not in (0, 3, 5, 6):
+        message = f"a point has 3, 5 or 6 numbers, given: {len(numbers)}"
+    else:
+        return numbers
+    raise TaskError(WRONG_CALL.at(None, message, hint=_POINT))
 
 
 def _values(step: TypedStep, task: KnownTask) -> Iterator[Value]:

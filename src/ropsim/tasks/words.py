@@ -49,7 +49,7 @@ KINDS = (*sorted(SYMBOLIC), *TYPES)
 BLOCKS = ("repeat", "repeat_until", "if", "while", "for", "for_each", "with")
 """Statements that hold statements."""
 
-FACTS = ("at", "free", "gripper", "held", "tool", "part", "location", "device")
+FACTS = ("at", "free", "gripper", "held", "tool", "without_gripper", "follows", "part", "location", "device")
 """Names of the facts that cells have."""
 
 GEOMETRY = ("reachable", "collision_free", "in_rows")

@@ -35,6 +35,13 @@ class WorldState:
         """
         return fact_of(fact) in self.facts
 
+    @property
+    def gripperless(self) -> str:
+        """Return the name of the tool on the arm where it has no gripper, else nothing."""
+        named = {(one.name, one.arguments) for one in self.facts if isinstance(one, Struct)}
+        tools = (one[0] for name, one in named if name == "tool" and ("without_gripper", one) in named)
+        return min((one.name for one in tools if isinstance(one, Atom)), default="")
+
     def __str__(self) -> str:
         return ", ".join(map(write_term, self.facts))
 

@@ -7,7 +7,7 @@ import numpy as np
 from ropsim.collision import TOUCH, Collisions, Elsewhere, MeshPoints, Nearness
 from ropsim.model import Body, BodyKind, Cell, Station, link_name, tool_body
 from ropsim.spatial import Array, Pose
-from ropsim.workbench.part_places import part_places
+from ropsim.workbench.part_places import first_parts, part_places
 
 UPSIDE_DOWN = Pose(orientation=np.array([0.0, 1.0, 0.0, 0.0]))
 """X_TO of a part that lies at no location: it hangs with its top against the tool."""
@@ -30,6 +30,7 @@ class CellCollisions:
         self._bodies = self._collisions.tree.by_name()
         self._parts = {part.name: part for part in cell.parts}
         self._places = part_places(cell)
+        self._firsts = first_parts(cell)
         self.met = tuple(one.pair for one in self._collisions.meetings({}))
 
     @property
@@ -95,16 +96,25 @@ class CellCollisions:
         yield from map(self.words, unseen)
 
     def _counts(self, station: Station, part: str, one: Nearness) -> bool:
-        if one.pair in self.met or not any(self.is_moved(station, name, part) for name in one.pair):
+        if self._as_at_start(part, one) or not any(self.is_moved(station, name, part) for name in one.pair):
             return False
         return -one.distance > (self._cell.supports.depth if part in one.pair else TOUCH)
 
+    def _as_at_start(self, part: str, one: Nearness) -> bool:
+        """Return whether two bodies are in each other at the start, or the first part of a supply is."""
+        first = self._firsts.get(part, part)
+        pair = {first if name == part else name for name in one.pair}
+        return any(pair == {*met} for met in self.met)
+
     def _held(self, station: Station, name: str) -> Elsewhere:
-        """Return where a part hangs in the gripper: as when it is taken from where it lies at the start."""
+        """Return where a part hangs in the gripper: as when it is taken from where it lies at the start.
+
+        One that waits in a supply is taken from where the first one of it lies.
+        """
         part, tool = self._parts.get(name), station.tools.get(station.default_tool)
         if part is None:
             return {}
-        place = self._places.get(name)
+        place = self._places.get(self._firsts.get(name, name))
         X_TO = UPSIDE_DOWN if place is None else self._cell.locations[place].inverse() @ part.X_WO
         if tool is None:
             return {name: (link_name(station.robot.tip + 1, station.name), station.robot.X_nM @ X_TO)}

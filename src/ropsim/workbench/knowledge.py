@@ -9,7 +9,7 @@ from ropsim.model import Cell
 from ropsim.workbench.cell_geometry import CellGeometry
 from ropsim.workbench.environment import environment_of
 from ropsim.workbench.opening import open_project
-from ropsim.workbench.part_places import part_places
+from ropsim.workbench.part_places import part_places, parts_behind
 from ropsim.workbench.project import Project
 from ropsim.workbench.task_texts import TaskTexts, users_folder
 from ropsim.workbench.workspace import Workspace
@@ -120,8 +120,9 @@ def world_state(cell: Cell) -> "WorldState":
     """Return what is true in a cell at the start of a run.
 
     `part(P)`, `location(L)`, `device(D)` and `tool(T)` name what there is, `at(P, L)` and `free(L)` say
-    where parts lie, and the gripper is open. Parts of a supply that are not there yet are left out; of a
-    location in a frame that moves nobody knows whether it is free.
+    where parts lie, `without_gripper(T)` which tools cannot grasp, and the gripper is open where a tool has
+    one. `follows(N, P)` says that a supply brings N to where P has been taken; where N lies before nobody
+    knows. Of a location in a frame that moves nobody knows whether it is free.
     """
     from ropsim.tasks import WorldState
 
@@ -131,7 +132,11 @@ def world_state(cell: Cell) -> "WorldState":
 def _facts(cell: Cell) -> Iterator["Term"]:
     from ropsim.prolog import Atom, Struct
 
-    yield Struct("gripper", (Atom("open"),))
+    tools, mounted = cell.first.tools, cell.first.default_tool
+    bare = [name for name, tool in tools.items() if tool.gripper is None]
+    if mounted and len(bare) < len(tools):
+        yield Struct("gripper", (Atom("open"),))
+    yield from (Struct("without_gripper", (Atom(name),)) for name in bare)
     places = part_places(cell)
     taken = frozenset(places.values())
     for part in cell.parts:
@@ -139,10 +144,11 @@ def _facts(cell: Cell) -> Iterator["Term"]:
             yield Struct("part", (Atom(part.name),))
             if part.name in places:
                 yield Struct("at", (Atom(part.name), Atom(places[part.name])))
+    yield from (Struct("follows", (Atom(part), Atom(before))) for part, before in parts_behind(cell).items())
     for name in cell.locations:
         yield Struct("location", (Atom(name),))
         if name not in taken and name not in cell.located:
             yield Struct("free", (Atom(name),))
     yield from (Struct("device", (Atom(name),)) for name in cell.devices)
-    if cell.first.default_tool:
-        yield Struct("tool", (Atom(cell.first.default_tool),))
+    if mounted:
+        yield Struct("tool", (Atom(mounted),))

@@ -23,6 +23,18 @@ def part_places(cell: Cell) -> Mapping[str, str]:
     return found
 
 
+def parts_behind(cell: Cell) -> Mapping[str, str]:
+    """Return which part lies before each one that waits in a supply, by the part that waits."""
+    queues = {(part.supply, part.turn): part.name for part in cell.parts if part.supply}
+    return {name: queues[supply, turn - 1] for (supply, turn), name in queues.items() if turn > 0}
+
+
+def first_parts(cell: Cell) -> Mapping[str, str]:
+    """Return the first part of its supply, by each part that waits in one."""
+    first = {part.supply: part.name for part in cell.parts if part.supply and part.turn == 0}
+    return {part.name: first[part.supply] for part in cell.parts if part.supply and part.turn > 0}
+
+
 def _place_of(cell: Cell, part: Part, taken: frozenset[str]) -> str:
     for name, X_WT in cell.locations.items():
         distance = float(np.linalg.norm(X_WT.position - part.X_WO.position))

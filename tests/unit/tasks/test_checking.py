@@ -2,7 +2,7 @@
 
 import pytest
 
-from ropsim.prolog import Atom, Struct, Var
+from ropsim.prolog import Atom, Struct, Var, write_term
 from ropsim.tasks import Quantity, TaskCall, TaskError, WorldState
 from support.knowledge import GEOMETRY, base
 
@@ -97,10 +97,10 @@ def test_geometry_is_asked_last_and_once_per_revision() -> None:
     ]
     assert report.fails == (Struct("fails", (Atom("geo"), Struct("reachable", (Atom("arm"), Atom("s1"))))),)
     known.check("grip s1", CELL)
-    assert GEOMETRY.asked == [("arm", "s1")]
+    assert GEOMETRY.asked == [("arm", "s1"), ("arm", "bolt", "s1")]
     GEOMETRY.refuse()
     assert known.check("grip s1", CELL).ok
-    assert GEOMETRY.asked == [("arm", "s1")]
+    assert GEOMETRY.asked == [("arm", "s1"), ("arm", "bolt", "s1")]
 
 
 def test_of_two_parts_the_one_is_taken_that_geometry_allows() -> None:
@@ -163,9 +163,9 @@ def test_geometry_holds_at_every_place_of_a_pattern() -> None:
         "`load_pallet` is not possible here: row 1, column 5 at `(610, -20, 5)` cannot be reached"
     )
     assert finding.hint == "take less for `parts in a row`, `distance`, or choose another location"
-    GEOMETRY.refuse(("arm", "bolt", "s3 offset (150, 300, 0)"))
+    GEOMETRY.refuse(("arm", "bolt", "s3 rel (150, -300, 0)"))
     (finding,) = known.check("load_pallet s1, s3, 2, 3, 15 cm", CELL).findings
-    assert "row 3, column 2 at `s3 offset (150, 300, 0)` the part `bolt` would be 12.3 mm" in finding.message
+    assert "row 3, column 2 at `s3 rel (150, -300, 0)` the part `bolt` would be 12.3 mm" in finding.message
 
 
 def test_of_a_large_pattern_it_is_said_how_much_was_not_looked_at() -> None:
@@ -177,3 +177,52 @@ def test_of_a_large_pattern_it_is_said_how_much_was_not_looked_at() -> None:
     assert report.state.holds("at(bolt, s3)")
     assert known.check("unload_pallet s3, s1, 2, 2, 75", report.state).ok
     assert known.check("grip s2", CELL).unchecked == ("draughts",)
+
+
+QUEUE = ("at(b0, feed)", "follows(b1, b0)", "follows(b2, b1)", "location(feed)", "gripper(open)")
+
+
+def test_a_supply_brings_the_next_part_to_where_one_was_taken() -> None:
+    state = WorldState.of(*QUEUE, "free(s1)", "free(s2)", "free(s3)")
+    reports = base().check_all([f"{one} feed" if one == "pick" else one for one in (
+        "pick", "place s1", "pick", "place s2", "pick", "place s3", "pick",
+    )], state)  # fmt: skip
+    assert [one.ok for one in reports] == [True] * 6 + [False]
+    assert [reports[at].call.objects for at in (0, 2, 4)] == [(("P", f"b{at}"),) for at in range(3)]
+    assert reports[0].state.holds("at(b1, feed)")
+    assert not reports[0].state.holds("free(feed)")
+    assert reports[4].state.holds("free(feed)")
+    assert reports[2].state.holds("follows(b2, b1)") is False
+    back = base().check_all(["pick s1", "place feed", "pick feed"], reports[5].state)
+    assert back[-1].call.objects == (("P", "b0"),)
+
+
+def test_after_a_pallet_is_filled_it_is_known_what_lies_where_and_what_the_supply_brings_next() -> None:
+    state, first = WorldState.of(*QUEUE, "free(s1)"), (100.0, 200.0, 50.0)
+    filled = base().check(TaskCall("load_pallet", ("feed", first), (2, 1, Quantity(75, "mm"))), state).state
+    lying = ("at(b0, p(100.0,200.0,50.0))", "at(b1, p(175.0,200.0,50.0))", "at(b2, feed)")
+    assert [filled.holds(one) for one in lying] == [True] * 3
+    assert base().check(TaskCall("pick", ((175.0, 200.0, 50.0),)), filled).call.objects == (("P", "b1"),)
+    more = base().check("load_pallet feed, s1, 3, 3, 75", state).state
+    assert [more.holds(one) for one in ("at(b0, s1)", "free(feed)", "at(b2, feed)")] == [True, True, False]
+    assert more.holds("at(b2, 's1 rel (150, 0, 0)')")
+    emptied = base().check("unload_pallet s1, s3, 2, 1, 75", more).state
+    assert [one for one in map(write_term, emptied.facts) if "b0" in one or "b1" in one] == []
+    assert emptied.holds("at(b2, 's1 rel (150, 0, 0)')")
+
+
+def test_a_tool_without_a_gripper_is_told_and_counts_no_more_once_it_is_changed() -> None:
+    racks = ("home_of(glue, r1)", "home_of(jaws, r2)", "without_gripper(glue)", "tool(glue)")
+    state = WorldState.of(*racks, *CELL.facts)
+    bare, change, taken, glued = base().check_all(
+        ["pick s1", "tool_change r1, r2", "pick s1", "release s3"], state
+    )
+    assert bare.message == "`pick` is not possible now: the tool `glue` has no gripper"
+    assert bare.findings[0].hint == (
+        "take a tool with a gripper first, or give the tool of the cell a `gripper`"
+    )
+    assert (bare.providers, [write_term(one) for one in bare.fails]) == ((), ["fails(pre,gripper(open))"])
+    assert [change.ok, taken.ok, glued.ok] == [True] * 3
+    assert base().plan(["at(bolt, s3)"], state).calls[0].name == "tool_change"
+    none = base().check("pick s1", WorldState.of("at(bolt, s1)"))
+    assert none.message == "`pick` is not possible now: no gripper is known"

@@ -150,6 +150,9 @@ def test_typed_steps_say_what_the_terminal_says() -> None:
         TypedStep("park", ("nan 0 0",)),
         TypedStep("park", ("s1\nhalt",)),
         TypedStep("park", ("s2",), ("1\nhalt",)),
+        TypedStep("park", ("1, 2, 3, 20, 10, 30",)),
+        TypedStep("park", ("1, 2, 3, , , 30",)),
+        TypedStep("park", ("1 2 3 20",)),
     )
     draft = drafted(steps, known, BEGIN, lists)
     assert [one.message for one in draft.entries] == [
@@ -162,12 +165,17 @@ def test_typed_steps_say_what_the_terminal_says() -> None:
         "`nan 0 0` is neither a name nor numbers",
         "`s1\nhalt` is neither a name nor numbers",
         "`park 1\nhalt` is no call of a task: there is not one statement",
+        "accepted",
+        "Pitch, Roll of `1, 2, 3, , , 30` is left blank",
+        "a point has 3, 5 or 6 numbers, given: 4",
     ]
     assert [str(one) for one in draft.calls] == [
         "pick s1",
         "place (31, 42, 86), 20 mm",
         "palletize (31, 42, 86), (830, 220, 150, 20, 30), 75 mm, 2",
+        "park (1, 2, 3, 10, 20, 30)",  # task text has roll before pitch
     ]
+    assert draft.unchecked == ("draughts",)
 
 
 def test_defaults_are_shown_as_they_are_typed() -> None:
@@ -182,6 +190,8 @@ def test_a_world_is_told_by_its_gripper_and_parts() -> None:
     state = WorldState.of(*facts.split("|"), "at(d, p(1.0, 2.0, 3.0))")
     found = world_table(state, {(1.0, 2.0, 3.0): "point_1"})
     assert found == WorldTable("closed", "a", (("b", "s1"), ("c", ""), ("d", "point_1")), ("inserted(b)",))
+    bare = world_table(WorldState.of("tool(glue)", "without_gripper(glue)", "follows(c, b)", "at(b, s1)"), {})
+    assert bare == WorldTable("none", "", (("b", "s1"), ("c", "behind b in the supply")), ("the tool glue",))
 
 
 def test_the_lists_of_a_project_are_its_files_and_nothing_else(tmp_path: Path) -> None:

@@ -39,7 +39,7 @@ def following(now: Places, places: list[str]) -> Iterator[Places]:
                 ) in GEOMETRY.refused
                 if place not in now and not refused:
                     yield (*now[:index], place, *now[index + 1 :])
-        elif "hand" not in now and ("arm", at) not in GEOMETRY.refused:
+        elif "hand" not in now and not {("arm", at), ("arm", f"p{index}", at)} & GEOMETRY.refused:
             yield (*now[:index], "hand", *now[index + 1 :])
 
 
@@ -91,8 +91,18 @@ def test_geometry_is_asked_only_for_what_a_plan_would_use() -> None:
     places = [f"s{index}" for index in range(10)]
     plan = known.plan(["at(p0, s5)"], state_of(tuple(places[:4]), places))
     assert [str(one) for one in plan.calls] == ["grip s0", "release s5"]
-    assert GEOMETRY.asked == [("arm", "s0"), ("arm", "s5"), ("arm", "p0", "s5")]
+    assert GEOMETRY.asked == [("arm", "s0"), ("arm", "p0", "s0"), ("arm", "s5"), ("arm", "p0", "s5")]
     assert plan.calls[0].objects == (("P", "p0"),)
+
+
+def test_parts_that_wait_in_a_supply_are_taken_one_after_the_other() -> None:
+    queue = [f"follows(b{k + 1}, b{k})" for k in range(3)]
+    state = WorldState.of("at(b0, feed)", *queue, "free(s1)", "free(s2)", "free(s3)", "gripper(open)")
+    plan = base().plan(["at(b1, s1)", "at(b2, s2)"], state)
+    assert [str(one) for one in plan.calls][4:] == ["grip feed", "release s2"]
+    assert [dict(one.objects)["P"] for one in plan.calls] == ["b0", "b0", "b1", "b1", "b2", "b2"]
+    assert base().check_all(plan.calls, state)[-1].state.holds("at(b3, feed)")
+    assert not base().plan(["at(b4, s1)"], state).ok
 
 
 @pytest.mark.parametrize(

@@ -8,7 +8,7 @@ task(grip(P, L), [
     word(L, "place", "where the part lies")]),
   pre([gripper(open), at(P, L)]),
   eff([-gripper(open), +gripper(closed), -at(P, L), +held(P), +free(L)]),
-  geo([reachable(arm, L)]),
+  geo([reachable(arm, L), collision_free(arm, P, L)]),
   body([mov(L), close])]).
 
 task(release(P, L), [

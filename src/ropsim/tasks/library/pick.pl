@@ -10,7 +10,7 @@ task(pick(P, L, Clear), [
   range([Clear >= 0*mm]),
   pre([gripper(open), at(P, L)]),
   eff([-gripper(open), +gripper(closed), -at(P, L), +held(P), +free(L)]),
-  geo([reachable(arm, L)]),
+  geo([reachable(arm, L), collision_free(arm, P, L)]),
   body([mov(above(L, Clear)), lin(L), close, lin(above(L, Clear))])]).
 
 task(place(P, L, Clear), [

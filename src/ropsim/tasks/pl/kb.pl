@@ -290,12 +290,16 @@ pre_read(_, Text, One, P) :-
     forall(condition(One, Name, Arity), ( note(reads, Name, Arity), assertz(later(nobody_makes(Name, Arity, Text, P))) )).
 
 eff_read(Known, Text, One, P) :-
-    (   effect(One, Sign, Fact), fact(Fact)
-    ->  bound(Fact, Known, Text, P),
+    (   effect(One, Sign, Fact0), effect_fact(Fact0, Fact)
+    ->  bound(Fact0, Known, Text, P),
         functor(Fact, Name, Arity),
         (   Sign == + -> note(makes, Name, Arity), assertz(later(nobody_reads(Name, Arity, Text, P))) ; true )
     ;   wrong(Text, P, effect, [])
     ).
+
+%   effect_fact(+Effect, -Fact): in_rows(at(P, L), Columns, Rows, Distance) is about the parts at all places of a pattern.
+effect_fact(Effect, Fact) :- functor(Effect, in_rows, _), !, Effect = in_rows(Fact, C, R, D), maplist(var, [C, R, D]), nonvar(Fact), Fact = at(_, _).
+effect_fact(Fact, Fact) :- fact(Fact).
 
 effect(One, _, _) :- var(One), !, fail.
 effect(+ Fact, +, Fact) :- nonvar(Fact).
@@ -437,6 +441,8 @@ world(free, 1).
 world(held, 1).
 world(gripper, 1).
 world(tool, 1).
+world(without_gripper, 1).
+world(follows, 2).
 world(part, 1).
 world(location, 1).
 world(device, 1).

@@ -58,7 +58,7 @@ templates(State, Goals) :-
     findall(Name-t(Head, Parameters, Pre, Eff, Geo),
             ( ropsim_kb:known(Name, _, task(Head, _, Parameters, Pre, Eff, Geo, _, _, _, _)),
               \+ untold(Parameters, Pre, State) ), All),
-    relevant(Wanted, [], All).
+    relevant(Wanted, [], All, State).
 
 untold(Parameters, Pre, State) :-
     member(p(Value, Kind, none), Parameters),
@@ -67,17 +67,18 @@ untold(Parameters, Pre, State) :-
     \+ ropsim_kb:makes(Kind, 1),
     functor(Fact, Kind, 1), \+ memberchk(Fact, State), !.
 
-relevant([], _, _) :- !.
-relevant(Wanted, Done, All) :-
+relevant([], _, _, _) :- !.
+relevant(Wanted, Done, All, State) :-
     ord_union(Wanted, Done, Done1),
     partition(serves(Wanted), All, Serving, Others),
     forall(member(_-Template, Serving), assertz(template(Template))),
     findall(Name/Arity, ( member(_-t(_, _, Pre, _, _), Serving), member(One, Pre), ropsim_kb:condition(One, Name, Arity) ), New0),
     findall(Name/Arity, ( member(Name1/Arity1, Wanted), functor(Head, Name1, Arity1), ropsim_kb:rule(Head, Body),
                           ropsim_kb:condition(Body, Name, Arity) ), New1),
-    append(New0, New1, New2), sort(New2, New3),
-    ord_subtract(New3, Done1, New),
-    relevant(New, Done1, Others).
+    findall(tool/1, ( memberchk(gripper/1, Wanted), memberchk(without_gripper(_), State) ), New2),    % see ropsim_world:holds
+    append([New0, New1, New2], New3), sort(New3, New4),
+    ord_subtract(New4, Done1, New),
+    relevant(New, Done1, Others, State).
 
 serves(Wanted, _-t(_, _, _, Eff, _)) :-
     member(Effect, Eff), arg(1, Effect, Fact), functor(Fact, Name, Arity),
@@ -310,6 +311,7 @@ grown :-
     ;   forall(member(Fact, New), assertz(fact(Fact))), grown
     ).
 
+made(at(Next, Place)) :- fact(follows(Next, Part)), fact(at(Part, Place)).    % its supply brings it
 made(Fact) :-
     template(t(_, Parameters, Pre, Eff, Geo)),
     could_all(Pre),

@@ -3,6 +3,7 @@
 */
 :- module(ropsim_world, []).
 :- use_module(library(lists)).
+:- use_module(library(apply)).
 :- use_module(library(ordsets)).
 :- use_module(library(solution_sequences)).
 
@@ -30,6 +31,7 @@ holds(A \= B, _, _) :- !, A \= B.
 holds(A == B, _, _) :- !, A == B.
 holds(A \== B, _, _) :- !, A \== B.
 holds(true, _, _) :- !.
+holds(gripper(_), State, _) :- gripperless(State, _), !, fail.
 holds(Fact, State, D) :-
     (   ground(Fact), ord_memberchk(Fact, State)
     ->  true
@@ -37,12 +39,58 @@ holds(Fact, State, D) :-
     ;   ropsim_kb:rule(Fact, Body), D > 0, D1 is D - 1, holds(Body, State, D1)
     ).
 
-%   applied(+Effects, +State, -After): what no longer holds goes first.
+%   gripperless(+State, -Tool): a tool without a gripper is on the arm; one in the rack is neither open nor closed.
+gripperless(State, Tool) :- memberchk(without_gripper(_), State), member(tool(Tool), State), ord_memberchk(without_gripper(Tool), State), !.
+
+%   applied(+Effects, +State, -After): what no longer holds goes first, then supplies bring what follows.
 applied(Effects, State, After) :-
-    findall(Fact, member(- Fact, Effects), Gone0), sort(Gone0, Gone),
-    findall(Fact, member(+ Fact, Effects), New0), sort(New0, New),
+    findall(Fact, ( member(- Fact, Effects), Fact \= in_rows(_, _, _, _) ), Gone0), sort(Gone0, Gone),
+    findall(Fact, ( member(+ Fact, Effects), Fact \= in_rows(_, _, _, _) ), New0), sort(New0, New),
     ord_subtract(State, Gone, Kept),
-    ord_union(Kept, New, After).
+    ord_union(Kept, New, State1),
+    supplied(Gone, State, State1, State2),
+    (   member(Effect, Effects), arg(1, Effect, in_rows(_, _, _, _))
+    ->  in_rows(Effects, Gone, State2, After)
+    ;   After = State2
+    ).
+
+%   supplied(+Gone, +Before, +State, -After): where a part was taken at its supply the one that follows it lies.
+supplied(Gone, Before, State, After) :-
+    (   memberchk(follows(_, _), State), member(at(Part, Place), Gone), memberchk(follows(Next, Part), State),
+        ord_memberchk(at(Part, Place), Before)
+    ->  ord_subtract(State, [free(Place), follows(Next, Part)], Kept),    % in standard order
+        ord_union(Kept, [at(Next, Place)], State1),
+        exclude(==(at(Part, Place)), Gone, Others),
+        supplied(Others, Before, State1, After)
+    ;   After = State
+    ).
+
+%   in_rows(+Effects, +Gone, +State, -After): what lies at the places of a pattern behind the first one, in their order.
+in_rows(Effects, Gone, State, After) :-
+    findall(Effect, ( member(Effect, Effects), arg(1, Effect, in_rows(_, _, _, _)) ), Patterns),
+    foldl(pattern(Gone), Patterns, State, After).
+
+pattern(Gone, Effect, State, After) :-
+    arg(1, Effect, in_rows(at(Part, First), Columns, Rows, Distance)),
+    (   ropsim_door:places_in_rows(First, Columns, Rows, Distance, [_|Places])
+    ->  (   Effect = - _
+        ->  findall(at(One, Place), ( member(Place, Places), member(at(One, Place), State) ), Taken0),
+            sort(Taken0, Taken), ord_subtract(State, Taken, After)
+        ;   member(at(Part, Supply), Gone)
+        ->  filled(Places, Supply, State, After)
+        ;   After = State
+        )
+    ;   After = State
+    ).
+
+filled([], _, State, State).
+filled([Place|Places], Supply, State, After) :-
+    (   member(at(Part, Supply), State)
+    ->  applied([- at(Part, Supply), + at(Part, Place), - free(Place)], State, State1),
+        ( memberchk(at(_, Supply), State1) -> State2 = State1 ; ord_union(State1, [free(Supply)], State2) ),
+        filled(Places, Supply, State2, After)
+    ;   After = State
+    ).
 
 %   chosen(+Parameters, +State): what preconditions have left open is one of its kind, or the value where none is told.
 chosen([], _).
