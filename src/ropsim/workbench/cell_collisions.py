@@ -1,6 +1,7 @@
 """What is in the way of an arm that stands at a place of its cell and holds a part."""
 
 from collections.abc import Iterable, Iterator, Mapping
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -8,6 +9,9 @@ from ropsim.collision import TOUCH, Collisions, Elsewhere, MeshPoints, Nearness
 from ropsim.model import Body, BodyKind, Cell, Station, link_name, tool_body
 from ropsim.spatial import Array, Pose
 from ropsim.workbench.part_places import first_parts, part_places
+
+if TYPE_CHECKING:  # knowledge bases and their engine are loaded by who asks one
+    from ropsim.tasks import Point
 
 UPSIDE_DOWN = Pose(orientation=np.array([0.0, 1.0, 0.0, 0.0]))
 """X_TO of a part that lies at no location: it hangs with its top against the tool."""
@@ -46,23 +50,31 @@ class CellCollisions:
         for one, other in self.met:
             yield f"{self.words(one)} in {self.words(other)}, as at the start"
 
-    def first_meeting(self, station: Station, part: str, postures: Iterable[Array]) -> Nearness | None:
+    def first_meeting(
+        self, station: Station, part: str, place: "Point", postures: Iterable[Array]
+    ) -> Nearness | None:
         """Return None where an arm can stand in one of some postures without being in anything.
 
         Otherwise the deepest meeting in the posture in which that is the least deep. A part may be as deep in
-        other things as the cell allows for parts that are set down; all else touches at most.
+        other things as the cell allows for parts that are set down, and where it lies at the start as deep as
+        it is drawn; all else touches at most.
 
         Args:
             station: of the arm.
             part: name of the part that it holds; of one that is not in the cell nothing is known.
+            place: where it holds it.
             postures: joint coordinates of the arm [rad | m], shape (n,) each.
         """
         held = self._held(station, part)
         absent = self._places.keys() - {part}
+        is_drawn_so = place == self._place_of(part)
         best: Nearness | None = None
         for q in postures:
             found = self._collisions.meetings({station.name: q}, held, absent)
-            worst = next((one for one in found if self._counts(station, part, one)), None)
+            counted = (one for one in found if self._counts(station, part, one))
+            if is_drawn_so:
+                counted = (one for one in counted if part not in one.pair or self._is_of_arm(station, one))
+            worst = next(counted, None)
             if worst is None:
                 return None
             if best is None or worst.distance > best.distance:
@@ -96,15 +108,16 @@ class CellCollisions:
         yield from map(self.words, unseen)
 
     def _counts(self, station: Station, part: str, one: Nearness) -> bool:
-        if self._as_at_start(part, one) or not any(self.is_moved(station, name, part) for name in one.pair):
+        if one.pair in self.met or not any(self.is_moved(station, name, part) for name in one.pair):
             return False
         return -one.distance > (self._cell.supports.depth if part in one.pair else TOUCH)
 
-    def _as_at_start(self, part: str, one: Nearness) -> bool:
-        """Return whether two bodies are in each other at the start, or the first part of a supply is."""
-        first = self._firsts.get(part, part)
-        pair = {first if name == part else name for name in one.pair}
-        return any(pair == {*met} for met in self.met)
+    def _is_of_arm(self, station: Station, one: Nearness) -> bool:
+        return any(_station_of(self._bodies, name) == station.name for name in one.pair)
+
+    def _place_of(self, part: str) -> str | None:
+        """Return where a part lies at the start, or the first one of its supply; None where nobody knows."""
+        return self._places.get(self._firsts.get(part, part))
 
     def _held(self, station: Station, name: str) -> Elsewhere:
         """Return where a part hangs in the gripper: as when it is taken from where it lies at the start.
@@ -114,7 +127,7 @@ class CellCollisions:
         part, tool = self._parts.get(name), station.tools.get(station.default_tool)
         if part is None:
             return {}
-        place = self._places.get(self._firsts.get(name, name))
+        place = self._place_of(name)
         X_TO = UPSIDE_DOWN if place is None else self._cell.locations[place].inverse() @ part.X_WO
         if tool is None:
             return {name: (link_name(station.robot.tip + 1, station.name), station.robot.X_nM @ X_TO)}

@@ -71,7 +71,7 @@ class CellGeometry:
         if station is None or move is None:
             return None
         looked = self._collisions()
-        found = looked.first_meeting(station, part, self._postures(station, move) or ())
+        found = looked.first_meeting(station, part, location, self._postures(station, move) or ())
         if found is None:
             return None
         names = found.pair

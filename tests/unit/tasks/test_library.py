@@ -6,8 +6,8 @@ from ropsim.flow import GripAction
 from ropsim.icr import StillWorld, run
 from ropsim.language import compile
 from ropsim.spatial import Pose
-from ropsim.tasks import KnownTask, Quantity, TaskCall, Value, program_text
-from support.knowledge import CELL, INPUTS, base
+from ropsim.tasks import KnownTask, Quantity, TaskCall, Value, WorldState, program_text
+from support.knowledge import CELL, GEOMETRY, INPUTS, base
 
 TASKS = {
     "grip", "release", "palletize", "pick", "place", "move_over", "depalletize", "insert", "screw",
@@ -45,6 +45,29 @@ def test_a_pallet_is_filled_and_emptied_from_above_in_rows() -> None:
         assert patterned[1] == [(100.0 + x, 300.0 + y, 200.0) for x, y in spots]
         assert patterned[0] == patterned[2] == [(x, y, z + 50.0) for x, y, z in patterned[1]]
         assert [one.action for one in trace.grips] == [GripAction.CLOSE, GripAction.OPEN] * 6
+
+
+@pytest.mark.parametrize("name", ["load_pallet", "depalletize"])
+def test_rows_lie_along_the_axes_of_their_first_place(name: str) -> None:
+    numbers = (2, 1, Quantity(50, "mm")) if name == "load_pallet" else (Quantity(50, "mm"), 2)
+    call = TaskCall(name, ("s1", (100.0, 300.0, 200.0, 180.0, 0.0, 90.0)), numbers)
+    code = compile(program_text(base().task, [call], "main"), CELL).icr
+    assert code is not None
+    poses = [one.target for one in run(code).moves if isinstance(one.target, Pose)]
+    places = [tuple(round(1e3 * c, 6) for c in pose.position.tolist()) for pose in poses]
+    left = [place[:2] for place in places if round(place[2]) == 200 and place[:2] != (400.0, 0.0)]
+    rows = [(100.0, 300.0), (100.0, 350.0), (50.0, 300.0), (50.0, 350.0)]
+    assert list(dict.fromkeys(left)) == rows[: len(dict.fromkeys(left))]
+    assert len(dict.fromkeys(left)) == (2 if name == "load_pallet" else 4)
+
+
+def test_who_takes_a_part_looks_at_what_is_in_the_way_there() -> None:
+    known, state = base(), WorldState.of("gripper(open)", "at(bolt, s1)")
+    GEOMETRY.refuse(("arm", "bolt", "s1"))
+    for name in ("grip", "pick"):
+        (finding,) = known.check(f"{name} s1", state).findings
+        words = f"`{name}` is not possible here: at `s1` the part `bolt` would be 12.3 mm deep in `post`"
+        assert (finding.code, finding.message) == ("P153", words)
 
 
 @pytest.mark.parametrize("name", sorted(TASKS))

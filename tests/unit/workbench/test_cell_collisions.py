@@ -12,7 +12,7 @@ from ropsim.core import SourceText
 from ropsim.kinematics import frames_batch, inverse
 from ropsim.model import Cell
 from ropsim.spatial import Array
-from ropsim.workbench import CellGeometry
+from ropsim.workbench import CellGeometry, world_state
 from support.meshes import stl
 
 CELL = """\
@@ -83,6 +83,43 @@ def test_a_part_stands_on_a_table_as_deep_as_the_cell_allows(top: float, words: 
 def test_a_part_that_lies_at_no_location_stands_in_the_way_and_one_that_tasks_move_does_not() -> None:
     assert in_the_way(LOOSE) == "the part `bolt` would be 10.0 mm deep in the part `nut`"
     assert in_the_way(LOOSE.replace("-100, -210", "-100, -200")) == ""
+
+
+POST = """
+[[objects]]
+name = "post"
+position = [{x}, 100, -160]
+shapes = [{{ cylinder = {{ radius = 5, length = 60 }} }}]
+"""
+STAND = """
+[[objects]]
+name = "stand"
+position = [400, 100, -218]
+shapes = [{ box = [100, 100, 10], position = [0, 0, -5] }]
+"""
+
+
+@pytest.mark.parametrize(
+    ("more", "words"),
+    [
+        ("", ""),
+        (STAND, ""),  # it is drawn 2 mm deep in it
+        (POST.format(x=415.5), ""),
+        (POST.format(x=412), "the tool `jaws` would be 3.0 mm deep in `post`"),
+    ],
+)
+def test_who_takes_a_part_meets_what_stands_beside_it_and_not_what_it_stands_on(more: str, words: str) -> None:
+    assert str(CellGeometry(cell_of(more)).obstruction("arm", "bolt", "lies") or "") == words
+
+
+def test_a_part_that_waits_in_a_supply_is_taken_as_the_first_one_is() -> None:
+    lying = CELL[CELL.index("[[parts]]") :]
+    queue = lying.replace("[[parts]]", "[[supplies]]") + "count = 2\nrpy = [0, 0, 40]\n"
+    cell, findings = read_cell(SourceText("cell.toml", CELL.replace(lying, queue) + STAND), "c")
+    assert cell is not None, findings
+    state, geometry = world_state(cell), CellGeometry(cell)
+    assert [state.holds(one) for one in ("at(bolt_1, lies)", "follows(bolt_2, bolt_1)")] == [True] * 2
+    assert [geometry.obstruction("arm", one, "lies") for one in ("bolt_1", "bolt_2")] == [None] * 2
 
 
 def test_one_posture_that_is_free_is_enough_and_else_the_least_deep_one_is_told() -> None:

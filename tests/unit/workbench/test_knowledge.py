@@ -4,9 +4,18 @@ from pathlib import Path
 
 import pytest
 
+from ropsim.cellfile import read_cell
 from ropsim.cli.main import main
+from ropsim.core import SourceText
 from ropsim.tasks import WorldState, term_text
-from ropsim.workbench import Knowledge, has_knowledge, new_project, open_knowledge, open_project
+from ropsim.workbench import (
+    Knowledge,
+    has_knowledge,
+    new_project,
+    open_knowledge,
+    open_project,
+    world_state,
+)
 
 TASKS = """\
 task(stack(P, L, H), [params([P-part, L-location, H-length]), pre([held(P)]), eff([-held(P), +at(P, L)]),
@@ -65,6 +74,21 @@ def test_a_cell_says_what_is_true_at_the_start(known: Knowledge) -> None:
     true = ("at(bolt, s1)", "free(s2)", "gripper(open)", "tool(jaws)", "part(nut)", "location(far)")
     assert [one for one in true if not known.state.holds(one)] == []
     assert not any(known.state.holds(one) for one in ("free(s1)", "at(nut, s1)", "free(nut)"))
+
+
+def test_a_tool_that_cannot_grasp_is_told_and_no_gripper_is_open() -> None:
+    glue = '[tools.glue]\nposition = [0, 0, 100]\n[locations]'
+
+    def state(text: str) -> WorldState:
+        cell, findings = read_cell(SourceText("cell.toml", text), "small")
+        assert cell is not None, findings
+        return world_state(cell)
+
+    bare = state(CELL.replace("gripper = {}\n", ""))
+    assert [bare.holds(one) for one in ("without_gripper(jaws)", "gripper(open)")] == [True, False]
+    two = state(CELL.replace("[locations]", glue))
+    assert [two.holds(one) for one in ("without_gripper(glue)", "gripper(open)")] == [True, True]
+    assert (bare.gripperless, two.gripperless) == ("jaws", "")
 
 
 def test_bodies_are_compiled_in_the_cell_and_mistakes_stand_at_their_clauses(known: Knowledge) -> None:
