@@ -58,6 +58,16 @@ export interface ParameterOrigin {
   readonly source: string
 }
 
+/** A task of a knowledge base that a program calls, or that such a task calls. */
+export interface CalledTask {
+  /** Its name. */
+  readonly name: string
+  /** Name of its text, such as `kb/glue.pl`. */
+  readonly source: string
+  /** SHA-256 of its task text, as 64 digits. */
+  readonly version: string
+}
+
 /** One robot with its controller and the program that it ran. */
 export interface StationFacts {
   /** Of the station; `robot` is that of the only one of a cell. */
@@ -86,6 +96,8 @@ export interface StationFacts {
   readonly origins: readonly ParameterOrigin[]
   /** How many moves were refused and left out. */
   readonly skipped_moves: number
+  /** The tasks of knowledge bases that its program is made of. */
+  readonly called: readonly CalledTask[]
 }
 
 /** Who ran what, where and how. */

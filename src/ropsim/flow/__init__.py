@@ -19,6 +19,7 @@ from ropsim.flow.events import WaitEvent as WaitEvent
 from ropsim.flow.facts import ROBOT as ROBOT
 from ropsim.flow.facts import AxisFacts as AxisFacts
 from ropsim.flow.facts import AxisType as AxisType
+from ropsim.flow.facts import CalledTask as CalledTask
 from ropsim.flow.facts import Destinations as Destinations
 from ropsim.flow.facts import Fidelity as Fidelity
 from ropsim.flow.facts import RunFacts as RunFacts

@@ -49,6 +49,21 @@ class AxisFacts:
 
 
 @frozen_dataclass
+class CalledTask:
+    """A task of a knowledge base that a program calls, or that such a task calls.
+
+    Attributes:
+        name: its name.
+        source: name of its text, such as `kb/glue.pl`.
+        version: SHA-256 of its task text, as 64 digits.
+    """
+
+    name: str
+    source: str = ""
+    version: str = ""
+
+
+@frozen_dataclass
 class StationFacts:
     """One robot with its controller and the program that it ran.
 
@@ -66,6 +81,7 @@ class StationFacts:
         axes: of the robot, in the order of the columns of `q`.
         origins: where the parameters of robot and controller come from.
         skipped_moves: how many moves were refused and left out.
+        called: the tasks of knowledge bases that its program is made of.
     """
 
     name: str
@@ -81,6 +97,7 @@ class StationFacts:
     axes: tuple[AxisFacts, ...] = ()
     origins: tuple[ParameterOrigin, ...] = ()
     skipped_moves: int = 0
+    called: tuple[CalledTask, ...] = ()
 
     @property
     def estimated(self) -> tuple[str, ...]:

@@ -7,6 +7,7 @@ import numpy as np
 
 from ropsim.core import Diagnostic
 from ropsim.flow import (
+    CalledTask,
     Channel,
     Destinations,
     Event,
@@ -160,7 +161,10 @@ def _station_facts(run: CellRun, name: str, program: Program | None, options: Ru
     skipped = sum(isinstance(event, SkipEvent) and event.station == name for event in run.events)
     facts = replace(station_facts(name, station.robot, station.controller), skipped_moves=skipped)
     if program is not None:
-        facts = replace(facts, program=program.name, source=program.source, icr_id=program_id(program))
+        called = tuple(CalledTask(one.procedure, one.source, one.version) for one in program.libraries)
+        facts = replace(
+            facts, program=program.name, source=program.source, icr_id=program_id(program), called=called
+        )
     if options.fidelity is Fidelity.DYNAMIC and station.robot.drives:
         facts = with_law(facts, station.controller, options.laws.get(name))
     return facts

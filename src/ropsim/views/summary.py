@@ -4,6 +4,7 @@ from collections.abc import Iterable, Mapping
 
 from ropsim.core import Diagnostic, Severity, frozen_dataclass
 from ropsim.flow import (
+    CalledTask,
     Destinations,
     GripEvent,
     ParameterOrigin,
@@ -114,6 +115,11 @@ class Summary:
     def robot(self) -> str:
         """Return maker and model of the arm, of each one where there are several stations."""
         return ", ".join(dict.fromkeys(one.title or one.robot for one in self.facts.stations))
+
+    @property
+    def called(self) -> tuple[CalledTask, ...]:
+        """Return the tasks of knowledge bases that programs of the run are made of, each once."""
+        return tuple(dict.fromkeys(one for station in self.facts.stations for one in station.called))
 
     @property
     def origins(self) -> tuple[ParameterOrigin, ...]:

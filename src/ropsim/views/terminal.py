@@ -25,6 +25,8 @@ from ropsim.views.terminal_figures import (
 from ropsim.views.verdict import Verdict, verdict
 
 SHOWN_FINDINGS = 8
+SHORT_VERSION = 8
+"""Digits of the version of a task that are shown."""
 
 _TONES = {Severity.ERROR: Tone.ERROR, Severity.WARNING: Tone.WARNING, Severity.HINT: Tone.HINT}
 _VERDICT_TONES = {Verdict.FAILED: Tone.ERROR, Verdict.DOUBTFUL: Tone.WARNING, Verdict.GOOD: Tone.GOOD}
@@ -40,6 +42,7 @@ def terminal_report(summary: Summary, style: Style) -> str:
         _title(summary, style),
         *(_blocks(summary, style) if several else _whole(summary, style)),
         _findings(summary, style),
+        _called(summary),
         _estimated(summary),
     ]
     lines = [[line.replace("\u00a0", " ") for line in section] for section in sections if section]
@@ -112,6 +115,14 @@ def _unchecked(text: str) -> list[str]:
     """Return the line on what was not looked at; where it is too long it breaks between its parts."""
     whole = "\u00a0· ".join(part.replace(" ", "\u00a0") for part in text.split(" · "))
     return textwrap.wrap(whole, COLUMNS, subsequent_indent="  ")
+
+
+def _called(summary: Summary) -> list[str]:
+    """Return which tasks of knowledge bases ran, with their versions."""
+    told = (clean(f"{one.name} {one.version[:SHORT_VERSION]} of {one.source}") for one in summary.called)
+    tasks = "; ".join(one.replace(" ", "\u00a0") for one in told)
+    words = f"tasks of knowledge bases: {tasks}" if tasks else ""
+    return textwrap.wrap(words, COLUMNS, subsequent_indent="  ")
 
 
 def _findings(summary: Summary, style: Style) -> list[str]:

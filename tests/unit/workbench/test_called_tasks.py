@@ -1,5 +1,6 @@
 """Programs call tasks of knowledge bases by name: those of the project, of the user and of the library."""
 
+import json
 from functools import cache
 from pathlib import Path
 
@@ -7,8 +8,10 @@ import pytest
 
 from ropsim.cli.main import main
 from ropsim.core import Diagnostic, SourceText
+from ropsim.flow import Recording
 from ropsim.icr import disassemble, encoded, program_id, read_binary, read_text, run
 from ropsim.query import Outcome
+from ropsim.records import read_recording
 from ropsim.spatial import Pose
 from ropsim.workbench import AtStation, CompiledProgram, Workspace, new_project, open_overlaid
 from ropsim.workbench.task_texts import NO_TASKS, TaskTexts, read_task_texts
@@ -33,13 +36,16 @@ def workspace() -> Workspace:
     return made
 
 
-def at(*own: str, users: tuple[str, ...] = ()) -> AtStation:
-    """Return the station of the cell beside these texts of tasks."""
-    texts = TaskTexts(
+def texts_of(own: tuple[str, ...], users: tuple[str, ...]) -> TaskTexts:
+    return TaskTexts(
         tuple(SourceText(f"kb/t{k}.pl", text) for k, text in enumerate(own)),
         tuple(SourceText(f"home/kb/u{k}.pl", text) for k, text in enumerate(users)),
     )
-    return workspace().at(CELL, "c", "", tasks=texts)
+
+
+def at(*own: str, users: tuple[str, ...] = ()) -> AtStation:
+    """Return the station of the cell beside these texts of tasks."""
+    return workspace().at(CELL, "c", "", tasks=texts_of(own, users))
 
 
 def compiled(text: str, station: AtStation) -> CompiledProgram:
@@ -236,3 +242,51 @@ def test_texts_that_are_not_saved_count_and_users_have_a_folder_of_their_own(
     (tmp_path / "p" / "programs" / "main.task").write_text(f"{HEAD}wave\n")
     assert main(["check", str(tmp_path / "p")]) == 1
     assert "task `wave` takes 1 to 2 arguments" in capsys.readouterr().err
+
+
+def test_a_run_says_which_versions_of_which_tasks_it_was_made_of(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setenv("ROPSIM_CONFIG_HOME", str(tmp_path / "home"))
+    folder = new_project(tmp_path / "p")
+    (folder / "kb").mkdir()
+    (folder / "programs" / "main.task").write_text(f"{HEAD}wave (400, 0, 500), 5\npark (400, 100, 500)\n")
+
+    def ran(wave: str, *more: str) -> tuple[str, Recording]:
+        (folder / "kb" / "own.pl").write_text(wave)
+        assert main(["run", str(folder), "--kinematic", "--record", str(tmp_path / "run.npz"), *more]) == 0
+        return capsys.readouterr().out, read_recording(tmp_path / "run.npz")
+
+    page = tmp_path / "run.html"
+    text, recording = ran(WAVE, "--report", str(page))
+    wave, park = recording.facts.stations[0].called
+    assert [(one.name, one.source) for one in (wave, park)] == [
+        ("wave", "kb/own.pl"),
+        ("park", "library/pick.pl"),
+    ]
+    words = f"tasks of knowledge bases: wave {wave.version[:8]} of kb/own.pl; park {park.version[:8]} of"
+    assert words in " ".join(text.split())
+    assert [one.version in page.read_text("utf-8") for one in (wave, park)] == [True, True]
+    other, changed = ran(WAVE.replace("mov(L)", "lin(L)"), "--json")
+    called = changed.facts.stations[0].called
+    assert (called[0].version == wave.version, called[1]) == (False, park)
+    (station,) = json.loads(other)["summary"]["facts"]["stations"]
+    assert station["called"] == [
+        {"name": one.name, "source": one.source, "version": one.version} for one in called
+    ]
+
+
+def test_tasks_that_take_the_place_of_others_are_told_in_each_layer() -> None:
+    mine = "task(park(L), [params([L-location]), body([mov(above(L, 1*mm))])])."
+
+    def clashes(own: tuple[str, ...], users: tuple[str, ...]) -> list[tuple[str, str, str]]:
+        found = workspace().knowledge(texts_of(own, users)).findings
+        return [(one.code, one.span.source if one.span else "", one.message) for one in found]
+
+    hidden = "`park` takes the place of the task of the"
+    assert clashes((), (mine,)) == [("P146", "home/kb/u0.pl", f"{hidden} library")]
+    assert clashes((mine,), (mine,)) == [
+        ("P146", "kb/t0.pl", f"{hidden} {whose}") for whose in ("library", "user's own tasks")
+    ]
+    twice = clashes((mine, mine), ())
+    assert ("P135", "kb/t1.pl", "there is a task `park` already") in twice

@@ -108,7 +108,7 @@ shapes = [{ box = [100, 100, 10], position = [0, 0, -5] }]
         (POST.format(x=412), "the tool `jaws` would be 3.0 mm deep in `post`"),
     ],
 )
-def test_who_takes_a_part_meets_what_stands_beside_it_and_not_what_it_stands_on(more: str, words: str) -> None:
+def test_who_takes_a_part_meets_what_stands_beside_it_not_what_it_stands_on(more: str, words: str) -> None:
     assert str(CellGeometry(cell_of(more)).obstruction("arm", "bolt", "lies") or "") == words
 
 

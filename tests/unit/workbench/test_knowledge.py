@@ -77,7 +77,7 @@ def test_a_cell_says_what_is_true_at_the_start(known: Knowledge) -> None:
 
 
 def test_a_tool_that_cannot_grasp_is_told_and_no_gripper_is_open() -> None:
-    glue = '[tools.glue]\nposition = [0, 0, 100]\n[locations]'
+    glue = "[tools.glue]\nposition = [0, 0, 100]\n[locations]"
 
     def state(text: str) -> WorldState:
         cell, findings = read_cell(SourceText("cell.toml", text), "small")

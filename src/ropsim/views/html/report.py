@@ -25,7 +25,7 @@ from ropsim.views.html.replay import (
     replay_data,
     replay_section,
 )
-from ropsim.views.html.tables import approach_table, joint_table, origin_table, task_table
+from ropsim.views.html.tables import approach_table, called_table, joint_table, origin_table, task_table
 from ropsim.views.markup import text
 from ropsim.views.messages import messages
 from ropsim.views.station_summary import StationSummary
@@ -66,6 +66,7 @@ def html_report(
         comparison_section(comparison),
         *(_station(one, summary, sources) for one in summary.stations),
         _charts(recording, summary),
+        _called(summary),
         _origins(summary),
         _definitions(),
         _footer(summary),
@@ -139,6 +140,13 @@ def _charts(recording: Recording, summary: Summary) -> str:
         return ""
     how = "Point at a chart to read all values at one time, or focus it and use the arrow keys, Home and End."
     return f'<section><h2>Charts</h2>\n<p class="quiet screen">{how}</p>\n{"".join(drawn)}</section>\n'
+
+
+def _called(summary: Summary) -> str:
+    """Return the tasks of knowledge bases that ran; nothing where none did."""
+    if not summary.called:
+        return ""
+    return f"<section><h2>Tasks of knowledge bases</h2>\n{called_table(summary)}</section>\n"
 
 
 def _origins(summary: Summary) -> str:

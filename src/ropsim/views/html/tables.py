@@ -87,6 +87,13 @@ def task_table(tasks: tuple[TaskSummary, ...], cycle_time: float) -> str:
     )
 
 
+def called_table(summary: Summary) -> str:
+    """Return which tasks of knowledge bases the programs are made of."""
+    rows = [(text(one.name), text(one.source), text(one.version)) for one in summary.called]
+    caption = "Versions are those of the content: a task that says something else has another one."
+    return table(caption, ("task", "text", "version"), rows, "words")
+
+
 def origin_table(summary: Summary) -> str:
     """Return where the parameters of the arm come from."""
     rows = [
