@@ -54,9 +54,11 @@ def test_an_operator_makes_a_palletizing_program_that_runs(
 
     panel.get_by_role("button", name="Make a task of your own").click()
     form = panel.get_by_role("form", name="A new task")
+    form.get_by_text("Give it a name to begin with.").wait_for()
+    assert form.locator(".form-fault").count() == 0
+    form.get_by_label("What it does").fill("Rests over a place.")
     form.get_by_text("a task needs a name").wait_for()
     form.get_by_label("Name", exact=True).fill("rest")
-    form.get_by_label("What it does").fill("Rests over a place.")
     form.get_by_label("How it is done").fill("mov l above 20 mm\nwait 1 s\nendr")
     form.get_by_text("line 3: there is no block to end here").wait_for()
     form.get_by_label("How it is done").fill("mov l above 20 mm\nwait 1 s")
@@ -95,6 +97,14 @@ def test_an_operator_makes_a_palletizing_program_that_runs(
     for axis, value in (("X", "412.5"), ("Y", "-147.5"), ("Z", "600")):
         second.get_by_label(f"place {axis} [mm]").fill(value)
     second.get_by_text("part: box_1").wait_for()
+    for axis, value in (("Pitch", "0"), ("Roll", "180"), ("Yaw", "90")):
+        second.get_by_label(f"place {axis} [deg]").fill(value)
+    points_now = panel.get_by_role("table")
+    points_now.get_by_role("row", name=re.compile("90.0$")).wait_for()
+    for axis in ("Pitch", "Roll", "Yaw"):
+        second.get_by_label(f"place {axis} [deg]").fill("")
+    second.get_by_text("part: box_1").wait_for()
+    panel.get_by_text("not checked: collisions on the way between places").wait_for()
     after = panel.get_by_role("region", name="After step 2, pick")
     assert re.sub(r"\s+", " ", after.inner_text()).startswith("After step 2, pick Gripper closed Held box_1")
     second.get_by_label("Task", exact=True).fill("xyz")

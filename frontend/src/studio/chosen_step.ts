@@ -36,12 +36,12 @@ export function isName(point: string): boolean {
   return /^[^\W\d]\w*$/.test(point)
 }
 
-/** The numbers of a point as they are typed, five or six of them; blank ones are not given. */
+/** X Y Z Pitch Roll Yaw of a point as they are typed; blank ones are not given. */
 export function splitNumbers(point: string): readonly string[] {
   const words = point.includes(',')
     ? point.split(',').map(one => one.trim())
     : point.split(/\s+/).filter(Boolean)
-  return Array.from({ length: words.length > 5 ? 6 : 5 }, (_, k) => words[k] ?? '')
+  return Array.from({ length: 6 }, (_, k) => words[k] ?? '')
 }
 
 /** What is typed for one number: a comma is a decimal point, as in the fields of the jog panel. */
@@ -56,10 +56,13 @@ export function joinNumbers(numbers: readonly string[]): string {
   return words.join(', ')
 }
 
-/** A pose as the jog panel writes it, as numbers X Y Z Roll Pitch Yaw; empty where it has none. */
+/** A pose as the jog panel writes it, which has roll first, as X Y Z Pitch Roll Yaw; empty where it has none. */
 export function numbersOfLocation(location: string): string {
   const numbers = location.replace(/ external .*$/, '').match(/-?\d+(?:\.\d+)?(?:e[-+]?\d+)?/g) ?? []
-  return numbers.length === 6 ? joinNumbers(numbers) : ''
+  const [x, y, z, roll, pitch, yaw, ...more] = numbers
+  return yaw !== undefined && more.length === 0
+    ? joinNumbers([x ?? '', y ?? '', z ?? '', pitch ?? '', roll ?? '', yaw])
+    : ''
 }
 
 /** Name of a program text as the language takes it. */

@@ -71,6 +71,7 @@ function bench() {
       text: '',
       listed: '',
       problem: '',
+      unchecked: '',
     }
     tasks.receive(message)
   }
@@ -140,9 +141,10 @@ test('steps that were kept come back, and what cannot be read does not', () => {
 
 test('fields are read and written', () => {
   expect(splitValue(' 75  mm/s ')).toEqual({ number: '75', unit: 'mm/s' })
-  expect(splitNumbers('1 2 3')).toEqual(['1', '2', '3', '', ''])
-  expect(splitNumbers('1, , 3')).toEqual(['1', '', '3', '', ''])
-  expect(splitNumbers('1 2 3 4 5 6')).toHaveLength(6)
+  expect(splitNumbers('1 2 3')).toEqual(['1', '2', '3', '', '', ''])
+  expect(splitNumbers('1, , 3')).toEqual(['1', '', '3', '', '', ''])
+  expect(splitNumbers('1 2 3 4 5 6')).toEqual(['1', '2', '3', '4', '5', '6'])
+  expect(joinNumbers(splitNumbers('1, 2, 3, , , 30'))).toBe('1, 2, 3, , , 30')
   expect(joinNumbers(['1', ' 2', '', '4', ''])).toBe('1, 2, , 4')
   expect(splitNumbers(joinNumbers(['412,5', '-147,5', '600', '', '']))).toEqual([
     '412.5',
@@ -150,10 +152,11 @@ test('fields are read and written', () => {
     '600',
     '',
     '',
+    '',
   ])
-  expect(splitNumbers(joinNumbers(['1 234', '', '', '', '']))).toEqual(['1234', '', '', '', ''])
+  expect(splitNumbers(joinNumbers(['1 234', '', '', '', '']))).toEqual(['1234', '', '', '', '', ''])
   expect(numbersOfLocation('(1.5 mm, -2 mm, 3 mm; rpy 180 deg 0 deg -90 deg) in base external (5 mm)')).toBe(
-    '1.5, -2, 3, 180, 0, -90',
+    '1.5, -2, 3, 0, 180, -90',
   )
   expect(numbersOfLocation('')).toBe('')
   expect(programWord('2 füll')).toBe('p2_f_ll')

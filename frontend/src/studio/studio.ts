@@ -128,7 +128,7 @@ export class Studio {
         picture.points(marksOf(points, selected))
         mark()
       },
-      keep: steps => this.storage.write('tasks', steps),
+      keep: steps => this.storage.write('steps', steps),
       undo: this.undo,
     })
     const receiver = new Receiver(this)

@@ -61,6 +61,11 @@ export class TaskForms {
     return this.#problem
   }
 
+  /** Whether something has been asked of the fields, answered or not. */
+  get asked(): boolean {
+    return this.#checked !== null || this.#outstanding !== 0
+  }
+
   /** What was said last; null before. */
   get checked(): TaskFormChecked | null {
     return this.#checked
@@ -96,24 +101,27 @@ export class TaskForms {
     this.#wires.send({ type: 'open_task_form', task })
   }
 
-  /** Begin a new task. */
+  /** Begin a new task; nothing is said of it before something is typed. */
   begin(kinds: readonly string[]): void {
     this.#asked = ''
     this.#show('', '', EMPTY_FORM, kinds)
+    this.#changed()
   }
 
   close(): void {
     this.#form = null
-    this.#checked = null
-    this.#problem = ''
+    this.#forget()
     this.#changed()
   }
 
   receive(opened: TaskFormOpened): void {
     if (opened.task !== this.#asked) return
     this.#problem = opened.problem
-    if (opened.form) this.#show(opened.task, opened.document, opened.form, opened.kinds)
-    else this.#changed()
+    if (opened.form) {
+      this.#show(opened.task, opened.document, opened.form, opened.kinds)
+      this.#check()
+    }
+    this.#changed()
   }
 
   receiveChecked(checked: TaskFormChecked): void {
@@ -141,10 +149,15 @@ export class TaskForms {
     this.#document = document
     this.#form = form
     this.#kinds = kinds
+    this.#forget()
+  }
+
+  /** What was said, or is on its way, is said of other fields. */
+  #forget(): void {
     this.#checked = null
     this.#problem = ''
-    this.#check()
-    this.#changed()
+    this.#outstanding = 0
+    this.#waiting = false
   }
 
   /** Latest wins: one question is out, the newest fields wait. */

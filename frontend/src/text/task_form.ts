@@ -37,6 +37,7 @@ export const formWords = {
   text: 'Open the text',
   cancel: 'Cancel',
   checking: 'checking …',
+  untouched: 'Give it a name to begin with.',
   good: '✓ nothing is wrong with it',
   wrong: (count: number) => (count === 1 ? '✕ 1 field is wrong' : `✕ ${count} fields are wrong`),
   line: (place: number) => `line ${place + 1}: `,

@@ -260,7 +260,10 @@ export interface TaskChoice {
   readonly name: string
   /** What it is for. */
   readonly doc: string
-  /** File of the library that it comes from; empty for one of the project. */
+  /**
+   * File of the library that it comes from; `yours` for one of the user's own folder, empty for one of the
+   * project.
+   */
   readonly group: string
   /** What must be true before it, in words. */
   readonly needs: readonly string[]
@@ -288,7 +291,7 @@ export interface PartPlace {
 
 /** What is true at one time. */
 export interface WorldNow {
-  /** `open` or `closed`; empty where nobody knows. */
+  /** `open` or `closed`; `none` where the tool has none, empty where nobody knows. */
   readonly gripper: string
   /** Part in the gripper; empty for none. */
   readonly held: string
@@ -360,6 +363,8 @@ export interface TasksChecked {
   readonly listed: string
   /** Why there is no answer or no text; empty where there is. */
   readonly problem: string
+  /** What no step was looked at for, as one line; empty for nothing. */
+  readonly unchecked: string
 }
 
 /** How long the program of the steps takes, planned without drives. */

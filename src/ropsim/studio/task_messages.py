@@ -38,7 +38,8 @@ class TaskChoice(Struct, frozen=True):
     Attributes:
         name: how it is called.
         doc: what it is for.
-        group: file of the library that it comes from; empty for one of the project.
+        group: file of the library that it comes from; `yours` for one of the user's own folder, empty for
+            one of the project.
         needs: what must be true before it, in words.
         parameters: in their order.
     """
@@ -77,7 +78,7 @@ class WorldNow(Struct, frozen=True):
     """What is true at one time.
 
     Attributes:
-        gripper: `open` or `closed`; empty where nobody knows.
+        gripper: `open` or `closed`; `none` where the tool has none, empty where nobody knows.
         held: part in the gripper; empty for none.
         parts: that lie somewhere.
         others: all else in words.
@@ -156,6 +157,7 @@ class TasksChecked(Struct, frozen=True, tag_field="type", tag="tasks_checked"):
         text: the program of the steps that are accepted; empty without one.
         listed: its points that are typed as numbers, as a list of points in a file; empty without one.
         problem: why there is no answer or no text; empty where there is.
+        unchecked: what no step was looked at for, as one line; empty for nothing.
     """
 
     id: int
@@ -165,6 +167,7 @@ class TasksChecked(Struct, frozen=True, tag_field="type", tag="tasks_checked"):
     text: str
     listed: str
     problem: str
+    unchecked: str
 
 
 class TasksEstimated(Struct, frozen=True, tag_field="type", tag="tasks_estimated"):

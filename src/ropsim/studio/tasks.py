@@ -102,7 +102,7 @@ class ChosenTasks:
         reply = await self._reply(jobs.CheckTasks(self._folder, self._texts(), command.id, command.steps))
         if isinstance(reply, jobs.TasksReply):
             return reply.payload
-        return TasksChecked(command.id, 0, (), (), "", "", _why(reply))
+        return TasksChecked(command.id, 0, (), (), "", "", _why(reply), "")
 
     async def _reply(self, job: jobs.Job) -> jobs.Reply:
         reply = self._worker.submit(job).reply

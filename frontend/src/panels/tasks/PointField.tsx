@@ -97,10 +97,9 @@ export function PointField({
 
 function NumberFields({ parameter, value, onValue, onDone }: PointFieldProps) {
   const numbers = splitNumbers(value)
-  const axes = numbers.length === 6 ? taskWords.axesWithYaw : taskWords.axes
   return (
     <div className="number-fields">
-      {axes.map((axis, k) => (
+      {taskWords.axes.map((axis, k) => (
         <label key={axis}>
           {axis}
           <input

@@ -129,8 +129,14 @@ export function TaskForm() {
         </div>
       ) : null}
       <div className="form-actions">
-        <span className={wrong ? 'error' : 'good'} role="status">
-          {forms.good ? words.good : wrong ? words.wrong(wrong) : words.checking}
+        <span className={wrong ? 'error' : forms.asked ? 'good' : 'quiet'} role="status">
+          {forms.good
+            ? words.good
+            : wrong
+              ? words.wrong(wrong)
+              : forms.asked
+                ? words.checking
+                : words.untouched}
         </span>
         {forms.task && hasText ? (
           <button type="button" title={forms.document} onClick={() => studio.showTaskText()}>

@@ -1,10 +1,12 @@
 /** A program made without writing one: tasks are chosen, each is answered at once, and the world is carried along. */
 import { useEffect, useRef, useState } from 'react'
+import type { Finding } from '../../run/run'
 import { useStudio, useStudioState } from '../../studio/context'
 import { useChanges } from '../../studio/hooks'
 import { words } from '../../text/messages'
 import { formWords } from '../../text/task_form'
 import { taskWords } from '../../text/tasks'
+import { Marked } from '../Marked'
 import { Scroll } from '../Scroll'
 import { Catalogue } from './Catalogue'
 import { cycleTime } from './cycle_time'
@@ -40,7 +42,7 @@ export function TasksPanel() {
   useChanges(tasks)
   useChanges(undo)
   useEffect(() => {
-    tasks.open(studio.storage.read('tasks'))
+    tasks.open(studio.storage.read('steps'))
     tasks.showPoints()
     return () => tasks.hidePoints()
   }, [studio, tasks])
@@ -144,8 +146,9 @@ function EndButton() {
 function Summary() {
   const { tasks } = useStudio()
   const { answer, estimate, steps, list } = tasks
-  const wrong = list?.findings.find(one => one.severity === 'error')?.message
-  if (!answer || steps.length === 0) return wrong ? <p className="tasks-summary error">{wrong}</p> : null
+  const wrong = list?.findings.find(one => one.severity === 'error')
+  const told = wrong ? <Wrong finding={wrong} /> : null
+  if (!answer || steps.length === 0) return told ? <p className="tasks-summary">{told}</p> : null
   const refused = steps.filter(one => tasks.stateOf(one.key)?.accepted === false).length
   const time = cycleTime(answer, estimate)
   return (
@@ -156,11 +159,37 @@ function Summary() {
       <span>
         {taskWords.time}: <strong>{time}</strong>
       </span>
-      {wrong ? <span className="error">{wrong}</span> : null}
+      {told}
       {answer.problem ? <span className="error">{answer.problem}</span> : null}
-      {estimate?.message && estimate.message !== wrong ? (
+      {estimate?.message && estimate.message !== wrong?.message ? (
         <span className="warning">{estimate.message}</span>
       ) : null}
+      {answer.unchecked ? (
+        <span className="quiet">
+          <Marked text={answer.unchecked} />
+        </span>
+      ) : null}
     </p>
+  )
+}
+
+/** What is wrong with a text, with the place where it stands; a click leads there. */
+function Wrong({ finding }: { finding: Finding }) {
+  const studio = useStudio()
+  const { span, message } = finding
+  const document = span ? studio.documentOf(span.source) : ''
+  return (
+    <span className="error">
+      {span && document ? (
+        <button
+          type="button"
+          className="wrong-place"
+          onClick={() => studio.goTo(document, span.line, span.column)}
+        >
+          {taskWords.at(document, span.line)}
+        </button>
+      ) : null}
+      <Marked text={message} />
+    </span>
   )
 }

@@ -137,6 +137,8 @@ def test_each_step_is_answered_in_the_world_that_the_one_before_it_made(desk: De
     assert Pose.from_tuple(found["points"][1]["pose"]).position == pytest.approx((0.5, -0.1, -0.15))
     assert found["text"].splitlines()[-2:] == ["pick s1", "place point_1, 20 mm"]
     assert found["listed"].splitlines()[2:] == ["point_1,400,-100,-150,,"]
+    assert found["unchecked"].startswith("not checked: collisions on the way between places, collisions with")
+    assert said(desk, CheckTasks(str(folder), {}, 8, ()))["unchecked"] == ""
 
 
 def test_the_time_of_the_program_is_planned_and_can_be_given_up(desk: Desk, folder: Path) -> None:
@@ -185,6 +187,10 @@ def test_texts_of_tasks_count_by_what_they_say(
     mine.write_text(rest(34))  # of the same size, and of the same time
     os.utime(mine, ns=(before.st_atime_ns, before.st_mtime_ns))
     assert "34 mm" in body()
+    groups = {one["name"]: one["group"] for one in said(desk, ListTasks(str(folder), {}))["tasks"]}
+    assert (groups["rest"], groups["pick"]) == ("yours", "pick")
+    ours = said(desk, ListTasks(str(folder), {"kb/own.pl": rest(55)}))["tasks"]
+    assert [one["group"] for one in ours if one["name"] == "rest"] == [""]
     assert "55 mm" in body(unsaved=rest(55))
     assert "34 mm" in body()
     revision = said(desk, ListTasks(str(folder), {}))["revision"]

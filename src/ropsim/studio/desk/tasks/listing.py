@@ -8,10 +8,12 @@ from ropsim.studio.task_messages import PartPlace, PlaceChoice, TaskChoice, Task
 from ropsim.tasks import (
     UNITS,
     KnownTask,
+    Layer,
     Numbers,
     Parameter,
     WorldState,
     default_text,
+    exchanged,
     fact_words,
     words,
     world_table,
@@ -20,6 +22,8 @@ from ropsim.views import plain_findings
 
 MOST_PARTS = 200
 """Parts whose places are told."""
+YOURS = "yours"
+"""Group of the tasks in the user's own folder; no file of the library has this name."""
 
 
 def task_list(known: KnownProject, revision: int) -> TaskList:
@@ -44,11 +48,18 @@ def world_now(state: WorldState, names: Mapping[Numbers, str]) -> WorldNow:
 
 
 def _choice(task: KnownTask) -> TaskChoice:
-    source = task.span.source if task.is_built_in else ""
     needs = tuple(fact_words(one).replace("`", "") for one in task.needs)
-    return TaskChoice(
-        task.name, task.doc, PurePosixPath(source).stem, needs, tuple(map(_parameter, task.parameters))
-    )
+    return TaskChoice(task.name, task.doc, _group(task), needs, tuple(map(_parameter, task.parameters)))
+
+
+def _group(task: KnownTask) -> str:
+    match task.layer:
+        case Layer.PROJECT:
+            return ""
+        case Layer.USER:
+            return YOURS
+        case Layer.LIBRARY:
+            return PurePosixPath(task.span.source).stem
 
 
 def _parameter(one: Parameter) -> TaskParameter:
@@ -64,4 +75,4 @@ def _places(known: KnownProject) -> Iterator[PlaceChoice]:
     for name, found in known.lists.items():
         yield PlaceChoice(name, "", name, len(found.points))
         for point, numbers in found.points:
-            yield PlaceChoice(name, point, " ".join(f"{one:.10g}" for one in numbers), 1)
+            yield PlaceChoice(name, point, " ".join(f"{one:.10g}" for one in exchanged(numbers)), 1)

@@ -8,7 +8,17 @@ from ropsim.studio.desk.tasks.known_project import KnownProject
 from ropsim.studio.desk.tasks.listing import world_now
 from ropsim.studio.jobs import TaskSteps
 from ropsim.studio.task_messages import PartPlace, ProgramPoint, SixNumbers, StepState, TasksChecked
-from ropsim.tasks import CallReport, Draft, Numbers, Point, TypedStep, draft_points, draft_text, drafted
+from ropsim.tasks import (
+    CallReport,
+    Draft,
+    Numbers,
+    Point,
+    TypedStep,
+    draft_points,
+    draft_text,
+    drafted,
+    unchecked_text,
+)
 
 PROGRAM = "chosen_tasks"
 """Name of the program of the steps as long as it has none."""
@@ -26,7 +36,8 @@ def checked(known: KnownProject, steps: TaskSteps, number: int, revision: int) -
     told = tuple(_point(known, one, names) for one in points)
     text, problem = _text(draft, known)
     listed = draft_points(draft) if draft.points else ""
-    return TasksChecked(number, revision, states, told, text, listed, problem)
+    unchecked = unchecked_text(draft.unchecked)
+    return TasksChecked(number, revision, states, told, text, listed, problem, unchecked)
 
 
 def _state(report: CallReport, names: dict[Numbers, str], places: dict[Point, int]) -> StepState:
