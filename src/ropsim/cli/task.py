@@ -11,11 +11,14 @@ from ropsim.core import Diagnostic
 from ropsim.prolog import Prolog
 from ropsim.records import diagnostic_document
 from ropsim.tasks import (
+    GROUPS,
     CallReport,
     KnownTask,
     TaskCall,
     WorldState,
     default_text,
+    group_of,
+    grouped,
     not_defined,
     program_text,
     task_text,
@@ -32,17 +35,19 @@ COLUMNS = 80
 
 
 def list_(options: argparse.Namespace, output: Output) -> int:
-    """List the tasks of a project and of the library."""
+    """List the tasks of a project, of the user and of the library, in groups."""
     known = open_knowledge(options.path, Prolog(options.prolog))
     tasks = known.base.tasks()
     code = output.findings(known.findings, known.texts)
     width = max(len(_head(one)) for one in tasks)
-    for one in tasks:
-        place = "library" if one.is_built_in else one.span
-        output.text(f"{_head(one):{width}}  {version_of(one)[:SHORT]:{SHORT}}  {place}")
-    output.document(
-        {"ok": code == 0, "tasks": [_entry(one) for one in tasks], **diagnostic_document(known.findings)}
-    )
+    groups = grouped(tasks)
+    for group, some in groups.items():
+        output.text(GROUPS[group])
+        for one in some:
+            place = "library" if one.is_built_in else one.span
+            output.text(f"  {_head(one):{width}}  {version_of(one)[:SHORT]:{SHORT}}  {place}")
+    entries = [_entry(one) for some in groups.values() for one in some]
+    output.document({"ok": code == 0, "tasks": entries, **diagnostic_document(known.findings)})
     return code
 
 
@@ -199,6 +204,7 @@ def _entry(task: KnownTask) -> Mapping[str, object]:
     terms = {"needs": task.needs, "adds": task.adds, "removes": task.removes, "geometry": task.geometry}
     return {
         "name": task.name,
+        "group": group_of(task),
         "doc": task.doc,
         "parameters": parameters,
         **{word: [term_text(one) for one in some] for word, some in terms.items()},

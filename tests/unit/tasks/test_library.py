@@ -6,7 +6,7 @@ from ropsim.flow import GripAction
 from ropsim.icr import StillWorld, run
 from ropsim.language import compile
 from ropsim.spatial import Pose
-from ropsim.tasks import KnownTask, Quantity, TaskCall, Value, WorldState, program_text
+from ropsim.tasks import GROUPS, KnownTask, Quantity, TaskCall, Value, WorldState, grouped, program_text
 from support.knowledge import CELL, GEOMETRY, INPUTS, base
 
 TASKS = {
@@ -45,6 +45,15 @@ def test_a_pallet_is_filled_and_emptied_from_above_in_rows() -> None:
         assert patterned[1] == [(100.0 + x, 300.0 + y, 200.0) for x, y in spots]
         assert patterned[0] == patterned[2] == [(x, y, z + 50.0) for x, y, z in patterned[1]]
         assert [one.action for one in trace.grips] == [GripAction.CLOSE, GripAction.OPEN] * 6
+
+
+def test_lists_have_groups_and_each_file_of_the_library_is_one() -> None:
+    groups = grouped(base("task(rest(L), [params([L-location]), body([mov(L)])]).").tasks())
+    assert [one.name for one in groups[""]] == ["rest"]
+    assert list(groups) == [one for one in GROUPS if one != "yours"]
+    assert str(groups["palletize"][0]) == (
+        "palletize(From: location, To: location, Distance: length, Count: int)"
+    )
 
 
 @pytest.mark.parametrize("name", ["load_pallet", "depalletize"])

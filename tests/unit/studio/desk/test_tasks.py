@@ -192,6 +192,10 @@ def test_texts_of_tasks_count_by_what_they_say(
     ours = said(desk, ListTasks(str(folder), {"kb/own.pl": rest(55)}))["tasks"]
     assert [one["group"] for one in ours if one["name"] == "rest"] == [""]
     assert "55 mm" in body(unsaved=rest(55))
+    wrong = said(desk, ListTasks(str(folder), {"kb/own.pl": f"goal(done/0).\n{rest(55)[:-3]}"}))["findings"][
+        0
+    ]
+    assert (wrong["severity"], wrong["span"]["source"], wrong["span"]["line"]) == ("error", "kb/own.pl", 2)
     assert "34 mm" in body()
     revision = said(desk, ListTasks(str(folder), {}))["revision"]
     assert said(desk, ListTasks(str(folder), {}))["revision"] == revision

@@ -1,20 +1,19 @@
 """What may be chosen, as a page shows it."""
 
 from collections.abc import Iterator, Mapping
-from pathlib import PurePosixPath
 
 from ropsim.studio.desk.tasks.known_project import KnownProject
 from ropsim.studio.task_messages import PartPlace, PlaceChoice, TaskChoice, TaskList, TaskParameter, WorldNow
 from ropsim.tasks import (
     UNITS,
     KnownTask,
-    Layer,
     Numbers,
     Parameter,
     WorldState,
     default_text,
     exchanged,
     fact_words,
+    group_of,
     words,
     world_table,
 )
@@ -22,8 +21,6 @@ from ropsim.views import plain_findings
 
 MOST_PARTS = 200
 """Parts whose places are told."""
-YOURS = "yours"
-"""Group of the tasks in the user's own folder; no file of the library has this name."""
 
 
 def task_list(known: KnownProject, revision: int) -> TaskList:
@@ -49,17 +46,7 @@ def world_now(state: WorldState, names: Mapping[Numbers, str]) -> WorldNow:
 
 def _choice(task: KnownTask) -> TaskChoice:
     needs = tuple(fact_words(one).replace("`", "") for one in task.needs)
-    return TaskChoice(task.name, task.doc, _group(task), needs, tuple(map(_parameter, task.parameters)))
-
-
-def _group(task: KnownTask) -> str:
-    match task.layer:
-        case Layer.PROJECT:
-            return ""
-        case Layer.USER:
-            return YOURS
-        case Layer.LIBRARY:
-            return PurePosixPath(task.span.source).stem
+    return TaskChoice(task.name, task.doc, group_of(task), needs, tuple(map(_parameter, task.parameters)))
 
 
 def _parameter(one: Parameter) -> TaskParameter:
