@@ -60,10 +60,10 @@ class Polytope:
             points: [m], shape (k, 3).
         """
         size = float(np.ptp(points, axis=0).max()) or 1.0
-        corners = _four(points)
+        corners = far_points(points)
         if _thickness(corners) < SLIGHT * size:
             bump = SLIGHT * size * np.vstack([np.eye(3), -np.eye(3)])
-            corners = _four(np.vstack([points, points.mean(axis=0) + bump]))
+            corners = far_points(np.vstack([points, points.mean(axis=0) + bump]))
         made = cls(list(corners), FLAT * size)
         p0, p1, p2, p3 = corners
         inward = np.dot(np.cross(p1 - p0, p2 - p0), p3 - p0) > 0.0
@@ -118,7 +118,7 @@ class Polytope:
         return gone, [self.put((i, j, len(self.points) - 1)) for i, j in sorted(rim)]
 
 
-def _four(points: Array) -> Array:
+def far_points(points: Array) -> Array:
     """Return four points that span much: far from each other, from their line and from their plane."""
     first = points[int(np.argmin(points[:, int(np.argmax(np.ptp(points, axis=0)))]))]
     second = points[int(np.argmax(np.linalg.norm(points - first, axis=1)))]

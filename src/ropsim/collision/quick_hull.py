@@ -1,8 +1,10 @@
 """The convex hull of many points, of bounded size: what is left out of it is told by a margin.
 
 Quickhull (Barber, Dobkin & Huhdanpaa 1996): always the point that lies farthest outside is added, so that
-few corners come near to the hull of a million points. Each point that is still outside belongs to a face from
-which it can be seen, and its distance from that triangle bounds its distance from the hull.
+few corners come near to the hull of a million points. It grows among points stretched to unit extent, so
+that thin bodies are no slivers; which point is next, and the margin, are told by true distances. Each point
+that is still outside belongs to a face from which it can be seen, and its distance from that triangle bounds
+its distance from the hull.
 """
 
 from heapq import heappop, heappush
@@ -11,12 +13,14 @@ import numpy as np
 import numpy.typing as npt
 
 from ropsim.collision.polytope import Polytope
+from ropsim.collision.shortfall import from_triangles, shortfall
+from ropsim.collision.unit_points import FINE, UnitPoints, unit_points
 from ropsim.spatial import Array
 
 MOST = 400
 """Corners of a hull."""
-FINE = 1e-9
-"""What lies nearer to a face than this share of the size is in it."""
+ROUNDING = 1e-13
+"""What is above a face by less than this share of the size is in its plane."""
 
 
 def bounded_hull(points: npt.ArrayLike, most: int = MOST) -> tuple[Array, float]:
@@ -24,30 +28,38 @@ def bounded_hull(points: npt.ArrayLike, most: int = MOST) -> tuple[Array, float]
 
     Args:
         points: [m], shape (k, 3), k > 0.
-        most: corners.
+        most: corners, 4 or more.
     """
     every = np.asarray(points, dtype=np.float64)
     if len(every) <= 8:
         return every, 0.0
-    middle = every.mean(axis=0)
-    local = every - middle
-    growing = _Growing(local, FINE * float(np.ptp(local, axis=0).max()))
-    while len(growing.polytope.points) < most and growing.grow():
+    unit = unit_points(every)
+    if unit is None:
+        return every[:1], 0.0
+    growing = _Growing(unit)
+    while len(growing.rows) - len(unit.points) + unit.given < most and growing.grow():
         pass
-    used = sorted({corner for face in growing.polytope.faces.values() for corner in face.corners})
-    corners = np.array([growing.polytope.points[k] for k in used]) + middle
-    return corners, growing.margin() + growing.fine
+    corners = every[growing.corners()]
+    rows, triangles = growing.left()
+    rest = every[rows]
+    middle = corners.mean(axis=0)  # far from the origin distances would lose digits
+    bounds = from_triangles(rest, every[triangles])
+    open_ = bounds > FINE * unit.size
+    margin = shortfall(corners - middle, rest[open_] - middle, bounds[open_])
+    return corners, margin + FINE * unit.size
 
 
 class _Growing:
     """A hull and the points outside of it, by the face that sees them."""
 
-    def __init__(self, points: Array, fine: float) -> None:
-        self.points, self.fine = points, fine
-        self.polytope = Polytope.within(points)
+    def __init__(self, unit: UnitPoints) -> None:
+        self.unit = unit
+        self.polytope = Polytope.within(unit.points)
+        self.rows = [int(np.argmin(np.abs(unit.points - one).max(axis=1))) for one in self.polytope.points]
+        """Which point each corner of the polytope is."""
         self.outside: dict[int, npt.NDArray[np.intp]] = {}
         self.order: list[tuple[float, int, int]] = []
-        self._deal(np.arange(len(points)), list(self.polytope.faces))
+        self._deal(np.arange(len(unit.points)), list(self.polytope.faces))
 
     def grow(self) -> bool:
         """Add the point that is farthest outside; return False where none is."""
@@ -55,44 +67,44 @@ class _Growing:
             _, face, farthest = heappop(self.order)
             if face not in self.polytope.faces:
                 continue
-            gone, new = self.polytope.add(self.points[farthest], face)
+            gone, new = self.polytope.add(self.unit.points[farthest], face)
             if new:
+                self.rows.append(farthest)
                 self._deal(
                     np.concatenate([self.outside.pop(one) for one in gone if one in self.outside]), new
                 )
                 return True
         return False
 
-    def margin(self) -> float:
-        """Return how far a point may still be outside [m]."""
-        rest = [(face, rows) for face, rows in self.outside.items() if len(rows)]
-        return max((self._from_triangle(face, rows) for face, rows in rest), default=0.0)
+    def corners(self) -> list[int]:
+        """Return which of the points that were given are corners, ascending."""
+        used = {corner for face in self.polytope.faces.values() for corner in face.corners}
+        return sorted(row for row in {self.rows[corner] for corner in used} if row < self.unit.given)
+
+    def left(self) -> tuple[npt.NDArray[np.intp], npt.NDArray[np.intp]]:
+        """Return the points that are still outside, and of each the corners of its face.
+
+        Apexes are no corners: the others of the face stand in for them.
+        """
+        rows, triangles = [np.empty(0, np.intp)], [np.empty((0, 3), np.intp)]
+        for number, seen in self.outside.items():
+            real = [self.rows[k] for k in self.polytope.faces[number].corners]
+            real = [row for row in real if row < self.unit.given]
+            rows.append(seen[seen < self.unit.given])
+            triangles.append(np.tile((real * 3)[:3] if len(real) < 3 else real, (len(rows[-1]), 1)))
+        return np.concatenate(rows), np.concatenate(triangles)
 
     def _deal(self, rows: npt.NDArray[np.intp], faces: list[int]) -> None:
         """Give each point to the face above which it is highest; one that is above none is inside."""
         planes = [self.polytope.faces[number] for number in faces]
-        heights = self.points[rows] @ np.array([face.normal for face in planes]).T
-        heights -= [face.offset for face in planes]
+        normals = np.array([face.normal for face in planes])
+        heights = self.unit.points[rows] @ normals.T - [face.offset for face in planes]
+        heights /= np.linalg.norm(normals / self.unit.scale, axis=1)
         best, own = heights.argmax(axis=1), heights.max(axis=1)
         for place, number in enumerate(faces):
-            mine = np.flatnonzero((best == place) & (own > self.fine))
+            mine = np.flatnonzero((best == place) & (own > ROUNDING * self.unit.size))
             if len(mine):
                 self.outside[number] = rows[mine]
                 top = mine[int(np.argmax(own[mine]))]
-                heappush(self.order, (-float(own[top]), number, int(rows[top])))
-
-    def _from_triangle(self, number: int, rows: npt.NDArray[np.intp]) -> float:
-        """Return the greatest distance of points from a face that sees them [m]."""
-        face = self.polytope.faces[number]
-        points = self.points[rows]
-        corners = [self.polytope.points[k] for k in face.corners]
-        heights = points @ face.normal - face.offset
-        inside = np.ones(len(rows), dtype=np.bool_)
-        nearest = np.full(len(rows), np.inf)
-        for start, end in zip(corners, corners[1:] + corners[:1], strict=True):
-            along = end - start
-            inside &= (points - start) @ np.cross(face.normal, along) >= 0.0
-            share = np.clip((points - start) @ along / float(along @ along), 0.0, 1.0)
-            foot = start + share[:, np.newaxis] * along
-            nearest = np.minimum(nearest, np.linalg.norm(points - foot, axis=1))
-        return float(np.where(inside, heights, nearest).max())
+                if own[top] > FINE * self.unit.size:
+                    heappush(self.order, (-float(own[top]), number, int(rows[top])))

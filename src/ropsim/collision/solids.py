@@ -26,8 +26,7 @@ def convexes(shape: Shape, meshes: MeshPoints = NO_MESHES) -> tuple[Convex, ...]
 
     Boxes, cylinders, cones and spheres are exact. A body of revolution is cut where it is hollow, and then
     exact where its profile goes up throughout. Prisms and meshes are taken as their convex hulls: so a hollow
-    of them is no room for others, and what is said to be free is free, but at the rim of meshes without
-    thickness, where a hull of few corners may leave out up to a millimetre per metre of size.
+    of them is no room for others, and what is said to be free is free.
 
     Args:
         shape: in the frame of its body.

@@ -13,6 +13,7 @@ from ropsim.kinematics import frames_batch, inverse
 from ropsim.model import Cell
 from ropsim.spatial import Array
 from ropsim.workbench import CellGeometry, world_state
+from ropsim.workbench.part_places import part_places
 from support.meshes import stl
 
 CELL = """\
@@ -78,6 +79,23 @@ def in_the_way(more: str) -> str:
 )
 def test_a_part_stands_on_a_table_as_deep_as_the_cell_allows(top: float, words: str) -> None:
     assert in_the_way(TABLE.format(top=top, width=100)) == words
+
+
+def test_a_cell_says_how_deep_parts_may_stand_in_what_carries_them() -> None:
+    table = TABLE.format(top=-217.0, width=100)
+    assert in_the_way(table + "[supports]\ndepth = 3.5\n") == ""
+    assert in_the_way(table + "[supports]\ndepth = 2.5\n") != ""
+
+
+def test_what_is_in_each_other_at_the_start_already_refuses_nothing() -> None:
+    column = '[[objects]]\nname = "column"\nposition = [0, 0, 0]\nshapes = [{ box = [60, 60, 1500] }]\n'
+    assert ("link1", "column") in [one.pair for one in Collisions(cell_of(column)).meetings({})]
+    assert in_the_way(column) == ""
+
+
+def test_of_two_parts_at_one_location_one_lies_there() -> None:
+    twin = LOOSE.replace("-100, -210", "100, -198")
+    assert part_places(cell_of(twin)) == {"bolt": "lies"}
 
 
 def test_a_part_that_lies_at_no_location_stands_in_the_way_and_one_that_tasks_move_does_not() -> None:
