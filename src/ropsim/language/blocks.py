@@ -63,6 +63,8 @@ class _Open:
     done: list[Section] = field(default_factory=list)
     body: list[Line | Block] = field(default_factory=list)
     cut: list[str] = field(default_factory=list)
+    looked_at: bool = False
+    """Whether anybody asked what was cut in it."""
     ended: list[tuple[Line, Line]] = field(default_factory=list)
     """Openers of the blocks inside that an `end` has closed, each with the line of that `end`."""
 
@@ -86,10 +88,12 @@ class Tree:
     Attributes:
         items: lines and blocks.
         cut: openers that were reported as not closed; their closers, also further on, are not reported.
+        looked_above: whether what was cut before may have changed anything.
     """
 
     items: tuple[Line | Block, ...]
     cut: tuple[str, ...] = ()
+    looked_above: bool = False
 
 
 def build(lines: Iterable[Line], report: Report, cut: tuple[str, ...] = ()) -> Tree:
@@ -110,7 +114,7 @@ def build(lines: Iterable[Line], report: Report, cut: tuple[str, ...] = ()) -> T
         else:
             stack[-1].body.append(line)
     _close_down_to(stack, 1, report)
-    return Tree(tuple(top.body), tuple(top.cut))
+    return Tree(tuple(top.body), tuple(top.cut), top.looked_at)
 
 
 def _open(stack: list[_Open], word: str, line: Line, report: Report) -> None:
@@ -131,6 +135,7 @@ def _close(stack: list[_Open], word: str, line: Line, report: Report) -> None:
             _close_down_to(stack, depth + 1, report)
             _pop(stack, line)
             return
+    stack[-1].looked_at = True
     cut = stack[-1].cut
     if cut and word in (ANY, *cut):  # its opener was reported as not closed when an outer block ended
         cut.remove(cut[-1] if word == ANY else word)
@@ -150,6 +155,7 @@ def _next_section(stack: list[_Open], line: Line, report: Report) -> None:
             _close_down_to(stack, depth + 1, report)
             stack[depth].next_section(line)
             return
+    stack[-1].looked_at = True
     if any(word in stack[-1].cut for word in allowed):
         return
     report.line(

@@ -10,9 +10,10 @@ from zlib import crc32
 from ropsim.core import SourceText, Span
 from ropsim.language import prose, units
 from ropsim.language.check.tasks import TaskText
-from ropsim.language.chunks import Chunk, chunks, is_marked
+from ropsim.language.chunks import Chunk, chunks
 from ropsim.language.environment import Environment
 from ropsim.language.findings import names as name_kinds
+from ropsim.language.line_kinds import is_marked
 from ropsim.language.reading import (
     CALLABLE,
     TASK_NAMES,
@@ -102,10 +103,16 @@ def _read(
     manner = prose.Manner(is_classic, is_classic)
     cut: tuple[str, ...] = ()
     for (chunk, _), ends in zip(found, keys, strict=True):
-        key: Key = (chunk.lines, ends, manner, cut)
+        key: Key = (chunk.lines, ends, manner, ())
         one = db.ask(read_chunk, *key)
+        if cut and one.looked_above:
+            key = (chunk.lines, ends, manner, cut)
+            one = db.ask(read_chunk, *key)
+            cut = one.cut
+        else:
+            cut = (*cut, *one.cut)
         yield chunk, key, one
-        manner, cut = one.manner, one.cut
+        manner = one.manner
 
 
 def _joined(source: SourceText, read: list[tuple[Chunk, Key, Read]], report: Report, db: Database) -> Units:

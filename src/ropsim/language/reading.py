@@ -70,6 +70,7 @@ class Read:
         found: what is wrong; places count from the chunk's first line.
         manner: how contracts are read behind it.
         cut: openers that were reported as not closed.
+        looked_above: whether that of the lines before it may have changed anything.
         opener: whether anything stands in it at all, and its first line.
     """
 
@@ -78,6 +79,7 @@ class Read:
     found: tuple[Diagnostic, ...]
     manner: prose.Manner
     cut: tuple[str, ...]
+    looked_above: bool
     opener: Line | None
 
 
@@ -134,11 +136,11 @@ def read_chunk(
         absorbed, manner = prose.absorb(read, Names(db, CALLABLE), report, manner)
         tree = blocks.build(absorbed, report, cut)
     except TooManyFindingsError:
-        return Read((), (), tuple(report.log), manner, (), None)
+        return Read((), (), tuple(report.log), manner, (), looked_above=False, opener=None)
     tasks = tuple(_task(item) for item in tree.items if isinstance(item, Block) and stands_for_task(item))
     control = tuple(item for item in tree.items if not stands_for_task(item))
     opener = next((one.opener if isinstance(one, Block) else one for one in tree.items), None)
-    return Read(tasks, control, tuple(report.log), manner, tree.cut, opener)
+    return Read(tasks, control, tuple(report.log), manner, tree.cut, tree.looked_above, opener)
 
 
 def control_of(db: Database, key: Key, before: int) -> tuple[units.Items, tuple[int, ...]]:

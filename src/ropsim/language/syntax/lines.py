@@ -70,11 +70,15 @@ def logical_lines(source: SourceText) -> Iterator[LogicalLine]:
 def _goes_on(joined: list[str], following: str) -> bool:
     if joined[-1].endswith("\\"):
         return True
-    depth = 0
-    for text in joined:
-        for mark in _BRACKETS.findall(text):
-            depth += (mark in "([") - (mark in ")]")
-    if depth <= 0 or not following.strip() or _END.match(following):
+    if sum(map(bracket_depth, joined)) <= 0 or not following.strip() or _END.match(following):
         return False
     head = _HEAD.match(following)
     return head is None or head.group(1).lower() not in HEADS
+
+
+def bracket_depth(text: str) -> int:
+    """Return how many more brackets a line opens than it closes."""
+    depth = 0
+    for mark in _BRACKETS.findall(text):
+        depth += (mark in "([") - (mark in ")]")
+    return depth

@@ -1,0 +1,146 @@
+"""Where lines may be cut: before those in which no statement and no block of the lines above goes on.
+
+A block that nothing closes ends where its lines stop being indented, or soon after where they are not, so
+that one that is being written does not take all that stands below into its piece.
+"""
+
+from bisect import bisect_right
+from collections.abc import Sequence
+
+from ropsim.core import frozen_dataclass
+from ropsim.language.line_kinds import (
+    BEGINS,
+    CLOSES,
+    DIVIDES,
+    MARKED,
+    OPENS,
+    RUNS_ON,
+    STATES,
+    head_of,
+    indent_of,
+)
+from ropsim.language.syntax.lines import MAX_JOINED
+from ropsim.language.syntax.words import END, OPENERS
+
+MOST_LINES = 256
+"""Of a piece, where some place in it is one to cut at."""
+REACH = 48
+"""So many lines at least are of a block without end, where they are not indented, and stand in one piece
+above what closes nothing: the other end may be misspelt, and is mended where both stand in one piece."""
+
+_OPENED_BY = {word: opener for opener, words in OPENERS.items() for word in words}
+
+
+def cuts(lines: Sequence[str], kinds: Sequence[int], start: int) -> list[int]:
+    """Return before which lines of those from `start` on to cut; `kinds` says what each of them means."""
+    closed, strays = _matched(lines, kinds, start)
+    found = _cuts(lines, kinds, start, closed)
+    for stray in strays:
+        above = _above(lines, kinds, start, stray)
+        del found[bisect_right(found, above) : bisect_right(found, stray)]
+    return found
+
+
+def _matched(lines: Sequence[str], kinds: Sequence[int], start: int) -> tuple[dict[int, int], list[int]]:
+    """Return which line closes each one that opens a block, where one does, and lines that close nothing."""
+    stack: list[tuple[str, int]] = []
+    closed: dict[int, int] = {}
+    strays: list[int] = []
+    for number, kind in enumerate(kinds, start):
+        if not kind & (OPENS | CLOSES):
+            continue
+        word = head_of(lines[number])
+        if kind & OPENS:
+            stack.append((word, number))
+            continue
+        opener = _OPENED_BY.get(word)
+        within = range(len(stack) - 1, -1, -1)
+        depth = next((k for k in within if word == END or stack[k][0] == opener), None)
+        if depth is None:
+            strays.append(number)
+        else:
+            closed[stack[depth][1]] = number
+            del stack[depth:]
+    return closed, strays
+
+
+@frozen_dataclass
+class _Unended:
+    """A block without end, with those around it that have none either.
+
+    Attributes:
+        indent: of the line furthest left that opens one.
+        until: number of the first line that may be none of theirs where they are not indented.
+        is_indented: whether their lines stand further right than what opens them.
+    """
+
+    indent: int
+    until: int
+    is_indented: bool
+
+    def ends_before(self, line: str, number: int, kind: int, size: int) -> bool:
+        """Return whether a line is none of theirs."""
+        if not kind & BEGINS or kind & CLOSES or indent_of(line) > self.indent:
+            return False
+        return self.is_indented or (number >= self.until and _is_due(kind, size))
+
+
+def _is_due(kind: int, size: int) -> bool:
+    return bool(kind & MARKED) or size >= MOST_LINES
+
+
+def _unended(lines: Sequence[str], number: int, around: _Unended | None) -> _Unended:
+    indent = indent_of(lines[number])
+    following = next(filter(str.strip, lines[number + 1 : number + REACH]), "")
+    is_indented = indent_of(following) > indent
+    if around is None:
+        return _Unended(indent, number + REACH, is_indented)
+    return _Unended(min(indent, around.indent), number + REACH, is_indented and around.is_indented)
+
+
+def _cuts(lines: Sequence[str], kinds: Sequence[int], start: int, closed: dict[int, int]) -> list[int]:
+    found: list[int] = []
+    size, closes_at = 0, -1
+    goes_on = start + MAX_JOINED if start > 0 and lines[start - 1].endswith("\\") else 0
+    in_contract = False
+    unended: _Unended | None = None
+    for number, kind in enumerate(kinds, start):
+        if kind <= BEGINS and size < MOST_LINES and unended is None and not in_contract:  # most lines
+            size += kind
+            if kind and goes_on and not lines[number - 1].endswith("\\"):
+                goes_on = 0
+            continue
+        if not kind:
+            continue
+        if kind & BEGINS:
+            goes_on = goes_on if lines[number - 1].endswith("\\") else 0
+            in_contract = in_contract and head_of(lines[number]) == END
+        is_free = size and number > closes_at and number >= goes_on and not in_contract and not kind & DIVIDES
+        if is_free and (
+            _is_due(kind, size) if unended is None else unended.ends_before(lines[number], number, kind, size)
+        ):
+            found.append(number)
+            size, unended = 0, None
+        size += 1
+        in_contract = in_contract or bool(kind & STATES)
+        if kind & RUNS_ON:
+            goes_on = number + MAX_JOINED
+        if kind & OPENS and number > closes_at:
+            if number in closed:
+                closes_at = closed[number]
+            else:
+                unended = _unended(lines, number, unended)
+    return found
+
+
+def _above(lines: Sequence[str], kinds: Sequence[int], start: int, stray: int) -> int:
+    """Return the line that may have been meant to open what a line closes, or one above it."""
+    indent = indent_of(lines[stray])
+    least = max(start, stray - MOST_LINES)
+    above = (one for one in range(stray - 1, least - 1, -1) if lines[one].strip())
+    is_first = True
+    for one in above:
+        if indent_of(lines[one]) <= indent and not kinds[one - start] & DIVIDES:
+            return max(stray - REACH, start) if is_first else one
+        is_first = False
+    return max(stray - REACH, start)

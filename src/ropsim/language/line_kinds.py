@@ -1,0 +1,59 @@
+"""What a line by itself means for where a text may be cut."""
+
+import re
+from functools import lru_cache
+from zlib import crc32
+
+from ropsim.language.syntax.lines import bracket_depth
+from ropsim.language.syntax.words import END, HEADS, OPENERS
+
+ONE_OF = 32
+"""So many lines have one among them, on average, before which a piece ends."""
+
+BEGINS, MARKED, OPENS, CLOSES, RUNS_ON, STATES, DIVIDES = 1, 2, 4, 8, 16, 32, 64
+"""Bits of one number, since there are many lines: it never goes on with the statement of the line before it,
+unless that ends with a backslash; a piece ends before it, if one may; it opens a block; it closes one; the
+next lines may go on with its statement, or be prose of its contract; it divides a block, as `else` does."""
+
+_HEAD = re.compile(r"\s*(?:\d+\.\s+)?([A-Za-z_]\w*)", re.ASCII)
+_COMMENT = re.compile(r"#|//")
+_ONE_LINE_IF = re.compile(r"\bthen\s+\S", re.IGNORECASE)
+_CLOSERS = frozenset(word for words in OPENERS.values() for word in words) | {END}
+_CONTRACTS = ("needs", "assumes")
+_DIVIDERS = ("else", "elseif", "catch")
+
+
+@lru_cache(maxsize=65_536)
+def kind_of(line: str) -> int:
+    """Return what a line means, as bits."""
+    word = head_of(line)
+    kind = MARKED if word and is_marked(_COMMENT.split(line)[0]) else 0
+    if word in HEADS or word == END:
+        kind |= BEGINS
+    if word in _CONTRACTS:
+        kind |= STATES
+    if word in _DIVIDERS:
+        kind |= DIVIDES
+    if word in _CLOSERS:
+        kind |= CLOSES
+    elif word in OPENERS and not (word == "if" and _ONE_LINE_IF.search(_COMMENT.split(line)[0])):
+        kind |= OPENS
+    if line.endswith("\\") or (("(" in line or "[" in line) and bracket_depth(line) > 0):
+        kind |= RUNS_ON
+    return kind
+
+
+def head_of(line: str) -> str:
+    """Return the first word of a line, lower case, empty for none."""
+    head = _HEAD.match(line)
+    return head[1].lower() if head else ""
+
+
+def indent_of(line: str) -> int:
+    """Return how many characters stand before the first one that is no blank."""
+    return len(line) - len(line.lstrip())
+
+
+def is_marked(text: str) -> bool:
+    """Return whether a text is one of those, one of so many, at which parts end."""
+    return crc32(text.strip().encode(errors="surrogatepass")) % ONE_OF == 0
