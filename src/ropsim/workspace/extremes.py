@@ -6,7 +6,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ropsim.model import RobotModel, coupled_limits
-from ropsim.spatial import Array, record
+from ropsim.spatial import Array, frozen, record
 from ropsim.workspace.even import even_rows
 from ropsim.workspace.point import MovedPoint
 from ropsim.workspace.ranges import AxisRanges
@@ -18,6 +18,13 @@ STARTS = 2048
 KEPT = 12
 LEAST_STEP = 1e-8
 """The search ends with steps of this share of a range: a smooth extreme is then off by its square."""
+ROUNDING = 1e-12
+"""Nothing is won by less than this [m]: where axes hardly move the point, searches would follow last bits."""
+GOALS = frozen(np.array([[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0]]))
+"""Of the coordinates of the section, what is to be least: the first one, its opposite, and so the second."""
+
+Worth = Callable[[Array, npt.NDArray[np.intp]], Array]
+"""What axes (k, n) are worth to the searches with these numbers (k,), shape (k,): the least is the best."""
 
 
 @record
@@ -37,46 +44,47 @@ def extremes(robot: RobotModel, point: MovedPoint, sweep: Sweep, ranges: AxisRan
     """Return least and greatest of the first coordinate of the section, then of the second one.
 
     Found by a compass search (Hooke & Jeeves 1961) from the best of many configurations; the answers are
-    places that the arm takes, so that a greatest value is never too great.
+    places that the arm takes, so that a greatest value is never too great. The four searches go on together.
     """
     Q = _allowed(robot, even_rows(ranges, STARTS))
     if not len(Q):
         Q = robot.home[np.newaxis]
-    found = []
-    for column in (0, 1):
-        for sign in (1.0, -1.0):  # the least, then the greatest
+    order = np.argsort(_places(robot, point, sweep, Q) @ GOALS.T, axis=0, kind="stable")[:KEPT]
+    goals = np.repeat(GOALS, len(order), axis=0)
 
-            def worth(rows: Array, column: int = column, sign: float = sign) -> Array:
-                return sign * section_coordinates(sweep, point.positions(robot, rows))[:, column]
+    def worth(rows: Array, of: npt.NDArray[np.intp]) -> Array:
+        return np.asarray((_places(robot, point, sweep, rows) * goals[of]).sum(axis=1))
 
-            q, value = _least(robot, ranges, Q, worth)
-            found.append(Extreme(sign * value, q))
-    return tuple(found)
+    q, values = _least(robot, ranges, Q[order.T].reshape(-1, robot.n), worth)
+    found = values.reshape(len(GOALS), -1).argmin(axis=1) + len(order) * np.arange(len(GOALS))
+    return tuple(Extreme(float(GOALS[k].sum() * values[row]), q[row]) for k, row in enumerate(found))
 
 
-def _least(
-    robot: RobotModel, ranges: AxisRanges, Q: Array, worth: Callable[[Array], Array]
-) -> tuple[Array, float]:
-    """Return the axes at which a function is least, and its value there."""
-    order = np.argsort(worth(Q), kind="stable")[:KEPT]
-    q = Q[order]
-    best = worth(q)
+def _least(robot: RobotModel, ranges: AxisRanges, starts: Array, worth: Worth) -> tuple[Array, Array]:
+    """Return the axes to which searches from `starts` (k, n) come, (k, n), and what they are worth, (k,)."""
+    q = starts.copy()
+    going = np.arange(len(q))
+    best = worth(q, going)
     n = q.shape[1]
     steps = np.full(len(q), 0.125)
-    compass = np.concatenate((np.eye(n), -np.eye(n)))
-    while steps.max() > LEAST_STEP:
-        tried = q[:, np.newaxis] + steps[:, np.newaxis, np.newaxis] * compass * ranges.extent
+    compass = np.concatenate((np.eye(n), -np.eye(n))) * ranges.extent
+    while len(going):
+        tried = q[going, np.newaxis] + steps[going, np.newaxis, np.newaxis] * compass
         tried = np.clip(tried, ranges.lower, ranges.upper)
-        values = worth(tried.reshape(-1, n)).reshape(len(q), 2 * n)
+        values = worth(tried.reshape(-1, n), np.repeat(going, 2 * n)).reshape(-1, 2 * n)
         values[_beyond(robot, tried)] = np.inf
         pick = values.argmin(axis=1)
-        rows = np.arange(len(q))
-        better = values[rows, pick] < best
-        q = np.where(better[:, np.newaxis], tried[rows, pick], q)
-        best = np.where(better, values[rows, pick], best)
-        steps = np.where(better, steps, 0.5 * steps)
-    k = int(best.argmin())
-    return q[k], float(best[k])
+        rows = np.arange(len(going))
+        better = values[rows, pick] < best[going] - ROUNDING
+        won = going[better]
+        q[won], best[won] = tried[rows, pick][better], values[rows, pick][better]
+        steps[going[~better]] *= 0.5
+        going = going[steps[going] > LEAST_STEP]
+    return q, best
+
+
+def _places(robot: RobotModel, point: MovedPoint, sweep: Sweep, Q: Array) -> Array:
+    return section_coordinates(sweep, point.positions(robot, Q))
 
 
 def _beyond(robot: RobotModel, Q: Array) -> npt.NDArray[np.bool_]:
