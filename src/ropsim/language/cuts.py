@@ -5,6 +5,7 @@ that one that is being written does not take all that stands below into its piec
 """
 
 from bisect import bisect_right
+from collections import defaultdict
 from collections.abc import Sequence
 
 from ropsim.core import frozen_dataclass
@@ -44,6 +45,7 @@ def cuts(lines: Sequence[str], kinds: Sequence[int], start: int) -> list[int]:
 def _matched(lines: Sequence[str], kinds: Sequence[int], start: int) -> tuple[dict[int, int], list[int]]:
     """Return which line closes each one that opens a block, where one does, and lines that close nothing."""
     stack: list[tuple[str, int]] = []
+    depths: dict[str, list[int]] = defaultdict(list)  # of each word in the stack, so that nobody searches it
     closed: dict[int, int] = {}
     strays: list[int] = []
     for number, kind in enumerate(kinds, start):
@@ -51,16 +53,17 @@ def _matched(lines: Sequence[str], kinds: Sequence[int], start: int) -> tuple[di
             continue
         word = head_of(lines[number])
         if kind & OPENS:
+            depths[word].append(len(stack))
             stack.append((word, number))
             continue
-        opener = _OPENED_BY.get(word)
-        within = range(len(stack) - 1, -1, -1)
-        depth = next((k for k in within if word == END or stack[k][0] == opener), None)
-        if depth is None:
+        depth = len(stack) - 1 if word == END else (depths[_OPENED_BY[word]] or [-1])[-1]
+        if depth < 0:
             strays.append(number)
-        else:
-            closed[stack[depth][1]] = number
-            del stack[depth:]
+            continue
+        closed[stack[depth][1]] = number
+        for inner, _ in stack[depth:]:
+            depths[inner].pop()
+        del stack[depth:]
     return closed, strays
 
 

@@ -1,11 +1,13 @@
 """How much work a text is, counted in calls of functions: in proportion to it, and little for an edit."""
 
 import sys
+from collections.abc import Callable
 from types import FrameType
 
 import pytest
 
 from ropsim import language
+from ropsim.language.chunks import chunks
 
 MODERN = """\
 task T{k}(a1: loc, dz: length = {k} mm)
@@ -78,3 +80,33 @@ def test_an_edit_of_a_task_is_a_small_part_of_the_work() -> None:
     text = text_of(MODERN, 60)
     whole = work(text, cache)
     assert work(text.replace("(100, 30, 300", "(100, 31, 300"), cache) < 0.2 * whole
+
+
+def steps(act: Callable[[], object]) -> int:
+    """Return how many lines of Python run, each pass of a loop for itself."""
+    count = 0
+
+    def step(_: FrameType, event: str, __: object) -> Callable[..., object]:
+        nonlocal count
+        count += event == "line"
+        return step
+
+    before = sys.gettrace()
+    sys.settrace(step)
+    try:
+        act()
+    finally:
+        sys.settrace(before)
+    return count
+
+
+@pytest.mark.parametrize("head", ["if x", "while x", "repeat 3"])
+@pytest.mark.parametrize("tail", ["endif", "endw", "until x", "end"])
+def test_looking_where_to_cut_is_in_proportion_whatever_is_not_closed(head: str, tail: str) -> None:
+    """Lines are new in each text, so that nothing is known of them."""
+    small, large = (
+        steps(lambda count=count: list(chunks([f"{head} # {count}"] * count + [f"{tail} # {count}"] * count)))
+        for count in (200, 400)
+    )
+    assert small > 400
+    assert large <= MOST * small
