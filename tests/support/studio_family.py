@@ -1,6 +1,7 @@
 """The processes that a studio has started, as Linux lists them."""
 
 import contextlib
+import os
 import time
 from collections.abc import Iterator
 from pathlib import Path
@@ -10,18 +11,17 @@ import pytest
 
 from support.patience import GLANCE, PATIENCE
 
-_LANGUAGE_SERVER = "ropsim language"
+_LANGUAGE_SERVER = b"ropsim language"
 needs_proc = pytest.mark.skipif(not Path("/proc/self/stat").exists(), reason="processes are listed by /proc")
 
 
 class Process(NamedTuple):
-    """A process that runs: its name, numbers of itself, its parent and its session, its command line."""
+    """A process that runs: its name, numbers of itself, its parent and its session."""
 
-    name: str
+    name: bytes
     pid: int
     parent: int
     session: int
-    words: bytes
 
 
 def group(studio: int) -> list[int]:
@@ -32,13 +32,13 @@ def group(studio: int) -> list[int]:
 def workers(studio: int) -> list[int]:
     """Return the workers: desk and simulator."""
     return [
-        one.pid for one in _copies(studio) if one.name.startswith("ropsim") and one.name != _LANGUAGE_SERVER
+        one.pid for one in _copies(studio) if one.name.startswith(b"ropsim") and one.name != _LANGUAGE_SERVER
     ]
 
 
 def origins(studio: int) -> list[int]:
     """Return the process that the workers are copies of."""
-    return [one.pid for one in _processes() if one.parent == studio and b"forkserver" in one.words]
+    return [one.pid for one in _processes() if one.parent == studio and _is_of_the_origin(one)]
 
 
 def language_servers(studio: int) -> list[int]:
@@ -62,15 +62,31 @@ def gone(pids: list[int]) -> bool:
 
 
 def _copies(studio: int) -> list[Process]:
-    return [one for one in _processes() if one.session == studio != one.parent and b"forkserver" in one.words]
+    return [one for one in _processes() if one.session == studio != one.parent and _is_of_the_origin(one)]
+
+
+def _is_of_the_origin(one: Process) -> bool:
+    """Return whether a process is the one that the children are copies of, or a copy."""
+    with contextlib.suppress(OSError):  # it has just ended
+        return b"forkserver" in _content(f"/proc/{one.pid}/cmdline")
+    return False
 
 
 def _processes() -> Iterator[Process]:
-    for place in Path("/proc").iterdir():
+    """Yield all processes that run: a machine has hundreds, so that of each as little as can be is read."""
+    for place in os.scandir("/proc"):
         if place.name.isdigit():
             with contextlib.suppress(OSError):  # it has just ended
-                head, tail = (place / "stat").read_text("utf-8").rsplit(")", 1)
-                state, parent, _, session = tail.split()[:4]
-                if state != "Z":
-                    words = (place / "cmdline").read_bytes()
-                    yield Process(head.partition("(")[2], int(place.name), int(parent), int(session), words)
+                head, _, tail = _content(f"{place.path}/stat").rpartition(b")")
+                state, parent, _, session, _ = tail.split(None, 4)
+                if state != b"Z":
+                    yield Process(head.partition(b"(")[2], int(place.name), int(parent), int(session))
+
+
+def _content(place: str) -> bytes:
+    """Return the beginning of a file of the system, which is all of a short one."""
+    file = os.open(place, os.O_RDONLY)
+    try:
+        return os.read(file, 4096)
+    finally:
+        os.close(file)
