@@ -8,12 +8,14 @@ from ropsim.language.check.body import settled
 from ropsim.language.check.declarations import Declared
 from ropsim.language.check.outcome import Outcome
 from ropsim.language.check.world import Variable, World
-from ropsim.language.control import check_control, give_equal, walk_control
+from ropsim.language.control_check import check_control
+from ropsim.language.control_walk import walk_control
 from ropsim.language.division import Units
 from ropsim.language.findings import syntax as syntax_kinds
 from ropsim.language.report import Report
 from ropsim.language.task_form import TaskForm
 from ropsim.language.text import Line
+from ropsim.language.way import give_equal
 from ropsim.program import Local, Program
 from ropsim.query import Database
 

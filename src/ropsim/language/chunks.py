@@ -10,12 +10,10 @@ from collections.abc import Iterator, Sequence
 
 from ropsim.core import frozen_dataclass
 from ropsim.language.cuts import cuts
-from ropsim.language.line_kinds import kind_of
+from ropsim.language.line_kinds import CLOSES, TASK, kinds_of, those_with
 
-_TASK = re.compile(r"\s*(?:\d+\.\s+)?task\b", re.IGNORECASE)
 _END = re.compile(r"\s*(?:endp|endtask)\s*(?:(?:#|//).*)?", re.IGNORECASE)
-_FIRST = frozenset("tTeE0123456789")
-"""Letters with which such lines begin; most others need no further look."""
+_OF_TASKS = those_with(TASK | CLOSES)
 
 
 @frozen_dataclass
@@ -35,37 +33,37 @@ class Chunk:
 
 def chunks(lines: Sequence[str]) -> Iterator[Chunk]:
     """Yield the lines of a text in chunks: one begins before the header of a task and one after its end."""
+    kinds = kinds_of(lines)
     start, in_task = 0, False
-    for number in [number for number, line in enumerate(lines) if line.lstrip()[:1] in _FIRST]:
-        line = lines[number]
+    for match in _OF_TASKS.finditer(kinds):
+        number = match.start()
         if number and lines[number - 1].endswith("\\"):
             continue
-        if _TASK.match(line):
+        if kinds[number] & TASK:
             if number > start:
-                yield from _without_end(lines, start, number) if in_task else _pieces(lines, start, number)
+                yield from (_without_end if in_task else _pieces)(lines, kinds, start, number)
             start, in_task = number, True
-        elif in_task and _END.fullmatch(line):
+        elif in_task and _END.fullmatch(lines[number]):
             yield _whole(lines, start, number + 1)
             start, in_task = number + 1, False
     if start < len(lines):
-        yield from _without_end(lines, start, len(lines)) if in_task else _pieces(lines, start, len(lines))
+        yield from (_without_end if in_task else _pieces)(lines, kinds, start, len(lines))
 
 
 def _whole(lines: Sequence[str], start: int, end: int) -> Chunk:
     return Chunk(tuple(lines[start:end]), start + 1)
 
 
-def _without_end(lines: Sequence[str], start: int, end: int) -> Iterator[Chunk]:
+def _without_end(lines: Sequence[str], kinds: bytes, start: int, end: int) -> Iterator[Chunk]:
     """Yield a task that no line ends, and what is not of it as far as can be told."""
-    kinds = list(map(kind_of, lines[start:end]))
-    first = next(iter(cuts(lines, kinds, start)), end)
+    first = next(iter(cuts(lines, kinds, start, end)), end)
     yield _whole(lines, start, first)
     if first < end:
-        yield from _pieces(lines, first, end)
+        yield from _pieces(lines, kinds, first, end)
 
 
-def _pieces(lines: Sequence[str], start: int, end: int) -> Iterator[Chunk]:
+def _pieces(lines: Sequence[str], kinds: bytes, start: int, end: int) -> Iterator[Chunk]:
     """Yield what stands between two tasks."""
-    found = cuts(lines, list(map(kind_of, lines[start:end])), start)
+    found = cuts(lines, kinds, start, end)
     for first, last in zip((start, *found), (*found, end), strict=True):
         yield Chunk(tuple(lines[first:last]), first + 1, ends_part=last != end)

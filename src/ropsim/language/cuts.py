@@ -19,6 +19,7 @@ from ropsim.language.line_kinds import (
     STATES,
     head_of,
     indent_of,
+    those_with,
 )
 from ropsim.language.syntax.lines import MAX_JOINED
 from ropsim.language.syntax.words import END, OPENERS
@@ -29,30 +30,31 @@ REACH = 48
 """So many lines at least are of a block without end, where they are not indented, and stand in one piece
 above what closes nothing: the other end may be misspelt, and is mended where both stand in one piece."""
 
+_NOTABLE = those_with(~BEGINS)
+_OF_BLOCKS = those_with(OPENS | CLOSES)
 _OPENED_BY = {word: opener for opener, words in OPENERS.items() for word in words}
 
 
-def cuts(lines: Sequence[str], kinds: Sequence[int], start: int) -> list[int]:
-    """Return before which lines of those from `start` on to cut; `kinds` says what each of them means."""
-    closed, strays = _matched(lines, kinds, start)
-    found = _cuts(lines, kinds, start, closed)
+def cuts(lines: Sequence[str], kinds: bytes, start: int, end: int) -> list[int]:
+    """Return before which lines of those from `start` to `end` to cut; `kinds` says what each line means."""
+    closed, strays = _matched(lines, kinds, start, end)
+    found = _cuts(lines, kinds, start, end, closed)
     for stray in strays:
         above = _above(lines, kinds, start, stray)
         del found[bisect_right(found, above) : bisect_right(found, stray)]
     return found
 
 
-def _matched(lines: Sequence[str], kinds: Sequence[int], start: int) -> tuple[dict[int, int], list[int]]:
+def _matched(lines: Sequence[str], kinds: bytes, start: int, end: int) -> tuple[dict[int, int], list[int]]:
     """Return which line closes each one that opens a block, where one does, and lines that close nothing."""
     stack: list[tuple[str, int]] = []
     depths: dict[str, list[int]] = defaultdict(list)  # of each word in the stack, so that nobody searches it
     closed: dict[int, int] = {}
     strays: list[int] = []
-    for number, kind in enumerate(kinds, start):
-        if not kind & (OPENS | CLOSES):
-            continue
+    for match in _OF_BLOCKS.finditer(kinds, start, end):
+        number = match.start()
         word = head_of(lines[number])
-        if kind & OPENS:
+        if kinds[number] & OPENS:
             depths[word].append(len(stack))
             stack.append((word, number))
             continue
@@ -101,18 +103,25 @@ def _unended(lines: Sequence[str], number: int, around: _Unended | None) -> _Une
     return _Unended(min(indent, around.indent), number + REACH, is_indented and around.is_indented)
 
 
-def _cuts(lines: Sequence[str], kinds: Sequence[int], start: int, closed: dict[int, int]) -> list[int]:
+def _cuts(lines: Sequence[str], kinds: bytes, start: int, end: int, closed: dict[int, int]) -> list[int]:
     found: list[int] = []
     size, closes_at = 0, -1
     goes_on = start + MAX_JOINED if start > 0 and lines[start - 1].endswith("\\") else 0
     in_contract = False
     unended: _Unended | None = None
-    for number, kind in enumerate(kinds, start):
-        if kind <= BEGINS and size < MOST_LINES and unended is None and not in_contract:  # most lines
-            size += kind
-            if kind and goes_on and not lines[number - 1].endswith("\\"):
-                goes_on = 0
-            continue
+    number = start - 1
+    while number + 1 < end:
+        number += 1
+        if size < MOST_LINES and unended is None and not in_contract and number >= goes_on:  # mostly
+            match = _NOTABLE.search(kinds, number, end)
+            until = match.start() if match is not None else end
+            begun = kinds.count(BEGINS, number, until)
+            if size + begun <= MOST_LINES:
+                size += begun
+                number = until
+            if number == end:
+                break
+        kind = kinds[number]
         if not kind:
             continue
         if kind & BEGINS:
@@ -136,14 +145,14 @@ def _cuts(lines: Sequence[str], kinds: Sequence[int], start: int, closed: dict[i
     return found
 
 
-def _above(lines: Sequence[str], kinds: Sequence[int], start: int, stray: int) -> int:
+def _above(lines: Sequence[str], kinds: bytes, start: int, stray: int) -> int:
     """Return the line that may have been meant to open what a line closes, or one above it."""
     indent = indent_of(lines[stray])
     least = max(start, stray - MOST_LINES)
     above = (one for one in range(stray - 1, least - 1, -1) if lines[one].strip())
     is_first = True
     for one in above:
-        if indent_of(lines[one]) <= indent and not kinds[one - start] & DIVIDES:
+        if indent_of(lines[one]) <= indent and not kinds[one] & DIVIDES:
             return max(stray - REACH, start) if is_first else one
         is_first = False
     return max(stray - REACH, start)

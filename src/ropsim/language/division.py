@@ -4,8 +4,6 @@ from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from functools import partial
-from itertools import islice
-from zlib import crc32
 
 from ropsim.core import SourceText, Span
 from ropsim.language import prose, units
@@ -13,7 +11,6 @@ from ropsim.language.check.tasks import TaskText
 from ropsim.language.chunks import Chunk, chunks
 from ropsim.language.environment import Environment
 from ropsim.language.findings import names as name_kinds
-from ropsim.language.line_kinds import is_marked
 from ropsim.language.reading import (
     CALLABLE,
     TASK_NAMES,
@@ -22,6 +19,8 @@ from ropsim.language.reading import (
     Parsed,
     Read,
     Task,
+    alone_of,
+    begins_marked,
     control_of,
     has_foreign,
     mended,
@@ -35,8 +34,6 @@ from ropsim.query import Database
 
 MOST_ITEMS = 256
 """Of a part of the control statements, unless they are of one piece."""
-LINES_OF_NAME = 3
-"""Lines that tell the name of a part: few enough that it keeps its name while it is being written."""
 
 
 @dataclass(slots=True)
@@ -136,14 +133,20 @@ def _joined(source: SourceText, read: list[tuple[Chunk, Key, Read]], report: Rep
         for task in one.tasks:
             name = _entered(result.tasks, task, doubles)
             places[units.of_task(name)] = Places(chunk.first, task.places)
-        if one.control:
-            items, offsets = db.ask(control_of, key, len(open_part.offsets))
-            open_part.items += items
-            ends = chunk.ends_part or is_marked(next(units.lines_of(items)).logical.text)
-            open_part.offsets += [chunk.first + offset for offset in offsets]
-            if ends or len(open_part.items) >= MOST_ITEMS:
-                _end_part(open_part, result, places, names)
-                open_part = _OpenPart()
+        if not one.control:
+            continue
+        if not open_part.items:
+            alone = db.ask(alone_of, key)
+            if chunk.ends_part or alone.ends or len(alone.items) >= MOST_ITEMS:
+                unit = _entered_part(alone.name, alone.items, result, names)
+                places[unit] = Places(chunk.first + alone.first, alone.offsets)
+                continue
+        items, offsets = db.ask(control_of, key, len(open_part.offsets))
+        open_part.items += items
+        open_part.offsets += [chunk.first + offset for offset in offsets]
+        if chunk.ends_part or begins_marked(items) or len(open_part.items) >= MOST_ITEMS:
+            _end_part(open_part, result, places, names)
+            open_part = _OpenPart()
     if open_part.items or not result.parts:
         _end_part(open_part, result, places, names)
     result.map = SourceMap(source.name, places)
@@ -167,15 +170,18 @@ class _OpenPart:
 
 
 def _end_part(part: _OpenPart, result: Units, places: dict[str, Places], names: Counter[str]) -> None:
-    """Enter a part; its name tells how it begins, so that it keeps it wherever it stands."""
-    lines = islice(units.lines_of(part.items), LINES_OF_NAME)
-    start = "\n".join(line.logical.text.strip() for line in lines)
-    name = f"{units.CONTROL} {crc32(start.encode(errors='surrogatepass')):08x}"
-    names[name] += 1
-    unit = name if names[name] == 1 else f"{name}.{names[name]}"
-    result.parts.append(units.Part(unit, part.items))
+    """Enter a part of several chunks."""
+    unit = _entered_part(units.name_of(part.items), part.items, result, names)
     first = part.offsets[0] if part.offsets else 0
     places[unit] = Places(first, tuple(offset - first for offset in part.offsets))
+
+
+def _entered_part(name: str, items: units.Items, result: Units, names: Counter[str]) -> str:
+    """Enter a part and return its unit, by its number where parts of that name stand above it."""
+    names[name] += 1
+    unit = name if names[name] == 1 else f"{name}.{names[name]}"
+    result.parts.append(units.Part(unit, items))
+    return unit
 
 
 def _entered(tasks: dict[str, TaskText], task: Task, doubles: list[tuple[str, Span]]) -> str:

@@ -1,6 +1,7 @@
 """What a line by itself means for where a text may be cut."""
 
 import re
+from collections.abc import Sequence
 from functools import lru_cache
 from zlib import crc32
 
@@ -10,10 +11,11 @@ from ropsim.language.syntax.words import END, HEADS, OPENERS
 ONE_OF = 32
 """So many lines have one among them, on average, before which a piece ends."""
 
-BEGINS, MARKED, OPENS, CLOSES, RUNS_ON, STATES, DIVIDES = 1, 2, 4, 8, 16, 32, 64
+BEGINS, MARKED, OPENS, CLOSES, RUNS_ON, STATES, DIVIDES, TASK = 1, 2, 4, 8, 16, 32, 64, 128
 """Bits of one number, since there are many lines: it never goes on with the statement of the line before it,
 unless that ends with a backslash; a piece ends before it, if one may; it opens a block; it closes one; the
-next lines may go on with its statement, or be prose of its contract; it divides a block, as `else` does."""
+next lines may go on with its statement, or be prose of its contract; it divides a block, as `else` does; a
+task begins with it."""
 
 _HEAD = re.compile(r"\s*(?:\d+\.\s+)?([A-Za-z_]\w*)", re.ASCII)
 _COMMENT = re.compile(r"#|//")
@@ -30,6 +32,8 @@ def kind_of(line: str) -> int:
     kind = MARKED if word and is_marked(_COMMENT.split(line)[0]) else 0
     if word in HEADS or word == END:
         kind |= BEGINS
+    if word == "task":
+        kind |= TASK
     if word in _CONTRACTS:
         kind |= STATES
     if word in _DIVIDERS:
@@ -43,6 +47,18 @@ def kind_of(line: str) -> int:
     return kind
 
 
+def kinds_of(lines: Sequence[str]) -> bytes:
+    """Return what each of some lines means."""
+    return bytes(map(kind_of, lines))
+
+
+def those_with(bits: int) -> re.Pattern[bytes]:
+    """Return what finds the lines with one of these bits among what lines mean."""
+    kinds = bytes(kind for kind in range(256) if kind & bits)
+    return re.compile(b"[" + re.escape(kinds) + b"]")
+
+
+@lru_cache(maxsize=65_536)
 def head_of(line: str) -> str:
     """Return the first word of a line, lower case, empty for none."""
     head = _HEAD.match(line)

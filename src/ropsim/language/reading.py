@@ -9,6 +9,7 @@ from ropsim.language import text as texts
 from ropsim.language.blocks import Block
 from ropsim.language.check.tasks import TaskText, task_of
 from ropsim.language.check.tasks import is_task as stands_for_task
+from ropsim.language.line_kinds import is_marked
 from ropsim.language.report import Report, TooManyFindingsError
 from ropsim.language.taken import task_names
 from ropsim.language.text import Line
@@ -146,6 +147,38 @@ def read_chunk(
 def control_of(db: Database, key: Key, before: int) -> tuple[units.Items, tuple[int, ...]]:
     """Return the control statements of a chunk, counted on from `before`, and where they lie in it."""
     return units.renumbered(db.ask(read_chunk, *key).control, before)
+
+
+@frozen_dataclass
+class Alone:
+    """The control statements of a chunk where they are a part by themselves.
+
+    Attributes:
+        items: lines and blocks, counted from the first one.
+        name: of the part.
+        first: where its first line lies in the chunk, from 0.
+        offsets: where each of its lines lies, from the first one.
+        ends: whether a part ends with the chunk, whatever the chunk says.
+    """
+
+    items: units.Items
+    name: str
+    first: int
+    offsets: tuple[int, ...]
+    ends: bool
+
+
+def alone_of(db: Database, key: Key) -> Alone:
+    """Return the control statements of a chunk, of which there are some, as a part by themselves."""
+    items, offsets = units.renumbered(db.ask(read_chunk, *key).control)
+    first = offsets[0]
+    lying = tuple(offset - first for offset in offsets)
+    return Alone(items, units.name_of(items), first, lying, begins_marked(items))
+
+
+def begins_marked(items: units.Items) -> bool:
+    """Return whether the first line of a chunk is one with which a part ends."""
+    return is_marked(next(units.lines_of(items)).logical.text)
 
 
 def _task(item: Block) -> Task:

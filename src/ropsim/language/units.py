@@ -2,6 +2,8 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from itertools import islice
+from zlib import crc32
 
 from ropsim.core import frozen_dataclass
 from ropsim.language.blocks import Block, Section
@@ -9,6 +11,9 @@ from ropsim.language.text import Line
 
 CONTROL = "control statements"
 """Name of the unit of all that stands outside of tasks."""
+
+LINES_OF_NAME = 3
+"""Lines that tell the name of a part: few enough that it keeps its name while it is being written."""
 
 Items = tuple[Line | Block, ...]
 
@@ -29,6 +34,12 @@ class Part:
 def of_task(name: str) -> str:
     """Return the name of the unit of a task."""
     return f"task {name}"
+
+
+def name_of(items: Items) -> str:
+    """Return the name of a part: it tells how the part begins, so that it keeps it wherever it stands."""
+    start = "\n".join(line.logical.text.strip() for line in islice(lines_of(items), LINES_OF_NAME))
+    return f"{CONTROL} {crc32(start.encode(errors='surrogatepass')):08x}"
 
 
 def lines_of(items: Items) -> Iterator[Line]:

@@ -60,7 +60,7 @@ class _Answer:
         is_doubtful: whether an input has changed since on which it depends, maybe through others.
     """
 
-    value: object
+    value: Any
     changed: int
     verified: int
     asked: int
@@ -128,14 +128,28 @@ class Database:
 
     def ask(self, function: Callable[Concatenate["Database", P], T], *arguments: P.args, **_: P.kwargs) -> T:
         """Return what a function gives for its arguments, the same as if it were called now."""
-        key: _Key = (function, *cast(tuple[Hashable, ...], arguments))
+        given: Any = arguments  # nothing is called here that need not be: there are thousands of questions
+        key: _Key = (function, *given)
         if self._running:
             self._running[-1].answers[key] = None
         found = self._answers.get(key)
         if found is None or found.is_doubtful:
             found = self._verified(key, found)
         found.asked = self.revision
-        return cast(T, found.value)
+        value: T = found.value
+        return value
+
+    def known(
+        self, function: Callable[Concatenate["Database", P], T], *arguments: P.args, **_: P.kwargs
+    ) -> T | None:
+        """Return an answer, without asking for it, as long as no input behind it has changed; else None."""
+        given: Any = arguments
+        found = self._answers.get((function, *given))
+        if found is None or found.is_doubtful:
+            return None
+        found.asked = self.revision
+        value: T = found.value
+        return value
 
     def _doubt(self, users: set[_Key]) -> None:
         """Let all that depends on something be looked at before it is used again."""

@@ -17,7 +17,7 @@ class Once(Database):
     def __init__(self) -> None:
         super().__init__()
         self._given: dict[Hashable, object] = {}
-        self._known: dict[tuple[Hashable, ...], object] = {}
+        self._known: dict[tuple[Hashable, ...], Any] = {}
 
     def __len__(self) -> int:
         """Return how many answers are kept."""
@@ -33,9 +33,19 @@ class Once(Database):
 
     def ask(self, function: Callable[Concatenate[Database, P], T], *arguments: P.args, **_: P.kwargs) -> T:
         """Return what a function gives for its arguments."""
-        key = (function, *cast(tuple[Hashable, ...], arguments))
+        given: Any = arguments
+        key = (function, *given)
         found = self._known.get(key, _MISSING)
         if found is _MISSING:
             called = cast(Callable[..., object], function)
             found = self._known[key] = called(self, *arguments)
-        return cast(T, found)
+        value: T = found
+        return value
+
+    def known(
+        self, function: Callable[Concatenate[Database, P], T], *arguments: P.args, **_: P.kwargs
+    ) -> T | None:
+        """Return an answer, without asking for it; None where nobody has."""
+        given: Any = arguments
+        value: T | None = self._known.get((function, *given))
+        return value
