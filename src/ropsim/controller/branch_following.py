@@ -3,6 +3,7 @@
 import numpy as np
 
 from ropsim.controller.branch_kernel import TURN, follow_row, nearest_branch
+from ropsim.controller.posture_choice import LIMIT_SLACK
 from ropsim.kinematics import IkOptions, Limits, inverse, inverse_path
 from ropsim.model import RobotModel
 from ropsim.spatial import Array, Pose, record
@@ -19,11 +20,13 @@ class Follow:
         q: joint coordinates of the rows that can be followed [rad | m], shape (rows, n).
         complete: whether these are all rows of the path.
         reachable: whether some posture reaches the row after them.
+        within: whether all are known to be within the limits of the axes.
     """
 
     q: Array
     complete: bool = True
     reachable: bool = True
+    within: bool = False
 
 
 @record
@@ -32,11 +35,11 @@ class BranchFollower:
 
     Attributes:
         robot: the arm.
-        revolute: 1 for turning joints, else 0, shape (n,).
+        axes: lower and upper limits [rad | m], and 1 for those that turn, else 0, shape (3, n).
     """
 
     robot: RobotModel
-    revolute: Array
+    axes: Array
 
     def follow(self, matrices: Array, branches: Array, q_start: Array, held: Array) -> Follow:
         """Return the joint coordinates that continue `q_start` along a path.
@@ -51,10 +54,10 @@ class BranchFollower:
             held: coordinates of the axes of which those of the external ones count, shape (n,) where they
                 stand, or (k, n) with a row for each pose.
         """
-        q, told = np.empty((len(branches), len(q_start))), np.empty(1)
-        follow_row(np.ascontiguousarray(branches), q_start, self.revolute, CLOSE, q, told)
+        q, told = np.empty((len(branches), len(q_start))), np.empty(2)
+        follow_row(np.ascontiguousarray(branches), q_start, self.axes, CLOSE, LIMIT_SLACK, q, told)
         if told[0]:
-            return Follow(q)
+            return Follow(q, within=bool(told[1]))
         return self._follow_poses(matrices, branches, q_start, held)
 
     def follow_numerically(self, matrices: Array, q_start: Array, held: Array) -> Follow:
@@ -102,7 +105,7 @@ class BranchFollower:
     def _nearest(self, candidates: Array, q: Array) -> Array:
         """Return the branch nearest to `q`, turned by whole turns towards it; NaN where there is none."""
         told = np.empty(1)
-        nearest_branch(np.ascontiguousarray(candidates), q, self.revolute, told)
+        nearest_branch(np.ascontiguousarray(candidates), q, self.axes[2], told)
         return self._turned(candidates[int(told[0])], q)
 
     def _with_external(self, q: Array, held: Array) -> Array:
@@ -113,5 +116,5 @@ class BranchFollower:
         return found
 
     def _turned(self, q: Array, q_near: Array) -> Array:
-        turned: Array = q + self.revolute * (TURN * np.round((q_near - q) / TURN))
+        turned: Array = q + self.axes[2] * (TURN * np.round((q_near - q) / TURN))
         return turned

@@ -10,20 +10,25 @@ from ropsim.spatial import Array
 TURN = 2.0 * pi
 
 
-@kernel("void(f8[:,:,::1], f8[::1], f8[::1], f8, f8[:,::1], f8[::1])")
-def follow_row(branches: Array, q_start: Array, revolute: Array, close: float, q: Array, told: Array) -> None:
+@kernel("void(f8[:,:,::1], f8[::1], f8[:,::1], f8, f8, f8[:,::1], f8[::1])")
+def follow_row(
+    branches: Array, q_start: Array, axes: Array, close: float, slack: float, q: Array, told: Array
+) -> None:
     """Write the coordinates of the branch that is nearest to the start, without jumps by whole turns.
 
     Args:
         branches: of k poses, NaN where absent [rad | m], shape (k, m, n).
         q_start: joint coordinates at the start [rad | m], shape (n,).
-        revolute: 1 for joints that turn, else 0, shape (n,).
+        axes: lower and upper limits [rad | m], and 1 for those that turn, else 0, shape (3, n).
         close: greatest step between two poses [rad | m].
+        slack: by which a coordinate may be beyond its limit [rad | m].
         q: where the coordinates go, shape (k, n).
-        told: becomes 1 where all steps are so small, else 0, shape (1,).
+        told: becomes 1 where all steps are so small, else 0, and 1 where no coordinate is beyond its limit,
+            else 0, shape (2,).
     """
+    lower, upper, revolute = axes[0], axes[1], axes[2]
     row = _nearest(branches[0], q_start, revolute)
-    told[0] = 1.0
+    told[0], told[1] = 1.0, 1.0
     for j in range(branches.shape[2]):
         before, gone = q_start[j], 0.0
         for k in range(branches.shape[0]):
@@ -33,8 +38,10 @@ def follow_row(branches: Array, q_start: Array, revolute: Array, close: float, q
                 told[0] = 0.0
                 return
             gone = step if k == 0 else gone + step
-            q[k, j] = now + revolute[j] * (TURN * np.rint((q_start[j] + gone - now) / TURN))
-            before = now
+            there = now + revolute[j] * (TURN * np.rint((q_start[j] + gone - now) / TURN))
+            if max(lower[j] - there, there - upper[j]) > slack:
+                told[1] = 0.0
+            q[k, j], before = there, now
 
 
 @kernel("void(f8[:,::1], f8[::1], f8[::1], f8[::1])")

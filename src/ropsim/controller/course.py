@@ -94,10 +94,13 @@ def _ends(runs: Sequence[Run], legs: int) -> list[float]:
     ends = [0.0] * legs
     for place, run in enumerate(runs):
         behind = runs[place + 1] if place + 1 < len(runs) else None
-        for number, piece in enumerate(run.pieces):
-            if piece.corner:
-                middle = run.law.times_of(number, np.array([piece.joints.length / 2.0]))
-                ends[piece.leg] = run.start + float(middle[0])
+        round_corners = [number for number, piece in enumerate(run.pieces) if piece.corner]
+        if round_corners:
+            halves = [run.pieces[number].joints.length / 2.0 for number in round_corners]
+            for number, middle in zip(
+                round_corners, run.law.times_of(round_corners, halves).tolist(), strict=True
+            ):
+                ends[run.pieces[number].leg] = run.start + middle
         ends[run.pieces[-1].leg] = run.end - (0.5 * behind.overlap if behind else 0.0)
     for leg in range(1, legs):
         ends[leg] = max(ends[leg], ends[leg - 1])

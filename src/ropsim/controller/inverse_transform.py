@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import field
+from functools import lru_cache
 
 from ropsim.controller.branch_following import BranchFollower
 from ropsim.controller.entities import Refusal
@@ -12,7 +13,7 @@ from ropsim.core import Diagnostic
 from ropsim.flow import JointSamples, MoveInstruction, PoseSetpoints
 from ropsim.kinematics import Method, inverse_batch, redundant_solver_of, solver_of
 from ropsim.model import RobotModel, Tool
-from ropsim.spatial import Array, record
+from ropsim.spatial import Array, Pose, frozen, record
 
 
 @record
@@ -29,10 +30,14 @@ class StandardInverseTransform:
     tools: Mapping[str, Tool]
     default_tool: str
     _range: JointRange = field(init=False, repr=False)
+    _follower: BranchFollower = field(init=False, repr=False)
     _work: WorkFrames = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "_range", JointRange.of(self.robot))
+        limits = JointRange.of(self.robot)
+        axes = frozen((limits.lower, limits.upper, limits.revolute))
+        object.__setattr__(self, "_range", limits)
+        object.__setattr__(self, "_follower", BranchFollower(self.robot, axes))
         object.__setattr__(self, "_work", WorkFrames(self.tools, {}, self.default_tool))
 
     def solve(
@@ -53,18 +58,30 @@ class StandardInverseTransform:
         X_MT = self._work.tool_pose(move.modal, move.origin.span)
         if isinstance(X_MT, Diagnostic):
             return Refusal((X_MT,))
-        matrices = setpoints.matrices @ X_MT.inverse().matrix()  # X_BM, (k, 4, 4)
-        follower = BranchFollower(self.robot, self._range.revolute)
+        matrices = setpoints.matrices @ _backwards(X_MT)  # X_BM, (k, 4, 4)
         line = Line(move, setpoints, q_start, self.robot)
         held = line.held
-        named = solver_of(self.robot).method is Method.CLOSED_FORM and redundant_solver_of(self.robot) is None
-        if not named:
-            found = follower.follow_numerically(matrices, q_start, held)
+        if not _has_names(self.robot):
+            found = self._follower.follow_numerically(matrices, q_start, held)
         else:
-            found = follower.follow(matrices, inverse_batch(self.robot, matrices, held), q_start, held)
-        refusals = limit_refusals(line, found.q, self._range)
-        if not refusals and not found.complete:
-            refusals = (lost(line, found, matrices),)
-        if refusals:
-            return Refusal(refusals)
+            branches = inverse_batch(self.robot, matrices, held)
+            found = self._follower.follow(matrices, branches, q_start, held)
+        if not found.within or self._range.coupled.joints:
+            refusals = limit_refusals(line, found.q, self._range)
+            if not refusals and not found.complete:
+                refusals = (lost(line, found, matrices),)
+            if refusals:
+                return Refusal(refusals)
         return JointSamples(setpoints.length, found.q, end_findings(line, found.q[-1]))
+
+
+@lru_cache(maxsize=64)
+def _has_names(robot: RobotModel) -> bool:
+    """Return whether the branches of an arm have names, by which one is followed."""
+    return solver_of(robot).method is Method.CLOSED_FORM and redundant_solver_of(robot) is None
+
+
+@lru_cache(maxsize=64)
+def _backwards(X_MT: Pose) -> Array:
+    """Return the matrix of X_TM, shape (4, 4)."""
+    return frozen(X_MT.inverse().matrix())

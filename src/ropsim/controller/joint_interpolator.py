@@ -2,7 +2,8 @@
 
 from ropsim.core import frozen_dataclass
 from ropsim.flow import JointSamples
-from ropsim.motion import JointPath, Traced
+from ropsim.motion import JointPath, Traced, traced_with_roughness
+from ropsim.spatial import Array
 
 
 @frozen_dataclass
@@ -16,3 +17,15 @@ class StandardJointInterpolator:
             samples: at equally spaced places, two or more rows.
         """
         return Traced(samples.length, samples.q)
+
+    def refine_with_roughness(self, samples: JointSamples) -> tuple[JointPath, Array | None]:
+        """Return the same, and how far the path through every second sample passes the others [rad | m].
+
+        Args:
+            samples: at equally spaced places, two or more rows.
+
+        Returns:
+            the path and that distance at each sample between, shape (m,) for 2·m + 1 samples; None for it
+            where they are fewer than 17 or of even number.
+        """
+        return traced_with_roughness(samples.length, samples.q)

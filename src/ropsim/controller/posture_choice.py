@@ -9,7 +9,8 @@ from ropsim.spatial import Array, record
 
 _TURN = 2.0 * np.pi
 _SIDE = 1e-6  # [rad | m]; a step off a singularity that no drive notices
-_LIMIT_SLACK = 1e-9  # [rad | m]; rounding of inverse kinematics at a coordinate that stands on its limit
+LIMIT_SLACK = 1e-9
+"""Rounding of inverse kinematics at a coordinate that stands on its limit [rad | m]."""
 
 
 @record
@@ -47,7 +48,7 @@ class JointRange:
             Of all joints, shape (k, n + m).
         """
         beyond: Array = np.maximum(np.maximum(self.lower - q, q - self.upper), 0.0)
-        own = np.where(beyond <= _LIMIT_SLACK, 0.0, beyond)
+        own = np.where(beyond <= LIMIT_SLACK, 0.0, beyond)
         return np.concatenate((own, self.coupled.excess(q)), axis=1) if self.coupled.joints else own
 
     def values(self, q: Array) -> Array:
@@ -79,8 +80,8 @@ def nearest_turns(branches: Array, q_near: Array, limits: JointRange) -> Array:
         q_near: [rad | m], shape (n,).
         limits: of the joints.
     """
-    fewest = np.ceil((limits.lower - _LIMIT_SLACK - branches) / _TURN)
-    most = np.floor((limits.upper + _LIMIT_SLACK - branches) / _TURN)
+    fewest = np.ceil((limits.lower - LIMIT_SLACK - branches) / _TURN)
+    most = np.floor((limits.upper + LIMIT_SLACK - branches) / _TURN)
     wanted = np.round((q_near - branches) / _TURN)
     below = limits.lower - (branches + _TURN * most)  # distances of the two turns that enclose the range
     above = branches + _TURN * fewest - limits.upper

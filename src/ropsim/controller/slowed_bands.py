@@ -49,8 +49,4 @@ def _times(part: Part, bands: Bands) -> Array:
     """Return when a part is at the borders of bands, from its start on [s], shape (c + 1,)."""
     begins = bands.begins
     owner = np.searchsorted(begins[1:-1], bands.borders, "right")
-    times = np.empty(len(bands.borders))
-    for piece in np.unique(owner).tolist():
-        here = np.flatnonzero(owner == piece)
-        times[here] = part.law.times_of(piece, bands.borders[here] - begins[piece])
-    return times
+    return part.law.times_of(owner, bands.borders - begins[owner])

@@ -7,7 +7,7 @@ import numpy as np
 
 from ropsim.controller.coordination import Coordination
 from ropsim.controller.entities import JointInterpolator, Refusal
-from ropsim.controller.entity_faults import guarded
+from ropsim.controller.entity_faults import guarded, is_our_own
 from ropsim.controller.motion_chain import MotionChain
 from ropsim.controller.path_faults import unusable_path, unusable_samples, unusable_setpoints
 from ropsim.core import Diagnostic
@@ -90,14 +90,10 @@ def _traced(
             if density == MOST_DENSITY or samples.diagnostics[0].code != JUMP_ON_LINE.code:
                 return samples
         else:
-            entity = chain.joint_interpolator
-            joints = guarded(entity, partial(entity.refine, samples), (object,), move)
-            if isinstance(joints, Refusal):
-                return joints
-            wrong = unusable_path(entity, joints, q_start, move)
-            if wrong:
-                return wrong
-            rough = _roughness(entity, samples)
+            refined = _refined(chain.joint_interpolator, samples, q_start, move)
+            if isinstance(refined, Refusal):
+                return refined
+            joints, rough = refined
             if density == MOST_DENSITY or (rough is not None and not rough.max() > SMOOTH):
                 return joints, samples, rough
         density *= 2
@@ -121,6 +117,21 @@ def _samples(
     if isinstance(samples, Refusal):
         return samples
     return unusable_samples(inverse, samples, q_start, move) or samples
+
+
+def _refined(
+    entity: JointInterpolator, samples: JointSamples, q_start: Array, move: MoveInstruction
+) -> tuple[JointPath, Array | None] | Refusal:
+    """Return the path through samples, and its roughness."""
+    both = getattr(entity, "refine_with_roughness", None)  # those of users need not have it
+    if both and is_our_own(entity):
+        told: tuple[JointPath, Array | None] = both(samples)
+        if told[1] is not None:
+            return told
+    joints = guarded(entity, partial(entity.refine, samples), (object,), move)
+    if isinstance(joints, Refusal):
+        return joints
+    return unusable_path(entity, joints, q_start, move) or (joints, _roughness(entity, samples))
 
 
 def _roughness(entity: JointInterpolator, samples: JointSamples) -> Array | None:

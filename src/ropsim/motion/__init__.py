@@ -89,6 +89,7 @@ from ropsim.motion.paths import rough_parts as rough_parts
 from ropsim.motion.paths import smoothly as smoothly
 from ropsim.motion.paths import spline as spline
 from ropsim.motion.paths import tool_turn as tool_turn
+from ropsim.motion.paths import traced_with_roughness as traced_with_roughness
 from ropsim.motion.profile import Profile as Profile
 from ropsim.motion.profile import ProfileError as ProfileError
 from ropsim.motion.profile import ProfileLimits as ProfileLimits

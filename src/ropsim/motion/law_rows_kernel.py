@@ -45,20 +45,22 @@ def rows_at(segments: Array, duration: float, times: Array, out: Array) -> None:
         out[3, k] = a + u * j
 
 
-@kernel("void(f8[:,::1], f8[::1], i8, f8[::1], f8[::1])")
-def times_at(segments: Array, ends: Array, piece: int, places: Array, out: Array) -> None:
-    """Write the time [s] at which the motion is at each place of a piece.
+@kernel("void(f8[:,::1], f8[::1], f8[::1], f8[::1], f8[::1])")
+def times_at(segments: Array, ends: Array, pieces: Array, places: Array, out: Array) -> None:
+    """Write the time [s] at which the motion is at each of some places of pieces.
 
     Args:
         segments: shape (8, m).
         ends: times [s] at which the pieces end, shape (p,).
-        piece: index of the piece.
+        pieces: index of the piece of each place, best in order, shape (k,).
         places: on it; those outside of it count as its start or end; shape (k,).
         out: where the times go, shape (k,).
     """
-    first = _lower(segments, 0, float(piece))
-    beyond = _lower(segments, 0, piece + 1.0)
+    piece, first, beyond = -1, 0, 0
     for k in range(places.shape[0]):
+        if piece != int(pieces[k]):
+            piece = int(pieces[k])
+            first, beyond = _lower(segments, 0, float(piece)), _lower(segments, 0, piece + 1.0)
         place = places[k]
         if place >= segments[7, beyond - 1]:
             out[k] = ends[piece]

@@ -98,12 +98,12 @@ class TimeLaw:
         law_rows_kernel.rows_at(self.segments, self.duration, asked, out)
         return LawRows(out[0].astype(np.int64), out[1], out[2], out[3])
 
-    def times_of(self, piece: int, places: npt.ArrayLike) -> Array:
-        """Return when the motion is at places of a piece [s].
+    def times_of(self, pieces: npt.ArrayLike, places: npt.ArrayLike) -> Array:
+        """Return when the motion is at places of pieces [s].
 
         Args:
-            piece: index of it.
-            places: values of s, shape (k,); those outside of the piece count as its start or end.
+            pieces: index of one for all places, or of one for each, shape (k,); quickest in order.
+            places: values of s, shape (k,); those outside of their piece count as its start or end.
 
         Returns:
             the times, shape (k,), in the order of the places.
@@ -111,11 +111,12 @@ class TimeLaw:
         Raises:
             IndexError: there is no such piece.
         """
-        if not 0 <= piece < len(self.ends):
-            raise IndexError(f"piece {piece} of {len(self.ends)}")
         asked = np.ascontiguousarray(places, dtype=np.float64)
-        out = np.empty(len(asked))
-        law_rows_kernel.times_at(self.segments, self.ends, piece, asked, out)
+        out, numbers = np.empty((2, len(asked)))
+        numbers[:] = pieces
+        if len(asked) and not 0.0 <= numbers.min() <= numbers.max() < len(self.ends):
+            raise IndexError(f"piece {pieces!r} of {len(self.ends)}")
+        law_rows_kernel.times_at(self.segments, self.ends, numbers, asked, out)
         return out
 
     def in_parts(self, counts: Sequence[int]) -> "TimeLaw":

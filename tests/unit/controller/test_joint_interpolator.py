@@ -41,3 +41,24 @@ def test_a_joint_that_stands_still_has_no_derivatives() -> None:
     assert np.abs(points.q - START).max() < ROUNDING
     assert np.abs(points.d1).max() < 1e-10
     assert np.abs(points.d2).max() < 1e-7
+
+
+def test_roughness_is_what_the_path_through_every_second_sample_misses() -> None:
+    given = JointSamples(LENGTH, np.sin(np.linspace(0.0, 9.0, 33))[:, None] * START)
+    interpolator, step = StandardJointInterpolator(), LENGTH / 32
+    path, rough = interpolator.refine_with_roughness(given)
+    coarse = interpolator.refine(JointSamples(LENGTH, given.q[::2]))
+    missed = np.abs(coarse.joints(step * np.arange(1.0, 32.0, 2.0)).q - given.q[1::2]).max(axis=1)
+    assert missed.max() > 1e-6
+    assert rough is not None
+    assert rough.tolist() == missed.tolist()
+    places = np.linspace(0.0, LENGTH, 7)
+    assert path.joints(places).d2.tolist() == interpolator.refine(given).joints(places).d2.tolist()
+
+
+@pytest.mark.parametrize("count", [2, 16, 18, 15])
+def test_few_samples_and_those_of_even_number_tell_no_roughness(count: int) -> None:
+    given = JointSamples(LENGTH, np.linspace(START, 2.0 * START, count))
+    path, rough = StandardJointInterpolator().refine_with_roughness(given)
+    assert rough is None
+    assert path.length == LENGTH

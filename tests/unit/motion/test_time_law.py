@@ -250,6 +250,13 @@ def test_times_of_places_near_to_rest_follow_the_cube_root() -> None:
     assert law.times_of(0, 1.0 - near[1:]) == pytest.approx(law.duration - after[1:], abs=1e-10)
 
 
+def test_times_of_places_on_several_pieces_are_those_of_each_piece_alone() -> None:
+    law, places = plan_time_law(WAY), np.linspace(0.0, 1.0, 5)
+    numbers = [2, 2, 0, 5, 3]
+    alone = [law.times_of(number, [place])[0] for number, place in zip(numbers, places, strict=True)]
+    assert law.times_of(numbers, places).tolist() == alone
+
+
 @pytest.mark.parametrize("piece", [-1, len(WAY)])
 def test_there_are_no_places_on_a_piece_that_is_not_there(piece: int) -> None:
     with pytest.raises(IndexError, match=f"piece {piece} of 6"):

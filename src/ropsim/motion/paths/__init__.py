@@ -37,5 +37,6 @@ from ropsim.motion.paths.spline import SplineFault as SplineFault
 from ropsim.motion.paths.spline import spline as spline
 from ropsim.motion.paths.standing import Standing as Standing
 from ropsim.motion.paths.traced import Traced as Traced
+from ropsim.motion.paths.traced import traced_with_roughness as traced_with_roughness
 from ropsim.motion.paths.zone import enter as enter
 from ropsim.motion.paths.zone import leave as leave

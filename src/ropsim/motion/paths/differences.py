@@ -8,7 +8,7 @@ import numpy as np
 
 from ropsim.motion.paths.path import ToolPoints
 from ropsim.motion.paths.rotation_vector import logarithms
-from ropsim.motion.paths.traced_kernel import row_differences
+from ropsim.motion.paths.traced_kernel import row_differences, rows_with_roughness
 from ropsim.spatial import Array, frozen
 
 _CENTRAL = 7
@@ -43,6 +43,26 @@ def row_derivatives(rows: Array, step: float) -> Array:
     result[0] *= 1.0 / step
     result[1] *= 1.0 / step**2
     return result
+
+
+def derivatives_and_roughness(rows: Array, length: float) -> tuple[Array, Array | None]:
+    """Return first and second derivatives of rows by their number, and how rough the way through them is.
+
+    Args:
+        rows: at equidistant places, shape (k, n), k >= 2, without gaps.
+        length: of the way through them, above 0.
+
+    Returns:
+        the derivatives, shape (2, k, n), and how far the path through every second of 2·m + 1 rows passes the
+        others [rad | m], shape (m,). None for the latter where the rows are too few or of even number.
+    """
+    count, n = rows.shape
+    half = count // 2 + 1
+    if count % 2 == 0 or half <= _SIDED:
+        return row_derivatives(rows, 1.0), None
+    out, coarse, rough = np.empty((2, count, n)), np.empty((3, half, n)), np.empty(half - 1)
+    rows_with_roughness(rows, *_stencils(), length, out, coarse[0], coarse[1:], rough)
+    return out, rough
 
 
 def numeric_points(matrices_at: Callable[[Array], Array], s: Array, length: float) -> ToolPoints:

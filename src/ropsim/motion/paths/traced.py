@@ -4,10 +4,13 @@ from dataclasses import field
 
 import numpy as np
 
-from ropsim.motion.paths.differences import row_derivatives
+from ropsim.motion.paths.differences import derivatives_and_roughness, row_derivatives
 from ropsim.motion.paths.path import JointPoints
 from ropsim.motion.paths.traced_kernel import traced_points
 from ropsim.spatial import Array, frozen, record
+
+_UNKNOWN = frozen([])
+"""Stands for derivatives that are to be found from the rows."""
 
 
 @record
@@ -21,16 +24,17 @@ class Traced:
     Attributes:
         length: of the way, in its own unit; positive.
         q: joint coordinates [rad | m] at the places 0 to `length`, shape (k, n), k >= 2.
-        derivatives: first and second ones at the rows by the number of the row, shape (2, k, n).
+        derivatives: first and second ones at the rows by the number of the row, shape (2, k, n);
+            found from these where they are not given.
     """
 
     length: float
     q: Array
-    derivatives: Array = field(init=False, repr=False)
+    derivatives: Array = field(default_factory=lambda: _UNKNOWN, repr=False)
 
     def __post_init__(self) -> None:
         q = frozen(self.q)
-        derivatives = row_derivatives(q, 1.0)
+        derivatives = row_derivatives(q, 1.0) if self.derivatives is _UNKNOWN else self.derivatives
         derivatives.flags.writeable = False
         object.__setattr__(self, "q", q)
         object.__setattr__(self, "derivatives", derivatives)
@@ -42,3 +46,19 @@ class Traced:
         per_unit = (count - 1) / self.length
         traced_points(self.q, self.derivatives, per_unit, np.ascontiguousarray(s), q, d1, d2)
         return JointPoints(q, d1, d2)
+
+
+def traced_with_roughness(length: float, q: Array) -> tuple[Traced, Array | None]:
+    """Return the path through rows, and how far that through every second one passes the others [rad | m].
+
+    Args:
+        length: of the way, above 0.
+        q: joint coordinates at equidistant places, shape (k, n), k >= 2.
+
+    Returns:
+        the path and the greatest distance of a joint at each row between, shape (m,) for k = 2·m + 1 rows;
+        None for it where rows are fewer than 17 or of even number.
+    """
+    rows = frozen(q)
+    derivatives, rough = derivatives_and_roughness(rows, length)
+    return Traced(length, rows, derivatives), rough
