@@ -5,15 +5,20 @@ from math import inf
 import numpy as np
 import numpy.typing as npt
 
+from ropsim.codegen import Compiled, bound
 from ropsim.kinematics import chain_kernel, polish_kernel
 from ropsim.kinematics.arrays import ChainArrays
-from ropsim.spatial import Array
+from ropsim.spatial import Array, frozen
 
 POSE_SLACK = 1e-9
 """Largest sum of the errors of an accepted row [m, entries of the rotation matrix]: the promised accuracy."""
 TASK_SLACK = 1e-5
 """The same for arms with fewer than six joints, which cannot choose all coordinates of a pose: those that
 they cannot may be off by what people and files round, 0.01 mm or 0.0002°."""
+SURE = 1e-8
+"""A step whose joints move less [rad] leaves less than 1e-14 [m, rad] on arms of some metres."""
+LEFT = 1e-15
+"""The last step times the snap of the arm is at most this [rad², rad·m]: it is taken for one of its class."""
 STEPS = 60
 """Largest number of steps from a start to an answer."""
 
@@ -38,24 +43,44 @@ def polished(chain: ChainArrays, T: Array, Q: Array, slack: float = POSE_SLACK) 
     return _run(chain, T, Q, (STEPS, slack, 0.0))
 
 
-def refine(chain: ChainArrays, T: Array, Q: Array) -> npt.NDArray[np.bool_] | None:
+def refining(chain: ChainArrays, point: list[float], parallel: int, snap: float) -> Compiled:
+    """Return the kernel for `refine`; arguments as in `shape_of`, and the arm with six turning joints."""
+    return bound(chain_kernel.refine_rows, chain.flat, shape_of(point, parallel, snap))
+
+
+def shape_of(point: list[float], parallel: int, snap: float) -> Array:
+    """Return what the kernel for `refine` takes of an arm beside its chain, shape (5,).
+
+    Args:
+        point: where its last axes meet, in M [m].
+        parallel: how many axes behind the first are parallel, 2 or 3.
+        snap: how far the arm is from its class [rad, m].
+    """
+    return frozen([*point, float(parallel), min(SURE, LEFT / snap)])
+
+
+def refine(kernel: Compiled, chain: ChainArrays, T: Array, Q: Array) -> npt.NDArray[np.bool_] | None:
     """Change starts into answers as `polished` does, sooner, for six turning joints nearly at answers.
 
     Args:
+        kernel: of the arm, `refining`.
         chain: of the arm.
         T: poses X_BM, shape (k, 4, 4).
-        Q: starts [rad], NaN rows are left alone, shape (k, m, 6); afterwards answers, NaN for none.
+        Q: starts [rad], NaN rows are left alone, shape (k, 8, 6); afterwards answers, NaN for none.
 
     Returns:
         Which rows had a start and have no answer, shape (k, m); None where no row does.
     """
-    unsure = np.empty((len(T) + 1, Q.shape[1]))
-    chain_kernel.refine_rows(chain.flat, T, Q, unsure, np.empty((7, 12)), np.empty((7, 7)))
-    if not unsure[-1, 0]:
+    k, m, _ = Q.shape
+    room = np.empty(chain_kernel.ROOM + 1 + k * m)
+    kernel(T, Q, room)
+    if not room[chain_kernel.ROOM]:
         return None
-    tried = unsure[:-1] > 0.0
-    for k in np.flatnonzero(tried.any(axis=1)):
-        Q[k, tried[k]] = polished(chain, T[k : k + 1], np.ascontiguousarray(Q[k : k + 1, tried[k]]))[0]
+    tried = room[chain_kernel.ROOM + 1 :].reshape(k, m) > 0.0
+    for row in np.flatnonzero(tried.any(axis=1)):
+        Q[row, tried[row]] = polished(
+            chain, T[row : row + 1], np.ascontiguousarray(Q[row : row + 1, tried[row]])
+        )[0]
     lost: npt.NDArray[np.bool_] = tried & np.isnan(Q[:, :, 0])
     return lost if lost.any() else None
 

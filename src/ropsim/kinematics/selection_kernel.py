@@ -48,21 +48,23 @@ def select(limits: Array, branches: Array, found: Array) -> None:
                 variants = min(variants * max(0, most - fewest + 1), TURN_VARIANTS)
         if variants == 0:
             continue
-        for variant in range(variants):
-            rest, place = variant, further
-            if variant == 0:
-                place = 2 * m + 2 + listed * n
-            else:
-                further += n
-            for j in range(n - 1, -1, -1):
-                q = branches[row, j]
+        first = 2 * m + 2 + listed * n
+        stride = 1  # so many variants in a row have the same turn of a joint; the last joint changes soonest
+        for j in range(n - 1, -1, -1):
+            q, ways, fewest, most = branches[row, j], 1, 0, 0
+            if respected:
+                fewest, most = _turns(q, limits, j)
+                ways = most - fewest + 1
+            for way in range(min(ways, variants)):
+                value = q
                 if respected:
-                    fewest, most = _turns(q, limits, j)
-                    ways = most - fewest + 1
-                    q += _turn(fewest, most, rest % ways) * (2.0 * pi)
-                    rest //= ways
-                    q = min(max(q, limits[0, j]), limits[1, j])
-                found[place + j] = q
+                    value = q + _turn(fewest, most, way) * (2.0 * pi)
+                    value = min(max(value, limits[0, j]), limits[1, j])
+                for start in range(way * stride, variants, ways * stride):
+                    for variant in range(start, min(start + stride, variants)):
+                        found[(further + (variant - 1) * n if variant else first) + j] = value
+            stride = min(stride * ways, TURN_VARIANTS)
+        further += (variants - 1) * n
         found[2 + 2 * listed], found[3 + 2 * listed] = row, variants - 1
         listed += 1
     found[0], found[1] = present, listed

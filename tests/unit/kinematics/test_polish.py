@@ -1,14 +1,30 @@
 """Polishing: nearby joint coordinates become those of the pose, and others are left out."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
-from ropsim.kinematics import forward_batch
+from ropsim.codegen import Compiled
+from ropsim.kinematics import forward_batch, solver_of
 from ropsim.kinematics.arrays import chain_arrays
-from ropsim.kinematics.chain_kernel import refine_rows
-from ropsim.kinematics.polish import POSE_SLACK, checked, continued, nearest_to, polished, refine
-from ropsim.spatial import Array
+from ropsim.kinematics.chain_kernel import ROOM, refine_rows
+from ropsim.kinematics.polish import (
+    POSE_SLACK,
+    checked,
+    continued,
+    nearest_to,
+    polished,
+    refine,
+    shape_of,
+)
+from ropsim.kinematics.solvers import spherical_wrist, three_parallel
+from ropsim.kinematics.solvers.spherical_wrist import SphericalWristSolver
+from ropsim.kinematics.solvers.three_parallel import ThreeParallelSolver
+from ropsim.model import RobotModel
+from ropsim.spatial import Array, Pose
 from support.arms import random_arm
+from support.published_arms import published_arm
 
 ROUNDING = 1e-12
 """Of coordinates of arms far from singularities [rad | m]."""
@@ -78,42 +94,80 @@ def test_the_kernel_does_the_same_without_numba(monkeypatch: pytest.MonkeyPatch)
     np.testing.assert_allclose(plain, compiled, rtol=0.0, atol=ROUNDING)
 
 
-TURNING = random_arm(24, "RRRRRR")
+def fourth_digit(robot: RobotModel) -> RobotModel:
+    """Return an arm whose axis 5 is turned as by a file that writes right angles with four digits."""
+    off = robot.joints[4].placement @ Pose(orientation=np.array([1.0, 5e-5, 0.0, 0.0]))
+    return replace(
+        robot, joints=(*robot.joints[:4], replace(robot.joints[4], placement=off), *robot.joints[5:])
+    )
 
 
-def refined(poses: Array, starts: Array) -> tuple[Array, object]:
+ROUNDED = {name: published_arm(name) for name in ("kr6_r900_2", "ur5e_robot")}
+ROUNDED["four digits"] = fourth_digit(ROUNDED["kr6_r900_2"])
+"""Arms that are off their class by 0.2 nrad, 5 nrad and 0.1 mrad."""
+BENT = np.random.default_rng(2).uniform(0.4, 1.0, (30, 6))
+"""Configurations away from singular ones [rad]."""
+by_rounded_arm = pytest.mark.parametrize("robot", ROUNDED.values(), ids=ROUNDED.keys())
+
+
+def kernel_of(robot: RobotModel) -> Compiled:
+    solver = solver_of(robot)
+    if isinstance(solver, SphericalWristSolver):
+        return spherical_wrist.refinement(solver)
+    assert isinstance(solver, ThreeParallelSolver)
+    return three_parallel.refinement(solver)
+
+
+def refined(robot: RobotModel, poses: Array, starts: Array) -> tuple[Array, object]:
     found = np.array(starts)
-    return found, refine(chain_arrays(TURNING), poses, found)
+    return found, refine(kernel_of(robot), chain_arrays(robot), poses, found)
 
 
-def test_refining_ends_where_polishing_does() -> None:
-    poses = forward_batch(TURNING, Q)
-    starts = Q[:, None] + np.array([1e-9, 1e-6, 1e-3])[:, None] * np.cos(np.arange(6))
-    starts = np.concatenate((starts, np.full((30, 1, 6), np.nan), Q[:, None] + 0.1), axis=1)
-    found, lost = refined(poses, starts)
-    np.testing.assert_array_equal(np.isnan(found[:, 3]), True)
-    np.testing.assert_allclose(found[:, :3], np.tile(Q[:, None], (1, 3, 1)), rtol=0.0, atol=1e4 * ROUNDING)
-    expected = polished(chain_arrays(TURNING), poses, starts[:, 4:])
-    np.testing.assert_allclose(found[:, 4:], expected, rtol=0.0, atol=1e4 * ROUNDING)
-    assert (lost is not None) == bool(np.isnan(found[:, 4]).any())
+@by_rounded_arm
+def test_refining_ends_where_polishing_does(robot: RobotModel) -> None:
+    poses = forward_batch(robot, BENT)
+    off = np.array([1e-9, 1e-6, 1e-5, 1e-4, 1e-3, np.nan, 0.1, 0.0])
+    starts = BENT[:, None] + off[:, None] * np.cos(np.arange(6))
+    found, lost = refined(robot, poses, starts)
+    own = [0, 1, 2, 3, 4, 7]
+    np.testing.assert_array_equal(np.isnan(found[:, 5]), True)
+    np.testing.assert_allclose(found[:, own], np.tile(BENT[:, None], (1, 6, 1)), rtol=0.0, atol=ROUNDING)
+    expected = polished(chain_arrays(robot), poses, starts[:, 6:7])
+    np.testing.assert_allclose(found[:, 6:7], expected, rtol=0.0, atol=ROUNDING)
+    assert lost is None
+
+
+def test_only_starts_far_away_are_left_to_the_search() -> None:
+    robot = ROUNDED["ur5e_robot"]
+    room = np.empty(ROOM + 1 + 8)
+    starts = BENT[:1, None] + np.array([0.0, 1e-8, 1e-6, 1e-5, 1e-3, np.nan, 0.1, 1.0])[:, None] * np.ones(6)
+    kernel_of(robot)(forward_batch(robot, BENT[:1]), starts, room)
+    assert room[ROOM:].tolist() == [3.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1.0, 1.0]
 
 
 @pytest.mark.parametrize(
     "shape", [np.diag([1.01] * 3), np.diag([-1.0] * 3), np.eye(3) + 0.01 * np.eye(3)[::-1]]
 )
 def test_refining_loses_matrices_that_are_no_poses(shape: Array) -> None:
-    poses = forward_batch(TURNING, Q[:4])
+    robot = ROUNDED["kr6_r900_2"]
+    poses = forward_batch(robot, BENT[:4])
     poses[2:, :3, :3] = shape @ poses[2:, :3, :3]
-    found, lost = refined(poses, Q[:4, None])
-    assert np.isnan(found[:, 0, 0]).tolist() == [False, False, True, True]
-    np.testing.assert_array_equal(lost, [[False], [False], [True], [True]])
+    found, lost = refined(robot, poses, np.tile(BENT[:4, None], (1, 8, 1)))
+    assert np.isnan(found[:, :, 0]).all(axis=1).tolist() == [False, False, True, True]
+    np.testing.assert_array_equal(lost, [[False] * 8, [False] * 8, [True] * 8, [True] * 8])
 
 
-def test_refining_does_the_same_without_numba() -> None:
+@by_rounded_arm
+def test_refining_does_the_same_without_numba(robot: RobotModel) -> None:
     plain = getattr(refine_rows, "__wrapped__", refine_rows)
-    chain, poses = chain_arrays(TURNING), forward_batch(TURNING, Q[:2])
-    starts = Q[:2, None] + np.array([1e-7, 1e-5])[:, None] * np.sin(np.arange(6))
+    poses = forward_batch(robot, BENT[:2])
+    off = np.array([0.0, 1e-9, 1e-7, 1e-6, 1e-5, 3e-5, np.nan, 1e-4])
+    starts = BENT[:2, None] + off[:, None] * np.sin(np.arange(6))
     found, answers = np.array(starts), np.array(starts)
-    plain(chain.flat, poses, found, np.empty((3, 2)), np.empty((7, 12)), np.empty((7, 7)))
-    assert refine(chain, poses, answers) is None
+    solver = solver_of(robot)
+    assert isinstance(solver, SphericalWristSolver | ThreeParallelSolver)
+    parallel = 2 if isinstance(solver, SphericalWristSolver) else 3
+    shape = shape_of(solver.arm.X_M[:, 3].tolist(), parallel, solver.snapped_by.size)
+    plain(chain_arrays(robot).flat, shape, poses, found, np.empty(ROOM + 1 + 16))
+    assert refine(kernel_of(robot), chain_arrays(robot), poses, answers) is None
     np.testing.assert_allclose(found, answers, rtol=0.0, atol=ROUNDING)

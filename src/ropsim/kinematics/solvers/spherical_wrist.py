@@ -20,7 +20,7 @@ import numpy as np
 
 from ropsim.codegen import Compiled, bound
 from ropsim.kinematics.arrays import ChainArrays, chain_arrays
-from ropsim.kinematics.polish import POSE_SLACK, polished, refine
+from ropsim.kinematics.polish import POSE_SLACK, polished, refine, refining
 from ropsim.kinematics.posture import Posture
 from ropsim.kinematics.result import IkStatus, Reach, Shortfall
 from ropsim.kinematics.solver import Method, Snap
@@ -86,7 +86,7 @@ class SphericalWristSolver:
         found = _rows(closed_form(self), T, near)
         if self.snapped_by == Snap():
             return found
-        lost = refine(self.chain, T, found)
+        lost = refine(refinement(self), self.chain, T, found)
         if lost is not None:
             kept = _rows(bound(kernel.inverse_rows, self.keeping), T, near)
             others = polished(self.chain, T, np.where(lost[:, :, np.newaxis], kept, np.nan))
@@ -135,6 +135,12 @@ def _rows(solve: Compiled, T: Array, near: Array) -> Array:
 def closed_form(solver: SphericalWristSolver) -> Compiled:
     """Return the kernel of an arm that is in the class: `closed_form(solver)(room, T, out)`."""
     return bound(kernel.inverse_rows, solver.strict)
+
+
+@lru_cache(maxsize=64)
+def refinement(solver: SphericalWristSolver) -> Compiled:
+    """Return the kernel that brings answers of the closed form to an arm that is off the class by a snap."""
+    return refining(solver.chain, solver.arm.X_M[:, 3].tolist(), 2, solver.snapped_by.size)
 
 
 def recognise(robot: RobotModel) -> SphericalWristSolver | str:
