@@ -53,7 +53,7 @@ def test_f6_leads_from_panel_to_panel(tab: StudioPage) -> None:
     for panel in ("program", "states", "plot", "views", "program"):
         tab.page.keyboard.press("F6")
         inside = "panel => document.activeElement.closest('.panel')?.classList.contains(`panel-${panel}`)"
-        tab.page.wait_for_function(inside, arg=panel)
+        tab.holds(inside, arg=panel)
 
 
 def test_menus_open_and_close_with_the_keyboard(tab: StudioPage) -> None:
@@ -119,7 +119,7 @@ def test_the_picture_is_told_in_words(tab: StudioPage) -> None:
     described = tab.view("Perspective").get_attribute("aria-describedby") or ""
     spoken = tab.page.locator(f"#{described.split()[0]}")
     tab.seek(0.0)
-    tab.page.wait_for_function("text => text.textContent.startsWith('TCP ')", arg=spoken.element_handle())
+    tab.holds("text => text.textContent.startsWith('TCP ')", arg=spoken.element_handle())
     before = spoken.text_content()
     tab.seek(2.0)
     tab.until(lambda: spoken.text_content() != before)

@@ -116,7 +116,7 @@ def test_the_shuttle_is_jogged_by_its_coordinate(page: StudioPage) -> None:
     assert panel.get_by_label("Station").input_value() == "shuttle"
     panel.get_by_role("button", name="Jog from here").click()
     panel.get_by_role("heading", name="Joints").wait_for()
-    page.page.wait_for_function("() => __ropsim.jogged()")
+    page.holds("() => __ropsim.jogged()")
     before = page.poses("jogged")
     field = panel.get_by_label("E1, typed value")
     field.fill("300 mm")
@@ -139,7 +139,7 @@ def test_a_plot_and_the_timeline_know_both_stations(page: StudioPage) -> None:
 def test_in_a_live_run_parts_ride_too(page: StudioPage) -> None:
     shown = page.state()["shown"]
     page.page.evaluate("() => __ropsim.command('live.start')")
-    page.page.wait_for_function("() => __ropsim.state().live === 'running' && __ropsim.state().frames > 0")
+    page.holds("() => __ropsim.state().live === 'running' && __ropsim.state().frames > 0")
     start = page.poses()
     page.hurry()
     for name in ("goods", "box"):

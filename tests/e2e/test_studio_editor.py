@@ -30,20 +30,23 @@ endr
 """
 #: Opens the gripper on the way, so that the box is not there where it closes again.
 LOST = "  open\n  mov b above 60 mm\n  close"
-#: Types a letter and takes it back before anybody has heard of it; returns what the strip says after each.
+#: Types a letter and takes it back before anybody has heard of it; returns what the strip says after each,
+#: and how high it is.
 TYPE_AND_TAKE_BACK = """async () => {
     const frame = () => new Promise(done => requestAnimationFrame(done))
-    const said = [document.querySelector('.result').textContent]
+    const strip = document.querySelector('.result')
+    const said = [strip.textContent], heights = [strip.offsetHeight]
     for (const act of ['insertText', 'delete']) {
         document.execCommand(act, false, 'x')
         let frames = 0
         do {
             await frame()
             frames += 1
-        } while (frames < 30 && document.querySelector('.result').textContent === said.at(-1))
-        said.push(document.querySelector('.result').textContent)
+        } while (frames < 30 && strip.textContent === said.at(-1))
+        said.push(strip.textContent)
+        heights.push(strip.offsetHeight)
     }
-    return said
+    return [said, heights]
 }"""
 
 
@@ -62,14 +65,12 @@ def without_errors(fresh: StudioPage) -> None:
 
 def active(fresh: StudioPage, text: str) -> None:
     """Wait until the cursor stands in a line."""
-    fresh.page.wait_for_function(
-        "text => document.querySelector('.cm-activeLine')?.textContent === text", arg=text
-    )
+    fresh.holds("text => document.querySelector('.cm-activeLine')?.textContent === text", arg=text)
 
 
 def titled(fresh: StudioPage, condition: str) -> None:
     """Wait until a condition on the title of the page holds."""
-    fresh.page.wait_for_function(f"() => {condition}")
+    fresh.holds(f"() => {condition}")
 
 
 def program(folder: Path) -> Path:
@@ -113,15 +114,13 @@ def test_another_length_of_the_run_keeps_the_time_line_of_plots_right(fresh: Stu
     shown = fresh.state()["shown"]
     fresh.write(fresh.text().replace("150 mm/s", "50 mm/s"))
     fresh.rerun(shown)
-    fresh.page.wait_for_function(
-        "() => __ropsim.plots().every(one => one && Math.abs(one.drawn - one.scale) <= 1)"
-    )
+    fresh.holds("() => __ropsim.plots().every(one => one && Math.abs(one.drawn - one.scale) <= 1)")
     assert fresh.time() == 2.0
 
 
 def running(fresh: StudioPage, text: str) -> None:
     """Wait until the line that runs is marked, and no other one is."""
-    fresh.page.wait_for_function(
+    fresh.holds(
         "text => [...document.querySelectorAll('.cm-running')].map(one => one.textContent).join() === text",
         arg=text,
     )
@@ -245,7 +244,7 @@ def test_a_problem_leads_to_its_line(fresh: StudioPage) -> None:
     fresh.document("cell.toml")
     row.click()
     fresh.page.locator(".cm-activeLine", has_text="mov hom").wait_for()
-    fresh.page.wait_for_function("() => document.activeElement.closest('.cm-content')")
+    fresh.holds("() => document.activeElement.closest('.cm-content')")
 
 
 def test_f8_goes_through_the_problems(fresh: StudioPage) -> None:
@@ -372,7 +371,7 @@ def test_a_change_on_the_disk_beside_typed_text_is_asked_about(
 ) -> None:
     fresh.append(2, " # mine")
     fresh.page.get_by_role("img", name="not saved").wait_for()
-    fresh.page.wait_for_function("() => __ropsim.state().delivered")
+    fresh.holds("() => __ropsim.state().delivered")
     program(first_cell).write_text(TWICE, "utf-8")
     banner = fresh.page.locator(".program-banner", has_text="The file has changed on the disk")
     banner.wait_for()
@@ -412,7 +411,8 @@ def test_the_edit_menu_acts_in_the_editor_from_anywhere(fresh: StudioPage) -> No
 
 def test_the_result_of_another_text_is_marked_at_once_until_the_text_is_back(fresh: StudioPage) -> None:
     fresh.line(SLOW).click()
-    untouched, typed, back = fresh.page.evaluate(TYPE_AND_TAKE_BACK)
+    (untouched, typed, back), heights = fresh.page.evaluate(TYPE_AND_TAKE_BACK)
     assert "before the change of the text" in typed
     assert back == untouched
+    assert len(set(heights)) == 1, "what is below the strip moves with every change"
     assert not fresh.state()["stale"]

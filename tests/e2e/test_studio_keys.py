@@ -65,10 +65,8 @@ def signals(keys: StudioPage) -> "Locator":
 def live(keys: StudioPage, signals: "Locator") -> None:
     """Start a live run and wait until its program waits for the input."""
     signals.get_by_role("button", name="Start live run").click()
-    keys.page.wait_for_function(ON)
-    keys.page.wait_for_function(
-        "() => document.querySelector('.cm-running')?.textContent.startsWith('wait until')"
-    )
+    keys.holds(ON)
+    keys.holds("() => document.querySelector('.cm-running')?.textContent.startsWith('wait until')")
 
 
 def arm(signals: "Locator") -> None:
@@ -89,7 +87,7 @@ def lamp(signals: "Locator") -> None:
 
 
 def over(keys: StudioPage) -> None:
-    keys.page.wait_for_function(OVER)
+    keys.holds(OVER)
 
 
 def presses(signals: "Locator", name: str) -> list[tuple[float, float]]:
@@ -218,7 +216,7 @@ def test_scrubbing_back_stays_there_until_the_run_is_followed_again(
     follow = keys.page.get_by_role("button", name="Follow the live run")
     follow.wait_for()
     frames = keys.state()["frames"]
-    keys.page.wait_for_function("frames => __ropsim.state().frames > frames + 3", arg=frames)
+    keys.holds("frames => __ropsim.state().frames > frames + 3", arg=frames)
     assert keys.time() == 0.0
     follow.click()
-    keys.page.wait_for_function("() => __ropsim.state().following && __ropsim.time() > 0.5")
+    keys.holds("() => __ropsim.state().following && __ropsim.time() > 0.5")

@@ -59,9 +59,7 @@ def test_all_places_are_listed_and_lead_there(written: StudioPage) -> None:
     places = written.page.get_by_role("listbox").get_by_role("option")
     written.until(lambda: places.count() == 3)
     places.nth(2).click()
-    written.page.wait_for_function(
-        "document.querySelector('.cm-activeLine')?.textContent.startsWith('Go set_down')"
-    )
+    written.holds("document.querySelector('.cm-activeLine')?.textContent.startsWith('Go set_down')")
 
 
 def test_types_are_written_by_the_keyboard_alone(written: StudioPage) -> None:

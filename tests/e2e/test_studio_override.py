@@ -56,11 +56,11 @@ def hand(pages: Pages, tmp_path: Path) -> Iterator[StudioPage]:
         page = StudioPage.opened(pages, studio.url)
         page.panel("Signals")
         signals(page).get_by_role("button", name="Start live run").click()
-        page.page.wait_for_function("() => __ropsim.state().live === 'running'")
+        page.holds("() => __ropsim.state().live === 'running'")
         assert moves(page)
         yield page
         page.page.evaluate("() => __ropsim.command('live.stop')")
-        page.page.wait_for_function(OVER)
+        page.holds(OVER)
         assert pages.unexpected() == [], "the page complained"
 
 
@@ -85,7 +85,7 @@ def test_a_live_run_is_held_slowed_stepped_and_ended_on_its_path(hand: StudioPag
     assert hand.page.evaluate("() => __ropsim.lanes().Steps") == ["line 3 · goes on"]
     assert not moves(hand)
     bar.get_by_role("button", name="Continue").click()
-    hand.page.wait_for_function("() => __ropsim.state().live === 'running'")
+    hand.holds("() => __ropsim.state().live === 'running'")
     assert moves(hand)
     slider = bar.get_by_role("slider", name="Override")
     slider.fill("55")
@@ -96,13 +96,13 @@ def test_a_live_run_is_held_slowed_stepped_and_ended_on_its_path(hand: StudioPag
     bar.get_by_role("button", name="Hold").click()
     slider.fill("100")
     bar.get_by_role("button", name="Step").click()
-    hand.page.wait_for_function("() => __ropsim.state().live === 'running'")
+    hand.holds("() => __ropsim.state().live === 'running'")
     hand.hurry()  # its end is some seconds away
-    hand.page.wait_for_function("() => __ropsim.state().live === 'held'")
+    hand.holds("() => __ropsim.state().live === 'held'")
     moves(hand)  # a picture of that speed may be an eighth of a second old
     assert not moves(hand)
     bar.get_by_role("button", name="End live run").click()
-    hand.page.wait_for_function(OVER)
+    hand.holds(OVER)
     strip = hand.page.get_by_role("region", name="Result of the run")
     strip.get_by_text("not that of the program").wait_for()  # it was ended, which weighs more than the holds
     assert {"held", "50 %"} <= {*hand.page.evaluate("() => __ropsim.lanes().Override")}

@@ -100,7 +100,7 @@ def test_the_station_whose_program_is_open_is_jogged_and_no_other_arm_moves(page
     assert panel.get_by_label("Station").input_value() == "right"
     panel.get_by_role("button", name="Jog from here").click()
     panel.get_by_role("heading", name="Joints").wait_for()
-    page.page.wait_for_function("() => __ropsim.jogged()")
+    page.holds("() => __ropsim.jogged()")
     before = page.poses("jogged")
     field = panel.get_by_label("Joint 1, typed value")
     field.fill("40 deg")
@@ -119,7 +119,7 @@ def test_the_jogged_station_can_be_chosen(page: StudioPage) -> None:
     panel.get_by_label("Station").select_option("right")
     panel.get_by_role("button", name="Jog from here").click()
     panel.get_by_role("heading", name="Joints").wait_for()
-    page.page.wait_for_function("() => __ropsim.jogged()")
+    page.holds("() => __ropsim.jogged()")
     panel.get_by_label("Station").select_option("left")
     field = panel.get_by_label("Joint 1, typed value")
     before = page.poses()
@@ -181,7 +181,7 @@ def test_programs_are_marked_with_who_runs_them_and_run_the_whole_cell(page: Stu
 
 def test_a_live_run_moves_both_arms_and_the_belt(page: StudioPage) -> None:
     page.page.evaluate("() => __ropsim.command('live.start')")
-    page.page.wait_for_function("() => __ropsim.state().live === 'running' && __ropsim.state().frames > 0")
+    page.holds("() => __ropsim.state().live === 'running' && __ropsim.state().frames > 0")
     start = page.poses()
     page.hurry()
     for name in ("left/link6", "right/link6", "infeed/link1"):

@@ -131,7 +131,7 @@ def test_an_operator_makes_a_palletizing_program_that_runs(
     panel.get_by_role("button", name="End: make the program").click()
     tab.page.get_by_label("Name of the program").fill("fill")
     tab.page.get_by_role("button", name="Make and run").click()
-    tab.page.wait_for_function("() => __ropsim.state().current")
+    tab.holds("() => __ropsim.state().current")
     tab.page.get_by_text("ran to the end, no errors, no warnings").wait_for()
     fill = project / "programs" / "fill.task"
     text = fill.read_text("utf-8")

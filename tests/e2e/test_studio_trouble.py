@@ -108,7 +108,7 @@ def test_text_typed_without_a_server_can_be_kept_and_is_sent_to_the_next_one(
     texts.get_by_role("button", name="Copied").wait_for()
     assert "# typed alone" in page.page.evaluate("() => navigator.clipboard.readText()")
     start_studio(folder)
-    page.page.wait_for_function("() => __ropsim.state().connection === 'connected'")
+    page.holds("() => __ropsim.state().connection === 'connected'")
     page.until(lambda: journalled(tmp_path, "# typed alone"))
     assert "# typed alone" not in program(folder).read_text("utf-8")
     assert page.line(2).text_content() == "units mm, deg, s  # typed alone"
@@ -173,7 +173,7 @@ def test_a_cell_that_breaks_keeps_its_last_good_picture(lasting: Studio, open_un
     page.document("cell.toml")
     page.append(1, "\n[robot")
     page.page.locator(".stage-badges", has_text="cell.toml has errors").wait_for()
-    page.page.wait_for_function("() => __ropsim.state().stale")  # the cell is drawn apart from the run
+    page.holds("() => __ropsim.state().stale")  # the cell is drawn apart from the run
     assert page.poses() == before
 
 
@@ -288,7 +288,7 @@ def test_a_dialog_whose_wish_is_refused_stays_with_the_reason_and_what_was_typed
     assert dialog.get_by_label("Folder of the project").input_value() == str(folder.resolve())
     dialog.get_by_role("button", name="New project …").click()
     dialog = page.page.get_by_role("dialog", name="New project")
-    page.page.wait_for_function("() => document.activeElement.matches('dialog[open] input[type=text]')")
+    page.holds("() => document.activeElement.matches('dialog[open] input[type=text]')")
     page.page.keyboard.type("made")
     dialog.get_by_role("button", name="home folder").click()
     dialog.get_by_text(f"Folders in {Path.home().resolve()}").wait_for()

@@ -34,6 +34,8 @@ TELLING = {
     "pill": ".pill",
     "banner": ".banners",
 }
+PAUSE = 0.025
+"""Between two looks at a page [s]."""
 LOOK = 2.0
 """How long a pointer rests before it points anew [s]."""
 DRAWN = "() => __ropsim.stats().pending === 0"
@@ -82,13 +84,13 @@ class StudioPage:
         button = self.page.locator(".banners").get_by_role("button", name="Take over editing")
         if not self.state()["editing"]:
             button.click()
-        self.page.wait_for_function("() => __ropsim.state().editing")
+        self.holds("() => __ropsim.state().editing")
 
     def ready(self) -> None:
         """Wait until a page that is being loaded shows a run and may edit."""
         self.page.wait_for_selector("body[data-ready]", state="attached")
         self.take_over()
-        self.page.wait_for_function(NEWER, arg=0)
+        self.holds(NEWER, arg=0)
         self.writable()
         self.drawn()
 
@@ -165,19 +167,26 @@ class StudioPage:
         )
         return [number for spot in spots for number in (spot["x"], spot["y"])]
 
+    def holds(self, condition: str, arg: object = None) -> None:
+        """Wait until a function of the page returns what counts as true.
+
+        It is called now and then, not in each frame: a page that is asked for frames draws them all.
+        """
+        self.page.wait_for_function(condition, arg=arg, polling=1e3 * PAUSE)
+
     def until(self, condition: Callable[[], bool]) -> None:
-        """Wait until something that is computed here holds; it is looked at after each frame."""
+        """Wait until something that is computed here holds."""
         end = monotonic() + PATIENCE
         while not condition():
             assert monotonic() < end, "what was waited for has not come"
-            self.page.evaluate("() => new Promise(requestAnimationFrame)")
+            self.page.wait_for_timeout(1e3 * PAUSE)
 
     # ---- what the user does ----
 
     def drawn(self) -> None:
         """Wait until every view has its place and is up to date."""
         self.page.evaluate(TWO_FRAMES)
-        self.page.wait_for_function(DRAWN)
+        self.holds(DRAWN)
 
     def command(self, title: str) -> None:
         """Run a command from the palette."""
@@ -204,7 +213,7 @@ class StudioPage:
 
     def ghost_of(self, line: int) -> None:
         """Wait until the ghost of a line is shown."""
-        self.page.wait_for_function("line => __ropsim.state().ghost?.line === line", arg=line)
+        self.holds("line => __ropsim.state().ghost?.line === line", arg=line)
         self.page.get_by_text(f"Ghost: line {line}").wait_for()
 
     def slider(self) -> "Locator":
@@ -283,21 +292,21 @@ class StudioPage:
 
     def rerun(self, shown: int) -> None:
         """Wait for a good run after the one that was the `shown`-th."""
-        self.page.wait_for_function(NEWER, arg=shown)
+        self.holds(NEWER, arg=shown)
 
     def revert_all(self) -> None:
         """Give up all texts that are not saved, and wait for the run of what the files have."""
         for name in self.state()["unsaved"]:
             # Once what was typed has been run, the next run can only be that of the file.
-            self.page.wait_for_function("() => __ropsim.state().settled")
+            self.holds("() => __ropsim.state().settled")
             self.document(name.removeprefix("programs/"))
             self.page.evaluate("() => __ropsim.command('file.revert')")
-            self.page.wait_for_function(REVERTED, arg=name)
+            self.holds(REVERTED, arg=name)
             self.drawn()  # what was shown of the run before may have moved the text
 
     def has_texts(self, texts: Mapping[str, str]) -> None:
         """Wait until the page has these texts by name and the run of them."""
-        self.page.wait_for_function(TEXTS, arg=dict(texts))
+        self.holds(TEXTS, arg=dict(texts))
 
     # ---- for the report of a failed test ----
 
