@@ -99,6 +99,20 @@ describe('a welcome', () => {
   })
 })
 
+describe('texts that the server sends', () => {
+  it('renew what may be chosen where they are of tasks and new to the page', () => {
+    receiver.receive(WELCOME)
+    const renewed = vi.spyOn(studio, 'renewTasks').mockReturnValue()
+    const told = (name: string, text: string | null) =>
+      receiver.receive({ type: 'documents', documents: [{ ...document(name), text }] })
+    told('programs/place.task', 'program place')
+    told('kb/own.pl', null)
+    expect(renewed).toHaveBeenCalledTimes(0)
+    told('kb/own.pl', 'goal(done/0).')
+    expect(renewed).toHaveBeenCalledTimes(1)
+  })
+})
+
 describe('a scene', () => {
   it('keeps the selected body, wherever it stands now', () => {
     receiver.receive(sceneMessage(scene))

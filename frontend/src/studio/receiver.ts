@@ -4,6 +4,7 @@ import type { Finding, Run } from '../run/run'
 import { words } from '../text/messages'
 import type { LiveStatus, Message, Notice, RunStatus, SceneMessage, Welcome } from '../wire/messages'
 import type { ChosenTasks } from './chosen_tasks'
+import { isTaskText } from './document_names'
 import type { Jog } from './jog'
 import { type Look, lookFrom } from './look'
 import type { Loop } from './loop'
@@ -33,6 +34,7 @@ export interface Receiving {
   readonly tasks: ChosenTasks
   readonly forms: TaskForms
   readonly view: RunView
+  renewTasks(): void
   notify(level: 'error' | 'warning' | 'info', text: string, hint?: string, code?: string): void
   select(body: number | null): void
   setFindings(source: string, findings: readonly Finding[], texts?: Texts): void
@@ -67,6 +69,8 @@ export class Receiver {
         studio.desk.documents.update(documents)
         studio.desk.sync()
         studio.textsMoved()
+        // What was reverted, or has changed on the disk, says other tasks.
+        if (documents.some(one => one.text !== null && isTaskText(one.name))) studio.renewTasks()
       },
       editing: ({ editing }) => {
         studio.store.setState({ editing })

@@ -167,11 +167,11 @@ export class Studio {
   edit(document: string, text: string): void {
     this.desk.edit(document, text)
     this.textsMoved()
-    if (isTaskText(document)) this.#renewTasks()
+    if (isTaskText(document)) this.renewTasks()
   }
 
   /** A text of tasks has changed: what may be chosen is asked anew, when typing rests. */
-  #renewTasks(): void {
+  renewTasks(): void {
     window.clearTimeout(this.#renewing)
     this.#renewing = window.setTimeout(() => {
       this.desk.flush()
@@ -256,7 +256,7 @@ export class Studio {
       this.desk.create(document, checked.text)
     }
     this.forms.close()
-    this.#renewTasks()
+    this.renewTasks()
   }
 
   openProject(path: string): void {
@@ -290,6 +290,12 @@ export class Studio {
   /** Show a place in the editor. */
   goTo(document: string, line: number, column = 1): void {
     this.desk.goTo({ document, line, column })
+  }
+
+  /** Show a place in the editor, which another panel may hide. */
+  showText(document: string, line: number, column: number): void {
+    this.dock?.show('program')
+    this.goTo(document, line, column)
   }
 
   /** Show a line of the shown run where it stands in the text of now; nothing where it is gone. */

@@ -68,7 +68,7 @@ export const taskWords = {
   seconds: (seconds: number) => `about ${seconds.toFixed(1)} s`,
   timing: 'being planned …',
   noTime: 'not known',
-  at: (document: string, line: number) => `${document}, line ${line}: `,
+  at: (document: string, line: number) => `${document}, line ${line}`,
   refused: (count: number) => (count === 1 ? '1 step is refused' : `${count} steps are refused`),
   allAccepted: (count: number) => (count === 1 ? '1 step, accepted' : `${count} steps, all accepted`),
   text: 'Show the text',

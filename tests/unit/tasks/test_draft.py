@@ -190,8 +190,19 @@ def test_a_world_is_told_by_its_gripper_and_parts() -> None:
     state = WorldState.of(*facts.split("|"), "at(d, p(1.0, 2.0, 3.0))")
     found = world_table(state, {(1.0, 2.0, 3.0): "point_1"})
     assert found == WorldTable("closed", "a", (("b", "s1"), ("c", ""), ("d", "point_1")), ("inserted(b)",))
-    bare = world_table(WorldState.of("tool(glue)", "without_gripper(glue)", "follows(c, b)", "at(b, s1)"), {})
-    assert bare == WorldTable("none", "", (("b", "s1"), ("c", "behind b in the supply")), ("the tool glue",))
+    bare = world_table(WorldState.of("tool(glue)", "without_gripper(glue)"), {})
+    assert bare == WorldTable("none", "", (), ("the tool glue",))
+
+
+def test_parts_that_wait_in_a_supply_are_counted() -> None:
+    queue = [f"follows(box_{k + 1}, box_{k})" for k in range(9, 12)]
+    lying = [f"at(box_{k}, s{k})" for k in (2, 10, 9, 1)]
+    found = world_table(WorldState.of("follows(nut_2, nut_1)", "at(nut_1, s3)", *queue[1:], *lying), {})
+    assert [name for name, _ in found.parts] == ["box_1", "box_2", "box_9", "box_10", "nut_1"]
+    assert found.others == (
+        "box_11 and 1 more in the supply behind box_10",
+        "nut_2 in the supply behind nut_1",
+    )
 
 
 def test_the_lists_of_a_project_are_its_files_and_nothing_else(tmp_path: Path) -> None:

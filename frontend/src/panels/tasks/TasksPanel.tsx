@@ -184,7 +184,7 @@ function Wrong({ finding }: { finding: Finding }) {
         <button
           type="button"
           className="wrong-place"
-          onClick={() => studio.goTo(document, span.line, span.column)}
+          onClick={() => studio.showText(document, span.line, span.column)}
         >
           {taskWords.at(document, span.line)}
         </button>
