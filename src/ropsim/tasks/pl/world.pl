@@ -5,6 +5,7 @@
 :- use_module(library(lists)).
 :- use_module(library(apply)).
 :- use_module(library(ordsets)).
+:- use_module(library(assoc)).
 :- use_module(library(solution_sequences)).
 
 most_ways(200).                % so many ways to fill in what is not told are tried
@@ -83,13 +84,25 @@ pattern(Gone, Effect, State, After) :-
     ;   After = State
     ).
 
-filled([], _, State, State).
-filled([Place|Places], Supply, State, After) :-
-    (   member(at(Part, Supply), State)
-    ->  applied([- at(Part, Supply), + at(Part, Place), - free(Place)], State, State1),
-        ( memberchk(at(_, Supply), State1) -> State2 = State1 ; ord_union(State1, [free(Supply)], State2) ),
-        filled(Places, Supply, State2, After)
+%   filled(+Places, +Supply, +State, -After): the part at a supply and those behind it lie at these places, as far as they go.
+filled(Places, Supply, State, After) :-
+    (   memberchk(at(Part, Supply), State)
+    ->  findall(Before-Next, member(follows(Next, Before), State), Pairs),
+        sort(1, @<, Pairs, Queue), list_to_assoc(Queue, Behind),
+        taken(Places, Part, Supply, Behind, Gone0, New0),
+        sort(Gone0, Gone), sort(New0, New),
+        ord_subtract(State, Gone, Kept),
+        ord_union(Kept, New, After)
     ;   After = State
+    ).
+
+%   taken(+Places, +Part, +Supply, +Behind, -Gone, -New): Part is the one at the supply now.
+taken([], Part, Supply, _, [], [at(Part, Supply)]).
+taken([Place|Places], Part, Supply, Behind, [at(Part, Supply), free(Place)|Gone], [at(Part, Place)|New]) :-
+    (   get_assoc(Part, Behind, Next)
+    ->  Gone = [follows(Next, Part)|Gone1],
+        taken(Places, Next, Supply, Behind, Gone1, New)
+    ;   Gone = [], New = [free(Supply)]
     ).
 
 %   chosen(+Parameters, +State): what preconditions have left open is one of its kind, or the value where none is told.
