@@ -31,6 +31,7 @@ REACH = 48
 above what closes nothing: the other end may be misspelt, and is mended where both stand in one piece."""
 
 _NOTABLE = those_with(~BEGINS)
+_STATING = those_with(STATES)
 _OF_BLOCKS = those_with(OPENS | CLOSES)
 _OPENED_BY = {word: opener for opener, words in OPENERS.items() for word in words}
 
@@ -137,11 +138,14 @@ def _cuts(lines: Sequence[str], kinds: bytes, start: int, end: int, closed: dict
         in_contract = in_contract or bool(kind & STATES)
         if kind & RUNS_ON:
             goes_on = number + MAX_JOINED
-        if kind & OPENS and number > closes_at:
-            if number in closed:
-                closes_at = closed[number]
-            else:
-                unended = _unended(lines, number, unended)
+        if kind & OPENS and number not in closed:
+            unended = _unended(lines, number, unended) if number > closes_at else unended
+        elif kind & OPENS and _STATING.search(kinds, number, closed[number]):
+            closes_at = max(closes_at, closed[number])
+        elif kind & OPENS:  # no line of the block is one to cut at
+            first, number = number + 1, closed[number]
+            size += number + 1 - first - kinds.count(0, first, number + 1)
+            goes_on = number + MAX_JOINED if kinds[number] & RUNS_ON else 0
     return found
 
 

@@ -8,7 +8,7 @@ from zlib import crc32
 from ropsim.language.syntax.lines import bracket_depth
 from ropsim.language.syntax.words import END, HEADS, OPENERS
 
-ONE_OF = 32
+ONE_OF = 20
 """So many lines have one among them, on average, before which a piece ends."""
 
 BEGINS, MARKED, OPENS, CLOSES, RUNS_ON, STATES, DIVIDES, TASK = 1, 2, 4, 8, 16, 32, 64, 128
