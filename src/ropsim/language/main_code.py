@@ -14,6 +14,7 @@ from ropsim.program import (
     SourceMap,
     draft_of,
     joined,
+    jumps_in,
     lower_end,
     lower_part,
     lower_start,
@@ -86,7 +87,12 @@ def lowered_part(db: Database, unit: str, axes: int | None) -> Lowered:
 
 def code_at(db: Database, unit: str, axes: int | None, start: int) -> tuple[icr.Step, ...]:
     """Return the code of a part that begins at an instruction."""
-    return shifted(db.ask(lowered_part, unit, axes).code, start)
+    return shifted(db.ask(lowered_part, unit, axes).code, start, db.ask(jumps_of, unit, axes))
+
+
+def jumps_of(db: Database, unit: str, axes: int | None) -> tuple[int, ...]:
+    """Return which instructions of a part are jumps."""
+    return jumps_in(db.ask(lowered_part, unit, axes).code)
 
 
 def lines_of(db: Database, unit: str, axes: int | None) -> tuple[int, ...]:

@@ -40,6 +40,7 @@ from ropsim.program.lowering.procedure import lower_end as lower_end
 from ropsim.program.lowering.procedure import lower_part as lower_part
 from ropsim.program.lowering.procedure import lower_start as lower_start
 from ropsim.program.lowering.procedure import lower_task as lower_task
+from ropsim.program.lowering.shifting import jumps_in as jumps_in
 from ropsim.program.lowering.shifting import shifted as shifted
 from ropsim.program.move import Guard as Guard
 from ropsim.program.move import Move as Move

@@ -59,8 +59,8 @@ class SourceMap:
         places = self.units.get(unit)
         if places is None:
             return numbers if unit == self.source else (0,) * len(numbers)
-        first, offsets = places.first, places.offsets
-        return tuple(first + offsets[number - 1] if number else 0 for number in numbers)
+        lying = (0, *map(places.first.__add__, places.offsets))
+        return tuple(map(lying.__getitem__, numbers))
 
     def finding(self, finding: Diagnostic) -> Diagnostic:
         """Return a finding with all its places in the text."""

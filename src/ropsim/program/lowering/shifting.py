@@ -5,13 +5,29 @@ from ropsim.icr import Step
 _JUMPS = frozenset(("JMP", "JF", "JT"))
 
 
-def shifted(code: tuple[Step, ...], by: int) -> tuple[Step, ...]:
-    """Return code that stands so many instructions further back than it was made for."""
-    if not by:
+def jumps_in(code: tuple[Step, ...]) -> tuple[int, ...]:
+    """Return which instructions of some code are jumps to others of it."""
+    return tuple(
+        index
+        for index, step in enumerate(code)
+        if step.mnemonic in _JUMPS and isinstance(step.operands[0], int)
+    )
+
+
+def shifted(code: tuple[Step, ...], by: int, jumps: tuple[int, ...] | None = None) -> tuple[Step, ...]:
+    """Return code that stands so many instructions further back than it was made for.
+
+    Args:
+        code: the instructions.
+        by: how many further back they stand.
+        jumps: which of them are jumps, where that is known.
+    """
+    jumps = jumps_in(code) if jumps is None else jumps
+    if not by or not jumps:
         return code
     moved = list(code)
-    for index, step in enumerate(code):
-        target = step.operands[0] if step.mnemonic in _JUMPS else None
-        if isinstance(target, int):
-            moved[index] = Step(step.mnemonic, (target + by,))
+    for index in jumps:
+        target = code[index].operands[0]
+        assert isinstance(target, int)
+        moved[index] = Step(code[index].mnemonic, (target + by,))
     return tuple(moved)
