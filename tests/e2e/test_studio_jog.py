@@ -7,8 +7,9 @@ import numpy as np
 import pytest
 
 from ropsim.flow import Recording
+from ropsim.simulation import RunOptions
 from ropsim.spatial import Array, Pose
-from ropsim.workbench import Project
+from ropsim.workbench import Project, begin_session, reply_to
 from support.arm_poses import apart, body_poses, joints_at, shown, worst_apart
 from support.browser import UNDRAWN
 from support.studio_page import TWO_FRAMES, StudioPage
@@ -292,3 +293,37 @@ def test_every_direction_of_the_tcp_is_in_sight(
     for name in ("Joint 6", "X", "Y", "Z", "Roll", "Pitch", "Yaw"):
         expect(panel.get_by_label(f"{name}, typed value")).to_be_in_viewport(ratio=1)
     tab.page.set_viewport_size({"width": 1280, "height": 800})
+
+
+def test_typed_commands_are_carried_out_from_where_the_robot_stands(
+    tab: StudioPage, first_project: Project, first_run: Recording
+) -> None:
+    begun = begin_session(first_project, RunOptions())
+    expected = reply_to(begun, "mov pick_up above 60", RunOptions()).session.recording
+    assert first_project.cell is not None
+    tab.page.keyboard.press("Control+Alt+c")
+    line, log = tab.page.get_by_role("combobox", name="Command"), tab.page.get_by_role("log")
+    log.get_by_text("0.000 s (+0.000 s)").wait_for()
+    line.fill("mov pick")
+    line.press("Tab")
+    tab.until(lambda: line.input_value() == "mov pick_up")
+    line.press_sequentially(" above 60")
+    line.press("Enter")
+    tab.page.wait_for_function("() => __ropsim.state().told")
+    assert tab.state()["duration"] == pytest.approx(expected.duration)
+    tab.seek(expected.duration)
+    there = body_poses(first_project.cell, joints_at(expected, expected.duration))
+    assert max(worst_apart(tab.poses(), there)) < SHOWN
+    line.fill("mvo pick_up")
+    line.press("Enter")
+    log.get_by_text("Task not defined: mvo").wait_for()
+    assert log.locator(".told-finding pre").text_content() == "  ^^^"
+    line.press("ArrowUp")
+    line.press("ArrowUp")
+    assert line.input_value() == "mov pick_up above 60"
+    tab.page.get_by_role("button", name="Undo command").click()
+    tab.page.wait_for_function("() => __ropsim.state().duration === 0")
+    assert max(worst_apart(tab.poses(), body_poses(first_project.cell, joints_at(first_run, 0.0)))) < SHOWN
+    tab.page.get_by_role("button", name="Show the program’s run").click()
+    tab.page.wait_for_function("() => !__ropsim.state().told")
+    assert tab.state()["duration"] == pytest.approx(first_run.duration)

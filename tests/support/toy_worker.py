@@ -31,6 +31,8 @@ def main(connection: Connection) -> None:
                 | jobs.ListTasks()
                 | jobs.CheckTasks()
                 | jobs.EstimateTasks()
+                | jobs.Tell()
+                | jobs.OfferWords()
             ):
                 connection.send(jobs.Answer(request.number, _reply(connection, request)))
 
@@ -56,8 +58,31 @@ def _reply(connection: Connection, request: jobs.Request) -> jobs.Reply:
             return jobs.Failed("given up")
         case jobs.EstimateTasks(_, _, number, program):
             return jobs.TasksReply({"type": "tasks_estimated", "id": number, "program": program})
+        case job:
+            return _tell(connection, job)
+
+
+def _tell(connection: Connection, job: object) -> jobs.Reply:
+    if isinstance(job, jobs.OfferWords):
+        return jobs.OfferedReply(job.line, (*job.commands, *sorted(job.texts)))
+    if not isinstance(job, jobs.Tell):
+        return jobs.Failed("this toy cannot do that")
+    match job.line.split():
+        case []:
+            return jobs.ToldReply(job.commands, "answered", ("it stands",))
+        case ["crash"]:
+            os._exit(3)
+        case ["endless"]:
+            while not isinstance(connection.recv().content, jobs.Cancel):
+                pass
+            return jobs.Failed("given up")
+        case ["repeat", *_]:
+            return jobs.ToldReply(job.commands, "open")
+        case ["save", name]:
+            return jobs.ToldReply(job.commands, "answered", program=(name, "\n".join(job.commands)))
         case _:
-            return jobs.Failed("this toy cannot do that")
+            commands = (*job.commands, job.line)
+            return jobs.ToldReply(commands, "moved", pack=" ".join(commands).encode(), since=1.0)
 
 
 def _check(number: int, steps: jobs.TaskSteps) -> jobs.Reply:

@@ -15,6 +15,7 @@ export const PANELS = [
   'signals',
   'cell',
   'tasks',
+  'command',
   'help',
 ] as const
 export type PanelKind = (typeof PANELS)[number]
@@ -68,6 +69,12 @@ export class Dock {
     let number = 2
     while (this.#api.getPanel(`plot${number}`)) number++
     this.#add(`plot${number}`, 'plot', this.#neighbour('plot'), `${words.panels.plot} ${number}`)
+  }
+
+  /** Close a panel if it is open. */
+  leave(kind: PanelKind): void {
+    const panel = this.#api.getPanel(kind)
+    if (panel) this.close(panel)
   }
 
   closeActive(): void {
@@ -144,7 +151,7 @@ export class Dock {
       const program = right('program', Math.max(300, Math.min(620, wide * 0.4)))
       const states = below('states', program, tall * 0.46)
       for (const kind of ['problems', 'messages', 'jog', 'signals', 'cell'] as const) within(kind, states)
-      below('plot', views, Math.max(190, tall * 0.32))
+      within('command', below('plot', views, Math.max(190, tall * 0.32)))
     } else if (preset === 'write') {
       const program = right('program', wide * 0.55)
       const problems = below('problems', program, 180)
@@ -160,6 +167,7 @@ export class Dock {
       const signals = right('signals', Math.min(420, wide * 0.36))
       const jog = below('jog', signals, tall * 0.55)
       within('states', jog)
+      within('command', jog)
       within('program', signals)
     } else if (preset === 'tasks') {
       const tasks = right('tasks', Math.max(560, wide * 0.62))
@@ -190,9 +198,11 @@ export class Dock {
     const open = (kinds: readonly string[]) =>
       this.#api.panels.find(panel => kinds.some(one => panel.id.startsWith(one)))
     const side = open(['states', 'jog', 'signals', 'cell', 'problems', 'messages', 'program', 'tasks'])
-    const reference = kind === 'plot' ? (open(['plot']) ?? open(['views'])) : (side ?? this.#api.panels[0])
+    // At the foot of the views: plots, and the line for commands.
+    const foot = kind === 'plot' || kind === 'command'
+    const reference = foot ? (open(['plot', 'command']) ?? open(['views'])) : (side ?? this.#api.panels[0])
     if (!reference) return undefined
-    if (kind === 'plot' && reference.id === 'views') return { referencePanel: reference, direction: 'below' }
+    if (foot && reference.id === 'views') return { referencePanel: reference, direction: 'below' }
     return { referencePanel: reference, direction: reference.id === 'views' ? 'right' : 'within' }
   }
 
@@ -224,9 +234,12 @@ function holdsFocus({ element, panels }: DockviewApi['groups'][number]): boolean
 function focusInside(panel: IDockviewPanel): void {
   requestAnimationFrame(() => {
     const inside = panel.view.content.element
-    const target = inside.querySelector<HTMLElement>(
-      '[tabindex="0"], .cm-content, button:not(:disabled), input:not(:disabled), select:not(:disabled)',
-    )
+    const first = inside.querySelector<HTMLElement>('[data-first]:not(:disabled)')
+    const target =
+      first ??
+      inside.querySelector<HTMLElement>(
+        '[tabindex="0"], .cm-content, button:not(:disabled), input:not(:disabled), select:not(:disabled)',
+      )
     target?.focus()
   })
 }

@@ -55,7 +55,9 @@ function addTexts(studio: Studio, add: Add): void {
 function addExports(studio: Studio, add: Add): void {
   const state = () => studio.store.getState()
   const name = () => state().program || state().project || 'run'
-  const finished = { enabled: () => state().finished > 0 && state().connection === 'connected' }
+  const finished = {
+    enabled: () => state().finished > 0 && !state().told && state().connection === 'connected',
+  }
   const keep = (ending: string) => async () => {
     try {
       if (await saveRun(state().finished, ending, name())) return

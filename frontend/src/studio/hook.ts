@@ -65,6 +65,7 @@ export function installHook(studio: Studio): void {
         shown,
         simulated: status?.simulated ?? 0,
         stale,
+        told: store.getState().told,
         connection,
         editing,
         live: live?.state ?? 'none',

@@ -20,6 +20,9 @@ const PlotPanel = lazy(async () => ({ default: (await import('../panels/PlotPane
 // So are the pages of the help.
 const HelpPanel = lazy(async () => ({ default: (await import('../panels/HelpPanel')).HelpPanel }))
 
+// The command line is for whoever tells the robot what to do line by line.
+const CommandPanel = lazy(async () => ({ default: (await import('../panels/CommandPanel')).CommandPanel }))
+
 // The tasks are for whoever makes a program without writing one.
 const TasksPanel = lazy(async () => ({ default: (await import('../panels/tasks/TasksPanel')).TasksPanel }))
 
@@ -49,5 +52,6 @@ export const panels: Record<PanelKind, FunctionComponent<IDockviewPanelProps>> =
   signals: guarded('signals', SignalsPanel),
   cell: guarded('cell', CellPanel),
   tasks: guarded('tasks', TasksPanel),
+  command: guarded('command', CommandPanel),
   help: guarded('help', HelpPanel),
 }

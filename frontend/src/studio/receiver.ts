@@ -4,6 +4,7 @@ import type { Finding, Run } from '../run/run'
 import { words } from '../text/messages'
 import type { LiveStatus, Message, Notice, RunStatus, SceneMessage, Welcome } from '../wire/messages'
 import type { ChosenTasks } from './chosen_tasks'
+import type { CommandLine } from './command_line'
 import { isTaskText } from './document_names'
 import type { Jog } from './jog'
 import { type Look, lookFrom } from './look'
@@ -33,6 +34,7 @@ export interface Receiving {
   readonly signals: SignalBoard
   readonly tasks: ChosenTasks
   readonly forms: TaskForms
+  readonly commandLine: CommandLine
   readonly view: RunView
   renewTasks(): void
   notify(level: 'error' | 'warning' | 'info', text: string, hint?: string, code?: string): void
@@ -96,6 +98,9 @@ export class Receiver {
       task_form: message => studio.forms.receive(message),
       task_form_checked: message => studio.forms.receiveChecked(message),
       tasks_estimated: message => studio.tasks.receiveEstimate(message),
+      command_line: message => studio.commandLine.receiveState(message),
+      line_answered: message => studio.commandLine.receive(message),
+      words_offered: message => studio.commandLine.receiveWords(message),
       notice: ({ level, text, hint, code }) => studio.notify(level, text, hint, code),
       robots: ({ names }) => studio.store.setState({ robots: names }),
       folders: folders => studio.store.setState({ folders }),
@@ -146,6 +151,7 @@ export class Receiver {
     studio.desk.flush()
     studio.jog.reconnected()
     studio.tasks.renew()
+    studio.commandLine.reconnected()
     const recovered = message.documents.filter(one => one.recovered).map(one => one.name)
     if (recovered.length) studio.notify('warning', words.recovered(recovered.join(', ')), words.recoveredHint)
   }
@@ -184,7 +190,8 @@ export class Receiver {
     // What is said of a text that has been typed back meanwhile is no news.
     const now = studio.desk.now()
     const isBack = studio.lines.isOf(now) && !isOfTexts(texts, now)
-    if (run && !isBack && ['refused', 'failed'].includes(status.state)) studio.view.setStale('stale')
+    const { told } = studio.store.getState()
+    if (run && !told && !isBack && ['refused', 'failed'].includes(status.state)) studio.view.setStale('stale')
     if (status.state === 'failed') studio.notify('error', words.run.failed(status.message))
   }
 

@@ -18,11 +18,13 @@ export interface RunWires {
 
 /** Which run it is, and of which texts. */
 export interface RunTexts {
-  /** Number under which the server has it; 0 for a live run. */
+  /** Number under which the server has it; 0 for a live run and for one of commands. */
   readonly id: number
   readonly texts: Texts
   /** Of an older text: a live run stays the result where the text was changed beside it. */
   readonly age: RunAge
+  /** Of a program, or of commands that were typed one by one. */
+  readonly of: 'program' | 'commands'
 }
 
 export class Runs {
@@ -35,7 +37,7 @@ export class Runs {
   #early: ArrayBuffer | null = null
   #newest = 0
   /** The run that is on its way, and the one that is shown. */
-  #wanted: RunTexts = { id: 0, texts: NOW, age: 'newest' }
+  #wanted: RunTexts = { id: 0, texts: NOW, age: 'newest', of: 'program' }
   #shown = this.#wanted
   #frames = 0
   #latency = Number.NaN
@@ -48,7 +50,7 @@ export class Runs {
     return this.#run
   }
 
-  /** Number under which the server has the shown run; 0 for none and for a live one. */
+  /** Number under which the server has the shown run; 0 for none, a live one and one of commands. */
   get id(): number {
     return this.#shown.id
   }
@@ -74,8 +76,14 @@ export class Runs {
 
   /** A run is done: fetch it and show it, unless a newer one is done before it is here. */
   async take(id: number, texts: Texts = NOW, age: RunAge = 'newest'): Promise<void> {
-    this.#wanted = { id, texts, age }
-    await this.#take(++this.#newest, () => fetchPack(id))
+    this.#wanted = { id, texts, age, of: 'program' }
+    await this.#take(++this.#newest, () => fetchPack('run', id))
+  }
+
+  /** The robot of the command line has carried out a command: fetch the run of all and show it. */
+  async takeCommands(id: number): Promise<void> {
+    this.#wanted = { id: 0, texts: NOW, age: 'newest', of: 'commands' }
+    await this.#take(++this.#newest, () => fetchPack('told', id))
   }
 
   async #take(order: number, fetch: () => Promise<ArrayBuffer>): Promise<void> {
@@ -93,7 +101,7 @@ export class Runs {
     this.#newest += 1
     this.#live = new LiveRun(this.#scene, layout)
     this.#frames = 0
-    this.#show(this.#live, { id: 0, texts, age: 'newest' })
+    this.#show(this.#live, { id: 0, texts, age: 'newest', of: 'program' })
   }
 
   place(placed: Placed): void {
@@ -139,8 +147,8 @@ export class Runs {
   }
 }
 
-async function fetchPack(id: number): Promise<ArrayBuffer> {
-  const answer = await fetch(`/run/${id}.pack`, { credentials: 'same-origin' })
+async function fetchPack(kind: 'run' | 'told', id: number): Promise<ArrayBuffer> {
+  const answer = await fetch(`/${kind}/${id}.pack`, { credentials: 'same-origin' })
   if (!answer.ok) throw new Error(words.run.gone(answer.status))
   return answer.arrayBuffer()
 }

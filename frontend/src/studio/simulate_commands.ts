@@ -64,6 +64,14 @@ export function addSimulate(studio: Studio, group: Grouped): void {
   live('live.forget', words.signals.forget, [], () => studio.forgetPresses(), {
     enabled: () => (state().status?.inputs ?? 0) > 0 || state().presses.length > 0,
   })
+  const told = group('Simulate', 'command')
+  told('command.line', titles.commandLine, ['Ctrl+Alt+C'], () => studio.dock?.show('command'))
+  told('command.undo', titles.undoCommand, [], () => void studio.commandLine.tell('undo'), {
+    enabled: () => connected.enabled() && !isLive() && studio.commandLine.commands > 0,
+  })
+  told('command.back', titles.programRun, [], () => studio.showProgramRun(), {
+    enabled: () => state().told && state().finished > 0,
+  })
   const hand = group('Simulate', 'jog')
   hand('jog.start', words.jog.start, ['Ctrl+J'], () => studio.jogInSight(), {
     enabled: () => connected.enabled() && state().scene !== null,

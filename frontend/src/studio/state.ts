@@ -61,6 +61,8 @@ export interface StudioState {
   readonly older: boolean
   /** The text has changed since the shown run, and has no good run. */
   readonly stale: boolean
+  /** The shown run is that of typed commands. */
+  readonly told: boolean
   readonly scene: SceneDescription | null
   /** False until the server has said how the cell looks. */
   readonly sceneKnown: boolean
@@ -109,6 +111,7 @@ const START: StudioState = {
   changed: false,
   older: false,
   stale: false,
+  told: false,
   scene: null,
   sceneKnown: false,
   cellBroken: false,

@@ -15,6 +15,7 @@ import type { Command } from '../wire/commands'
 import { Connection } from '../wire/connection'
 import { programWord } from './chosen_step'
 import { ChosenTasks } from './chosen_tasks'
+import { CommandLine } from './command_line'
 import { Commands } from './commands'
 import type { Dock } from './dock'
 import { isTaskText, programIn, stationOf } from './document_names'
@@ -71,6 +72,7 @@ export class Studio {
   readonly jog: Jog
   readonly signals: SignalBoard
   readonly tasks: ChosenTasks
+  readonly commandLine: CommandLine
   readonly forms = new TaskForms({ send: command => this.send(command) })
   readonly connection: Connection
   readonly lines = new RunLines({
@@ -81,6 +83,8 @@ export class Studio {
   readonly plots = new Set<ShownPlot>()
   storage = new ProjectStorage('')
   #renewing = 0
+  /** From where the run of commands is played that is on its way [s]. */
+  #since = 0
   /** Null until the panels stand. */
   dock: Dock | null = null
   /** The timeline that is shown, null until it stands. */
@@ -129,6 +133,14 @@ export class Studio {
         mark()
       },
       keep: steps => this.storage.write('steps', steps),
+      undo: this.undo,
+    })
+    this.commandLine = new CommandLine({
+      send,
+      show: (run, since) => this.#showCommands(run, since),
+      keep: lines => this.storage.write('commands', lines),
+      trouble: text => this.notify('warning', text),
+      leave: () => this.dock?.leave('command'),
       undo: this.undo,
     })
     const receiver = new Receiver(this)
@@ -366,6 +378,20 @@ export class Studio {
     return this.store.getState().stale
   }
 
+  /** Show the newest run of the program in place of that of commands. */
+  showProgramRun(): void {
+    const { status, finished } = this.store.getState()
+    if (finished === 0) return
+    const texts = this.desk.documents.history.texts(status?.id === finished ? status.versions : {})
+    void this.runs.take(finished, texts, status?.id === finished ? status.age : 'newest')
+  }
+
+  /** Show the run of all commands, and play it from where the motion of the last one begins [s]. */
+  #showCommands(run: number, since: number): void {
+    this.#since = since
+    void this.runs.takeCommands(run)
+  }
+
   /** Keep the cursor at the end of the live run. */
   follow(): void {
     this.store.setState({ following: true })
@@ -449,9 +475,19 @@ export class Studio {
     this.loop.mark()
   }
 
-  #showRun(run: Run, { texts, age }: RunTexts): void {
+  #showRun(run: Run, { texts, age, of }: RunTexts): void {
+    this.store.setState({ told: of === 'commands' })
     this.lines.showRun(texts, age)
     this.view.show(run)
+    if (of === 'commands') {
+      // What was found stands below the lines; what is listed stays that of the program.
+      this.view.setStale('current')
+      this.#compareTexts()
+      this.cursor.setLoop(null)
+      this.cursor.seek(this.#since)
+      if (this.#since < run.duration) this.cursor.play()
+      return
+    }
     this.setFindings('compile', [])
     this.setFindings('run', run.findings, texts)
     this.#lines.renew()

@@ -54,5 +54,8 @@ export const commandWords = {
   stepLive: 'One step of the live run',
   stopLive: 'End live run',
   arm: 'Arm keys as inputs',
+  commandLine: 'Tell the robot a command',
+  undoCommand: 'Undo the last command',
+  programRun: 'Show the run of the program',
   runningLine: 'Go to the running line',
 } as const

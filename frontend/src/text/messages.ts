@@ -14,6 +14,7 @@ export const words = {
     signals: 'Signals',
     cell: 'Cell',
     tasks: 'Tasks',
+    command: 'Command line',
     help: 'Help',
   },
   connection: {

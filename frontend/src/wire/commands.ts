@@ -222,6 +222,34 @@ export interface CheckTaskForm {
   readonly form: TaskFormFields
 }
 
+/** Ask what the robot of the command line was told so far; answered by `command_line`. */
+export interface OpenCommandLine {
+  readonly type: 'open_command_line'
+}
+
+/** Let the robot of the command line carry out a line; answered by `line_answered`. */
+export interface TellRobot {
+  readonly type: 'tell_robot'
+  /** Comes back in the answer. */
+  readonly id: number
+  /** A statement, of several lines where it is a block, or a word to the command line. */
+  readonly line: string
+}
+
+/** Ask what can end a line of the command line; answered by `words_offered`. */
+export interface CompleteLine {
+  readonly type: 'complete_line'
+  /** Comes back in the answer. */
+  readonly id: number
+  /** Up to the place where one types. */
+  readonly line: string
+}
+
+/** Give up the line that the robot of the command line carries out; it is as before. */
+export interface GiveUpLine {
+  readonly type: 'give_up_line'
+}
+
 /** Let code inside the project folder run, or no more. */
 export interface Trust {
   readonly type: 'trust'
@@ -254,4 +282,8 @@ export type Command =
   | CheckTasks
   | OpenTaskForm
   | CheckTaskForm
+  | OpenCommandLine
+  | TellRobot
+  | CompleteLine
+  | GiveUpLine
   | Trust

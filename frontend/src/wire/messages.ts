@@ -442,6 +442,55 @@ export interface TaskFormChecked {
   readonly faults: readonly FormFault[]
 }
 
+/** A line that was told, with what was answered. */
+export interface ToldLine {
+  /** As it was typed, several lines where it is a block. */
+  readonly line: string
+  /** What became of it. */
+  readonly outcome: 'open' | 'moved' | 'answered' | 'refused' | 'over'
+  /** What is answered. */
+  readonly told: readonly string[]
+  /** About it; lines in the text `session` count those of all commands. */
+  readonly findings: readonly Finding[]
+  /** Line of that text in which it begins. */
+  readonly first: number
+  /** Number of the run of all commands, at `/told/<run>.pack`; 0 where it is as before. */
+  readonly run: number
+  /** When the motion of this command begins in that run [s]. */
+  readonly since: number
+}
+
+/** All that was told so far; sent to a tab that opens the command line. */
+export interface CommandLineState {
+  readonly type: 'command_line'
+  /** In their order; the oldest ones may be left out. */
+  readonly lines: readonly ToldLine[]
+  /** How many commands the robot has carried out that were not taken back. */
+  readonly commands: number
+}
+
+/** A line was carried out or refused. */
+export interface LineAnswered {
+  readonly type: 'line_answered'
+  /** Of the line; 0 for a line of another tab. */
+  readonly id: number
+  /** With what was answered. */
+  readonly line: ToldLine
+  /** How many commands the robot has carried out that were not taken back. */
+  readonly commands: number
+}
+
+/** What can end a line. */
+export interface WordsOffered {
+  readonly type: 'words_offered'
+  /** Of the question. */
+  readonly id: number
+  /** The word at the end, as far as it stands there. */
+  readonly begun: string
+  /** By name; they begin as that does. */
+  readonly words: readonly string[]
+}
+
 /** Something to tell the user. */
 export interface Notice {
   readonly type: 'notice'
@@ -503,6 +552,9 @@ export type Message =
   | TasksEstimated
   | TaskFormOpened
   | TaskFormChecked
+  | CommandLineState
+  | LineAnswered
+  | WordsOffered
   | Notice
   | Answered
   | Folders

@@ -5,7 +5,7 @@ import sys
 from collections.abc import Callable
 from pathlib import Path
 
-from ropsim.lsp import Document, Position, Workshop, proposed
+from ropsim.lsp import Workshop, offered
 from ropsim.userfiles import state_folder
 
 LONGEST_HISTORY = 1000
@@ -27,7 +27,7 @@ class LineEditor:
         self._text = text
         self._place = place
         self._workshop = Workshop()
-        self._found: list[str] = []
+        self._found: tuple[str, ...] = ()
         self.is_typed = sys.stdin.isatty() and sys.stdout.isatty()
         if self.is_typed:
             self._prepare()
@@ -53,15 +53,9 @@ class LineEditor:
                 readline.set_history_length(LONGEST_HISTORY)
                 readline.write_history_file(path)
 
-    def offered(self, line: str) -> list[str]:
+    def offered(self, line: str) -> tuple[str, ...]:
         """Return what can stand where a line ends, as far as it begins like the word there."""
-        text = f"{self._text()}\n{line}"
-        number = text.count("\n")
-        document = Document(self._place.absolute().as_uri(), 0, text)
-        found = proposed(document, Position(number, len(line.encode("utf-16-le")) // 2), {}, self._workshop)
-        labels = sorted({str(one["label"]) for one in found})
-        begun = line[len(line.rstrip("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_")) :]
-        return [label for label in labels if label.lower().startswith(begun.lower())]
+        return offered(self._text(), line, self._place, self._workshop)
 
     def _prepare(self) -> None:
         try:
@@ -77,7 +71,7 @@ class LineEditor:
         import readline
 
         if number == 0:
-            self._found = [*self.offered(readline.get_line_buffer()[: readline.get_endidx()])]
+            self._found = self.offered(readline.get_line_buffer()[: readline.get_endidx()])
         del begun
         return self._found[number] if number < len(self._found) else None
 

@@ -3,56 +3,70 @@
 import argparse
 import sys
 from collections.abc import Iterator
-from dataclasses import dataclass
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ropsim.cli.line_editor import LineEditor
 from ropsim.cli.output import Output, cannot_write
-from ropsim.cli.robot_state import state_text
-from ropsim.core import RopsimError, replace_file
-from ropsim.language import goes_on
+from ropsim.core import Diagnostic, replace_file
 from ropsim.workbench import (
-    NOT_IN_SESSION,
-    NOT_WRITABLE,
-    ProjectError,
+    Outcome,
+    SavedProgram,
     Session,
     begin_session,
+    is_complete,
     open_project,
-    saved,
-    taken_back,
-    told,
+    reply_to,
+    standing,
 )
 
 if TYPE_CHECKING:
     from ropsim.simulation import RunOptions
 
-HELP = """\
-A statement of the task language is carried out at once; one that fails changes nothing. The declarations and
-tasks of the project's program are known. A block is carried out when it is closed, or at an empty line.
-  undo         take the last command back
-  list         print the commands
-  save NAME    write them as task NAME to programs/NAME.task
-  help, quit (or exit)"""
-
 _PROMPT, _MORE = "> ", ". "
 
 
-@dataclass(slots=True)
 class _Talk:
     """What has been said so far.
 
     Attributes:
         session: the commands and their run.
-        refused: how many commands were not carried out.
+        refused: how many lines were not carried out.
         is_over: whether there is nothing more to say.
     """
 
-    session: Session
-    options: "RunOptions"
-    output: Output
-    refused: int = 0
-    is_over: bool = False
+    def __init__(self, session: Session, options: "RunOptions", output: Output) -> None:
+        self.session = session
+        self.refused = 0
+        self.is_over = False
+        self._options = options
+        self._output = output
+
+    def say(self, line: str) -> None:
+        """Have a line carried out and print what is answered."""
+        reply = reply_to(self.session, line, self._options)
+        texts = (reply.asked or reply.session).texts
+        self._output.findings(reply.diagnostics, texts)
+        for told in reply.lines:
+            self._output.text(told)
+        self.session = reply.session
+        self.is_over = reply.outcome is Outcome.OVER
+        refused = reply.outcome is Outcome.REFUSED
+        if reply.program is not None and (finding := self._write(reply.program)) is not None:
+            self._output.failure(finding)
+            refused = True
+        self.refused += refused
+
+    def _write(self, program: SavedProgram) -> Diagnostic | None:
+        """Write a program of its own; return why it could not be."""
+        folder = self.session.project.folder
+        path = folder / "programs" / f"{program.name}.task"
+        try:
+            replace_file(path, program.text.encode())
+        except OSError as error:
+            return cannot_write(str(path), error)
+        self._output.text(f"wrote {path}; next: ropsim run {folder} {program.name}")
+        sys.stdout.flush()
+        return None
 
 
 def repl(options: argparse.Namespace, output: Output) -> int:
@@ -61,28 +75,25 @@ def repl(options: argparse.Namespace, output: Output) -> int:
 
     fidelity = Fidelity.KINEMATIC if options.kinematic else Fidelity.DYNAMIC
     chosen = RunOptions(fidelity=fidelity)
-    session = begin_session(open_project(options.path), chosen)
-    talk = _Talk(session, chosen, output)
-    place = session.project.folder / "programs" / "session.task"
+    begun = begin_session(open_project(options.path), chosen)
+    talk = _Talk(begun, chosen, output)
+    place = begun.project.folder / "programs" / "session.task"
     editor = LineEditor(lambda: talk.session.whole, place)
     if editor.is_typed:
         output.text("`help` tells what can be said, Ctrl+D ends")
-    output.text(state_text(session.recording, session.project, 0.0))
-    for command in _commands(editor):
+    output.text(standing(begun, since=begun))
+    for line in _lines(editor):
         try:
-            _carry_out(talk, command)
+            talk.say(line)
         except KeyboardInterrupt:
             output.text("given up")
-        except RopsimError as error:
-            talk.refused += 1
-            output.failure(error.diagnostic)
         if talk.is_over:
             break
     editor.keep_history()
     return int(bool(talk.refused) and not editor.is_typed)
 
 
-def _commands(editor: LineEditor) -> Iterator[str]:
+def _lines(editor: LineEditor) -> Iterator[str]:
     """Yield what is typed, several lines together where a block or a statement goes on."""
     lines: list[str] = []
     while True:
@@ -94,68 +105,10 @@ def _commands(editor: LineEditor) -> Iterator[str]:
         if line is not None:
             lines.append(line)
         text = "\n".join(lines)
-        if text.strip() and (line is None or not line.strip() or not goes_on(text)):
-            yield text.rstrip()
+        if text.strip() and (line is None or is_complete(text)):
+            yield text
             lines = []
         elif not text.strip():
             lines = []
         if line is None:
             return
-
-
-def _carry_out(talk: _Talk, command: str) -> None:
-    """Carry out a statement, or a word that is said to the session."""
-    word, _, name = command.strip().partition(" ")
-    before = talk.session
-    if command.strip() in ("quit", "exit"):
-        talk.is_over = True
-    elif command.strip() == "help":
-        talk.output.text(HELP)
-    elif command.strip() == "list":
-        talk.output.text(before.text or "no commands")
-    elif command.strip() == "undo":
-        talk.session = taken_back(before, talk.options)
-        _show(talk, before)
-    elif word == "undo" and not name.lstrip().startswith("="):
-        message = "`undo` takes one command back"
-        raise ProjectError(NOT_IN_SESSION.at(None, message, hint="say `undo` once for each command"))
-    elif word == "save" and not name.lstrip().startswith("="):
-        _save(talk, name.strip())
-    else:
-        answer = told(before, command, talk.options)
-        talk.output.findings(answer.diagnostics, answer.texts)
-        talk.refused += not answer.is_taken
-        talk.session = answer.session
-        if answer.is_taken:
-            _show(talk, before)
-
-
-def _show(talk: _Talk, before: Session) -> None:
-    """Print what the program has said since, and how the robot is now."""
-    from ropsim.flow import MessageEvent
-
-    recording = talk.session.recording
-    for event in recording.events_of(MessageEvent)[len(before.recording.events_of(MessageEvent)) :]:
-        talk.output.text(f"says {event.text}")
-    took = recording.duration - before.recording.duration
-    talk.output.text(state_text(recording, talk.session.project, took))
-
-
-def _save(talk: _Talk, name: str) -> None:
-    """Write the commands as a task to a program of its own.
-
-    Raises:
-        ProjectError: X847, there is such a program, or it cannot be written; X912, none can have this name,
-            or none would do what was done.
-    """
-    path = talk.session.project.folder / "programs" / f"{name}.task"
-    if name.isidentifier() and path.exists():
-        message = f"`{path}` is there already"
-        raise ProjectError(NOT_WRITABLE.at(None, message, hint="choose another name"))
-    text = saved(talk.session, name, talk.options)
-    try:
-        replace_file(Path(path), text.encode())
-    except OSError as error:
-        raise ProjectError(cannot_write(str(path), error)) from error
-    talk.output.text(f"wrote {path}; next: ropsim run {talk.session.project.folder} {name}")
-    sys.stdout.flush()

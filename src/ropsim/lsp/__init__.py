@@ -1,8 +1,7 @@
 """The language server: findings, completion and hover for programs and cell files, on standard streams."""
 
-from ropsim.lsp.completion import proposed as proposed
-from ropsim.lsp.document import Document as Document
-from ropsim.lsp.protocol import Position as Position
+from ropsim.lsp.offered import begun_word as begun_word
+from ropsim.lsp.offered import offered as offered
 from ropsim.lsp.server import answer as answer
 from ropsim.lsp.server import settle as settle
 from ropsim.lsp.state import State as State

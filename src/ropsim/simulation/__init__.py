@@ -18,5 +18,6 @@ from ropsim.simulation.servo.state import ServoState as ServoState
 from ropsim.simulation.servo.state import StateLayout as StateLayout
 from ropsim.simulation.simulate import SimulationOptions as SimulationOptions
 from ropsim.simulation.simulate import simulate as simulate
+from ropsim.simulation.watch import NobodyWatches as NobodyWatches
 from ropsim.simulation.watch import RunView as RunView
 from ropsim.simulation.watch import Watch as Watch

@@ -13,6 +13,8 @@ from ropsim.studio.jobs import Fidelity, LiveControl, LiveOverride, LiveSpeed, N
 
 Place: TypeAlias = Annotated[str, Meta(min_length=1, max_length=4000)]
 """A path that the user has typed."""
+Typed: TypeAlias = Annotated[str, Meta(max_length=20_000)]
+"""What is typed on a command line."""
 Number: TypeAlias = Annotated[int, Meta(ge=0, le=2**53 - 1)]
 """Whole numbers of a page; larger ones are not exact there."""
 
@@ -183,6 +185,38 @@ class CheckTaskForm(Struct, frozen=True, tag_field="type", tag="check_task_form"
     form: jobs.TaskFormFields
 
 
+class OpenCommandLine(Struct, frozen=True, tag_field="type", tag="open_command_line"):
+    """Ask what the robot of the command line was told so far; answered by `command_line`."""
+
+
+class TellRobot(Struct, frozen=True, tag_field="type", tag="tell_robot"):
+    """Let the robot of the command line carry out a line; answered by `line_answered`.
+
+    Attributes:
+        id: comes back in the answer.
+        line: a statement, of several lines where it is a block, or a word to the command line.
+    """
+
+    id: Number
+    line: Typed
+
+
+class CompleteLine(Struct, frozen=True, tag_field="type", tag="complete_line"):
+    """Ask what can end a line of the command line; answered by `words_offered`.
+
+    Attributes:
+        id: comes back in the answer.
+        line: up to the place where one types.
+    """
+
+    id: Number
+    line: Typed
+
+
+class GiveUpLine(Struct, frozen=True, tag_field="type", tag="give_up_line"):
+    """Give up the line that the robot of the command line carries out; it is as before."""
+
+
 class Trust(Struct, frozen=True, tag_field="type", tag="trust"):
     """Let code inside the project folder run, or no more."""
 
@@ -215,6 +249,10 @@ Command: TypeAlias = (
     | CheckTasks
     | OpenTaskForm
     | CheckTaskForm
+    | OpenCommandLine
+    | TellRobot
+    | CompleteLine
+    | GiveUpLine
     | Trust
 )
 

@@ -79,10 +79,12 @@ class Editing:
 
     async def handle(self, tab: Tab, command: TextCommand) -> None:
         """Do what a tab wants done to a text, if it may."""
+        if isinstance(command, commands.Create):
+            refusal = await self.create(tab, command.document, command.text, command.points)
+            tab.send(Answered(None if refusal is None else notice(refusal)))
+            return
         if not self._tabs.may_edit(tab):
-            message = "another tab edits this project; nothing was changed"
-            refusal = notice(READ_ONLY.at(None, message, hint="`Take over` gives the right to this tab"))
-            tab.send(Answered(refusal) if isinstance(command, commands.Create) else refusal)
+            tab.send(notice(_may_not()))
             return
         match command:
             case commands.Edit(name, text, version):
@@ -91,12 +93,20 @@ class Editing:
                 await self._save(tab, name, Overwriting.WANTED if overwrite else Overwriting.REFUSED)
             case commands.Revert(name):
                 await self._revert(tab, name)
-            case commands.Create(name, text, points):
-                await self._create(tab, name, text, points)
             case commands.KeepPoints(name, points):
                 finding = await self.documents.keep_points(name, points, Overwriting.WANTED)
                 if finding is not None:
                     tab.send(notice(finding))
+
+    async def create(self, tab: Tab, name: str, text: str, points: str = "") -> Diagnostic | None:
+        """Make a new text for a tab, and a list of points beside it; return why that could not be done."""
+        if not self._tabs.may_edit(tab):
+            return _may_not()
+        document, finding = await self.documents.create(name, text, points)
+        if document is not None:
+            self._list_changed()
+            self._tell([document])
+        return finding
 
     def _edit(self, tab: Tab, name: str, text: str, version: int) -> None:
         document, finding = self.documents.edit(name, text, version)
@@ -129,13 +139,6 @@ class Editing:
         self._tell([document])
         self._text_changed(document)
         await self._keeper.now()
-
-    async def _create(self, tab: Tab, name: str, text: str, points: str) -> None:
-        document, finding = await self.documents.create(name, text, points)
-        if document is not None:
-            self._list_changed()
-            self._tell([document])
-        tab.send(Answered(None if finding is None else notice(finding)))
 
     async def _watch(self) -> None:
         while True:
@@ -171,6 +174,11 @@ class Editing:
 
     def _warn(self, finding: Diagnostic) -> None:
         self._tabs.tell(notice(finding))
+
+
+def _may_not() -> Diagnostic:
+    message = "another tab edits this project; nothing was changed"
+    return READ_ONLY.at(None, message, hint="`Take over` gives the right to this tab")
 
 
 def _refuse(tab: Tab, finding: Diagnostic | None) -> None:

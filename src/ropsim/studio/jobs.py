@@ -213,6 +213,29 @@ class EstimateTasks:
     program: str
 
 
+@frozen_dataclass
+class Tell:
+    """Let the simulated robot carry out a line behind commands that it was told before (`ToldReply`).
+
+    An empty line asks where it stands.
+    """
+
+    folder: str
+    texts: Mapping[str, str]
+    commands: tuple[str, ...]
+    line: str
+
+
+@frozen_dataclass
+class OfferWords:
+    """Tell what can end a line behind commands that were told before (`OfferedReply`)."""
+
+    folder: str
+    texts: Mapping[str, str]
+    commands: tuple[str, ...]
+    line: str
+
+
 # ---- orders: they carry the number of the job that they are for and have no answer of their own ----------
 
 
@@ -263,7 +286,8 @@ class Stop:
 
 
 TasksJob: TypeAlias = ListTasks | CheckTasks | EstimateTasks | OpenTaskForm | CheckTaskForm
-Job: TypeAlias = OpenScene | Simulate | LiveStart | SaveRun | JogJoints | JogTcp | TasksJob
+LineJob: TypeAlias = Tell | OfferWords
+Job: TypeAlias = OpenScene | Simulate | LiveStart | SaveRun | JogJoints | JogTcp | TasksJob | LineJob
 LiveOrder: TypeAlias = LiveControl | LiveOverride | LiveSpeed | SetSignal
 Order: TypeAlias = Cancel | Renew | LiveOrder | Stop
 
@@ -365,6 +389,47 @@ class TasksReply:
     payload: Mapping[str, object]
 
 
+LineOutcome: TypeAlias = Literal["open", "moved", "answered", "refused", "over"]
+"""What became of a line.
+
+`open`: more lines must follow. `moved`: the robot has done something or is taken back. `answered`: something
+was told. `refused`: nothing was done. `over`: it ends what is said.
+"""
+
+
+@frozen_dataclass
+class ToldReply:
+    """What is answered to a line.
+
+    Attributes:
+        commands: that were told, this one included where it was carried out.
+        outcome: what became of it.
+        told: lines that are answered.
+        findings: about it; the text `session` in their spans are the commands.
+        first: line of that text in which it begins.
+        pack: the run of all commands; None where it is as before.
+        since: when the motion of this command begins in that run [s].
+        program: name and text of a program that is to be written; None for none.
+    """
+
+    commands: tuple[str, ...]
+    outcome: LineOutcome
+    told: tuple[str, ...] = ()
+    findings: tuple[Mapping[str, object], ...] = ()
+    first: int = 1
+    pack: bytes | None = None
+    since: float = 0.0
+    program: tuple[str, str] | None = None
+
+
+@frozen_dataclass
+class OfferedReply:
+    """The words that can end a line, and how far the word at its end has been typed."""
+
+    begun: str
+    words: tuple[str, ...]
+
+
 @frozen_dataclass
 class Failed:
     """A job other than a run could not be done; the reason in words."""
@@ -372,7 +437,9 @@ class Failed:
     message: str
 
 
-Reply: TypeAlias = SceneReply | RunReply | SavedRun | JogReply | TasksReply | Failed
+LineReply: TypeAlias = ToldReply | OfferedReply
+Reply: TypeAlias = SceneReply | RunReply | SavedRun | JogReply | TasksReply | LineReply | Failed
+
 Report: TypeAlias = Progress | Planned | Renewed | LiveMessage | LiveFrame
 
 

@@ -11,6 +11,7 @@ import msgspec
 from msgspec import Meta, Struct
 
 from ropsim.core import Diagnostic
+from ropsim.studio.command_messages import CommandLineState, LineAnswered, WordsOffered
 from ropsim.studio.finding import Finding
 from ropsim.studio.jobs import Level, PoseNumbers
 from ropsim.studio.task_messages import (
@@ -371,6 +372,9 @@ Message: TypeAlias = (
     | TasksEstimated
     | TaskFormOpened
     | TaskFormChecked
+    | CommandLineState
+    | LineAnswered
+    | WordsOffered
     | Notice
     | Answered
     | Folders

@@ -49,7 +49,7 @@ def routes(folder: Path, workplace: Workplace) -> list[BaseRoute]:
     """Return what is served: `/`, `/assets/…`, `/mesh/<address>.glb`, and runs.
 
     `/run/<id>.pack` is what the page draws; the other endings are files to keep: recording, inputs as
-    `ropsim run --inputs` takes them, report, neutral code.
+    `ropsim run --inputs` takes them, report, neutral code. `/told/<id>.pack` is the run of typed commands.
     """
 
     def index(request: Request) -> Response:
@@ -64,6 +64,11 @@ def routes(folder: Path, workplace: Workplace) -> list[BaseRoute]:
         content = workplace.session.runs.pack(number) if number is not None else None
         return _bytes(content, "application/octet-stream", {})
 
+    async def told(request: Request) -> Response:
+        number = _run_number(request)
+        content = workplace.session.command_line.pack(number) if number is not None else None
+        return _bytes(content, "application/octet-stream", {})
+
     async def mesh(request: Request) -> Response:
         content = workplace.session.scenes.mesh(request.path_params["address"])
         return _bytes(content, "model/gltf-binary", FOR_EVER)
@@ -71,6 +76,7 @@ def routes(folder: Path, workplace: Workplace) -> list[BaseRoute]:
     return [
         Route("/", index),
         Route("/run/{run}.pack", pack),
+        Route("/told/{run}.pack", told),
         *(Route(f"/run/{{run}}.{ending}", _saved(workplace, ending)) for ending in FILES),
         Route("/mesh/{address}.glb", mesh),
         Mount("/assets", _Assets(directory=folder / "assets")),

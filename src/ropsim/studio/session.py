@@ -7,6 +7,7 @@ from pathlib import Path
 
 from ropsim.core import Diagnostic, RopsimError
 from ropsim.studio import commands, jobs
+from ropsim.studio.command_line import CommandLine, LineCommand
 from ropsim.studio.diagnostics import (
     INTERNAL,
     NO_PROJECT,
@@ -69,6 +70,8 @@ class Session:
         self._simulator = WorkerLink("simulator", str(neutral), self._simulator_lost, worker)
         self._bench = WorkerLink("task bench", str(neutral), self._tell_lost, worker)
         self.tasks = ChosenTasks(folder, self._bench, self._texts)
+        self._told = WorkerLink("command line", str(neutral), self._tell_lost, worker)
+        self.command_line = CommandLine(folder, self._told, self._texts, self._tabs, self.editing.create)
         self.scenes = Scenes(folder, self._desk, self._texts, self._tabs.tell)
         self.runs = Runs(
             folder, self._simulator, self._texts, self._versions, self._tabs.tell, self._tabs.show
@@ -99,7 +102,8 @@ class Session:
         if self._scene_timer is not None:
             self._scene_timer.cancel()
         await self.editing.close()
-        await asyncio.gather(self._desk.close(), self._simulator.close(), self._bench.close())
+        workers = (self._desk, self._simulator, self._bench, self._told)
+        await asyncio.gather(*(one.close() for one in workers))
         for task in self._background:
             task.cancel()
 
@@ -108,6 +112,7 @@ class Session:
         self._desk.kill()
         self._simulator.kill()
         self._bench.kill()
+        self._told.kill()
 
     async def receive(self, tab: Tab, text: str | bytes) -> None:
         """Do what a page says; whatever it says, the session goes on."""
@@ -155,6 +160,13 @@ class Session:
                 self._in_background(self.tasks.answer(tab, command))
             case commands.OpenTaskForm() | commands.CheckTaskForm():
                 self._in_background(self.tasks.answer_form(tab, command))
+            case (
+                commands.OpenCommandLine()
+                | commands.TellRobot()
+                | commands.CompleteLine()
+                | commands.GiveUpLine()
+            ):
+                self._tell_robot(tab, command)
             case _:
                 self._run(command)
 
@@ -178,6 +190,17 @@ class Session:
             return
         tab.send(Answered(None))
         self._switch(folder)
+
+    def _tell_robot(self, tab: Tab, command: LineCommand) -> None:
+        match command:
+            case commands.OpenCommandLine():
+                self._in_background(self.command_line.open(tab))
+            case commands.TellRobot():
+                self._in_background(self.command_line.tell(tab, command))
+            case commands.CompleteLine():
+                self._in_background(self.command_line.offer(tab, command))
+            case commands.GiveUpLine():
+                self.command_line.give_up()
 
     def _run(self, command: commands.Command) -> None:
         match command:

@@ -12,6 +12,7 @@ from ropsim.studio.jobs import (
     Job,
     JogReply,
     LiveStart,
+    OfferedReply,
     Order,
     Reply,
     Report,
@@ -21,8 +22,11 @@ from ropsim.studio.jobs import (
     SceneReply,
     Simulate,
     TasksReply,
+    ToldReply,
 )
 from ropsim.studio.pipe import Pipe
+
+REPLIES = (SceneReply, RunReply, SavedRun, JogReply, TasksReply, ToldReply, OfferedReply, Failed)
 
 DESK = "ropsim.studio.desk:main"
 """The worker that simulates, draws and jogs."""
@@ -119,7 +123,7 @@ class WorkerLink:
         task = self._tasks.get(answer.number)
         if task is None:
             return
-        if isinstance(answer.content, SceneReply | RunReply | SavedRun | JogReply | TasksReply | Failed):
+        if isinstance(answer.content, REPLIES):
             del self._tasks[answer.number]
             if not task.reply.done():
                 task.reply.set_result(answer.content)

@@ -42,6 +42,7 @@ from ropsim.views.reach.page import workspace_page as workspace_page
 from ropsim.views.reach.terminal import workspace_text as workspace_text
 from ropsim.views.result import ResultFigures as ResultFigures
 from ropsim.views.result_figures import result_figures as result_figures
+from ropsim.views.robot_state import state_text as state_text
 from ropsim.views.scene.scene import scene as scene
 from ropsim.views.scene.shapes import MeshSource as MeshSource
 from ropsim.views.scene.shapes import plain_pose as plain_pose

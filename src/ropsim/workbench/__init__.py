@@ -8,6 +8,12 @@ from ropsim.workbench.checked_text import CheckedText as CheckedText
 from ropsim.workbench.compiled_project import CompiledProgram as CompiledProgram
 from ropsim.workbench.compiled_project import CompiledProject as CompiledProject
 from ropsim.workbench.compiled_project import found_in as found_in
+from ropsim.workbench.conversation import Outcome as Outcome
+from ropsim.workbench.conversation import Reply as Reply
+from ropsim.workbench.conversation import SavedProgram as SavedProgram
+from ropsim.workbench.conversation import is_complete as is_complete
+from ropsim.workbench.conversation import reply_to as reply_to
+from ropsim.workbench.conversation import standing as standing
 from ropsim.workbench.environment import environment_of as environment_of
 from ropsim.workbench.example_projects import new_project as new_project
 from ropsim.workbench.example_projects import new_robot_project as new_robot_project
@@ -32,7 +38,6 @@ from ropsim.workbench.program_points import program_points as program_points
 from ropsim.workbench.project import FailedRunError as FailedRunError
 from ropsim.workbench.project import Project as Project
 from ropsim.workbench.project import ProjectError as ProjectError
-from ropsim.workbench.project_diagnostics import NOT_IN_SESSION as NOT_IN_SESSION
 from ropsim.workbench.project_diagnostics import NOT_WRITABLE as NOT_WRITABLE
 from ropsim.workbench.replay import pack_of as pack_of
 from ropsim.workbench.resolved import Resolved as Resolved
@@ -49,6 +54,7 @@ from ropsim.workbench.session import Session as Session
 from ropsim.workbench.session import as_program as as_program
 from ropsim.workbench.session import begin_session as begin_session
 from ropsim.workbench.session import saved as saved
+from ropsim.workbench.session import session_text as session_text
 from ropsim.workbench.session import taken_back as taken_back
 from ropsim.workbench.session import told as told
 from ropsim.workbench.task_texts import NO_TASKS as NO_TASKS

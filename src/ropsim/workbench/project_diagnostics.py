@@ -129,11 +129,13 @@ NOT_IN_SESSION = define(
     "X912",
     "not-in-a-session",
     Severity.ERROR,
-    "a line that `ropsim repl` cannot take now",
+    "a line that a session of commands cannot take now",
     """
-The commands of a session make one run, which goes on with every command. `program`, `units`, `classic` and
+The commands of a session, of `ropsim repl` or of the command line of the studio, make one run, which goes on
+with every command. `program`, `units`, `classic` and
 `strict` say how a whole text is read, so they stand in the program of the project, with which a session
-begins. Behind `stop` nothing follows.
+begins. Behind `stop` nothing follows. Where texts of the project are changed so that the commands can no
+longer be carried out, `restart` forgets them.
 
 `save NAME` writes a program that does what the session did: NAME is letters, digits and `_`, and nothing else
 has it, neither a word of the language nor a task of the program.

@@ -78,8 +78,42 @@ class Answer:
     is_taken: bool
 
 
-def begin_session(project: Project, options: "RunOptions") -> Session:
-    """Return a session without commands: the robot stands where it begins.
+def begin_session(project: Project, options: "RunOptions", commands: tuple[str, ...] = ()) -> Session:
+    """Return a session with commands that were told before; without any the robot stands where it begins.
+
+    Args:
+        project: whose robot is told.
+        options: of the run.
+        commands: carried out again; texts of the project may have changed since they were told.
+
+    Raises:
+        ProjectError: the project is broken, has no cell, or its program has errors; X912, the commands can
+            no longer be carried out.
+        RopsimError: the simulation cannot go on, as `simulation.run` says.
+    """
+    prelude = _prelude(project)
+    found, recording = _run(project, _whole(prelude, commands), options)
+    errors = [one for one in (*found, *(recording.findings if recording else ())) if one.is_error]
+    if recording is not None and not (commands and errors):
+        return Session(project, prelude, commands, recording)
+    if not commands:
+        raise ProjectError(errors[0])
+    message = f"the commands told so far can no longer be carried out: {errors[0].message}"
+    hint = "the texts have changed since: `restart` forgets the commands"
+    raise ProjectError(NOT_IN_SESSION.at(None, message, hint=hint))
+
+
+def session_text(project: Project, commands: tuple[str, ...]) -> str:
+    """Return the text that is compiled for commands; they are not carried out.
+
+    Raises:
+        ProjectError: the project is broken, has no cell, or its program has errors.
+    """
+    return _whole(_prelude(project), commands)
+
+
+def _prelude(project: Project) -> str:
+    """Return declarations and tasks of the program of a project.
 
     Raises:
         ProjectError: the project is broken, has no cell, or its program has errors.
@@ -87,11 +121,7 @@ def begin_session(project: Project, options: "RunOptions") -> Session:
     compiled = project.program()
     project.runnable({"": compiled})
     is_task_text = PurePath(compiled.source.name).suffix == ".task"
-    prelude = language.prelude(compiled.source.text) if is_task_text else "program session"
-    found, recording = _run(project, _whole(prelude, ()), options)
-    if recording is None:
-        raise ProjectError(next(one for one in found if one.is_error))
-    return Session(project, prelude, (), recording)
+    return language.prelude(compiled.source.text) if is_task_text else "program session"
 
 
 def told(session: Session, command: str, options: "RunOptions") -> Answer:

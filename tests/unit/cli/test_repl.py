@@ -75,6 +75,24 @@ def test_completion_offers_what_can_stand_there(project: Path) -> None:
         lambda: "program p\ntask Grab(q: loc)\n  lin q\nend\n", project / "programs" / "x.task"
     )
     assert "Grab" in editor.offered("Gr")
-    assert editor.offered("mov pick") == ["pick_up"]
+    assert editor.offered("mov pick") == ("pick_up",)
     assert "speed" in editor.offered("lin pick_up spe")
-    assert editor.offered('print "pi') == []
+    assert editor.offered('print "pi') == ()
+
+
+def test_a_session_can_begin_anew(
+    project: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert said(project, "wait 2 s\nprint 1\nrestart\nlist\nwait 1 s\nlist\n", monkeypatch) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert lines[4:] == [lines[0].replace("(+0.000", "(-2.000"), "no commands", lines[-2], "wait 1 s"]
+    assert lines[-2].endswith("; 1.000 s (+1.000 s)")
+
+
+def test_words_to_the_session_take_nothing_more(
+    project: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert said(project, "wait 1 s\nundo 2\nrestart now\nlist\n", monkeypatch) == 1
+    printed = capsys.readouterr()
+    assert printed.err.count("[X912]") == 2
+    assert printed.out.splitlines()[-1] == "wait 1 s"

@@ -1,89 +1,13 @@
 """A session with its tabs; a toy stands in for the simulator."""
 
-import asyncio
-import json
 import os
 import sys
 from collections.abc import Awaitable, Callable
 from pathlib import Path
-from typing import Any
 
 import pytest
 
-from ropsim.studio.session import Session
-from ropsim.studio.tab import Tab
-from support.patience import PATIENCE
-
-
-class Page:
-    """A tab whose messages are read as they are sent."""
-
-    def __init__(self, session: Session, name: str) -> None:
-        self.session = session
-        self.name = name
-        self.tab = Tab()
-        self.got: list[dict[str, Any]] = []
-        self._news = asyncio.Event()
-        self._pump = asyncio.create_task(self.tab.pump(self._take, self._take_frame))
-
-    async def say(self, **message: object) -> None:
-        await self.session.receive(self.tab, json.dumps(message))
-
-    async def hear(self, kind: str, **fields: object) -> dict[str, Any]:
-        """Wait for a message with these fields, and forget it and all before it."""
-        while True:
-            for index, one in enumerate(self.got):
-                if one["type"] == kind and all(one.get(name) == value for name, value in fields.items()):
-                    del self.got[: index + 1]
-                    return one
-            self._news.clear()
-            await self._news.wait()
-
-    async def leave(self) -> None:
-        self.tab.close()
-        await self._pump
-        await self.session.leave(self.tab)
-
-    async def _take(self, text: str) -> None:
-        self.got.append(json.loads(text))
-        self._news.set()
-
-    async def _take_frame(self, frame: bytes) -> None:
-        self.got.append({"type": "frame", "content": frame})
-        self._news.set()
-
-
-@pytest.fixture
-def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    monkeypatch.setenv("ROPSIM_STATE_HOME", str(tmp_path / "state"))
-    monkeypatch.setenv("ROPSIM_CONFIG_HOME", str(tmp_path / "config"))
-    project = tmp_path / "cell"
-    (project / "programs").mkdir(parents=True)
-    (project / "controllers").mkdir()
-    (project / "cell.toml").write_text("[cell]\n", "utf-8")
-    (project / "programs" / "main.task").write_text("x\n", "utf-8")
-    (project / "controllers" / "evil.py").write_text("raise SystemExit\n", "utf-8")
-    return project
-
-
-def in_session(folder: Path, play: Callable[[Callable[[str], Awaitable[Page]]], Awaitable[None]]) -> None:
-    """Play with pages of a session, which ends afterwards."""
-
-    async def run() -> None:
-        session = Session(folder, folder.parent, "support.toy_worker:main")
-        await session.open()
-
-        async def page(name: str) -> Page:
-            page = Page(session, name)
-            await page.say(type="hello", tab=name)
-            return page
-
-        try:
-            await asyncio.wait_for(play(page), PATIENCE)
-        finally:
-            await session.close()
-
-    asyncio.run(run())
+from support.session_pages import Page, in_session
 
 
 def test_a_page_is_told_everything_and_the_first_run_begins_by_itself(folder: Path) -> None:

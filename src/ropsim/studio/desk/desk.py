@@ -20,15 +20,18 @@ from ropsim.studio.jobs import (
     JogTcp,
     ListTasks,
     LiveStart,
+    OfferWords,
     OpenScene,
     OpenTaskForm,
     Reply,
     SaveRun,
     Simulate,
+    Tell,
 )
 from ropsim.workbench import Workspace
 
 if TYPE_CHECKING:  # with its engine it is loaded by who chooses tasks
+    from ropsim.studio.desk.command_line import ToldRobot
     from ropsim.studio.desk.tasks.bench import TaskBench
 
 NOT_KEPT = "this run is not kept any more: simulate it again"
@@ -45,6 +48,7 @@ class Desk:
         shelf: the newest finished run.
         workspace: keeps what is made of the texts of the project.
         bench: the tasks that may be chosen, None before somebody asks.
+        told: the robot that carries out commands, None before the first.
         is_cold: whether `warm` has something to do.
     """
 
@@ -53,6 +57,7 @@ class Desk:
     shelf: Shelf = field(default_factory=Shelf)
     workspace: Workspace = field(default_factory=Workspace)
     bench: "TaskBench | None" = None
+    told: "ToldRobot | None" = None
     is_cold: bool = False
 
     def do(self, job: Job, line: Line) -> Reply:
@@ -83,6 +88,16 @@ class Desk:
 
                 self.bench = self.bench or TaskBench(self.workspace)
                 return self.bench.do(job, line)
+            case Tell():
+                return self._told().tell(job, line)
+            case OfferWords():
+                return self._told().offer(job)
+
+    def _told(self) -> "ToldRobot":
+        from ropsim.studio.desk.command_line import ToldRobot
+
+        self.told = self.told or ToldRobot(self.workspace)
+        return self.told
 
     def warm(self) -> None:
         """Load what the first jog needs, so that it is as quick as the others."""

@@ -22,6 +22,7 @@ from ropsim.studio.jobs import (
     LiveOverride,
     LiveSpeed,
     LiveStart,
+    OfferWords,
     OpenScene,
     OpenTaskForm,
     Order,
@@ -34,6 +35,7 @@ from ropsim.studio.jobs import (
     SetSignal,
     Simulate,
     Stop,
+    Tell,
 )
 
 
@@ -130,6 +132,8 @@ class Mailbox:
                 | EstimateTasks()
                 | OpenTaskForm()
                 | CheckTaskForm()
+                | Tell()
+                | OfferWords()
             ) as job:
                 self._jobs.append((request.number, job))
             case _:  # an order for a live run that has just ended

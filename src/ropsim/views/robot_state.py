@@ -1,19 +1,19 @@
 """How a robot is at the end of a run, in one line."""
 
 import math
-from typing import TYPE_CHECKING
 
+from ropsim.flow import Recording
 from ropsim.spatial import quaternion
-from ropsim.workbench import Project
-
-if TYPE_CHECKING:
-    from ropsim.flow import Recording
 
 
-def state_text(recording: "Recording", project: Project, took: float) -> str:
-    """Return pose of the TCP in the base frame, simulated time, and how long the last command took [s]."""
-    assert project.cell is not None  # a run has a cell
-    name = project.cell.first.name
+def state_text(recording: Recording, took: float) -> str:
+    """Return pose of the first station's TCP in its base frame, simulated time, and how long it took [s].
+
+    Args:
+        recording: of the run.
+        took: time of the last command [s].
+    """
+    name = recording.facts.stations[0].name
 
     def last(quantity: str) -> list[float]:
         return [float(value) for value in recording.rows(recording.facts.channel(quantity, name))[-1]]

@@ -1,0 +1,28 @@
+/** Words of the command line. */
+export const commandLineWords = {
+  log: 'What was told and answered',
+  input: 'Command',
+  prompt: '>',
+  more: '.',
+  placeholder: 'A statement, such as mov home; help tells what else',
+  placeholderMore: 'The next line of the block; an empty line ends it',
+  words: 'What can stand here',
+  busy: 'Carrying out …',
+  giveUp: 'Give up',
+  giveUpTitle: 'The command is given up; the robot is as before (Esc)',
+  undo: 'Undo command',
+  undoTitle: 'The robot and all devices go back to where they were before the last command',
+  restart: 'Restart',
+  restartTitle: 'Forget all commands: the robot stands where it began',
+  save: 'Save as …',
+  saveTitle: 'Write the commands as a task to a program of its own: type its name behind `save`',
+  back: 'Show the program’s run',
+  backTitle: 'The views show the commands; show the newest run of the program again',
+  live: 'A live run is under way. End it to give commands.',
+  lost: 'Commands need the server; the connection is lost.',
+  notSent: 'Not sent: there is no connection to the server.',
+  told: (line: string) => `Command ${line.split('\n')[0]}`,
+  place: (document: string, line: number) => `${document}, line ${line}`,
+  count: (commands: number) =>
+    commands === 1 ? '1 command carried out' : `${commands} commands carried out`,
+} as const
