@@ -1,5 +1,7 @@
 """Rule V7 against a search of ways, one variable after the other, in code with any jumps."""
 
+from functools import cache
+
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -9,6 +11,7 @@ GLOBALS = ("a", "b")
 LOCALS = ("p", "x")
 
 
+@cache
 def instruction(size: int, callees: tuple[str, ...]) -> st.SearchStrategy[Step]:
     """Return any instruction that matters; conditions most of all, so that ways part and join."""
     places = st.integers(0, size - 1)

@@ -1,7 +1,9 @@
 """Print and parse are inverse; no text and no damage makes reader, verifier or machine fail."""
 
 from dataclasses import replace
+from functools import cache
 from pathlib import Path
+from typing import TypeVar
 
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -36,6 +38,7 @@ BUDGET = 20_000
 names = st.text(min_size=1, max_size=8)
 reals = st.floats(allow_nan=False)
 types = st.sampled_from(Type)
+Named = TypeVar("Named", Variable, IoChannel, FrameDefinition, ToolDefinition)
 
 
 def numbers(count: int) -> st.SearchStrategy[tuple[float, ...]]:
@@ -59,6 +62,7 @@ constants = st.one_of(
 MAX_CODE = 12
 
 
+@cache
 def operand(kind: OperandKind) -> st.SearchStrategy[Operand]:
     if kind is OperandKind.CONSTANT:
         return constants
@@ -75,23 +79,44 @@ def operand(kind: OperandKind) -> st.SearchStrategy[Operand]:
     return names
 
 
+OPCODE = st.sampled_from(list(OPCODES.values()))
+
+
 @st.composite
 def steps(draw: st.DrawFn) -> Step:
-    opcode = draw(st.sampled_from(list(OPCODES.values())))
+    opcode = draw(OPCODE)
     return Step(opcode.mnemonic, tuple(draw(operand(kind)) for kind in opcode.operands))
+
+
+def distinct(one: st.SearchStrategy[Named], most: int) -> st.SearchStrategy[list[Named]]:
+    """Return lists of what has names, no two of which are equal."""
+    return st.lists(one, max_size=most, unique_by=lambda found: found.name)
+
+
+KINDS = [("DI", Type.BOOL), ("DO", Type.BOOL), ("AI", Type.REAL), ("AO", Type.INT)]
+CODE = st.lists(steps(), max_size=MAX_CODE)
+VARIABLES = st.builds(Variable, names, types)
+SLOTS, SOME_VARIABLES = distinct(VARIABLES, 4), distinct(VARIABLES, 3)
+CHANNELS = distinct(st.builds(lambda name, kind: IoChannel(name, *kind), names, st.sampled_from(KINDS)), 3)
+FRAMES = distinct(st.builds(FrameDefinition, names, poses), 2)
+TOOLS = distinct(st.builds(ToolDefinition, names, st.none() | poses), 2)
+RESULTS = st.lists(types, max_size=2)
+NAMES, PARTS = st.lists(names, min_size=1, max_size=3, unique=True), st.sets(names, max_size=3)
+AXES = st.none() | st.integers(-3, 40)
+"""Strategies are made once: to make and to check one takes longer than to draw from it."""
 
 
 @st.composite
 def procedures(draw: st.DrawFn, name: str) -> Procedure:
-    code = draw(st.lists(steps(), max_size=MAX_CODE))
+    code = draw(CODE)
     fitted = tuple(
         replace_target(step, len(code)) if OPCODES[step.mnemonic].operands == (OperandKind.LABEL,) else step
         for step in code
     )
-    variables = draw(st.lists(st.builds(Variable, names, types), max_size=4, unique_by=lambda one: one.name))
+    variables = draw(SLOTS)
     cut = draw(st.integers(0, len(variables)))
     lines = draw(st.lists(st.integers(0, 99), min_size=len(code), max_size=len(code)))
-    results = tuple(draw(st.lists(types, max_size=2)))
+    results = tuple(draw(RESULTS))
     return Procedure(name, tuple(variables[:cut]), tuple(variables[cut:]), results, fitted, tuple(lines))
 
 
@@ -100,38 +125,18 @@ def replace_target(step: Step, size: int) -> Step:
     return Step(step.mnemonic, (min(target, size) if isinstance(target, int) else 0,))
 
 
-def channels() -> st.SearchStrategy[IoChannel]:
-    kinds = [("DI", Type.BOOL), ("DO", Type.BOOL), ("AI", Type.REAL), ("AO", Type.INT)]
-    return st.builds(lambda name, kind: IoChannel(name, *kind), names, st.sampled_from(kinds))
-
-
 @st.composite
 def programs(draw: st.DrawFn) -> Program:
     """Return a program that can be written down; the verifier refuses most of them."""
-    distinct = draw(st.lists(names, min_size=1, max_size=3, unique=True))
     return Program(
         draw(st.text(max_size=8)),
-        tuple(draw(procedures(name)) for name in distinct),
-        capabilities=tuple(sorted(draw(st.sets(names, max_size=3)))),
-        axes=draw(st.none() | st.integers(-3, 40)),
-        variables=tuple(
-            draw(st.lists(st.builds(Variable, names, types), max_size=3, unique_by=lambda v: v.name))
-        ),
-        channels=tuple(draw(st.lists(channels(), max_size=3, unique_by=lambda one: one.name))),
-        frames=tuple(
-            draw(
-                st.lists(st.builds(FrameDefinition, names, poses), max_size=2, unique_by=lambda one: one.name)
-            )
-        ),
-        tools=tuple(
-            draw(
-                st.lists(
-                    st.builds(ToolDefinition, names, st.none() | poses),
-                    max_size=2,
-                    unique_by=lambda one: one.name,
-                )
-            )
-        ),
+        tuple(draw(procedures(name)) for name in draw(NAMES)),
+        capabilities=tuple(sorted(draw(PARTS))),
+        axes=draw(AXES),
+        variables=tuple(draw(SOME_VARIABLES)),
+        channels=tuple(draw(CHANNELS)),
+        frames=tuple(draw(FRAMES)),
+        tools=tuple(draw(TOOLS)),
         source=draw(st.text(max_size=8)),
     )
 

@@ -1,5 +1,7 @@
 """Whatever structured program a front end makes: its ICR passes the verifier and runs the same way twice."""
 
+from functools import cache
+
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -79,6 +81,7 @@ spans = st.integers(1, 50).map(lambda line: Span.on_line("t.task", line, 1))
 small = st.integers(-3, 3)
 
 
+@cache
 def values(kind: ValueType) -> st.SearchStrategy[Expression]:
     """Return expressions of a type."""
     leaves: dict[ValueType, st.SearchStrategy[Expression]] = {
@@ -276,6 +279,7 @@ plain: st.SearchStrategy[Statement] = st.one_of(
 )
 
 
+@cache
 def blocks(depth: int, *, is_loop: bool = False, calls: tuple[str, ...] = ()) -> st.SearchStrategy[Block]:
     choices = [plain, plain]
     if is_loop:

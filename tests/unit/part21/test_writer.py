@@ -1,6 +1,7 @@
 """The canonical form of exchange files: one text for one content, and the content comes back."""
 
 from dataclasses import replace
+from functools import cache
 from math import inf, nan
 
 import pytest
@@ -48,15 +49,18 @@ def values(count: int) -> st.SearchStrategy[Value]:
     )
 
 
+@cache
+def records(count: int) -> st.SearchStrategy[list[Record]]:
+    """Return what an instance consists of, with references to instances 1 to `count`."""
+    record = st.builds(Record, WORDS, st.lists(values(count), max_size=4).map(tuple))
+    return st.lists(record, min_size=1, max_size=2)
+
+
 @st.composite
 def files(draw: st.DrawFn) -> ExchangeFile:
     count = draw(st.integers(1, 8))
     numbers = draw(st.lists(st.integers(1, 10**6), min_size=count, max_size=count, unique=True))
-    records = st.builds(Record, WORDS, st.lists(values(count), max_size=4).map(tuple))
-    made = [
-        Instance(number, tuple(draw(st.lists(records, min_size=1, max_size=2))))
-        for number in range(1, count + 1)
-    ]
+    made = [Instance(number, tuple(draw(records(count)))) for number in range(1, count + 1)]
     names = dict(zip(range(1, count + 1), numbers, strict=True))
     turned = [Instance(names[one.number], tuple(renamed(r, names) for r in one.records)) for one in made]
     return ExchangeFile(HEADER, tuple(turned))
