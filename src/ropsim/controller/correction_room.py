@@ -1,9 +1,11 @@
 """How much of a correction the joints of an arm leave room for, and what shifts its references."""
 
+from typing import NamedTuple
+
 import numpy as np
 
 from ropsim.controller.correction import Correction, CorrectionRoom
-from ropsim.kinematics import forward, forward_batch, jacobian_at
+from ropsim.kinematics import forward, forward_batch, frame_and_jacobian
 from ropsim.model import CorrectionLimits, RobotModel
 from ropsim.spatial import Array, Pose, cross, record
 
@@ -35,6 +37,14 @@ class ShiftedJoints:
 
     q: Array
     qd: Array
+
+
+class _Placed(NamedTuple):
+    """The arm at coordinates q [rad | m], (n,): X_BT of its tool (4, 4), and the Jacobian of that (6, n)."""
+
+    q: Array
+    X_BT: Array
+    J: Array
 
 
 @record
@@ -73,8 +83,12 @@ class ShiftedArm:
             q: joint coordinates with the correction [rad | m], shape (n,).
             value: correction now [m].
         """
-        robot, J = self.robot, self._jacobian(q)
-        u = np.concatenate((self._matrix(q)[:3, :3] @ self.direction, np.zeros(3)))
+        return self._room_of(limits, self._placed(q), value)
+
+    def _room_of(self, limits: CorrectionLimits, placed: _Placed, value: float) -> CorrectionRoom:
+        robot, q = self.robot, placed.q
+        J = self._of_arm(placed.J)
+        u = np.concatenate((placed.X_BT[:3, :3] @ self.direction, np.zeros(3)))
         g = _least(J, u)
         if float(np.abs(J @ g - u).max()) > 1e-6:
             return CorrectionRoom(min(value, 0.0), max(value, 0.0), 0.0, limits.acceleration)
@@ -112,10 +126,10 @@ class ShiftedArm:
 
     def _is_free(self, limits: CorrectionLimits, q: Array, value: float, guess: ShiftedJoints) -> bool:
         """Return whether the arm could go on from a shift to both sides."""
-        added = self.shifted(q, np.zeros(self.robot.n), Correction(value), 1.0, guess)
-        if added is None:
+        there = self._found(q, self._matrix(q), value, guess) if value else self._placed(q)
+        if there is None:
             return False
-        room = self.room(limits, q + added.q, 0.0)
+        room = self._room_of(limits, there, 0.0)
         return room.speed >= min(_SLOWEST, limits.speed) and room.lower < 0.0 < room.upper
 
     def shifted(
@@ -135,35 +149,35 @@ class ShiftedArm:
         """
         if correction.value == 0.0 and correction.speed == 0.0:
             return self.still
-        X_BT = self._matrix(q)
+        planned = self._placed(q)
+        there = self._found(q, planned.X_BT, correction.value, guess)
+        if there is None:
+            return None
+        u = planned.X_BT[:3, :3] @ self.direction
+        v, w = np.split(planned.J @ qd, 2)
+        twist = np.concatenate((v + u * (correction.speed * rate) + cross(w, u * correction.value), w))
+        speeds = _least(self._of_arm(there.J), twist - there.J @ qd)
+        return ShiftedJoints(there.q - q, speeds)
+
+    def _found(self, q: Array, X_BT: Array, value: float, guess: ShiftedJoints) -> _Placed | None:
+        """Return the arm with the tool shifted by a value [m] from X_BT (4, 4), where it is at q, (n,)."""
         R = X_BT[:3, :3]
-        u = R @ self.direction
-        target = X_BT[:3, 3] + u * correction.value
-        at = q + guess.q
+        target = X_BT[:3, 3] + R @ self.direction * value
+        there = self._placed(q + guess.q)
         for _ in range(_STEPS):
-            now = self._matrix(at)
+            now = there.X_BT
             wrong = np.concatenate((target - now[:3, 3], _turn(R @ now[:3, :3].T)))
             if float(np.abs(wrong).max()) <= _CLOSED:
-                break
-            at = at + _least(self._jacobian(at), wrong)
-        else:
-            return None
-        v, w = np.split(self._full_jacobian(q) @ qd, 2)
-        twist = np.concatenate((v + u * (correction.speed * rate) + cross(w, u * correction.value), w))
-        J = self._full_jacobian(at)
-        speeds = _least(self._of_arm(J), twist - J @ qd)
-        return ShiftedJoints(at - q, speeds)
+                return there
+            there = self._placed(there.q + _least(self._of_arm(there.J), wrong))
+        return None
+
+    def _placed(self, q: Array) -> _Placed:
+        return _Placed(q, *frame_and_jacobian(self.robot, q, self.X_MT))
 
     def _matrix(self, q: Array) -> Array:
         """Return X_BT at coordinates q [rad | m], shape (4, 4)."""
         return np.asarray(forward_batch(self.robot, q[None])[0] @ self.X_MT.matrix())
-
-    def _full_jacobian(self, q: Array) -> Array:
-        return jacobian_at(self.robot, q, self.X_MT)
-
-    def _jacobian(self, q: Array) -> Array:
-        """Return the Jacobian of the TCP with external axes that stand, shape (6, n)."""
-        return self._of_arm(self._full_jacobian(q))
 
     def _of_arm(self, J: Array) -> Array:
         """Return a Jacobian with external axes that stand, shape (6, n)."""

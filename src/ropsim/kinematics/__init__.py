@@ -24,6 +24,7 @@ from ropsim.kinematics.inverse import branch as branch
 from ropsim.kinematics.inverse import inverse as inverse
 from ropsim.kinematics.inverse import inverse_batch as inverse_batch
 from ropsim.kinematics.inverse import posture as posture
+from ropsim.kinematics.jacobian import frame_and_jacobian as frame_and_jacobian
 from ropsim.kinematics.jacobian import jacobian as jacobian
 from ropsim.kinematics.jacobian import jacobian_at as jacobian_at
 from ropsim.kinematics.limits import limit_violations as limit_violations

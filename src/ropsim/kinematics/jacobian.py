@@ -3,7 +3,7 @@
 import numpy as np
 import numpy.typing as npt
 
-from ropsim.kinematics.arrays import chain_arrays, joint_vector
+from ropsim.kinematics.arrays import ChainArrays, chain_arrays, joint_vector
 from ropsim.kinematics.forward import frames_of
 from ropsim.model import Mechanism
 from ropsim.spatial import Array, Pose, cross
@@ -46,7 +46,29 @@ def jacobian_at(robot: Mechanism, q: npt.ArrayLike, X_MT: Pose) -> Array:
     chain = chain_arrays(robot)
     frames = frames_of(chain, joint_vector(robot, q)[np.newaxis])[0]
     X_BM = frames[-1]
-    p_BT = X_BM[:3, :3] @ X_MT.position + X_BM[:3, 3]
+    return _of_point(chain, frames, X_BM[:3, :3] @ X_MT.position + X_BM[:3, 3])
+
+
+def frame_and_jacobian(robot: Mechanism, q: npt.ArrayLike, X_MT: Pose) -> tuple[Array, Array]:
+    """Return X_BT of a tool, homogeneous (4, 4), and what `jacobian_at` returns, in the time of one of them.
+
+    Args:
+        robot: mechanism with n axes.
+        q: coordinates of the axes [rad | m], shape (n,).
+        X_MT: tool frame in the mechanical interface frame.
+
+    Raises:
+        ArrayShapeError: M551, q has another shape.
+        NotFiniteError: M552, q holds NaN or infinity.
+    """
+    chain = chain_arrays(robot)
+    frames = frames_of(chain, joint_vector(robot, q)[np.newaxis])[0]
+    X_BT = np.asarray(frames[-1] @ X_MT.matrix())
+    return X_BT, _of_point(chain, frames, X_BT[:3, 3])
+
+
+def _of_point(chain: ChainArrays, frames: Array, p_BT: Array) -> Array:
+    """Return the Jacobian of a point of the interface for frames of the steps and its own, (m + 1, 4, 4)."""
     axes = frames[:-1, :3, 2]  # (m, 3)
     levers = p_BT - frames[:-1, :3, 3]  # (m, 3)
     slides = chain.slides[:, np.newaxis] > 0.0  # (m, 1)

@@ -36,3 +36,13 @@ def test_a_coordinate_of_a_prismatic_joint_is_a_distance() -> None:
     robot = random_arm(4, "P")
     here, there = (kinematics.forward(robot, [d]).position for d in (0.1, 0.4))
     np.testing.assert_allclose(np.linalg.norm(there - here), 0.3, atol=ROUNDING)
+
+
+def test_the_frame_beside_a_jacobian_is_that_of_forward_kinematics() -> None:
+    X_MT = Pose(np.array([0.03, -0.02, 0.2]), np.array([0.9, 0.1, -0.3, 0.2]))
+    for name in ("puma560", "scara", "palletizer"):
+        robot = robots.load(name)
+        q = robot.home + np.linspace(0.1, -0.2, robot.n)
+        X_BT, J = kinematics.frame_and_jacobian(robot, q, X_MT)
+        assert np.allclose(X_BT, (kinematics.forward(robot, q) @ X_MT).matrix(), atol=1e-12)
+        assert np.allclose(J, kinematics.jacobian_at(robot, q, X_MT), atol=1e-12)
