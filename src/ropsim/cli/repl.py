@@ -3,6 +3,7 @@
 import argparse
 import sys
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from ropsim.cli.line_editor import LineEditor
@@ -71,11 +72,14 @@ class _Talk:
 
 def repl(options: argparse.Namespace, output: Output) -> int:
     """Carry out commands until the end of the input and return the exit code."""
-    from ropsim.simulation import Fidelity, RunOptions
+    from ropsim.simulation import Fidelity, KeptPlans, RunOptions
 
     fidelity = Fidelity.KINEMATIC if options.kinematic else Fidelity.DYNAMIC
+    project = open_project(options.path)
     chosen = RunOptions(fidelity=fidelity)
-    begun = begin_session(open_project(options.path), chosen)
+    if project.cell is not None:
+        chosen = replace(chosen, plan=KeptPlans(project.cell).plan)
+    begun = begin_session(project, chosen)
     talk = _Talk(begun, chosen, output)
     place = begun.project.folder / "programs" / "session.task"
     editor = LineEditor(lambda: talk.session.whole, place)

@@ -13,6 +13,7 @@ from ropsim.model import Cell, Part, Tool
 from ropsim.simulation.clasp import Clasp
 from ropsim.simulation.devices.device_run import NEVER, DeviceRun
 from ropsim.simulation.inputs import signal_track
+from ropsim.simulation.kept_plans import Planning
 from ropsim.simulation.moment import Moment
 from ropsim.simulation.parts import payload
 from ropsim.simulation.placements import Placements, changes
@@ -37,6 +38,7 @@ class CellRun:
         hz: ticks of the cell's clock per second; every control tick of every station is one of them.
         progress: is told after every move what was done.
         ordered: is told of every stretch before it is planned, with the name of its station.
+        plan: plans a stretch.
         at_work: the programs that have not ended, by station.
         watch: looks on.
         events: what happened.
@@ -60,6 +62,7 @@ class CellRun:
     hz: int
     progress: Callable[[str], None]
     ordered: Callable[[str, StretchOrder], None]
+    plan: Planning
     at_work: dict[str, Iterator[None]] = field(default_factory=dict)
     watch: Watch = field(default_factory=NobodyWatches)
     events: list[Event] = field(default_factory=list)

@@ -10,7 +10,6 @@ from ropsim.controller import (
     PlannedMove,
     StretchOrder,
     critical_limits,
-    plan,
     stopped_by,
 )
 from ropsim.core import Diagnostic
@@ -45,7 +44,8 @@ def move(run: CellRun, at: StationRun, stretch: Stretch, world: SimulatedWorld) 
     run.findings += stopped_by(moves[-1], why_it_ends(stretch))
     while done < len(moves) and not at.is_over:
         run.ordered(at.station.name, StretchOrder(moves[done:], at.q_command, at.payload))
-        planned, refusal = plan(at.chain, moves[done:], MotionState.at_rest(at.q_command), at.payload)
+        state = MotionState.at_rest(at.q_command)
+        planned, refusal = run.plan(at.station.name, at.chain, moves[done:], state, at.payload)
         if planned is not None:
             texts = [stretch.said_before(done + number) for number in range(len(planned.moves))]
             yield from _follow(run, at, planned, texts, world)

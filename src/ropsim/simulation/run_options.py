@@ -7,6 +7,7 @@ from ropsim.controller import CompiledLaw, MotionChain, PythonLaw, SensorInterfa
 from ropsim.core import frozen_dataclass
 from ropsim.flow import Fidelity, InputChange, OverrideChange
 from ropsim.simulation.adapting import Adaptation, as_programmed
+from ropsim.simulation.kept_plans import Planning, planned_anew
 from ropsim.simulation.row_log import MOST_ROWS
 from ropsim.simulation.watch import NobodyWatches, Watch
 
@@ -31,6 +32,7 @@ class RunOptions:
         longest: simulated time after which a program is stopped [s].
         progress: is told after every move what was done.
         ordered: is told of every stretch before it is planned, with the name of its station.
+        plan: plans a stretch; one that keeps plans takes the standard entities for granted.
         chains: other entities between instruction and joint controller, by station; the others take the
             standard ones.
         laws: other joint controllers than those of the cell, by station.
@@ -49,6 +51,7 @@ class RunOptions:
     longest: float = 3600.0
     progress: Callable[[str], None] = silent
     ordered: Callable[[str, StretchOrder], None] = unheard
+    plan: Planning = planned_anew
     chains: Mapping[str, MotionChain] = field(default_factory=dict)
     laws: Mapping[str, CompiledLaw | PythonLaw] = field(default_factory=dict)
     sensors: SensorInterface | None = None

@@ -66,6 +66,7 @@ def start_run(cell: Cell, options: RunOptions) -> CellRun:
         hz=hz,
         progress=options.progress,
         ordered=options.ordered,
+        plan=options.plan,
         watch=options.watch,
         findings=[*findings, *undriven(cell, options.fidelity)],
         placements=list(at_start(scenery.tree, parts, scenery.objects)),

@@ -1,11 +1,13 @@
 """A simulated robot that carries out commands one by one: what the command line of a page asks of it."""
 
 import time
+from dataclasses import replace
 from pathlib import Path
 
 from ropsim.core import RopsimError
 from ropsim.lsp import Workshop, begun_word, offered
 from ropsim.simulation import NobodyWatches, RunOptions, RunView
+from ropsim.studio.desk.finished import Shelf
 from ropsim.studio.desk.line import Line
 from ropsim.studio.desk.runnable import MOST_ROWS
 from ropsim.studio.jobs import OfferedReply, OfferWords, Tell, ToldReply
@@ -40,6 +42,7 @@ class ToldRobot:
         self._workspace = workspace
         self._workshop = Workshop()
         self._session: Session | None = None
+        self._shelf = Shelf()
 
     def tell(self, job: Tell, line: Line) -> ToldReply:
         """Return what is answered to a line.
@@ -49,10 +52,12 @@ class ToldRobot:
         """
         if job.line.strip() and not is_complete(job.line):
             return ToldReply(job.commands, "open")
-        options = RunOptions(most_rows=MOST_ROWS, watch=_Listener(line))
         first = sum(one.count("\n") + 1 for one in job.commands) + 1
         try:
             project = open_overlaid(Path(job.folder), job.texts, self._workspace)
+            options = RunOptions(most_rows=MOST_ROWS, watch=_Listener(line))
+            if project.cell is not None:
+                options = replace(options, plan=self._shelf.plans_of(project.cell).plan)
             session = self._so_far(project, _to_repeat(job), options)
         except RopsimError as error:
             return ToldReply(job.commands, "refused", (), plain_findings([error.diagnostic]), first)

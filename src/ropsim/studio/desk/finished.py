@@ -6,7 +6,9 @@ from enum import Enum
 from ropsim import icr
 from ropsim.core import frozen_dataclass
 from ropsim.flow import Recording
+from ropsim.model import Cell
 from ropsim.records import inputs_of, inputs_text, recording_bytes
+from ropsim.simulation import KeptPlans
 from ropsim.studio.desk.content import moved_lines, on_lines
 from ropsim.studio.desk.runnable import Runnable
 from ropsim.studio.jobs import Cause, RunForm, SavedRun
@@ -76,6 +78,19 @@ class FinishedRun:
 
 @dataclass(slots=True)
 class Shelf:
-    """Where the newest finished run is kept; None before the first."""
+    """Where the newest finished run is kept, and what was planned for it.
+
+    Attributes:
+        run: None before the first.
+        plans: of the newest cell, None before the first.
+    """
 
     run: FinishedRun | None = None
+    plans: KeptPlans | None = None
+
+    def plans_of(self, cell: Cell) -> KeptPlans:
+        """Return the plans that were made in a cell, for a run that begins."""
+        if self.plans is None or self.plans.cell != cell:
+            self.plans = KeptPlans(cell)
+        self.plans.begin()
+        return self.plans

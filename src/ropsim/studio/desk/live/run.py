@@ -5,7 +5,7 @@ from collections.abc import Callable
 
 from ropsim.core import frozen_dataclass
 from ropsim.flow import OverrideChange
-from ropsim.simulation import RunOptions
+from ropsim.simulation import RunOptions, planned_anew
 from ropsim.simulation import run as run_program
 from ropsim.studio.desk.clock import PacedClock
 from ropsim.studio.desk.content import content_of
@@ -70,6 +70,7 @@ def run_live(
             longest_wait=LONGEST,
             most_rows=MOST_ROWS,
             watch=pace,
+            plan=shelf.plans_of(ready.cell).plan if shelf is not None else planned_anew,
             overrides=(OverrideChange(0.0, 0.0),) if hand.is_held else (),
         )
         recording = run_program(ready.cell, ready.codes, options)
