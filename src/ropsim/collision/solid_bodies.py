@@ -7,7 +7,7 @@ import numpy.typing as npt
 
 from ropsim.collision.convex import Convex
 from ropsim.collision.depth import FINE, Support, depth_of
-from ropsim.collision.gjk_kernel import distances
+from ropsim.collision.gjk_kernel import closest_on_ways, distances
 from ropsim.collision.separation import Nearness
 from ropsim.spatial import Array
 
@@ -63,6 +63,24 @@ class SolidBodies:
         numbers, room = np.ascontiguousarray(pairs, dtype=np.float64), np.zeros((16, 4))
         distances(self._points, self._bodies, placed, numbers, bounds, np.array(limits), room, found)
         return found
+
+    def box(self, number: int) -> tuple[Array, Array]:
+        """Return middle and half edges of the box around a convex body, in its frame [m], shape (3,)."""
+        return self._centres[number], self._halves[number]
+
+    def on_ways(
+        self,
+        items: Array,
+        pairs: Array,
+        moving: tuple[Array, Array],
+        found: tuple[Array, Array, Array, Array],
+    ) -> None:
+        """Find how near pairs come on ways; see the kernel."""
+        poses, room = np.zeros((len(self.convexes), 12)), np.zeros((19, 4))
+        least, rows, near, episodes = found
+        closest_on_ways(
+            self._points, self._bodies, items, pairs, *moving, poses, room, least, rows, near, episodes
+        )
 
     def nearness(self, placed: Array, pair: Sequence[int], row: Array, fine: float = FINE) -> Nearness:
         """Return what is found of a pair, with its margins; where hulls meet, how deep they are.

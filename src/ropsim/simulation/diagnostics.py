@@ -139,6 +139,30 @@ A payload much heavier than the arm is tuned for settles slowly, too: slow the m
 """,
 )
 
+COLLISION = define(
+    "S751",
+    "collision",
+    Severity.WARNING,
+    "bodies are in each other on the way",
+    """
+On its way an arm, its tool, the part that it holds or a device was in something else. The message names both
+and says how deep they were, the label when that began. A real arm would have hit it.
+
+**What is looked at.** Everything that moves, with what it carries, against everything else, at all recorded
+rows at which two may meet; the bodies of one robot against each other every 20 ms. Meshes and prisms count as
+their convex hulls: a hollow of them is no room here. Parts may be as deep in other things as `depth` of
+`[supports]` says, 2 mm where nothing is said; all else touches at most.
+
+**What is not.** What nothing moves against each other; links with a joint between them; what is drawn into
+each other, at rest or at the start; bodies without a shape. From the beginning of the last move before a part
+is gripped or released until the end of the first one after it, the part may touch the hand, and what it is
+taken from or put on.
+
+**How to mend it.** Lead the arm round it by a point on the way, lift the part higher before it goes across,
+take another posture, or move what is in the way.
+""",
+)
+
 PAYLOAD_EXCEEDED = define(
     "S749",
     "payload-exceeded",

@@ -17,7 +17,7 @@ from ropsim.workbench.workspace import Workspace
 
 if TYPE_CHECKING:
     from ropsim.flow import Recording
-    from ropsim.simulation import RunOptions
+    from ropsim.simulation import RunCollisions, RunOptions
     from ropsim.views import Comparison
     from ropsim.workbench.calibrated_project import CalibratedProject
     from ropsim.workbench.report import Report
@@ -224,6 +224,22 @@ class Project:
         if strict and not recording.ok:
             raise FailedRunError(recording)
         return recording
+
+    def collisions(self, recording: "Recording") -> "RunCollisions":
+        """Return what met on the ways of a run of this project, and how near bodies came at the least.
+
+        Args:
+            recording: of a run in its cell.
+
+        Raises:
+            ProjectError: the project has no cell.
+        """
+        from ropsim.meshes import mesh_points
+        from ropsim.simulation import run_collisions
+
+        if self.cell is None:
+            raise ProjectError(NO_CELL.at(None, f"`{self.folder}` has no cell"))
+        return run_collisions(recording, self.cell, mesh_points(self.folder, self.cell))
 
     def changes(self, texts: Iterable[str]) -> "list[Change | Subject]":
         """Return what texts change in the cell; nothing is run for it.

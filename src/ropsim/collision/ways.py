@@ -1,0 +1,87 @@
+"""How near convex bodies come to each other on ways: many pairs over the rows of a run."""
+
+import numpy as np
+
+from ropsim.collision.solid_bodies import Rows, SolidBodies
+from ropsim.spatial import Array, record
+
+ROOM = 256
+"""Episodes that are expected."""
+
+
+@record
+class Carriers:
+    """What moves over the rows of a run.
+
+    Attributes:
+        frames: R_W by rows and p_W [m] of each carrier by rows, shape (c, k, 12).
+        travel: how far the origin of each has come at most at each row [m], how far it has turned [rad]; then
+            the same of carriers as others see them, shape (t, 2, k).
+    """
+
+    frames: Array
+    travel: Array
+
+
+@record
+class Approach:
+    """What was found of pairs.
+
+    Attributes:
+        least: least distance of the pairs that count [m]; inf where none was looked at.
+        gaps: least distance that was found of each pair [m], shape (p,); inf where another one was nearer.
+        rows: where that was, shape (p,).
+        near: numbers of the rows behind which a pair may come nearer still.
+        episodes: pair, first and last row of each episode in which two meet, shape (m, 3).
+    """
+
+    least: float
+    gaps: Array
+    rows: Rows
+    near: Rows
+    episodes: Rows
+
+
+def carried(bodies: SolidBodies, number: int, carrier: int, X_CB: Array) -> Array:
+    """Return the row of a convex body on a carrier for `closest`, shape (22,).
+
+    Args:
+        bodies: all of them.
+        number: of the convex body.
+        carrier: its number, -1 for the world.
+        X_CB: pose of the body that it belongs to in the frame of the carrier, shape (4, 4).
+    """
+    X = X_CB @ bodies.convexes[number].X_BC.matrix()
+    middle, halves = bodies.box(number)
+    radius = float(np.linalg.norm(halves))
+    centre = X[:3, :3] @ middle + X[:3, 3]
+    reach = float(np.linalg.norm(centre)) + radius
+    return np.array([number, carrier, *centre, radius, reach, *X[:3, :3].ravel(), *X[:3, 3], *halves])
+
+
+def closest(
+    bodies: SolidBodies, items: Array, pairs: Array, carriers: Carriers, least: float = np.inf
+) -> Approach:
+    """Return how near pairs come to each other.
+
+    Args:
+        bodies: the convex bodies.
+        items: those on carriers, as `carried` makes them, shape (t, 22).
+        pairs: numbers of two items, first row, the one behind the last, 1 where the least distance counts, 0
+            where it is only asked whether they meet, row of `travel` that tells how the carrier of the second
+            moves as the first sees it, -1 where the motions of both are added; shape (p, 6).
+        carriers: what moves.
+        least: a distance that some pair is known to have [m]; nothing beyond it is looked at closely.
+    """
+    room = ROOM
+    while True:
+        known, near = np.array([least, 0.0]), np.zeros(carriers.frames.shape[1])
+        found, episodes = np.empty((len(pairs) + 1, 7)), np.empty((room, 3))
+        bodies.on_ways(items, pairs, (carriers.frames, carriers.travel), (known, found, near, episodes))
+        count = int(known[1])
+        if count <= room:
+            break
+        room = count
+    rows = found[:-1, 1].astype(np.intp)
+    told = episodes[:count].astype(np.intp)
+    return Approach(float(known[0]), found[:-1, 0], rows, np.flatnonzero(near), told)

@@ -1,0 +1,251 @@
+"""The pairs of tracks that are looked at, and how near they come."""
+
+from collections.abc import Iterator, Mapping, Sequence
+
+import numpy as np
+import numpy.typing as npt
+
+from ropsim.collision import (
+    AS_AT_START,
+    Approach,
+    Carriers,
+    Collisions,
+    LeftOut,
+    Pair,
+    carried,
+    closest,
+    left_out,
+    owners,
+)
+from ropsim.flow import Recording
+from ropsim.kinematics import body_poses
+from ropsim.model import WORLD, BodyKind
+from ropsim.simulation.ways.intents import Span
+from ropsim.simulation.ways.tracks import Track
+from ropsim.spatial import Array, record
+
+Rows = npt.NDArray[np.intp]
+"""Numbers of rows."""
+
+COARSE = 0.02
+"""At first rows so far apart are looked at [s]; where anything may be near, all of them."""
+GLANCE = 16
+"""Of these at first only each so many-th one: it tells about how near the nearest come."""
+SLACK = 1.1
+"""Between two rows a body moves by so much more than straight."""
+
+
+@record
+class Looked:
+    """Pairs of convex bodies on tracks.
+
+    Attributes:
+        tracks: all of them.
+        items: convex bodies on carriers, see `closest`.
+        owner: number of the track of each item, shape (t,).
+        carriers: names of what moves, by number.
+        seen: numbers of two carriers, of which the second one is looked at as the first one sees it.
+        pairs: items, times from and until [s], 1 where the least distance counts, and the row of `travel`;
+            shape (p, 6).
+    """
+
+    tracks: tuple[Track, ...]
+    items: Array
+    owner: tuple[int, ...]
+    carriers: tuple[str, ...]
+    seen: tuple[tuple[int, int], ...]
+    pairs: Array
+
+
+@record
+class Nearest:
+    """How near pairs come.
+
+    Attributes:
+        gaps: least distance that was found of each pair [m], shape (p,); inf where another one was nearer.
+        rows: of the recording where that was, shape (p,).
+        episodes: pair, first and last row of the recording in which two meet, shape (m, 3).
+    """
+
+    gaps: Array
+    rows: Rows
+    episodes: Rows
+
+
+def looked_at(
+    solids: Collisions,
+    made: Sequence[Track],
+    intents: Mapping[Pair, Sequence[Span]],
+    met: frozenset[Pair],
+) -> Looked:
+    """Return the pairs that are looked at.
+
+    Left out is what `left_out` of `ropsim.collision` names, what was in each other at the start, and what
+    touches on purpose while it does. Distances within one robot, its tool and what that holds do not count as
+    the least one: they are about the same all the time.
+
+    Args:
+        solids: the bodies of the cell.
+        made: tracks of all bodies.
+        intents: when bodies may touch, by pair.
+        met: pairs that are not looked at.
+    """
+    seen = tuple(track for track in made if track.body in solids.bodies.rows)
+    carriers = tuple(dict.fromkeys(track.carrier for track in seen if track.carrier != WORLD))
+    number = {WORLD: -1} | {name: k for k, name in enumerate(carriers)}
+    items: list[Array] = []
+    owner: list[int] = []
+    own: list[Rows] = []
+    for k, track in enumerate(seen):
+        solid = solids.bodies.rows[track.body]
+        own.append(np.arange(len(items), len(items) + len(solid)))
+        owner += [k] * len(solid)
+        items += [carried(solids.bodies, one, number[track.carrier], track.X_CB) for one in solid]
+    bodies = solids.tree.by_name()
+    built = [name for name in solids.bodies.rows if bodies[name].kind is not BodyKind.PART]
+    why = left_out(solids.tree, built, AS_AT_START)
+    never = met | {*solids.at_rest} | {pair for pair in why if why[pair] is not LeftOut.FIXED}
+    belongs = owners(solids.tree, bodies.keys())
+    rows: list[Array] = []
+    between: dict[tuple[int, int], int] = {}
+    for one, other, span, counts in _pairs(seen, intents, never, belongs):
+        a, b = own[one], own[other]
+        block = np.empty((len(a) * len(b), 6))
+        block[:, 0], block[:, 1] = np.repeat(a, len(b)), np.tile(b, len(a))
+        block[:, 2:5], block[:, 5] = (*span, counts), -1.0
+        if not counts:  # of one arm: it moves as a whole more than its links against each other
+            both = number[seen[one].carrier], number[seen[other].carrier]
+            block[:, 5] = len(carriers) + between.setdefault(both, len(between))
+        rows.append(block)
+    pairs = np.concatenate([np.empty((0, 6)), *rows])
+    return Looked(seen, np.array(items).reshape(-1, 22), tuple(owner), carriers, tuple(between), pairs)
+
+
+def nearest(solids: Collisions, looked: Looked, recording: Recording) -> Nearest:
+    """Return how near pairs come: at rows far apart first, then at all rows where anything may be near.
+
+    Args:
+        solids: the bodies of the cell.
+        looked: the pairs.
+        recording: of the run.
+    """
+    time = recording.time
+    Q = {
+        name: recording.channels[recording.facts.channel("q", name)].values.reshape(len(time), -1)
+        for name in solids.tree.mechanisms
+    }
+    step = max(1, round(COARSE / (time[1] - time[0]))) if len(time) > 1 else 1
+    ends = np.searchsorted(time, [one for track in looked.tracks for one in (track.start, track.end)])
+    edges = np.concatenate([ends, ends - 1, [0, len(time) - 1]])
+    rows = np.unique(np.concatenate([np.arange(0, len(time), step), edges.clip(0, len(time) - 1)]))
+    least = _over(solids, looked, time, Q, rows[::GLANCE], np.inf).least
+    found = _over(solids, looked, time, Q, rows, least)
+    whole = Nearest(found.gaps, rows[found.rows], _in_rows(found.episodes, rows))
+    last = len(rows) - 1
+    ahead = [np.arange(rows[k], rows[min(k + 1, last)] + 1) for k in found.near.tolist()]
+    if not ahead:
+        return whole
+    dense = np.unique(np.concatenate(ahead))
+    more = _over(solids, looked, time, Q, dense, found.least)
+    better = more.gaps < whole.gaps
+    return Nearest(
+        np.where(better, more.gaps, whole.gaps),
+        np.where(better, dense[more.rows], whole.rows),
+        np.concatenate([whole.episodes, _in_rows(more.episodes, dense)]),
+    )
+
+
+def frames_at(solids: Collisions, looked: Looked, Q: Mapping[str, Array]) -> Array:
+    """Return R_W by rows and p_W [m] of the carriers at joint coordinates, shape (c, k, 12)."""
+    poses = body_poses(solids.tree, Q, looked.carriers)
+    count = len(next(iter(Q.values())))
+    frames = np.empty((len(looked.carriers), count, 12))
+    for k, name in enumerate(looked.carriers):
+        frames[k, :, :9] = poses[name][:, :3, :3].reshape(-1, 9)
+        frames[k, :, 9:] = poses[name][:, :3, 3]
+    return frames
+
+
+def _over(
+    solids: Collisions, looked: Looked, time: Array, Q: Mapping[str, Array], rows: Rows, least: float
+) -> Approach:
+    """Return how near pairs come at some rows of a recording."""
+    frames = frames_at(solids, looked, {name: q[rows] for name, q in Q.items()})
+    seen = [_as_seen(frames, *pair)[np.newaxis] for pair in looked.seen]
+    carriers = Carriers(frames, _travel(np.concatenate([frames, *seen]), _wiggle(Q, rows)))
+    pairs = looked.pairs.copy()
+    pairs[:, 2:4] = np.searchsorted(time[rows], pairs[:, 2:4])
+    return closest(solids.bodies, looked.items, pairs, carriers, least)
+
+
+def _in_rows(episodes: Rows, rows: Rows) -> Rows:
+    """Return episodes by rows of the recording."""
+    return np.column_stack([episodes[:, 0], rows[episodes[:, 1:]]]).astype(np.intp)
+
+
+def _wiggle(Q: Mapping[str, Array], rows: Rows) -> Array:
+    """Return how far joints have gone there and back between rows [rad | m], shape (k - 1,)."""
+    total = np.zeros(len(rows) - 1)
+    for q in Q.values():
+        gone = np.add.reduceat(np.abs(np.diff(q, axis=0)), rows[:-1], axis=0) if len(rows) > 1 else q[:0]
+        total += np.sum(gone - np.abs(np.diff(q[rows], axis=0)), axis=1)
+    return np.maximum(total, 0.0)
+
+
+def _as_seen(frames: Array, one: int, other: int) -> Array:
+    """Return the frame of a carrier in that of another one by rows, shape (k, 12); -1 is the world."""
+    R, p = frames[other, :, :9].reshape(-1, 3, 3), frames[other, :, 9:]
+    if one >= 0:
+        R_W = frames[one, :, :9].reshape(-1, 3, 3)
+        R, p = np.einsum("kji,kjl->kil", R_W, R), np.einsum("kji,kj->ki", R_W, p - frames[one, :, 9:])
+    return np.hstack([R.reshape(-1, 9), p])
+
+
+def _travel(frames: Array, wiggle: Array) -> Array:
+    """Return how far each carrier has moved and turned at each row at most, see `Carriers`."""
+    travel = np.zeros((len(frames), 2, frames.shape[1]))
+    reach = max(1.0, 2.0 * float(np.abs(frames[:, :, 9:]).max(initial=0.0)))
+    moved = np.diff(frames, axis=1)
+    travel[:, 0, 1:] = SLACK * np.linalg.norm(moved[:, :, 9:], axis=2) + reach * wiggle
+    travel[:, 1, 1:] = SLACK * np.linalg.norm(moved[:, :, :9], axis=2) / np.sqrt(2.0) + wiggle
+    return np.cumsum(travel, axis=2)
+
+
+def _pairs(
+    made: Sequence[Track],
+    intents: Mapping[Pair, Sequence[Span]],
+    never: frozenset[Pair],
+    belongs: Mapping[str, str],
+) -> Iterator[tuple[int, int, Span, float]]:
+    """Yield two tracks, when they are looked at, and 1 where their distance counts."""
+    owner = [belongs.get(one.body if one.carrier == WORLD else one.carrier, "") for one in made]
+    starts, ends = np.array([one.start for one in made]), np.array([one.end for one in made])
+    for k, one in enumerate(made):
+        if one.carrier == WORLD:
+            continue
+        for m in np.flatnonzero((starts < one.end) & (ends > one.start)).tolist():
+            other = made[m]
+            is_done = m <= k and other.carrier != WORLD
+            if is_done or other.carrier == one.carrier or not never.isdisjoint(_both(one, other)):
+                continue
+            span = max(one.start, other.start), min(one.end, other.end)
+            counts = 0.0 if owner[k] and owner[k] == owner[m] else 1.0
+            first, second = (k, m) if other.carrier != WORLD else (m, k)
+            for left in _without(span, intents.get((one.body, other.body), ())):
+                yield first, second, left, counts
+
+
+def _both(one: Track, other: Track) -> tuple[Pair, Pair]:
+    """Return the pair of their bodies in either order."""
+    return (one.body, other.body), (other.body, one.body)
+
+
+def _without(span: Span, gone: Sequence[Span]) -> Iterator[Span]:
+    """Yield what is left of a span."""
+    start, end = span
+    for first, last in sorted(gone):
+        if first > start and min(first, end) > start:
+            yield start, min(first, end)
+        start = max(start, last)
+    if end > start:
+        yield start, end

@@ -1,0 +1,85 @@
+"""Ways of a run: what meets is told with its line, what comes near with its distance."""
+
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import ropsim
+from ropsim.collision import Collisions
+from ropsim.flow import Recording
+from ropsim.model import Box, Cell, FixedObject, Shape
+from ropsim.simulation import run_collisions
+from ropsim.spatial import Pose
+
+EXAMPLES = Path(__file__).parents[3] / "examples"
+
+
+@cache
+def carried_out() -> tuple[Cell, Recording]:
+    project = ropsim.open(EXAMPLES / "first_cell")
+    assert project.cell is not None
+    return project.cell, project.simulate()
+
+
+def tcp(fraction: float) -> tuple[float, np.ndarray]:
+    """Return a recorded time [s], and where the TCP is then in the world [m], shape (3,)."""
+    cell, recording = carried_out()
+    row = int(fraction * len(recording.time))
+    place = recording.channels["attained_position"].values[row]
+    return float(recording.time[row]), cell.first.X_WB.matrix()[:3, :3] @ place + cell.first.X_WB.position
+
+
+def with_block(size: float, place: np.ndarray) -> Cell:
+    cell, _ = carried_out()
+    block = FixedObject("block", Pose(place), (Shape(Box((size, size, size))),))
+    return replace(cell, objects=(*cell.objects, block))
+
+
+def test_what_is_taken_and_put_down_meets_nothing_on_its_way() -> None:
+    cell, recording = carried_out()
+    found = run_collisions(recording, cell)
+    assert found.findings == ()
+    assert found.clearance is not None
+    assert found.clearance.distance > 0.0
+
+
+def test_a_block_on_the_way_is_met_on_a_line_and_at_a_time_of_the_program() -> None:
+    _, recording = carried_out()
+    time, place = tcp(0.5)
+    found = run_collisions(recording, with_block(0.06, place))
+    assert {one.code for one in found.findings} == {"S751"}
+    assert all("block" in (one.data["one"], one.data["other"]) and one.span for one in found.findings)
+    assert any(float(str(one.data["time_s"])) <= time for one in found.findings)
+    assert found.clearance is not None
+    assert found.clearance.distance < 0.0
+
+
+@pytest.mark.parametrize("height", [0.25, 0.6])
+def test_the_least_distance_is_that_of_every_recorded_state_looked_at_alone(height: float) -> None:
+    _, recording = carried_out()
+    _, place = tcp(0.5)
+    beside = with_block(0.02, place + np.array([0.0, 0.0, height]))
+    found = run_collisions(recording, beside)
+    assert found.clearance is not None
+    alone = Collisions(beside)
+    least = np.inf
+    for link in ("link4", "link5", "link6"):
+        absent = [one.name for one in alone.tree.bodies if one.name not in (link, "block")]
+        for q in recording.channels["q"].values[::10]:
+            least = min(least, alone.separation(q, absent=absent).distance)
+    assert found.clearance.distance <= least + 1e-9
+
+
+def test_bodies_without_a_shape_are_told() -> None:
+    cell, recording = carried_out()
+    bare = replace(
+        cell.first,
+        robot=replace(
+            cell.first.robot, links=tuple(replace(one, shapes=()) for one in cell.first.robot.links)
+        ),
+    )
+    undrawn = replace(cell, stations={"robot": bare})
+    assert {"link1", "link6"} <= {*run_collisions(recording, undrawn).unseen}
