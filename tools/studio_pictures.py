@@ -38,14 +38,19 @@ STEPS = {
     "load_pallet": {
         "Point supply": "infeed",
         "Point first place": "numbers …",
-        "first place X": "412.5",
-        "first place Y": "-147.5",
-        "first place Z": "600",
+        "first place X [mm]": "412.5",
+        "first place Y [mm]": "-147.5",
+        "first place Z [mm]": "600",
         "Value of distance": "75",
         "Value of parts in a row": "2",
         "Value of rows": "2",
     },
-    "pick": {"Point place": "numbers …", "place X": "412.5", "place Y": "-147.5", "place Z": "600"},
+    "pick": {
+        "Point place": "numbers …",
+        "place X [mm]": "412.5",
+        "place Y [mm]": "-147.5",
+        "place Z [mm]": "600",
+    },
 }
 """What is chosen and typed for the picture of the tasks, by task."""
 MOST_BYTES = 1_200_000
