@@ -49,6 +49,7 @@ from ropsim.workbench.robot_files import read_robot_files as read_robot_files
 from ropsim.workbench.robot_files import robots_read as robots_read
 from ropsim.workbench.robot_formats import ROBOT_FORMATS as ROBOT_FORMATS
 from ropsim.workbench.robot_formats import StepForm as StepForm
+from ropsim.workbench.session import SESSION as SESSION
 from ropsim.workbench.session import Answer as Answer
 from ropsim.workbench.session import Session as Session
 from ropsim.workbench.session import as_program as as_program

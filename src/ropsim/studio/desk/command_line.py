@@ -10,6 +10,7 @@ from ropsim.simulation import NobodyWatches, RunOptions, RunView
 from ropsim.studio.desk.finished import Shelf
 from ropsim.studio.desk.line import Line
 from ropsim.studio.desk.runnable import MOST_ROWS
+from ropsim.studio.desk.told_lines import in_program
 from ropsim.studio.jobs import OfferedReply, OfferWords, Tell, ToldReply
 from ropsim.views import plain_findings
 from ropsim.workbench import (
@@ -111,7 +112,7 @@ def _answer(reply: Reply, before: Session, first: int) -> ToldReply:
         reply.lines,
         plain_findings(reply.diagnostics),
         first,
-        pack_of(after.project, after.recording) if moved else None,
+        pack_of(after.project, in_program(after)) if moved else None,
         min(before.recording.duration, after.recording.duration),
         (reply.program.name, reply.program.text) if reply.program is not None else None,
     )
