@@ -22,4 +22,5 @@ from ropsim.codegen.tracer import cos as cos
 from ropsim.codegen.tracer import maximum as maximum
 from ropsim.codegen.tracer import minimum as minimum
 from ropsim.codegen.tracer import sin as sin
+from ropsim.codegen.tracer import sqrt as sqrt
 from ropsim.codegen.tracer import tanh as tanh

@@ -13,6 +13,7 @@ _CALLS = {
     "sin": "math.sin",
     "cos": "math.cos",
     "tanh": "math.tanh",
+    "sqrt": "math.sqrt",
     "min": "min",
     "max": "max",
 }

@@ -9,7 +9,9 @@ _OPERATIONS = {ast.Add: "fadd", ast.Sub: "fsub", ast.Mult: "fmul", ast.Div: "fdi
 _FOREIGN = ("sin", "cos", "tanh")
 """Functions of the C library, which Python's `math` calls, too."""
 _COMPARED = {"min": "<", "max": ">"}
-_CALLED = {"float", "abs", *_COMPARED, *_FOREIGN}
+_INTRINSIC = {"abs": "llvm.fabs", "sqrt": "llvm.sqrt"}
+"""Functions that are an instruction of the processor, the result to the last bit."""
+_CALLED = {"float", *_INTRINSIC, *_COMPARED, *_FOREIGN}
 
 
 class Instructions:
@@ -62,8 +64,8 @@ class Instructions:
     def _call(self, name: str, args: list[ir.Value]) -> ir.Value:
         if name == "float":
             return args[0]
-        if name == "abs":
-            return self.builder.call(self._module.declare_intrinsic("llvm.fabs", [REAL]), args)
+        if name in _INTRINSIC:
+            return self.builder.call(self._module.declare_intrinsic(_INTRINSIC[name], [REAL]), args)
         if name in _COMPARED:  # as Python has it: the first one unless the second one is smaller, or greater
             first, second = args
             return self.builder.select(

@@ -13,6 +13,7 @@ UNARY: Mapping[str, Callable[[float], float]] = {
     "sin": math.sin,
     "cos": math.cos,
     "tanh": math.tanh,
+    "sqrt": math.sqrt,
 }
 
 
@@ -175,6 +176,11 @@ def cos(x: Scalar) -> Scalar:
 def tanh(x: Scalar) -> Scalar:
     """Return the hyperbolic tangent."""
     return x._unary("tanh")
+
+
+def sqrt(x: Scalar) -> Scalar:
+    """Return the square root of a number that is not negative, to the last bit."""
+    return x._unary("sqrt")
 
 
 def minimum(a: Scalar, b: Scalar) -> Scalar:

@@ -73,10 +73,12 @@ from ropsim.model.drive import EffortAmplifier as EffortAmplifier
 from ropsim.model.drive import ElasticGear as ElasticGear
 from ropsim.model.drive import Friction as Friction
 from ropsim.model.drive import Gear as Gear
+from ropsim.model.drive import HydraulicMotor as HydraulicMotor
 from ropsim.model.drive import IdealMotor as IdealMotor
 from ropsim.model.drive import InputKind as InputKind
 from ropsim.model.drive import Motor as Motor
 from ropsim.model.drive import Transmission as Transmission
+from ropsim.model.drive import ValveAmplifier as ValveAmplifier
 from ropsim.model.drive import VoltageAmplifier as VoltageAmplifier
 from ropsim.model.drive import ideal_drive as ideal_drive
 from ropsim.model.external_values import ExternalValues as ExternalValues

@@ -11,6 +11,7 @@ class InputKind(StrEnum):
 
     VOLTAGE = "voltage"
     EFFORT = "effort"
+    CURRENT = "valve current"
 
 
 @frozen_dataclass
@@ -51,6 +52,17 @@ class EffortAmplifier:
 
 
 @frozen_dataclass
+class ValveAmplifier:
+    """An amplifier that drives the current through the coil of a servo valve.
+
+    Attributes:
+        max_input: [A]; the output is clipped to ±max_input.
+    """
+
+    max_input: float
+
+
+@frozen_dataclass
 class DcMotor:
     """A permanent-magnet DC motor: L·di/dt = u - R·i - Ke·ω, torque = Kt·i.
 
@@ -78,6 +90,46 @@ class IdealMotor:
     """
 
     rotor_inertia: float = 0.0
+
+
+@frozen_dataclass
+class HydraulicMotor:
+    """A hydraulic motor, or a cylinder with two equal areas, at a symmetric servo valve with four edges.
+
+    The spool opens as x'' = ωn²·(i/i_r - x) - 2·ζ·ωn·x'. Each edge that is open lets Q = Q_r·|x|·√(2·Δp/Δp_r)
+    through, the fall of pressure Δp_r of data sheets being that of both edges. Each chamber has
+    p' = β/V·(Q - D·ω - leak), and the torque is D·(p_a - p_b) (H. E. Merritt, Hydraulic Control Systems,
+    Wiley 1967). Of a cylinder ω is its speed [m/s], the torque a force [N], D its area [m²].
+
+    Attributes:
+        displacement: D [m³/rad | m²].
+        chamber_volume: V of each chamber with its line, at mid-stroke [m³].
+        leakage: from chamber to chamber [m³/(s·Pa)].
+        rotor_inertia: J [kg·m²], or the moving mass [kg].
+        supply_pressure: [Pa].
+        return_pressure: [Pa].
+        bulk_modulus: effective β of the oil [Pa].
+        rated_flow: Q_r [m³/s], at the rated current and fall of pressure.
+        rated_pressure_drop: Δp_r [Pa] over both edges.
+        rated_input: i_r [A].
+        natural_frequency: ωn of the spool [rad/s].
+        damping_ratio: ζ of the spool.
+        oil_density: [kg/m³], at which the flow is rated; no equation has it.
+    """
+
+    displacement: float
+    chamber_volume: float
+    leakage: float
+    rotor_inertia: float
+    supply_pressure: float
+    return_pressure: float
+    bulk_modulus: float
+    rated_flow: float
+    rated_pressure_drop: float
+    rated_input: float
+    natural_frequency: float
+    damping_ratio: float
+    oil_density: float = 870.0
 
 
 @frozen_dataclass
@@ -126,8 +178,8 @@ class Friction:
     smoothing_speed: float = 5e-3
 
 
-Amplifier = VoltageAmplifier | CurrentLimitedAmplifier | EffortAmplifier
-Motor = DcMotor | IdealMotor
+Amplifier = VoltageAmplifier | CurrentLimitedAmplifier | EffortAmplifier | ValveAmplifier
+Motor = DcMotor | IdealMotor | HydraulicMotor
 Transmission = Gear | ElasticGear
 
 

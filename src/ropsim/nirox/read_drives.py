@@ -11,9 +11,11 @@ from ropsim.model import (
     ElasticGear,
     Friction,
     Gear,
+    HydraulicMotor,
     IdealMotor,
     Motor,
     Transmission,
+    ValveAmplifier,
     VoltageAmplifier,
 )
 from ropsim.nirox.attributes import LARGEST
@@ -47,13 +49,25 @@ def read_drives(seen: Seen, pairs: list[int], numbers: list[int]) -> tuple[Drive
 def _is_held(seen: Seen, train: int) -> bool:
     motor, through = seen.ref(train, "motor"), seen.ref(train, "through")
     for number, allowed in (
-        (motor, ("dc_servo_motor", "ideal_effort_source")),
+        (motor, ("dc_servo_motor", "ideal_effort_source", "hydraulic_rotary_motor")),
         (through, ("gear_transmission", "screw_transmission")),
     ):
         if not any(seen.is_a(number, one) for one in allowed):
             words = f"the model has no such block: the robot has no drives (drive {seen.called(train)})"
             seen.note(LOST, number, words, f"allowed are {' and '.join(allowed)}")
             return False
+    return not _needs_a_valve(seen, train)
+
+
+def _needs_a_valve(seen: Seen, train: int) -> bool:
+    """Return whether a hydraulic motor has no valve, which is told."""
+    motor = seen.ref(train, "motor")
+    if not seen.is_a(motor, "hydraulic_rotary_motor"):
+        return False
+    if seen.has(train, "driven_by") and seen.is_a(seen.ref(train, "driven_by"), "servo_valve"):
+        return False
+    words = f"no servo valve drives it: the robot has no drives (drive {seen.called(train)})"
+    seen.note(LOST, motor, words, "name a SERVO_VALVE as `driven_by` of its drive")
     return True
 
 
@@ -71,6 +85,8 @@ def _motor(seen: Seen, train: int, at_input: float, number: int) -> tuple[Amplif
         if seen.has(motor, "bandwidth"):
             seen.note(LOST, motor, "`bandwidth` has no effect: the torque acts at once")
         return EffortAmplifier(seen.real(motor, "max_effort", inf)), IdealMotor(at_input)
+    if seen.is_a(motor, "hydraulic_rotary_motor"):
+        return _hydraulic(seen, motor, seen.ref(train, "driven_by"), at_input, number)
     limits = False
     if seen.has(train, "driven_by"):
         amplifier = seen.ref(train, "driven_by")
@@ -90,6 +106,32 @@ def _motor(seen: Seen, train: int, at_input: float, number: int) -> tuple[Amplif
     )
     most = seen.real(motor, "max_voltage"), seen.real(motor, "max_current")
     return (CurrentLimitedAmplifier(*most) if limits else VoltageAmplifier(*most)), made
+
+
+def _hydraulic(seen: Seen, motor: int, valve: int, at_input: float, number: int) -> tuple[Amplifier, Motor]:
+    """Return a hydraulic motor with the numbers of its valve and of the supply of that."""
+    supply = seen.ref(valve, "supply")
+    seen.take(valve, "amplifier", number)
+    seen.take(supply, "amplifier", number, "supply")
+    if seen.real(valve, "overlap") or seen.real(valve, "hysteresis") or seen.has(valve, "max_slew"):
+        seen.note(LOST, valve, "overlap, hysteresis and `max_slew` have no effect")
+    most, rotor = seen.real(valve, "max_input"), seen.real(motor, "rotor_inertia")
+    made = HydraulicMotor(
+        displacement=seen.real(motor, "displacement"),
+        chamber_volume=seen.real(motor, "chamber_volume"),
+        leakage=seen.real(motor, "internal_leakage"),
+        rotor_inertia=rotor + at_input if at_input else rotor,
+        supply_pressure=seen.real(supply, "supply_pressure"),
+        return_pressure=seen.real(supply, "return_pressure"),
+        bulk_modulus=seen.real(supply, "effective_bulk_modulus"),
+        rated_flow=seen.real(valve, "rated_flow"),
+        rated_pressure_drop=seen.real(valve, "rated_pressure_drop"),
+        rated_input=most,
+        natural_frequency=seen.real(valve, "natural_frequency"),
+        damping_ratio=seen.real(valve, "damping_ratio"),
+        oil_density=seen.real(supply, "oil_density"),
+    )
+    return ValveAmplifier(most), made
 
 
 def _transmission(seen: Seen, through: int, pair: int, number: int) -> tuple[Transmission, float]:

@@ -11,14 +11,20 @@ from ropsim.model import (
     EffortAmplifier,
     ElasticGear,
     Friction,
+    HydraulicMotor,
     IdealMotor,
     Joint,
     RobotModel,
+    ValveAmplifier,
+    VoltageAmplifier,
 )
 from ropsim.nirox.building import UNSET, Building, bounded
 from ropsim.nirox.diagnostics import LOST
 from ropsim.part21 import TRUE, Enumeration, Reference, Value
 
+_JOINED = (
+    "take a DC motor at a voltage amplifier, or a hydraulic one whose valve gets its rated current at most"
+)
 MOTOR_SIDE = Enumeration("MOTOR_SIDE")
 
 
@@ -42,17 +48,27 @@ def drive_losses(robot: RobotModel) -> Iterator[Diagnostic]:
     names = _impossible(robot)
     if names:
         words = f"drives of `{robot.name}` do not go over: of axes {', '.join(names)} motor and amplifier"
-        yield LOST.at(
-            None, f"{words} are not those of one kind", hint="take a DC motor at a voltage amplifier"
-        )
+        yield LOST.at(None, f"{words} are not those of one kind", hint=_JOINED)
 
 
 def _impossible(robot: RobotModel) -> list[str]:
     return [
         joint.name
         for joint, drive in zip(robot.axis_joints, robot.drives, strict=False)
-        if isinstance(drive.amplifier, EffortAmplifier) is not isinstance(drive.motor, IdealMotor)
+        if not _joined(drive)
     ]
+
+
+def _joined(drive: Drive) -> bool:
+    """Return whether the schema joins the amplifier and the motor of a drive."""
+    match drive.amplifier, drive.motor:
+        case ValveAmplifier(most), HydraulicMotor(rated_input=rated):
+            return most == rated
+        case ValveAmplifier(), _:
+            return False
+        case _, HydraulicMotor():
+            return False
+    return isinstance(drive.amplifier, EffortAmplifier) is isinstance(drive.motor, IdealMotor)
 
 
 def _drive_train(building: Building, number: int, joint: Joint, drive: Drive) -> None:
@@ -61,7 +77,7 @@ def _drive_train(building: Building, number: int, joint: Joint, drive: Drive) ->
     elastic: tuple[Value, Value] = (UNSET, UNSET)
     if isinstance(gear, ElasticGear):
         elastic = float(gear.stiffness), float(gear.damping)
-    at_input = 0.0 if isinstance(drive.motor, DcMotor) else float(drive.motor.rotor_inertia)
+    at_input = 0.0 if isinstance(drive.motor, DcMotor | HydraulicMotor) else float(drive.motor.rotor_inertia)
     values = (f"gear {joint.name}", float(gear.ratio), 1.0, 0.0, *elastic, at_input)
     through = building.add(("gear", number), "GEAR_TRANSMISSION", *values)
     limits = map(bounded, (joint.max_speed, joint.max_acceleration, joint.max_jerk))
@@ -72,7 +88,9 @@ def _drive_train(building: Building, number: int, joint: Joint, drive: Drive) ->
 def _motor(building: Building, number: int, name: str, drive: Drive) -> tuple[Reference, Value]:
     """Return the motor of a drive, and the amplifier where it says more than its voltage and current."""
     key, motor, amplifier = ("motor", number), drive.motor, drive.amplifier
-    if isinstance(motor, DcMotor) and not isinstance(amplifier, EffortAmplifier):
+    if isinstance(motor, HydraulicMotor):
+        return _hydraulic(building, number, name, motor)
+    if isinstance(motor, DcMotor) and isinstance(amplifier, VoltageAmplifier | CurrentLimitedAmplifier):
         constants = (motor.torque_constant, motor.back_emf_constant, motor.resistance, motor.inductance)
         most = (motor.rotor_inertia, amplifier.max_voltage, amplifier.max_current)
         numbers = map(float, (*constants, *most))
@@ -83,6 +101,19 @@ def _motor(building: Building, number: int, name: str, drive: Drive) -> tuple[Re
         return made, building.add(("amplifier", number), "ELECTRIC_AMPLIFIER", label, TRUE)
     effort = amplifier.max_effort if isinstance(amplifier, EffortAmplifier) else inf
     return building.add(key, "IDEAL_EFFORT_SOURCE", f"motor {name}", bounded(effort), UNSET), UNSET
+
+
+def _hydraulic(building: Building, number: int, name: str, motor: HydraulicMotor) -> tuple[Reference, Value]:
+    """Return a hydraulic motor and its valve, with the supply of that."""
+    pressures = (motor.supply_pressure, motor.return_pressure, motor.bulk_modulus, motor.oil_density)
+    key = ("amplifier", number)
+    supply = building.add((*key, "supply"), "HYDRAULIC_SUPPLY", f"supply {name}", *map(float, pressures))
+    flow = (motor.rated_flow, motor.rated_pressure_drop, motor.rated_input)
+    spool = (motor.natural_frequency, motor.damping_ratio, 0.0, 0.0)
+    valve = building.add(key, "SERVO_VALVE", f"valve {name}", supply, *map(float, (*flow, *spool)), UNSET)
+    sizes = (motor.displacement, motor.chamber_volume, motor.leakage, motor.rotor_inertia)
+    made = building.add(("motor", number), "HYDRAULIC_ROTARY_MOTOR", f"motor {name}", *map(float, sizes))
+    return made, valve
 
 
 def _friction(building: Building, number: int, friction: Friction) -> None:

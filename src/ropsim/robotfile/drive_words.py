@@ -7,7 +7,9 @@ from ropsim.model import (
     EffortAmplifier,
     ElasticGear,
     Friction,
+    HydraulicMotor,
     IdealMotor,
+    ValveAmplifier,
     VoltageAmplifier,
 )
 from ropsim.robotfile.toml_words import number, row, text, unless
@@ -24,6 +26,8 @@ def drive_keys(drive: Drive) -> dict[str, str] | None:
                 "max_torque": unless(most, 0.0),
                 "rotor_inertia": unless(inertia, 0.0),
             }
+        case ValveAmplifier(most), HydraulicMotor():
+            keys = _hydraulic(most, drive.motor)
         case _:
             return None
     return keys | _gear(drive) | _friction(drive.friction)
@@ -40,6 +44,26 @@ def _dc(amplifier: VoltageAmplifier | CurrentLimitedAmplifier, motor: DcMotor) -
         "max_voltage": number(amplifier.max_voltage),
         "max_current": number(amplifier.max_current),
         "limits_current": "true" if isinstance(amplifier, CurrentLimitedAmplifier) else "",
+    }
+
+
+def _hydraulic(most: float, motor: HydraulicMotor) -> dict[str, str]:
+    return {
+        "kind": text("hydraulic"),
+        "displacement": number(motor.displacement),
+        "chamber_volume": number(motor.chamber_volume),
+        "leakage": unless(motor.leakage, 0.0),
+        "rotor_inertia": unless(motor.rotor_inertia, 0.0),
+        "supply_pressure": number(motor.supply_pressure),
+        "return_pressure": unless(motor.return_pressure, 0.0),
+        "bulk_modulus": number(motor.bulk_modulus),
+        "rated_flow": number(motor.rated_flow),
+        "rated_pressure_drop": number(motor.rated_pressure_drop),
+        "rated_input": number(motor.rated_input),
+        "max_input": unless(most, motor.rated_input),
+        "natural_frequency": number(motor.natural_frequency),
+        "damping_ratio": unless(motor.damping_ratio, 0.7),
+        "oil_density": unless(motor.oil_density, 870.0),
     }
 
 

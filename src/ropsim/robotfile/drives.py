@@ -12,8 +12,10 @@ from ropsim.model import (
     ElasticGear,
     Friction,
     Gear,
+    HydraulicMotor,
     IdealMotor,
     Transmission,
+    ValveAmplifier,
     VoltageAmplifier,
 )
 from ropsim.robotfile import diagnostics as kinds
@@ -21,6 +23,8 @@ from ropsim.tomltext import NUMBER, TomlTable, read_kind
 
 _POSITIVE = NUMBER.within(1e-9, 1e9)
 _FROM_ZERO = NUMBER.within(0.0, 1e9)
+_HYDRAULIC = NUMBER.within(1e-18, 1e12)
+"""Volumes for a radian and pressures are far from 1 in SI units."""
 _RATIO = NUMBER.within(-1e6, 1e6)
 _SMOOTHING = 5e-3  # [rad/s | m/s], far below any programmed speed
 
@@ -76,6 +80,32 @@ def _servo(table: TomlTable, transmission: Transmission, friction: Friction) -> 
     return Drive(EffortAmplifier(most), motor, transmission, friction)
 
 
+def _hydraulic(table: TomlTable, transmission: Transmission, friction: Friction) -> Drive:
+    """Return a hydraulic motor, or a cylinder with two equal areas, at a servo valve."""
+    needed = (
+        "displacement",
+        "chamber_volume",
+        "supply_pressure",
+        "bulk_modulus",
+        "rated_flow",
+        "rated_pressure_drop",
+        "rated_input",
+        "natural_frequency",
+    )
+    table.require(*needed)
+    values = {key: table.number(key, _HYDRAULIC, 1.0) for key in needed}
+    motor = HydraulicMotor(
+        leakage=table.number("leakage", _FROM_ZERO, 0.0),
+        rotor_inertia=table.number("rotor_inertia", _FROM_ZERO, 0.0),
+        return_pressure=table.number("return_pressure", _FROM_ZERO, 0.0),
+        damping_ratio=table.number("damping_ratio", _POSITIVE, 0.7),
+        oil_density=table.number("oil_density", _POSITIVE, 870.0),
+        **values,
+    )
+    most = table.number("max_input", _HYDRAULIC, motor.rated_input)
+    return Drive(ValveAmplifier(most), motor, transmission, friction)
+
+
 def _transmission(table: TomlTable) -> Transmission:
     ratio = table.number("ratio", _RATIO, 1.0)
     if ratio == 0.0:
@@ -102,5 +132,5 @@ def _friction(table: TomlTable) -> Friction:
 
 
 _KINDS: Mapping[str, Callable[[TomlTable, Transmission, Friction], Drive]] = MappingProxyType(
-    {"dc": _dc, "servo": _servo}
+    {"dc": _dc, "servo": _servo, "hydraulic": _hydraulic}
 )

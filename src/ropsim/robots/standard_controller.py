@@ -35,6 +35,12 @@ from ropsim.robots.elastic_gears import (
     elastic_frequencies,
     gear_stiffnesses,
 )
+from ropsim.robots.hydraulic_loops import (
+    hydraulic_axes,
+    hydraulic_crossover,
+    hydraulic_statement,
+    with_hydraulic_axes,
+)
 from ropsim.spatial import Array, frozen, record
 
 ELECTRICAL_SHARE = 1.0 / 3.0
@@ -175,8 +181,14 @@ def _law(robot: Mechanism, rates: Rates) -> tuple[ControllerKind, Gains, tuple[P
     if all(map(_is_direct, robot.drives)):
         origin = ParameterOrigin("controller gains", "derived", _torque_statement(rates))
         return ControllerKind.COMPUTED_TORQUE, standard_torque_gains(robot, rates), (origin,)
-    origin = ParameterOrigin("controller gains", "derived", _statement(robot, rates))
-    return ControllerKind.CASCADED_P_PI, standard_gains(robot, rates), (origin,)
+    gains, hydraulic = standard_gains(robot, rates), len(hydraulic_axes(robot))
+    statements = [] if hydraulic == robot.n else [_statement(robot, rates)]
+    if hydraulic:
+        crossover = hydraulic_crossover(robot, rates)
+        gains = with_hydraulic_axes(gains, robot, crossover)
+        statements.append(hydraulic_statement(crossover))
+    origin = ParameterOrigin("controller gains", "derived", "; ".join(statements))
+    return ControllerKind.CASCADED_P_PI, gains, (origin,)
 
 
 def _is_direct(drive: Drive) -> bool:

@@ -1,5 +1,6 @@
 """Robots through NIROX files and back are equal to the last bit, texts through robots the same bytes."""
 
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -17,6 +18,7 @@ from ropsim.model import (
     ElasticGear,
     Friction,
     Gear,
+    HydraulicMotor,
     JointType,
     LoopCut,
     Material,
@@ -25,6 +27,7 @@ from ropsim.model import (
     RobotModel,
     Shape,
     Sphere,
+    ValveAmplifier,
     VoltageAmplifier,
     beside,
     on_track,
@@ -129,6 +132,33 @@ def test_drives_of_all_kinds_and_drawn_things_come_back() -> None:
         robot, drives=(limited, plain), links=links, joints=joints, gravity=np.array([1.0, 0.0, -9.0])
     )
     assert again(changed) == changed
+
+
+HYDRAULIC = Drive(
+    ValveAmplifier(0.05),
+    HydraulicMotor(2e-4, 3e-4, 1e-12, 0.1, 2.1e7, 2e5, 1.4e9, 40e-3 / 60.0, 7e6, 0.05, 630.0, 0.8, 860.0),
+    Gear(-1.5),
+    Friction(20.0),
+)
+
+
+def test_hydraulic_drives_come_back() -> None:
+    robot = replace(robots.load("two_link"), drives=(HYDRAULIC,) * 2)
+    assert again(robot) == robot
+
+
+def test_a_valve_that_never_opens_as_far_as_its_data_say_is_told() -> None:
+    weak = replace(HYDRAULIC, amplifier=ValveAmplifier(0.04))
+    written = write_nirox(replace(robots.load("two_link"), drives=(weak, HYDRAULIC)))
+    assert any("rated current" in (one.hint or "") for one in written.losses)
+
+
+def test_a_hydraulic_motor_without_a_valve_is_told() -> None:
+    text = write_nirox(replace(robots.load("two_link"), drives=(HYDRAULIC,) * 2)).text
+    found = read(re.sub(r"(DRIVE_TRAIN\('drive [^']*',#\d+,#\d+,#\d+,)#\d+", r"\1$", text))
+    assert found.robot is not None
+    assert found.robot.drives == ()
+    assert any("servo valve" in one.message for one in found.findings)
 
 
 def test_a_robot_without_drives_keeps_its_limits() -> None:

@@ -8,8 +8,18 @@ import pytest
 from ropsim import kinematics, robots
 from ropsim.core import SourceText
 from ropsim.dynamics import gravity
-from ropsim.model import DcMotor, ElasticGear, JointType, RobotModel, audit, capsule, check_counts
-from ropsim.robotfile import read_robot_file, robot_file_places
+from ropsim.model import (
+    DcMotor,
+    ElasticGear,
+    HydraulicMotor,
+    JointType,
+    RobotModel,
+    ValveAmplifier,
+    audit,
+    capsule,
+    check_counts,
+)
+from ropsim.robotfile import read_robot_file, robot_file_places, write_robot_file
 from support.robot_files import PUMA560, TWO_JOINTS
 
 ROUNDING = 1e-12
@@ -133,6 +143,25 @@ def test_drives_may_be_servos_with_elastic_gears() -> None:
     assert isinstance(transmission, ElasticGear)
     assert (transmission.ratio, transmission.stiffness) == (100.0, 2e4)
     assert robot.drives[0].friction.coulomb_negative == -0.1
+
+
+def test_drives_may_be_hydraulic() -> None:
+    keys = (
+        "displacement = 2e-4, chamber_volume = 3e-4, leakage = 1e-12, supply_pressure = 21e6, "
+        "bulk_modulus = 1.4e9, rated_flow = 6e-4, rated_pressure_drop = 7e6, rated_input = 0.05, "
+        "natural_frequency = 630"
+    )
+    one, other = (
+        f'{{ kind = "hydraulic", {keys} }}',
+        f'{{ kind = "hydraulic", max_input = 0.04, ratio = 2, {keys} }}',
+    )
+    robot = arm(f"mass = 12\ndrives = [{one}, {other}]\n" + TWO_JOINTS)
+    first, second = robot.drives
+    assert first.motor == HydraulicMotor(
+        2e-4, 3e-4, 1e-12, 0.0, 21e6, 0.0, 1.4e9, 6e-4, 7e6, 0.05, 630.0, 0.7
+    )
+    assert (first.amplifier, second.amplifier) == (ValveAmplifier(0.05), ValveAmplifier(0.04))
+    assert arm(write_robot_file(robot).text).drives == robot.drives
 
 
 def test_a_torque_constant_is_the_back_emf_constant_where_only_one_is_given() -> None:

@@ -49,6 +49,14 @@ CURRENT_LIMITED = AmplifierBlock(
     ),
     _within,
 )
+VALVE = AmplifierBlock(
+    InputKind.CURRENT,
+    ("max_input",),
+    ("max_input",),
+    Column("valve_current", "A", "current of the servo valve"),
+    _clipped,
+    (Limit("valve_current", LimitSort.LASTING, "max_input"),),
+)
 EFFORT = AmplifierBlock(
     InputKind.EFFORT,
     ("max_effort",),

@@ -112,7 +112,9 @@ class MotorBlock:
         steady: `(record, torque, shaft speed)` to the states, and the input, that go on giving the torque.
         pole: `record` to the rate at which its torque follows its input [rad/s].
         keeping: `(numbers, value, shaft speed)` to the input that would keep its first state at a value; None
-            for a motor without states.
+            for a motor without states, or one whose amplifier does not look at it.
+        most: `record` to the largest torque that it can give at standstill, whatever it is given; None where
+            its amplifier alone sets that.
     """
 
     takes: InputKind
@@ -124,6 +126,7 @@ class MotorBlock:
     steady: Callable[[Any, float, float], Steady]
     pole: Callable[[Any], float]
     keeping: Callable[[Numbers, Scalar, Scalar], Scalar] | None = None
+    most: Callable[[Any], float] | None = None
 
 
 class Shaft(NamedTuple):

@@ -3,7 +3,7 @@
 from math import inf, isfinite
 
 from ropsim.dynamics.drives.chain import chain_of
-from ropsim.model import Drive
+from ropsim.model import Drive, HydraulicMotor
 
 _OPEN = frozenset({"max_effort", "max_current"})
 """Limits that may be infinite."""
@@ -31,6 +31,11 @@ def drive_fault(drive: Drive) -> tuple[str, str] | None:
                 return f"`{name}`", f"is `{value}`; it must be positive and finite"
     if not (drive.ratio != 0.0 and abs(drive.ratio) < inf):
         return "magnitude of `ratio`", f"is `{abs(drive.ratio)}`; it must be positive and finite"
+    if isinstance(drive.motor, HydraulicMotor) and not (
+        0.0 <= drive.motor.return_pressure < drive.motor.supply_pressure and drive.motor.leakage >= 0.0
+    ):
+        found = f"is `{drive.motor.return_pressure}`; it must be between 0 and the supply pressure"
+        return "`return_pressure`", found
     if chain.transmission.states and not drive.motor.rotor_inertia > 0.0:
         found = f"is `{drive.motor.rotor_inertia}`; behind an elastic gear it must be positive"
         return "`rotor_inertia`", found

@@ -86,7 +86,8 @@ def largest_effort(drive: Drive) -> float:
 
     What its motor remembers and what its amplifier puts out grow in proportion to the effort; the first of
     them that comes to a limit of the drive sets the bound. Of a DC motor it is |G|·Kt times the smaller of
-    the largest current and the one that the largest voltage drives through the resistance.
+    the largest current and the one that the largest voltage drives through the resistance, of a hydraulic
+    motor what its supply presses.
 
     Args:
         drive: the drive; friction is no part of the effort.
@@ -94,7 +95,10 @@ def largest_effort(drive: Drive) -> float:
     Returns:
         Infinite where the drive has no limit.
     """
-    return _bound(drive, chain_of(drive).amplifier.limits)
+    chain = chain_of(drive)
+    if chain.motor.most is not None:
+        return chain.motor.most(drive.motor) * abs(drive.ratio)
+    return _bound(drive, chain.amplifier.limits)
 
 
 def _bound(drive: Drive, limits: Sequence[Limit]) -> float:

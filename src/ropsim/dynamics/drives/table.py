@@ -1,10 +1,11 @@
 """The blocks of all records that a drive can be made of: a new one is a file and an entry here."""
 
-from ropsim.dynamics.drives.amplifiers import CURRENT_LIMITED, EFFORT, VOLTAGE
+from ropsim.dynamics.drives.amplifiers import CURRENT_LIMITED, EFFORT, VALVE, VOLTAGE
 from ropsim.dynamics.drives.block import AmplifierBlock, MotorBlock, TransmissionBlock
 from ropsim.dynamics.drives.dc_motor import DC_MOTOR
 from ropsim.dynamics.drives.elastic_gear import ELASTIC_GEAR
 from ropsim.dynamics.drives.gear import GEAR
+from ropsim.dynamics.drives.hydraulic_motor import HYDRAULIC_MOTOR
 from ropsim.dynamics.drives.ideal_motor import IDEAL_MOTOR
 from ropsim.model import (
     CurrentLimitedAmplifier,
@@ -12,7 +13,9 @@ from ropsim.model import (
     EffortAmplifier,
     ElasticGear,
     Gear,
+    HydraulicMotor,
     IdealMotor,
+    ValveAmplifier,
     VoltageAmplifier,
 )
 
@@ -20,6 +23,7 @@ AMPLIFIERS: dict[type, AmplifierBlock] = {
     VoltageAmplifier: VOLTAGE,
     CurrentLimitedAmplifier: CURRENT_LIMITED,
     EffortAmplifier: EFFORT,
+    ValveAmplifier: VALVE,
 }
-MOTORS: dict[type, MotorBlock] = {DcMotor: DC_MOTOR, IdealMotor: IDEAL_MOTOR}
+MOTORS: dict[type, MotorBlock] = {DcMotor: DC_MOTOR, IdealMotor: IDEAL_MOTOR, HydraulicMotor: HYDRAULIC_MOTOR}
 TRANSMISSIONS: dict[type, TransmissionBlock] = {Gear: GEAR, ElasticGear: ELASTIC_GEAR}
