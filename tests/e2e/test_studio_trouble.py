@@ -14,7 +14,7 @@ from support.arm_poses import body_poses, joints_at, worst_apart
 from support.browser import FLAGS, Pages, chromium
 from support.patience import PATIENCE
 from support.small_disk import fill, small_disk
-from support.studio_client import journalled, page_of
+from support.studio_client import journalled, leave_for, page_of
 from support.studio_page import StudioPage
 from support.studio_process import Studio
 
@@ -53,6 +53,21 @@ def lasting(first_studio: Studio) -> Iterator[Studio]:
         for name in ("cell.toml", "programs/main.task"):
             page.say(type="revert", document=name)
             page.hear("documents")
+
+
+@pytest.fixture
+def lend(first_studio: Studio, first_cell: Path) -> Iterator[Start]:
+    """Return a function `(folder) -> Studio`: the shared one, which has that project until the test ends."""
+    lent: list[Path] = []
+
+    def lend(folder: Path) -> Studio:
+        lent.append(folder)
+        leave_for(first_studio, folder)
+        return first_studio
+
+    yield lend
+    if lent:
+        leave_for(first_studio, first_cell)
 
 
 def program(folder: Path) -> Path:
@@ -151,11 +166,12 @@ def test_of_two_tabs_one_edits_and_the_other_follows_until_it_takes_over(
 
 
 def test_a_broken_cell_opens_says_where_and_is_mended_in_the_editor(
-    start_studio: Start, open_unpainted: Pages, folder: Path
+    lend: Start, open_unpainted: Pages, folder: Path
 ) -> None:
     cell = (folder / "cell.toml").read_text("utf-8")
     (folder / "cell.toml").write_text(cell.replace('tool = "jaws"', 'tool = "jaws'), "utf-8")
-    page = StudioPage.arrived(open_unpainted, start_studio(folder).url)
+    page = StudioPage.arrived(open_unpainted, lend(folder).url)
+    page.take_over()
     page.page.locator(".stage-words", has_text="cell.toml has errors").wait_for()
     page.show("Problems").locator(".problem.error", has_text="cell.toml").first.click()
     line = page.page.locator(".cm-activeLine", has_text='tool = "jaws')
@@ -178,11 +194,11 @@ def test_a_cell_that_breaks_keeps_its_last_good_picture(lasting: Studio, open_un
 
 
 def test_a_missing_mesh_is_named_and_the_rest_is_drawn(
-    start_studio: Start, open_unpainted: Pages, folder: Path, first_run: Recording
+    lend: Start, open_unpainted: Pages, folder: Path, first_run: Recording
 ) -> None:
     with (folder / "cell.toml").open("a", encoding="utf-8") as cell:
         cell.write(FIXTURE)
-    page = StudioPage.opened(open_unpainted, start_studio(folder).url)
+    page = StudioPage.opened(open_unpainted, lend(folder).url)
     page.page.locator(".stage-problems summary").click()
     page.page.locator(".stage-problems li", has_text="fixture.stl").wait_for()
     page.show("Problems").get_by_role("button", name="fixture.stl").first.wait_for()
@@ -192,14 +208,14 @@ def test_a_missing_mesh_is_named_and_the_rest_is_drawn(
 
 
 def test_without_webgl_numbers_plots_and_editor_work(
-    browser: "Browser", start_studio: Start, folder: Path, first_run: Recording
+    browser: "Browser", lasting: Studio, first_run: Recording
 ) -> None:
     bare = browser.browser_type.launch(
         executable_path=chromium(), args=list(NO_WEBGL), timeout=1e3 * PATIENCE
     )
     pages = Pages(bare)
     try:
-        page = StudioPage.opened(pages, start_studio(folder).url)
+        page = StudioPage.opened(pages, lasting.url)
         page.page.locator(".stage").get_by_text("no WebGL 2").wait_for()
         page.slider().press("End")
         assert page.time() == first_run.duration
@@ -217,12 +233,11 @@ def test_without_webgl_numbers_plots_and_editor_work(
 
 
 def test_files_with_code_are_listed_until_the_folder_is_trusted(
-    start_studio: Start, open_undrawn: Pages, folder: Path
+    lend: Start, open_undrawn: Pages, folder: Path
 ) -> None:
     (folder / "controllers").mkdir()
     (folder / "controllers" / "mine.py").write_text("raise SystemExit\n", "utf-8")
-    studio = start_studio(folder)
-    page = StudioPage.opened(open_undrawn, studio.url)
+    page = StudioPage.opened(open_undrawn, lend(folder).url)
     banner = page.page.locator(".banner.warning", has_text="until you trust this folder")
     banner.get_by_text("Files with code").click()
     banner.get_by_text("controllers/mine.py").wait_for()
@@ -238,18 +253,19 @@ def test_files_with_code_are_listed_until_the_folder_is_trusted(
 
 
 def test_a_full_disk_is_said_and_the_text_stays(
-    start_studio: Start, open_undrawn: Pages, folder: Path, tmp_path: Path
+    lend: Start, open_undrawn: Pages, folder: Path, tmp_path: Path
 ) -> None:
     with small_disk(tmp_path / "disk") as disk:
         cell = Path(shutil.copytree(folder, disk / "cell"))
         before = program(cell).read_bytes()
-        page = StudioPage.opened(open_undrawn, start_studio(cell).url)
+        studio = lend(cell)
+        page = StudioPage.opened(open_undrawn, studio.url)
         fill(disk)
         page.append(2, "  # does not fit")
         page.page.keyboard.press("Control+s")
         page.page.locator(".notice", has_text="No space left on device").wait_for()
         assert page.line(2).text_content() == "units mm, deg, s  # does not fit"
-        page.until(lambda: journalled(tmp_path / "home", "# does not fit"))
+        page.until(lambda: journalled(studio.home, "# does not fit"))
         assert program(cell).read_bytes() == before
         assert not list(cell.rglob(".ropsim-*"))
         (disk / "filling").unlink()
@@ -258,9 +274,9 @@ def test_a_full_disk_is_said_and_the_text_stays(
 
 
 def test_a_dialog_whose_wish_is_refused_stays_with_the_reason_and_what_was_typed(
-    start_studio: Start, open_undrawn: Pages, folder: Path
+    lend: Start, open_undrawn: Pages, folder: Path
 ) -> None:
-    page = StudioPage.opened(open_undrawn, start_studio(folder).url)
+    page = StudioPage.opened(open_undrawn, lend(folder).url)
     page.command("New program …")
     dialog = page.page.get_by_role("dialog", name="New program")
     name = dialog.get_by_label("Name of the program")

@@ -10,6 +10,7 @@ from contextlib import closing
 from pathlib import Path
 from typing import Any
 
+from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import ClientConnection, connect
 from websockets.typing import Origin
 
@@ -93,6 +94,18 @@ class Page:
 def page_of(studio: Studio) -> Iterator[Page]:
     with opened(studio) as socket:
         yield Page(socket)
+
+
+def leave_for(studio: Studio, folder: Path) -> None:
+    """Let a studio have another project than it has, and wait until whoever comes finds that one."""
+    with page_of(studio) as page:
+        page.say(type="take_over")
+        page.say(type="open_project", path=str(folder))
+        with contextlib.suppress(ConnectionClosed):  # it comes back by itself where it is one in a browser
+            while True:
+                page.socket.recv(timeout=PATIENCE)
+    with page_of(studio) as page:
+        assert page.hear("welcome")["folder"] == str(folder.resolve())
 
 
 def wait_for_journal(home: Path, text: str) -> None:

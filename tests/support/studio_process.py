@@ -35,7 +35,7 @@ def own_port() -> int:
 
 
 class Studio:
-    """A running studio; `url` is the address it printed, with its token."""
+    """A running studio; `url` is the address it printed, with its token, `home` has the user's folders."""
 
     def __init__(
         self,
@@ -55,6 +55,7 @@ class Studio:
             cwd: working folder, `home` if none is given.
         """
         home.mkdir(parents=True, exist_ok=True)
+        self.home = home
         self._errors = home / "stderr.txt"
         with self._errors.open("ab") as errors:
             self.process = subprocess.Popen(
