@@ -13,21 +13,21 @@ ROOT = Path(__file__).parent.parent
 sys.path.insert(0, str(ROOT / "tests"))
 
 from support.fuzzing.guard import Result, fuzz  # noqa: E402  # the path above is needed first
-from support.fuzzing.targets import TARGETS  # noqa: E402  # as above
+from support.fuzzing.targets import NAMES, target_of  # noqa: E402  # as above
 
 
 def main() -> int:
     """Fuzz what the arguments say and return 1 where something was wrong."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("target", nargs="*", choices=[*TARGETS, []], help="what to fuzz, default: everything")
+    parser.add_argument("target", nargs="*", choices=[*NAMES, []], help="what to fuzz, default: everything")
     parser.add_argument("--cases", type=int, default=1000, metavar="N", help="how many inputs of each")
     parser.add_argument("--first", type=int, default=0, metavar="N", help="number of the first input")
     parser.add_argument("--seed", type=int, default=1, metavar="S", help="another seed makes other inputs")
     parser.add_argument("--show", type=int, metavar="N", help="write this input to standard output")
     options = parser.parse_args()
-    names = options.target or list(TARGETS)
+    names = options.target or list(NAMES)
     if options.show is not None:
-        sys.stdout.buffer.write(TARGETS[names[0]].case(options.seed, options.show))
+        sys.stdout.buffer.write(target_of(names[0]).case(options.seed, options.show))
         return 0
     faults = 0
     for name in names:

@@ -8,7 +8,7 @@ import sys
 import pytest
 
 from support.fuzzing.guard import fuzz
-from support.fuzzing.targets import TARGETS
+from support.fuzzing.targets import MODULES, NAMES, targets_of
 
 CASES = 100
 SEED = 7
@@ -25,13 +25,18 @@ WORDS = {
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="the guard needs limits of POSIX")
 
 
-@pytest.mark.parametrize("name", list(TARGETS))
+@pytest.mark.parametrize("name", NAMES)
 def test_hostile_input_is_answered(name: str) -> None:
     result = fuzz(name, SEED, range(CASES))
     assert result.faults == {}
     assert result.cases == CASES
     assert result.answers["read"] > 0  # some of it is still right
     assert len(result.answers) > 1  # and some is not
+
+
+@pytest.mark.parametrize("module", MODULES)
+def test_every_target_of_a_module_is_listed(module: str) -> None:
+    assert tuple(one.name for one in targets_of(module)) == MODULES[module]
 
 
 def test_the_guard_sees_what_it_is_for() -> None:

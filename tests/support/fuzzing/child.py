@@ -120,9 +120,9 @@ def _target(name: str) -> Target:
         from support.fuzzing.faulty import FAULTY
 
         return FAULTY
-    from support.fuzzing.targets import TARGETS
+    from support.fuzzing.targets import target_of
 
-    return TARGETS[name]
+    return target_of(name)
 
 
 def main() -> None:
