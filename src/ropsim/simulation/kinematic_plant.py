@@ -6,7 +6,6 @@ from ropsim.flow import JointReference
 from ropsim.model import Payload, RobotModel
 from ropsim.simulation.fields import fields
 from ropsim.simulation.past import Past
-from ropsim.simulation.plant import constant
 from ropsim.simulation.row_log import MOST_ROWS, RowLog
 from ropsim.simulation.tally import Tally
 from ropsim.spatial import Array
@@ -23,7 +22,7 @@ class KinematicPlant:
     """
 
     def __init__(self, robot: RobotModel, q: Array, record_ticks: int, most_rows: int = MOST_ROWS) -> None:
-        self._robot = robot
+        self._lower, self._upper = robot.lower_limits, robot.upper_limits
         self._q = np.array(q)
         self._qd = np.zeros(len(q))
         self._tick = 0
@@ -63,16 +62,25 @@ class KinematicPlant:
         table, row = self._log.claim(self._tick, reference.ticks)
         kept = (self._tick + 1 + np.arange(reference.ticks)) % self._log.decimation == 0
         table[row : self._log.rows] = np.hstack((reference.q[kept], reference.qd[kept]))
-        q, robot = reference.q, self._robot
-        beyond = np.maximum(np.maximum(q - robot.upper_limits, robot.lower_limits - q), 0.0)
-        self._tally.enter(self._tick + 1, np.hstack((beyond, reference.qd)))
-        self._past.enter(self._tick + 1, q)
+        self._judge(reference.q, reference.qd)
+        self._past.enter(self._tick + 1, reference.q)
         self._q, self._qd = np.array(reference.q[-1]), np.array(reference.qd[-1])
         self._tick += reference.ticks
 
     def hold(self, q: Array, ticks: int, payload: Payload) -> None:
-        """Stand still at `q` for `ticks` control ticks."""
-        self.follow(constant(q, ticks), payload)
+        """Stand still at `q` for `ticks` control ticks: one row tells all of them."""
+        del payload
+        table, row = self._log.claim(self._tick, ticks)
+        self._q, self._qd = np.array(q), np.zeros(len(q))
+        table[row : self._log.rows] = np.concatenate((self._q, self._qd))
+        self._judge(self._q[np.newaxis], self._qd[np.newaxis])
+        self._past.enter(self._tick + 1, self._q[np.newaxis])
+        self._tick += ticks
+
+    def _judge(self, q: Array, qd: Array) -> None:
+        """Enter coordinates and speeds of the next ticks, shape (k, n) each, into the tally."""
+        beyond = np.maximum(np.maximum(q - self._upper, self._lower - q), 0.0)
+        self._tally.enter(self._tick + 1, np.hstack((beyond, qd)))
 
     def q_at(self, tick: float) -> Array:
         """Return the joint coordinates at a tick that is not forgotten [rad | m], shape (n,)."""

@@ -53,6 +53,7 @@ class StationRun:
         in_vain: whether it stands for what will never come; the program is over then.
         dismissed: whether it has served those of other stations, which have ended; the program is over then.
         cut_short: whether `last_tick` ended its standing still, or a hand its move; the program is over then.
+        hands: names of the bodies of its tools.
     """
 
     station: Station
@@ -80,6 +81,10 @@ class StationRun:
     in_vain: bool = False
     dismissed: bool = False
     cut_short: bool = False
+    hands: frozenset[str] = field(init=False)
+
+    def __post_init__(self) -> None:
+        self.hands = frozenset(tool_body(name, self.station.name) for name in self.station.tools)
 
     @property
     def hz(self) -> int:
@@ -105,11 +110,6 @@ class StationRun:
     def hand(self) -> str:
         """Return the name of the body of the tool in force, empty for none."""
         return tool_body(self.tool.name, self.station.name) if self.tool else ""
-
-    @property
-    def hands(self) -> frozenset[str]:
-        """Return the names of the bodies of its tools."""
-        return frozenset(tool_body(name, self.station.name) for name in self.station.tools)
 
     def carriers(self, due: int) -> dict[str, Pose]:
         """Return the attained poses X_WC of what carries parts at a tick of the cell's clock, by name.
