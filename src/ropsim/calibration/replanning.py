@@ -41,7 +41,7 @@ def replanner(
     """
     made_for = standard_chain(cell, station)
 
-    @lru_cache(maxsize=8)
+    @lru_cache(maxsize=_KEPT)
     def chain(settings: MotionSettings) -> MotionChain:
         changed = with_settings(station, settings)
         robot, controller = changed.robot, changed.controller
