@@ -16,6 +16,7 @@ from ropsim.icr.location import external_part as external_part
 from ropsim.icr.location import pose_part as pose_part
 from ropsim.icr.machine import Machine as Machine
 from ropsim.icr.machine import MachineOptions as MachineOptions
+from ropsim.icr.opcodes import ENDS_FLOW as ENDS_FLOW
 from ropsim.icr.opcodes import OPCODES as OPCODES
 from ropsim.icr.opcodes import WORDS as WORDS
 from ropsim.icr.opcodes import Opcode as Opcode

@@ -70,7 +70,7 @@ class Opcode:
     @property
     def ends_flow(self) -> bool:
         """Return whether control never reaches the next instruction."""
-        return self.mnemonic in _ENDS
+        return self.mnemonic in ENDS_FLOW
 
     @property
     def is_move(self) -> bool:
@@ -78,7 +78,8 @@ class Opcode:
         return self.mnemonic.startswith("MOVE.") or self.mnemonic == "HOME"
 
 
-_ENDS = frozenset({"HALT", "TRAP", "JMP", "RET", "STOP"})
+ENDS_FLOW = frozenset({"HALT", "TRAP", "JMP", "RET", "STOP"})
+"""Instructions behind which control never reaches the next one."""
 _LETTERS = {
     "B": Type.BOOL,
     "I": Type.INT,

@@ -1,8 +1,9 @@
 """Collects the flat code of one procedure; code that no way leads to is not taken in."""
 
 from dataclasses import dataclass, field
+from typing import cast
 
-from ropsim.icr import OPCODES, Constant, Operand, Step
+from ropsim.icr import ENDS_FLOW, Constant, Operand, Step
 
 
 @dataclass(eq=False, slots=True)
@@ -47,16 +48,16 @@ class Emitter:
 
     def finished(self) -> tuple[tuple[Step, ...], tuple[int, ...]]:
         """Return the code and the source lines."""
-        steps = []
-        for mnemonic, operands, _ in self._code:
-            match operands:
-                case (Label() as label,):
-                    steps.append(Step(mnemonic, (label.position,)))
-                case _:
-                    steps.append(Step(mnemonic, operands))
-        return tuple(steps), tuple(line for *_, line in self._code)
+        steps = tuple(Step(mnemonic, _placed(operands)) for mnemonic, operands, _ in self._code)
+        return steps, tuple(line for _, _, line in self._code)
 
     def _add(self, mnemonic: str, operands: tuple[Operand, ...] | tuple[Label]) -> None:
         if self.is_live:
             self._code.append((mnemonic, operands, self.line))
-            self.is_live = not OPCODES[mnemonic].ends_flow
+            self.is_live = mnemonic not in ENDS_FLOW
+
+
+def _placed(operands: tuple[Operand, ...] | tuple[Label]) -> tuple[Operand, ...]:
+    """Return operands with the place of a label in its stead."""
+    first = operands[0] if operands else None
+    return (first.position,) if isinstance(first, Label) else cast(tuple[Operand, ...], operands)

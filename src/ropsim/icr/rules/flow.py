@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 from ropsim.core import Diagnostic
 from ropsim.icr import diagnostics as kinds
-from ropsim.icr.opcodes import OPCODES
+from ropsim.icr.opcodes import ENDS_FLOW, OPCODES
 from ropsim.icr.program import Procedure, Program, Step, text_place
 from ropsim.icr.stack import Fault, Stack, effect
 
@@ -34,7 +34,7 @@ class _State(NamedTuple):
 def successors(procedure: Procedure, index: int) -> tuple[int, ...]:
     """Return the instructions that may follow instruction `index`."""
     step = procedure.code[index]
-    follow: tuple[int, ...] = () if OPCODES[step.mnemonic].ends_flow else (index + 1,)
+    follow: tuple[int, ...] = () if step.mnemonic in ENDS_FLOW else (index + 1,)
     if step.mnemonic in JUMPS and isinstance(step.operands[0], int):
         return (*follow, step.operands[0])
     return follow
@@ -54,7 +54,7 @@ def check_reachability(program: Program, procedure: Procedure) -> Iterator[Diagn
             if target < size and target not in seen:
                 seen.add(target)
                 work.append(target)
-    if size - 1 in seen and not OPCODES[procedure.code[-1].mnemonic].ends_flow:
+    if size - 1 in seen and procedure.code[-1].mnemonic not in ENDS_FLOW:
         place = text_place(program, procedure, size - 1)
         message = f"procedure `{procedure.name}` ends without `RET`, `HALT`, `TRAP`, `STOP` or `JMP`"
         yield kinds.FALLS_OFF_END.at(place, message)

@@ -60,6 +60,7 @@ _BINARY = {
 }
 """The instructions that lowering emits, so that a constant has the bits that the machine would compute."""
 
+_NUMBERS = (int, float)
 _BY_TYPE = frozenset(_BINARY) - {"atan2"} | {"abs", "neg"}
 """Operations that are two instructions, one for INT and one for REAL."""
 
@@ -99,7 +100,7 @@ def number_of(expression: Expression) -> float | None:
         kind = expression.type
         if kind is ValueType.REAL or kind is ValueType.INT:
             value = expression.value
-            return value if isinstance(value, int | float) else None
+            return value if isinstance(value, _NUMBERS) else None
     return None
 
 
