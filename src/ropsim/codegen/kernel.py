@@ -25,7 +25,8 @@ def kernel(signature: str) -> Callable[[F], F]:
     """Compile a function of scalars and arrays, once per machine, or return it unchanged without numba.
 
     The machine code is cached on disk and made or loaded at the first call. Functions of the same module that
-    it calls are compiled with it; they, like the kernel, take scalars and arrays and allocate nothing.
+    it calls are compiled with it, and kernels of other modules, with what those call; they, like the kernel,
+    take scalars and arrays and allocate nothing.
     Division by zero gives inf or nan as in numpy arrays, and sums keep the order in which they are written
     (no fastmath), so that runs can be repeated bit by bit.
 
@@ -73,8 +74,20 @@ def _compiled(function: FunctionType, signature: str) -> Compiled:
     takes = Signature.parse(signature)
     name = function.__name__
     entry = takes.entry_text(name)
-    source = f"{getsource(sys.modules[function.__module__])}\n{_numbers(function)}\n{entry}"
-    return compiled(name, source, takes, lambda: _build(function, entry))
+    texts = [f"{getsource(sys.modules[one.__module__])}\n{_numbers(one)}" for one in _reached(function)]
+    return compiled(name, "\n".join((*texts, entry)), takes, lambda: _build(function, entry))
+
+
+def _reached(function: FunctionType) -> list[FunctionType]:
+    """Return a function and one of each other module whose kernels are compiled with it."""
+    found = {function.__module__: function}
+    waiting = [function]
+    while waiting:
+        for one in waiting.pop().__globals__.values():
+            if isinstance(one, Kernel) and one._function.__module__ not in found:
+                found[one._function.__module__] = one._function
+                waiting.append(one._function)
+    return list(found.values())
 
 
 def _numbers(function: FunctionType) -> str:
@@ -91,11 +104,14 @@ def _build(function: FunctionType, entry: str) -> tuple[object, Compiled]:
     """
     import numba
 
-    scope = {**function.__globals__, "numba": numba}
-    for name, one in function.__globals__.items():
-        inner = getattr(one, "__wrapped__", one)
-        if isinstance(inner, FunctionType) and inner.__module__ == function.__module__:
-            inside = numba.njit(error_model="numpy", **_INSIDE)
-            scope[name] = inside(FunctionType(inner.__code__, scope, name))
+    inside = numba.njit(error_model="numpy", **_INSIDE)
+    scopes: dict[str, dict[str, Any]] = {one.__module__: dict(one.__globals__) for one in _reached(function)}
+    for scope in scopes.values():
+        for name, one in tuple(scope.items()):
+            inner = getattr(one, "__wrapped__", one)
+            own = isinstance(inner, FunctionType) and inner.__module__ == scope["__name__"]
+            if own or isinstance(one, Kernel):
+                scope[name] = inside(FunctionType(inner.__code__, scopes[inner.__module__], name))
+    scope = scopes[function.__module__] | {"numba": numba}
     exec(compile(entry, f"<entry of {function.__name__}>", "exec"), scope)  # our own source
     return scope["entry"], numba.njit(error_model="numpy")(FunctionType(function.__code__, scope))

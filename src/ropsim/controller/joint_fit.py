@@ -46,14 +46,19 @@ class Fit:
     """A course, and what it takes of the joints.
 
     Attributes:
-        course: of the stretch.
+        motion: of the stretch on the course.
         reference: at control ticks, and what it uses of the limits.
         slowed: where it is slower than its bounds would have it.
     """
 
-    course: Course
+    motion: StretchMotion
     reference: Reference
     slowed: tuple[Slowed, ...]
+
+    @property
+    def course(self) -> Course:
+        """Return the course of the stretch."""
+        return self.motion.course
 
 
 def as_bounds_allow(parts: Sequence[Part], legs: int, arm: ArmBounds, period: float) -> Fit:
@@ -65,8 +70,8 @@ def as_bounds_allow(parts: Sequence[Part], legs: int, arm: ArmBounds, period: fl
         arm: limits of the joints.
         period: of the control ticks [s].
     """
-    course = course_of(parts, legs)
-    return Fit(course, as_planned(StretchMotion(course), arm.joints, arm.effort, period), ())
+    motion = StretchMotion(course_of(parts, legs))
+    return Fit(motion, as_planned(motion, arm.joints, arm.effort, period), ())
 
 
 def fitted(planned: Fit, legs: int, arm: ArmBounds, period: float, look_ahead: int) -> Fit:
@@ -127,8 +132,7 @@ def _is_too_heavy(reference: Reference, arm: ArmBounds) -> bool:
 def _bands(fit: Fit, arm: ArmBounds) -> dict[int, Bands]:
     """Return the bands of all parts that are planned with stages, by their number."""
     reference = fit.reference
-    motion, rates = StretchMotion(fit.course), reference.strain.rates
-    places, _ = places_of(motion, arm.joints, _SPACING, reference.phi, rates)
+    places, _ = places_of(fit.motion, arm.joints, _SPACING, reference.phi, reference.strain.rates)
     runs = enumerate(fit.course.runs)
     return {number: bands_of(run.part, places - run.start) for number, run in runs if run.part.has_stages}
 

@@ -6,7 +6,6 @@ from ropsim.controller.course import Course
 from ropsim.controller.joint_fit import Fit, as_bounds_allow, fitted
 from ropsim.controller.kept_limits import ArmBounds
 from ropsim.controller.parts import Part
-from ropsim.controller.stretch_motion import StretchMotion
 from ropsim.motion import Beyond, Kept, Slowed, kept_from
 from ropsim.spatial import record
 
@@ -64,6 +63,5 @@ def keeping_of(parts: Sequence[Part], legs: int, arm: ArmBounds, period: float, 
 
 
 def _keeping(fit: Fit, arm: ArmBounds, period: float) -> Keeping:
-    motion = StretchMotion(fit.course)
-    kept = kept_from(fit.reference, motion, arm.joints, arm.effort, period)
+    kept = kept_from(fit.reference, fit.motion, arm.joints, arm.effort, period)
     return Keeping(fit.course, kept, fit.slowed + (kept.slowed if isinstance(kept, Kept) else ()))

@@ -6,7 +6,8 @@ import numpy as np
 
 from ropsim.controller.course import Course, Run
 from ropsim.controller.pieces import piece_borders, stage_ends
-from ropsim.controller.stretch_kernel import add_in_time
+from ropsim.controller.stretch_kernel import add_in_time, walk_runs
+from ropsim.controller.walk_table import WalkTable, walk_table
 from ropsim.motion import JointPoints, LawRows, Ways
 from ropsim.spatial import Array, frozen, record
 
@@ -25,9 +26,11 @@ class StretchMotion:
 
     course: Course
     corners: Array = field(init=False, repr=False)
+    _table: WalkTable | None = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "corners", frozen([_end(run) for run in self.course.runs[:-1]]))
+        object.__setattr__(self, "_table", walk_table(self.course.runs))
 
     @property
     def duration(self) -> float:
@@ -43,6 +46,11 @@ class StretchMotion:
         runs = self.course.runs
         corners = self.corners if len(self.corners) else _end(runs[0])[None]
         total, before = np.empty((3, len(phi), corners.shape[1])), 0
+        if table := self._table:
+            numbers = table.runs, table.segments, table.pieces, table.rows, table.slopes
+            asked = np.ascontiguousarray(phi, dtype=np.float64)
+            walk_runs(*numbers, corners, asked, np.empty((5, len(phi))), np.empty_like(total), total)
+            return JointPoints(total[0], total[1], total[2])
         for number, run in enumerate(runs):
             first = int(np.searchsorted(phi, run.start)) if number else 0
             until = int(np.searchsorted(phi, run.end)) if number + 1 < len(runs) else len(phi)

@@ -16,6 +16,7 @@ from ropsim.motion.diagnostics import WRONG_NUMBER_OF_JOINTS as WRONG_NUMBER_OF_
 from ropsim.motion.diagnostics import WRONG_PROFILE_REQUEST as WRONG_PROFILE_REQUEST
 from ropsim.motion.durations import ZERO_LENGTH as ZERO_LENGTH
 from ropsim.motion.durations import durations as durations
+from ropsim.motion.law_rows_kernel import rows_at as rows_at
 from ropsim.motion.limits.demand import demand as demand
 from ropsim.motion.limits.grid import places_of as places_of
 from ropsim.motion.limits.joint_bounds import Effort as Effort
@@ -90,6 +91,11 @@ from ropsim.motion.paths import smoothly as smoothly
 from ropsim.motion.paths import spline as spline
 from ropsim.motion.paths import tool_turn as tool_turn
 from ropsim.motion.paths import traced_with_roughness as traced_with_roughness
+from ropsim.motion.paths.joint_line_kernel import line_points as line_points
+from ropsim.motion.paths.path_rows import SYNCHRONISED as SYNCHRONISED
+from ropsim.motion.paths.path_rows import TRACED as TRACED
+from ropsim.motion.paths.path_rows import rows_of_path as rows_of_path
+from ropsim.motion.paths.traced_kernel import traced_points as traced_points
 from ropsim.motion.profile import Profile as Profile
 from ropsim.motion.profile import ProfileError as ProfileError
 from ropsim.motion.profile import ProfileLimits as ProfileLimits
@@ -97,6 +103,7 @@ from ropsim.motion.profile import evaluate as evaluate
 from ropsim.motion.profile import plan_profile as plan_profile
 from ropsim.motion.stage import Stage as Stage
 from ropsim.motion.synchronised import SynchronisedJoints as SynchronisedJoints
+from ropsim.motion.synchronised_kernel import joint_rows as joint_rows
 from ropsim.motion.time_law import LawRows as LawRows
 from ropsim.motion.time_law import TimeLaw as TimeLaw
 from ropsim.motion.time_law import plan_time_law as plan_time_law

@@ -9,6 +9,7 @@ from ropsim.motion.diagnostics import WRONG_PROFILE_REQUEST
 from ropsim.motion.durations import ZERO_LENGTH
 from ropsim.motion.motion_limits import JointMotionLimits
 from ropsim.motion.paths.path import JointPoints
+from ropsim.motion.paths.path_rows import SYNCHRONISED, PathRows
 from ropsim.motion.profile import ProfileError
 from ropsim.motion.time_law import TimeLaw
 from ropsim.motion.time_law_kernel import LEAST, MOST
@@ -74,6 +75,11 @@ class SynchronisedJoints:
         out = np.empty((3, len(asked), len(self.q_start)))
         synchronised_kernel.joint_rows(self.q_start, self.q_end, self.shapes, self.length, asked, out)
         return JointPoints(out[0], out[1], out[2])
+
+    def path_rows(self) -> PathRows:
+        """Return what compiled loops take of the path."""
+        rows = np.array((self.q_start, self.q_end, *self.shapes))
+        return PathRows(SYNCHRONISED, 0.0, self.length, rows, np.empty((2, 0, len(self.q_start))))
 
 
 def _wrong_words(joint: int, way: Array, bounds: Array) -> str:

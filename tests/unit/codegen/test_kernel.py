@@ -1,6 +1,7 @@
 """The decorator that compiles where numba is installed."""
 
 import importlib
+import linecache
 import os
 import subprocess
 import sys
@@ -132,6 +133,47 @@ def test_without_numba_generated_code_runs_as_plain_python(monkeypatch: pytest.M
     assert default_engine() is (Engine.NUMBA if numba_available() else Engine.PYTHON)
     _hide_numba(monkeypatch)
     assert default_engine() is Engine.PYTHON
+
+
+INNER = """
+from ropsim.codegen import kernel
+
+FACTOR = {factor}
+
+@kernel("void(f8[::1], f8[::1])")
+def scaled(values, out):
+    for k in range(values.shape[0]):
+        out[k] = _times(values[k])
+
+def _times(value):
+    return FACTOR * value
+"""
+OUTER = """
+from ropsim.codegen import kernel
+from scaled_elsewhere import scaled
+
+FACTOR = 100.0
+
+@kernel("void(f8[::1], f8[::1])")
+def scaled_and_more(values, out):
+    scaled(values[1:], out[1:])
+    out[0] = FACTOR
+"""
+
+
+def test_a_kernel_calls_kernels_of_other_modules_with_the_numbers_that_these_know(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.syspath_prepend(tmp_path)
+    for factor in (2.0, 3.0):  # what the cache keeps of the first is not taken for the second
+        for name, text in (("scaled_elsewhere", INNER.format(factor=factor)), ("scaled_here", OUTER)):
+            (tmp_path / f"{name}.py").write_text(text)
+            monkeypatch.delitem(sys.modules, name, raising=False)
+        linecache.clearcache()
+        importlib.invalidate_caches()
+        out = np.empty(3)
+        importlib.import_module("scaled_here").scaled_and_more(np.array([1.0, 5.0, 7.0]), out)
+        assert out.tolist() == [100.0, 5.0 * factor, 7.0 * factor]
 
 
 NUMBERED = """

@@ -4,6 +4,7 @@ import numpy as np
 
 from ropsim.motion.paths.joint_line_kernel import line_points
 from ropsim.motion.paths.path import JointPoints
+from ropsim.motion.paths.path_rows import STRAIGHT, PathRows
 from ropsim.spatial import Array, frozen, record
 
 
@@ -33,3 +34,8 @@ class JointLine:
         out = np.empty((3, len(s), len(self.q_start)))
         line_points(self.q_start, self.q_end, np.ascontiguousarray(s, dtype=np.float64), out)
         return JointPoints(out[0], out[1], out[2])
+
+    def path_rows(self) -> PathRows:
+        """Return what compiled loops take of the path."""
+        rows = np.array((self.q_start, self.q_end))
+        return PathRows(STRAIGHT, 0.0, 1.0, rows, np.empty((2, 0, len(self.q_start))))

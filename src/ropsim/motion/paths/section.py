@@ -5,6 +5,7 @@ import numpy as np
 from ropsim.motion.paths.grid import grid_of_part
 from ropsim.motion.paths.nearest import distances
 from ropsim.motion.paths.path import JointPath, JointPoints, ToolPath, ToolPoints
+from ropsim.motion.paths.path_rows import PathRows, rows_of_path
 from ropsim.spatial import Array, record
 
 
@@ -30,6 +31,11 @@ class JointSection:
     def joints(self, s: Array) -> JointPoints:
         """Return the joints and their derivatives at places s, shape (k,)."""
         return self.path.joints(s + self.begin)
+
+    def path_rows(self) -> PathRows | None:
+        """Return what compiled loops take of the path; None where they do not know it."""
+        found = rows_of_path(self.path)
+        return found._replace(begin=self.begin) if found and found.begin == 0.0 else None
 
 
 @record

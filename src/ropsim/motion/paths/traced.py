@@ -6,6 +6,7 @@ import numpy as np
 
 from ropsim.motion.paths.differences import derivatives_and_roughness, row_derivatives
 from ropsim.motion.paths.path import JointPoints
+from ropsim.motion.paths.path_rows import TRACED, PathRows
 from ropsim.motion.paths.traced_kernel import traced_points
 from ropsim.spatial import Array, frozen, record
 
@@ -46,6 +47,10 @@ class Traced:
         per_unit = (count - 1) / self.length
         traced_points(self.q, self.derivatives, per_unit, np.ascontiguousarray(s), q, d1, d2)
         return JointPoints(q, d1, d2)
+
+    def path_rows(self) -> PathRows:
+        """Return what compiled loops take of the path."""
+        return PathRows(TRACED, 0.0, self.length, self.q, self.derivatives)
 
 
 def traced_with_roughness(length: float, q: Array) -> tuple[Traced, Array | None]:

@@ -1,0 +1,80 @@
+"""All runs of a stretch walked in one compiled loop: what each path and time law tells by itself."""
+
+from dataclasses import replace
+from itertools import pairwise
+
+import numpy as np
+import pytest
+
+from ropsim import robots
+from ropsim.controller.corners import Stop, corner_between
+from ropsim.controller.course import Course, course_of
+from ropsim.controller.leg import Leg, leg_of
+from ropsim.controller.parts import parts_of
+from ropsim.controller.pieces import pieces_of
+from ropsim.controller.stretch_motion import StretchMotion
+from ropsim.controller.walk_table import walk_table
+from ropsim.flow import ModalState, MoveInstruction
+from ropsim.model import Synchronisation
+from ropsim.motion import JointPath, JointPoints
+from ropsim.spatial import Array
+from support.cells import chain_of, one_station
+from support.motion import PUMA, START, interface_pose, lin, ptp, shifted
+
+HERE = interface_pose(START)
+GOALS = [shifted(HERE, -0.1, 0.1, 0.0), shifted(HERE, -0.1, 0.1, 0.1), shifted(HERE, 0.0, 0.15, 0.1)]
+ZONE = ModalState(zone=0.02)
+
+
+class Unknown:
+    """A path that compiled loops do not know."""
+
+    def __init__(self, path: JointPath) -> None:
+        self._path, self.length = path, path.length
+
+    def joints(self, s: Array) -> JointPoints:
+        return self._path.joints(s)
+
+
+def course(moves: list[MoveInstruction], mode: Synchronisation) -> Course:
+    chain = chain_of(one_station("walk", PUMA, replace(robots.default_controller(PUMA), ptp=mode)))
+    q, legs = START, []
+    for move in moves:
+        leg = leg_of(chain, move, q)
+        assert isinstance(leg, Leg)
+        legs.append(leg)
+        q = leg.q_end
+    found = [corner_between(chain, *pair) for pair in pairwise(legs)]
+    corners = [None if isinstance(one, Stop) else one for one in found]
+    return course_of(parts_of(pieces_of(legs, corners), 10), len(legs))
+
+
+def one_by_one(whole: Course) -> Course:
+    """Return a course whose paths are walked one by one."""
+    return replace(
+        whole,
+        runs=tuple(
+            replace(
+                run,
+                part=replace(
+                    run.part,
+                    pieces=tuple(replace(piece, joints=Unknown(piece.joints)) for piece in run.part.pieces),
+                ),
+            )
+            for run in whole.runs
+        ),
+    )
+
+
+@pytest.mark.parametrize("mode", list(Synchronisation))
+def test_all_runs_in_one_loop_are_bit_by_bit_what_their_paths_tell(mode: Synchronisation) -> None:
+    first, second, third = GOALS
+    whole = course([lin(first, ZONE), lin(second, ZONE), ptp(third, ZONE), ptp(HERE)], mode)
+    assert [len(run.pieces) for run in whole.runs] == [3, 1, 1]
+    assert walk_table(whole.runs) is not None
+    apart = one_by_one(whole)
+    assert walk_table(apart.runs) is None
+    times = np.linspace(0.0, whole.duration, 400)
+    together, each = StretchMotion(whole).at(times), StretchMotion(apart).at(times)
+    for name in ("q", "d1", "d2"):
+        assert getattr(together, name).tolist() == getattr(each, name).tolist()
