@@ -22,7 +22,7 @@ LEAST_SHARE = 0.03
 VALVE_SHARE = 0.2
 """Most of a crossover over the natural frequency of a valve, and over the control rate [Hz]."""
 CORNER_SHARE = 0.5
-"""Corner of the integral action over the crossover: it costs about 27 degrees, where the swing leaves many."""
+"""Corner of the integral action over the crossover: it costs about 27 degrees of phase."""
 SAMPLES = 64
 
 
