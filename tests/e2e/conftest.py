@@ -1,4 +1,7 @@
-"""The studio of the first example in the browser: one server for all, a page for the tests of a module."""
+"""The studio of the first example in the browser: one server for all, a page for the tests of a module.
+
+And the bare studio, whose page is tiny, for tests without a browser.
+"""
 
 import shutil
 from collections.abc import Iterator
@@ -8,8 +11,9 @@ from typing import TYPE_CHECKING
 import pytest
 
 from ropsim.flow import Recording
-from ropsim.workbench import Project, open_project
+from ropsim.workbench import Project, new_project, open_project
 from support.browser import Pages
+from support.studio_client import Lend, command, lending
 from support.studio_page import StudioPage
 from support.studio_process import Studio
 
@@ -81,3 +85,43 @@ def tab(first_pages: Pages, first_tab: StudioPage) -> Iterator[StudioPage]:
     first_tab.rest()
     yield first_tab
     assert first_pages.unexpected() == [], "the page complained"
+
+
+@pytest.fixture(scope="session")
+def bare_project(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Return the project that the bare studio has."""
+    return new_project(tmp_path_factory.mktemp("bare") / "cell")
+
+
+@pytest.fixture(scope="session")
+def bare_studio(bare_project: Path, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Studio]:
+    """Return a studio for tests without a browser that leave it as it was."""
+    place = tmp_path_factory.mktemp("bare")
+    with Studio(bare_project, place / "home", command=command(place)) as running:
+        yield running
+
+
+@pytest.fixture
+def lend_bare(bare_studio: Studio, bare_project: Path) -> Iterator[Lend]:
+    """Return what gives the bare studio another project until the test ends."""
+    with lending(bare_studio, bare_project) as lend:
+        yield lend
+
+
+@pytest.fixture
+def project(tmp_path: Path) -> Path:
+    """Return a new project that the test may spoil."""
+    return new_project(tmp_path / "cell")
+
+
+@pytest.fixture
+def lent(lend_bare: Lend, project: Path) -> Studio:
+    """Return the bare studio, which has the project of the test until it ends."""
+    return lend_bare(project)
+
+
+@pytest.fixture
+def studio(project: Path, tmp_path: Path) -> Iterator[Studio]:
+    """Return a studio that the test may end or damage."""
+    with Studio(project, tmp_path / "home", command=command(tmp_path)) as running:
+        yield running

@@ -3,31 +3,34 @@
 import contextlib
 import http.client
 import json
+import shutil
 import socket
 import sys
-from collections.abc import Iterator
 from contextlib import closing
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 from websockets.exceptions import InvalidStatus
 
+from ropsim.core import frozen_dataclass
 from ropsim.flow import Interventions
 from ropsim.records import read_recording
 from ropsim.records.inputs import read_inputs
 from ropsim.workbench import new_project
-from support import studio_launcher
-from support.patience import PATIENCE
+from support.patience import PATIENCE, until
 from support.studio_client import (
     Page,
     command,
     get,
+    leave_for,
     opened,
     page_of,
     secret,
     wait_for_journal,
 )
 from support.studio_family import gone, language_servers, needs_proc, workers
+from support.studio_launcher import MOST_LANGUAGE_SERVERS
 from support.studio_process import Studio, own_port
 
 MAIN = "programs/main.task"
@@ -35,27 +38,38 @@ CLOSED = b"\x88\x02" + (1013).to_bytes(2, "big")
 """The frame that closes a socket with the words: try again later."""
 
 
-@pytest.fixture
-def project(tmp_path: Path) -> Path:
-    return new_project(tmp_path / "cell")
+@frozen_dataclass
+class Ended:
+    """A studio that has come to its end: what it was, and the user's folders as it left them."""
 
-
-@pytest.fixture
-def studio(project: Path, tmp_path: Path) -> Iterator[Studio]:
-    with Studio(project, tmp_path / "home", own_port(), command=command(tmp_path)) as running:
-        yield running
+    project: Path
+    home: Path
+    port: int
+    url: str
+    cookie: str
 
 
 @pytest.fixture(scope="module")
-def shared(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Studio]:
-    """Return a studio for tests that leave it as it was."""
-    place = tmp_path_factory.mktemp("shared")
-    with Studio(new_project(place / "cell"), place / "home", command=command(place)) as running:
-        yield running
+def once(tmp_path_factory: pytest.TempPathFactory) -> Ended:
+    """Return a studio that a page had open, after its end."""
+    place = tmp_path_factory.mktemp("once")
+    project, home = new_project(place / "cell"), place / "home"
+    with Studio(project, home, own_port(), command=command(place)) as studio:
+        cookie = secret(studio)["Cookie"]
+        with page_of(studio) as page:
+            page.hear("welcome")
+            assert studio.terminate() == 0
+    return Ended(project, home, studio.port, studio.url, cookie)
 
 
-def test_nonsense_of_every_kind_is_told_and_the_page_goes_on(shared: Studio) -> None:
-    with page_of(shared) as page:
+@pytest.fixture
+def ended(once: Ended, tmp_path: Path) -> Ended:
+    """Return it with a copy of the user's folders, for the next studio."""
+    return replace(once, home=Path(shutil.copytree(once.home, tmp_path / "home")))
+
+
+def test_nonsense_of_every_kind_is_told_and_the_page_goes_on(bare_studio: Studio) -> None:
+    with page_of(bare_studio) as page:
         page.hear("run", state="done")
         for nonsense in (
             "",
@@ -78,18 +92,18 @@ def test_nonsense_of_every_kind_is_told_and_the_page_goes_on(shared: Studio) -> 
         assert page.hear("jogged", id=2)["reached"] is False
         page.say(type="run", program="", fidelity="kinematic")
         page.hear("run", state="done")
-    assert shared.errors() == ""
+    assert bare_studio.errors() == ""
 
 
-def test_a_tab_that_never_reads_is_dropped_and_holds_nobody_up(studio: Studio) -> None:
-    with page_of(studio) as page:
+def test_a_tab_that_never_reads_is_dropped_and_holds_nobody_up(lent: Studio) -> None:
+    with page_of(lent) as page:
         page.hear("run", state="done")
-        with closing(deaf_socket(studio)) as deaf:
+        with closing(deaf_socket(lent)) as deaf:
             for version in range(1, 27):  # 104 MB: more than may wait for a tab and the system holds for it
                 page.say(type="edit", document=MAIN, text=f"# {version}" + " " * 4_000_000, version=version)
             page.say(type="save", document="programs/none.task", overwrite=False)
             assert page.hear("notice")["code"] == "U958"
-            assert resident(studio.process.pid) < 400
+            assert resident(lent.process.pid) < 400
             deaf.settimeout(PATIENCE)
             held = b""  # what was in the buffers; the closing words are for those who still listen by then
             while not held.endswith(CLOSED) and (more := deaf.recv(1_000_000)):
@@ -127,39 +141,33 @@ def resident(pid: int) -> float:
 
 
 @needs_proc
-def test_many_tabs_share_few_language_servers_and_a_storm_leaves_none(
-    project: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    most = 3
-    monkeypatch.setenv(studio_launcher.MOST_LANGUAGE_SERVERS, str(most))
-    with Studio(project, tmp_path / "home", command=command(tmp_path)) as studio:
-        storm(studio, most)
-
-
-def storm(studio: Studio, most: int) -> None:
+def test_many_tabs_share_few_language_servers_and_a_storm_leaves_none(bare_studio: Studio) -> None:
     with contextlib.ExitStack() as stack:
-        pages = [Page(stack.enter_context(opened(studio)), str(number)) for number in range(20)]
+        first = stack.enter_context(page_of(bare_studio))  # the tab that edits, if one has been here lately
+        pages = [first, *(Page(stack.enter_context(opened(bare_studio)), f"{n}") for n in range(1, 20))]
         assert sum(page.hear("welcome")["editing"] for page in pages) == 1
-        languages = [stack.enter_context(opened(studio, "/ws/lsp")) for _ in range(most)]
+        languages = [
+            stack.enter_context(opened(bare_studio, "/ws/lsp")) for _ in range(MOST_LANGUAGE_SERVERS)
+        ]
         for language in languages:
             language.send('{"jsonrpc":"2.0","id":1,"method":"initialize","params":{"capabilities":{}}}')
             language.recv(timeout=PATIENCE)
-        with pytest.raises(InvalidStatus), opened(studio, "/ws/lsp"):
+        with pytest.raises(InvalidStatus), opened(bare_studio, "/ws/lsp"):
             pass
-        assert len(language_servers(studio.process.pid)) == most
+        assert len(language_servers(bare_studio.process.pid)) == MOST_LANGUAGE_SERVERS
         for page in pages:
             page.hear("run", state="done")
     for _ in range(30):
-        with opened(studio):
+        with opened(bare_studio):
             pass
-    assert gone(language_servers(studio.process.pid))
-    assert len(workers(studio.process.pid)) == 2
-    with page_of(studio) as page:
+    assert gone(language_servers(bare_studio.process.pid))
+    until(lambda: len(workers(bare_studio.process.pid)) == 2, "the workers of one project")
+    with page_of(bare_studio) as page:
         page.hear("welcome")
 
 
-def test_odd_addresses_are_not_found(shared: Studio) -> None:
-    ours = secret(shared)
+def test_odd_addresses_are_not_found(bare_studio: Studio) -> None:
+    ours = secret(bare_studio)
     for path in (
         "/run/../../etc/passwd",
         "/run/..%2f..%2fetc%2fpasswd",
@@ -175,78 +183,67 @@ def test_odd_addresses_are_not_found(shared: Studio) -> None:
         "/assets//etc/passwd",
         "/assets/%00",
     ):
-        assert get(shared, path, ours)[0] == 404, path
+        assert get(bare_studio, path, ours)[0] == 404, path
 
 
-def test_the_next_studio_of_a_project_takes_the_open_page_back(
-    studio: Studio, project: Path, tmp_path: Path
-) -> None:
-    old = secret(studio)
-    with page_of(studio) as page:
-        page.hear("welcome")
-        assert studio.terminate() == 0
-    with Studio(project, tmp_path / "home", command=command(tmp_path)) as again:
-        assert again.port == studio.port
-        assert again.url != studio.url
-        assert get(again, studio.url.split(str(studio.port), 1)[1], {})[0] == 401, "an old address opens it"
-        with opened(again, Cookie=old["Cookie"]) as socket:
-            assert Page(socket).hear("welcome")["project"] == project.name
+def test_the_next_studio_of_a_project_takes_the_open_page_back(ended: Ended, tmp_path: Path) -> None:
+    with Studio(ended.project, ended.home, command=command(tmp_path)) as again:
+        assert again.port == ended.port
+        assert again.url != ended.url
+        assert get(again, ended.url.split(str(ended.port), 1)[1], {})[0] == 401, "an old address opens it"
+        with opened(again, Cookie=ended.cookie) as socket:
+            assert Page(socket).hear("welcome")["project"] == ended.project.name
 
 
 def test_the_secret_of_a_project_is_in_no_address_and_opens_no_other_project(
-    studio: Studio, project: Path, tmp_path: Path
+    ended: Ended, tmp_path: Path
 ) -> None:
-    old = secret(studio)
-    value = old["Cookie"].split("=", 1)[1]
-    assert value not in studio.url
-    kept = [one for one in (tmp_path / "home").rglob("*.json") if value in one.read_text("utf-8")]
+    value = ended.cookie.split("=", 1)[1]
+    assert value not in ended.url
+    kept = [one for one in ended.home.rglob("*.json") if value in one.read_text("utf-8")]
     assert [(one.parent.name, one.stat().st_mode & 0o077) for one in kept] == [("studio", 0)]
-    assert studio.terminate() == 0
     other = new_project(tmp_path / "other")
-    with Studio(other, tmp_path / "home", port=studio.port, command=command(tmp_path)) as stranger:
-        with pytest.raises(InvalidStatus) as refused, opened(stranger, Cookie=old["Cookie"]):
+    with Studio(other, ended.home, port=ended.port, command=command(tmp_path)) as stranger:
+        with pytest.raises(InvalidStatus) as refused, opened(stranger, Cookie=ended.cookie):
             pass
         assert refused.value.response.status_code == 401
 
 
-def test_a_port_that_something_else_has_taken_is_left_to_it(
-    studio: Studio, project: Path, tmp_path: Path
-) -> None:
-    assert studio.terminate() == 0
+def test_a_port_that_something_else_has_taken_is_left_to_it(ended: Ended, tmp_path: Path) -> None:
     with closing(socket.socket(socket.AF_INET, socket.SOCK_STREAM)) as stranger:
         stranger.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
-        stranger.bind(("127.0.0.1", studio.port))
+        stranger.bind(("127.0.0.1", ended.port))
         stranger.listen()
-        with Studio(project, tmp_path / "home", command=command(tmp_path)) as again:
-            assert again.port != studio.port
+        with Studio(ended.project, ended.home, command=command(tmp_path)) as again:
+            assert again.port != ended.port
             with page_of(again) as page:
                 page.hear("welcome")
 
 
-def test_the_newest_run_is_served_as_files_under_the_same_rules(shared: Studio, tmp_path: Path) -> None:
-    with page_of(shared) as page:
+def test_the_newest_run_is_served_as_files_under_the_same_rules(bare_studio: Studio, tmp_path: Path) -> None:
+    with page_of(bare_studio) as page:
         run = page.hear("run", state="done")["id"]
         for ending in ("npz", "inputs.json"):
-            status, content = get(shared, f"/run/{run}.{ending}", secret(shared))
+            status, content = get(bare_studio, f"/run/{run}.{ending}", secret(bare_studio))
             assert status == 200
             (tmp_path / f"x.{ending}").write_bytes(content)
-            assert get(shared, f"/run/{run}.{ending}", {})[0] == 401
-            assert get(shared, f"/run/{run + 7}.{ending}", secret(shared))[0] == 404
+            assert get(bare_studio, f"/run/{run}.{ending}", {})[0] == 401
+            assert get(bare_studio, f"/run/{run + 7}.{ending}", secret(bare_studio))[0] == 404
         assert read_recording(tmp_path / "x.npz").duration > 0.0
         assert read_inputs(tmp_path / "x.inputs.json") == Interventions()
 
 
-def test_cookies_of_other_servers_of_this_machine_do_no_harm(shared: Studio) -> None:
-    ours = secret(shared)["Cookie"]
+def test_cookies_of_other_servers_of_this_machine_do_no_harm(bare_studio: Studio) -> None:
+    ours = secret(bare_studio)["Cookie"]
     strangers = "; ".join(f"ropsim-{port}=wrong" for port in range(9000, 9020))
-    assert get(shared, "/", {"Cookie": f"{strangers}; {ours}; _xsrf=2|a|b"})[0] == 200
-    assert get(shared, "/", {"Cookie": strangers})[0] == 401
+    assert get(bare_studio, "/", {"Cookie": f"{strangers}; {ours}; _xsrf=2|a|b"})[0] == 200
+    assert get(bare_studio, "/", {"Cookie": strangers})[0] == 401
     for stranger in (
         {"Origin": "null"},
-        {"Origin": f"http://127.0.0.1:{shared.port + 1}"},
-        {"Host": f"evil.example:{shared.port}"},
+        {"Origin": f"http://127.0.0.1:{bare_studio.port + 1}"},
+        {"Host": f"evil.example:{bare_studio.port}"},
     ):
-        with pytest.raises(InvalidStatus), opened(shared, **stranger):
+        with pytest.raises(InvalidStatus), opened(bare_studio, **stranger):
             pass
 
 
@@ -267,8 +264,8 @@ def test_a_full_disk_is_told_and_loses_nothing(project: Path, tmp_path: Path) ->
             assert second.hear("welcome")["documents"][1]["text"] == text
 
 
-def test_a_project_folder_that_goes_away_and_comes_back(studio: Studio, project: Path) -> None:
-    with page_of(studio) as page:
+def test_a_project_folder_that_goes_away_and_comes_back(lent: Studio, project: Path) -> None:
+    with page_of(lent) as page:
         page.hear("welcome")
         page.hear("run", state="done")
         page.say(type="edit", document=MAIN, text="# unsaved\n", version=1)
@@ -285,9 +282,9 @@ def test_a_project_folder_that_goes_away_and_comes_back(studio: Studio, project:
         page.hear("run", state="done")
 
 
-def test_two_studios_of_one_project_see_each_other(studio: Studio, project: Path, tmp_path: Path) -> None:
-    with Studio(project, tmp_path / "home", command=command(tmp_path)) as other:
-        with page_of(studio) as page, page_of(other) as theirs:
+def test_two_studios_of_one_project_see_each_other(lent: Studio, project: Path, tmp_path: Path) -> None:
+    with Studio(project, lent.home, command=command(tmp_path)) as other:
+        with page_of(lent) as page, page_of(other) as theirs:
             page.hear("run", state="done")
             theirs.hear("run", state="done")
             page.say(type="edit", document=MAIN, text="# mine\n", version=1)
@@ -298,10 +295,10 @@ def test_two_studios_of_one_project_see_each_other(studio: Studio, project: Path
             theirs.say(type="save", document=MAIN, overwrite=False)
             assert theirs.hear("notice")["code"] == "U956"
             assert (project / MAIN).read_text("utf-8") == "# mine\n"
-            wait_for_journal(tmp_path, "theirs")
+            wait_for_journal(lent.home, "theirs")
         other.kill()
-    assert studio.terminate() == 0
-    with Studio(project, tmp_path / "home", command=command(tmp_path)) as again, page_of(again) as page:
+    leave_for(lent, new_project(tmp_path / "other"))
+    with Studio(project, lent.home, command=command(tmp_path)) as again, page_of(again) as page:
         assert page.hear("welcome")["documents"][1]["text"] == "# theirs\n"
 
 

@@ -6,14 +6,12 @@ import os
 import signal
 import subprocess
 import time
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 from websockets.exceptions import ConnectionClosed
 
-from ropsim.workbench import new_project
-from support.patience import PATIENCE
+from support.patience import GLANCE, PATIENCE
 from support.studio_client import Page, command, opened, page_of
 from support.studio_family import ends, gone, language_servers, needs_proc, origins, workers
 from support.studio_process import Studio
@@ -24,17 +22,6 @@ LONG = "program main\nwait 60\n"
 """Ten minutes and more where it is run live as slowly as can be."""
 SHORT = "program main\nwait 1\n"
 INITIALIZE = '{"jsonrpc":"2.0","id":1,"method":"initialize","params":{"capabilities":{}}}'
-
-
-@pytest.fixture
-def project(tmp_path: Path) -> Path:
-    return new_project(tmp_path / "cell")
-
-
-@pytest.fixture
-def studio(project: Path, tmp_path: Path) -> Iterator[Studio]:
-    with Studio(project, tmp_path / "home", command=command(tmp_path)) as running:
-        yield running
 
 
 def hear_newer(page: Page, run: int, state: str) -> None:
@@ -107,7 +94,7 @@ def test_an_end_during_the_start_leaves_nothing(
     )
     end = time.monotonic() + PATIENCE
     while len(workers(started.pid)) < count and started.poll() is None and time.monotonic() < end:
-        time.sleep(0.002)
+        time.sleep(GLANCE)
     os.killpg(started.pid, signal.Signals[number])
     _, errors = started.communicate(timeout=PATIENCE)
     assert (started.returncode, errors) == (0, b"")
@@ -159,8 +146,8 @@ def test_every_process_may_be_killed_and_work_goes_on(studio: Studio) -> None:
                 language.recv(timeout=PATIENCE)
 
 
-def test_a_live_run_is_held_slowed_stopped_and_replaced_through_the_server(studio: Studio) -> None:
-    with page_of(studio) as page:
+def test_a_live_run_is_held_slowed_stopped_and_replaced_through_the_server(lent: Studio) -> None:
+    with page_of(lent) as page:
         page.hear("run", state="done")
         page.say(type="edit", document=MAIN, text=LONG, version=1)
         page.hear("run", state="done")

@@ -5,16 +5,15 @@ import gzip
 import json
 import socket
 import subprocess
-from collections.abc import Iterator
 from contextlib import closing
 from pathlib import Path
 
 import pytest
 from websockets.exceptions import ConnectionClosed, InvalidStatus
 
-from ropsim.workbench import new_project
 from support.patience import PATIENCE
 from support.studio_client import (
+    Lend,
     command,
     get,
     opened,
@@ -24,25 +23,6 @@ from support.studio_client import (
 )
 from support.studio_family import ends, group, needs_proc
 from support.studio_process import Studio
-
-
-@pytest.fixture
-def project(tmp_path: Path) -> Path:
-    return new_project(tmp_path / "cell")
-
-
-@pytest.fixture
-def studio(project: Path, tmp_path: Path) -> Iterator[Studio]:
-    with Studio(project, tmp_path / "home", command=command(tmp_path)) as running:
-        yield running
-
-
-@pytest.fixture(scope="module")
-def shared(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Studio]:
-    """Return a studio for tests that leave it as it was."""
-    place = tmp_path_factory.mktemp("shared")
-    with Studio(new_project(place / "cell"), place / "home", command=command(place)) as running:
-        yield running
 
 
 @needs_proc
@@ -81,22 +61,22 @@ def test_unsaved_text_survives_a_killed_server_and_no_process_does(
         assert (recovered["text"], recovered["recovered"]) == ("-- unsaved\n", True)
 
 
-def test_a_page_sees_the_cell_the_run_and_an_edit_that_is_refused(studio: Studio) -> None:
-    with page_of(studio) as page:
+def test_a_page_sees_the_cell_the_run_and_an_edit_that_is_refused(lent: Studio) -> None:
+    with page_of(lent) as page:
         welcome = page.hear("welcome")
         assert (welcome["editing"], welcome["program"]) == (True, "main")
         assert page.hear("scene")["scene"]["stations"][0]["robot"] == "puma560"
         done = page.hear("run", state="done")
-        status, pack = get(studio, f"/run/{done['id']}.pack", secret(studio))
+        status, pack = get(lent, f"/run/{done['id']}.pack", secret(lent))
         assert (status, gzip.decompress(pack)[:4]) == (200, b"RPK1")
         page.say(type="edit", document="programs/main.task", text="relase\n", version=1)
         refused = page.hear("run", state="refused")
         assert refused["findings"][0]["span"]["source"] == "programs/main.task"
-        assert get(studio, f"/run/{refused['id']}.pack", secret(studio))[0] == 404
+        assert get(lent, f"/run/{refused['id']}.pack", secret(lent))[0] == 404
 
 
-def test_the_language_server_answers_through_its_socket(shared: Studio, project: Path) -> None:
-    with opened(shared, "/ws/lsp") as language:
+def test_the_language_server_answers_through_its_socket(bare_studio: Studio, project: Path) -> None:
+    with opened(bare_studio, "/ws/lsp") as language:
         language.send('{"jsonrpc":"2.0","id":1,"method":"initialize","params":{"capabilities":{}}}')
         answer = json.loads(language.recv(timeout=PATIENCE))
         assert (answer["id"], "capabilities" in answer["result"]) == (1, True)
@@ -110,14 +90,14 @@ def test_the_language_server_answers_through_its_socket(shared: Studio, project:
         assert found["params"]["diagnostics"]
 
 
-def test_strangers_stay_outside(shared: Studio) -> None:
-    ours = secret(shared)
-    assert get(shared, "/", ours)[0] == 200
-    assert get(shared, "/", {})[0] == 401
-    assert get(shared, "/assets/index-1a2b3c.js", {})[0] == 401
-    assert get(shared, "/", {**ours, "Host": "evil.example"})[0] == 400
-    assert get(shared, "/", ours, "POST")[0] == 403
-    assert get(shared, "/assets/../index.html", ours)[0] == 404
+def test_strangers_stay_outside(bare_studio: Studio) -> None:
+    ours = secret(bare_studio)
+    assert get(bare_studio, "/", ours)[0] == 200
+    assert get(bare_studio, "/", {})[0] == 401
+    assert get(bare_studio, "/assets/index-1a2b3c.js", {})[0] == 401
+    assert get(bare_studio, "/", {**ours, "Host": "evil.example"})[0] == 400
+    assert get(bare_studio, "/", ours, "POST")[0] == 403
+    assert get(bare_studio, "/assets/../index.html", ours)[0] == 404
     for path in ("/ws/studio", "/ws/lsp"):
         for headers, status in (
             ({"Origin": "https://evil.example"}, 403),
@@ -126,19 +106,19 @@ def test_strangers_stay_outside(shared: Studio) -> None:
             ({"Host": "evil.example"}, 400),
         ):
             with pytest.raises(InvalidStatus) as refused:
-                opened(shared, path, **headers)
+                opened(bare_studio, path, **headers)
             assert refused.value.response.status_code == status
 
 
-def test_the_page_has_a_nonce_of_its_own_each_time(shared: Studio) -> None:
-    ours = secret(shared)
-    first, second = (get(shared, "/", ours)[1].decode() for _ in range(2))
+def test_the_page_has_a_nonce_of_its_own_each_time(bare_studio: Studio) -> None:
+    ours = secret(bare_studio)
+    first, second = (get(bare_studio, "/", ours)[1].decode() for _ in range(2))
     assert "__CSP_NONCE__" not in first
     assert first != second
 
 
-def test_a_message_beyond_all_measure_ends_its_own_socket_only(shared: Studio) -> None:
-    with opened(shared) as socket, page_of(shared) as other:
+def test_a_message_beyond_all_measure_ends_its_own_socket_only(bare_studio: Studio) -> None:
+    with opened(bare_studio) as socket, page_of(bare_studio) as other:
         with contextlib.suppress(ConnectionClosed):  # sooner or later, as the buffers have it
             socket.send("x" * 20_000_000)
         with pytest.raises(ConnectionClosed):
@@ -178,12 +158,12 @@ def test_where_no_project_is_the_command_says_how_to_make_one(tmp_path: Path) ->
 
 
 @pytest.mark.parametrize("cell", [b"[cell\n", b"\xff\xfe\x00", None])
-def test_a_broken_project_opens_and_is_shown(project: Path, tmp_path: Path, cell: bytes | None) -> None:
+def test_a_broken_project_opens_and_is_shown(lend_bare: Lend, project: Path, cell: bytes | None) -> None:
     if cell is None:
         (project / "cell.toml").unlink()
     else:
         (project / "cell.toml").write_bytes(cell)
-    with Studio(project, tmp_path / "home", command=command(tmp_path)) as studio, page_of(studio) as page:
+    with page_of(lend_bare(project)) as page:
         names = [one["name"] for one in page.hear("welcome")["documents"]]
         assert "programs/main.task" in names
         scene = page.hear("scene")

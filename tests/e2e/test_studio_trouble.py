@@ -14,7 +14,7 @@ from support.arm_poses import body_poses, joints_at, worst_apart
 from support.browser import FLAGS, Pages, chromium
 from support.patience import PATIENCE
 from support.small_disk import fill, small_disk
-from support.studio_client import journalled, leave_for, page_of
+from support.studio_client import Lend, journalled, lending, page_of
 from support.studio_page import StudioPage
 from support.studio_process import Studio
 
@@ -56,18 +56,10 @@ def lasting(first_studio: Studio) -> Iterator[Studio]:
 
 
 @pytest.fixture
-def lend(first_studio: Studio, first_cell: Path) -> Iterator[Start]:
-    """Return a function `(folder) -> Studio`: the shared one, which has that project until the test ends."""
-    lent: list[Path] = []
-
-    def lend(folder: Path) -> Studio:
-        lent.append(folder)
-        leave_for(first_studio, folder)
-        return first_studio
-
-    yield lend
-    if lent:
-        leave_for(first_studio, first_cell)
+def lend(first_studio: Studio, first_cell: Path) -> Iterator[Lend]:
+    """Return what gives the shared studio another project until the test ends."""
+    with lending(first_studio, first_cell) as lend:
+        yield lend
 
 
 def program(folder: Path) -> Path:
@@ -166,7 +158,7 @@ def test_of_two_tabs_one_edits_and_the_other_follows_until_it_takes_over(
 
 
 def test_a_broken_cell_opens_says_where_and_is_mended_in_the_editor(
-    lend: Start, open_unpainted: Pages, folder: Path
+    lend: Lend, open_unpainted: Pages, folder: Path
 ) -> None:
     cell = (folder / "cell.toml").read_text("utf-8")
     (folder / "cell.toml").write_text(cell.replace('tool = "jaws"', 'tool = "jaws'), "utf-8")
@@ -194,7 +186,7 @@ def test_a_cell_that_breaks_keeps_its_last_good_picture(lasting: Studio, open_un
 
 
 def test_a_missing_mesh_is_named_and_the_rest_is_drawn(
-    lend: Start, open_unpainted: Pages, folder: Path, first_run: Recording
+    lend: Lend, open_unpainted: Pages, folder: Path, first_run: Recording
 ) -> None:
     with (folder / "cell.toml").open("a", encoding="utf-8") as cell:
         cell.write(FIXTURE)
@@ -233,7 +225,7 @@ def test_without_webgl_numbers_plots_and_editor_work(
 
 
 def test_files_with_code_are_listed_until_the_folder_is_trusted(
-    lend: Start, open_undrawn: Pages, folder: Path
+    lend: Lend, open_undrawn: Pages, folder: Path
 ) -> None:
     (folder / "controllers").mkdir()
     (folder / "controllers" / "mine.py").write_text("raise SystemExit\n", "utf-8")
@@ -253,7 +245,7 @@ def test_files_with_code_are_listed_until_the_folder_is_trusted(
 
 
 def test_a_full_disk_is_said_and_the_text_stays(
-    lend: Start, open_undrawn: Pages, folder: Path, tmp_path: Path
+    lend: Lend, open_undrawn: Pages, folder: Path, tmp_path: Path
 ) -> None:
     with small_disk(tmp_path / "disk") as disk:
         cell = Path(shutil.copytree(folder, disk / "cell"))
@@ -274,7 +266,7 @@ def test_a_full_disk_is_said_and_the_text_stays(
 
 
 def test_a_dialog_whose_wish_is_refused_stays_with_the_reason_and_what_was_typed(
-    lend: Start, open_undrawn: Pages, folder: Path
+    lend: Lend, open_undrawn: Pages, folder: Path
 ) -> None:
     page = StudioPage.opened(open_undrawn, lend(folder).url)
     page.command("New program …")

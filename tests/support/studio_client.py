@@ -5,10 +5,10 @@ import http.client
 import json
 import sys
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import closing
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeAlias
 
 from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import ClientConnection, connect
@@ -106,6 +106,25 @@ def leave_for(studio: Studio, folder: Path) -> None:
                 page.socket.recv(timeout=PATIENCE)
     with page_of(studio) as page:
         assert page.hear("welcome")["folder"] == str(folder.resolve())
+
+
+Lend: TypeAlias = Callable[[Path], Studio]
+"""Asked for before what opens pages, so that these are closed before the studio has its own project again."""
+
+
+@contextlib.contextmanager
+def lending(studio: Studio, own: Path) -> Iterator[Lend]:
+    """Return what lets a studio that tests share have another project than its own, until the end."""
+    lent: list[Path] = []
+
+    def lend(folder: Path) -> Studio:
+        lent.append(folder)
+        leave_for(studio, folder)
+        return studio
+
+    yield lend
+    if lent:
+        leave_for(studio, own)
 
 
 def wait_for_journal(home: Path, text: str) -> None:

@@ -1,14 +1,13 @@
-"""`ropsim …` as a process of its own, with a tiny page in place of the built ones.
+"""`ropsim …` as a process of its own, with a tiny page in place of the built ones and few language servers.
 
-Arguments: folder to write the page to, then those of ropsim. The environment may lower the number of language
-servers: each is a process.
+Arguments: folder to write the page to, then those of ropsim.
 """
 
-import os
 import sys
 from pathlib import Path
 
-MOST_LANGUAGE_SERVERS = "TEST_MOST_LANGUAGE_SERVERS"
+MOST_LANGUAGE_SERVERS = 3
+"""Each is a process."""
 INDEX = """<!doctype html>
 <html lang="en"><head><meta charset="utf-8"><meta property="csp-nonce" nonce="__CSP_NONCE__">
 <title>ropsim studio</title></head><body></body></html>
@@ -28,8 +27,7 @@ def main() -> int:
     from ropsim.cli.main import main as command_line
     from ropsim.studio import pages, sockets
 
-    if most := os.environ.get(MOST_LANGUAGE_SERVERS):
-        sockets.MOST_LANGUAGE_SERVERS = int(most)
+    sockets.MOST_LANGUAGE_SERVERS = MOST_LANGUAGE_SERVERS
     folder = make_pages(Path(sys.argv[1]))
     pages.pages_folder = lambda: folder
     return command_line(sys.argv[2:])
