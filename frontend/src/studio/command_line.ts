@@ -17,9 +17,6 @@ export interface CommandLineWires {
   readonly undo: UndoStack
 }
 
-/** Words that are no commands of the robot; what they do is not undone by one step back. */
-const NO_COMMAND = /^\s*(undo|restart)\s*$/
-
 export class CommandLine {
   readonly #wires: CommandLineWires
   readonly #listeners = new Set<() => void>()
@@ -194,8 +191,7 @@ export class CommandLine {
       return
     }
     this.#lines = [...this.#lines, line]
-    if (id > 0 && commands === this.#commands + 1 && !NO_COMMAND.test(line.line))
-      this.#keepWayBack(line.line, commands)
+    if (id > 0 && commands === this.#commands + 1) this.#keepWayBack(line.line, commands)
     this.#count(commands)
     if (line.run > 0) this.#wires.show(line.run, line.since)
     if (id > 0 && line.outcome === 'over') this.#wires.leave()
