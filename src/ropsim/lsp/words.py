@@ -59,7 +59,7 @@ STATEMENTS: dict[str, Word] = {
     "return": Word("return [value]", "Ends the task, with its value where it has one."),
     "stop": Word('stop ["text"]', "Ends the program."),
     "call": Word("call TASK arguments", "Calls a task; the word may be left out."),
-    "print": Word("print value, …", "A message: the values in SI units with blanks between."),
+    "print": Word("print value, …", "A message: the values in units of the text, with blanks between."),
 }  # fmt: skip
 
 INNER: dict[str, Word] = {
