@@ -90,8 +90,8 @@ def reply_to(session: Session, line: str, options: "RunOptions") -> Reply:
 
 
 def _reply(session: Session, said: str, line: str, options: "RunOptions") -> Reply:
-    word, _, rest = said.partition(" ")
-    name = rest.strip()
+    head, _, rest = said.partition(" ")
+    word, name = head.lower(), rest.strip()
     if name.startswith("="):  # a variable has the name of a word
         return _told(session, line, options)
     match word, name:
@@ -110,6 +110,9 @@ def _reply(session: Session, said: str, line: str, options: "RunOptions") -> Rep
             hint = {"undo": "say `undo` once for each command", "restart": "say `restart` alone"}[word]
             what = {"undo": "takes one command back", "restart": "takes all commands back"}[word]
             raise ProjectError(NOT_IN_SESSION.at(None, f"`{word}` {what}", hint=hint))
+        case "save", "":
+            hint = "say `save` and a name, such as `save first_try`"
+            raise ProjectError(NOT_IN_SESSION.at(None, "`save` has no name for the program", hint=hint))
         case "save", _:
             return Reply(session, Outcome.ANSWERED, program=_program(session, name, options))
         case _:

@@ -89,6 +89,21 @@ def test_a_session_can_begin_anew(
     assert lines[-2].endswith("; 1.000 s (+1.000 s)")
 
 
+def test_words_to_the_session_are_written_in_any_case(
+    project: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert said(project, "print 1\nprint 2\nUndo\nLIST\nRestart\nlist\nQuit\nprint 3\n", monkeypatch) == 0
+    lines = [line for line in capsys.readouterr().out.splitlines() if not line.startswith("x ")]
+    assert lines == ["says 1", "says 2", "print 1", "no commands"]
+
+
+def test_a_program_without_a_name_is_not_saved(
+    project: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert said(project, "print 1\nsave\n", monkeypatch) == 1
+    assert "`save` has no name for the program" in capsys.readouterr().err
+
+
 def test_words_to_the_session_take_nothing_more(
     project: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

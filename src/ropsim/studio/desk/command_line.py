@@ -94,7 +94,7 @@ class ToldRobot:
 
 def _to_repeat(job: Tell) -> tuple[str, ...]:
     """Return the commands that must hold for a line: all of them, unless it forgets them."""
-    return () if job.line.strip() == "restart" else job.commands
+    return () if job.line.strip().lower() == "restart" else job.commands
 
 
 def _asked(session: Session) -> Reply:

@@ -83,7 +83,7 @@ def test_commands_are_carried_out_again_on_changed_texts(robot: ToldRobot, folde
     gone = robot.tell(replace(job, texts=without), FakeLine())
     assert [one["code"] for one in gone.findings] == ["X912"]
     assert gone.commands == told.commands  # the text may be changed back
-    anew = robot.tell(replace(job, texts=without, line="restart"), FakeLine())
+    anew = robot.tell(replace(job, texts=without, line="Restart"), FakeLine())
     assert (anew.outcome, anew.commands) == ("moved", ())
 
 
