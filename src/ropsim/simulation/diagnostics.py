@@ -1,4 +1,4 @@
-"""Diagnostics of simulated runs, S720 to S749; servo, inputs and arms without drives have others."""
+"""Diagnostics of simulated runs, S720 to S749 and S751; servo, inputs and arms without drives have others."""
 
 from ropsim.core import Severity, define
 
