@@ -38,8 +38,8 @@ from ropsim.views.picture.png import png_words as png_words
 from ropsim.views.picture.robot_picture import PictureOptions as PictureOptions
 from ropsim.views.picture.robot_picture import picture_print as picture_print
 from ropsim.views.picture.robot_picture import robot_png as robot_png
-from ropsim.views.reach.page import workspace_page as workspace_page
-from ropsim.views.reach.terminal import workspace_text as workspace_text
+from ropsim.views.reach.door import workspace_page as workspace_page
+from ropsim.views.reach.door import workspace_text as workspace_text
 from ropsim.views.result import ResultFigures as ResultFigures
 from ropsim.views.result_figures import result_figures as result_figures
 from ropsim.views.robot_state import state_text as state_text
