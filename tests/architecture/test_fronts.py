@@ -7,13 +7,14 @@ although the front offers a function of that name.
 
 import ast
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from functools import cache
 from pathlib import Path
 
 import pytest
 
 import ropsim
+from support.sources import trees
 
 SOURCE = Path(ropsim.__file__).parent
 ROOT = Path(__file__).parents[2]
@@ -34,10 +35,10 @@ def offered(package: str) -> frozenset[str]:
     return frozenset(names)
 
 
-def behind_fronts(text: str, own: str = "") -> list[str]:
+def behind_fronts(tree: ast.Module, own: str = "") -> list[str]:
     """Return what a module of the package `own` takes from others except through their fronts."""
-    tree = ast.parse(text)
-    return [found for node in ast.walk(tree) for found in _behind(node, own)] + _through(tree, own)
+    nodes = [node for node in ast.walk(tree) if isinstance(node, ast.Import | ast.ImportFrom | ast.Attribute)]
+    return [found for node in nodes for found in _behind(node, own)] + _through(nodes, own)
 
 
 def _behind(node: ast.AST, own: str) -> Iterator[str]:
@@ -57,18 +58,18 @@ def _behind(node: ast.AST, own: str) -> Iterator[str]:
             pass
 
 
-def _through(tree: ast.AST, own: str) -> list[str]:
+def _through(nodes: Sequence[ast.AST], own: str) -> list[str]:
     """Return modules that are reached as attributes, as `icr.machine` is after `from ropsim import icr`."""
     called = {
         alias.asname or alias.name: alias.name
-        for node in ast.walk(tree)
+        for node in nodes
         if isinstance(node, ast.ImportFrom) and node.module == "ropsim"
         for alias in node.names
         if alias.name in PACKAGES - {own}
     }
     return [
         f"ropsim.{package}.{node.attr}"
-        for node in ast.walk(tree)
+        for node in nodes
         if isinstance(node, ast.Attribute)
         and isinstance(node.value, ast.Name)
         and (package := called.get(node.value.id)) is not None
@@ -88,8 +89,8 @@ def _through(tree: ast.AST, own: str) -> list[str]:
     ],
 )
 def test_reaching_behind_a_front_is_found(line: str) -> None:
-    assert behind_fronts(line, "simulation")
-    assert behind_fronts(line, "views") == []
+    assert behind_fronts(ast.parse(line), "simulation")
+    assert behind_fronts(ast.parse(line), "views") == []
 
 
 @pytest.mark.parametrize(
@@ -102,30 +103,33 @@ def test_reaching_behind_a_front_is_found(line: str) -> None:
     ],
 )
 def test_what_a_front_offers_may_be_used(line: str) -> None:
-    assert behind_fronts(line, "simulation") == []
-
-
-def in_folder(folder: Path, own: str = "") -> set[str]:
-    return {
-        f"{path.relative_to(folder)}: {found}"
-        for path in folder.rglob("*.py")
-        for found in behind_fronts(path.read_text("utf-8"), own)
-    }
+    assert behind_fronts(ast.parse(line), "simulation") == []
 
 
 @pytest.mark.parametrize("package", sorted(PACKAGES))
 def test_a_package_enters_others_through_their_fronts(package: str) -> None:
-    assert in_folder(SOURCE / package, package) == set()
+    own = {path: tree for path, tree in trees().items() if path.startswith(f"{package}/")}
+    assert own
+    assert {f"{path}: {one}" for path, tree in own.items() for one in behind_fronts(tree, package)} == set()
 
 
 @pytest.mark.parametrize("folder", ["tools", "examples"])
 def test_tools_and_examples_use_what_the_fronts_offer(folder: str) -> None:
-    assert in_folder(ROOT / folder) == set()
+    found = {
+        f"{path.relative_to(ROOT)}: {one}"
+        for path in (ROOT / folder).rglob("*.py")
+        for one in behind_fronts(ast.parse(path.read_text("utf-8")))
+    }
+    assert found == set()
 
 
 def test_pages_show_what_the_fronts_offer() -> None:
     pages = [*ROOT.glob("*.md"), *(ROOT / "docs").rglob("*.md")]
     blocks = [(page, block) for page in pages for block in PYTHON.findall(page.read_text("utf-8"))]
     assert len(blocks) > 10
-    found = {f"{page.relative_to(ROOT)}: {one}" for page, block in blocks for one in behind_fronts(block)}
+    found = {
+        f"{page.relative_to(ROOT)}: {one}"
+        for page, block in blocks
+        for one in behind_fronts(ast.parse(block))
+    }
     assert found == set()
