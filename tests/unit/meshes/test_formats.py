@@ -3,11 +3,12 @@
 import io
 import json
 import struct
+from collections.abc import Callable
+from functools import cache, partial
 from typing import Any
 
 import numpy as np
 import pytest
-import trimesh
 
 from ropsim.meshes.formats import MeshFileError, Soup, read_obj, read_ply, read_stl
 from ropsim.meshes.formats.glb import read_glb
@@ -23,8 +24,11 @@ READERS = {"stl": read_stl, "obj": read_obj, "ply": read_ply, "glb": read_glb}
 TURNED = np.array([[0.0, -1.0, 0.0, 0.5], [0.0, 0.0, -1.0, 0.2], [1.0, 0.0, 0.0, 0.1], [0.0, 0.0, 0.0, 1.0]])
 
 
+@cache
 def scene_glb() -> bytes:
     """Two placed instances of a body, one of them turned, the other mirrored and stretched."""
+    import trimesh
+
     body = trimesh.Trimesh(*_indexed(drum(12)), process=False)
     scene = trimesh.Scene()
     scene.add_geometry(body, "body", "one", transform=TURNED)
@@ -39,30 +43,35 @@ def _indexed(soup: Array) -> tuple[Array, Any]:
     return soup.reshape(-1, 3), np.arange(3 * len(soup)).reshape(-1, 3)
 
 
+@cache
 def exported(ending: str, **options: Any) -> bytes:
     """A drum as an independent program writes it."""
+    import trimesh
+
     content = trimesh.Trimesh(*_indexed(drum(20)), process=False).export(file_type=ending, **options)
     return content.encode() if isinstance(content, str) else bytes(content)
 
 
-FILES = [
-    ("stl", exported("stl")),
-    ("stl", exported("stl_ascii")),
-    ("obj", exported("obj")),
-    ("ply", exported("ply", encoding="ascii")),
-    ("ply", exported("ply")),
-    ("glb", exported("glb")),
-    ("glb", scene_glb()),
-    ("obj", obj(3.0)),
-    ("ply", ply(3.0)),
-    ("ply", ply_binary(cube_soup(), ">")),
-    ("ply", ply_binary(cube_soup(), "<")),
-    ("stl", stl(cube_soup())),
-    ("stl", stl_text(cube_soup())),
+FILES: list[tuple[str, Callable[[], bytes]]] = [
+    ("stl", partial(exported, "stl")),
+    ("stl", partial(exported, "stl_ascii")),
+    ("obj", partial(exported, "obj")),
+    ("ply", partial(exported, "ply", encoding="ascii")),
+    ("ply", partial(exported, "ply")),
+    ("glb", partial(exported, "glb")),
+    ("glb", scene_glb),
+    ("obj", partial(obj, 3.0)),
+    ("ply", partial(ply, 3.0)),
+    ("ply", partial(ply_binary, cube_soup(), ">")),
+    ("ply", partial(ply_binary, cube_soup(), "<")),
+    ("stl", partial(stl, cube_soup())),
+    ("stl", partial(stl_text, cube_soup())),
 ]
 
 
 def other_reader(ending: str, content: bytes) -> Array:
+    import trimesh
+
     scene = trimesh.load_scene(io.BytesIO(content), file_type=ending, process=False)
     whole = scene.to_mesh()
     return np.asarray(np.asarray(whole.vertices)[np.asarray(whole.faces)])
@@ -75,8 +84,9 @@ def in_order(soup: Array) -> Array:
     return np.array(sorted(one.reshape(-1).tolist() for one in turned))
 
 
-@pytest.mark.parametrize(("ending", "content"), FILES)
-def test_the_triangles_are_those_of_an_independent_reader(ending: str, content: bytes) -> None:
+@pytest.mark.parametrize(("ending", "made"), FILES)
+def test_the_triangles_are_those_of_an_independent_reader(ending: str, made: Callable[[], bytes]) -> None:
+    content = made()
     ours = in_order(READERS[ending](content).corners)
     theirs = in_order(other_reader(ending, content))
     assert ours.shape == theirs.shape
@@ -212,10 +222,11 @@ def test_too_many_points_are_called_points(monkeypatch: pytest.MonkeyPatch) -> N
     assert found.value.found == "has 7 points, at most 6 are read"
 
 
-@pytest.mark.parametrize(("ending", "content"), FILES)
+@pytest.mark.parametrize(("ending", "made"), FILES)
 def test_no_format_gives_more_triangles_than_can_be_drawn(
-    ending: str, content: bytes, monkeypatch: pytest.MonkeyPatch
+    ending: str, made: Callable[[], bytes], monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    content = made()
     count = len(READERS[ending](content).corners)
     monkeypatch.setattr("ropsim.meshes.formats.soup.MOST_TRIANGLES", count)
     assert len(READERS[ending](content).corners) == count
