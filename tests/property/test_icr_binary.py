@@ -1,5 +1,7 @@
 """Text and binary form give each other for programs at random; damaged bytes are refused or have one form."""
 
+from functools import cache
+
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -15,13 +17,11 @@ BATCH = 20
 BUDGET = 20_000
 
 
+@cache
 def binary(seed: int) -> bytes:
     code = compiled(written(program(seed))).icr
     assert code is not None
     return encoded(code)
-
-
-BINARIES = [binary(seed) for seed in range(5)]
 
 
 @pytest.mark.parametrize("first", range(0, 100, BATCH))
@@ -46,7 +46,7 @@ def test_any_bytes_are_answered(content: bytes) -> None:
 
 
 @settings(max_examples=300, derandomize=True, deadline=None)
-@given(st.sampled_from(BINARIES), st.data())
+@given(st.sampled_from(range(5)).map(binary), st.data())
 def test_damaged_bytes_with_a_right_checksum_are_refused_or_have_one_form(
     content: bytes, data: st.DataObject
 ) -> None:

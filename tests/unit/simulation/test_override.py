@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from functools import cache
 
 import numpy as np
 import pytest
@@ -32,15 +33,13 @@ PERIOD = 1e-3
 ON_PATH = 1e-9  # [m] beside a line; between rows a polynomial of fifth degree goes through both
 
 
+@cache
 def program() -> icr.Program:
     compiled = ropsim.language.compile(
         "\n".join(("program p", "units mm, deg, s", *LINES)), environment_of(CELL)
     )
     assert compiled.icr is not None
     return compiled.icr
-
-
-CODE = program()
 
 
 @dataclass
@@ -78,10 +77,13 @@ def recorded(
     *acts: tuple[float, float | None], fidelity: Fidelity = Fidelity.KINEMATIC, longest: float = 3600.0
 ) -> Recording:
     watch = Hand(acts) if acts else NobodyWatches()
-    return run(CELL, {"robot": CODE}, RunOptions(fidelity, record_hz=1000, watch=watch, longest=longest))
+    return run(CELL, {"robot": program()}, RunOptions(fidelity, record_hz=1000, watch=watch, longest=longest))
 
 
-UNTOUCHED = recorded()
+@cache
+def untouched() -> Recording:
+    """Return the run that nobody touches."""
+    return recorded()
 
 
 def references(recording: Recording) -> tuple[Array, Array]:
@@ -91,7 +93,7 @@ def references(recording: Recording) -> tuple[Array, Array]:
 
 def off_path(recording: Recording) -> float:
     """Return how far the command positions are from those of the run that nobody touched, as a polyline."""
-    way = UNTOUCHED.channels["command_position"].values
+    way = untouched().channels["command_position"].values
     starts, ends = way[:-1], way[1:]
     steps = ends - starts
     squares = np.maximum((steps * steps).sum(axis=1), 1e-30)
@@ -104,17 +106,17 @@ def off_path(recording: Recording) -> float:
 
 def test_a_watched_run_that_nobody_touches_is_the_same_bit_by_bit() -> None:
     watched = recorded((1e6, 0.5))
-    assert watched.channels["q"].values.tobytes() == UNTOUCHED.channels["q"].values.tobytes()
-    assert watched.events_of(MoveEvent) == UNTOUCHED.events_of(MoveEvent)
+    assert watched.channels["q"].values.tobytes() == untouched().channels["q"].values.tobytes()
+    assert watched.events_of(MoveEvent) == untouched().events_of(MoveEvent)
 
 
 def test_at_half_the_override_motions_take_twice_the_time_on_the_same_path() -> None:
     slow = recorded((0.0, 0.5))
     first = slow.events_of(MoveEvent)[1:]
-    for event, once in zip(first, UNTOUCHED.events_of(MoveEvent)[1:], strict=True):
+    for event, once in zip(first, untouched().events_of(MoveEvent)[1:], strict=True):
         assert event.travel == pytest.approx(2.0 * once.travel, abs=2e-2)
     assert off_path(slow) < 2e-6  # chords of the path between ticks
-    assert np.abs(slow.channels["q_ref"].values[-1] - UNTOUCHED.channels["q_ref"].values[-1]).max() == 0.0
+    assert np.abs(slow.channels["q_ref"].values[-1] - untouched().channels["q_ref"].values[-1]).max() == 0.0
 
 
 def test_the_override_is_a_channel_of_the_recording() -> None:
@@ -130,10 +132,10 @@ def test_a_held_arm_stands_on_its_path_and_goes_on_from_there(time: float) -> No
     q, qd = references(held)
     hold = (held.time > time + 0.7) & (held.time < time + 1.5)
     assert np.ptp(q[hold], axis=0).max() == 0.0
-    assert held.duration == pytest.approx(UNTOUCHED.duration + 1.5, abs=0.35)
+    assert held.duration == pytest.approx(untouched().duration + 1.5, abs=0.35)
     assert off_path(held) < 2e-6
     assert (np.abs(qd) / ROBOT.max_speeds).max() <= WITHIN
-    assert q[-1].tolist() == UNTOUCHED.channels["q_ref"].values[-1].tolist()
+    assert q[-1].tolist() == untouched().channels["q_ref"].values[-1].tolist()
 
 
 def test_braking_and_going_on_keep_the_acceleration_of_every_joint() -> None:
@@ -145,9 +147,9 @@ def test_braking_and_going_on_keep_the_acceleration_of_every_joint() -> None:
 
 def test_an_intervention_acts_within_one_interpolation_tick() -> None:
     watch = Hand([(1.0, 0.3)])
-    run(CELL, {"robot": CODE}, RunOptions(Fidelity.KINEMATIC, watch=watch))
+    run(CELL, {"robot": program()}, RunOptions(Fidelity.KINEMATIC, watch=watch))
     assert watch.came[0] - 1.0 <= CELL.first.controller.rates.interpolation_period + 1e-12
-    assert watch.looks > 0.9 * UNTOUCHED.duration / CELL.first.controller.rates.interpolation_period
+    assert watch.looks > 0.9 * untouched().duration / CELL.first.controller.rates.interpolation_period
 
 
 def test_a_stop_brakes_on_the_path_and_the_recording_ends_where_the_arm_stands() -> None:
@@ -157,9 +159,9 @@ def test_a_stop_brakes_on_the_path_and_the_recording_ends_where_the_arm_stands()
     q, qd = references(stopped)
     assert np.abs(qd[-1]).max() < 1e-3
     assert off_path(stopped) < 2e-6
-    assert len(stopped.events_of(MoveEvent)) < len(UNTOUCHED.events_of(MoveEvent))
-    before = UNTOUCHED.time <= 1.4
-    same = UNTOUCHED.channels["q_ref"].values[before][:-5]
+    assert len(stopped.events_of(MoveEvent)) < len(untouched().events_of(MoveEvent))
+    before = untouched().time <= 1.4
+    same = untouched().channels["q_ref"].values[before][:-5]
     assert q[: len(same)].tobytes() == same.tobytes()
 
 
