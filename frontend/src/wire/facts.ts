@@ -100,6 +100,43 @@ export interface StationFacts {
   readonly called: readonly CalledTask[]
 }
 
+/** How near two bodies came at the least in a run. */
+export interface Clearance {
+  /** Name of a body. */
+  readonly one: string
+  /** Name of the other one. */
+  readonly other: string
+  /** Between them [m]; negative where they were in each other. */
+  readonly distance: number
+  /** When [s]. */
+  readonly time: number
+  /** Whose arm it was; empty for none. */
+  readonly station: string
+  /** Its source line then, from 1; 0 for none. */
+  readonly line: number
+}
+
+/** Two bodies. */
+export interface BodyPair {
+  /** Name of a body. */
+  readonly one: string
+  /** Name of the other one. */
+  readonly other: string
+}
+
+/** What was seen on the ways of a run, and what was not looked at. */
+export interface WayFacts {
+  /**
+   * How near bodies came at the least, those of one robot against each other left out; null where nothing
+   * moved against anything.
+   */
+  readonly clearance: Clearance | null
+  /** Names of bodies of which no shape is known. */
+  readonly unseen: readonly string[]
+  /** Pairs that were in each other at the start, or are drawn into each other. */
+  readonly met: readonly BodyPair[]
+}
+
 /** Who ran what, where and how. */
 export interface RunFacts {
   /** Version that made the run. */
@@ -127,4 +164,6 @@ export interface RunFacts {
   readonly destinations: Destinations
   /** Each with its program, in the order of the cell. */
   readonly stations: readonly StationFacts[]
+  /** What was seen on them; null where nobody looked for collisions. */
+  readonly ways: WayFacts | null
 }

@@ -42,6 +42,8 @@ def run(options: argparse.Namespace, output: Output) -> int:
         return output.findings(before, sources)
     project.workspace.keep()
     recording = _simulate(project, programs, options)
+    if options.collisions:
+        recording = _looked_at(project, recording)
     report = project.report(recording, before)
     if options.what_if:
         report = replace(report, comparison=_compared(project, recording, options))
@@ -127,6 +129,14 @@ def _simulate(
         from ropsim.simulation import run as simulate
 
         return simulate(cell, codes, _run_options(options, _counted(codes.values(), progress)))
+
+
+def _looked_at(project: Project, recording: Recording) -> Recording:
+    from ropsim.simulation import with_collisions
+
+    with Progress(f"looking for collisions, {project.folder.resolve().name}") as progress:
+        found = project.collisions(recording, lambda share: progress(share, "ways"))
+    return with_collisions(recording, found)
 
 
 def _compared(project: Project, recording: Recording, options: argparse.Namespace) -> Comparison:

@@ -63,8 +63,8 @@ class Collisions:
         }
         self._hidden = frozenset(body.name for body in self.tree.bodies if not body.visible)
         self._known: dict[Hashable, Looked] = {}
-        there = [body for body in self.tree.bodies if body.visible]
-        self.unseen = tuple(body.name for body in there if not _is_seen(body, meshes))
+        self.shapeless = tuple(body.name for body in self.tree.bodies if not _is_seen(body, meshes))
+        self.unseen = tuple(name for name in self.shapeless if name not in self._hidden)
         self.bodies = SolidBodies({name: some for name, some in solids.items() if some})
         self._at_rest: frozenset[Pair] = frozenset()
         self._at_rest = frozenset(self._drawn_so())

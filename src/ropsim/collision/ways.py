@@ -1,5 +1,7 @@
 """How near convex bodies come to each other on ways: many pairs over the rows of a run."""
 
+from collections.abc import Callable
+
 import numpy as np
 
 from ropsim.collision.solid_bodies import Rows, SolidBodies
@@ -7,6 +9,8 @@ from ropsim.spatial import Array, record
 
 ROOM = 256
 """Episodes that are expected."""
+AT_ONCE = 2000
+"""So many pairs are followed before progress is told: compiled code is not interrupted."""
 
 
 @record
@@ -60,7 +64,12 @@ def carried(bodies: SolidBodies, number: int, carrier: int, X_CB: Array) -> Arra
 
 
 def closest(
-    bodies: SolidBodies, items: Array, pairs: Array, carriers: Carriers, least: float = np.inf
+    bodies: SolidBodies,
+    items: Array,
+    pairs: Array,
+    carriers: Carriers,
+    least: float = np.inf,
+    progress: Callable[[float], None] = lambda _: None,
 ) -> Approach:
     """Return how near pairs come to each other.
 
@@ -72,16 +81,34 @@ def closest(
             moves as the first sees it, -1 where the motions of both are added; shape (p, 6).
         carriers: what moves.
         least: a distance that some pair is known to have [m]; nothing beyond it is looked at closely.
+        progress: told which share of the pairs has been followed.
     """
+    near = np.zeros(carriers.frames.shape[1])
+    parts, told = [np.empty((0, 2))], [np.empty((0, 3))]
+    for first in range(0, len(pairs), AT_ONCE):
+        least, found, episodes = _followed(
+            bodies, items, pairs[first : first + AT_ONCE], carriers, least, near
+        )
+        parts.append(found)
+        told.append(episodes + np.array([first, 0.0, 0.0]))
+        progress(min(first + AT_ONCE, len(pairs)) / len(pairs))
+    gaps, rows = np.concatenate(parts).T
+    return Approach(
+        least, gaps, rows.astype(np.intp), np.flatnonzero(near), np.concatenate(told).astype(np.intp)
+    )
+
+
+def _followed(
+    bodies: SolidBodies, items: Array, pairs: Array, carriers: Carriers, least: float, near: Array
+) -> tuple[float, Array, Array]:
+    """Follow pairs; return the least distance, gaps with their rows, and episodes."""
     room = ROOM
     while True:
-        known, near = np.array([least, 0.0]), np.zeros(carriers.frames.shape[1])
+        known = np.array([least, 0.0])
         found, episodes = np.empty((len(pairs) + 1, 7)), np.empty((room, 3))
         bodies.on_ways(items, pairs, (carriers.frames, carriers.travel), (known, found, near, episodes))
         count = int(known[1])
         if count <= room:
             break
         room = count
-    rows = found[:-1, 1].astype(np.intp)
-    told = episodes[:count].astype(np.intp)
-    return Approach(float(known[0]), found[:-1, 0], rows, np.flatnonzero(near), told)
+    return float(known[0]), found[:-1, :2], episodes[:count]

@@ -63,3 +63,6 @@ from ropsim.flow.trigger import Side as Side
 from ropsim.flow.trigger import Trigger as Trigger
 from ropsim.flow.waiting import Waiting as Waiting
 from ropsim.flow.waiting import waiting_of as waiting_of
+from ropsim.flow.way_facts import BodyPair as BodyPair
+from ropsim.flow.way_facts import Clearance as Clearance
+from ropsim.flow.way_facts import WayFacts as WayFacts

@@ -6,6 +6,7 @@ from math import inf, nan
 from ropsim.core import frozen_dataclass
 from ropsim.flow.inputs import InputChange, Interventions, OverrideChange
 from ropsim.flow.parameter_origin import ParameterOrigin
+from ropsim.flow.way_facts import WayFacts
 
 ROBOT = "robot"
 """Name of the station of a cell that has one; its bodies and channels are called without it."""
@@ -135,6 +136,7 @@ class RunFacts:
         parts_left: names of the parts that have left by a sink, in that order.
         destinations: of parts; none are wanted in a run that was cut short.
         stations: each with its program, in the order of the cell.
+        ways: what was seen on them; null where nobody looked for collisions.
     """
 
     ropsim: str = ""
@@ -148,6 +150,7 @@ class RunFacts:
     parts_left: tuple[str, ...] = ()
     destinations: Destinations = Destinations()
     stations: tuple[StationFacts, ...] = ()
+    ways: WayFacts | None = None
 
     @property
     def interventions(self) -> Interventions:

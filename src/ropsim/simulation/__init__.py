@@ -24,6 +24,6 @@ from ropsim.simulation.simulate import simulate as simulate
 from ropsim.simulation.watch import NobodyWatches as NobodyWatches
 from ropsim.simulation.watch import RunView as RunView
 from ropsim.simulation.watch import Watch as Watch
-from ropsim.simulation.ways import Clearance as Clearance
 from ropsim.simulation.ways import RunCollisions as RunCollisions
 from ropsim.simulation.ways import run_collisions as run_collisions
+from ropsim.simulation.ways import with_collisions as with_collisions

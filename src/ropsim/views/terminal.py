@@ -23,6 +23,7 @@ from ropsim.views.terminal_figures import (
     task_lines,
 )
 from ropsim.views.verdict import Verdict, verdict
+from ropsim.views.ways import way_lines
 
 SHOWN_FINDINGS = 8
 SHORT_VERSION = 8
@@ -41,6 +42,7 @@ def terminal_report(summary: Summary, style: Style) -> str:
     sections = [
         _title(summary, style),
         *(_blocks(summary, style) if several else _whole(summary, style)),
+        way_lines(summary.facts),
         _findings(summary, style),
         _called(summary),
         _estimated(summary),
@@ -113,7 +115,8 @@ def _stations(summary: Summary) -> str:
 
 def _unchecked(text: str) -> list[str]:
     """Return the line on what was not looked at; where it is too long it breaks between its parts."""
-    whole = "\u00a0· ".join(part.replace(" ", "\u00a0") for part in text.split(" · "))
+    glued = (part.replace(" ", "\u00a0") if len(part) < COLUMNS - 2 else part for part in text.split(" · "))
+    whole = "\u00a0· ".join(glued)
     return textwrap.wrap(whole, COLUMNS, subsequent_indent="  ")
 
 

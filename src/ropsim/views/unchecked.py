@@ -1,6 +1,6 @@
 """What a verdict rests on and did not look at: one line beside it, in terminal, page and studio the same."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 from ropsim.core import frozen_dataclass, plural
 from ropsim.flow import Event, MoveEvent, RunFacts
@@ -65,10 +65,21 @@ def unchecked(facts: RunFacts, events: Sequence[Event], hand: ByHand) -> Uncheck
     }
     return Unchecked(
         given_text(facts, hand),
-        tuple(one for one in aspects if one not in facts.checked),
+        (*_on_ways(facts), *(one for one in aspects if one not in facts.checked)),
         tuple(dict.fromkeys(name for station in facts.stations for name in station.estimated)),
         tuple(sorted(zoned)),
     )
+
+
+def _on_ways(facts: RunFacts) -> Iterator[str]:
+    """Yield what a look for collisions did not see."""
+    if facts.ways is None:
+        return
+    if unseen := facts.ways.unseen:
+        which = clean(unseen[0]) if len(unseen) == 1 else f"{len(unseen)} bodies"
+        yield f"collisions of {which} without a known shape"
+    if met := facts.ways.met:
+        yield f"collisions of {plural(len(met), 'pair')} in each other at the start"
 
 
 def given_text(facts: RunFacts, hand: ByHand) -> str:

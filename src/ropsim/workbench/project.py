@@ -225,11 +225,14 @@ class Project:
             raise FailedRunError(recording)
         return recording
 
-    def collisions(self, recording: "Recording") -> "RunCollisions":
+    def collisions(
+        self, recording: "Recording", progress: Callable[[float], None] = lambda _: None
+    ) -> "RunCollisions":
         """Return what met on the ways of a run of this project, and how near bodies came at the least.
 
         Args:
             recording: of a run in its cell.
+            progress: told which share has been looked at, from 0 to 1.
 
         Raises:
             ProjectError: the project has no cell.
@@ -239,7 +242,7 @@ class Project:
 
         if self.cell is None:
             raise ProjectError(NO_CELL.at(None, f"`{self.folder}` has no cell"))
-        return run_collisions(recording, self.cell, mesh_points(self.folder, self.cell))
+        return run_collisions(recording, self.cell, mesh_points(self.folder, self.cell), progress)
 
     def changes(self, texts: Iterable[str]) -> "list[Change | Subject]":
         """Return what texts change in the cell; nothing is run for it.

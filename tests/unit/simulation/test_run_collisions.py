@@ -42,8 +42,8 @@ def test_what_is_taken_and_put_down_meets_nothing_on_its_way() -> None:
     cell, recording = carried_out()
     found = run_collisions(recording, cell)
     assert found.findings == ()
-    assert found.clearance is not None
-    assert found.clearance.distance > 0.0
+    assert found.facts.clearance is not None
+    assert found.facts.clearance.distance > 0.0
 
 
 def test_a_block_on_the_way_is_met_on_a_line_and_at_a_time_of_the_program() -> None:
@@ -53,8 +53,8 @@ def test_a_block_on_the_way_is_met_on_a_line_and_at_a_time_of_the_program() -> N
     assert {one.code for one in found.findings} == {"S751"}
     assert all("block" in (one.data["one"], one.data["other"]) and one.span for one in found.findings)
     assert any(float(str(one.data["time_s"])) <= time for one in found.findings)
-    assert found.clearance is not None
-    assert found.clearance.distance < 0.0
+    assert found.facts.clearance is not None
+    assert found.facts.clearance.distance < 0.0
 
 
 @pytest.mark.parametrize("height", [0.25, 0.6])
@@ -63,14 +63,14 @@ def test_the_least_distance_is_that_of_every_recorded_state_looked_at_alone(heig
     _, place = tcp(0.5)
     beside = with_block(0.02, place + np.array([0.0, 0.0, height]))
     found = run_collisions(recording, beside)
-    assert found.clearance is not None
+    assert found.facts.clearance is not None
     alone = Collisions(beside)
     least = np.inf
     for link in ("link4", "link5", "link6"):
         absent = [one.name for one in alone.tree.bodies if one.name not in (link, "block")]
         for q in recording.channels["q"].values[::10]:
             least = min(least, alone.separation(q, absent=absent).distance)
-    assert found.clearance.distance <= least + 1e-9
+    assert found.facts.clearance.distance <= least + 1e-9
 
 
 def test_bodies_without_a_shape_are_told() -> None:
@@ -82,4 +82,4 @@ def test_bodies_without_a_shape_are_told() -> None:
         ),
     )
     undrawn = replace(cell, stations={"robot": bare})
-    assert {"link1", "link6"} <= {*run_collisions(recording, undrawn).unseen}
+    assert {"link1", "link6"} <= {*run_collisions(recording, undrawn).facts.unseen}

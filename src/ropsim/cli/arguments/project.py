@@ -68,6 +68,9 @@ def run(commands: Commands) -> None:
     )
     parser.add_argument("--report", metavar="FILE.html", help="write the report as one HTML page")
     parser.add_argument("--record", metavar="FILE.npz", help="write the recording")
+    parser.add_argument(
+        "--collisions", action="store_true", help="look at all ways: what met, and the least distance"
+    )
     parser.add_argument("--inputs", metavar="FILE", help="inputs of a live run to take again (.npz or .json)")
     parser.add_argument(
         "--what-if",

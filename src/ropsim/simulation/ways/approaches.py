@@ -1,6 +1,6 @@
 """The pairs of tracks that are looked at, and how near they come."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 
 import numpy as np
 import numpy.typing as npt
@@ -31,6 +31,8 @@ COARSE = 0.02
 """At first rows so far apart are looked at [s]; where anything may be near, all of them."""
 GLANCE = 16
 """Of these at first only each so many-th one: it tells about how near the nearest come."""
+GLANCED, SEEN = 0.15, 0.85
+"""Shares of the whole: the first look, and that at all rows that are far apart."""
 SLACK = 1.1
 """Between two rows a body moves by so much more than straight."""
 
@@ -121,13 +123,16 @@ def looked_at(
     return Looked(seen, np.array(items).reshape(-1, 22), tuple(owner), carriers, tuple(between), pairs)
 
 
-def nearest(solids: Collisions, looked: Looked, recording: Recording) -> Nearest:
+def nearest(
+    solids: Collisions, looked: Looked, recording: Recording, progress: Callable[[float], None]
+) -> Nearest:
     """Return how near pairs come: at rows far apart first, then at all rows where anything may be near.
 
     Args:
         solids: the bodies of the cell.
         looked: the pairs.
         recording: of the run.
+        progress: told which share of the ways has been looked at.
     """
     time = recording.time
     Q = {
@@ -138,15 +143,16 @@ def nearest(solids: Collisions, looked: Looked, recording: Recording) -> Nearest
     ends = np.searchsorted(time, [one for track in looked.tracks for one in (track.start, track.end)])
     edges = np.concatenate([ends, ends - 1, [0, len(time) - 1]])
     rows = np.unique(np.concatenate([np.arange(0, len(time), step), edges.clip(0, len(time) - 1)]))
-    least = _over(solids, looked, time, Q, rows[::GLANCE], np.inf).least
-    found = _over(solids, looked, time, Q, rows, least)
+    told = _told(progress, (0.0, GLANCED))
+    least = _over(solids, looked, time, Q, rows[::GLANCE], np.inf, told).least
+    found = _over(solids, looked, time, Q, rows, least, _told(progress, (GLANCED, SEEN)))
     whole = Nearest(found.gaps, rows[found.rows], _in_rows(found.episodes, rows))
     last = len(rows) - 1
     ahead = [np.arange(rows[k], rows[min(k + 1, last)] + 1) for k in found.near.tolist()]
     if not ahead:
         return whole
     dense = np.unique(np.concatenate(ahead))
-    more = _over(solids, looked, time, Q, dense, found.least)
+    more = _over(solids, looked, time, Q, dense, found.least, _told(progress, (SEEN, 1.0)))
     better = more.gaps < whole.gaps
     return Nearest(
         np.where(better, more.gaps, whole.gaps),
@@ -166,8 +172,19 @@ def frames_at(solids: Collisions, looked: Looked, Q: Mapping[str, Array]) -> Arr
     return frames
 
 
+def _told(progress: Callable[[float], None], share: Span) -> Callable[[float], None]:
+    """Return a progress of a part of the whole."""
+    return lambda done: progress(share[0] + done * (share[1] - share[0]))
+
+
 def _over(
-    solids: Collisions, looked: Looked, time: Array, Q: Mapping[str, Array], rows: Rows, least: float
+    solids: Collisions,
+    looked: Looked,
+    time: Array,
+    Q: Mapping[str, Array],
+    rows: Rows,
+    least: float,
+    progress: Callable[[float], None],
 ) -> Approach:
     """Return how near pairs come at some rows of a recording."""
     frames = frames_at(solids, looked, {name: q[rows] for name, q in Q.items()})
@@ -175,7 +192,7 @@ def _over(
     carriers = Carriers(frames, _travel(np.concatenate([frames, *seen]), _wiggle(Q, rows)))
     pairs = looked.pairs.copy()
     pairs[:, 2:4] = np.searchsorted(time[rows], pairs[:, 2:4])
-    return closest(solids.bodies, looked.items, pairs, carriers, least)
+    return closest(solids.bodies, looked.items, pairs, carriers, least, progress)
 
 
 def _in_rows(episodes: Rows, rows: Rows) -> Rows:

@@ -1,14 +1,14 @@
 """The verdict on the ways of a run: which bodies meet, when and how deep, and the least distance."""
 
 from collections import defaultdict
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
 
-from ropsim.collision import NO_MESHES, ROUGH, TOUCH, Collisions, MeshPoints, Nearness, Pair
+from ropsim.collision import NO_MESHES, ROUGH, TOUCH, Collisions, MeshPoints, Nearness
 from ropsim.core import Diagnostic, Span, frozen_dataclass
-from ropsim.flow import Recording
+from ropsim.flow import BodyPair, Clearance, Recording, WayFacts
 from ropsim.model import WORLD, Body, BodyKind, Cell
 from ropsim.simulation.diagnostics import COLLISION
 from ropsim.simulation.ways.approaches import Looked, Nearest, frames_at, looked_at, nearest
@@ -27,36 +27,19 @@ class Meeting:
 
     Attributes:
         time: when they met first [s].
-        nearness: the deepest that was found.
+        deepest_at: when they were the deepest, as far as was looked [s].
+        nearness: how near they were then.
         line: source line, from 1; 0 for none.
         station: whose line that is.
+        counts: whether they may be the nearest of the run: they are not both of one robot.
     """
 
     time: float
+    deepest_at: float
     nearness: Nearness
     line: int
     station: str
-
-
-@frozen_dataclass
-class Clearance:
-    """How near two bodies came at the least in a run.
-
-    Attributes:
-        one: name of a body.
-        other: name of the other one.
-        distance: between them [m]; negative where they were in each other.
-        time: when [s].
-        station: whose arm it was; empty for none.
-        line: its source line then, from 1; 0 for none.
-    """
-
-    one: str
-    other: str
-    distance: float
-    time: float
-    station: str = ""
-    line: int = 0
+    counts: bool
 
 
 @frozen_dataclass
@@ -65,19 +48,31 @@ class RunCollisions:
 
     Attributes:
         findings: a warning S751 for each two bodies and line, in order of time.
-        clearance: how near bodies came at the least, those of one robot against each other left out; None
-            where nothing moved against anything.
-        unseen: names of bodies that were not looked at: no shape of them is known.
-        met: pairs that were not looked at, since they are in each other at the start.
+        facts: how near bodies came at the least, and what was not looked at.
     """
 
     findings: tuple[Diagnostic, ...] = ()
-    clearance: Clearance | None = None
-    unseen: tuple[str, ...] = ()
-    met: tuple[Pair, ...] = ()
+    facts: WayFacts = WayFacts()
 
 
-def run_collisions(recording: Recording, cell: Cell, meshes: MeshPoints = NO_MESHES) -> RunCollisions:
+def with_collisions(recording: Recording, found: RunCollisions) -> Recording:
+    """Return a recording that says what met on its ways, behind what was found in the run.
+
+    Args:
+        recording: of a run.
+        found: on its ways.
+    """
+    checked = tuple(dict.fromkeys((*recording.facts.checked, "collisions")))
+    facts = replace(recording.facts, checked=checked, ways=found.facts)
+    return replace(recording, findings=(*recording.findings, *found.findings), facts=facts)
+
+
+def run_collisions(
+    recording: Recording,
+    cell: Cell,
+    meshes: MeshPoints = NO_MESHES,
+    progress: Callable[[float], None] = lambda _: None,
+) -> RunCollisions:
     """Return what met on the ways of a run, and how near bodies came at the least.
 
     Every body of the robots and devices, with what it holds, is looked at against everything else at all
@@ -87,21 +82,50 @@ def run_collisions(recording: Recording, cell: Cell, meshes: MeshPoints = NO_MES
         recording: of a run in the cell.
         cell: as it was simulated.
         meshes: points of its meshes; bodies with others are not looked at.
+        progress: told which share has been looked at, from 0 to 1; an exception of it ends the look.
     """
+    progress(0.0)
     solids = Collisions(cell, meshes)
-    met = tuple(one.pair for one in solids.meetings({}))
+    met = tuple(dict.fromkeys((*(one.pair for one in solids.meetings({})), *solids.at_rest)))
     made = tracks(solids.tree, recording.placements)
-    intents = intended(cell, solids.tree.by_name(), recording, made)
+    bodies = solids.tree.by_name()
+    intents = intended(cell, bodies, recording, made)
     looked = looked_at(solids, made, intents, frozenset(met))
+    there = {one.body for one in made}
+    facts = WayFacts(
+        None, tuple(name for name in solids.shapeless if name in there), tuple(BodyPair(*one) for one in met)
+    )
     if not len(looked.pairs) or len(recording.time) < LEAST_ROWS:
-        return RunCollisions((), None, solids.unseen, met)
-    seen = nearest(solids, looked, recording)
-    findings = tuple(_finding(one, recording) for one in _meetings(solids, looked, seen, recording, cell))
-    return RunCollisions(findings, _clearance(solids, looked, seen, recording), solids.unseen, met)
+        return RunCollisions((), facts)
+    seen = nearest(solids, looked, recording, progress)
+    met_on_ways = sorted(
+        _meetings(solids, looked, seen, recording), key=lambda one: (one.time, one.nearness.pair)
+    )
+    findings = [
+        _finding(one, recording)
+        for one in met_on_ways
+        if -one.nearness.distance > _allowed(one, bodies, cell)
+    ]
+    clearance = _clearance(solids, looked, seen, recording, met_on_ways)
+    return RunCollisions(tuple(findings), replace(facts, clearance=clearance))
 
 
-def _clearance(solids: Collisions, looked: Looked, seen: Nearest, recording: Recording) -> Clearance | None:
+def _allowed(one: Meeting, bodies: Mapping[str, Body], cell: Cell) -> float:
+    """Return how deep two bodies may be in each other [m]."""
+    touching = any(bodies[name].kind is BodyKind.PART for name in one.nearness.pair)
+    return cell.supports.depth if touching else TOUCH
+
+
+def _clearance(
+    solids: Collisions, looked: Looked, seen: Nearest, recording: Recording, met: Iterable[Meeting]
+) -> Clearance | None:
     """Return the least distance of the run; None where nothing counts."""
+    if counted := [one for one in met if one.counts]:
+        deepest = min(counted, key=lambda one: one.nearness.distance)
+        near = deepest.nearness
+        return Clearance(
+            near.one, near.other, near.distance, deepest.deepest_at, deepest.station, deepest.line
+        )
     gaps = np.where(looked.pairs[:, 4] > 0.0, seen.gaps, np.inf)
     pair = int(np.argmin(gaps))
     if not np.isfinite(gaps[pair]):
@@ -113,10 +137,8 @@ def _clearance(solids: Collisions, looked: Looked, seen: Nearest, recording: Rec
     return Clearance(found.one, found.other, found.distance, time, station, line)
 
 
-def _meetings(
-    solids: Collisions, looked: Looked, seen: Nearest, recording: Recording, cell: Cell
-) -> Iterator[Meeting]:
-    """Yield the deepest meeting of each two bodies on each line, in order of time."""
+def _meetings(solids: Collisions, looked: Looked, seen: Nearest, recording: Recording) -> Iterator[Meeting]:
+    """Yield the deepest meeting of each two bodies on each line."""
     bodies = solids.tree.by_name()
     groups: dict[tuple[str, str, str, int], list[tuple[int, int]]] = defaultdict(list)
     for pair, first, last in seen.episodes.tolist():
@@ -124,17 +146,13 @@ def _meetings(
         time = float(recording.time[first])
         line, station = _line(looked, pair, time, recording, bodies)
         groups[one, other, station, line] += [(pair, row) for row in range(first, last + 1)]
-    found = []
-    for (one, other, station, line), rows in groups.items():
+    for (_, _, station, line), rows in groups.items():
         chosen = {rows[k] for k in np.linspace(0, len(rows) - 1, min(LOOKS, len(rows))).round().astype(int)}
-        deepest = min(
-            (_at(solids, looked, recording, *row) for row in sorted(chosen)), key=lambda near: near.distance
-        )
-        touching = any(bodies[name].kind is BodyKind.PART for name in (one, other))
-        if -deepest.distance > (cell.supports.depth if touching else TOUCH):
-            time = float(recording.time[min(row for _, row in rows)])
-            found.append(Meeting(time, deepest, line, station))
-    yield from sorted(found, key=lambda one: (one.time, one.nearness.pair))
+        near = {row: _at(solids, looked, recording, *row) for row in sorted(chosen)}
+        pair, row = min(near, key=lambda place: near[place].distance)
+        first, deepest = (float(recording.time[k]) for k in (min(k for _, k in rows), row))
+        counts = bool(looked.pairs[pair, 4])
+        yield Meeting(first, deepest, near[pair, row], line, station, counts)
 
 
 def _at(solids: Collisions, looked: Looked, recording: Recording, pair: int, row: int) -> Nearness:
@@ -160,7 +178,7 @@ def _at(solids: Collisions, looked: Looked, recording: Recording, pair: int, row
 
 
 def _line(
-    looked: Looked, pair: int, time: float, recording: Recording, bodies: dict[str, Body]
+    looked: Looked, pair: int, time: float, recording: Recording, bodies: Mapping[str, Body]
 ) -> tuple[int, str]:
     """Return source line and station of what moves in a pair, at a time."""
     facts = recording.facts

@@ -32,6 +32,7 @@ from ropsim.views.station_summary import StationSummary
 from ropsim.views.summary import Summary
 from ropsim.views.theme import stylesheet
 from ropsim.views.verdict import Verdict, verdict
+from ropsim.views.ways import ways_section
 
 SHOWN_LINE_CHANGES = 5000
 
@@ -62,6 +63,7 @@ def html_report(
         key_figures(summary),
         findings_section(summary, sources),
         skipped_section(summary),
+        ways_section(summary.facts),
         messages_section(messages(recording)),
         comparison_section(comparison),
         *(_station(one, summary, sources) for one in summary.stations),
