@@ -56,6 +56,19 @@ def assert_reaching(robot: RobotModel, T: Array, branches: Array) -> None:
     np.testing.assert_allclose(reached, expected, rtol=0.0, atol=REACHED)
 
 
+@pytest.mark.parametrize(
+    ("name", "fixed"), [("crx10ia_l", (0.0, pi)), ("crx10ia_l", (0.0,)), ("motoman_hc10", (0.0,))]
+)
+def test_an_upright_upper_arm_loses_no_answer(name: str, fixed: tuple[float, ...]) -> None:
+    robot = ARMS[name]
+    Q = random_joints(robot, 40, 17)
+    Q[:, 1 : 1 + len(fixed)] = fixed
+    branches = solver_of(robot).branches(forward_batch(robot, Q), np.zeros(6))
+    assert (present(branches).sum(axis=1) % 2 == 0).all()
+    own = np.where(present(branches), apart(branches, Q[:, np.newaxis]), np.inf).min(axis=1)
+    assert own.max() < SAME
+
+
 @by_arm
 def test_every_answer_reaches_and_one_is_the_configuration_itself(robot: RobotModel) -> None:
     assert (solver_of(robot).name, solver_of(robot).method) == ("general six-axis", Method.ALGEBRAIC)

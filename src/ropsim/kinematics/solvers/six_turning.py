@@ -31,7 +31,8 @@ def all_answers(chain: ChainArrays, ways: tuple[Elimination, ...], T: Array, nea
     """Return all answers to many poses, those nearest to `near` first, shape (k, 16, 6).
 
     For a pose whose eigenvalue problem is singular, because the arm can move in it without moving its
-    interface, poses a little beside it are solved, too; their answers are starts.
+    interface, poses a little beside it are solved, too; their answers are starts. So it is where the number
+    of answers is odd: real roots of real equations come in pairs, and one is lost where two of them meet.
 
     Args:
         chain: of the arm.
@@ -90,7 +91,12 @@ def _answers(chain: ChainArrays, ways: tuple[Elimination, ...], T: Array, near: 
     lost = np.isnan(found[:, :, 0]).all(axis=1)
     everywhere = tuple((way, step) for way in ways for step in BESIDE)
     found = _more(chain, T, found, (lost & (regular < CLEAR)) | (regular < REGULAR), everywhere)
-    return distinct(found, near, chain.turning)
+    found = distinct(found, near, chain.turning)
+    odd = np.flatnonzero((~np.isnan(found[:, :, 0])).sum(axis=1) % 2)
+    if len(odd):
+        more = _more(chain, T[odd], found[odd], np.ones(len(odd), np.bool_), everywhere)
+        found[odd] = distinct(more, near, chain.turning)
+    return found
 
 
 def _more(
