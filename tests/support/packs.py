@@ -3,7 +3,7 @@
 import gzip
 import json
 import struct
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -13,10 +13,11 @@ from ropsim.spatial import Array, Pose
 
 @dataclass(frozen=True, slots=True)
 class ReadPack:
-    """A pack as a page sees it: plain header, bytes of the columns."""
+    """A pack as a page sees it: plain header, bytes of the columns; ways of bodies are read once."""
 
     header: dict[str, Any]
     body: bytes
+    _ways: dict[str, list[Array]] = field(default_factory=dict, init=False, repr=False, compare=False)
 
     @property
     def times(self) -> Array:
@@ -33,8 +34,10 @@ class ReadPack:
         """Return the pose X_W… of a link or part at a time."""
         body = self._body(name)
         if body["track"] == "poses":
-            codes = body["columns"]
-            at = [np.interp(time, self.times, values_of(code, self.body, self.times)) for code in codes]
+            times = self.times
+            if name not in self._ways:
+                self._ways[name] = [values_of(code, self.body, times) for code in body["columns"]]
+            at = [np.interp(time, times, values) for values in self._ways[name]]
             return Pose(np.array(at[:3]), np.array(at[3:]))
         one = self._placement(body, time)
         pose = Pose.from_tuple(tuple(one["pose"]))
