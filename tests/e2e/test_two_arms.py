@@ -14,6 +14,7 @@ from ropsim.model import Cell
 EXAMPLE = Path(__file__).parents[2] / "examples" / "two_arms"
 POSTS = ("post_1", "post_2", "post_3")
 HANDS = ("infeed/link1", "left/tool:jaws", "right/tool:fork", "table")
+NEAREST = 0.008  # [m], the fork swings past the post that it has put down
 APART = 0.06  # [m], between the tool centres while both arms hold a post
 
 
@@ -29,6 +30,14 @@ def test_there_is_nothing_to_find_fault_with_and_every_post_is_at_its_destinatio
     assert recording.ok
     assert [str(found) for found in recording.findings] == []
     assert (recording.facts.destinations.wanted, recording.facts.destinations.reached) == (3, 3)
+
+
+def test_nothing_meets_anything_on_its_way() -> None:
+    _, recording = run_of()
+    found = ropsim.open(EXAMPLE).collisions(recording)
+    assert [str(one) for one in found.findings] == []
+    assert found.facts.clearance is not None
+    assert found.facts.clearance.distance > NEAREST
 
 
 def test_a_post_goes_from_the_belt_to_the_left_arm_to_the_right_one_to_the_table() -> None:

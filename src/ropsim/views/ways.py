@@ -50,8 +50,8 @@ def ways_section(facts: RunFacts) -> str:
 
 def _distance(near: Clearance) -> str:
     """Return a distance in words, a negative one as a depth."""
-    millimetres = f"{abs(near.distance) * 1e3:.1f} mm"
-    return millimetres if near.distance >= 0.0 else f"{millimetres} in each other"
+    millimetres = round(near.distance * 1e3, 1)
+    return f"{abs(millimetres):.1f} mm{' in each other' if millimetres < 0.0 else ''}"
 
 
 def _when(near: Clearance, facts: RunFacts) -> Iterator[str]:

@@ -17,6 +17,7 @@ from ropsim.collision import (
     left_out,
     owners,
 )
+from ropsim.core import frozen_dataclass
 from ropsim.flow import Recording
 from ropsim.kinematics import body_poses
 from ropsim.model import WORLD, BodyKind
@@ -57,6 +58,21 @@ class Looked:
     carriers: tuple[str, ...]
     seen: tuple[tuple[int, int], ...]
     pairs: Array
+
+
+@frozen_dataclass
+class Motion:
+    """What the joints of a run do.
+
+    Attributes:
+        time: of the recorded rows [s], shape (k,).
+        Q: coordinates of each mechanism [rad | m], shape (k, n).
+        steps: how far each joint goes from row to row [rad | m], shape (k - 1, n).
+    """
+
+    time: Array
+    Q: Mapping[str, Array]
+    steps: Mapping[str, Array]
 
 
 @record
@@ -139,20 +155,21 @@ def nearest(
         name: recording.channels[recording.facts.channel("q", name)].values.reshape(len(time), -1)
         for name in solids.tree.mechanisms
     }
+    motion = Motion(time, Q, {name: np.abs(np.diff(q, axis=0)) for name, q in Q.items()})
     step = max(1, round(COARSE / (time[1] - time[0]))) if len(time) > 1 else 1
     ends = np.searchsorted(time, [one for track in looked.tracks for one in (track.start, track.end)])
     edges = np.concatenate([ends, ends - 1, [0, len(time) - 1]])
     rows = np.unique(np.concatenate([np.arange(0, len(time), step), edges.clip(0, len(time) - 1)]))
     told = _told(progress, (0.0, GLANCED))
-    least = _over(solids, looked, time, Q, rows[::GLANCE], np.inf, told).least
-    found = _over(solids, looked, time, Q, rows, least, _told(progress, (GLANCED, SEEN)))
+    least = _over(solids, looked, motion, rows[::GLANCE], np.inf, told).least
+    found = _over(solids, looked, motion, rows, least, _told(progress, (GLANCED, SEEN)))
     whole = Nearest(found.gaps, rows[found.rows], _in_rows(found.episodes, rows))
     last = len(rows) - 1
     ahead = [np.arange(rows[k], rows[min(k + 1, last)] + 1) for k in found.near.tolist()]
     if not ahead:
         return whole
     dense = np.unique(np.concatenate(ahead))
-    more = _over(solids, looked, time, Q, dense, found.least, _told(progress, (SEEN, 1.0)))
+    more = _over(solids, looked, motion, dense, found.least, _told(progress, (SEEN, 1.0)))
     better = more.gaps < whole.gaps
     return Nearest(
         np.where(better, more.gaps, whole.gaps),
@@ -180,18 +197,17 @@ def _told(progress: Callable[[float], None], share: Span) -> Callable[[float], N
 def _over(
     solids: Collisions,
     looked: Looked,
-    time: Array,
-    Q: Mapping[str, Array],
+    motion: Motion,
     rows: Rows,
     least: float,
     progress: Callable[[float], None],
 ) -> Approach:
     """Return how near pairs come at some rows of a recording."""
-    frames = frames_at(solids, looked, {name: q[rows] for name, q in Q.items()})
+    frames = frames_at(solids, looked, {name: q[rows] for name, q in motion.Q.items()})
     seen = [_as_seen(frames, *pair)[np.newaxis] for pair in looked.seen]
-    carriers = Carriers(frames, _travel(np.concatenate([frames, *seen]), _wiggle(Q, rows)))
+    carriers = Carriers(frames, _travel(np.concatenate([frames, *seen]), _wiggle(motion, rows)))
     pairs = looked.pairs.copy()
-    pairs[:, 2:4] = np.searchsorted(time[rows], pairs[:, 2:4])
+    pairs[:, 2:4] = np.searchsorted(motion.time[rows], pairs[:, 2:4])
     return closest(solids.bodies, looked.items, pairs, carriers, least, progress)
 
 
@@ -200,11 +216,11 @@ def _in_rows(episodes: Rows, rows: Rows) -> Rows:
     return np.column_stack([episodes[:, 0], rows[episodes[:, 1:]]]).astype(np.intp)
 
 
-def _wiggle(Q: Mapping[str, Array], rows: Rows) -> Array:
+def _wiggle(motion: Motion, rows: Rows) -> Array:
     """Return how far joints have gone there and back between rows [rad | m], shape (k - 1,)."""
     total = np.zeros(len(rows) - 1)
-    for q in Q.values():
-        gone = np.add.reduceat(np.abs(np.diff(q, axis=0)), rows[:-1], axis=0) if len(rows) > 1 else q[:0]
+    for name, q in motion.Q.items():
+        gone = np.add.reduceat(motion.steps[name], rows[:-1], axis=0) if len(rows) > 1 else q[:0]
         total += np.sum(gone - np.abs(np.diff(q[rows], axis=0)), axis=1)
     return np.maximum(total, 0.0)
 

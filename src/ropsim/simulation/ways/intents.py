@@ -5,9 +5,9 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 import numpy as np
 
-from ropsim.collision import Pair
+from ropsim.collision import Pair, owners
 from ropsim.flow import MoveEvent, Recording
-from ropsim.model import WORLD, Body, BodyKind, Cell, tool_body
+from ropsim.model import WORLD, BodyKind, BodyTree, Cell, tool_body
 from ropsim.simulation.ways.tracks import Track
 
 Span = tuple[float, float]
@@ -15,7 +15,7 @@ Span = tuple[float, float]
 
 
 def intended(
-    cell: Cell, bodies: Mapping[str, Body], recording: Recording, made: Sequence[Track]
+    cell: Cell, tree: BodyTree, recording: Recording, made: Sequence[Track]
 ) -> Mapping[Pair, Sequence[Span]]:
     """Return when bodies may touch, by pair in either order.
 
@@ -26,10 +26,12 @@ def intended(
 
     Args:
         cell: as it was simulated.
-        bodies: by name.
+        tree: of its bodies.
         recording: of the run.
         made: tracks of all bodies.
     """
+    bodies = tree.by_name()
+    belongs = owners(tree, bodies.keys())
     hands = {
         tool_body(name, station.name): station.name
         for station in cell.stations.values()
@@ -57,11 +59,18 @@ def intended(
             for one in (held.hand, *fingers[held.hand], held.body):
                 found[one, new].append((held.start, taken[1]))
         if before is not None:
-            found[before.hand, held.body].append(taken)
+            for one in _device_of(before.hand, belongs):  # what lies on a belt lies on its frame, too
+                found[one, held.body].append(taken)
         below = [after.hand] if after is not None else standing  # what has left does not say what it stood on
         for one in below:
             found[one, held.body].append(left)
     return {**found, **{(other, one): spans for (one, other), spans in found.items()}}
+
+
+def _device_of(hand: str, belongs: Mapping[str, str]) -> list[str]:
+    """Return the bodies of the mechanism that something hangs on; the one itself where it is of none."""
+    owner = belongs.get(hand, "")
+    return [name for name, one in belongs.items() if one == owner] if owner else [hand]
 
 
 def _beside(

@@ -89,7 +89,7 @@ def run_collisions(
     met = tuple(dict.fromkeys((*(one.pair for one in solids.meetings({})), *solids.at_rest)))
     made = tracks(solids.tree, recording.placements)
     bodies = solids.tree.by_name()
-    intents = intended(cell, bodies, recording, made)
+    intents = intended(cell, solids.tree, recording, made)
     looked = looked_at(solids, made, intents, frozenset(met))
     there = {one.body for one in made}
     facts = WayFacts(
