@@ -236,7 +236,9 @@ def _pair(
 ) -> None:
     """Find the distance of one pair: 0 where no step saw a plane between the two.
 
-    Where rounding ends the steps early, the simplex is near to the origin and no such plane was seen, two
+    It is what the best of these planes proves, so never too great; at the end the nearest points are as far
+    apart, to 1e-11 m, but where rounding ends the steps early: among needles and tubes of many corners.
+    Where it does that, the simplex is near to the origin and no such plane was seen, two
     bodies may meet; how deep they are in each other, if at all, is for `depth_of` to say.
 
     Rows of `room`: 0 to 3 the corners of the simplex, 4 to 7 and 8 to 11 those of the two bodies behind
@@ -251,6 +253,7 @@ def _pair(
     square = inf
     largest = 1.0
     parted = False
+    least = 0.0
     for _ in range(MOST):
         _support(points, bodies, poses, i, -1.0, room, 4 + size)
         _support(points, bodies, poses, j, 1.0, room, 8 + size)
@@ -260,6 +263,7 @@ def _pair(
         if size > 0:
             along = _dot(room, 12, size)
             parted = parted or along > 0.0
+            least = max(least, along / sqrt(square))
             if square - along <= NEAR * sqrt(square):
                 break
         better = _nearest(room, size + 1, square)
@@ -270,7 +274,7 @@ def _pair(
         if square <= (ZERO * largest) ** 2:
             parted = False
             break
-    found[p, 0] = sqrt(square) if parted else 0.0
+    found[p, 0] = min(least, sqrt(square)) if parted else 0.0
     for k in range(3):
         found[p, 1 + k] = 0.0
         found[p, 4 + k] = 0.0

@@ -95,7 +95,7 @@ class SolidBodies:
         margins = float(self._bodies[i, 3]), float(self._bodies[j, 3])
         distance, first, second = float(row[0]), row[1:4], row[4:7]
         if distance > 0.0:
-            normal = (second - first) / distance
+            normal = (second - first) / np.linalg.norm(second - first)
         else:
             depth, away, first = depth_of(self._support(placed, i), self._support(placed, j), fine)
             distance, normal, second = -depth, -away, first + depth * away
