@@ -13,6 +13,8 @@ from ropsim.prolog.watchdog import watchdog
 from ropsim.prolog.writing import write_term
 
 TICK = "tick"
+CLOSING = 1.0
+"""For taking back what a request has left, next to nothing: the process may have to wait for its turn [s]."""
 _numbers = count()
 
 
@@ -99,7 +101,7 @@ class RunningProlog:
                     return
         finally:
             if not self._program.has_ended:
-                self._limited(replies.close, monotonic() + self._program.grace)
+                self._limited(replies.close, monotonic() + CLOSING)
 
     def once(self, name: str, request: Term, seconds: float) -> Term:
         """Return the only reply to a request; errors are those of `ask`."""

@@ -61,6 +61,14 @@ def test_a_goal_that_catches_the_end_of_its_time_loses_its_engine(engine: Engine
     assert engine.once("deep(2, X)", module="stubborn") is not None
 
 
+def test_an_answer_that_is_there_is_kept_though_what_it_leaves_takes_a_while(engine: Engine) -> None:
+    """As where the process has to wait for its turn: a tenth of a second and more on every machine."""
+    tidy = "forall(between(1, 100000, I), I > 0)"
+    answer = engine.once(f"setup_call_cleanup(true, member(X, [1, 2]), {tidy})")
+    assert answer is not None
+    assert answer["X"] == 1
+
+
 def test_inferences_are_counted_alike_in_every_built_in_engine() -> None:
     def least(one: Engine) -> int:
         """Return how many inferences the goal takes, up to a step of 10."""
