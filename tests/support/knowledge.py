@@ -5,7 +5,7 @@ from functools import cache
 from ropsim.core import SourceText
 from ropsim.language import Environment
 from ropsim.program import SignalUse, ValueType
-from ropsim.tasks import KnowledgeBase, Obstruction, Point
+from ropsim.tasks import KnowledgeBase, Obstruction, Overlap, Point
 
 STANDING = (0.4, 0.0, 0.2, 0.0, 1.0, 0.0, 0.0)
 """A pose with the tool straight down [m, quaternion w x y z]."""
@@ -19,7 +19,7 @@ CELL = Environment(
 
 
 class Refusing:
-    """Geometry that refuses some conditions and counts what it is asked."""
+    """Geometry that refuses some conditions and counts what it is asked; parts are thin rods of 60 mm."""
 
     unchecked = ("draughts",)
 
@@ -42,6 +42,10 @@ class Refusing:
         """Return that a part is in a post where `(robot, part, location)` is refused."""
         free = self._answer((robot, part, str(location)))
         return None if free else Obstruction(f"the part `{part}`", "`post`", 0.0123)
+
+    def overlap(self, robot: str, part: str, x: float, y: float) -> Overlap | None:  # noqa: ARG002
+        """Return that rods along X lie in each other where `part` is `rod` and they are nearer."""
+        return Overlap(0.06 - abs(x), 0.06) if part == "rod" and y == 0.0 and abs(x) < 0.06 else None
 
     def prepare(self) -> None:
         """Do nothing."""

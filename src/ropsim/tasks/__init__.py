@@ -28,6 +28,7 @@ from ropsim.tasks.form_clause import form_clause as form_clause
 from ropsim.tasks.form_edit import edited as edited
 from ropsim.tasks.geometry import Geometry as Geometry
 from ropsim.tasks.geometry import Obstruction as Obstruction
+from ropsim.tasks.geometry import Overlap as Overlap
 from ropsim.tasks.geometry import unchecked_text as unchecked_text
 from ropsim.tasks.kinds import UNITS as UNITS
 from ropsim.tasks.known_task import KnownTask as KnownTask

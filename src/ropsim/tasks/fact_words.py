@@ -43,6 +43,13 @@ def meeting_words(one: str, other: str, depth: float) -> str:
     return f"{one} would be {max(depth * 1e3, 0.1):.1f} mm deep in {other}"
 
 
+def beside_words(apart: float, part: str, length: float, depth: float) -> str:
+    """Return that parts so far apart [mm] would be in each other by a depth, and their length [m]."""
+    deep = f"{max(depth * 1e3, 0.1):.4g}"
+    long = f"`{part}` is {length * 1e3:.4g} mm long there"
+    return f"parts {apart:.4g} mm apart would be {deep} mm in each other: {long}"
+
+
 def place_words(condition: Term) -> str:
     """Return where a condition of geometry is asked for: "at `s1`"."""
     place = condition.arguments[-1] if isinstance(condition, Struct) else condition

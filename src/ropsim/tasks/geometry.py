@@ -1,13 +1,14 @@
 """What only geometry can tell about tasks: asked outside, remembered as long as the cell stays as it is."""
 
+import math
 from collections.abc import Callable, Hashable, Iterator, Sequence
 from typing import Protocol
 
 from ropsim.core import frozen_dataclass
 from ropsim.prolog import Atom, Predicate, Sort, Struct, Term, question
 from ropsim.tasks.bounds import millimetres
-from ropsim.tasks.fact_words import meeting_words, place_words, refusal_words
-from ropsim.tasks.pattern import Spot, places_in_rows, spots
+from ropsim.tasks.fact_words import beside_words, meeting_words, place_words, refusal_words
+from ropsim.tasks.pattern import Spot, neighbours, places_in_rows, spots
 from ropsim.tasks.task_call import Point, point_of_term, term_of_point
 
 
@@ -29,6 +30,19 @@ class Obstruction:
         return meeting_words(self.one, self.other, self.depth)
 
 
+@frozen_dataclass
+class Overlap:
+    """A part and one like it beside it that would be in each other.
+
+    Attributes:
+        depth: how deep they would be in each other [m].
+        length: how far from each other they would touch, in the same direction [m].
+    """
+
+    depth: float
+    length: float
+
+
 class Geometry(Protocol):
     """Who knows where the arm of a cell can go; knowledge bases know neither arm nor cell."""
 
@@ -48,6 +62,17 @@ class Geometry(Protocol):
 
     def obstruction(self, robot: str, part: str, location: Point) -> Obstruction | None:
         """Return what is in the way of a robot that holds a part at a location; None for nothing."""
+        ...
+
+    def overlap(self, robot: str, part: str, x: float, y: float) -> Overlap | None:
+        """Return how deep a part would be in one like it that a robot leaves beside it; None for not at all.
+
+        Args:
+            robot: that leaves both.
+            part: by its name.
+            x: how far beside it along X of the tool [m].
+            y: how far against Y of the tool [m].
+        """
         ...
 
     def prepare(self) -> None:
@@ -73,6 +98,9 @@ class Anywhere:
     def obstruction(self, robot: str, part: str, location: Point) -> None:
         """Return None."""
 
+    def overlap(self, robot: str, part: str, x: float, y: float) -> None:
+        """Return None."""
+
     def prepare(self) -> None:
         """Do nothing."""
 
@@ -86,6 +114,8 @@ class RememberedGeometry:
         self._known: dict[tuple[Term, ...], bool] = {}
         self._why: dict[Term, Obstruction] = {}
         self._spots: dict[Term, tuple[Spot, Struct]] = {}
+        self._beside: dict[tuple[str, str, float, float], Overlap | None] = {}
+        self._too_near: dict[Term, tuple[str, float, float, Overlap]] = {}
         self._left: dict[str, None] = {}
         self.asked = 0
 
@@ -101,12 +131,15 @@ class RememberedGeometry:
 
     def refusal(self, condition: Term) -> str:
         """Return why a condition does not hold, as people say it."""
+        if condition in self._too_near:
+            part, _, apart, found = self._too_near[condition]
+            return beside_words(apart, part, found.length, found.depth)
         if condition in self._spots:
             spot, one = self._spots[condition]
             met = self._why.get(one)
             return f"{spot} cannot be reached" if met is None else f"at {spot} {met}"
-        found = self._why.get(condition)
-        return refusal_words(condition) if found is None else f"{place_words(condition)} {found}"
+        why = self._why.get(condition)
+        return refusal_words(condition) if why is None else f"{place_words(condition)} {why}"
 
     def spot(self, condition: Term) -> Spot | None:
         """Return the place of a pattern that refuses a condition, None for a condition of one place."""
@@ -114,8 +147,11 @@ class RememberedGeometry:
 
     def hint(self, condition: Term) -> str:
         """Return what can be done about a condition that does not hold."""
-        found = self._why.get(condition)
-        moved = "it in the cell" if found is None else found.other
+        if condition in self._too_near:
+            _, distance, apart, found = self._too_near[condition]
+            return f"take a distance of {distance * found.length * 1e3 / apart:.4g} mm or more"
+        why = self._why.get(condition)
+        moved = "it in the cell" if why is None else why.other
         return f"choose another location, or move {moved}"
 
     def predicates(self) -> tuple[Predicate, ...]:
@@ -151,6 +187,8 @@ class RememberedGeometry:
             places, count = spots(first, int(columns), int(rows), apart), int(columns) * int(rows)
             left = f"{count - len(places)} of {count} places of the pattern" if count > len(places) else ""
         asked = Struct("in_rows", (condition, columns, rows, distance))
+        if apart is not None and self._are_too_near(asked, condition, apart):
+            return False
         for spot in places:
             one = Struct(condition.name, (*condition.arguments[:-1], term_of_point(spot.point)))
             if not self._holds(one):
@@ -160,6 +198,24 @@ class RememberedGeometry:
             self._left[left] = None
         return True
 
+    def _are_too_near(self, asked: Struct, condition: Struct, distance: float) -> bool:
+        """Return whether parts at places next to each other would be in each other, a distance apart [mm]."""
+        self._renewed()
+        match condition, asked.arguments[1:3]:
+            case Struct("collision_free", (Atom(robot), Atom(part), _)), (int(columns), int(rows)):
+                for column, row in neighbours(columns, rows):
+                    found = self._overlap(robot, part, column * distance * 1e-3, row * distance * 1e-3)
+                    if found is not None:
+                        self._too_near[asked] = part, distance, distance * math.hypot(column, row), found
+                        return True
+        return False
+
+    def _overlap(self, robot: str, part: str, x: float, y: float) -> Overlap | None:
+        asked = robot, part, x, y
+        if asked not in self._beside:
+            self._beside[asked] = self._geometry.overlap(robot, part, x, y)
+        return self._beside[asked]
+
     def _holds(self, condition: Struct) -> bool:
         match condition:
             case Struct("reachable", (Atom() as robot, location)):
@@ -168,13 +224,16 @@ class RememberedGeometry:
                 return self._collision_free(robot, part, location)
         raise ValueError(f"{condition} is no condition of geometry")
 
-    def _remembered(self, asked: tuple[Term, ...], answer: Callable[[Point], bool]) -> bool:
+    def _renewed(self) -> None:
+        """Forget what was known of the cell before it changed."""
         revision = self._geometry.revision
         if revision != self._revision:
             self._revision = revision
-            self._known.clear()
-            self._why.clear()
-            self._spots.clear()
+            for known in (self._known, self._why, self._spots, self._beside, self._too_near):
+                known.clear()
+
+    def _remembered(self, asked: tuple[Term, ...], answer: Callable[[Point], bool]) -> bool:
+        self._renewed()
         found = self._known.get(asked)
         if found is None:
             at = point_of_term(asked[-1])

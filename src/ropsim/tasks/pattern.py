@@ -46,6 +46,12 @@ def spots(first: Point, columns: int, rows: int, distance: float) -> tuple[Spot,
     return tuple(Spot(c + 1, r + 1, _point(first, c * distance, r * distance)) for c, r in looked)
 
 
+def neighbours(columns: int, rows: int) -> tuple[tuple[int, int], ...]:
+    """Return how many columns and rows a place of a pattern is from those next to it, one per line."""
+    steps = ((1, 0), (0, 1), (1, 1), (-1, 1))
+    return tuple((c, r) for c, r in steps if abs(c) < columns and r < rows)
+
+
 def _numbers(columns: int, rows: int) -> Iterator[tuple[int, int]]:
     last, end = columns - 1, rows - 1
     corners = ((0, 0), (last, 0), (0, end), (last, end))

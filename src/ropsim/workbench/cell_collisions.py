@@ -9,6 +9,7 @@ from ropsim.collision import TOUCH, Collisions, Elsewhere, MeshPoints, Nearness
 from ropsim.model import Body, BodyKind, Cell, Station, link_name, tool_body
 from ropsim.spatial import Array, Pose
 from ropsim.workbench.part_places import first_parts, part_places
+from ropsim.workbench.side_by_side import SideBySide
 
 if TYPE_CHECKING:  # knowledge bases and their engine are loaded by who asks one
     from ropsim.tasks import Point
@@ -81,6 +82,23 @@ class CellCollisions:
                 best = worst
         return best
 
+    def beside(self, part: str, shift: Array) -> tuple[float, float] | None:
+        """Return how deep a part is in one like it that is held alike, and its length there [m].
+
+        None where it is no deeper than the cell allows for parts, or nothing is known of it.
+
+        Args:
+            part: by its name.
+            shift: how far from it the other one is, along the axes of the tool [m], shape (3,).
+        """
+        bodies = self._collisions.bodies
+        if part not in self._parts or part not in bodies.rows:
+            return None
+        pair = SideBySide([bodies.convexes[k] for k in bodies.rows[part]])
+        moved = self._hanging(part).rotation().T @ shift
+        depth = pair.depth(moved)
+        return (depth, pair.length(moved)) if depth > self._cell.supports.depth else None
+
     def words(self, name: str) -> str:
         """Return what people call a body."""
         body = self._bodies[name]
@@ -120,18 +138,24 @@ class CellCollisions:
         return self._places.get(self._firsts.get(part, part))
 
     def _held(self, station: Station, name: str) -> Elsewhere:
-        """Return where a part hangs in the gripper: as when it is taken from where it lies at the start.
-
-        One that waits in a supply is taken from where the first one of it lies.
-        """
-        part, tool = self._parts.get(name), station.tools.get(station.default_tool)
-        if part is None:
+        """Return on what body a part hangs when it is held, and where."""
+        tool = station.tools.get(station.default_tool)
+        if name not in self._parts:
             return {}
-        place = self._place_of(name)
-        X_TO = UPSIDE_DOWN if place is None else self._cell.locations[place].inverse() @ part.X_WO
+        X_TO = self._hanging(name)
         if tool is None:
             return {name: (link_name(station.robot.tip + 1, station.name), station.robot.X_nM @ X_TO)}
         return {name: (tool_body(tool.name, station.name), tool.X_MT @ X_TO)}
+
+    def _hanging(self, name: str) -> Pose:
+        """Return X_TO of a part: as when it is taken from where it lies at the start.
+
+        One that waits in a supply is taken from where the first one of it lies.
+        """
+        place = self._place_of(name)
+        return (
+            UPSIDE_DOWN if place is None else self._cell.locations[place].inverse() @ self._parts[name].X_WO
+        )
 
 
 def _station_of(bodies: Mapping[str, Body], name: str) -> str:

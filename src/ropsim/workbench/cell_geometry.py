@@ -14,7 +14,7 @@ from ropsim.spatial import Array, Pose
 from ropsim.workbench.environment import environment_of
 
 if TYPE_CHECKING:  # knowledge bases and their engine are loaded by who asks one
-    from ropsim.tasks import Obstruction, Point
+    from ropsim.tasks import Obstruction, Overlap, Point
     from ropsim.workbench.cell_collisions import CellCollisions
 
 ARM = "arm"
@@ -79,6 +79,24 @@ class CellGeometry:
             names = names[1], names[0]
         one, other = map(looked.words, names)
         return Obstruction(one, other, -found.distance)
+
+    def overlap(self, robot: str, part: str, x: float, y: float) -> "Overlap | None":
+        """Return how deep a part would be in one like it that a robot leaves beside it; None for not at all.
+
+        So deep as the cell allows for parts that are set down they may be in each other.
+
+        Args:
+            robot: as with `reachable`.
+            part: that it leaves, as it was held where it lay at the start.
+            x: how far beside it along X of the tool [m].
+            y: how far against Y of the tool [m].
+        """
+        from ropsim.tasks import Overlap
+
+        if self._station(robot) is None:
+            return None
+        found = self._collisions().beside(part, np.array([x, -y, 0.0]))
+        return None if found is None else Overlap(*found)
 
     def prepare(self) -> None:
         """Read meshes, and make distances ready."""

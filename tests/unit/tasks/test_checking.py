@@ -4,6 +4,7 @@ import pytest
 
 from ropsim.prolog import Atom, Struct, Var, write_term
 from ropsim.tasks import Quantity, TaskCall, TaskError, WorldState
+from ropsim.tasks.pattern import neighbours
 from support.knowledge import GEOMETRY, base
 
 CELL = WorldState.of("gripper(open)", "at(bolt, s1)", "at(nut, s2)", "free(s3)")
@@ -166,6 +167,23 @@ def test_geometry_holds_at_every_place_of_a_pattern() -> None:
     GEOMETRY.refuse(("arm", "bolt", "s3 rel (150, -300, 0)"))
     (finding,) = known.check("load_pallet s1, s3, 2, 3, 15 cm", CELL).findings
     assert "row 3, column 2 at `s3 rel (150, -300, 0)` the part `bolt` would be 12.3 mm" in finding.message
+
+
+def test_parts_of_a_pattern_do_not_lie_in_each_other() -> None:
+    rods = WorldState.of("gripper(open)", "at(rod, s1)", "free(s3)", "location(s1)", "location(s3)")
+    (finding,) = base().check("load_pallet s1, s3, 2, 2, 50", rods).findings
+    assert finding.message == (
+        "`load_pallet` is not possible here: "
+        "parts 50 mm apart would be 10 mm in each other: `rod` is 60 mm long there"
+    )
+    assert finding.hint == "take a distance of 60 mm or more"
+    for fitting in ("2, 2, 60", "1, 3, 50", "1, 1, 50"):  # they lie beside each other across
+        assert base().check(f"load_pallet s1, s3, {fitting}", rods).ok
+
+
+@pytest.mark.parametrize(("shape", "count"), [((1, 1), 0), ((3, 1), 1), ((1, 3), 1), ((2, 2), 4)])
+def test_a_place_of_a_pattern_has_neighbours_along_both_diagonals(shape: tuple[int, int], count: int) -> None:
+    assert len(neighbours(*shape)) == count
 
 
 def test_of_a_large_pattern_it_is_said_how_much_was_not_looked_at() -> None:

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from ropsim.cellfile import read_cell
-from ropsim.collision import Collisions
+from ropsim.collision import ROUGH, Collisions
 from ropsim.core import SourceText
 from ropsim.kinematics import frames_batch, inverse
 from ropsim.model import Cell
@@ -154,6 +154,20 @@ def test_one_posture_that_is_free_is_enough_and_else_the_least_deep_one_is_told(
         in_the_way("".join(elbows))
         == f"`{least.one}` would be {-1e3 * least.distance:.1f} mm deep in `{least.other}`"
     )
+
+
+@pytest.mark.parametrize("turn", [0, 30, 40, 120])
+def test_parts_beside_each_other_are_as_deep_in_each_other_as_they_are_turned(turn: int) -> None:
+    geometry = CellGeometry(cell_of(f"rpy = [0, 0, {turn}]"))
+    sides = sorted(map(abs, (np.cos(np.radians(turn)), np.sin(np.radians(turn)))))
+    found = geometry.overlap("arm", "bolt", 0.012, 0.0)
+    assert found is not None
+    assert found.depth == pytest.approx(0.020 - 0.012 * sides[1], abs=ROUGH)
+    assert found.length == pytest.approx(0.020 / sides[1], abs=ROUGH)
+    assert geometry.overlap("arm", "bolt", 0.0, found.length) is None
+    assert geometry.overlap("arm", "bolt", found.length - 0.0018, 0.0) is None  # a cell allows 2 mm
+    assert geometry.overlap("arm", "bolt", found.length - 0.0029, 0.0) is not None
+    assert geometry.overlap("nobody", "bolt", 0.012, 0.0) is geometry.overlap("arm", "no", 0.012, 0.0) is None
 
 
 def test_of_a_place_that_is_unknown_or_out_of_reach_nothing_is_said() -> None:
