@@ -229,6 +229,19 @@ def test_after_a_pallet_is_filled_it_is_known_what_lies_where_and_what_the_suppl
     assert emptied.holds("at(b2, 's1 rel (150, 0, 0)')")
 
 
+@pytest.mark.parametrize("shape", ["1, 1", "2, 1", "1, 2", "3, 3"])
+@pytest.mark.parametrize("place", ["feed", "s1"])
+@pytest.mark.parametrize("waiting", [0, 1, 2])
+def test_where_a_pattern_takes_its_parts_a_part_lies_or_it_is_free(
+    shape: str, place: str, waiting: int
+) -> None:
+    queue = (f"follows(b{k + 1}, b{k})" for k in range(waiting))
+    state = WorldState.of("gripper(open)", "at(b0, feed)", "free(s1)", *queue)
+    after = base().check(f"load_pallet feed, {place}, {shape}, 60", state).state
+    lying = [one for one in map(write_term, after.facts) if one.startswith("at(") and one.endswith(",feed)")]
+    assert after.holds("free(feed)") is (lying == [])
+
+
 def test_a_tool_without_a_gripper_is_told_and_counts_no_more_once_it_is_changed() -> None:
     racks = ("home_of(glue, r1)", "home_of(jaws, r2)", "without_gripper(glue)", "tool(glue)")
     state = WorldState.of(*racks, *CELL.facts)

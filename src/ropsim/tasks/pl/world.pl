@@ -51,7 +51,9 @@ applied(Effects, State, After) :-
     ord_union(Kept, New, State1),
     supplied(Gone, State, State1, State2),
     (   member(Effect, Effects), arg(1, Effect, in_rows(_, _, _, _))
-    ->  in_rows(Effects, Gone, State2, After)
+    ->  in_rows(Effects, Gone, State2, State3),
+        findall(Place, ( member(at(Part, Place), Gone), ord_memberchk(at(Part, Place), State) ), Places),
+        foldl(settled, Places, State3, After)
     ;   After = State2
     ).
 
@@ -64,6 +66,13 @@ supplied(Gone, Before, State, After) :-
         exclude(==(at(Part, Place)), Gone, Others),
         supplied(Others, Before, State1, After)
     ;   After = State
+    ).
+
+%   settled(+Place, +State, -After): where the parts of a pattern were taken it is either free, or a part lies there.
+settled(Place, State, After) :-
+    (   memberchk(at(_, Place), State)
+    ->  ord_subtract(State, [free(Place)], After)
+    ;   ord_union(State, [free(Place)], After)
     ).
 
 %   in_rows(+Effects, +Gone, +State, -After): what lies at the places of a pattern behind the first one, in their order.
