@@ -70,6 +70,8 @@ export const taskWords = {
   noTime: 'not known',
   at: (document: string, line: number) => `${document}, line ${line}`,
   refused: (count: number) => (count === 1 ? '1 step is refused' : `${count} steps are refused`),
+  beingChecked: (count: number) =>
+    count === 1 ? '1 step is being checked' : `${count} steps are being checked`,
   allAccepted: (count: number) => (count === 1 ? '1 step, accepted' : `${count} steps, all accepted`),
   text: 'Show the text',
   hideText: 'Hide the text',

@@ -149,13 +149,15 @@ function Summary() {
   const wrong = list?.findings.find(one => one.severity === 'error')
   const told = wrong ? <Wrong finding={wrong} /> : null
   if (!answer || steps.length === 0) return told ? <p className="tasks-summary">{told}</p> : null
-  const refused = steps.filter(one => tasks.stateOf(one.key)?.accepted === false).length
+  const states = steps.map(one => tasks.stateOf(one.key))
+  const refused = states.filter(one => one?.accepted === false).length
+  const waiting = states.filter(one => one === null).length
   const time = cycleTime(answer, estimate)
   return (
     <p className="tasks-summary" role="status">
-      <span className={refused ? 'error' : 'good'}>
-        {refused ? taskWords.refused(refused) : taskWords.allAccepted(steps.length)}
-      </span>
+      {refused ? <span className="error">{taskWords.refused(refused)}</span> : null}
+      {waiting ? <span className="quiet">{taskWords.beingChecked(waiting)}</span> : null}
+      {refused || waiting ? null : <span className="good">{taskWords.allAccepted(steps.length)}</span>}
       <span>
         {taskWords.time}: <strong>{time}</strong>
       </span>
