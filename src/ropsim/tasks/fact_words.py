@@ -50,6 +50,11 @@ def beside_words(apart: float, part: str, length: float, depth: float) -> str:
     return f"parts {apart:.4g} mm apart would be {deep} mm in each other: {long}"
 
 
+def wider_words(distance: float) -> str:
+    """Return from which distance [m] on parts fit beside each other."""
+    return f"take a distance of {distance * 1e3:.4g} mm or more"
+
+
 def place_words(condition: Term) -> str:
     """Return where a condition of geometry is asked for: "at `s1`"."""
     place = condition.arguments[-1] if isinstance(condition, Struct) else condition

@@ -7,7 +7,7 @@ from typing import Protocol
 from ropsim.core import frozen_dataclass
 from ropsim.prolog import Atom, Predicate, Sort, Struct, Term, question
 from ropsim.tasks.bounds import millimetres
-from ropsim.tasks.fact_words import beside_words, meeting_words, place_words, refusal_words
+from ropsim.tasks.fact_words import beside_words, meeting_words, place_words, refusal_words, wider_words
 from ropsim.tasks.pattern import Spot, neighbours, places_in_rows, spots
 from ropsim.tasks.task_call import Point, point_of_term, term_of_point
 
@@ -149,7 +149,7 @@ class RememberedGeometry:
         """Return what can be done about a condition that does not hold."""
         if condition in self._too_near:
             _, distance, apart, found = self._too_near[condition]
-            return f"take a distance of {distance * found.length * 1e3 / apart:.4g} mm or more"
+            return wider_words(found.length * distance / apart)
         why = self._why.get(condition)
         moved = "it in the cell" if why is None else why.other
         return f"choose another location, or move {moved}"
