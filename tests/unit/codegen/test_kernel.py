@@ -165,7 +165,8 @@ def test_a_kernel_calls_kernels_of_other_modules_with_the_numbers_that_these_kno
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.syspath_prepend(tmp_path)
-    for factor in (2.0, 3.0):  # what the cache keeps of the first is not taken for the second
+    # What is kept of the first is not taken for the second; its text is longer, so that Python sees it.
+    for factor in (2.0, 13.0):
         for name, text in (("scaled_elsewhere", INNER.format(factor=factor)), ("scaled_here", OUTER)):
             (tmp_path / f"{name}.py").write_text(text)
             monkeypatch.delitem(sys.modules, name, raising=False)
