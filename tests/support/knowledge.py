@@ -43,7 +43,7 @@ class Refusing:
         free = self._answer((robot, part, str(location)))
         return None if free else Obstruction(f"the part `{part}`", "`post`", 0.0123)
 
-    def overlap(self, robot: str, part: str, x: float, y: float) -> Overlap | None:  # noqa: ARG002
+    def overlap(self, robot: str, part: str, x: float, y: float) -> Overlap | None:  # noqa: ARG002 - as the protocol has it
         """Return that rods along X lie in each other where `part` is `rod` and they are nearer."""
         return Overlap(0.06 - abs(x), 0.06) if part == "rod" and y == 0.0 and abs(x) < 0.06 else None
 

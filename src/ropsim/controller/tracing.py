@@ -7,7 +7,8 @@ import numpy as np
 
 from ropsim.controller.coordination import Coordination
 from ropsim.controller.entities import JointInterpolator, Refusal
-from ropsim.controller.entity_faults import guarded, is_our_own
+from ropsim.controller.entity_faults import guarded
+from ropsim.controller.joint_interpolator import StandardJointInterpolator
 from ropsim.controller.motion_chain import MotionChain
 from ropsim.controller.path_faults import unusable_path, unusable_samples, unusable_setpoints
 from ropsim.core import Diagnostic
@@ -123,9 +124,8 @@ def _refined(
     entity: JointInterpolator, samples: JointSamples, q_start: Array, move: MoveInstruction
 ) -> tuple[JointPath, Array | None] | Refusal:
     """Return the path through samples, and its roughness."""
-    both = getattr(entity, "refine_with_roughness", None)  # those of users need not have it
-    if both and is_our_own(entity):
-        told: tuple[JointPath, Array | None] = both(samples)
+    if type(entity) is StandardJointInterpolator:  # one of a user, derived from it or not, makes its own path
+        told = entity.refine_with_roughness(samples)
         if told[1] is not None:
             return told
     joints = guarded(entity, partial(entity.refine, samples), (object,), move)
