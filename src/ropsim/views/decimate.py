@@ -1,7 +1,5 @@
 """Fewer points for the same picture."""
 
-from itertools import pairwise
-
 import numpy as np
 import numpy.typing as npt
 
@@ -11,6 +9,13 @@ Indices = npt.NDArray[np.intp]
 
 _CELL = 0.2
 """Share of the tolerance within which samples count as one place."""
+
+_MANY = 20_000
+"""Above this number of places a curve is thinned by blocks first: the work grows with its length only."""
+
+_BLOCK = 64
+_BLOCK_SHARE = 0.2
+"""Places of a block, and the share of the tolerance by which one may be off."""
 
 PIECES = 300
 """Above this number of pieces a trace with gaps is drawn without them."""
@@ -52,38 +57,63 @@ def along_curve(x: Array, y: Array, tolerance: float, points: int, kept: Indices
         return np.empty(0, dtype=np.intp)
     while True:
         cells = np.round(np.stack([x, y]) / (_CELL * tolerance))
-        moved = np.flatnonzero(np.any(np.diff(cells, axis=1) != 0.0, axis=0)) + 1
-        ends = np.unique(np.concatenate(([0, x.size - 1], kept)).astype(np.intp))
-        near = np.unique(np.concatenate((moved, ends)))
-        places, found = np.stack([x, y], axis=1)[near], np.searchsorted(near, ends)
-        bends = _bends(places, (1.0 - 2.0 * _CELL) * tolerance, found, points + ends.size)
-        if bends is not None:
-            return np.asarray(near[bends], dtype=np.intp)
+        near = np.concatenate(([True], np.any(np.diff(cells, axis=1) != 0.0, axis=0)))
+        near[-1] = near[kept] = True
+        indices = np.flatnonzero(near)
+        ends = np.searchsorted(indices, np.unique(np.concatenate(([0, x.size - 1], kept)).astype(np.intp)))
+        found = _thin(
+            np.stack([x, y], axis=1)[indices], (1.0 - 2.0 * _CELL) * tolerance, ends, points + ends.size
+        )
+        if found is not None:
+            return np.asarray(indices[found], dtype=np.intp)
         tolerance *= 2.0
+
+
+def _thin(places: Array, tolerance: float, ends: Indices, most: int) -> Indices | None:
+    """Return numbers of the places, (k, 2), that draw the curve, or None where there are more than `most`."""
+    if len(places) <= _MANY:
+        return _bends(places, tolerance, ends, most)
+    blocks = np.union1d(ends, np.arange(0, len(places), _BLOCK))
+    rough = _bends(places, _BLOCK_SHARE * tolerance, blocks, len(places))
+    assert rough is not None  # there are not more than all of them
+    found = _bends(places[rough], (1.0 - _BLOCK_SHARE) * tolerance, np.searchsorted(rough, ends), most)
+    return None if found is None else rough[found]
 
 
 def _bends(places: Array, tolerance: float, ends: Indices, most: int) -> Indices | None:
     """Return numbers of the places, (k, 2), between which the curve is as good as straight.
 
-    None where there are more than `most`: a curve that fills the plane is not followed to its end.
+    All spans are halved at their farthest places at once. None where there are more numbers than `most`: a
+    curve that fills the plane is not followed to its end.
     """
-    found = ends.tolist()
-    spans = list(pairwise(found))
-    while spans:
-        if len(found) > most:
+    found = [ends]
+    count = ends.size
+    first, last = ends[:-1], ends[1:]
+    while True:
+        if count > most:
             return None
-        first, last = spans.pop()
-        if last - first < 2:
-            continue
-        way, inner = places[last] - places[first], places[first + 1 : last] - places[first]
-        share = np.clip(inner @ way / max(float(way @ way), 1e-300), 0.0, 1.0)
-        off = np.linalg.norm(inner - share[:, None] * way, axis=1)
-        worst = int(np.argmax(off))
-        if off[worst] > tolerance:
-            middle = first + 1 + worst
-            found.append(middle)
-            spans += [(first, middle), (middle, last)]
-    return np.asarray(sorted(found), dtype=np.intp)
+        first, last = first[last - first >= 2], last[last - first >= 2]
+        if first.size == 0:
+            return np.asarray(np.sort(np.concatenate(found)), dtype=np.intp)
+        lengths = last - first - 1
+        begins = np.cumsum(lengths) - lengths
+        span = np.repeat(np.arange(first.size), lengths)
+        inner = np.arange(span.size) - begins[span] + first[span] + 1
+        off = _away(places[inner] - places[first][span], (places[last] - places[first])[span])
+        worst = np.maximum.reduceat(off, begins)
+        at = np.flatnonzero(off == worst[span])
+        middle = inner[at[np.searchsorted(at, begins)]]
+        bent = worst > tolerance
+        found.append(middle[bent])
+        count += found[-1].size
+        first, last = np.concatenate((first[bent], middle[bent])), np.concatenate((middle[bent], last[bent]))
+
+
+def _away(places: Array, ways: Array) -> Array:
+    """Return how far the places, (n, 2), are from the straight ways, (n, 2), all from the same begin."""
+    length = np.maximum(np.einsum("ij,ij->i", ways, ways), 1e-300)
+    share = np.clip(np.einsum("ij,ij->i", places, ways) / length, 0.0, 1.0)
+    return np.asarray(np.linalg.norm(places - share[:, None] * ways, axis=1))
 
 
 def _thinned(values: Array, piece: Indices, bucket: int) -> Indices:

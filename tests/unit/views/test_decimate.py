@@ -1,6 +1,8 @@
 import numpy as np
+import numpy.typing as npt
 import pytest
 
+from ropsim.views import decimate
 from ropsim.views.decimate import along_curve, min_max
 
 NONE = np.empty(0, dtype=np.intp)
@@ -80,3 +82,38 @@ def test_a_drawn_curve_is_nowhere_off_by_more_than_the_tolerance_and_keeps_its_c
     share = np.clip(np.sum(away * ways, axis=2) / np.sum(ways * ways, axis=1), 0.0, 1.0)
     assert np.linalg.norm(away - share[..., None] * ways, axis=2).min(axis=1).max() < 0.25
     assert kept.size < 40
+
+
+def test_a_curve_of_very_many_places_is_drawn_as_closely_with_work_that_grows_with_its_length() -> None:
+    def figure(laps: int) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.float64]]:
+        angle = np.linspace(0.0, laps * 2.0 * np.pi, laps * 4000)
+        return 200.0 * np.cos(angle), 150.0 * np.sin(2.0 * angle)
+
+    x, y = figure(12)  # 48,000 places, each in a cell of its own
+    tolerance = 0.05
+    kept = along_curve(x, y, tolerance, 10_000, NONE)
+    assert kept.size < 8000
+    begin = np.searchsorted(kept, np.arange(x.size), side="right") - 1
+    begin = np.minimum(begin, kept.size - 2)
+    places, at = np.stack((x, y), axis=1), np.stack((x[kept], y[kept]), axis=1)
+    ways, away = at[begin + 1] - at[begin], places - at[begin]
+    share = np.clip(np.sum(away * ways, axis=1) / np.sum(ways * ways, axis=1), 0.0, 1.0)
+    assert np.linalg.norm(away - share[:, None] * ways, axis=1).max() < tolerance
+    assert looks(figure(24), tolerance) < 2.5 * looks(figure(12), tolerance)
+    assert looks(figure(12), tolerance) > x.size
+
+
+def looks(curve: tuple[npt.NDArray[np.float64], npt.NDArray[np.float64]], tolerance: float) -> int:
+    """Return how many distances from straight lines were taken to thin a curve."""
+    taken = 0
+    kept = decimate._away
+
+    def counted(places: npt.NDArray[np.float64], ways: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
+        nonlocal taken
+        taken += len(places)
+        return kept(places, ways)
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(decimate, "_away", counted)
+        along_curve(*curve, tolerance, 100_000, NONE)
+    return taken
