@@ -49,7 +49,7 @@ export const taskWords = {
   truth: { true: 'yes', false: 'no' },
   points: 'Points of the program',
   noPoints: 'The points of the steps will stand here, each with its place in the picture.',
-  pointColumns: ['Point', 'X', 'Y', 'Z', 'Roll', 'Pitch', 'Yaw'],
+  pointColumns: ['Point', 'X', 'Y', 'Z', 'Pitch', 'Roll', 'Yaw'],
   pointUnits: 'mm and deg, in the base frame of the robot',
   showPoint: (name: string) => `Show ${name} in the picture`,
   unnamed: (place: number) => `point ${place} of a refused step`,

@@ -340,7 +340,7 @@ export interface StepState {
 export interface ProgramPoint {
   /** In the program; empty where its step is refused. */
   readonly name: string
-  /** X Y Z [mm] Roll Pitch Yaw [deg] in the base frame; null where it has no pose. */
+  /** X Y Z [mm] Pitch Roll Yaw [deg] in the base frame; null where it has no pose. */
   readonly numbers: readonly [number, number, number, number, number, number] | null
   /** Of the tool in W; null likewise. */
   readonly pose: Pose | null

@@ -21,6 +21,7 @@ from ropsim.tasks import (
     TaskError,
     Value,
     added,
+    call_words,
     default_text,
     draft_points,
     draft_text,
@@ -39,12 +40,13 @@ HEAD = "Type the tasks to be included in this program, `end` to terminate, `undo
 
 @dataclass(slots=True)
 class _Desk:
-    """What the dialogue is about: the tasks, lists of points by name, and what has been chosen."""
+    """What the dialogue is about: the tasks, lists of points by name, what is chosen, its patience [s]."""
 
     base: KnowledgeBase
     lists: Mapping[str, PointList]
     draft: Draft
     output: Output
+    seconds: float
 
 
 def generate(options: argparse.Namespace, output: Output) -> int:
@@ -54,7 +56,7 @@ def generate(options: argparse.Namespace, output: Output) -> int:
     output.findings((one for one in known.findings if one.is_error), known.texts)
     lists, findings = read_point_lists(folder)
     output.findings(findings, {})
-    desk = _Desk(known.base, lists, Draft(known.state), output)
+    desk = _Desk(known.base, lists, Draft(known.state), output, options.seconds)
     output.text(HEAD)
     while (name := _asked("TASK NAME")) not in (None, END):
         if name == BACK:
@@ -78,7 +80,7 @@ def _choose(desk: _Desk, name: str) -> None:
         return
     try:
         call = TaskCall(name, _points(desk, task), _parameters(task))
-        desk.draft = added(desk.draft, desk.base, call)
+        desk.draft = added(desk.draft, desk.base, call, desk.seconds)
     except RopsimError as error:
         desk.output.failure(error.diagnostic)
 
@@ -120,7 +122,7 @@ def _words(parameter: Parameter) -> str:
 
 def _show(desk: _Desk) -> None:
     """Print the state for each task."""
-    rows = [(str(one.call), one.message) for one in desk.draft.entries]
+    rows = [(call_words(one.call), one.message) for one in desk.draft.entries]
     width = max((len(call) for call, _ in rows), default=0)
     desk.output.text("\n".join(f"  {call:{width}}  {message}" for call, message in rows))
 

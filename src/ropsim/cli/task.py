@@ -11,9 +11,9 @@ from ropsim.core import Diagnostic
 from ropsim.prolog import Prolog
 from ropsim.records import diagnostic_document
 from ropsim.tasks import (
-    GROUPS,
     CallReport,
     KnownTask,
+    Parameter,
     TaskCall,
     WorldState,
     default_text,
@@ -23,6 +23,7 @@ from ropsim.tasks import (
     program_text,
     task_text,
     term_text,
+    title_of,
     unchecked_text,
     version_of,
 )
@@ -42,7 +43,7 @@ def list_(options: argparse.Namespace, output: Output) -> int:
     width = max(len(_head(one)) for one in tasks)
     groups = grouped(tasks)
     for group, some in groups.items():
-        output.text(GROUPS[group])
+        output.text(title_of(group))
         for one in some:
             place = "library" if one.is_built_in else one.span
             output.text(f"  {_head(one):{width}}  {version_of(one)[:SHORT]:{SHORT}}  {place}")
@@ -75,7 +76,7 @@ def show(options: argparse.Namespace, output: Output) -> int:
 def check(options: argparse.Namespace, output: Output) -> int:
     """Say of each call whether it is possible."""
     known = open_knowledge(options.path, Prolog(options.prolog))
-    reports = known.base.check_all(options.calls, _state(options, known))
+    reports = known.base.check_all(options.calls, _state(options, known), options.seconds)
     width = max(len(str(one.call)) for one in reports)
     for one in reports:
         output.text("\n".join(_answer(one, width)))
@@ -131,10 +132,8 @@ def _state(options: argparse.Namespace, known: Knowledge) -> WorldState:
 
 
 def _head(task: KnownTask) -> str:
-    """Return name and parameters by their words, with defaults."""
-    inside = (
-        f"{one.label}{'' if one.default is None else f' = {default_text(one)}'}" for one in task.parameters
-    )
+    """Return name and parameters that a call gives, by their words, with defaults."""
+    inside = (f"{one.label}{'' if one.default is None else f' = {default_text(one)}'}" for one in task.passed)
     return f"{task.name}({', '.join(inside)})"
 
 
@@ -142,11 +141,14 @@ def _parameters(task: KnownTask) -> list[str]:
     """Return a line for each parameter that has a word: its name in the text, what it is, and its bounds."""
     told = [one for one in task.parameters if one.word]
     width = max((len(one.word) for one in told), default=0)
-    lines = [
-        f"{one.word:{width}}  {', '.join(filter(None, (one.sentence, *map(str, one.bounds))))} ({one.name})"
-        for one in told
-    ]
+    lines = [f"{one.word:{width}}  {_sentence(one)} ({one.name})" for one in told]
     return [*lines, ""] if lines else []
+
+
+def _sentence(parameter: Parameter) -> str:
+    """Return what people should know of a parameter, its bounds, and whether no call gives it."""
+    told = "told by the state of the cell" if parameter.is_symbolic else ""
+    return ", ".join(filter(None, (parameter.sentence, *map(str, parameter.bounds), told)))
 
 
 def _steps(calls: Sequence[TaskCall]) -> str:

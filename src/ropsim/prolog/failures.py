@@ -26,7 +26,7 @@ _STOPPED: dict[str, tuple[Kind, str, str]] = {
     "time": (
         TIME_LIMIT,
         "the goal was stopped: its time is over",
-        "a recursion may not end, or give it more seconds",
+        "a recursion may not end; or the machine is busy: try it again",
     ),
     "inferences": (
         INFERENCE_LIMIT,

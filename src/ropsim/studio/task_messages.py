@@ -137,7 +137,7 @@ class ProgramPoint(Struct, frozen=True):
 
     Attributes:
         name: in the program; empty where its step is refused.
-        numbers: X Y Z [mm] Roll Pitch Yaw [deg] in the base frame; null where it has no pose.
+        numbers: X Y Z [mm] Pitch Roll Yaw [deg] in the base frame; null where it has no pose.
         pose: of the tool in W; null likewise.
     """
 

@@ -47,12 +47,14 @@ from ropsim.tasks.task_call import Point as Point
 from ropsim.tasks.task_call import Quantity as Quantity
 from ropsim.tasks.task_call import TaskCall as TaskCall
 from ropsim.tasks.task_call import Value as Value
+from ropsim.tasks.task_call import call_words as call_words
 from ropsim.tasks.task_form import FormParameter as FormParameter
 from ropsim.tasks.task_form import TaskForm as TaskForm
 from ropsim.tasks.task_form import form_of as form_of
 from ropsim.tasks.task_groups import GROUPS as GROUPS
 from ropsim.tasks.task_groups import group_of as group_of
 from ropsim.tasks.task_groups import grouped as grouped
+from ropsim.tasks.task_groups import title_of as title_of
 from ropsim.tasks.task_text import stored_clause as stored_clause
 from ropsim.tasks.task_text import task_text as task_text
 from ropsim.tasks.typed_step import TypedStep as TypedStep

@@ -13,7 +13,7 @@ from ropsim.tasks.checking import checked
 from ropsim.tasks.clause_places import ClausePlaces, places_of
 from ropsim.tasks.folder import read_folder
 from ropsim.tasks.geometry import Anywhere, Geometry, RememberedGeometry
-from ropsim.tasks.host import Host, Progress
+from ropsim.tasks.host import CHECK_SECONDS, Host, Progress
 from ropsim.tasks.known_task import KnownTask
 from ropsim.tasks.layer import Layer
 from ropsim.tasks.planning import PLAN_SECONDS, Plan, planned
@@ -140,12 +140,13 @@ class KnowledgeBase:
         found = self._host.ask("ropsim_kb", Struct("terms_read", (tuple(texts), Var("Found"))))
         return tuple(map(str, found)) if isinstance(found, tuple) else ()
 
-    def check(self, call: TaskCall | str, state: WorldState) -> CallReport:
+    def check(self, call: TaskCall | str, state: WorldState, seconds: float = CHECK_SECONDS) -> CallReport:
         """Return whether a call is possible in a state, and the state that it makes.
 
         Args:
             call: a task with its points and parameters, or its task text.
             state: what is true before it.
+            seconds: so long it may take [s].
 
         Raises:
             TaskError: the text is no call.
@@ -153,10 +154,12 @@ class KnowledgeBase:
         """
         one = call_of(call) if isinstance(call, str) else call
         self._geometry.prepare()
-        report = checked(one, self.task(one.name), self.names, self._host, state, self._geometry)
-        return replace(report, unchecked=self.unchecked)
+        report = checked(one, self.task(one.name), self.names, self._host, state, self._geometry, seconds)
+        return replace(report, unchecked=(*self.unchecked, *report.unchecked))
 
-    def check_all(self, calls: Sequence[TaskCall | str], state: WorldState) -> tuple[CallReport, ...]:
+    def check_all(
+        self, calls: Sequence[TaskCall | str], state: WorldState, seconds: float = CHECK_SECONDS
+    ) -> tuple[CallReport, ...]:
         """Return the same for calls in a row, each in the state that the one before it has made.
 
         A call that is not possible changes nothing, and those behind it are checked all the same.
@@ -166,7 +169,7 @@ class KnowledgeBase:
         """
         reports: list[CallReport] = []
         for call in calls:
-            report = self.check(call, state)
+            report = self.check(call, state, seconds)
             reports.append(report)
             state = report.state
         return tuple(reports)

@@ -3,14 +3,14 @@
 from collections.abc import Iterator, Sequence
 
 from ropsim.core import Diagnostic
-from ropsim.prolog import Atom, Struct, Term, Var
+from ropsim.prolog import Atom, GoalError, Struct, Term, Var
 from ropsim.tasks.call_report import CallReport
-from ropsim.tasks.diagnostics import GEOMETRY_REFUSES, PRECONDITION, WRONG_CALL
-from ropsim.tasks.fact_words import fact_words
+from ropsim.tasks.diagnostics import CHECK_STOPPED, GEOMETRY_REFUSES, PRECONDITION, WRONG_CALL
 from ropsim.tasks.geometry import RememberedGeometry
-from ropsim.tasks.host import CHECK_SECONDS, Host
+from ropsim.tasks.host import Host
 from ropsim.tasks.kinds import LOCATION, UNITS
 from ropsim.tasks.known_task import KnownTask, Parameter
+from ropsim.tasks.lacking import is_hindered, lacking_findings
 from ropsim.tasks.not_defined import not_defined
 from ropsim.tasks.pattern import Spot
 from ropsim.tasks.task_call import Quantity, TaskCall, Value, term_of_point, term_of_value
@@ -28,6 +28,7 @@ def checked(
     host: Host,
     state: WorldState,
     geometry: RememberedGeometry,
+    seconds: float,
 ) -> CallReport:
     """Return what is said of a call.
 
@@ -38,6 +39,7 @@ def checked(
         host: asks Prolog.
         state: in which it is called.
         geometry: says why it refuses.
+        seconds: so long it may take [s].
 
     Raises:
         GoalError: a function of the geometry failed, or it takes longer than it may.
@@ -50,7 +52,22 @@ def checked(
         fails = tuple(Struct("fails", (Atom("call"), one.message)) for one in wrong)
         return _refused(call, state, wrong, fails)
     goal = Struct("check_call", (Atom(task.name), tuple(_given(call, task)), state.facts, Var("Found")))
-    return _report(call, task, state, host.ask("ropsim_world", goal, CHECK_SECONDS), geometry)
+    try:
+        found = host.ask("ropsim_world", goal, seconds)
+    except GoalError as error:
+        if error.diagnostic.code != "P113":
+            raise
+        raise _stopped(task, seconds) from error
+    return _report(call, task, state, found, geometry)
+
+
+def _stopped(task: KnownTask, seconds: float) -> GoalError:
+    """Return what is said of a call that could not be checked in its time."""
+    message = f"`{task.name}` could not be checked within {seconds:g} s"
+    hint = "check it again: the machine may be busy, or a rule that it needs leads to itself"
+    return GoalError(
+        CHECK_STOPPED.at(None, message, hint=f"{hint}; in a terminal `--seconds` gives it more time")
+    )
 
 
 def _report(
@@ -58,22 +75,18 @@ def _report(
 ) -> CallReport:
     """Return the report of what Prolog found."""
     match found:
-        case Struct("done", (head, tuple(after))):
-            return CallReport(_told(call, task, head), (), (), (), WorldState(ordered(after)))
+        case Struct("done", (head, tuple(after), tuple(unknown))):
+            state = WorldState(ordered(after))
+            return CallReport(_told(call, task, head), (), (), (), state, tuple(map(_not_known, unknown)))
         case Struct("refused", (_, tuple(conditions))):
             findings = tuple(_geometry(task, geometry, one) for one in conditions)
             return _refused(call, state, findings, _fails("geo", conditions))
         case Struct("lacks", (_, tuple(missing), tuple(providers), names)):
             variables = names_in(names)
             lacking = tuple(renamed(one, variables) for one in missing)
-            hindered = {number for number, one in enumerate(lacking) if _is_hindered(one, state)}
+            hindered = {number for number, one in enumerate(lacking) if is_hindered(one, state)}
             by_index = [one for one in map(_provider, providers) if one[0] not in hindered]
-            findings = tuple(
-                _without_gripper(task, state)
-                if number in hindered
-                else _precondition(task, one, [name for index, name in by_index if index == number])
-                for number, one in enumerate(lacking)
-            )
+            findings = lacking_findings(task, lacking, by_index, state)
             able = tuple(dict.fromkeys(name for _, name in by_index))
             return CallReport(call, findings, _fails("pre", lacking), able, state)
         case Struct("nothing_for", (tuple(kinds),)):
@@ -94,28 +107,6 @@ def _fails(what: str, conditions: tuple[Term, ...]) -> tuple[Term, ...]:
     return tuple(Struct("fails", (Atom(what), one)) for one in conditions)
 
 
-def _precondition(task: KnownTask, condition: Term, providers: list[str]) -> Diagnostic:
-    message = f"`{task.name}` is not possible now: {fact_words(condition)} is needed"
-    able = ", ".join(f"`{name}`" for name in dict.fromkeys(providers))
-    hint = f"{able} could provide it" if able else "no task provides it: state it, or change the cell"
-    return PRECONDITION.at(None, message, hint=hint)
-
-
-def _is_hindered(condition: Term, state: WorldState) -> bool:
-    """Return whether a condition asks for a gripper that the arm does not have."""
-    if not isinstance(condition, Struct) or condition.name != "gripper":
-        return False
-    grippers = any(isinstance(one, Struct) and one.name == "gripper" for one in state.facts)
-    return bool(state.gripperless) or not grippers
-
-
-def _without_gripper(task: KnownTask, state: WorldState) -> Diagnostic:
-    tool = f"the tool `{state.gripperless}` has no gripper" if state.gripperless else "no gripper is known"
-    racks = "take a tool with a gripper first" if state.gripperless else "state `gripper(open)`"
-    message = f"`{task.name}` is not possible now: {tool}"
-    return PRECONDITION.at(None, message, hint=f"{racks}, or give the tool of the cell a `gripper`")
-
-
 def _geometry(task: KnownTask, geometry: RememberedGeometry, condition: Term) -> Diagnostic:
     message = f"`{task.name}` is not possible here: {geometry.refusal(condition)}"
     spot = geometry.spot(condition)
@@ -133,6 +124,12 @@ def _pattern_hint(task: KnownTask, spot: Spot) -> str:
     asking = ((spot.column, columns), (spot.row, rows), (max(spot.column, spot.row), distance))
     words = ", ".join(f"`{word}`" for number, word in asking if number > 1)
     return f"take less for {words}, or choose another location" if words else "choose another location"
+
+
+def _not_known(term: Term) -> str:
+    """Return of which places of a pattern it is not known whether parts lie there."""
+    count, every = term.arguments if isinstance(term, Struct) else (0, 0)
+    return f"whether parts lie at {count} of {every} places of the pattern"
 
 
 def _provider(term: Term) -> tuple[int, str]:
@@ -182,7 +179,7 @@ def _wrong(call: TaskCall, task: KnownTask) -> Iterator[Diagnostic]:
     for point in call.points:
         if not isinstance(point, str) and len(point) not in (3, 5, 6):
             message = f"a point has 3, 5 or 6 numbers, given: {len(point)}"
-            yield WRONG_CALL.at(None, message, hint="X Y Z, X Y Z Pitch Roll or X Y Z Roll Pitch Yaw")
+            yield WRONG_CALL.at(None, message, hint="X Y Z, X Y Z Pitch Roll or X Y Z Pitch Roll Yaw")
     for value, parameter in zip(call.parameters, others, strict=False):
         wanted_words = _misfit(value, parameter)
         if wanted_words:

@@ -318,8 +318,20 @@ PLAN_STOPPED = define(
 
 WRONG_FACT = define(
     "P156",
-    "no-fact",
+    "no-fact-or-call",
     Severity.ERROR,
     "what should be a fact or a call is none",
     "Facts are terms without variables: `at(bolt, s1)`. Calls are task text: `Palletize s1, s2, 0.1, 6`.",
+)
+
+CHECK_STOPPED = define(
+    "P157",
+    "check-stopped",
+    Severity.ERROR,
+    "a call of a task could not be checked in its time",
+    """
+Checking a call takes some milliseconds. It was stopped because the machine was very busy, or because a rule
+of the knowledge base that its preconditions need leads to itself. `ropsim task check` and `ropsim generate`
+have `--seconds` for the time that each call may take, 2 s where nothing is said.
+""",
 )

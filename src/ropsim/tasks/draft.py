@@ -8,6 +8,7 @@ from ropsim.prolog import Atom, Struct, Term
 from ropsim.tasks.base import KnowledgeBase
 from ropsim.tasks.call_report import CallReport
 from ropsim.tasks.expression_text import short_text
+from ropsim.tasks.host import CHECK_SECONDS
 from ropsim.tasks.point_list import PointList, points_text
 from ropsim.tasks.program_text import UNITS, program_text
 from ropsim.tasks.task_call import Numbers, Point, TaskCall
@@ -61,13 +62,13 @@ def _names(terms: Iterable[Term]) -> Iterator[str]:
             yield from (one.name for one in term.arguments if isinstance(one, Atom))
 
 
-def added(draft: Draft, base: KnowledgeBase, call: TaskCall) -> Draft:
+def added(draft: Draft, base: KnowledgeBase, call: TaskCall, seconds: float = CHECK_SECONDS) -> Draft:
     """Return a draft with one more task; a task that is refused changes no state.
 
     Raises:
         GoalError: a function of the geometry failed, or it takes longer than it may.
     """
-    return Draft(draft.begin, (*draft.entries, base.check(call, draft.state)))
+    return Draft(draft.begin, (*draft.entries, base.check(call, draft.state, seconds)))
 
 
 def taken_back(draft: Draft) -> Draft:
@@ -92,13 +93,20 @@ def draft_text(draft: Draft, base: KnowledgeBase, name: str) -> str:
     names = {numbers: point for point, numbers in draft.points}
     calls = [_named(call, names) for call in draft.calls]
     head, _, rest = program_text(base.task, calls, name).partition(f"units {UNITS}\n")
-    places = [f"loc {point} = ({', '.join(map(short_text, numbers))})" for point, numbers in draft.points]
+    places = [f"loc {point} = {_place(numbers)}" for point, numbers in draft.points]
     return "\n".join([f"{head}units {UNITS}", *places, rest])
 
 
 def draft_points(draft: Draft) -> str:
     """Return the points of the program as a list for `points/NAME.csv`."""
     return points_text(draft.points)
+
+
+def _place(numbers: Numbers) -> str:
+    """Return a point in task text, where three angles are told to be roll, pitch and yaw."""
+    cells = list(map(short_text, numbers))
+    turned = f"; rpy {' '.join(cells[3:])}" if len(cells) == 6 else ""
+    return f"({', '.join(cells[:3] if turned else cells)}{turned})"
 
 
 def _named(call: TaskCall, names: Mapping[Numbers, str]) -> TaskCall:

@@ -2,6 +2,7 @@
 
 from ropsim.prolog import Atom, Struct, Term, Var
 from ropsim.tasks.expression_text import shown
+from ropsim.tasks.task_call import point_of_term, point_words
 
 
 def fact_words(fact: Term) -> str:
@@ -10,32 +11,42 @@ def fact_words(fact: Term) -> str:
         case Struct("gripper", (Atom(state),)):
             return f"{'an' if state.startswith('o') else 'a'} {state} gripper"
         case Struct("at", (Var(), place)):
-            return f"a part at `{_name(place)}`"
+            return f"a part at `{name_words(place)}`"
         case Struct("at", (part, place)):
-            return f"`{_name(part)}` at `{_name(place)}`"
+            return f"`{name_words(part)}` at `{name_words(place)}`"
         case Struct("held", (Var(),)):
             return "a part in the gripper"
         case Struct("held", (part,)):
-            return f"`{_name(part)}` in the gripper"
+            return f"`{name_words(part)}` in the gripper"
         case Struct("free", (place,)):
-            return f"an empty place `{_name(place)}`"
+            return f"an empty place `{name_words(place)}`"
         case Struct("tool", (tool,)):
-            return f"the tool `{_name(tool)}`"
+            return f"the tool `{name_words(tool)}`"
         case Struct("without_gripper", (tool,)):
-            return f"the tool `{_name(tool)}` without a gripper"
+            return f"the tool `{name_words(tool)}` without a gripper"
         case Struct("follows", (part, other)):
-            return f"`{_name(part)}` behind `{_name(other)}` in its supply"
-    return f"`{_name(fact)}`"
+            return f"`{name_words(part)}` behind `{name_words(other)}` in its supply"
+    return _pattern_words(fact)
+
+
+def _pattern_words(condition: Term) -> str:
+    """Return what a pattern asks for as people say it, all else as a term."""
+    match condition:
+        case Struct("enough", (place, _, _)):
+            return f"as many parts at `{name_words(place)}` as the pattern has places"
+        case Struct("filled", (first, *_)):
+            return f"parts at all places of the pattern from `{name_words(first)}` on"
+    return f"`{name_words(condition)}`"
 
 
 def refusal_words(condition: Term) -> str:
     """Return why a condition of geometry does not hold."""
     match condition:
         case Struct("reachable", (_, place)):
-            return f"`{_name(place)}` cannot be reached"
+            return f"`{name_words(place)}` cannot be reached"
         case Struct("collision_free", (_, part, place)):
-            return f"`{_name(part)}` is in something at `{_name(place)}`"
-    return f"`{_name(condition)}` does not hold"
+            return f"`{name_words(part)}` is in something at `{name_words(place)}`"
+    return f"`{name_words(condition)}` does not hold"
 
 
 def meeting_words(one: str, other: str, depth: float) -> str:
@@ -58,17 +69,18 @@ def wider_words(distance: float) -> str:
 def place_words(condition: Term) -> str:
     """Return where a condition of geometry is asked for: "at `s1`"."""
     place = condition.arguments[-1] if isinstance(condition, Struct) else condition
-    return f"at `{_name(place)}`"
+    return f"at `{name_words(place)}`"
 
 
-def _name(term: Term) -> str:
+def name_words(term: Term) -> str:
+    """Return a thing, a place or a number as people write it."""
     match term:
-        case Atom(name) | Var(name):
+        case Var(name):
             return name
-        case Struct("p", numbers):
-            return f"({', '.join(_name(one) for one in numbers)})"
+        case Atom() | Struct("p") if (point := point_of_term(term)) is not None:
+            return point_words(point)
         case int() | float():
             return f"{term:g}"
         case Struct(name, arguments):
-            return f"{name}({', '.join(_name(one) for one in arguments)})"
+            return f"{name}({', '.join(name_words(one) for one in arguments)})"
     return shown(term)

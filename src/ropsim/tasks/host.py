@@ -30,7 +30,7 @@ ALONE = Limits(seconds=2.0)
 MOST_GIVEN_UP = 10
 """Where so many texts cannot be read those behind them are not tried."""
 CHECK_SECONDS = 2.0
-"""So long one call may be checked, whatever rules a text has [s]."""
+"""So long one call may be checked where nothing is said, whatever rules a text has [s]."""
 
 _SPLIT = "split terms that are nested deep into facts"
 

@@ -5,7 +5,7 @@ from itertools import chain, islice, product
 
 from ropsim.core import frozen_dataclass
 from ropsim.tasks.expression_text import short_text
-from ropsim.tasks.task_call import Point, point_text
+from ropsim.tasks.task_call import Point, point_text, point_words
 
 MOST_PLACES = 64
 """So many places of a pattern are looked at;
@@ -30,7 +30,7 @@ class Spot:
     point: Point
 
     def __str__(self) -> str:
-        return f"row {self.row}, column {self.column} at `{point_text(self.point)}`"
+        return f"row {self.row}, column {self.column} at `{point_words(self.point)}`"
 
 
 def spots(first: Point, columns: int, rows: int, distance: float) -> tuple[Spot, ...]:

@@ -56,6 +56,32 @@ def point_text(point: Point) -> str:
     return point if isinstance(point, str) else f"({', '.join(map(short_text, point))})"
 
 
+def point_words(point: Point) -> str:
+    """Return a point as people read it: the angles of six numbers have names, in the order of fields."""
+    if isinstance(point, str):
+        head, behind, rest = point.partition(") rel ")
+        numbers = _six(head) if behind else None
+        return point if numbers is None else f"{point_words(numbers)} rel {rest}"
+    if len(point) != 6:
+        return point_text(point)
+    x, y, z, roll, pitch, yaw = map(short_text, point)
+    return f"({x}, {y}, {z}, pitch {pitch}, roll {roll}, yaw {yaw})"
+
+
+def _six(text: str) -> Numbers | None:
+    """Return the six numbers of a point without its last bracket, None where it is none of these."""
+    cells = text.removeprefix("(").split(",")
+    try:
+        return tuple(map(float, cells)) if len(cells) == 6 else None
+    except ValueError:
+        return None
+
+
+def call_words(call: TaskCall) -> str:
+    """Return a call as people read it, who type pitch before roll."""
+    return str(TaskCall(call.name, tuple(map(point_words, call.points)), call.parameters))
+
+
 def term_of_point(point: Point) -> Term:
     """Return a point as it stands in facts: a name, or `p(X,Y,Z)`."""
     return Atom(point) if isinstance(point, str) else Struct("p", tuple(map(_number, point)))

@@ -19,11 +19,19 @@ GROUPS: Mapping[str, str] = {
     "grip": "Grip and release, straight to the part",
     "palletize": "Patterns as printed in the paper, straight to the parts",
 }
-"""Titles of groups in their order; those of the library have the names of its files."""
+"""Titles of groups in their order; those of the library have the names of its files.
+
+A file of the library that is not named here has its name for a title, and comes last.
+"""
+
+
+def title_of(group: str) -> str:
+    """Return what stands above the tasks of a group."""
+    return GROUPS.get(group, group)
 
 
 def group_of(task: KnownTask) -> str:
-    """Return the group of a task, a key of `GROUPS`."""
+    """Return the group of a task, mostly a key of `GROUPS`."""
     match task.layer:
         case Layer.PROJECT:
             return OURS
@@ -37,5 +45,5 @@ def grouped(tasks: Iterable[KnownTask]) -> Mapping[str, tuple[KnownTask, ...]]:
     """Return tasks by their groups, both in the order of lists; groups without a task are left out."""
     found: dict[str, list[KnownTask]] = {group: [] for group in GROUPS}
     for task in tasks:
-        found[group_of(task)].append(task)
+        found.setdefault(group_of(task), []).append(task)
     return {group: tuple(some) for group, some in found.items() if some}

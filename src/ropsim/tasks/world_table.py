@@ -5,7 +5,7 @@ from collections.abc import Iterator, Mapping
 from ropsim.core import frozen_dataclass
 from ropsim.prolog import Atom, Struct, Term
 from ropsim.tasks.fact_words import fact_words
-from ropsim.tasks.task_call import Numbers, Point, point_of_term, point_text
+from ropsim.tasks.task_call import Numbers, Point, point_of_term, point_words
 from ropsim.tasks.world_state import WorldState
 
 _NAMING = frozenset(("part", "location", "device", "free", "without_gripper"))
@@ -83,4 +83,4 @@ def _place(term: Term, names: Mapping[Numbers, str]) -> str:
     point: Point | None = point_of_term(term)
     if point is None:
         return ""
-    return point if isinstance(point, str) else names.get(point, point_text(point))
+    return point_words(point) if isinstance(point, str) else names.get(point, point_words(point))

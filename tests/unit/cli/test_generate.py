@@ -61,3 +61,21 @@ def test_a_name_that_no_program_can_have_is_refused(name: str, capsys: pytest.Ca
     with pytest.raises(SystemExit):
         main(["generate", ".", "--name", name])
     assert f"`{name}` is" in capsys.readouterr().err
+
+
+def test_a_task_is_shown_as_it_is_called(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["task", "show", str(tmp_path), "load_pallet"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert lines[0] == ("load_pallet(supply, first place, parts in a row, rows, distance, clearance = 50 mm)")
+    part = next(line for line in lines if line.startswith("part "))
+    assert part.endswith("first of all, told by the state of the cell (P)")
+
+
+def test_a_check_has_as_much_time_as_it_is_given(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    names = [f"loop{k}(X) :- loop{k + 1}(X), loop{k + 1}(X).\n" for k in range(39)]
+    task = "task(never(P), [params([P-part]), pre([loop0(P), none(P)])]). given(none/1)."
+    (tmp_path / "a.pl").write_text(f"loop39(a).\n{''.join(names)}{task}")
+    assert main(["task", "check", str(tmp_path), "never", "--seconds", "0.2"]) == 1
+    said = capsys.readouterr().err
+    assert "error[P157] check-stopped: `never` could not be checked within 0.2 s" in said
+    assert "`--seconds` gives it more time" in said

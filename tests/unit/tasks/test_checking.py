@@ -1,5 +1,7 @@
 """Calls against a state: there, called rightly, possible, within reach; and what an operator is told."""
 
+from itertools import pairwise
+
 import pytest
 
 from ropsim.prolog import Atom, Struct, Var, write_term
@@ -8,6 +10,12 @@ from ropsim.tasks.pattern import neighbours
 from support.knowledge import GEOMETRY, base
 
 CELL = WorldState.of("gripper(open)", "at(bolt, s1)", "at(nut, s2)", "free(s3)")
+
+
+def behind(part: str, count: int) -> list[str]:
+    """Return the facts that so many parts wait behind one in its supply."""
+    queue = [part, *(f"{part}_{number}" for number in range(count))]
+    return [f"follows({one}, {before})" for before, one in pairwise(queue)]
 
 
 def test_calls_in_a_row_carry_the_state() -> None:
@@ -68,8 +76,8 @@ def test_what_is_missing_is_told_with_the_tasks_that_could_provide_it() -> None:
         "`release` is not possible now: a part in the gripper is needed",
     ]
     assert report.fails[1] == Struct("fails", (Atom("pre"), Struct("held", (Var("P"),))))
-    assert report.providers[:2] == ("grip", "unload_machine")
-    assert "`grip`" in report.findings[1].hint
+    assert report.providers == ("grip", "pick")  # nothing is in a machine that could be unloaded
+    assert report.findings[1].hint == "`grip`, `pick` could provide it"
     assert not report.ok
 
 
@@ -77,7 +85,7 @@ def test_what_nobody_provides_is_told_too() -> None:
     known = base("task(a(P), [params([P-part]), pre([blessed(P)])]).")
     (finding,) = known.check("a", CELL).findings
     assert finding.message == "`a` is not possible now: `blessed(P)` is needed"
-    assert finding.hint == "no task provides it: state it, or change the cell"
+    assert finding.hint == "no task provides it now: state it, or change the cell"
 
 
 def test_a_thing_that_nobody_names_is_asked_for() -> None:
@@ -156,21 +164,21 @@ def test_what_is_no_fact_is_refused(fact: str) -> None:
 
 
 def test_geometry_holds_at_every_place_of_a_pattern() -> None:
-    known = base()
+    known, state = base(), WorldState.of(*CELL.facts, *behind("bolt", 9))
     GEOMETRY.refuse(("arm", "(610.0, -20.0, 5.0)"))
-    (finding,) = known.check("load_pallet s1, (10, -20, 5), 5, 2, 150", CELL).findings
+    (finding,) = known.check("load_pallet s1, (10, -20, 5), 5, 2, 150", state).findings
     assert finding.code == "P153"
     assert finding.message == (
         "`load_pallet` is not possible here: row 1, column 5 at `(610, -20, 5)` cannot be reached"
     )
     assert finding.hint == "take less for `parts in a row`, `distance`, or choose another location"
     GEOMETRY.refuse(("arm", "bolt", "s3 rel (150, -300, 0)"))
-    (finding,) = known.check("load_pallet s1, s3, 2, 3, 15 cm", CELL).findings
+    (finding,) = known.check("load_pallet s1, s3, 2, 3, 15 cm", state).findings
     assert "row 3, column 2 at `s3 rel (150, -300, 0)` the part `bolt` would be 12.3 mm" in finding.message
 
 
 def test_parts_of_a_pattern_do_not_lie_in_each_other() -> None:
-    rods = WorldState.of("gripper(open)", "at(rod, s1)", "free(s3)", "location(s1)", "location(s3)")
+    rods = WorldState.of("gripper(open)", "at(rod, s1)", "free(s3)", *behind("rod", 3))
     (finding,) = base().check("load_pallet s1, s3, 2, 2, 50", rods).findings
     assert finding.message == (
         "`load_pallet` is not possible here: "
@@ -188,10 +196,11 @@ def test_a_place_of_a_pattern_has_neighbours_along_both_diagonals(shape: tuple[i
 
 def test_of_a_large_pattern_it_is_said_how_much_was_not_looked_at() -> None:
     known = base()
-    report = known.check("load_pallet s1, s3, 40, 40, 75", CELL)
+    state = WorldState.of(*CELL.facts, *behind("bolt", 99))
+    report = known.check("load_pallet s1, s3, 10, 10, 75", state)
     assert report.ok
     assert len(GEOMETRY.asked) == 1 + 2 * 64
-    assert report.unchecked == ("draughts", "1536 of 1600 places of the pattern")
+    assert report.unchecked == ("draughts", "36 of 100 places of the pattern")
     assert report.state.holds("at(bolt, s3)")
     assert known.check("unload_pallet s3, s1, 2, 2, 75", report.state).ok
     assert known.check("grip s2", CELL).unchecked == ("draughts",)
@@ -221,7 +230,7 @@ def test_after_a_pallet_is_filled_it_is_known_what_lies_where_and_what_the_suppl
     lying = ("at(b0, p(100.0,200.0,50.0))", "at(b1, p(175.0,200.0,50.0))", "at(b2, feed)")
     assert [filled.holds(one) for one in lying] == [True] * 3
     assert base().check(TaskCall("pick", ((175.0, 200.0, 50.0),)), filled).call.objects == (("P", "b1"),)
-    more = base().check("load_pallet feed, s1, 3, 3, 75", state).state
+    more = base().check("load_pallet feed, s1, 3, 1, 75", state).state
     assert [more.holds(one) for one in ("at(b0, s1)", "free(feed)", "at(b2, feed)")] == [True, True, False]
     assert more.holds("at(b2, 's1 rel (150, 0, 0)')")
     emptied = base().check("unload_pallet s1, s3, 2, 1, 75", more).state
@@ -229,17 +238,82 @@ def test_after_a_pallet_is_filled_it_is_known_what_lies_where_and_what_the_suppl
     assert emptied.holds("at(b2, 's1 rel (150, 0, 0)')")
 
 
-@pytest.mark.parametrize("shape", ["1, 1", "2, 1", "1, 2", "3, 3"])
+@pytest.mark.parametrize(
+    ("waiting", "shape"), [(0, "1, 1"), (1, "1, 1"), (1, "2, 1"), (1, "1, 2"), (2, "1, 2"), (2, "3, 1")]
+)
 @pytest.mark.parametrize("place", ["feed", "s1"])
-@pytest.mark.parametrize("waiting", [0, 1, 2])
 def test_where_a_pattern_takes_its_parts_a_part_lies_or_it_is_free(
     shape: str, place: str, waiting: int
 ) -> None:
     queue = (f"follows(b{k + 1}, b{k})" for k in range(waiting))
     state = WorldState.of("gripper(open)", "at(b0, feed)", "free(s1)", *queue)
-    after = base().check(f"load_pallet feed, {place}, {shape}, 60", state).state
+    report = base().check(f"load_pallet feed, {place}, {shape}, 60", state)
+    assert report.ok
+    after = report.state
     lying = [one for one in map(write_term, after.facts) if one.startswith("at(") and one.endswith(",feed)")]
     assert after.holds("free(feed)") is (lying == [])
+
+
+@pytest.mark.parametrize(
+    ("call", "words"),
+    [
+        ("load_pallet feed, s1, 2, 2, 75", "3 parts are left at `feed`, the pattern asks for 4"),
+        ("load_pallet s2, s1, 1, 2, 75", "1 part is left at `s2`, the pattern asks for 2"),
+        ("depalletize feed, s1, 75, 2", "3 parts are left at `feed`, the pattern asks for 4"),
+        ("depalletize s1, s2, 75, 1", "no part is left at `s1`, the pattern asks for 1"),
+        ("load_pallet s1, s2, 2, 2, 75", "a part at `s1` is needed"),
+        (
+            "unload_pallet s2, s1, 2, 1, 75",
+            "of the 2 places of its pattern one is empty, `s2 rel (75, 0, 0)`",
+        ),
+        ("load_pallet feed, s1, 3, 1, 75", None),
+        (TaskCall("depalletize", ("feed", "s1"), (Quantity(75, "mm"), "n")), None),
+        ("depalletize s9, s1, 75, 2", None),  # nobody knows what lies there
+    ],
+)
+def test_a_pattern_takes_no_more_parts_than_there_are(call: TaskCall | str, words: str | None) -> None:
+    facts = ("free(s1)", "at(nut, s2)", "free('s2 rel (75, 0, 0)')")
+    report = base().check(call, WorldState.of(*QUEUE, *facts))
+    told = [one.message.partition("not possible now: ")[2] for one in report.findings]
+    assert told == ([] if words is None else [words])
+
+
+def test_of_places_of_a_pattern_of_which_nothing_is_known_it_is_said_how_many() -> None:
+    state = WorldState.of(*QUEUE, "free(s1)")
+    filled, emptied = base().check_all(
+        ["load_pallet feed, s1, 2, 1, 75", "unload_pallet s1, s3, 2, 2, 75"], state
+    )
+    assert filled.unchecked == ("draughts",)
+    assert emptied.unchecked == ("draughts", "whether parts lie at 2 of 4 places of the pattern")
+
+
+@pytest.mark.parametrize(
+    ("call", "hint", "providers"),
+    [
+        ("pick feed", "no part is left at `feed`: `release`, `place`, `insert` could bring one", 3),
+        (
+            "place feed",
+            "no part is left that could be taken: choose another place, or bring parts there in the cell",
+            0,
+        ),
+    ],
+)
+def test_a_task_is_proposed_only_where_it_could_be_done(call: str, hint: str, providers: int) -> None:
+    parts = ["at(nut, s2)"] if providers else []
+    report = base().check(call, WorldState.of("gripper(open)", "free(feed)", *parts))
+    assert (report.findings[-1].hint, len(report.providers)) == (hint, providers)
+    assert "load_pallet" not in report.providers
+
+
+def test_a_named_part_that_lies_elsewhere_is_brought_by_a_task_that_can_take_it() -> None:
+    text = (
+        "task(weld(P), [params([P-part]), pre([at(bolt, s3), part(P)]), eff([+welded(P)])]). goal(welded/1)."
+    )
+    known, far = base(text), WorldState.of("gripper(open)", "part(nut)", "at(nut, s2)", "free(s3)")
+    assert known.check("weld", WorldState.of(*CELL.facts, "part(nut)")).findings[0].hint == (
+        "no part is left at `s3`: `release`, `place`, `insert` could bring one"
+    )
+    assert known.check("weld", far).providers == ()  # there is no bolt
 
 
 def test_a_tool_without_a_gripper_is_told_and_counts_no_more_once_it_is_changed() -> None:

@@ -8,6 +8,7 @@ import pytest
 from ropsim.core import SourceText
 from ropsim.icr import run
 from ropsim.language import compile
+from ropsim.prolog import Atom, Struct
 from ropsim.tasks import (
     Draft,
     TaskCall,
@@ -16,18 +17,22 @@ from ropsim.tasks import (
     WorldState,
     WorldTable,
     added,
+    call_words,
     default_text,
     draft_points,
     draft_text,
     drafted,
     listed,
+    program_text,
     taken_back,
+    typed_points,
     typed_values,
     world_table,
 )
 from ropsim.tasks.point_list import PointList, points_of, points_text, read_point_list, read_point_lists
-from ropsim.tasks.task_call import Numbers, Quantity
-from support.knowledge import CELL, base
+from ropsim.tasks.task_call import Numbers, Quantity, point_text, term_of_point
+from ropsim.tasks.world_state import ordered
+from support.knowledge import CELL, GEOMETRY, base, last
 
 BEGIN = WorldState.of("gripper(open)", "at(bolt, s1)", "free(s2)")
 CORNERS = ((31.0, 42.0, 86.0), (830.0, 220.0, 150.0, 20.0, 30.0))
@@ -98,6 +103,27 @@ def test_a_program_has_its_points_to_the_last_digit() -> None:
     assert compile(text, CELL).diagnostics == ()
     lines = [line for line in text.splitlines() if line.startswith("loc point_")]
     assert [tuple(map(float, line.split("(")[1].rstrip(")").split(","))) for line in lines] == list(EXACT)
+
+
+def test_angles_are_typed_listed_and_told_in_one_order_and_a_program_names_them() -> None:
+    (typed,) = typed_points("1.5 2 3 20 10 30", {})
+    call = TaskCall("park", (typed,))
+    draft = added(Draft(BEGIN), base(), call)
+    assert call_words(call) == "park (1.5, 2, 3, pitch 20, roll 10, yaw 30)"
+    assert draft_points(draft).splitlines()[2] == "point_1,1.5,2,3,20,10,30"
+    named = draft_text(draft, base(), "p")
+    assert "loc point_1 = (1.5, 2, 3; rpy 10 20 30)" in named.splitlines()
+    codes = (compile(one, CELL).icr for one in (named, program_text(base().task, [call], "p")))
+    one, other = (run(code).moves[0].target for code in codes if code is not None)
+    assert one == other
+    GEOMETRY.refuse(("arm", str(typed)))
+    refused = added(Draft(BEGIN), last(), call).entries[0].message
+    assert (
+        refused == "`park` is not possible here: `(1.5, 2, 3, pitch 20, roll 10, yaw 30)` cannot be reached"
+    )
+    for place in (typed, f"{point_text(typed)} rel (75, 0, 0)"):
+        table = world_table(WorldState(ordered([Struct("at", (Atom("nut"), term_of_point(place)))])), {})
+        assert table.parts[0][1].startswith("(1.5, 2, 3, pitch 20, roll 10, yaw 30)")
 
 
 def test_a_call_is_shown_with_what_it_is_given_to_the_last_digit() -> None:

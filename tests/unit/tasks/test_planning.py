@@ -8,6 +8,7 @@ import pytest
 
 from ropsim.tasks import WorldState
 from support.knowledge import GEOMETRY, base
+from support.patience import PATIENCE
 
 Places = tuple[str, ...]
 """Where each part is; `hand` for the one that is held."""
@@ -183,7 +184,7 @@ def test_progress_is_told_and_a_plan_can_be_cancelled() -> None:
         told.append(looked_at)
         known.cancel()
 
-    plan = known.plan(goal, state, progress=stop)
+    plan = known.plan(goal, state, seconds=PATIENCE, progress=stop)
     assert told == [50]
     assert [one.code for one in plan.findings] == ["P155"]
     assert "cancelled" in plan.findings[0].message

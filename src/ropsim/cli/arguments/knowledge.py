@@ -40,6 +40,7 @@ def task(commands: Commands) -> None:
     check.add_argument("path", metavar="PATH", help=_BASE)
     check.add_argument("calls", metavar="CALL", nargs="+", help='task text, such as "grip s1"')
     check.add_argument("--state", metavar="FACT", action="append", help=_STATE)
+    _patience(check)
     plan = command(actions, "plan", "task:plan", "find the fewest tasks that reach a goal")
     plan.add_argument("path", metavar="PATH", help=_BASE)
     plan.add_argument("goal", metavar="FACT", nargs="+", help='what is to be true, such as "at(bolt, s1)"')
@@ -50,6 +51,13 @@ def task(commands: Commands) -> None:
     plan.add_argument("--program", action="store_true", help="print a whole control program")
     for one in (list_, show, check, plan):
         _prolog(one)
+
+
+def _patience(parser: argparse.ArgumentParser) -> None:
+    """Let a command say how long one call may be checked."""
+    parser.add_argument(
+        "--seconds", metavar="S", type=_seconds, default=2.0, help="give each call so long (default: 2)"
+    )
 
 
 def _prolog(parser: argparse.ArgumentParser) -> None:
@@ -92,5 +100,6 @@ def generate(commands: Commands) -> None:
         action="store_true",
         help="write programs/NAME.task and points/NAME.csv, where they are not",
     )
+    _patience(parser)
     _prolog(parser)
     parser.set_defaults(command=lazy("generate:generate"), json=False)

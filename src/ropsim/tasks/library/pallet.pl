@@ -12,7 +12,7 @@ task(load_pallet(P, From, To, Columns, Rows, Distance, Clear), [
     word(Distance, "distance", "from the middle of each part to that of the next one"),
     word(Clear, "clearance", "how far above the parts the tool comes and goes")]),
   range([Columns >= 1, Rows >= 1, Distance > 0*mm, Clear >= 0*mm]),
-  pre([gripper(open), at(P, From)]),
+  pre([gripper(open), at(P, From), enough(From, Columns, Rows)]),
   eff([-at(P, From), +at(P, To), -free(To), +in_rows(at(P, To), Columns, Rows, Distance)]),
   geo([
     reachable(arm, From),
@@ -40,7 +40,7 @@ task(unload_pallet(P, From, To, Columns, Rows, Distance, Clear), [
     word(Distance, "distance", "from the middle of each part to that of the next one"),
     word(Clear, "clearance", "how far above the parts the tool comes and goes")]),
   range([Columns >= 1, Rows >= 1, Distance > 0*mm, Clear >= 0*mm]),
-  pre([gripper(open), at(P, From)]),
+  pre([gripper(open), at(P, From), filled(From, Columns, Rows, Distance)]),
   eff([-at(P, From), +free(From), -free(To), -in_rows(at(P, From), Columns, Rows, Distance)]),
   geo([in_rows(reachable(arm, From), Columns, Rows, Distance), reachable(arm, To), collision_free(arm, P, To)]),
   body([

@@ -85,6 +85,8 @@ logic(_ = _).
 logic(_ \= _).
 logic(_ == _).
 logic(_ \== _).
+logic(enough(_, _, _)).
+logic(filled(_, _, _, _)).
 
 keep_fact(goal(Name/Arity)) :- !, note(reads, Name, Arity).     % people ask for such facts
 keep_fact(given(Name/Arity)) :- !, note(makes, Name, Arity).    % cells have such facts
@@ -109,6 +111,8 @@ condition(Body, _, _) :- var(Body), !, fail.
 condition((A, B), Name, Arity) :- !, ( condition(A, Name, Arity) ; condition(B, Name, Arity) ).
 condition((A ; B), Name, Arity) :- !, ( condition(A, Name, Arity) ; condition(B, Name, Arity) ).
 condition(\+ A, Name, Arity) :- !, condition(A, Name, Arity).
+condition(enough(_, _, _), Name, 2) :- !, member(Name, [at, follows]).
+condition(filled(_, _, _, _), at, 2) :- !.
 condition(A, Name, Arity) :- fact(A), A \== true, functor(A, Name, Arity).
 
 %   task_read: the parts of a task, each with its place; a task with an error of form is left out.

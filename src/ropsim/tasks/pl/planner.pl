@@ -340,6 +340,8 @@ could(A \= B, _) :- !, ( ground(A-B) -> A \= B ; true ).
 could(A == B, _) :- !, ( ground(A-B) -> A == B ; true ).
 could(A \== B, _) :- !, ( ground(A-B) -> A \== B ; true ).
 could(true, _) :- !.
+could(enough(_, _, _), _) :- !.
+could(filled(_, _, _, _), _) :- !.
 could(Fact, _) :- fact(Fact).
 could(Fact, D) :- ropsim_kb:rule(Fact, Body), D > 0, D1 is D - 1, could(Body, D1).
 

@@ -32,6 +32,8 @@ holds(A \= B, _, _) :- !, A \= B.
 holds(A == B, _, _) :- !, A == B.
 holds(A \== B, _, _) :- !, A \== B.
 holds(true, _, _) :- !.
+holds(enough(Place, Columns, Rows), State, _) :- !, \+ too_few(Place, Columns, Rows, State).
+holds(filled(First, Columns, Rows, Distance), State, _) :- !, \+ ( place_in(First, Columns, Rows, Distance, Place), ord_memberchk(free(Place), State) ).
 holds(gripper(_), State, _) :- gripperless(State, _), !, fail.
 holds(Fact, State, D) :-
     (   ground(Fact), ord_memberchk(Fact, State)
@@ -39,6 +41,48 @@ holds(Fact, State, D) :-
     ;   member(Fact, State)
     ;   ropsim_kb:rule(Fact, Body), D > 0, D1 is D - 1, holds(Body, State, D1)
     ).
+
+%   too_few(+Place, +Columns, +Rows, +State): it is known how many parts lie at a place, with those that wait behind them,
+%   and they are fewer than a pattern takes. Of what is no number, and of a place of which nothing is known, nobody knows.
+too_few(Place, Columns, Rows, State) :-
+    integer(Columns), integer(Rows),
+    left_at(Place, State, Left),
+    Left < Columns * Rows.
+
+%   left_at(+Place, +State, -Left): how many parts can be taken at a place, one after the other.
+left_at(Place, State, Left) :-
+    (   memberchk(at(Part, Place), State)
+    ->  findall(Before-Next, member(follows(Next, Before), State), Pairs),
+        sort(1, @<, Pairs, Queue), list_to_assoc(Queue, Behind),
+        queue(Part, Behind, 1, Left)
+    ;   ord_memberchk(free(Place), State),
+        Left = 0
+    ).
+
+queue(Part, Behind0, N, Left) :-
+    (   del_assoc(Part, Behind0, Next, Behind)    % so that a queue that leads to itself ends
+    ->  N1 is N + 1,
+        queue(Next, Behind, N1, Left)
+    ;   Left = N
+    ).
+
+%   place_in(+First, +Columns, +Rows, +Distance, -Place): each place of a pattern.
+place_in(First, Columns, Rows, Distance, Place) :-
+    ground(First-Columns-Rows-Distance),
+    ropsim_door:places_in_rows(First, Columns, Rows, Distance, Places),
+    member(Place, Places).
+
+%   unknown_in(+Pre, +State, -Unknown): of(Places, All) for each pattern of which it is not known whether parts lie at all
+%   places.
+unknown_in(Pre, State, Unknown) :-
+    findall(of(Count, All),
+            (   member(filled(First, Columns, Rows, Distance), Pre),
+                findall(Place, place_in(First, Columns, Rows, Distance, Place), Places),
+                exclude(lies_at(State), Places, Open),
+                Open \== [], length(Open, Count), length(Places, All)
+            ), Unknown).
+
+lies_at(State, Place) :- memberchk(at(_, Place), State).
 
 %   gripperless(+State, -Tool): a tool without a gripper is on the arm; one in the rack is neither open nor closed.
 gripperless(State, Tool) :- memberchk(without_gripper(_), State), member(tool(Tool), State), ord_memberchk(without_gripper(Tool), State), !.
@@ -131,7 +175,7 @@ looked(in_rows(Condition, Columns, Rows, Distance)) :- ropsim_door:in_rows(Condi
 refusal(Geo, One) :- member(One, Geo), \+ looked(One).
 
 %   check_call(+Name, +Given, +Facts, -Report): Given are the values of all parameters, `_` where they are not told.
-%   Report is done(Call, After) | refused(Call, Geometry) | lacks(Call, Conditions, Providers) | nothing_for(Kinds).
+%   Report is done(Call, After, Unknown) | refused(Call, Geometry) | lacks(Call, Conditions, Providers) | nothing_for(Kinds).
 check_call(Name, Given, Facts, Report) :-
     ropsim_kb:known(Name, _, task(Head, _, Parameters, Pre, Eff, Geo, _, Names, _, _)),
     with_places(Given, Facts, Facts1),
@@ -139,11 +183,11 @@ check_call(Name, Given, Facts, Report) :-
     given(Parameters, Given),
     most_ways(Most),
     (   limit(Most, ( all_hold(Pre, State), chosen(Parameters, State) )), \+ refusal(Geo, _)
-    ->  applied(Eff, State, After), Report = done(Head, After)
+    ->  applied(Eff, State, After), unknown_in(Pre, State, Unknown), Report = done(Head, After, Unknown)
     ;   all_hold(Pre, State), chosen(Parameters, State)
     ->  findall(One, refusal(Geo, One), Refusals), Report = refused(Head, Refusals)
     ;   fewest(Pre, State, Most, Head-Names, Missing), Missing \== []
-    ->  findall(of(Index, Provider), ( nth0(Index, Missing, One), provider(One, Provider) ), Providers),
+    ->  findall(of(Index, Provider), ( nth0(Index, Missing, One), provider(One, State, Provider) ), Providers),
         Report = lacks(Head, Missing, Providers, Names)
     ;   findall(Kind, ( member(p(Value, Kind, none), Parameters), var(Value) ), Kinds),
         Report = nothing_for(Kinds)
@@ -172,7 +216,24 @@ missing([One|More], State, Missing) :-
     (   holds(One, State) *-> Missing = Rest ; Missing = [One|Rest] ),
     missing(More, State, Rest).
 
-provider(Fact, Name) :-
-    callable(Fact),
-    ropsim_kb:known(Name, _, task(_, _, _, _, Eff, _, _, _, _, _)),
-    \+ \+ memberchk(+ Fact, Eff).
+%   provider(+Condition, +State, -Name): a task that could make what is missing: what it needs itself holds, or other
+%   tasks could make that now.
+provider(Condition, State, Name) :- provider(Condition, State, 1, Name).
+
+provider(Condition, State, Level, Name) :-
+    made_so(Condition, Effect),
+    ropsim_kb:known(Name, _, task(_, _, Parameters, Pre, Eff, _, _, _, _, _)),
+    \+ \+ ( member(Effect, Eff), \+ ropsim_planner:untold(Parameters, Pre, State), able(Pre, State, Level) ).
+
+made_so(Condition, _) :- var(Condition), !, fail.
+made_so(\+ Fact, - Fact) :- !, nonvar(Fact), ropsim_kb:fact(Fact).
+made_so(Fact, + Fact) :- ropsim_kb:fact(Fact).
+
+able(Pre, State, Level) :-
+    most_ways(Most),
+    limit(Most, missing(Pre, State, Missing)),
+    (   Missing == [] -> true ; Level > 0, Level1 is Level - 1, all_made(Missing, State, Level1) ),
+    !.
+
+all_made([], _, _).
+all_made([One|More], State, Level) :- once(provider(One, State, Level, _)), all_made(More, State, Level).

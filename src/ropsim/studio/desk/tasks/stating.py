@@ -55,7 +55,7 @@ def _point(known: KnownProject, point: Point, names: dict[Numbers, str]) -> Prog
         return ProgramPoint(name, None, None)
     x, y, z = (1e3 * one for one in X_BT.position.tolist())
     roll, pitch, yaw = map(degrees, roll_pitch_yaw(X_BT))
-    numbers: SixNumbers = (x, y, z, roll, pitch, yaw)
+    numbers: SixNumbers = (x, y, z, pitch, roll, yaw)
     return ProgramPoint(name, numbers, (known.cell.first.X_WB @ X_BT).as_tuple())
 
 
