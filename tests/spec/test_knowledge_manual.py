@@ -4,6 +4,7 @@ import re
 
 import pytest
 
+from ropsim.tasks import Quantity, TaskCall, program_text
 from ropsim.tasks.words import KINDS
 from support.knowledge import base
 from support.manual import DOCS, Block, blocks
@@ -32,3 +33,11 @@ def test_the_python_of_the_manual_runs(block: Block) -> None:
 def test_the_manual_names_every_kind_and_every_task_of_the_library() -> None:
     text = PAGE.read_text("utf-8")
     assert [name for name in (*KINDS, *base().names) if f"`{name}`" not in text] == []
+
+
+def test_the_page_on_programs_of_tasks_shows_the_text_that_is_made() -> None:
+    page = (DOCS / "how-to" / "program-from-tasks.md").read_text("utf-8")
+    shown = page.split("```task file=pallet/programs/fill.task\n")[1].split("```")[0]
+    points, numbers = ("infeed", "point_1"), (2, 2, Quantity(75, "mm"))
+    made = program_text(base().task, [TaskCall("load_pallet", points, numbers)], "fill")
+    assert [line for line in shown.splitlines() if not line.startswith("loc ")] == made.splitlines()

@@ -1,11 +1,12 @@
 """Knowledge bases for tests: one Prolog for each test process, whose texts are exchanged."""
 
+from collections.abc import Mapping
 from functools import cache
 
 from ropsim.core import SourceText
 from ropsim.language import Environment
 from ropsim.program import SignalUse, ValueType
-from ropsim.tasks import KnowledgeBase, Obstruction, Overlap, Point
+from ropsim.tasks import InTheAir, KnowledgeBase, Obstruction, Overlap, Point
 
 STANDING = (0.4, 0.0, 0.2, 0.0, 1.0, 0.0, 0.0)
 """A pose with the tool straight down [m, quaternion w x y z]."""
@@ -46,6 +47,14 @@ class Refusing:
     def overlap(self, robot: str, part: str, x: float, y: float) -> Overlap | None:  # noqa: ARG002 - as the protocol has it
         """Return that rods along X lie in each other where `part` is `rod` and they are nearer."""
         return Overlap(0.06 - abs(x), 0.06) if part == "rod" and y == 0.0 and abs(x) < 0.06 else None
+
+    def in_the_air(
+        self, robot: str, part: str, location: Point, lying: Mapping[str, Point]
+    ) -> InTheAir | None:
+        """Return that a part at `cloud` is 12.3 mm above the table, unless another one lies at `stool`."""
+        del robot, part
+        is_loose = location == "cloud" and "stool" not in lying.values()
+        return InTheAir("`table`", 0.0123, "parts stand on what they touch") if is_loose else None
 
     def prepare(self) -> None:
         """Do nothing."""

@@ -33,6 +33,7 @@ const LIST: TaskList = {
   places: [],
   begin: WORLD,
   findings: [],
+  problem: '',
 }
 
 function bench() {
@@ -57,6 +58,7 @@ function bench() {
         accepted: true,
         message: `of ${one.name}`,
         hint: '',
+        warning: '',
         told: [],
         world: WORLD,
         points: [],
@@ -160,4 +162,47 @@ test('fields are read and written', () => {
   )
   expect(numbersOfLocation('')).toBe('')
   expect(programWord('2 füll')).toBe('p2_f_ll')
+})
+
+test('a list that cannot be had is a problem, what was known stays, and one can try again', () => {
+  const { tasks, sent } = bench()
+  tasks.receiveList({ ...LIST, tasks: [], revision: 0, problem: 'it has stopped' })
+  expect(tasks.problem).toBe('it has stopped')
+  expect(tasks.list?.tasks.length).toBe(1)
+  const before = sent.length
+  tasks.retry()
+  expect(tasks.problem).toBe('')
+  expect(sent.slice(before).map(one => one.type)).toEqual(['open_tasks', 'check_tasks'])
+  tasks.receiveList(LIST)
+  expect(tasks.problem).toBe('')
+})
+
+test('where no list has come there is a problem and no list', () => {
+  const tasks = new ChosenTasks({ send: () => true, show: () => {}, keep: () => {}, undo: new UndoStack() })
+  tasks.open(null)
+  expect([tasks.list, tasks.problem]).toEqual([null, ''])
+  tasks.receiveList({ ...LIST, tasks: [], problem: 'it has stopped' })
+  expect([tasks.list, tasks.problem]).toEqual([null, 'it has stopped'])
+})
+
+test('a check that nobody answers is a problem until one is answered', () => {
+  const { tasks, last, answer } = bench()
+  tasks.add('pick', 'a')
+  const unanswered: TasksChecked = {
+    type: 'tasks_checked',
+    id: last()?.id ?? 0,
+    revision: 0,
+    steps: [],
+    points: [],
+    text: '',
+    listed: '',
+    problem: 'it has stopped',
+    unchecked: '',
+  }
+  tasks.receive(unanswered)
+  expect(tasks.problem).toBe('it has stopped')
+  expect(tasks.stateOf(tasks.steps[0]?.key ?? 0)).toBe(null)
+  tasks.edit(tasks.steps[0]?.key ?? 0, { points: ['s1'] })
+  answer()
+  expect(tasks.problem).toBe('')
 })

@@ -29,6 +29,7 @@ export class ChosenTasks {
   #id = 0
   #outstanding: { readonly id: number; readonly keys: readonly number[] } | null = null
   #waiting = false
+  #problem = ''
   #open = false
   #shown = false
 
@@ -39,6 +40,11 @@ export class ChosenTasks {
   /** What may be chosen; null until the server has said it. */
   get list(): TaskList | null {
     return this.#list
+  }
+
+  /** Why the tasks are not known, or the steps not checked, now; empty where they are. */
+  get problem(): string {
+    return this.#problem
   }
 
   get steps(): readonly ChosenStep[] {
@@ -108,6 +114,13 @@ export class ChosenTasks {
     this.#check()
   }
 
+  /** Ask for everything anew after a problem. */
+  retry(): void {
+    this.#problem = ''
+    this.renew()
+    this.#changed()
+  }
+
   add(name: string, way: string): void {
     const task = this.#list?.tasks.find(one => one.name === name)
     const passed = task?.parameters.filter(one => !one.told) ?? []
@@ -174,7 +187,8 @@ export class ChosenTasks {
   }
 
   receiveList(list: TaskList): void {
-    this.#list = list
+    this.#problem = list.problem
+    if (!list.problem) this.#list = list
     this.#changed()
   }
 
@@ -183,6 +197,8 @@ export class ChosenTasks {
     const { keys } = this.#outstanding
     this.#outstanding = null
     this.#answer = answer
+    if (answer.steps.length < keys.length) this.#problem = answer.problem
+    else if (this.#list) this.#problem = ''
     this.#states.clear()
     answer.steps.forEach((state, at) => {
       const key = keys[at]

@@ -1,6 +1,8 @@
 /** Texts of the Tasks panel. */
 export const taskWords = {
   waiting: 'The tasks are being read …',
+  notRead: (why: string) => `The tasks cannot be asked now: ${why}.`,
+  tryAgain: 'Try again',
   catalogue: 'Tasks to choose from',
   catalogueHint: 'Choose what the robot is to do, step by step. Each task becomes a step below.',
   groups: {
@@ -31,6 +33,7 @@ export const taskWords = {
   remove: (number: number) => `Remove step ${number}`,
   accepted: 'accepted',
   checking: 'checking …',
+  notChecked: 'not checked',
   told: (word: string, value: string) => `${word}: ${value}`,
   locations: 'Locations of the cell',
   wholeList: (name: string, count: number) => `all ${count} points of ${name}`,
@@ -61,6 +64,7 @@ export const taskWords = {
   grippers: { open: 'open', closed: 'closed', none: 'the tool has none' },
   held: 'Held',
   nothing: 'nothing',
+  notYetKnown: 'What is true then is known when the step has been checked.',
   unknown: 'not known',
   noParts: 'No part lies anywhere.',
   others: 'Also true',

@@ -316,6 +316,8 @@ export interface TaskList {
   readonly begin: WorldNow
   /** Of cell, tasks and lists. */
   readonly findings: readonly Finding[]
+  /** Why nothing is known of tasks; empty where it is, and then all else counts. */
+  readonly problem: string
 }
 
 /** What is said of a step. */
@@ -328,6 +330,8 @@ export interface StepState {
   readonly message: string
   /** What to do about it. */
   readonly hint: string
+  /** What is doubtful about a step that is possible; empty for nothing. */
+  readonly warning: string
   /** The parameters that the state has told, with what it told. */
   readonly told: readonly PartPlace[]
   /** After it. */

@@ -83,6 +83,8 @@ def _choose(desk: _Desk, name: str) -> None:
         desk.draft = added(desk.draft, desk.base, call, desk.seconds)
     except RopsimError as error:
         desk.output.failure(error.diagnostic)
+        return
+    desk.output.findings(desk.draft.entries[-1].warnings, {})
 
 
 def _points(desk: _Desk, task: KnownTask) -> tuple[Point, ...]:

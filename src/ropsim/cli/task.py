@@ -11,6 +11,7 @@ from ropsim.core import Diagnostic
 from ropsim.prolog import Prolog
 from ropsim.records import diagnostic_document
 from ropsim.tasks import (
+    SHORT,
     CallReport,
     KnownTask,
     Parameter,
@@ -29,8 +30,6 @@ from ropsim.tasks import (
 )
 from ropsim.workbench import Knowledge, open_knowledge
 
-SHORT = 8
-"""Digits of a version that are shown."""
 COLUMNS = 80
 """Width to which descriptions are wrapped."""
 
@@ -82,7 +81,7 @@ def check(options: argparse.Namespace, output: Output) -> int:
         output.text("\n".join(_answer(one, width)))
     unchecked = tuple(dict.fromkeys(word for one in reports for word in one.unchecked))
     output.text(unchecked_text(unchecked))
-    found = tuple(finding for one in reports for finding in one.findings)
+    found = tuple(finding for one in reports for finding in (*one.findings, *one.warnings))
     output.findings((one for one in known.findings if one.is_error), known.texts)
     is_good = all(one.ok for one in reports)
     output.document(
@@ -169,6 +168,9 @@ def _answer(report: CallReport, width: int) -> Iterator[str]:
     words = ", ".join(filter(None, (report.message, _objects(report.call)))) if report.ok else ""
     first: Sequence[Diagnostic] = report.findings
     yield f"{report.call!s:{width}}  {words or first[0].message}"
+    for one in report.warnings:
+        yield f"{'':{width}}  warning: {one.message}"
+        yield f"{'':{width}}    = {one.hint}"
     for number, one in enumerate(first):
         if number:
             yield f"{'':{width}}  {one.message}"
@@ -187,6 +189,7 @@ def _report(report: CallReport) -> Mapping[str, object]:
         "message": report.message,
         "fails": [term_text(one) for one in report.fails],
         "providers": list(report.providers),
+        "warnings": [one.message for one in report.warnings],
     }
 
 

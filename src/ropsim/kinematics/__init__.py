@@ -18,6 +18,7 @@ from ropsim.kinematics.forward import frames_of_steps as frames_of_steps
 from ropsim.kinematics.forward import joint_frames as joint_frames
 from ropsim.kinematics.frame_poses import frame_poses as frame_poses
 from ropsim.kinematics.ground import Ground as Ground
+from ropsim.kinematics.ground import bearing_at_start as bearing_at_start
 from ropsim.kinematics.ground import ground_of as ground_of
 from ropsim.kinematics.ground import standings_at_start as standings_at_start
 from ropsim.kinematics.inverse import branch as branch

@@ -47,18 +47,26 @@ def standings_at_start(cell: Cell) -> tuple[tuple[Part, Standing], ...]:
 
     Nothing where it is not known what stands around.
     """
-    tree = body_tree(replace(cell, parts=()))
-    ground = ground_of(tree)
     there = [part for part in cell.parts if part.turn == 0]
-    if not ground.known:
+    bearing = bearing_at_start(cell)
+    if bearing is None:
         return ()
     blocks = part_blocks((part, part.X_WO) for part in there)
+    stand = standings(blocks, stacked([bearing, blocks]), cell.supports.gap)
+    return tuple(zip(there, stand, strict=True))
+
+
+def bearing_at_start(cell: Cell) -> Blocks | None:
+    """Return what can carry parts at time 0, but for parts; None where it is not known what stands around."""
+    tree = body_tree(replace(cell, parts=()))
+    ground = ground_of(tree)
+    if not ground.known:
+        return None
     bodies = tree.by_name()
     moved = [name for name in bearers(tree) if name not in ground.poses]
     surfaces = {name: bodies[name].shapes for name in moved}
     moving = shape_blocks(surfaces, _poses(tree, start_of(cell), moved))
-    stand = standings(blocks, stacked([ground.blocks, moving, blocks]), cell.supports.gap)
-    return tuple(zip(there, stand, strict=True))
+    return stacked([ground.blocks, moving])
 
 
 def _poses(tree: BodyTree, q: Mapping[str, Array], names: Iterable[str]) -> dict[str, Pose]:

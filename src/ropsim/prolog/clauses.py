@@ -3,10 +3,11 @@
 from bisect import bisect_right
 from collections.abc import Iterator, Mapping
 
-from ropsim.core import Diagnostic, SourceText, Span, did_you_mean
+from ropsim.core import Diagnostic, Label, SourceText, Span, did_you_mean
+from ropsim.prolog.brackets import BracketFault, Brackets
 from ropsim.prolog.diagnostics import CLAUSE_SYNTAX, SCATTERED, SINGLETON, UNKNOWN_PREDICATE
 from ropsim.prolog.failures import failure_of
-from ropsim.prolog.syntax_words import syntax_words
+from ropsim.prolog.syntax_words import may_be_bracket, syntax_words
 from ropsim.prolog.terms import Atom, Struct, Term
 
 
@@ -48,7 +49,7 @@ def findings_of(text: SourceText, reply: Term) -> tuple[Diagnostic, ...]:
         case Struct("checked", (tuple(items), tuple(unknown), tuple(own), tuple(others))):
             places = Places(text)
             found = [
-                *_syntax(places, items),
+                *_syntax(places, items, Brackets(text.text)),
                 *_singletons(places, items),
                 *_scattered(places, items),
                 *_unknown(places, unknown, (_by_name(own), _by_name(others))),
@@ -59,12 +60,28 @@ def findings_of(text: SourceText, reply: Term) -> tuple[Diagnostic, ...]:
     raise failure_of(reply)
 
 
-def _syntax(places: Places, items: tuple[Term, ...]) -> Iterator[Diagnostic]:
+def _syntax(places: Places, items: tuple[Term, ...], brackets: Brackets) -> Iterator[Diagnostic]:
     for item in items:
         match item:
             case Struct("error", (int(place), message)):
+                fault = brackets.fault(place) if may_be_bracket(message) else None
+                if fault is not None:
+                    yield _of_bracket(places, fault)
+                    continue
                 words, hint = syntax_words(message)
                 yield CLAUSE_SYNTAX.at(places.span(place, place + 1), words, hint=hint)
+
+
+def _of_bracket(places: Places, fault: BracketFault) -> Diagnostic:
+    """Return the finding at the place where a bracket is missing, or where one too many stands."""
+    span, partner = places.span(fault.place, fault.place + 1), {")": "(", "]": "[", "}": "{"}[fault.bracket]
+    if fault.opened is None:
+        hint = f"take it out, or open it with `{partner}`"
+        return CLAUSE_SYNTAX.at(span, f"`{fault.bracket}` closes nothing", hint=hint)
+    opened = places.span(fault.opened, fault.opened + 1)
+    message = f"`{fault.bracket}` is missing before this"
+    hint = f"the `{partner}` of line {opened.line}, column {opened.column} is not closed"
+    return CLAUSE_SYNTAX.at(span, message, hint=hint, secondary=(Label(opened, "opened here"),))
 
 
 def _singletons(places: Places, items: tuple[Term, ...]) -> Iterator[Diagnostic]:

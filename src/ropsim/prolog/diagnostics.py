@@ -9,7 +9,8 @@ CLAUSE_SYNTAX = define(
     "a clause of a knowledge base cannot be read",
     """
 A clause is not Prolog: a comma, an operator or a bracket is missing or too many, or a quote is not closed.
-The mark stands where reading stopped; what is wrong is there or just before. Reading goes on with the next
+Where a bracket is missing the mark stands where it is expected, and its partner is named; else where reading
+stopped: what is wrong is there or just before. Reading goes on with the next
 clause, so one run shows all of them. A text with such a clause is not loaded.
 
 ```prolog

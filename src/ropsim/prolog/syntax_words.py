@@ -53,6 +53,15 @@ _WORDS: dict[str, tuple[str, str]] = {
 _NEEDS = "expected are terms of Prolog: `name(Argument, …)`, lists `[a, b]`, and a full stop at the end"
 
 
+_OF_QUOTES = ("end_of_file_in_quoted", "end_of_file_in_block_comment", "long_string", "undefined_char_escape")
+"""Where quotes or comments are not closed, what stands behind is not told from what is in them."""
+
+
+def may_be_bracket(message: Term) -> bool:
+    """Return whether a syntax error of SWI-Prolog may come from a bracket that is missing."""
+    return isinstance(message, Atom | Struct) and not message.name.startswith(_OF_QUOTES)
+
+
 def syntax_words(message: Term) -> tuple[str, str]:
     """Return the message and the hint for a syntax error of SWI-Prolog, whatever it may be."""
     match message:

@@ -68,7 +68,7 @@ class Session:
         self._neutral = neutral
         self._desk = WorkerLink("drawing desk", str(neutral), self._desk_lost, worker)
         self._simulator = WorkerLink("simulator", str(neutral), self._simulator_lost, worker)
-        self._bench = WorkerLink("task bench", str(neutral), self._tell_lost, worker)
+        self._bench = WorkerLink("checker of tasks", str(neutral), self._tell_lost, worker)
         self.tasks = ChosenTasks(folder, self._bench, self._texts)
         self._told = WorkerLink("command line", str(neutral), self._tell_lost, worker)
         self.command_line = CommandLine(folder, self._told, self._texts, self._tabs, self.editing.create)

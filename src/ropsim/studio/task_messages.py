@@ -100,6 +100,7 @@ class TaskList(Struct, frozen=True, tag_field="type", tag="task_list"):
         places: locations of the cell, then lists of points with their points.
         begin: what is true before the first step.
         findings: of cell, tasks and lists.
+        problem: why nothing is known of tasks; empty where it is, and then all else counts.
     """
 
     revision: int
@@ -108,6 +109,7 @@ class TaskList(Struct, frozen=True, tag_field="type", tag="task_list"):
     places: tuple[PlaceChoice, ...]
     begin: WorldNow
     findings: tuple[Finding, ...]
+    problem: str
 
 
 class StepState(Struct, frozen=True):
@@ -118,6 +120,7 @@ class StepState(Struct, frozen=True):
         accepted: whether it is possible.
         message: `accepted`, or what stands against it.
         hint: what to do about it.
+        warning: what is doubtful about a step that is possible; empty for nothing.
         told: the parameters that the state has told, with what it told.
         world: after it.
         points: places in the list of points.
@@ -127,6 +130,7 @@ class StepState(Struct, frozen=True):
     accepted: bool
     message: str
     hint: str
+    warning: str
     told: tuple[PartPlace, ...]
     world: WorldNow
     points: tuple[int, ...]

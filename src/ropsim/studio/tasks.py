@@ -7,7 +7,6 @@ from pathlib import Path
 from weakref import WeakKeyDictionary
 
 from ropsim.studio import commands, jobs
-from ropsim.studio.diagnostics import WORKER_LOST
 from ropsim.studio.messages import Message
 from ropsim.studio.tab import Tab
 from ropsim.studio.task_messages import (
@@ -88,15 +87,7 @@ class ChosenTasks:
         reply = await self._reply(jobs.ListTasks(self._folder, self._texts()))
         if isinstance(reply, jobs.TasksReply):
             return reply.payload
-        finding = {
-            "code": WORKER_LOST.code,
-            "severity": "error",
-            "message": _why(reply),
-            "hint": "mend the project, or open the panel again",
-            "span": None,
-            "time": None,
-        }
-        return TaskList(0, (), (), (), NOTHING, (finding,))
+        return TaskList(0, (), (), (), NOTHING, (), _why(reply))
 
     async def _check(self, command: commands.CheckTasks) -> Message:
         reply = await self._reply(jobs.CheckTasks(self._folder, self._texts(), command.id, command.steps))
@@ -109,6 +100,8 @@ class ChosenTasks:
         done, _ = await asyncio.wait((reply,), timeout=PATIENCE)
         if not done:
             self._worker.kill()
+            await reply
+            return jobs.Failed(f"it took longer than {PATIENCE:g} s; the machine may be busy")
         return await reply
 
     def _give_up(self) -> None:

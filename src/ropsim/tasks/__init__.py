@@ -11,7 +11,6 @@ from ropsim.tasks.compiling import Library as Library
 from ropsim.tasks.compiling import body_findings as body_findings
 from ropsim.tasks.compiling import library as library
 from ropsim.tasks.compiling import own_tasks as own_tasks
-from ropsim.tasks.compiling import version_of as version_of
 from ropsim.tasks.differing import differing_tasks as differing_tasks
 from ropsim.tasks.draft import Draft as Draft
 from ropsim.tasks.draft import added as added
@@ -27,6 +26,7 @@ from ropsim.tasks.form_clause import FormClause as FormClause
 from ropsim.tasks.form_clause import form_clause as form_clause
 from ropsim.tasks.form_edit import edited as edited
 from ropsim.tasks.geometry import Geometry as Geometry
+from ropsim.tasks.geometry import InTheAir as InTheAir
 from ropsim.tasks.geometry import Obstruction as Obstruction
 from ropsim.tasks.geometry import Overlap as Overlap
 from ropsim.tasks.geometry import unchecked_text as unchecked_text
@@ -57,6 +57,8 @@ from ropsim.tasks.task_groups import grouped as grouped
 from ropsim.tasks.task_groups import title_of as title_of
 from ropsim.tasks.task_text import stored_clause as stored_clause
 from ropsim.tasks.task_text import task_text as task_text
+from ropsim.tasks.task_version import SHORT as SHORT
+from ropsim.tasks.task_version import version_of as version_of
 from ropsim.tasks.typed_step import TypedStep as TypedStep
 from ropsim.tasks.typed_step import default_text as default_text
 from ropsim.tasks.typed_step import drafted as drafted

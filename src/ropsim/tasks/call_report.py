@@ -18,6 +18,7 @@ class CallReport:
         providers: tasks that could make what is missing, in the order of the base.
         state: what is true afterwards; where the call is not possible, as before.
         unchecked: what conditions may name and nothing has looked at, such as `collisions`.
+        warnings: what is doubtful about a call that is possible.
     """
 
     call: TaskCall
@@ -26,6 +27,7 @@ class CallReport:
     providers: tuple[str, ...]
     state: WorldState
     unchecked: tuple[str, ...] = ()
+    warnings: tuple[Diagnostic, ...] = ()
 
     @property
     def ok(self) -> bool:

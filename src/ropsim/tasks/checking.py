@@ -13,6 +13,7 @@ from ropsim.tasks.known_task import KnownTask, Parameter
 from ropsim.tasks.lacking import is_hindered, lacking_findings
 from ropsim.tasks.not_defined import not_defined
 from ropsim.tasks.pattern import Spot
+from ropsim.tasks.set_down import set_down_findings
 from ropsim.tasks.task_call import Quantity, TaskCall, Value, term_of_point, term_of_value
 from ropsim.tasks.task_reading import names_in, renamed
 from ropsim.tasks.world_state import WorldState, ordered
@@ -76,8 +77,9 @@ def _report(
     """Return the report of what Prolog found."""
     match found:
         case Struct("done", (head, tuple(after), tuple(unknown))):
-            state = WorldState(ordered(after))
-            return CallReport(_told(call, task, head), (), (), (), state, tuple(map(_not_known, unknown)))
+            made, left = WorldState(ordered(after)), tuple(map(_not_known, unknown))
+            warnings = set_down_findings(task, state, made, geometry)
+            return CallReport(_told(call, task, head), (), (), (), made, left, warnings)
         case Struct("refused", (_, tuple(conditions))):
             findings = tuple(_geometry(task, geometry, one) for one in conditions)
             return _refused(call, state, findings, _fails("geo", conditions))

@@ -1,6 +1,5 @@
 """The bodies of a knowledge base in a cell: as tasks that programs call, and what is wrong with them."""
 
-import hashlib
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import field, replace
 from pathlib import PurePath
@@ -14,6 +13,7 @@ from ropsim.tasks.known_task import KnownTask
 from ropsim.tasks.program_text import UNITS, needed
 from ropsim.tasks.renaming import renamed_calls
 from ropsim.tasks.task_text import task_text
+from ropsim.tasks.task_version import version_of_text
 
 _UNKNOWN_TASK = "N201"
 """Of the compiler; the knowledge base itself tells of such calls, or what is wrong with what they call."""
@@ -37,7 +37,7 @@ class Library:
     @property
     def version(self) -> str:
         """Return the SHA-256 of what the tasks do, as 64 digits."""
-        return _version(self.text)
+        return version_of_text(self.text)
 
 
 @frozen_dataclass
@@ -187,19 +187,7 @@ def _spread(reached: Sequence[KnownTask], refused: dict[str, str]) -> None:
 
 def _told(signature: TaskSignature, task: KnownTask, text: str) -> TaskSignature:
     """Return a task that tells of which text it was made."""
-    return replace(signature, source=_file(task), version=_version(text))
-
-
-def version_of(task: KnownTask) -> str:
-    """Return the version of a task, by its content: the SHA-256 of its task text, empty where it has none."""
-    try:
-        return _version(task_text(task))
-    except TaskError:
-        return ""
-
-
-def _version(text: str) -> str:
-    return hashlib.sha256(text.encode(errors="surrogatepass")).hexdigest()
+    return replace(signature, source=_file(task), version=version_of_text(text))
 
 
 def _file(task: KnownTask) -> str:

@@ -335,3 +335,19 @@ of the knowledge base that its preconditions need leads to itself. `ropsim task 
 have `--seconds` for the time that each call may take, 2 s where nothing is said.
 """,
 )
+
+IN_THE_AIR = define(
+    "P158",
+    "left-in-the-air",
+    Severity.WARNING,
+    "a task leaves a part where nothing carries it",
+    """
+Below the part, as it hangs in the gripper, nothing is within `gap` of `[supports]` in the cell file, 5 mm
+where nothing is said: no object, no device, no floor, no other part of which it is known where it lies. The
+message says what is next below and how far. The task is accepted; a run says the same of where the part is
+released (S736).
+
+Nothing is said in a cell without fixed objects, or with one that is drawn by a mesh, and of locations in a
+frame that moves.
+""",
+)

@@ -1,7 +1,7 @@
 """What only geometry can tell about tasks: asked outside, remembered as long as the cell stays as it is."""
 
 import math
-from collections.abc import Callable, Hashable, Iterator, Sequence
+from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
 from typing import Protocol
 
 from ropsim.core import frozen_dataclass
@@ -43,6 +43,21 @@ class Overlap:
     length: float
 
 
+@frozen_dataclass
+class InTheAir:
+    """A part that nothing carries where it is left.
+
+    Attributes:
+        below: what is next below it, as people call it: "the floor".
+        height: how high it is above that; negative where it is below its top [m].
+        words: from what height on a part lies on nothing, as a clause.
+    """
+
+    below: str
+    height: float
+    words: str
+
+
 class Geometry(Protocol):
     """Who knows where the arm of a cell can go; knowledge bases know neither arm nor cell."""
 
@@ -75,6 +90,19 @@ class Geometry(Protocol):
         """
         ...
 
+    def in_the_air(
+        self, robot: str, part: str, location: Point, lying: Mapping[str, Point]
+    ) -> InTheAir | None:
+        """Return how high a part that a robot leaves is above what is below it; None where that carries it.
+
+        Args:
+            robot: that leaves it.
+            part: by its name.
+            location: where.
+            lying: where other parts lie, by their names.
+        """
+        ...
+
     def prepare(self) -> None:
         """Make ready what first answers would take long for: a call is checked in little time."""
         ...
@@ -99,6 +127,9 @@ class Anywhere:
         """Return None."""
 
     def overlap(self, robot: str, part: str, x: float, y: float) -> None:
+        """Return None."""
+
+    def in_the_air(self, robot: str, part: str, location: Point, lying: Mapping[str, Point]) -> None:
         """Return None."""
 
     def prepare(self) -> None:
@@ -153,6 +184,12 @@ class RememberedGeometry:
         why = self._why.get(condition)
         moved = "it in the cell" if why is None else why.other
         return f"choose another location, or move {moved}"
+
+    def in_the_air(
+        self, robot: str, part: str, location: Point, lying: Mapping[str, Point]
+    ) -> InTheAir | None:
+        """Return how high a part that a robot leaves is above what is below it; None where it lies there."""
+        return self._geometry.in_the_air(robot, part, location, lying)
 
     def predicates(self) -> tuple[Predicate, ...]:
         """Return the predicates that knowledge bases may ask."""

@@ -1,12 +1,14 @@
 """A control program from calls: the tasks that they need, and the calls in their order."""
 
 from collections.abc import Callable, Iterable, Sequence
+from pathlib import PurePath
 
 from ropsim.tasks.errors import TaskError
 from ropsim.tasks.known_task import KnownTask
 from ropsim.tasks.not_defined import not_defined
 from ropsim.tasks.task_call import TaskCall
 from ropsim.tasks.task_text import task_text
+from ropsim.tasks.task_version import SHORT, version_of_text
 
 UNITS = "mm, deg, s"
 
@@ -26,9 +28,16 @@ def program_text(
         TaskError: a task is not defined, or has a body that is no task text.
     """
     parts = [f"program {name}\nunits {units}"]
-    parts += map(task_text, needed(task, (call.name for call in calls)))
+    parts += map(_copied, needed(task, (call.name for call in calls)))
     parts.append("\n".join(map(str, calls)))
     return "\n\n".join(parts) + "\n"
+
+
+def _copied(task: KnownTask) -> str:
+    """Return the text of a task under a line that says from where it was copied, and which version it is."""
+    text = task_text(task)
+    file = "/".join(PurePath(task.span.source).parts[-2:])
+    return f"# copied from {file}, version {version_of_text(text)[:SHORT]}\n{text}"
 
 
 def needed(task: Callable[[str], KnownTask | None], names: Iterable[str]) -> tuple[KnownTask, ...]:

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ropsim.collision import TOUCH, Collisions, Elsewhere, MeshPoints, Nearness
-from ropsim.model import Body, BodyKind, Cell, Station, link_name, tool_body
+from ropsim.model import Body, BodyKind, Cell, Part, Station, link_name, tool_body
 from ropsim.spatial import Array, Pose
 from ropsim.workbench.part_places import first_parts, part_places
 from ropsim.workbench.side_by_side import SideBySide
@@ -95,9 +95,19 @@ class CellCollisions:
         if part not in self._parts or part not in bodies.rows:
             return None
         pair = SideBySide([bodies.convexes[k] for k in bodies.rows[part]])
-        moved = self._hanging(part).rotation().T @ shift
+        moved = self.hanging(part).rotation().T @ shift
         depth = pair.depth(moved)
         return (depth, pair.length(moved)) if depth > self._cell.supports.depth else None
+
+    @property
+    def parts(self) -> Mapping[str, Part]:
+        """Return the parts of the cell by name."""
+        return self._parts
+
+    @property
+    def places(self) -> Mapping[str, str]:
+        """Return at which locations parts lie at the start, by part."""
+        return self._places
 
     def words(self, name: str) -> str:
         """Return what people call a body."""
@@ -142,12 +152,12 @@ class CellCollisions:
         tool = station.tools.get(station.default_tool)
         if name not in self._parts:
             return {}
-        X_TO = self._hanging(name)
+        X_TO = self.hanging(name)
         if tool is None:
             return {name: (link_name(station.robot.tip + 1, station.name), station.robot.X_nM @ X_TO)}
         return {name: (tool_body(tool.name, station.name), tool.X_MT @ X_TO)}
 
-    def _hanging(self, name: str) -> Pose:
+    def hanging(self, name: str) -> Pose:
         """Return X_TO of a part: as when it is taken from where it lies at the start.
 
         One that waits in a supply is taken from where the first one of it lies.

@@ -1,6 +1,6 @@
 """What the geometry of a cell tells about tasks: where its arms can go, and what is in their way there."""
 
-from collections.abc import Hashable
+from collections.abc import Hashable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -9,13 +9,14 @@ import numpy as np
 from ropsim import icr, language
 from ropsim.flow import MoveInstruction
 from ropsim.kinematics import IkOptions, inverse
-from ropsim.model import Cell, Station
+from ropsim.model import Cell, Part, Station
 from ropsim.spatial import Array, Pose
 from ropsim.workbench.environment import environment_of
 
 if TYPE_CHECKING:  # knowledge bases and their engine are loaded by who asks one
-    from ropsim.tasks import Obstruction, Overlap, Point
+    from ropsim.tasks import InTheAir, Obstruction, Overlap, Point
     from ropsim.workbench.cell_collisions import CellCollisions
+    from ropsim.workbench.part_supports import PartSupports
 
 ARM = "arm"
 """How tasks call the first robot of a cell; others have the names of their stations."""
@@ -33,6 +34,8 @@ class CellGeometry:
         self._cell = cell
         self._folder = folder
         self._made: CellCollisions | None = None
+        self._supports: PartSupports | None = None
+        self._moves: dict[tuple[str, Point], MoveInstruction | None] = {}
         self._environments: dict[str, language.Environment] = {}
         self.revision: Hashable = id(cell)
 
@@ -98,6 +101,37 @@ class CellGeometry:
         found = self._collisions().beside(part, np.array([x, -y, 0.0]))
         return None if found is None else Overlap(*found)
 
+    def in_the_air(
+        self, robot: str, part: str, location: "Point", lying: "Mapping[str, Point]"
+    ) -> "InTheAir | None":
+        """Return how high a part that a robot leaves is above what is below it; None where that carries it.
+
+        Of a part or a location that is not in the cell, in a frame that moves, or with joint values, and in a
+        cell without fixed objects, or with one that is drawn by a mesh, nothing is said.
+
+        Args:
+            robot: as with `reachable`.
+            part: that it leaves, as it was held where it lay at the start.
+            location: as with `reachable`.
+            lying: where other parts lie, by their names.
+        """
+        from ropsim.tasks import InTheAir
+
+        station, looked = self._station(robot), self._collisions()
+        X_WO = None if station is None else self._lying_at(station, part, location)
+        if station is None or X_WO is None:
+            return None
+        supports, own = self._carriers(), looked.parts[part]
+        still = [(one, one.X_WO) for one in looked.parts.values() if self._lies_still(one, part, lying)]
+        if supports.carries(own, X_WO, still):
+            return None
+        moved = ((name, self._lying_at(station, name, at)) for name, at in lying.items() if name != part)
+        others = [*still, *((looked.parts[name], X) for name, X in moved if X is not None)]
+        if supports.carries(own, X_WO, others):
+            return None
+        height, below = supports.below(own, X_WO, others)
+        return InTheAir(below, height, supports.words)
+
     def prepare(self) -> None:
         """Read meshes, and make distances ready."""
         self._collisions()
@@ -119,8 +153,35 @@ class CellGeometry:
         move = self._move(self._cell.first, location)
         return None if move is None else self._pose(self._cell.first, move)
 
+    def _lies_still(self, one: Part, left: str, lying: "Mapping[str, Point]") -> bool:
+        """Return whether a part lies where it lay at the start."""
+        if one.name == left or one.turn > 0:
+            return False
+        place = self._collisions().places.get(one.name)
+        return place is None or lying.get(one.name) == place
+
+    def _lying_at(self, station: Station, part: str, location: "Point") -> Pose | None:
+        """Return X_WO of a part that an arm leaves at a location, None where nobody knows."""
+        looked = self._collisions()
+        move = self._move(station, location) if part in looked.parts else None
+        X_BT = None if move is None else self._pose(station, move)
+        return None if X_BT is None else station.X_WB @ X_BT @ looked.hanging(part)
+
+    def _carriers(self) -> "PartSupports":
+        if self._supports is None:
+            from ropsim.workbench.part_supports import PartSupports
+
+            self._supports = PartSupports.of(self._cell)
+        return self._supports
+
     def _move(self, station: Station, location: "Point") -> MoveInstruction | None:
         """Return the move to a location, as a program of this station would make it."""
+        asked = station.name, location
+        if asked not in self._moves:
+            self._moves[asked] = self._compiled_move(station, location)
+        return self._moves[asked]
+
+    def _compiled_move(self, station: Station, location: "Point") -> MoveInstruction | None:
         from ropsim.tasks import TaskCall
 
         text = f"program reach\nunits mm, deg, s\nmov {TaskCall('', (location,))}\n"

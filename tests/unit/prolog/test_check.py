@@ -10,12 +10,15 @@ from ropsim.prolog import Engine, Sort, question
 SYNTAX = [
     ("a(1). b(2) c.\nd(3).\n", (1, 11), "full stop is missing"),
     ("b :- a,, c.\n", (1, 7), "comma"),
-    ("a(1).\nb([1, 2.\n", (2, 7), "closing bracket"),
+    ("a(1).\nb([1, 2.\n", (2, 8), "`]` is missing before this"),
     ("a(1).\nb('c.\n", (2, 1), "within quotes"),
     ("a :- .\n", (1, 5), "lacks one"),
     ("a(1)\n", (1, 5), "ends within a clause"),
-    ("a :- (b, c.\n", (1, 10), "closing bracket"),
-    ("a(1)).\n", (1, 4), "can begin here"),
+    ("a :- (b, c.\n", (1, 11), "`)` is missing before this"),
+    ("a(1)).\n", (1, 5), "`)` closes nothing"),
+    ("a(1).\nt([p([L-x),\n  b]).\n", (2, 10), "`]` is missing before this"),
+    ("a('x(', \"(\", 0'(, `(`, b(c). % (\n", (1, 28), "`)` is missing before this"),
+    ("a('it''s (\\' [', /* ( */ b c).\n", (1, 27), "an operator, a comma"),
     ("a := := b.\n", (1, 8), "operator"),
     ('a("x\\q").\n', (1, 5), "backslash"),
     ("é(1). ü(2) c.\n", (1, 11), "full stop is missing"),
@@ -49,6 +52,13 @@ def test_a_mistake_is_found_at_its_place(
     assert (span.line, span.column) == place
     assert words in findings[0].message
     assert findings[0].hint
+
+
+def test_where_a_bracket_is_missing_its_partner_is_named(engine: Engine) -> None:
+    (finding,) = found(engine, "a(1).\ntask(grip(P, L), [\n  pre([at(P, L]),\n  eff([])]).\nb(2).\n")
+    assert finding.message == "`)` is missing before this"
+    assert finding.hint == "the `(` of line 3, column 10 is not closed"
+    assert [(one.span.line, one.span.column) for one in finding.secondary] == [(3, 10)]
 
 
 def test_reading_goes_on_after_each_mistake(engine: Engine) -> None:

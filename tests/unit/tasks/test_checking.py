@@ -316,6 +316,22 @@ def test_a_named_part_that_lies_elsewhere_is_brought_by_a_task_that_can_take_it(
     assert known.check("weld", far).providers == ()  # there is no bolt
 
 
+def test_a_part_that_is_left_in_the_air_is_a_warning_with_what_is_below() -> None:
+    state = WorldState.of(*CELL.facts, "free(cloud)", "free(stool)")
+    _, there, back = base().check_all(["grip s1", "release cloud", "grip cloud"], state)
+    assert (there.ok, [one.code for one in there.warnings], back.warnings) == (True, ["P158"], ())
+    (finding,) = there.warnings
+    assert finding.message == (
+        "`bolt` would lie in the air at `cloud`, 12.3 mm above `table`; parts stand on what they touch"
+    )
+    assert finding.hint == "set it down lower, or put what carries it into the cell file"
+    stacked = base().check_all(["grip s1", "release stool", "grip s2", "release cloud"], state)
+    assert [one.warnings for one in stacked] == [()] * 4
+    queue = WorldState.of(*QUEUE, "free(cloud)")
+    assert len(base().check("load_pallet feed, cloud, 3, 1, 75", queue).warnings) == 1
+    assert base().check("load_pallet feed, s1, 2, 1, 75", queue).warnings == ()
+
+
 def test_a_tool_without_a_gripper_is_told_and_counts_no_more_once_it_is_changed() -> None:
     racks = ("home_of(glue, r1)", "home_of(jaws, r2)", "without_gripper(glue)", "tool(glue)")
     state = WorldState.of(*racks, *CELL.facts)

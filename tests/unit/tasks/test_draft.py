@@ -27,6 +27,7 @@ from ropsim.tasks import (
     taken_back,
     typed_points,
     typed_values,
+    version_of,
     world_table,
 )
 from ropsim.tasks.point_list import PointList, points_of, points_text, read_point_list, read_point_lists
@@ -124,6 +125,16 @@ def test_angles_are_typed_listed_and_told_in_one_order_and_a_program_names_them(
     for place in (typed, f"{point_text(typed)} rel (75, 0, 0)"):
         table = world_table(WorldState(ordered([Struct("at", (Atom("nut"), term_of_point(place)))])), {})
         assert table.parts[0][1].startswith("(1.5, 2, 3, pitch 20, roll 10, yaw 30)")
+
+
+def test_a_program_names_the_versions_of_the_tasks_that_it_copies() -> None:
+    known = base("task(twice(L), [params([L-location]), body([call(park(L)), call(park(L))])]).")
+    lines = program_text(known.task, [TaskCall("twice", ("s1",))], "p").splitlines()
+    versions = {name: version_of(task)[:8] for name in ("twice", "park") if (task := known.task(name))}
+    assert [line for line in lines if line.startswith("# copied")] == [
+        f"# copied from kb/t0.pl, version {versions['twice']}",
+        f"# copied from library/pick.pl, version {versions['park']}",
+    ]
 
 
 def test_a_call_is_shown_with_what_it_is_given_to_the_last_digit() -> None:

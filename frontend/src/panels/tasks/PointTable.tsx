@@ -9,7 +9,9 @@ export function PointTable() {
     <section aria-label={taskWords.points}>
       <h2>{taskWords.points}</h2>
       {points.length === 0 ? (
-        <p className="quiet">{taskWords.noPoints}</p>
+        <p className="quiet">
+          {tasks.steps.length > 0 && !tasks.settled ? taskWords.checking : taskWords.noPoints}
+        </p>
       ) : (
         <table className="point-table">
           <caption>{taskWords.pointUnits}</caption>

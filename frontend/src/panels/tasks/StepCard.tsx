@@ -133,7 +133,7 @@ export function StepCard({ step, at, last, onRemoved }: StepCardProps) {
           ))}
         </div>
       ) : null}
-      <Verdict id={said} state={state} parameters={task?.parameters ?? []} />
+      <Verdict id={said} state={state} parameters={task?.parameters ?? []} problem={tasks.problem !== ''} />
     </li>
   )
 }
@@ -143,15 +143,18 @@ function Verdict({
   id,
   state,
   parameters,
+  problem,
 }: {
   id: string
   state: StepState | null
   parameters: readonly TaskParameter[]
+  /** Nothing is said of any step now. */
+  problem: boolean
 }) {
   if (!state) {
     return (
       <p className="verdict quiet" id={id}>
-        {taskWords.checking}
+        {problem ? taskWords.notChecked : taskWords.checking}
       </p>
     )
   }
@@ -165,6 +168,11 @@ function Verdict({
         {state.accepted ? '✓ ' : '✕ '}
         <Marked text={state.message} />
       </strong>
+      {state.warning ? (
+        <span className="warning">
+          <Marked text={state.warning} />
+        </span>
+      ) : null}
       {state.hint ? (
         <span className="hint">
           <Marked text={state.hint} />

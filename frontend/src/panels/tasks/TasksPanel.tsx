@@ -11,6 +11,7 @@ import { Scroll } from '../Scroll'
 import { Catalogue } from './Catalogue'
 import { cycleTime } from './cycle_time'
 import { EndDialog } from './EndDialog'
+import { headline } from './headline'
 import { PointTable } from './PointTable'
 import { StepCard } from './StepCard'
 import { TaskForm } from './TaskForm'
@@ -55,7 +56,10 @@ export function TasksPanel() {
       </Scroll>
     )
   }
-  if (!list) return <p className="empty">{lost ? words.connection.lost : taskWords.waiting}</p>
+  if (!list) {
+    if (tasks.problem && !lost) return <Problem />
+    return <p className="empty">{lost ? words.connection.lost : taskWords.waiting}</p>
+  }
   const isChoosing = choosing || steps.length === 0
   return (
     <>
@@ -82,7 +86,7 @@ export function TasksPanel() {
         <EndButton />
       </div>
       {forms.problem ? <p className="tasks-summary error">{forms.problem}</p> : null}
-      <Summary />
+      {tasks.problem ? <Problem /> : <Summary />}
       <Scroll label={taskWords.steps} className="tasks">
         <div className="tasks-sides" ref={sides}>
           <div>
@@ -142,6 +146,19 @@ function EndButton() {
   )
 }
 
+/** That the tasks cannot be asked now, why, and the way to ask again. */
+function Problem() {
+  const { tasks } = useStudio()
+  return (
+    <p className="tasks-summary" role="alert">
+      <span className="error">{taskWords.notRead(tasks.problem)}</span>
+      <button type="button" className="try-again" onClick={() => tasks.retry()}>
+        {taskWords.tryAgain}
+      </button>
+    </p>
+  )
+}
+
 /** How many steps are accepted, and how long the program takes. */
 function Summary() {
   const { tasks } = useStudio()
@@ -150,14 +167,14 @@ function Summary() {
   const told = wrong ? <Wrong finding={wrong} /> : null
   if (!answer || steps.length === 0) return told ? <p className="tasks-summary">{told}</p> : null
   const states = steps.map(one => tasks.stateOf(one.key))
-  const refused = states.filter(one => one?.accepted === false).length
-  const waiting = states.filter(one => one === null).length
   const time = cycleTime(answer, estimate)
   return (
     <p className="tasks-summary" role="status">
-      {refused ? <span className="error">{taskWords.refused(refused)}</span> : null}
-      {waiting ? <span className="quiet">{taskWords.beingChecked(waiting)}</span> : null}
-      {refused || waiting ? null : <span className="good">{taskWords.allAccepted(steps.length)}</span>}
+      {headline(states).map(one => (
+        <span key={one.tone} className={one.tone}>
+          {one.text}
+        </span>
+      ))}
       <span>
         {taskWords.time}: <strong>{time}</strong>
       </span>

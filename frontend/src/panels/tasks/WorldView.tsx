@@ -6,9 +6,16 @@ export function WorldView() {
   const { tasks } = useStudio()
   const at = tasks.steps.findIndex(one => one.key === tasks.selected)
   const step = tasks.steps[at]
-  const world = (step && tasks.stateOf(step.key)?.world) ?? tasks.list?.begin
-  if (!world) return null
+  const world = step ? tasks.stateOf(step.key)?.world : tasks.list?.begin
   const title = step ? taskWords.after(at + 1, step.name) : taskWords.begin
+  if (!world) {
+    return step ? (
+      <section aria-label={title} className="world">
+        <h2>{title}</h2>
+        <p className="quiet">{taskWords.notYetKnown}</p>
+      </section>
+    ) : null
+  }
   const grippers: Readonly<Record<string, string>> = taskWords.grippers
   return (
     <section aria-label={title} className="world">

@@ -1,8 +1,10 @@
 """Where tasks are chosen: the knowledge of the project at hand, and who does which job."""
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
 from pathlib import Path
 
+from ropsim.core import RopsimError
 from ropsim.studio.desk.line import Line
 from ropsim.studio.desk.tasks.estimate import estimated
 from ropsim.studio.desk.tasks.forms import form_checked, form_opened
@@ -20,6 +22,18 @@ from ropsim.studio.jobs import (
 )
 from ropsim.studio.messages import plain
 from ropsim.workbench import Workspace, open_overlaid
+
+_STOPPED = "what reads the tasks has stopped in the middle of its work; it starts again when it is asked"
+_INSTALL = "a file of ropsim that reads tasks is missing or damaged: install ropsim again"
+_CAUSES: Mapping[str, str] = {
+    "P113": "reading the tasks took too long; the machine may be busy",
+    "P116": _STOPPED,
+    "P117": _STOPPED,
+    "P118": _STOPPED,
+    "P120": _INSTALL,
+    "P121": _INSTALL,
+}
+"""Words for who knows tasks and no engine behind them, by the code of what has happened to the engine."""
 
 
 @dataclass(slots=True)
@@ -43,6 +57,15 @@ class TaskBench:
             Cancelled: it was given up.
             RopsimError: it cannot be done; the message is in words.
         """
+        try:
+            return self._done(job, line)
+        except RopsimError as error:
+            cause = _CAUSES.get(error.diagnostic.code)
+            if cause is None:
+                raise
+            raise RopsimError(replace(error.diagnostic, message=cause)) from error
+
+    def _done(self, job: TasksJob, line: Line) -> TasksReply:
         match job:
             case ListTasks():
                 known = self._known(job)

@@ -28,7 +28,7 @@ def task_list(known: KnownProject, revision: int) -> TaskList:
     tasks = tuple(map(_choice, known.knowledge.base.tasks()))
     begin = world_now(known.knowledge.state, {})
     return TaskList(
-        revision, tasks, words.KINDS, tuple(_places(known)), begin, plain_findings(known.findings)
+        revision, tasks, words.KINDS, tuple(_places(known)), begin, plain_findings(known.findings), ""
     )
 
 

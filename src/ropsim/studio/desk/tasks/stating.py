@@ -41,11 +41,12 @@ def checked(known: KnownProject, steps: TaskSteps, number: int, revision: int) -
 
 
 def _state(report: CallReport, names: dict[Numbers, str], places: dict[Point, int]) -> StepState:
-    hint = "; ".join(one.hint for one in report.findings if one.hint)
+    hint = "; ".join(one.hint for one in (*report.findings, *report.warnings) if one.hint)
+    warning = "; ".join(one.message for one in report.warnings)
     told = tuple(PartPlace(name, value) for name, value in report.call.objects)
     points = tuple(places[one] for one in report.call.points)
     world = world_now(report.state, names)
-    return StepState(str(report.call), report.ok, report.message, hint, told, world, points)
+    return StepState(str(report.call), report.ok, report.message, hint, warning, told, world, points)
 
 
 def _point(known: KnownProject, point: Point, names: dict[Numbers, str]) -> ProgramPoint:
