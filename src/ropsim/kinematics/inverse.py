@@ -2,13 +2,10 @@
 
 from dataclasses import dataclass, replace
 from functools import lru_cache
-from itertools import accumulate
 
 import numpy as np
 import numpy.typing as npt
 
-from ropsim.codegen import Compiled, bound
-from ropsim.kinematics import selection_kernel
 from ropsim.kinematics.arrays import chain_arrays, joint_rows, joint_vector, pose_rows, turning_axes
 from ropsim.kinematics.diagnostics import NotFiniteError
 from ropsim.kinematics.forward import forward_batch
@@ -19,7 +16,8 @@ from ropsim.kinematics.posture import Posture
 from ropsim.kinematics.recognition import redundant_solver_of, solver_of
 from ropsim.kinematics.redundancy import nearest_answer
 from ropsim.kinematics.result import Free, IkOptions, IkResult, IkStatus, Limits
-from ropsim.kinematics.selection_kernel import SAME, TURN_VARIANTS
+from ropsim.kinematics.selection_kernel import HEAD, SAME
+from ropsim.kinematics.sheet import Sheet, sheet
 from ropsim.kinematics.solver import InverseSolver, RedundantSolver
 from ropsim.model import CoupledLimits, RobotModel, coupled_limits, held_arm
 from ropsim.spatial import Array, Pose, frozen
@@ -31,7 +29,7 @@ TURN = 2.0 * np.pi
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Desk:
-    """What a question about one arm needs.
+    """What a question about one arm needs, and sheets that questions before it have left.
 
     Attributes:
         solver: of the arm.
@@ -39,8 +37,9 @@ class _Desk:
         names: of the branches, in the order of the rows.
         limits: lower and upper limits [rad | m] and 1.0 for joints that turn, shape (3, n).
         rest: zeros, shape (n,).
-        select: chooses among branches by these limits.
         coupled: limits of joints that are no axes.
+        sheets: that nobody writes on: of threads each takes its own.
+        named: postures of listed branches, by the sum of 2^row of them.
     """
 
     solver: InverseSolver
@@ -48,8 +47,16 @@ class _Desk:
     names: tuple[Posture, ...]
     limits: Array
     rest: Array
-    select: Compiled
     coupled: CoupledLimits
+    sheets: list[Sheet]
+    named: dict[float, tuple[Posture, ...]]
+
+    def sheet(self) -> Sheet:
+        """Return a sheet that nobody writes on; it is to be laid back."""
+        try:
+            return self.sheets.pop()
+        except IndexError:
+            return sheet(self.solver, self.limits)
 
 
 def inverse_batch(robot: RobotModel, T: npt.ArrayLike, held: npt.ArrayLike | None = None) -> Array:
@@ -105,15 +112,20 @@ def inverse(robot: RobotModel, pose: Pose, options: IkOptions | None = None) -> 
         return _with_held_axes(robot, pose, options or IkOptions())
     desk = _desk(robot)
     near = desk.rest if options is None or options.near is None else joint_vector(robot, options.near)
-    T = pose.matrix()
     if desk.redundant is not None:
-        return _with_free_coordinate(robot, desk, desk.redundant, (T, near), options or IkOptions())
-    branches = desk.solver.branches(T[np.newaxis], near)[0]
+        asked = pose.matrix(), near
+        return _with_free_coordinate(robot, desk, desk.redundant, asked, options or IkOptions())
+    one = desk.sheet()
+    T = one.X_BM
+    pose.write_matrix(T)
+    one.solve(near)
     if near is not desk.rest and desk.solver.may_stay(near):
         beside = _next_to(robot, desk, T, near)
         if beside is not None:
-            _put(desk, beside, branches)
-    return _answer(robot, desk, T, branches, Limits.RESPECT if options is None else options.limits)
+            _put(desk, beside, one.branches)
+    answer = _answer(robot, desk, T, one, Limits.RESPECT if options is None else options.limits)
+    desk.sheets.append(one)
+    return answer
 
 
 def posture(robot: RobotModel, q: npt.ArrayLike) -> Posture:
@@ -151,28 +163,39 @@ def _with_free_coordinate(
     branches = solver.branches_at(T[np.newaxis], near, np.array([free.value]))[0]
     if beside is not None:
         _put(desk, beside, branches)
-    first = replace(_answer(robot, desk, T, branches, options.limits), free=free)
-    if first.status is IkStatus.FOUND or options.free is not None:
-        return first
-    return nearest_answer(solver, T, near, first, lambda rows: _answer(robot, desk, T, rows, options.limits))
+    one = desk.sheet()
+
+    def answer(rows: Array) -> IkResult:
+        one.branches[:] = rows
+        return _answer(robot, desk, T, one, options.limits)
+
+    first = replace(answer(branches), free=free)
+    found = first.status is IkStatus.FOUND or options.free is not None
+    last = first if found else nearest_answer(solver, T, near, first, answer)
+    desk.sheets.append(one)
+    return last
 
 
-def _answer(robot: RobotModel, desk: _Desk, T: Array, branches: Array, limits: Limits) -> IkResult:
-    """Return the answer of which these are the branches (m, n)."""
+def _answer(robot: RobotModel, desk: _Desk, T: Array, one: Sheet, limits: Limits) -> IkResult:
+    """Return the answer of which the branches stand on a sheet."""
     names, respected = desk.names, limits is Limits.RESPECT
+    branches, found = one.branches.copy(), one.found
     rows, n = branches.shape
-    found = np.empty(2 * rows + 2 + rows * TURN_VARIANTS * n)
     found[0] = 1.0 if respected else 0.0
-    desk.select(branches, found)
-    marks = found[: 2 * rows + 2].tolist()
-    present, listed = int(marks[0]), int(marks[1])
+    one.select()
+    first = HEAD + 2 * rows
+    present, listed, of_rows, further, *marks = found[:first].tolist()
     if listed:
-        counts = [int(count) for count in marks[3 : 3 + 2 * listed : 2]]
-        # copied, so that no view keeps all of `found`
-        variants = found[2 * rows + 2 : 2 * rows + 2 + (rows + sum(counts)) * n].copy().reshape(-1, n)
-        postures = tuple([names[int(row)] for row in marks[2 : 2 + 2 * listed : 2]])
-        turns = _turns(variants[rows:], counts)
-        result = IkResult(IkStatus.FOUND, variants[:listed], postures, turns, branches, names)
+        count = int(listed)
+        solutions = found[first : first + count * n].reshape(count, n).copy()
+        turns = (solutions[:0],) * count
+        if further:
+            first += rows * n
+            # copied, so that no view keeps all of `found`
+            variants = found[first : first + int(further) * n].reshape(-1, n).copy()
+            turns = _turns(variants, marks[1 : 2 * count : 2])
+        postures = desk.named.get(of_rows) or _postures(desk, of_rows)
+        result = IkResult(IkStatus.FOUND, solutions, postures, turns, branches, names)
         return _within(robot, desk.coupled, result) if respected and desk.coupled.joints else result
     solutions = np.empty((0, n))
     if not present:
@@ -232,12 +255,21 @@ def _held_rows(robot: RobotModel, held: npt.ArrayLike | None) -> Array:
     return rows
 
 
-def _turns(variants: Array, counts: list[int]) -> tuple[Array, ...]:
+def _turns(variants: Array, counts: list[float]) -> tuple[Array, ...]:
     """Return the further turns of each solution, of which there are `counts`."""
-    if not any(counts):
-        return (variants[:0],) * len(counts)
-    ends = list(accumulate(counts))
-    return tuple([variants[end - count : end] for end, count in zip(ends, counts, strict=True)])
+    turns, end, none = [], 0, variants[:0]
+    for count in counts:
+        begin, end = end, end + int(count)
+        turns.append(variants[begin:end] if count else none)
+    return tuple(turns)
+
+
+def _postures(desk: _Desk, of_rows: float) -> tuple[Posture, ...]:
+    """Return the postures of rows, given the sum of 2^row of them."""
+    chosen = int(of_rows)
+    names = tuple([name for row, name in enumerate(desk.names) if chosen >> row & 1])
+    desk.named[of_rows] = names
+    return names
 
 
 def _next_to(robot: RobotModel, desk: _Desk, T: Array, near: Array) -> Array | None:
@@ -265,7 +297,5 @@ def _desk(robot: RobotModel) -> _Desk:
     solver = solver_of(robot)
     limits = frozen(np.stack((robot.lower_limits, robot.upper_limits, turning_axes(robot))))
     rest = frozen(np.zeros(robot.n))
-    select = bound(selection_kernel.select, limits)
-    return _Desk(
-        solver, redundant_solver_of(robot), solver.postures, limits, rest, select, coupled_limits(robot)
-    )
+    redundant, coupled = redundant_solver_of(robot), coupled_limits(robot)
+    return _Desk(solver, redundant, solver.postures, limits, rest, coupled, [], {})

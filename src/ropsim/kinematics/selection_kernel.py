@@ -13,6 +13,8 @@ TURN_VARIANTS = 64
 """Most variants of one branch that are listed, itself included."""
 MOST_TURNS = 32.0
 """Turns beyond so many are not looked at; a joint without limits has them all."""
+HEAD = 4
+"""So many numbers say how much was found."""
 
 
 @kernel("void(f8[:,::1], f8[:,::1], f8[::1])")
@@ -23,14 +25,18 @@ def select(limits: Array, branches: Array, found: Array) -> None:
         limits: lower and upper limits [rad | m], and 1.0 for joints that turn, shape (3, n).
         branches: joint coordinates of all rows, NaN where absent [rad | m], shape (m, n).
         found: found[0] is 1.0 where limits count, else 0.0. Afterwards found[0] is the number of present
-            rows, found[1] that of listed branches, then come row and number of further turns of each (2·m
-            numbers), the branches themselves, the least turned variant of each (m·n), and the further turns
-            of all, one branch after the other; shape (2·m + 2 + 64·m·n,).
+            rows, found[1] that of listed branches, found[2] the sum of 2^row of those, found[3] the number
+            of their further turns. From HEAD on come row and number of further turns of each (2·m numbers),
+            the branches themselves, the least turned variant of each (m·n), the further turns of all, one
+            branch after the other, and room to work in; shape `found_size(m, n)`.
     """
     m, n = branches.shape
     respected = found[0] > 0.0
-    present = listed = 0
-    further = 2 * m + 2 + m * n
+    present = listed = turns = 0
+    of_rows = 0.0
+    lists = HEAD + 2 * m
+    values = lists + m * TURN_VARIANTS * n  # TURN_VARIANTS of each joint
+    ways = values + TURN_VARIANTS * n
     for row in range(m):
         if branches[row, 0] != branches[row, 0]:
             continue
@@ -41,33 +47,46 @@ def select(limits: Array, branches: Array, found: Array) -> None:
             again = again or (present_too and _coincide(branches[row], branches[other], limits[2]))
         if again:
             continue
-        variants = 1
-        if respected:
-            for j in range(n):
-                fewest, most = _turns(branches[row, j], limits, j)
-                variants = min(variants * max(0, most - fewest + 1), TURN_VARIANTS)
+        variants, first = 1, lists + listed * n
+        for j in range(n):
+            q = branches[row, j]
+            if respected and variants > 0:
+                fewest, most = _turns(q, limits, j)
+                count = max(0, min(most - fewest + 1, TURN_VARIANTS))
+                variants = min(variants * count, TURN_VARIANTS)
+                found[ways + j] = count
+                for way in range(count):
+                    value = q + _turn(fewest, most, way) * (2.0 * pi)
+                    found[values + TURN_VARIANTS * j + way] = min(max(value, limits[0, j]), limits[1, j])
+                q = found[values + TURN_VARIANTS * j]
+            found[first + j] = q
         if variants == 0:
             continue
-        first = 2 * m + 2 + listed * n
-        stride = 1  # so many variants in a row have the same turn of a joint; the last joint changes soonest
-        for j in range(n - 1, -1, -1):
-            q, ways, fewest, most = branches[row, j], 1, 0, 0
-            if respected:
-                fewest, most = _turns(q, limits, j)
-                ways = most - fewest + 1
-            for way in range(min(ways, variants)):
-                value = q
-                if respected:
-                    value = q + _turn(fewest, most, way) * (2.0 * pi)
-                    value = min(max(value, limits[0, j]), limits[1, j])
-                for start in range(way * stride, variants, ways * stride):
-                    for variant in range(start, min(start + stride, variants)):
-                        found[(further + (variant - 1) * n if variant else first) + j] = value
-            stride = min(stride * ways, TURN_VARIANTS)
-        further += (variants - 1) * n
-        found[2 + 2 * listed], found[3 + 2 * listed] = row, variants - 1
+        at, stride = lists + (m + turns) * n, 1
+        for j in range(n - 1, -1, -1):  # the turn of the last joint changes soonest
+            if stride == variants:
+                break
+            count = int(found[ways + j])
+            until = min(stride * count, variants)
+            for way in range(1, count):
+                value = found[values + TURN_VARIANTS * j + way]
+                for variant in range(way * stride, min((way + 1) * stride, until)):
+                    like = variant - way * stride
+                    to, source = at + (variant - 1) * n, first if like == 0 else at + (like - 1) * n
+                    for i in range(n):
+                        found[to + i] = found[source + i]
+                    found[to + j] = value
+            stride = until
+        turns += variants - 1
+        found[HEAD + 2 * listed], found[HEAD + 2 * listed + 1] = row, variants - 1
+        of_rows += 2.0**row
         listed += 1
-    found[0], found[1] = present, listed
+    found[0], found[1], found[2], found[3] = present, listed, of_rows, turns
+
+
+def found_size(m: int, n: int) -> int:
+    """Return how many numbers `select` writes for m rows of n joints, with its room to work in."""
+    return HEAD + 2 * m + (m + 1) * TURN_VARIANTS * n + n
 
 
 def _coincide(one: Array, other: Array, turning: Array) -> bool:

@@ -1,5 +1,6 @@
 """What stands behind the door of the inverse kinematics: one solver for each class of arms."""
 
+from collections.abc import Callable
 from enum import Enum
 from math import hypot
 from typing import Protocol, runtime_checkable
@@ -8,6 +9,9 @@ from ropsim.core import frozen_dataclass
 from ropsim.kinematics.posture import Posture
 from ropsim.kinematics.result import Free, Shortfall
 from ropsim.spatial import Array
+
+Solve = Callable[[Array], None]
+"""Solves the pose at a given place with `near` [rad | m], as `InverseSolver.branches` does many."""
 
 
 class Method(Enum):
@@ -99,3 +103,11 @@ class RedundantSolver(InverseSolver, Protocol):
 
     def branches_at(self, T: Array, near: Array, free: Array) -> Array:
         """Return all branches as `branches` does, with what is free at `free` for each pose [rad], (k,)."""
+
+
+@runtime_checkable
+class SheetSolver(InverseSolver, Protocol):
+    """A solver that writes the branches of one pose to a given place, sooner than it returns them."""
+
+    def solving(self, T: Array, branches: Array) -> Solve:
+        """Return what writes all branches of the pose in T (1, 4, 4) to `branches`, shape (1, m, n)."""

@@ -1,6 +1,7 @@
 """Pose: position and orientation of one frame in another."""
 
 from dataclasses import field
+from struct import Struct
 
 import numpy as np
 import numpy.typing as npt
@@ -11,6 +12,8 @@ from ropsim.spatial.record import record
 
 Array = npt.NDArray[np.float64]
 
+_MATRIX = Struct("16d")
+"""A homogeneous matrix by rows: to put it into an array takes half the time of making an array of numbers."""
 _IDENTITY: quaternion.PoseTuple = (0.0, 0.0, 0.0, *quaternion.IDENTITY)
 
 
@@ -64,21 +67,25 @@ class Pose:
 
     def matrix(self) -> Array:
         """Return the homogeneous matrix, shape (4, 4)."""
-        x_row, y_row, z_row = self._rotation_rows()
-        x, y, z = self.position.tolist()
-        return np.array((*x_row, x, *y_row, y, *z_row, z, 0.0, 0.0, 0.0, 1.0)).reshape(4, 4)
+        X = np.empty((4, 4))
+        self.write_matrix(X)
+        return X
+
+    def write_matrix(self, X: Array) -> None:
+        """Write the homogeneous matrix to an array without gaps, shape (4, 4)."""
+        w, x, y, z = self.orientation.tolist()
+        px, py, pz = self.position.tolist()
+        _MATRIX.pack_into(
+            X.data, 0,
+            1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y), px,
+            2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x), py,
+            2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y), pz,
+            0.0, 0.0, 0.0, 1.0,
+        )  # fmt: skip
 
     def rotation(self) -> Array:
         """Return R_AB, shape (3, 3)."""
-        return np.array(self._rotation_rows())
-
-    def _rotation_rows(self) -> tuple[tuple[float, float, float], ...]:
-        w, x, y, z = self.orientation.tolist()
-        return (
-            (1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)),
-            (2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)),
-            (2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)),
-        )
+        return self.matrix()[:3, :3].copy()
 
     @property
     def is_identity(self) -> bool:

@@ -6,7 +6,10 @@ import numpy as np
 import pytest
 
 from ropsim import kinematics, robots
-from ropsim.kinematics import IkOptions, IkStatus, Limits, branch, inverse, posture, solver_of
+from ropsim.kinematics import IkOptions, IkStatus, Limits, branch, inverse, inverse_batch, posture, solver_of
+from ropsim.kinematics.solvers import spherical_wrist_kernel
+from ropsim.kinematics.solvers.eight_rows import EightRows
+from ropsim.kinematics.solvers.spherical_wrist import SphericalWristSolver
 from ropsim.spatial import Array, Pose
 
 PUMA = robots.load("puma560")
@@ -170,12 +173,13 @@ def test_near_must_have_one_coordinate_per_joint() -> None:
         inverse(PUMA, REACHED, IkOptions(near=np.zeros(5)))
 
 
-def test_the_kernel_does_the_same_without_numba(monkeypatch: pytest.MonkeyPatch) -> None:
-    from ropsim.kinematics.solvers import spherical_wrist, spherical_wrist_kernel
-
-    compiled = kinematics.inverse_batch(PUMA, REACHED.matrix()[np.newaxis])
+def test_the_kernel_does_the_same_without_numba() -> None:
+    solver, T, near = solver_of(PUMA), REACHED.matrix()[np.newaxis], np.zeros(6)
+    assert isinstance(solver, SphericalWristSolver)
     rows = spherical_wrist_kernel.inverse_rows
-    function = getattr(rows, "__wrapped__", rows)
-    monkeypatch.setattr(spherical_wrist, "closed_form", lambda solver: partial(function, solver.strict))
-    plain = kinematics.inverse_batch(PUMA, REACHED.matrix()[np.newaxis])
-    np.testing.assert_allclose(plain, compiled, atol=1e-12)
+    function = partial(getattr(rows, "__wrapped__", rows), solver.strict)
+    plain = EightRows(solver.chain, function, function, None, spherical_wrist_kernel.ROOM)
+    one = np.empty((1, 8, 6))
+    plain.solving(T, one)(near)
+    np.testing.assert_array_equal(one, plain.branches(T, near))
+    np.testing.assert_allclose(one, inverse_batch(PUMA, T), atol=1e-12)

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from ropsim.kinematics import TURN_VARIANTS
-from ropsim.kinematics.selection_kernel import LIMIT_SLACK, SAME, select
+from ropsim.kinematics.selection_kernel import HEAD, LIMIT_SLACK, SAME, found_size, select
 from ropsim.spatial import Array
 
 TURN = 2.0 * pi
@@ -16,14 +16,20 @@ TURN = 2.0 * pi
 def selected(branches: Array, limits: Array, respected: float = 1.0) -> list[tuple[int, Array]]:
     """Return row and variants of each listed branch, the first variant first."""
     m, n = branches.shape
-    found = np.full(2 * m + 2 + m * TURN_VARIANTS * n, np.nan)
+    found = np.full(found_size(m, n), np.nan)
     found[0] = respected
     select(limits, branches, found)
-    variants, further, result = found[2 * m + 2 :].reshape(-1, n), m, []
-    for k in range(int(found[1])):
-        row, more = int(found[2 + 2 * k]), int(found[3 + 2 * k])
+    marks = found[HEAD : HEAD + 2 * m].reshape(m, 2)[: int(found[1])].astype(int).tolist()
+    variants, further, result = (
+        found[HEAD + 2 * m : HEAD + 2 * m + m * TURN_VARIANTS * n].reshape(-1, n),
+        m,
+        [],
+    )
+    for k, (row, more) in enumerate(marks):
         result.append((row, np.vstack((variants[k], variants[further : further + more]))))
         further += more
+    assert found[2] == sum(2**row for row, _ in marks)
+    assert found[3] == sum(more for _, more in marks)
     return result
 
 

@@ -24,6 +24,9 @@ AXIS_SLACK = 1e-10
 LENGTHS, SIGNS, ZEROS, FRONT, X_J, X_M, R_F, SLACKS = 0, 5, 11, 17, 18, 30, 42, 51
 """Where the fields of `WristArm.flat` begin; frames lie by rows."""
 
+ROOM = 30
+"""So many numbers are room to work in, the first six joint coordinates that a singular pose keeps."""
+
 
 @kernel("void(f8[::1], f8[::1], f8[:,:,::1], f8[:,:,::1])")
 def inverse_rows(arm: Array, room: Array, T: Array, out: Array) -> None:
@@ -32,7 +35,7 @@ def inverse_rows(arm: Array, room: Array, T: Array, out: Array) -> None:
     Args:
         arm: `WristArm.flat`.
         room: joint coordinates [rad] of which q1 and q4 hold where the pose leaves them free (6 numbers), and
-            room to work in; shape (30,).
+            room to work in; shape (ROOM,).
         T: poses.
         out: row 4·shoulder + 2·elbow + wrist holds that posture, angles in (-π, π].
     """

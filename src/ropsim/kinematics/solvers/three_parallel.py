@@ -22,12 +22,13 @@ import numpy as np
 
 from ropsim.codegen import Compiled, bound
 from ropsim.kinematics.arrays import ChainArrays, chain_arrays
-from ropsim.kinematics.polish import POSE_SLACK, polished, refine, refining
+from ropsim.kinematics.polish import POSE_SLACK, refining
 from ropsim.kinematics.posture import Posture
 from ropsim.kinematics.result import IkStatus, Reach, Shortfall
-from ropsim.kinematics.solver import Method, Snap
+from ropsim.kinematics.solver import Method, Snap, Solve
 from ropsim.kinematics.solvers import three_parallel_kernel as kernel
 from ropsim.kinematics.solvers.axes import COUPLED, LENGTH_SLACK, NEAR_SINGULAR, ZeroFrames, distance, snap
+from ropsim.kinematics.solvers.eight_rows import EightRows
 from ropsim.kinematics.solvers.three_parallel_arm import (
     ThreeParallelArm,
     directions_missed,
@@ -87,15 +88,11 @@ class ThreeParallelSolver:
 
     def branches(self, T: Array, near: Array) -> Array:
         """Return all branches of many poses, shape (k, 8, 6); see `InverseSolver.branches`."""
-        found = _rows(closed_form(self), T, near)
-        if self.snapped_by == Snap():
-            return found
-        lost = refine(refinement(self), self.chain, T, found)
-        if lost is not None:
-            kept = _rows(bound(kernel.inverse_rows, self.keeping), T, near)
-            others = polished(self.chain, T, np.where(lost[:, :, np.newaxis], kept, np.nan))
-            found = np.where(lost[:, :, np.newaxis], others, found)
-        return found
+        return eight_rows(self).branches(T, near)
+
+    def solving(self, T: Array, branches: Array) -> Solve:
+        """Return what writes all branches of the pose in T (1, 4, 4) to `branches` (1, 8, 6)."""
+        return eight_rows(self).solving(T, branches)
 
     def posture(self, q: Array) -> Posture:
         """Return the posture of joint coordinates [rad], shape (6,)."""
@@ -136,11 +133,12 @@ class ThreeParallelSolver:
         return Shortfall(IkStatus.OUT_OF_REACH, Reach("axis 4", "2", best, shortest, longest))
 
 
-def _rows(solve: Compiled, T: Array, near: Array) -> Array:
-    out, room = np.empty((len(T), 8, 6)), np.empty(33)
-    room[:6] = near
-    solve(room, T, out)
-    return out
+@lru_cache(maxsize=64)
+def eight_rows(solver: ThreeParallelSolver) -> EightRows:
+    """Return the compiled functions of an arm."""
+    refined = None if solver.snapped_by == Snap() else refinement(solver)
+    keeping = bound(kernel.inverse_rows, solver.keeping)
+    return EightRows(solver.chain, closed_form(solver), keeping, refined, kernel.ROOM)
 
 
 @lru_cache(maxsize=64)

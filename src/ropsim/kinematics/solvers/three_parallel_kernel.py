@@ -24,6 +24,9 @@ AXIS_SLACK = 1e-10
 LENGTHS, ETA, SIGNS, ZEROS, X_J, X_M, SLACKS = 0, 6, 7, 13, 19, 31, 43
 """Where the fields of `ThreeParallelArm.flat` begin; frames lie by rows."""
 
+ROOM = 33
+"""So many numbers are room to work in, the first six joint coordinates that a singular pose keeps."""
+
 
 @kernel("void(f8[::1], f8[::1], f8[:,:,::1], f8[:,:,::1])")
 def inverse_rows(arm: Array, room: Array, T: Array, out: Array) -> None:
@@ -32,7 +35,7 @@ def inverse_rows(arm: Array, room: Array, T: Array, out: Array) -> None:
     Args:
         arm: `ThreeParallelArm.flat`.
         room: joint coordinates [rad] of which q1 and q6 hold where the pose leaves them free (6 numbers), and
-            room to work in; shape (33,).
+            room to work in; shape (ROOM,).
         T: poses.
         out: row 4·shoulder + 2·elbow + wrist holds that posture, angles in (-π, π].
     """
