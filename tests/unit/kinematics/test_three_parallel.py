@@ -25,10 +25,12 @@ from ropsim.kinematics.solvers.numeric import numeric
 from ropsim.kinematics.solvers.three_parallel import ThreeParallelSolver
 from ropsim.model import DhRow, RobotModel
 from ropsim.spatial import Array, Pose
+from support.published_arms import published_arm
 from support.wrist_arms import arm
 
 REACHED = 1e-9  # m, entries of the rotation matrix: what is promised
 SAME = 1e-9  # rad
+TWICE_SINGULAR = 0.02  # rad: a pose to 1e-9 leaves an elbow and a wrist next to singular so much
 NEAR_SINGULAR = 1e-5  # rad: rounding by 1e-16 moves a stretched elbow by its square root
 
 # Universal Robots, DH parameters for calculations of kinematics and dynamics, UR5e.
@@ -145,6 +147,20 @@ def test_stretched_and_folded_arms_are_solved(robot: RobotModel, bend: float) ->
     Q[:, 2] = arm_.signs[2] * (bend - arm_.zeros[2])
     branches = inverse_batch(robot, forward_batch(robot, Q))
     assert np.nanmin(apart(branches, Q[:, None]), axis=1).max() < NEAR_SINGULAR
+
+
+@pytest.mark.parametrize("bend", [0.0, 1e-9, pi])
+def test_stretched_and_folded_arms_of_rounded_files_are_solved(bend: float) -> None:
+    """With a wrist that is nearly straight, too, a rounding by 1e-9 takes the elbow far beyond stretched."""
+    robot = published_arm("ur5e_robot")
+    arm_, Q = solver(robot).arm, joints(200, 8)
+    Q[:, 2] = arm_.signs[2] * (bend - arm_.zeros[2])
+    Q[:, 4] = arm_.signs[4] * (0.02 - arm_.zeros[4])
+    branches = inverse_batch(robot, forward_batch(robot, Q))
+    present = ~np.isnan(branches[:, :, 0])
+    assert present.any(axis=1).all()
+    own = np.where(present, apart(branches, Q[:, None]), np.inf).min(axis=1)
+    assert (own < TWICE_SINGULAR).all()
 
 
 def test_joint_1_stays_where_the_point_lies_on_its_axis() -> None:

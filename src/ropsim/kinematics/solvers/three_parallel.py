@@ -45,6 +45,9 @@ TIE = 1e-9
 """A singular configuration belongs to two branches; within this [m, rad] it is given the first one."""
 WIDER = 3.0
 """The slacks of a snapped arm are so many times the error that its snap can make."""
+TOUCHING = 1e-6
+"""A cosine or a squared length [m²] this far beyond its bound is a start on an arm that was snapped: where the
+wrist or the shoulder is nearly singular, too, the snap moves a stretched elbow by many times its own size."""
 NEARBY = 0.02
 """A pose this near to a singular one [rad, m] may be one, on an arm that was snapped."""
 
@@ -187,4 +190,4 @@ def _flat(arm: ThreeParallelArm, by: Snap, aligned: float, on_axis: float) -> Ar
         return arm.flat((POSE_SLACK, on_axis, aligned, REACH_SLACK, 0.0))
     upper, fore, end = arm.lengths[3:].tolist()
     beyond = WIDER * (by.angle * (upper + fore + end) + by.length) * (upper + fore) / (upper * fore)
-    return arm.flat((inf, on_axis, aligned, REACH_SLACK + beyond, beyond))
+    return arm.flat((inf, on_axis, aligned, REACH_SLACK + max(beyond, TOUCHING), beyond))
