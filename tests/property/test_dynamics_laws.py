@@ -37,7 +37,7 @@ def test_forward_dynamics_undo_inverse_dynamics(robot: RobotModel) -> None:
 def test_the_mass_matrix_gives_the_kinetic_energy_of_links_and_rotors(robot: RobotModel) -> None:
     """In every pair of velocities, so that an entry on the wrong side of the diagonal shows."""
     n = robot.n
-    rotors = np.diag([one.motor.rotor_inertia * one.ratio**2 for one in robot.drives])
+    rotors = np.diag([one.motor.rotor_inertia * one.ratio_at(0.0) ** 2 for one in robot.drives])
     for q, one, other in random_states(robot, 2):
         entries = np.empty(n * n)
         compiled(robot, engine=Engine.PYTHON).mass_matrix(q, entries)

@@ -23,9 +23,11 @@ def test_static_torques_are_those_of_the_published_simulation() -> None:
 
 def test_friction_of_the_wrist_is_the_published_one_at_the_joints() -> None:
     drives = robots.load("manutec_r3").drives[3:]
-    at_joint = [one.friction.coulomb_positive * abs(one.ratio) for one in drives]
+    at_joint = [one.friction.coulomb_positive * abs(one.ratio_at(0.0)) for one in drives]
     assert at_joint == pytest.approx([21.8, 30.1, 10.9])
-    assert [one.friction.viscous * one.ratio**2 for one in drives] == pytest.approx([9.8, 0.03, 3.92])
+    assert [one.friction.viscous * one.ratio_at(0.0) ** 2 for one in drives] == pytest.approx(
+        [9.8, 0.03, 3.92]
+    )
 
 
 def test_gears_of_axes_1_to_3_are_the_published_springs() -> None:

@@ -50,7 +50,9 @@ class MujocoArm:
 def _mjcf(robot: RobotModel) -> str:
     bodies = ""
     for k, joint in enumerate(robot.joints):
-        inertia = robot.drives[k].motor.rotor_inertia * robot.drives[k].ratio ** 2 if robot.drives else 0.0
+        inertia = (
+            robot.drives[k].motor.rotor_inertia * robot.drives[k].ratio_at(0.0) ** 2 if robot.drives else 0.0
+        )
         kind = "hinge" if joint.type is JointType.REVOLUTE else "slide"
         position = " ".join(map(repr, joint.placement.position.tolist()))
         turn = " ".join(map(repr, joint.placement.orientation.tolist()))

@@ -47,7 +47,7 @@ def computed_torque(model: ControllerModel, robot: Mechanism) -> CompiledLaw:
     n, structure = robot.n, structure_of(robot)
     gains = gain_rows(model, ComputedTorqueGains, n)
     limits = [min(command_limit(drive), _OPEN) for drive in robot.drives]
-    ratios = [abs(drive.ratio) for drive in robot.drives]
+    ratios = [abs(drive.ratio_at(q)) for drive, q in zip(robot.drives, robot.home.tolist(), strict=True)]
     numbers = np.array(arm_numbers(robot))
     numbers[numbers == np.inf] = _OPEN
     rows = np.concatenate((numbers, np.zeros(-len(numbers) % n))).reshape(-1, n)

@@ -14,6 +14,7 @@ from ropsim.dynamics.arm_functions import trace_forward as trace_forward
 from ropsim.dynamics.axis_inertia import axis_inertias as axis_inertias
 from ropsim.dynamics.axis_inertia import free_inertias as free_inertias
 from ropsim.dynamics.axis_inertia import mass_matrices as mass_matrices
+from ropsim.dynamics.axis_inertia import rotor_inertias as rotor_inertias
 from ropsim.dynamics.diagnostics import JointCountError as JointCountError
 from ropsim.dynamics.diagnostics import ModelNumberError as ModelNumberError
 from ropsim.dynamics.diagnostics import StateShapeError as StateShapeError
@@ -27,6 +28,7 @@ from ropsim.dynamics.drives import chain_of as chain_of
 from ropsim.dynamics.drives import command_band as command_band
 from ropsim.dynamics.drives import command_limit as command_limit
 from ropsim.dynamics.drives import drive_fault as drive_fault
+from ropsim.dynamics.drives import range_fault as range_fault
 from ropsim.dynamics.drives import reflected_inertia as reflected_inertia
 from ropsim.dynamics.drives import steady_drive as steady_drive
 from ropsim.dynamics.effort_limits import effort_limits as effort_limits

@@ -120,20 +120,23 @@ def mass_matrix(robot: Mechanism, q: npt.ArrayLike, payload: Payload | None = No
     return entries.reshape(n, n)
 
 
-def friction(robot: Mechanism, qd: npt.ArrayLike) -> Array:
+def friction(robot: Mechanism, q: npt.ArrayLike, qd: npt.ArrayLike) -> Array:
     """Return the torques that friction exerts on the joints, shape (n,) [N·m | N]: against the motion.
+
+    What the rod of a cylinder takes as its lever changes is among them.
 
     Args:
         robot: the arm; without drives there is no friction, and behind an elastic gear it acts on the motor.
+        q: joint coordinates [rad | m], shape (n,); only the levers of cylinders depend on them.
         qd: joint speeds [rad/s | m/s], shape (n,).
 
     Raises:
-        StateShapeError: `qd` has another shape.
+        StateShapeError: an array has another shape.
         NotFiniteError: an array holds NaN or infinity.
     """
     check_model(robot)
-    speeds = _array("qd", qd, robot.n)
-    against, _ = drive_sides(structure_of(robot), arm_numbers(robot))(speeds)
+    places, speeds = _array("q", q, robot.n), _array("qd", qd, robot.n)
+    against, _ = drive_sides(structure_of(robot), arm_numbers(robot))(places, speeds)
     return 0.0 - against
 
 

@@ -93,16 +93,16 @@ def compiled(
 @lru_cache(maxsize=64)
 def rigid_inverse_code(structure: ArmStructure) -> GivenCode:
     """Return the code of `rigid_inverse`."""
-    arm, qd, qdd, tip, _ = _inverse_inputs(structure)
+    arm, (_, qd), qdd, tip, _ = _inverse_inputs(structure)
     return _inverse_code("rigid_inverse", trace_inverse(arm, qd, qdd, tip))
 
 
 @lru_cache(maxsize=64)
 def inverse_code(structure: ArmStructure) -> GivenCode:
     """Return the code of `inverse`."""
-    arm, qd, qdd, tip, drives = _inverse_inputs(structure)
+    arm, (q, qd), qdd, tip, drives = _inverse_inputs(structure)
     tau = trace_inverse(arm, qd, qdd, tip)
-    for k, (friction, inertia) in enumerate(joint_sides(structure, drives, arm.tracer, qd)):
+    for k, (friction, inertia) in enumerate(joint_sides(structure, drives, arm.tracer, (q, qd))):
         tau[k] = tau[k] + qdd[k] * inertia + friction
     return _inverse_code("inverse", tau)
 
@@ -114,7 +114,7 @@ def forward_code(structure: ArmStructure) -> GivenCode:
     q, qd, tau = (tracer.variables(name, n) for name in ("q", "qd", "tau"))
     numbers = traced_numbers(tracer, structure)
     arm = trace_arm(tracer, structure, numbers, q)
-    qdd = trace_forward(arm, qd, tau, joint_sides(structure, numbers.drives, tracer, qd))
+    qdd = trace_forward(arm, qd, tau, joint_sides(structure, numbers.drives, tracer, (q, qd)))
     results = [(f"qdd[{k}]", qdd[k]) for k in range(n)]
     return GivenCode.of(Formula("forward", ("q", "qd", "tau", "qdd"), results))
 
@@ -144,9 +144,10 @@ def mass_matrix_code(structure: ArmStructure) -> GivenCode:
     """Return the code of `mass_matrix`."""
     tracer, n = Tracer(), structure.n
     numbers = traced_numbers(tracer, structure)
-    lower = trace_mass_matrix(trace_arm(tracer, structure, numbers, tracer.variables("q", n)))
+    q = tracer.variables("q", n)
+    lower = trace_mass_matrix(trace_arm(tracer, structure, numbers, q))
     rest = [tracer.constant(0.0)] * n
-    for k, (_, inertia) in enumerate(joint_sides(structure, numbers.drives, tracer, rest)):
+    for k, (_, inertia) in enumerate(joint_sides(structure, numbers.drives, tracer, (q, rest))):
         lower[k][k] = lower[k][k] + inertia
     entries = [(f"M[{n * i + j}]", lower[max(i, j)][min(i, j)]) for i in range(n) for j in range(n)]
     return GivenCode.of(Formula("mass_matrix", ("q", "M"), entries))
@@ -159,13 +160,13 @@ def identifier(name: str) -> str:
 
 def _inverse_inputs(
     structure: ArmStructure,
-) -> tuple[TracedArm, list[Scalar], list[Scalar], Wrench, list[list[Scalar]]]:
+) -> tuple[TracedArm, tuple[list[Scalar], list[Scalar]], list[Scalar], Wrench, list[list[Scalar]]]:
     tracer = Tracer()
     q, qd, qdd = (tracer.variables(name, structure.n) for name in ("q", "qd", "qdd"))
     fx, fy, fz, mx, my, mz = tracer.variables("wrench", 6)
     numbers = traced_numbers(tracer, structure)
     arm = trace_arm(tracer, structure, numbers, q)
-    return arm, qd, qdd, Wrench((fx, fy, fz), (mx, my, mz)), numbers.drives
+    return arm, (q, qd), qdd, Wrench((fx, fy, fz), (mx, my, mz)), numbers.drives
 
 
 def _inverse_code(name: str, tau: list[Scalar]) -> GivenCode:

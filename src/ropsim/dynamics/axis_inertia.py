@@ -5,7 +5,7 @@ import numpy.typing as npt
 
 from ropsim.dynamics.drives import reflected_inertia
 from ropsim.kinematics import frames_of_steps
-from ropsim.model import BASE_LINK, JointType, Mechanism, check_counts, check_open, joint_tree
+from ropsim.model import BASE_LINK, JointType, Linkage, Mechanism, check_counts, check_open, joint_tree
 from ropsim.spatial import Array, Pose, cross
 
 
@@ -53,7 +53,24 @@ def mass_matrices(robot: Mechanism, Q: npt.ArrayLike) -> Array:
             link.mass * linear.transpose(0, 2, 1) @ linear
             + angular.transpose(0, 2, 1) @ about_centre @ angular
         )
-    return np.asarray(found + np.diag([reflected_inertia(drive) for drive in robot.drives] or [0.0] * n))
+    return np.asarray(found + rotor_inertias(robot, Q)[:, :, np.newaxis] * np.eye(n))
+
+
+def rotor_inertias(robot: Mechanism, Q: npt.ArrayLike) -> Array:
+    """Return what motors add to the inertias of their axes, shape (k, n) [kg·m² | kg]; 0 without drives.
+
+    Args:
+        robot: the arm.
+        Q: joint coordinates [rad | m], shape (k, n).
+    """
+    places = np.asarray(Q, np.float64)
+    found = np.zeros(places.shape)
+    for axis, drive in enumerate(robot.drives):
+        if isinstance(drive.transmission, Linkage):
+            found[:, axis] = [reflected_inertia(drive, float(q)) for q in places[:, axis]]
+        else:
+            found[:, axis] = reflected_inertia(drive, 0.0)
+    return found
 
 
 def axis_inertias(robot: Mechanism, Q: npt.ArrayLike) -> Array:

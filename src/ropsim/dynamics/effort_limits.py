@@ -1,11 +1,11 @@
 """How much torque the joints of an arm may be asked for."""
 
 from functools import lru_cache
-from math import inf
+from math import inf, isfinite
 
 from ropsim.dynamics.drives import drive_fault, largest_effort
 from ropsim.dynamics.model_check import check_model
-from ropsim.model import Mechanism
+from ropsim.model import Drive, Joint, Mechanism
 from ropsim.spatial import Array, frozen
 
 
@@ -14,7 +14,8 @@ def effort_limits(robot: Mechanism) -> Array:
     """Return the largest torque or force that each joint may be asked for, shape (n,) [N·m | N], read-only.
 
     It counts at the joint and before friction, as `effort_rows` and recordings do: the least of the limit of
-    the joint and of what its drive can keep up at standstill; infinite where neither is known. A drive that
+    the joint and of what its drive can keep up at standstill wherever the joint is; infinite where neither is
+    known. A drive that
     cannot exist (`drive_fault`) has no say: whoever simulates the arm refuses it.
 
     Args:
@@ -28,6 +29,13 @@ def effort_limits(robot: Mechanism) -> Array:
     check_model(robot)
     efforts = [float(limit) for limit in robot.max_efforts]
     if robot.drives:
-        drives = [inf if drive_fault(drive) else largest_effort(drive) for drive in robot.drives]
+        pairs = zip(robot.drives, robot.axis_joints, strict=True)
+        drives = [inf if drive_fault(drive) else _least(drive, joint) for drive, joint in pairs]
         efforts = [min(pair) for pair in zip(efforts, drives, strict=True)]
     return frozen(efforts)
+
+
+def _least(drive: Drive, joint: Joint) -> float:
+    """Return the least of what a drive can keep up: a lever is shortest at an end of the range."""
+    ends = [q for q in (joint.lower, joint.upper) if isfinite(q)] or [0.0]
+    return min(largest_effort(drive, q) for q in ends)

@@ -39,7 +39,7 @@ def effort_rows(constants, q, qd, qdd, tau):
     side, wrench, chain = np.empty(2 * n), np.zeros(6), constants[{count}:]
     for k in range(q.shape[0]):
         chain_torques(q[k], qd[k], qdd[k], wrench, chain, tau[k])
-        sides(qd[k], constants, side)
+        sides(q[k], qd[k], constants, side)
         for j in range(n):
             tau[k, j] += side[n + j] * qdd[k, j] + side[j]
 """
@@ -128,7 +128,7 @@ def _efforts_code(structure: ArmStructure) -> GivenCode:
     q, qd, qdd = (tracer.variables(name, structure.n) for name in ("q", "qd", "qdd"))
     numbers = traced_numbers(tracer, structure)
     tau = trace_inverse(trace_arm(tracer, structure, numbers, q), qd, qdd)
-    for k, (friction, inertia) in enumerate(joint_sides(structure, numbers.drives, tracer, qd)):
+    for k, (friction, inertia) in enumerate(joint_sides(structure, numbers.drives, tracer, (q, qd))):
         tau[k] = tau[k] + qdd[k] * inertia + friction
     results = [(f"tau[{k}]", value) for k, value in enumerate(tau)]
     return GivenCode.of(Formula("efforts", ("q", "qd", "qdd", "tau"), results))

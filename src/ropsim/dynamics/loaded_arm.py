@@ -32,7 +32,7 @@ def trace_loaded_inverse(
     q, qd, qdd = motion
     arm = _loaded(trace_arm(tracer, structure, numbers, q), load)
     tau = trace_inverse(arm, list(qd), list(qdd))
-    for k, (friction, inertia) in enumerate(joint_sides(structure, numbers.drives, tracer, sliding)):
+    for k, (friction, inertia) in enumerate(joint_sides(structure, numbers.drives, tracer, (q, sliding))):
         tau[k] = tau[k] + qdd[k] * inertia + friction
     return tau
 

@@ -106,18 +106,18 @@ class LongArmFunctions:
     def inverse(self, q: Array, qd: Array, qdd: Array, wrench: Array, tau: Array) -> None:
         """Enter the torques with friction and motor inertia."""
         self.rigid_inverse(q, qd, qdd, wrench, tau)
-        friction, inertia = self._sides(qd)
+        friction, inertia = self._sides(q, qd)
         tau += inertia * qdd + friction
 
     def forward(self, q: Array, qd: Array, tau: Array, qdd: Array) -> None:
         """Enter the accelerations with friction and motor inertia."""
-        friction, inertia = self._sides(qd)
+        friction, inertia = self._sides(q, qd)
         self._code(chain_acceleration_code())(q, qd, tau - friction, inertia, self._chain, qdd)
 
     def mass_matrix(self, q: Array, M: Array) -> None:
         """Enter the mass matrix by rows with motor inertia, `M` of shape (n·n,)."""
         self._code(chain_mass_matrix_code())(q, self._chain, M)
-        M[:: self._n + 1] += self._sides(np.zeros(self._n))[1]
+        M[:: self._n + 1] += self._sides(q, np.zeros(self._n))[1]
 
     def _code(self, functions: tuple[SourceFunction, ...]) -> Compiled:
         return load(functions[-1].name, functions, self._engine)

@@ -43,7 +43,10 @@ def sides_of(tracer: Tracer, carried: Sequence[Carried]) -> list[Side]:
 
 
 def joint_sides(
-    structure: ArmStructure, numbers: Sequence[Sequence[Scalar]], tracer: Tracer, qd: Sequence[Scalar]
+    structure: ArmStructure,
+    numbers: Sequence[Sequence[Scalar]],
+    tracer: Tracer,
+    joints: tuple[Sequence[Scalar], Sequence[Scalar]],
 ) -> list[Side]:
     """Return friction and inertia of the drives at the joints, which no state of a drive has a part in.
 
@@ -51,28 +54,30 @@ def joint_sides(
         structure: of the arm.
         numbers: of each drive.
         tracer: the graph.
-        qd: joint speeds.
+        joints: coordinates and speeds.
     """
     zero = tracer.constant(0.0)
     rest = [zero] * structure.n
     states = [[zero] * len(chain.states) for chain in structure.drives]
-    return sides_of(tracer, trace_drives(structure, numbers, (rest, qd), states, rest))
+    return sides_of(tracer, trace_drives(structure, numbers, joints, states, rest))
 
 
 @lru_cache(maxsize=64)
 def sides_code(structure: ArmStructure) -> GivenCode:
-    """Return `sides(qd, constants, out)`: friction, then inertia, that the drives bring to the joints."""
+    """Return `sides(q, qd, constants, out)`: friction, then inertia, that the drives bring to the joints."""
     tracer, n = Tracer(), structure.n
-    qd = tracer.variables("qd", n)
-    sides = joint_sides(structure, traced_numbers(tracer, structure).drives, tracer, qd)
+    q, qd = tracer.variables("q", n), tracer.variables("qd", n)
+    sides = joint_sides(structure, traced_numbers(tracer, structure).drives, tracer, (q, qd))
     sides = sides or [(tracer.constant(0.0),) * 2] * n
     results = [(f"out[{k}]", friction) for k, (friction, _) in enumerate(sides)]
     results += [(f"out[{n + k}]", inertia) for k, (_, inertia) in enumerate(sides)]
-    return GivenCode.of(Formula("sides", ("qd", "out"), results))
+    return GivenCode.of(Formula("sides", ("q", "qd", "out"), results))
 
 
-def drive_sides(structure: ArmStructure, numbers: Array) -> Callable[[Array], tuple[Array, Array]]:
-    """Return the function from joint speeds to friction and inertia of the drives at the joints, (n,) each.
+def drive_sides(structure: ArmStructure, numbers: Array) -> Callable[[Array, Array], tuple[Array, Array]]:
+    """Return the function from joint coordinates and speeds to what drives bring to the joints, (n,) each.
+
+    That are friction and inertia.
 
     Friction has the sign of the motion [N·m | N]; inertia is in kg·m² | kg. The function is plain Python: it
     has one line for each joint, and compiling them takes longer than many calls.
@@ -83,9 +88,9 @@ def drive_sides(structure: ArmStructure, numbers: Array) -> Callable[[Array], tu
     """
     code = sides_code(structure).bound("drive_sides", numbers, Engine.PYTHON)
 
-    def sides(qd: Array) -> tuple[Array, Array]:
+    def sides(q: Array, qd: Array) -> tuple[Array, Array]:
         out = np.empty(2 * structure.n)
-        code(qd, out)
+        code(q, qd, out)
         return out[: structure.n], out[structure.n :].copy()
 
     return sides

@@ -5,7 +5,6 @@ from collections.abc import Iterable
 from ropsim.core import Diagnostic
 from ropsim.exchange.loss_diagnostics import LOST_DRIVE, LOST_MOTION
 from ropsim.exchange.notes import listed
-from ropsim.exchange.write_losses import rotor_at_joint
 from ropsim.exchange.written_tree import WrittenTree
 from ropsim.model import JointType, RobotModel
 
@@ -36,7 +35,7 @@ def axis_losses(robot: RobotModel) -> Iterable[Diagnostic]:
     rotors = [
         joint.name
         for joint, drive in zip(robot.axis_joints, robot.drives, strict=False)
-        if rotor_at_joint(drive)
+        if drive.motor.rotor_inertia
     ]
     if rotors:
         words = f"inertias of the rotors of axes {listed(rotors)} do not go over"

@@ -7,8 +7,8 @@ from ropsim.core import Diagnostic, Kind
 from ropsim.exchange.loss_diagnostics import LOST_DESCRIPTION, LOST_DRIVE, LOST_MASS, LOST_MOTION
 from ropsim.exchange.names import BASE, link_name
 from ropsim.exchange.notes import listed
-from ropsim.exchange.write_losses import drive_losses, friction_at_joint, rotor_at_joint, word_losses
-from ropsim.model import RobotModel, WrittenRobot
+from ropsim.exchange.write_losses import drive_losses, word_losses
+from ropsim.model import Friction, RobotModel, WrittenRobot
 
 _GRAVITY = [0.0, 0.0, -9.81]
 
@@ -87,10 +87,14 @@ def _axis_losses(robot: RobotModel) -> Iterable[Diagnostic]:
     efforts = [one.name for one in joints if isfinite(one.max_effort)]
     yield from _named(LOST_DRIVE, "greatest efforts of axes", efforts)
     pairs = tuple(zip(joints, drives, strict=False))
-    rubbing = [joint.name for joint, drive in pairs if any(friction_at_joint(drive))]
+    rubbing = [joint.name for joint, drive in pairs if _rubs(drive.friction)]
     yield from _named(LOST_DRIVE, "friction of axes", rubbing)
-    turning = [joint.name for joint, drive in pairs if rotor_at_joint(drive)]
+    turning = [joint.name for joint, drive in pairs if drive.motor.rotor_inertia]
     yield from _named(LOST_DRIVE, "inertias of the rotors of axes", turning)
+
+
+def _rubs(friction: Friction) -> bool:
+    return any((friction.viscous, friction.coulomb_positive, friction.coulomb_negative))
 
 
 def _named(kind: Kind, what: str, names: list[str], hint: str = "") -> Iterable[Diagnostic]:

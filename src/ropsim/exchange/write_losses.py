@@ -16,6 +16,8 @@ from ropsim.model import (
     EffortAmplifier,
     ElasticGear,
     Friction,
+    Gear,
+    Linkage,
     Material,
     Polyline,
     Prism,
@@ -30,7 +32,8 @@ _TESTS: tuple[tuple[str, Callable[[Drive], bool]], ...] = (
         lambda one: not isinstance(one.amplifier, EffortAmplifier),
     ),
     ("motor constants", lambda one: isinstance(one.motor, DcMotor)),
-    ("gear ratios", lambda one: abs(one.ratio) != 1.0),
+    ("gear ratios", lambda one: isinstance(one.transmission, Gear) and abs(one.transmission.ratio) != 1.0),
+    ("cylinders with their pins", lambda one: isinstance(one.transmission, Linkage)),
     ("stiffness and damping of gears", lambda one: isinstance(one.transmission, ElasticGear)),
     (
         "differences of dry friction between the two directions",
@@ -39,16 +42,17 @@ _TESTS: tuple[tuple[str, Callable[[Drive], bool]], ...] = (
 )
 
 
-def friction_at_joint(drive: Drive) -> tuple[float, float]:
-    """Return viscous [N·m·s/rad | N·s/m] and dry friction [N·m | N] at the joint."""
-    friction, ratio = drive.friction, drive.ratio
+def friction_at_joint(drive: Drive, q: float) -> tuple[float, float]:
+    """Return viscous [N·m·s/rad | N·s/m] and dry friction [N·m | N] at the joint at q [rad | m]."""
+    friction, ratio = drive.friction, drive.ratio_at(q)
     dry = (friction.coulomb_positive - friction.coulomb_negative) / 2.0
     return friction.viscous * ratio * ratio, abs(ratio) * dry
 
 
-def rotor_at_joint(drive: Drive) -> float:
-    """Return the inertia of the rotor at the joint [kg·m² | kg]."""
-    return drive.motor.rotor_inertia * drive.ratio * drive.ratio
+def rotor_at_joint(drive: Drive, q: float) -> float:
+    """Return the inertia of the rotor at the joint [kg·m² | kg], where that is at q [rad | m]."""
+    ratio = drive.ratio_at(q)
+    return drive.motor.rotor_inertia * ratio * ratio
 
 
 def drive_losses(robot: RobotModel) -> Iterable[Diagnostic]:

@@ -63,8 +63,9 @@ class _Writer:
             rows.append(("range", numbers((one.joint.lower, one.joint.upper))))
         if one.axis is not None and self.robot.drives:
             drive = self.robot.drives[one.axis]
-            viscous, dry = friction_at_joint(drive)
-            values = (("armature", rotor_at_joint(drive)), ("damping", viscous), ("frictionloss", dry))
+            home = float(self.robot.home[one.axis])
+            viscous, dry = friction_at_joint(drive, home)
+            values = (("armature", rotor_at_joint(drive, home)), ("damping", viscous), ("frictionloss", dry))
             rows += [(key, number(value)) for key, value in values if value]
         return tag("joint", rows)
 

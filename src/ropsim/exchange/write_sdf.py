@@ -74,7 +74,7 @@ def _limit(one: WrittenJoint) -> Tag:
 def _dynamics(robot: RobotModel, one: WrittenJoint) -> tuple[Tag, ...]:
     if one.axis is None or not robot.drives:
         return ()
-    viscous, dry = friction_at_joint(robot.drives[one.axis])
+    viscous, dry = friction_at_joint(robot.drives[one.axis], float(robot.home[one.axis]))
     if not viscous and not dry:
         return ()
     return (tag("dynamics", (), value("damping", number(viscous)), value("friction", number(dry))),)

@@ -73,7 +73,6 @@ from ropsim.model.drive import EffortAmplifier as EffortAmplifier
 from ropsim.model.drive import ElasticGear as ElasticGear
 from ropsim.model.drive import Friction as Friction
 from ropsim.model.drive import Gear as Gear
-from ropsim.model.drive import HydraulicMotor as HydraulicMotor
 from ropsim.model.drive import IdealMotor as IdealMotor
 from ropsim.model.drive import InputKind as InputKind
 from ropsim.model.drive import Motor as Motor
@@ -102,6 +101,9 @@ from ropsim.model.held_arm import HeldArm as HeldArm
 from ropsim.model.held_arm import carrying_links as carrying_links
 from ropsim.model.held_arm import external_links as external_links
 from ropsim.model.held_arm import held_arm as held_arm
+from ropsim.model.hydraulics import Hydraulic as Hydraulic
+from ropsim.model.hydraulics import HydraulicCylinder as HydraulicCylinder
+from ropsim.model.hydraulics import HydraulicMotor as HydraulicMotor
 from ropsim.model.joint import BASE_LINK as BASE_LINK
 from ropsim.model.joint import PREVIOUS as PREVIOUS
 from ropsim.model.joint import Joint as Joint
@@ -109,6 +111,9 @@ from ropsim.model.joint import JointType as JointType
 from ropsim.model.joint_tree import JointTree as JointTree
 from ropsim.model.joint_tree import joint_tree as joint_tree
 from ropsim.model.link import Link as Link
+from ropsim.model.linkage import Linkage as Linkage
+from ropsim.model.linkage import Point as Point
+from ropsim.model.linkage import linkage as linkage
 from ropsim.model.loop_cut import ALL_DIRECTIONS as ALL_DIRECTIONS
 from ropsim.model.loop_cut import Direction as Direction
 from ropsim.model.loop_cut import LoopCut as LoopCut
@@ -132,6 +137,9 @@ from ropsim.model.payload import Payload as Payload
 from ropsim.model.payload import box as box
 from ropsim.model.payload import combine as combine
 from ropsim.model.payload import moved as moved
+from ropsim.model.pins import WRITTEN as WRITTEN
+from ropsim.model.pins import carrier_frame as carrier_frame
+from ropsim.model.pins import pin_at as pin_at
 from ropsim.model.placements import placement_matrices as placement_matrices
 from ropsim.model.placements import pose_matrices as pose_matrices
 from ropsim.model.placements import snapped as snapped

@@ -1,9 +1,11 @@
 """The drive of a joint as a chain of blocks: amplifier, motor, transmission, friction."""
 
 from enum import StrEnum
-from math import inf
+from math import copysign, inf
 
 from ropsim.core import frozen_dataclass
+from ropsim.model.hydraulics import HydraulicCylinder, HydraulicMotor
+from ropsim.model.linkage import Linkage
 
 
 class InputKind(StrEnum):
@@ -93,46 +95,6 @@ class IdealMotor:
 
 
 @frozen_dataclass
-class HydraulicMotor:
-    """A hydraulic motor, or a cylinder with two equal areas, at a symmetric servo valve with four edges.
-
-    The spool opens as x'' = ωn²·(i/i_r - x) - 2·ζ·ωn·x'. Each edge that is open lets Q = Q_r·|x|·√(2·Δp/Δp_r)
-    through, the fall of pressure Δp_r of data sheets being that of both edges. Each chamber has
-    p' = β/V·(Q - D·ω - leak), and the torque is D·(p_a - p_b) (H. E. Merritt, Hydraulic Control Systems,
-    Wiley 1967). Of a cylinder ω is its speed [m/s], the torque a force [N], D its area [m²].
-
-    Attributes:
-        displacement: D [m³/rad | m²].
-        chamber_volume: V of each chamber with its line, at mid-stroke [m³].
-        leakage: from chamber to chamber [m³/(s·Pa)].
-        rotor_inertia: J [kg·m²], or the moving mass [kg].
-        supply_pressure: [Pa].
-        return_pressure: [Pa].
-        bulk_modulus: effective β of the oil [Pa].
-        rated_flow: Q_r [m³/s], at the rated current and fall of pressure.
-        rated_pressure_drop: Δp_r [Pa] over both edges.
-        rated_input: i_r [A].
-        natural_frequency: ωn of the spool [rad/s].
-        damping_ratio: ζ of the spool.
-        oil_density: [kg/m³], at which the flow is rated; no equation has it.
-    """
-
-    displacement: float
-    chamber_volume: float
-    leakage: float
-    rotor_inertia: float
-    supply_pressure: float
-    return_pressure: float
-    bulk_modulus: float
-    rated_flow: float
-    rated_pressure_drop: float
-    rated_input: float
-    natural_frequency: float
-    damping_ratio: float
-    oil_density: float = 870.0
-
-
-@frozen_dataclass
 class Gear:
     """A rigid gear without play.
 
@@ -179,8 +141,8 @@ class Friction:
 
 
 Amplifier = VoltageAmplifier | CurrentLimitedAmplifier | EffortAmplifier | ValveAmplifier
-Motor = DcMotor | IdealMotor | HydraulicMotor
-Transmission = Gear | ElasticGear
+Motor = DcMotor | IdealMotor | HydraulicMotor | HydraulicCylinder
+Transmission = Gear | ElasticGear | Linkage
 
 
 @frozen_dataclass
@@ -199,10 +161,16 @@ class Drive:
     transmission: Transmission
     friction: Friction = Friction()
 
+    def ratio_at(self, q: float) -> float:
+        """Return G = speed of the motor over that of the joint, signed, where the joint is at q [rad | m]."""
+        gear = self.transmission
+        return gear.ratio_at(q) if isinstance(gear, Linkage) else gear.ratio
+
     @property
-    def ratio(self) -> float:
-        """Return G = motor angle / joint coordinate, signed."""
-        return self.transmission.ratio
+    def sense(self) -> float:
+        """Return the sign of G, 1.0 or -1.0, which is the same in all of the range of the joint."""
+        gear = self.transmission
+        return gear.sense if isinstance(gear, Linkage) else copysign(1.0, gear.ratio)
 
 
 def ideal_drive(max_effort: float = inf) -> Drive:

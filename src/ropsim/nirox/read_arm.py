@@ -51,7 +51,7 @@ def read_arm(seen: Seen, name: str) -> tuple[RobotModel, tuple[FurtherFrame, ...
         title=" ".join(words) or label,
         joints=joints.joints,
         links=links,
-        drives=seen.attempt(partial(read_drives, seen, pairs, axes), ()),
+        drives=seen.attempt(partial(read_drives, seen, mechanism, joints.joints, axes), ()),
         home=frozen([joints.home(number, states) for number in axes]),
         axes=tuple(axes),
         couplings=seen.attempt(partial(read_couplings, seen, mechanism), ()),

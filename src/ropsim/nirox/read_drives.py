@@ -1,5 +1,6 @@
 """The drives of a file: all axes have one that the model holds, or the robot has none."""
 
+from collections.abc import Sequence
 from math import inf
 
 from ropsim.model import (
@@ -11,28 +12,34 @@ from ropsim.model import (
     ElasticGear,
     Friction,
     Gear,
-    HydraulicMotor,
     IdealMotor,
+    Joint,
+    Linkage,
     Motor,
     Transmission,
-    ValveAmplifier,
     VoltageAmplifier,
 )
 from ropsim.nirox.attributes import LARGEST
 from ropsim.nirox.diagnostics import LOST
+from ropsim.nirox.read_hydraulics import HYDRAULIC, Linkages, read_hydraulic
+from ropsim.nirox.read_mechanism import Mechanism
 from ropsim.nirox.seen import Seen
 
 _SIMPLE = "coulomb_viscous_friction"
 
 
-def read_drives(seen: Seen, pairs: list[int], numbers: list[int]) -> tuple[Drive, ...]:
+def read_drives(
+    seen: Seen, mechanism: Mechanism, joints: Sequence[Joint], numbers: list[int]
+) -> tuple[Drive, ...]:
     """Return the drives of the axes; none where one of them has none, or one that the model does not hold.
 
     Args:
         seen: the file.
-        pairs: of the axes.
-        numbers: of their joints.
+        mechanism: its links and joints.
+        joints: of the robot.
+        numbers: of those that are axes.
     """
+    pairs = [mechanism.moved[number].pair for number in numbers]
     trains = [seen.user(pair, "drive_train", "pair") for pair in pairs]
     if not all(train is not None for train in trains):
         if any(train is not None for train in trains):
@@ -43,26 +50,32 @@ def read_drives(seen: Seen, pairs: list[int], numbers: list[int]) -> tuple[Drive
     held = [train for train in trains if train is not None and _is_held(seen, train)]
     if len(held) < len(pairs):
         return ()
-    return tuple(_drive(seen, *one) for one in zip(held, pairs, numbers, strict=True))
+    linkages = Linkages(seen, mechanism, joints)
+    found = [_drive(seen, linkages, *one) for one in zip(held, pairs, numbers, strict=True)]
+    return tuple(one for one in found if one is not None) if None not in found else ()
 
 
 def _is_held(seen: Seen, train: int) -> bool:
     motor, through = seen.ref(train, "motor"), seen.ref(train, "through")
     for number, allowed in (
-        (motor, ("dc_servo_motor", "ideal_effort_source", "hydraulic_rotary_motor")),
-        (through, ("gear_transmission", "screw_transmission")),
+        (motor, ("dc_servo_motor", "ideal_effort_source", "hydraulic_rotary_motor", "hydraulic_cylinder")),
+        (through, ("gear_transmission", "screw_transmission", "linkage_transmission")),
     ):
         if not any(seen.is_a(number, one) for one in allowed):
             words = f"the model has no such block: the robot has no drives (drive {seen.called(train)})"
             seen.note(LOST, number, words, f"allowed are {' and '.join(allowed)}")
             return False
+    if seen.is_a(motor, "hydraulic_cylinder") is not seen.is_a(through, "linkage_transmission"):
+        words = "a cylinder moves a joint by a linkage, others by a gear: the robot has no drives"
+        seen.note(LOST, through, words, "take HYDRAULIC_CYLINDER and LINKAGE_TRANSMISSION together")
+        return False
     return not _needs_a_valve(seen, train)
 
 
 def _needs_a_valve(seen: Seen, train: int) -> bool:
-    """Return whether a hydraulic motor has no valve, which is told."""
+    """Return whether a hydraulic motor or cylinder has no valve, which is told."""
     motor = seen.ref(train, "motor")
-    if not seen.is_a(motor, "hydraulic_rotary_motor"):
+    if not any(seen.is_a(motor, one) for one in HYDRAULIC):
         return False
     if seen.has(train, "driven_by") and seen.is_a(seen.ref(train, "driven_by"), "servo_valve"):
         return False
@@ -71,11 +84,22 @@ def _needs_a_valve(seen: Seen, train: int) -> bool:
     return True
 
 
-def _drive(seen: Seen, train: int, pair: int, number: int) -> Drive:
+def _drive(seen: Seen, linkages: Linkages, train: int, pair: int, number: int) -> Drive | None:
+    through = seen.ref(train, "through")
+    transmission: Transmission | None
+    if seen.is_a(through, "linkage_transmission"):
+        transmission, at_input, ratio = linkages.read(through, number), 0.0, 1.0
+    else:
+        gear, at_input = _transmission(seen, through, pair, number)
+        transmission, ratio = gear, gear.ratio
+    if transmission is None:
+        return None
     seen.take(train, "drive", number)
-    transmission, at_input = _transmission(seen, seen.ref(train, "through"), pair, number)
     amplifier, motor = _motor(seen, train, at_input, number)
-    return Drive(amplifier, motor, transmission, _friction(seen, pair, transmission.ratio, number))
+    if isinstance(transmission, Linkage) and seen.user(pair, "joint_elasticity", "pair") is not None:
+        seen.note(LOST, through, "what the joint says of elasticity has no effect: oil is what gives way")
+    drive = Drive(amplifier, motor, transmission, _friction(seen, pair, ratio, number))
+    return drive if linkages.can_be(through, drive, number) else None
 
 
 def _motor(seen: Seen, train: int, at_input: float, number: int) -> tuple[Amplifier, Motor]:
@@ -85,8 +109,8 @@ def _motor(seen: Seen, train: int, at_input: float, number: int) -> tuple[Amplif
         if seen.has(motor, "bandwidth"):
             seen.note(LOST, motor, "`bandwidth` has no effect: the torque acts at once")
         return EffortAmplifier(seen.real(motor, "max_effort", inf)), IdealMotor(at_input)
-    if seen.is_a(motor, "hydraulic_rotary_motor"):
-        return _hydraulic(seen, motor, seen.ref(train, "driven_by"), at_input, number)
+    if any(seen.is_a(motor, one) for one in HYDRAULIC):
+        return read_hydraulic(seen, motor, seen.ref(train, "driven_by"), at_input, number)
     limits = False
     if seen.has(train, "driven_by"):
         amplifier = seen.ref(train, "driven_by")
@@ -108,33 +132,7 @@ def _motor(seen: Seen, train: int, at_input: float, number: int) -> tuple[Amplif
     return (CurrentLimitedAmplifier(*most) if limits else VoltageAmplifier(*most)), made
 
 
-def _hydraulic(seen: Seen, motor: int, valve: int, at_input: float, number: int) -> tuple[Amplifier, Motor]:
-    """Return a hydraulic motor with the numbers of its valve and of the supply of that."""
-    supply = seen.ref(valve, "supply")
-    seen.take(valve, "amplifier", number)
-    seen.take(supply, "amplifier", number, "supply")
-    if seen.real(valve, "overlap") or seen.real(valve, "hysteresis") or seen.has(valve, "max_slew"):
-        seen.note(LOST, valve, "overlap, hysteresis and `max_slew` have no effect")
-    most, rotor = seen.real(valve, "max_input"), seen.real(motor, "rotor_inertia")
-    made = HydraulicMotor(
-        displacement=seen.real(motor, "displacement"),
-        chamber_volume=seen.real(motor, "chamber_volume"),
-        leakage=seen.real(motor, "internal_leakage"),
-        rotor_inertia=rotor + at_input if at_input else rotor,
-        supply_pressure=seen.real(supply, "supply_pressure"),
-        return_pressure=seen.real(supply, "return_pressure"),
-        bulk_modulus=seen.real(supply, "effective_bulk_modulus"),
-        rated_flow=seen.real(valve, "rated_flow"),
-        rated_pressure_drop=seen.real(valve, "rated_pressure_drop"),
-        rated_input=most,
-        natural_frequency=seen.real(valve, "natural_frequency"),
-        damping_ratio=seen.real(valve, "damping_ratio"),
-        oil_density=seen.real(supply, "oil_density"),
-    )
-    return ValveAmplifier(most), made
-
-
-def _transmission(seen: Seen, through: int, pair: int, number: int) -> tuple[Transmission, float]:
+def _transmission(seen: Seen, through: int, pair: int, number: int) -> tuple[Gear | ElasticGear, float]:
     """Return the gear of a drive and the inertia at its input [kg·m² | kg]."""
     seen.take(through, "gear", number)
     if seen.real(through, "efficiency") < 1.0 or seen.real(through, "backlash", 0.0):
@@ -157,7 +155,7 @@ def _usable(seen: Seen, number: int, name: str) -> float:
     return value
 
 
-def _elastic(seen: Seen, pair: int, ratio: float, number: int) -> Transmission:
+def _elastic(seen: Seen, pair: int, ratio: float, number: int) -> Gear | ElasticGear:
     """Return a gear that twists where the file says so of the joint, else a rigid one."""
     told = seen.user(pair, "joint_elasticity", "pair")
     if told is None:

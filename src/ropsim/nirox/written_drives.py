@@ -11,15 +11,18 @@ from ropsim.model import (
     EffortAmplifier,
     ElasticGear,
     Friction,
+    Gear,
+    HydraulicCylinder,
     HydraulicMotor,
     IdealMotor,
-    Joint,
+    Linkage,
     RobotModel,
     ValveAmplifier,
     VoltageAmplifier,
 )
 from ropsim.nirox.building import UNSET, Building, bounded
 from ropsim.nirox.diagnostics import LOST
+from ropsim.nirox.written_hydraulics import write_hydraulic, write_linkage
 from ropsim.part21 import TRUE, Enumeration, Reference, Value
 
 _JOINED = (
@@ -34,7 +37,7 @@ def write_drives(building: Building, robot: RobotModel) -> None:
     for number, joint in enumerate(robot.joints):
         drive = drives.get(number)
         if drive is not None:
-            _drive_train(building, number, joint, drive)
+            _drive_train(building, robot, number, drive)
             _friction(building, number, drive.friction)
         motion = (inf, inf, inf) if drive else (joint.max_speed, joint.max_acceleration, joint.max_jerk)
         limits = (*motion, joint.max_effort)
@@ -62,34 +65,42 @@ def _impossible(robot: RobotModel) -> list[str]:
 def _joined(drive: Drive) -> bool:
     """Return whether the schema joins the amplifier and the motor of a drive."""
     match drive.amplifier, drive.motor:
-        case ValveAmplifier(most), HydraulicMotor(rated_input=rated):
-            return most == rated
+        case ValveAmplifier(most), HydraulicMotor(rated_input=rated) | HydraulicCylinder(rated_input=rated):
+            is_linked = isinstance(drive.transmission, Linkage)
+            return most == rated and is_linked is isinstance(drive.motor, HydraulicCylinder)
         case ValveAmplifier(), _:
             return False
-        case _, HydraulicMotor():
+        case _, HydraulicMotor() | HydraulicCylinder():
             return False
     return isinstance(drive.amplifier, EffortAmplifier) is isinstance(drive.motor, IdealMotor)
 
 
-def _drive_train(building: Building, number: int, joint: Joint, drive: Drive) -> None:
+def _drive_train(building: Building, robot: RobotModel, number: int, drive: Drive) -> None:
+    joint, gear = robot.joints[number], drive.transmission
     motor, amplifier = _motor(building, number, joint.name, drive)
-    gear = drive.transmission
-    elastic: tuple[Value, Value] = (UNSET, UNSET)
-    if isinstance(gear, ElasticGear):
-        elastic = float(gear.stiffness), float(gear.damping)
-    at_input = 0.0 if isinstance(drive.motor, DcMotor | HydraulicMotor) else float(drive.motor.rotor_inertia)
-    values = (f"gear {joint.name}", float(gear.ratio), 1.0, 0.0, *elastic, at_input)
-    through = building.add(("gear", number), "GEAR_TRANSMISSION", *values)
+    if isinstance(gear, Linkage):
+        through = write_linkage(building, robot, number, gear)
+    else:
+        through = _gear(building, number, joint.name, drive, gear)
     limits = map(bounded, (joint.max_speed, joint.max_acceleration, joint.max_jerk))
     ends = building.at(("pair", number)), motor, through, amplifier
     building.add(("drive", number), "DRIVE_TRAIN", f"drive {joint.name}", *ends, *limits, ())
 
 
+def _gear(building: Building, number: int, name: str, drive: Drive, gear: Gear | ElasticGear) -> Reference:
+    elastic: tuple[Value, Value] = (UNSET, UNSET)
+    if isinstance(gear, ElasticGear):
+        elastic = float(gear.stiffness), float(gear.damping)
+    at_input = 0.0 if isinstance(drive.motor, DcMotor | HydraulicMotor) else float(drive.motor.rotor_inertia)
+    values = (f"gear {name}", float(gear.ratio), 1.0, 0.0, *elastic, at_input)
+    return building.add(("gear", number), "GEAR_TRANSMISSION", *values)
+
+
 def _motor(building: Building, number: int, name: str, drive: Drive) -> tuple[Reference, Value]:
     """Return the motor of a drive, and the amplifier where it says more than its voltage and current."""
     key, motor, amplifier = ("motor", number), drive.motor, drive.amplifier
-    if isinstance(motor, HydraulicMotor):
-        return _hydraulic(building, number, name, motor)
+    if isinstance(motor, HydraulicMotor | HydraulicCylinder):
+        return write_hydraulic(building, number, name, motor)
     if isinstance(motor, DcMotor) and isinstance(amplifier, VoltageAmplifier | CurrentLimitedAmplifier):
         constants = (motor.torque_constant, motor.back_emf_constant, motor.resistance, motor.inductance)
         most = (motor.rotor_inertia, amplifier.max_voltage, amplifier.max_current)
@@ -101,19 +112,6 @@ def _motor(building: Building, number: int, name: str, drive: Drive) -> tuple[Re
         return made, building.add(("amplifier", number), "ELECTRIC_AMPLIFIER", label, TRUE)
     effort = amplifier.max_effort if isinstance(amplifier, EffortAmplifier) else inf
     return building.add(key, "IDEAL_EFFORT_SOURCE", f"motor {name}", bounded(effort), UNSET), UNSET
-
-
-def _hydraulic(building: Building, number: int, name: str, motor: HydraulicMotor) -> tuple[Reference, Value]:
-    """Return a hydraulic motor and its valve, with the supply of that."""
-    pressures = (motor.supply_pressure, motor.return_pressure, motor.bulk_modulus, motor.oil_density)
-    key = ("amplifier", number)
-    supply = building.add((*key, "supply"), "HYDRAULIC_SUPPLY", f"supply {name}", *map(float, pressures))
-    flow = (motor.rated_flow, motor.rated_pressure_drop, motor.rated_input)
-    spool = (motor.natural_frequency, motor.damping_ratio, 0.0, 0.0)
-    valve = building.add(key, "SERVO_VALVE", f"valve {name}", supply, *map(float, (*flow, *spool)), UNSET)
-    sizes = (motor.displacement, motor.chamber_volume, motor.leakage, motor.rotor_inertia)
-    made = building.add(("motor", number), "HYDRAULIC_ROTARY_MOTOR", f"motor {name}", *map(float, sizes))
-    return made, valve
 
 
 def _friction(building: Building, number: int, friction: Friction) -> None:

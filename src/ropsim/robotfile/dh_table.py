@@ -39,6 +39,7 @@ class DhTable:
     Attributes:
         convention: `standard` or `modified`.
         rows: of the table.
+        X_B0: frame 0 of the table in the base frame.
         joints: of the arm, in the base frame.
         coupled: axes that move their joints together with others.
         estimated: which of speeds, accelerations and jerks are estimates for some joint.
@@ -46,6 +47,7 @@ class DhTable:
 
     convention: str
     rows: tuple[DhRow, ...]
+    X_B0: Pose
     joints: tuple[Joint, ...]
     coupled: tuple[CoupledAxis, ...]
     estimated: tuple[str, ...]
@@ -55,6 +57,10 @@ class DhTable:
         if self.convention == "modified":
             return Pose()
         return Pose.from_matrix(fixed_part(self.rows[number]))
+
+    def carrier(self, number: int) -> Pose:
+        """Return frame i - 1 of the table in that of what carries joint i, for i from 0: base or joint."""
+        return self.frame(number - 1) if number else self.X_B0
 
     @property
     def interface(self) -> Pose:
@@ -93,7 +99,7 @@ def read_dh_table(root: TomlTable, convention: str, units: Units, X_B0: Pose) ->
     coupled = read_coupled_rows(tables, joints, units)
     for table in tables:
         table.finish()
-    return DhTable(convention, rows, joints, coupled, tuple(guessed))
+    return DhTable(convention, rows, X_B0, joints, coupled, tuple(guessed))
 
 
 def _row(table: TomlTable, units: Units, guessed: dict[str, None]) -> tuple[DhRow, JointLimits]:

@@ -1,4 +1,4 @@
-"""The kinds of mistakes in robot files, X900 to X909 and X915; those of all TOML files are in `tomltext`."""
+"""The kinds of mistakes in robot files (X900 to X909, X915, X916); those of all TOML files: `tomltext`."""
 
 from ropsim.core import Severity, define
 
@@ -136,5 +136,24 @@ which joints, and by which factor their coordinates are added to its own:
 `coupled` names joints of rows before it that turn if it turns, or slide if it slides. `limits` are those of
 the coordinate as the maker tells it, `joint_limits` those of the joint itself; the latter have a meaning only
 beside `coupled`.
+""",
+)
+
+BAD_LINKAGE = define(
+    "X916",
+    "bad-linkage",
+    Severity.ERROR,
+    "a cylinder cannot move its joint over the range that the joint has",
+    """
+A cylinder lies between a pin on the body that carries its joint and a pin on the link. Its length follows
+from the coordinate of the joint, and the lever of its force is the distance of the axis from the line
+through both pins. Where pins and axis are in line, at a dead centre, it has no lever; beyond that it would
+turn the joint the other way. Such a place cannot be within the `limits` of the joint, and over these the
+cylinder has to be as long as `retracted_length` at least and `stroke` longer at most. The message says where
+the dead centre is, or how long the cylinder would have to be.
+
+**How to mend it.** Look at both pins: `carrier_pin` counts in the frame of the table before the joint (for
+the first joint frame 0), `link_pin` in the frame of its own row, both in metres. Then narrow the `limits` of
+the joint, or correct `retracted_length` and `stroke`.
 """,
 )

@@ -1,21 +1,41 @@
 """Drives as TOML text."""
 
+from ropsim.core import frozen_dataclass
 from ropsim.model import (
+    WRITTEN,
     CurrentLimitedAmplifier,
     DcMotor,
     Drive,
     EffortAmplifier,
     ElasticGear,
     Friction,
+    Hydraulic,
+    HydraulicCylinder,
     HydraulicMotor,
     IdealMotor,
+    Linkage,
     ValveAmplifier,
     VoltageAmplifier,
+    pin_at,
 )
 from ropsim.robotfile.toml_words import number, row, text, unless
+from ropsim.spatial import Pose
 
 
-def drive_keys(drive: Drive) -> dict[str, str] | None:
+@frozen_dataclass
+class PinFrames:
+    """Where the frames stand in which the model has the pins of a cylinder.
+
+    Attributes:
+        carrier: frame of the link at coordinate 0 in that of the table before the joint.
+        link: frame of the link in that of its row.
+    """
+
+    carrier: Pose
+    link: Pose
+
+
+def drive_keys(drive: Drive, frames: PinFrames) -> dict[str, str] | None:
     """Return the keys of a drive; None where it is made of other blocks than a robot file knows."""
     match drive.amplifier, drive.motor:
         case VoltageAmplifier() | CurrentLimitedAmplifier(), DcMotor():
@@ -28,6 +48,11 @@ def drive_keys(drive: Drive) -> dict[str, str] | None:
             }
         case ValveAmplifier(most), HydraulicMotor():
             keys = _hydraulic(most, drive.motor)
+        case ValveAmplifier(most), HydraulicCylinder():
+            if not isinstance(drive.transmission, Linkage):
+                return None
+            keys = _cylinder(most, drive.motor)
+            return keys | _linkage(drive.transmission, frames) | _friction(drive.friction)
         case _:
             return None
     return keys | _gear(drive) | _friction(drive.friction)
@@ -52,8 +77,35 @@ def _hydraulic(most: float, motor: HydraulicMotor) -> dict[str, str]:
         "kind": text("hydraulic"),
         "displacement": number(motor.displacement),
         "chamber_volume": number(motor.chamber_volume),
-        "leakage": unless(motor.leakage, 0.0),
         "rotor_inertia": unless(motor.rotor_inertia, 0.0),
+        **_valve(most, motor),
+    }
+
+
+def _cylinder(most: float, motor: HydraulicCylinder) -> dict[str, str]:
+    return {
+        "kind": text("cylinder"),
+        "area_a": number(motor.area_a),
+        "area_b": number(motor.area_b),
+        "stroke": number(motor.stroke),
+        "dead_volume_a": number(motor.dead_volume_a),
+        "dead_volume_b": number(motor.dead_volume_b),
+        "moving_mass": unless(motor.moving_mass, 0.0),
+        **_valve(most, motor),
+    }
+
+
+def _linkage(gear: Linkage, frames: PinFrames) -> dict[str, str]:
+    return {
+        "retracted_length": number(gear.retracted_length),
+        "carrier_pin": row(map(number, pin_at(frames.carrier, gear.carrier_pin, WRITTEN))),
+        "link_pin": row(map(number, pin_at(frames.link, gear.link_pin, WRITTEN))),
+    }
+
+
+def _valve(most: float, motor: Hydraulic) -> dict[str, str]:
+    return {
+        "leakage": unless(motor.leakage, 0.0),
         "supply_pressure": number(motor.supply_pressure),
         "return_pressure": unless(motor.return_pressure, 0.0),
         "bulk_modulus": number(motor.bulk_modulus),
@@ -68,10 +120,13 @@ def _hydraulic(most: float, motor: HydraulicMotor) -> dict[str, str]:
 
 
 def _gear(drive: Drive) -> dict[str, str]:
-    keys = {"ratio": number(drive.ratio)}
-    if isinstance(drive.transmission, ElasticGear):
-        keys["stiffness"] = number(drive.transmission.stiffness)
-        keys["damping"] = unless(drive.transmission.damping, 0.0)
+    gear = drive.transmission
+    if isinstance(gear, Linkage):
+        return {}
+    keys = {"ratio": number(gear.ratio)}
+    if isinstance(gear, ElasticGear):
+        keys["stiffness"] = number(gear.stiffness)
+        keys["damping"] = unless(gear.damping, 0.0)
     return keys
 
 

@@ -19,36 +19,42 @@ from ropsim.model import (
     VoltageAmplifier,
 )
 from ropsim.robotfile import diagnostics as kinds
+from ropsim.robotfile.cylinders import read_cylinder
+from ropsim.robotfile.dh_table import DhTable
+from ropsim.robotfile.valves import HYDRAULIC, VALVE_NEEDED, read_valve
 from ropsim.tomltext import NUMBER, TomlTable, read_kind
 
 _POSITIVE = NUMBER.within(1e-9, 1e9)
 _FROM_ZERO = NUMBER.within(0.0, 1e9)
-_HYDRAULIC = NUMBER.within(1e-18, 1e12)
-"""Volumes for a radian and pressures are far from 1 in SI units."""
 _RATIO = NUMBER.within(-1e6, 1e6)
+CYLINDER = "cylinder"
 _SMOOTHING = 5e-3  # [rad/s | m/s], far below any programmed speed
 
 
-def read_drives(root: TomlTable, count: int) -> tuple[Drive, ...]:
+def read_drives(root: TomlTable, dh: DhTable) -> tuple[Drive, ...]:
     """Return the drives of a file, one per joint; empty where it has none, or they are wrong.
 
     Args:
         root: the file, with the key `drives`.
-        count: of its joints.
+        dh: its joints.
     """
-    rows = root.tables("drives")
+    rows, count = root.tables("drives"), len(dh.joints)
     if rows and len(rows) != count:
         root.wrong_count(("drives",), rows, f"{count}, one per joint")
-    drives = [_drive(row) for row in rows]
+    drives = [_drive(row, dh, number) for number, row in enumerate(rows[:count])]
+    for row in rows[count:]:
+        row.asked.update(dict.fromkeys(row.values))
     known = tuple(drive for drive in drives if drive is not None)
     return known if len(known) == count else ()
 
 
-def _drive(table: TomlTable) -> Drive | None:
-    kind = read_kind(table, tuple(_KINDS))
+def _drive(table: TomlTable, dh: DhTable, number: int) -> Drive | None:
+    kind = read_kind(table, (*_KINDS, CYLINDER))
     if not kind:
         return None
-    transmission, friction = _transmission(table), _friction(table)
+    if kind == CYLINDER:
+        return read_cylinder(table, dh, number, read_friction(table))
+    transmission, friction = _transmission(table), read_friction(table)
     drive = _KINDS[kind](table, transmission, friction)
     table.finish()
     return drive
@@ -82,27 +88,14 @@ def _servo(table: TomlTable, transmission: Transmission, friction: Friction) -> 
 
 def _hydraulic(table: TomlTable, transmission: Transmission, friction: Friction) -> Drive:
     """Return a hydraulic motor, or a cylinder with two equal areas, at a servo valve."""
-    needed = (
-        "displacement",
-        "chamber_volume",
-        "supply_pressure",
-        "bulk_modulus",
-        "rated_flow",
-        "rated_pressure_drop",
-        "rated_input",
-        "natural_frequency",
-    )
-    table.require(*needed)
-    values = {key: table.number(key, _HYDRAULIC, 1.0) for key in needed}
+    sizes = ("displacement", "chamber_volume")
+    table.require(*sizes, *VALVE_NEEDED)
     motor = HydraulicMotor(
-        leakage=table.number("leakage", _FROM_ZERO, 0.0),
         rotor_inertia=table.number("rotor_inertia", _FROM_ZERO, 0.0),
-        return_pressure=table.number("return_pressure", _FROM_ZERO, 0.0),
-        damping_ratio=table.number("damping_ratio", _POSITIVE, 0.7),
-        oil_density=table.number("oil_density", _POSITIVE, 870.0),
-        **values,
+        **{key: table.number(key, HYDRAULIC, 1.0) for key in sizes},
+        **read_valve(table),
     )
-    most = table.number("max_input", _HYDRAULIC, motor.rated_input)
+    most = table.number("max_input", HYDRAULIC, motor.rated_input)
     return Drive(ValveAmplifier(most), motor, transmission, friction)
 
 
@@ -120,7 +113,7 @@ def _transmission(table: TomlTable) -> Transmission:
     return ElasticGear(ratio, stiffness, table.number("damping", _FROM_ZERO, 0.0))
 
 
-def _friction(table: TomlTable) -> Friction:
+def read_friction(table: TomlTable) -> Friction:
     """Return the friction at the motor; `coulomb` is one number, or one for each direction."""
     viscous = table.number("viscous", _FROM_ZERO, 0.0)
     smoothing = table.number("smoothing_speed", _POSITIVE, _SMOOTHING)

@@ -64,7 +64,7 @@ def _robot(root: TomlTable, source: SourceText) -> RobotModel | None:
         return None
     X_nM = table.interface @ X_NM
     links = read_links(root, table, X_nM, units)
-    drives = read_drives(root, len(table.joints))
+    drives = read_drives(root, table)
     if drives and not links.has_mass:
         message = "there are `drives`, and no link has a mass"
         hint = "give `links` with masses, or `mass`, that of all moving links"

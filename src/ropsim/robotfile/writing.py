@@ -15,13 +15,14 @@ from ropsim.model import (
     Link,
     RobotModel,
     WrittenRobot,
+    carrier_frame,
     fixed_part,
     snapped,
     without_coupled_axes,
 )
 from ropsim.robotfile.common_normals import common_normals
 from ropsim.robotfile.diagnostics import NOT_IN_ROBOT_FILE
-from ropsim.robotfile.drive_words import drive_keys
+from ropsim.robotfile.drive_words import PinFrames, drive_keys
 from ropsim.robotfile.shape_words import shapes_text
 from ropsim.robotfile.toml_words import (
     coordinate,
@@ -35,6 +36,8 @@ from ropsim.robotfile.toml_words import (
     unless,
 )
 from ropsim.spatial import Pose
+
+_ANYWHERE = PinFrames(Pose(), Pose())
 
 
 @frozen_dataclass
@@ -86,7 +89,10 @@ def write_robot_file(robot: RobotModel) -> WrittenRobot:
     if not any(link.mass > 0.0 or link.inertia.any() for link in robot.links):
         links = [_looks(link, X) for link, X in zip(robot.links, table.frames, strict=True)]
     parts += [f"[[links]]\n{lines(keys)}" for keys in links if any(any(one.values()) for one in links)]
-    drives = [drive_keys(drive) for drive in robot.drives]
+    drives = [
+        drive_keys(drive, frames)
+        for drive, frames in zip(robot.drives, _pin_frames(robot, table), strict=False)
+    ]
     parts += [f"[[drives]]\n{lines(keys)}" for keys in drives if keys and not losses]
     return WrittenRobot("\n".join(parts), losses)
 
@@ -97,6 +103,15 @@ def _table(robot: RobotModel) -> _Table:
         return _Table("standard", robot.dh, robot.joints[0].placement, fixed)
     made = common_normals(robot.joints)
     return _Table("modified", made.rows, made.X_B0, made.frames)
+
+
+def _pin_frames(robot: RobotModel, table: _Table) -> list[PinFrames]:
+    """Return for each joint where the pins of a cylinder stand in the frames of the table."""
+    before = [table.X_B0.inverse(), *table.frames[:-1]]
+    return [
+        PinFrames(X @ carrier_frame(joint, Pose()).inverse(), own)
+        for joint, X, own in zip(robot.joints, before, table.frames, strict=True)
+    ]
 
 
 def _refusals(robot: RobotModel) -> Iterator[Diagnostic]:
@@ -117,7 +132,7 @@ def _refusals(robot: RobotModel) -> Iterator[Diagnostic]:
 
 def _losses(robot: RobotModel) -> Iterator[Diagnostic]:
     """Yield what a file does not say of a robot that it can hold."""
-    if any(drive_keys(drive) is None for drive in robot.drives):
+    if any(drive_keys(drive, _ANYWHERE) is None for drive in robot.drives):
         yield NOT_IN_ROBOT_FILE.at(None, f"`{robot.name}` has drives of other blocks than robot files know")
     if robot.external:
         yield NOT_IN_ROBOT_FILE.at(None, f"external axes of `{robot.name}` are written as joints of the arm")

@@ -10,7 +10,7 @@ for kv·kp < k.
 
 import numpy as np
 
-from ropsim.dynamics import mass_matrices, reflected_inertia
+from ropsim.dynamics import mass_matrices, rotor_inertias
 from ropsim.model import ElasticGear, Mechanism
 from ropsim.spatial import Array
 
@@ -49,7 +49,7 @@ def elastic_frequencies(robot: Mechanism, Q: Array) -> Array:
     axes = np.flatnonzero(elastic_axes(robot))
     if not len(axes):
         return found
-    rotors = np.diag([reflected_inertia(drive) for drive in robot.drives])
+    rotors = rotor_inertias(robot, Q)[:, :, np.newaxis] * np.eye(robot.n)
     links = (mass_matrices(robot, Q) - rotors)[:, axes[:, np.newaxis], axes]
     softness = gear_stiffnesses(robot)[axes] ** -0.5
     slowness = softness[:, np.newaxis] * links * softness  # its eigenvalues are 1/ω²

@@ -1,19 +1,29 @@
 """Loops of hydraulic axes: a valve gives an axis its speed, and the arm swings on the oil of its chambers.
 
 Each axis gets a PI regulator of its own: in the terms of the cascade kv = 0, so that
-u = ki·(e + kp·∫e) + ke·q̇_ref. With the oil spring k = 2·β·(D·G)²/V of every axis the arm swings at the
-frequencies ω of k against its masses; what leaks takes d = 2·β·L/V from that, per second. Of one axis
-s³ + d·s² + ω²·s + c·ω² = 0 is stable up to a crossover c = d (H. E. Merritt, Hydraulic Control Systems, 1967,
-chapter 6): half of that is taken.
+u = ki·(e + kp·∫e) + ke·q̇_ref. With the oil spring k = β·(A_a²/V_a + A_b²/V_b)·G² of every axis the arm
+swings at the frequencies ω of k against its masses; what leaks takes d = β·L·(1/V_a + 1/V_b) from that, per
+second; of a motor A is its displacement, and both chambers are alike. Of one axis s³ + d·s² + ω²·s + c·ω² =
+0 is stable up to a crossover c = d (H. E. Merritt, Hydraulic Control Systems, 1967, chapter 6): half of that
+is taken. A cylinder has another lever at each place, and another speed out than in for one opening of its
+valve: ki is that of where an opening moves the axis fastest, ke the middle of the range.
 """
-
-from math import sqrt
 
 import numpy as np
 
 from ropsim.dynamics import mass_matrix, steady_drive
 from ropsim.kinematics import configurations
-from ropsim.model import CascadedGains, HydraulicMotor, Mechanism, Rates, gain_names
+from ropsim.model import (
+    CascadedGains,
+    Drive,
+    HydraulicCylinder,
+    HydraulicMotor,
+    Linkage,
+    Mechanism,
+    Rates,
+    gain_names,
+)
+from ropsim.spatial import Array
 
 SWING_SHARE = 0.25
 """Most of a crossover over the lowest frequency at which the arm swings on its oil."""
@@ -24,50 +34,77 @@ VALVE_SHARE = 0.2
 CORNER_SHARE = 0.5
 """Corner of the integral action over the crossover: it costs about 27 degrees of phase."""
 SAMPLES = 64
+PLACES = 33
+"""Places at which the lever of a cylinder is looked at."""
 
 
 def hydraulic_axes(robot: Mechanism) -> list[int]:
-    """Return the axes with a hydraulic motor."""
-    return [k for k, drive in enumerate(robot.drives) if isinstance(drive.motor, HydraulicMotor)]
+    """Return the axes with a hydraulic motor or cylinder."""
+    kinds = HydraulicMotor | HydraulicCylinder
+    return [k for k, drive in enumerate(robot.drives) if isinstance(drive.motor, kinds)]
 
 
 def hydraulic_crossover(robot: Mechanism, rates: Rates) -> float:
     """Return the crossover of the loops of the hydraulic axes [rad/s], of which there is one or more."""
-    axes, springs, leaks, valves = hydraulic_axes(robot), [], [], []
-    for axis in axes:
-        drive = robot.drives[axis]
-        motor = drive.motor
-        assert isinstance(motor, HydraulicMotor)
-        oil = 2.0 * motor.bulk_modulus / motor.chamber_volume
-        springs.append(sqrt(oil) * abs(motor.displacement * drive.ratio))
-        leaks.append(oil * motor.leakage)
-        valves.append(motor.natural_frequency)
+    axes, places = hydraulic_axes(robot), configurations(robot, SAMPLES)
     square = np.ix_(axes, axes)
+    oils = np.array([[_oil(robot.drives[axis], float(q[axis])) for axis in axes] for q in places])
+    springs, leaks = np.sqrt(oils[:, :, 0]), oils[:, :, 1]
     softest = max(
-        float(np.linalg.eigvalsh(mass_matrix(robot, q)[square] / np.outer(springs, springs))[-1])
-        for q in configurations(robot, SAMPLES)
+        float(np.linalg.eigvalsh(mass_matrix(robot, q)[square] / np.outer(spring, spring))[-1])
+        for q, spring in zip(places, springs, strict=True)
     )
     swing = softest**-0.5
-    fastest = VALVE_SHARE * min(rates.control_hz, *valves)
-    return float(min(max(0.5 * min(leaks), LEAST_SHARE * swing), SWING_SHARE * swing, fastest))
+    fastest = VALVE_SHARE * min(rates.control_hz, *(_valve(robot.drives[axis]) for axis in axes))
+    return float(min(max(0.5 * leaks.min(), LEAST_SHARE * swing), SWING_SHARE * swing, fastest))
+
+
+def _oil(drive: Drive, q: float) -> tuple[float, float]:
+    """Return the spring of the oil at the joint [N·m/rad | N/m] and the rate at which it leaks away [1/s]."""
+    motor, gear = drive.motor, drive.transmission
+    if isinstance(motor, HydraulicCylinder) and isinstance(gear, Linkage):
+        a, b = motor.volumes(min(max(gear.out_at(q), 0.0), motor.stroke))
+        spring = motor.bulk_modulus * (motor.area_a**2 / a + motor.area_b**2 / b)
+        leak = motor.bulk_modulus * motor.leakage * (1.0 / a + 1.0 / b)
+    else:
+        assert isinstance(motor, HydraulicMotor)
+        oil = 2.0 * motor.bulk_modulus / motor.chamber_volume
+        spring, leak = oil * motor.displacement**2, oil * motor.leakage
+    return spring * drive.ratio_at(q) ** 2, leak
+
+
+def _valve(drive: Drive) -> float:
+    assert isinstance(drive.motor, HydraulicMotor | HydraulicCylinder)
+    return drive.motor.natural_frequency
 
 
 def with_hydraulic_axes(gains: CascadedGains, robot: Mechanism, crossover: float) -> CascadedGains:
     """Return gains with those of hydraulic axes put in."""
     axes = hydraulic_axes(robot)
     rows = {name: np.array(getattr(gains, name)) for name in gain_names(gains)}
-    per_speed = np.array([steady_drive(robot.drives[axis], 0.0, 1.0, 0.0).command for axis in axes])
+    per_speed = np.array([_per_speed(robot, axis) for axis in axes])
+    middle = 0.5 * (per_speed.min(axis=1) + per_speed.max(axis=1))
     own = {
         "kp": CORNER_SHARE * crossover,
         "kv": 0.0,
-        "ki": crossover * per_speed,
+        "ki": crossover * per_speed.min(axis=1),
         "kf": 1.0,
-        "ke": per_speed,
+        "ke": middle,
         "ka": 0.0,
     }
     for name, values in own.items():
         rows[name][axes] = values
     return CascadedGains(**rows)
+
+
+def _per_speed(robot: Mechanism, axis: int) -> Array:
+    """Return current over speed of an axis without load, forward and back, over its range [A·s/rad]."""
+    drive, joint = robot.drives[axis], robot.axis_joints[axis]
+    places = (
+        np.linspace(joint.lower, joint.upper, PLACES) if isinstance(drive.transmission, Linkage) else [0.0]
+    )
+    rows = [[way * steady_drive(drive, float(q), way, 0.0).command for way in (1.0, -1.0)] for q in places]
+    return np.ravel(rows)
 
 
 def hydraulic_statement(crossover: float) -> str:

@@ -11,7 +11,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from ropsim.dynamics import axis_inertias, chain_of, free_inertias, reflected_inertia, steady_drive
+from ropsim.dynamics import axis_inertias, chain_of, free_inertias, rotor_inertias, steady_drive
 from ropsim.kinematics import configurations
 from ropsim.model import (
     CascadedGains,
@@ -121,10 +121,11 @@ def standard_gains(robot: Mechanism, rates: Rates) -> CascadedGains:
     """
     bandwidths = standard_bandwidths(robot, rates)
     inertia, _, _ = _inertias(robot)
-    per_effort = np.array([steady_drive(drive, 0.0, 0.0, 1.0).command for drive in robot.drives])
-    viscous = [drive.ratio**2 * drive.friction.viscous for drive in robot.drives]
-    pairs = zip(robot.drives, viscous, strict=True)
-    per_speed = np.array([steady_drive(drive, 0.0, 1.0, effort).command for drive, effort in pairs])
+    pairs = list(zip(robot.drives, robot.home.tolist(), strict=True))
+    per_effort = np.array([steady_drive(drive, q, 0.0, 1.0).command for drive, q in pairs])
+    viscous = [drive.ratio_at(q) ** 2 * drive.friction.viscous for drive, q in pairs]
+    rows = zip(pairs, viscous, strict=True)
+    per_speed = np.array([steady_drive(drive, q, 1.0, effort).command for (drive, q), effort in rows])
     per_acceleration = inertia * per_effort
     kv = bandwidths.speed * per_acceleration
     return CascadedGains(
@@ -146,8 +147,7 @@ def _inertias(robot: Mechanism) -> tuple[Array, Array, Array]:
     """
     Q = configurations(robot, SAMPLES)
     inertias = axis_inertias(robot, Q)
-    rotors = np.array([reflected_inertia(drive) for drive in robot.drives])
-    free = np.where(elastic_axes(robot), rotors, free_inertias(robot, Q).min(axis=0))
+    free = np.where(elastic_axes(robot), rotor_inertias(robot, Q)[0], free_inertias(robot, Q).min(axis=0))
     design = np.sqrt(inertias.min(axis=0) * inertias.max(axis=0))
     return design, free, elastic_frequencies(robot, Q)
 

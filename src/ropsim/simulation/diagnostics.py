@@ -1,4 +1,4 @@
-"""Diagnostics of simulated runs, S720 to S749 and S751; servo, inputs and arms without drives have others."""
+"""Diagnostics of simulated runs (S720 to S749, S751, S752); servo, inputs, arms without drives: others."""
 
 from ropsim.core import Severity, define
 
@@ -252,6 +252,23 @@ DRIVE_EXCEEDED = define(
 A quantity of a drive that is held to a limit, such as the stroke of a valve, was beyond it. The message names
 the quantity, the limit stands in the model of the drive. Lower the speed or acceleration on the line that is
 named, or the payload.
+""",
+)
+
+OIL_TORN = define(
+    "S752",
+    "oil-torn",
+    Severity.WARNING,
+    "the oil in a chamber of a hydraulic drive would have been pulled apart",
+    """
+In a chamber of a hydraulic motor or cylinder the computed pressure fell below that of no pressure at all,
+1.01 bar under that of the air. Oil does not bear that: it gives way, fills with vapour and air, and later
+the chamber closes with a blow. The simulation goes on as if the oil held, so what it says of this axis from
+then on is too good. It comes from a load that runs ahead of its valve, as an arm that is lowered fast, and
+from valves that close quickly.
+
+**How to mend it.** Slow the arm down on the line that is named. If the arm has valves that keep its load from
+running away, or refill a chamber, the drive of the model has none; a higher return pressure stands for them.
 """,
 )
 

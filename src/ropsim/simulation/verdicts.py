@@ -23,6 +23,7 @@ from ropsim.simulation.diagnostics import (
 from ropsim.simulation.servo.judged import drive_limits
 from ropsim.simulation.servo.log import recorded
 from ropsim.simulation.tally import Tally
+from ropsim.simulation.torn_oil import torn_oil
 from ropsim.simulation.track import Track
 from ropsim.spatial import Array
 
@@ -92,7 +93,7 @@ def verdicts(robot: RobotModel, tally: Tally, hz: int, lines: Track, source: str
         for at in np.flatnonzero(check.values > check.limits):
             tick = int(check.ticks[at])
             found.append(_finding(robot, check, int(at), tick / hz, int(lines.value(tick)), source))
-    return tuple(found)
+    return (*found, *torn_oil(robot, tally, hz, lines, source))
 
 
 def _checks(robot: RobotModel, tally: Tally, hz: int) -> list[_Check]:

@@ -22,7 +22,9 @@ def puma() -> RobotModel:
 
 def test_torques_split_into_mass_bias_and_friction(puma: RobotModel) -> None:
     for q, qd, qdd in random_states(puma, 20):
-        parts = dynamics.mass_matrix(puma, q) @ qdd + dynamics.bias(puma, q, qd) - dynamics.friction(puma, qd)
+        parts = (
+            dynamics.mass_matrix(puma, q) @ qdd + dynamics.bias(puma, q, qd) - dynamics.friction(puma, q, qd)
+        )
         np.testing.assert_allclose(dynamics.inverse_dynamics(puma, q, qd, qdd), parts, rtol=0, atol=ROUNDING)
 
 

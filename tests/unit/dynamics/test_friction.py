@@ -19,14 +19,14 @@ def _arm(ratio: float) -> RobotModel:
 @pytest.mark.parametrize("ratio", [2.0, -2.0])
 def test_friction_acts_against_the_motion_whatever_the_sign_of_the_gear(ratio: float) -> None:
     robot = _arm(ratio)
-    assert friction(robot, [1.0])[0] == pytest.approx(-(3.0 * 4.0 * 1.0 + 2.0 * 2.0))
-    assert friction(robot, [-1.0])[0] == pytest.approx(3.0 * 4.0 * 1.0 + 2.0 * 1.0)
+    assert friction(robot, [0.0], [1.0])[0] == pytest.approx(-(3.0 * 4.0 * 1.0 + 2.0 * 2.0))
+    assert friction(robot, [0.0], [-1.0])[0] == pytest.approx(3.0 * 4.0 * 1.0 + 2.0 * 1.0)
 
 
 def test_friction_is_continuous_at_standstill() -> None:
     robot = _arm(2.0)
-    assert friction(robot, [0.0])[0] == 0.0
-    assert abs(friction(robot, [1e-9])[0] - friction(robot, [-1e-9])[0]) < 1e-5
+    assert friction(robot, [0.0], [0.0])[0] == 0.0
+    assert abs(friction(robot, [0.0], [1e-9])[0] - friction(robot, [0.0], [-1e-9])[0]) < 1e-5
 
 
 @pytest.mark.parametrize("speed", [-2.0, -1e-3, 0.0, 1e-3, 2.0])
@@ -42,8 +42,8 @@ def test_the_generated_code_and_the_function_mean_the_same_friction(speed: float
         return tau
 
     spent = torque("inverse") - torque("rigid_inverse")
-    np.testing.assert_allclose(spent, -friction(robot, [speed]), rtol=1e-12, atol=1e-12)
+    np.testing.assert_allclose(spent, -friction(robot, [0.0], [speed]), rtol=1e-12, atol=1e-12)
 
 
 def test_an_arm_without_drives_has_no_friction() -> None:
-    assert friction(random_arm(0, "RR"), [1.0, -1.0]).tolist() == [0.0, 0.0]
+    assert friction(random_arm(0, "RR"), [0.3, 0.2], [1.0, -1.0]).tolist() == [0.0, 0.0]

@@ -39,7 +39,9 @@ NUMBERS: dict[str, Change] = {
     "friction": lambda robot: _drive(robot, friction=Friction(1.0, 2.0, -3.0)),
     "no friction": lambda robot: _drive(robot, friction=Friction()),
     "motor": lambda robot: _drive(robot, motor=replace(dc_motor(robot.drives[0]), resistance=5.0)),
-    "gear the other way round": lambda robot: _drive(robot, transmission=Gear(-robot.drives[0].ratio)),
+    "gear the other way round": lambda robot: _drive(
+        robot, transmission=Gear(-robot.drives[0].ratio_at(0.0))
+    ),
     "strength of gravity": lambda robot: replace(robot, gravity=robot.gravity / 6.0),
     "joint limits": lambda robot: replace(
         robot, joints=tuple(replace(one, max_speed=9.0) for one in robot.joints)

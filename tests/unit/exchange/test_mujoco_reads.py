@@ -55,15 +55,15 @@ def agree(robot: RobotModel, file: MujocoFile, kind: str, rotors: np.ndarray, vi
 @pytest.mark.parametrize("name", NAMES)
 def test_mujoco_has_the_same_robot_from_our_mjcf(name: str) -> None:
     robot = robot_of(name)
-    rotors = np.array([rotor_at_joint(one) for one in robot.drives])
-    viscous = np.array([friction_at_joint(one)[0] for one in robot.drives])
+    rotors = np.array([rotor_at_joint(one, 0.0) for one in robot.drives])
+    viscous = np.array([friction_at_joint(one, 0.0)[0] for one in robot.drives])
     agree(robot, MujocoFile(write_mjcf(robot).text), "site", rotors, viscous)
 
 
 @pytest.mark.parametrize("name", NAMES)
 def test_mujoco_has_the_same_robot_from_our_urdf(name: str) -> None:
     robot = robot_of(name)
-    viscous = np.array([friction_at_joint(one)[0] for one in robot.drives])
+    viscous = np.array([friction_at_joint(one, 0.0)[0] for one in robot.drives])
     text = write_urdf(robot).text.replace("  <link", f"  {EXTENDED}</mujoco>\n  <link", 1)
     agree(robot, MujocoFile(text), "body", np.zeros(robot.n), viscous)
 

@@ -87,7 +87,7 @@ def test_friction_of_joints_is_that_of_the_drives() -> None:
         0.3,
         -0.3,
     )
-    assert drive.ratio == 1.0
+    assert drive.ratio_at(0.0) == 1.0
 
 
 def test_a_robot_without_masses_has_no_drives() -> None:

@@ -35,6 +35,7 @@ from ropsim.model import (
 from ropsim.nirox import ConformanceClass, ReadNirox, read_nirox, write_nirox
 from ropsim.spatial import Pose
 from support.built_in import WRITTEN
+from support.cylinders import lifted
 from support.nirox_texts import TEXT
 from support.trees import random_tree
 
@@ -159,6 +160,46 @@ def test_a_hydraulic_motor_without_a_valve_is_told() -> None:
     assert found.robot is not None
     assert found.robot.drives == ()
     assert any("servo valve" in one.message for one in found.findings)
+
+
+def test_cylinders_come_back_with_their_pins() -> None:
+    robot = lifted()
+    assert again(robot) == robot
+    turned = replace(
+        robot,
+        joints=(
+            replace(
+                robot.joints[0],
+                placement=Pose(np.array([0.1, 0.2, 0.3]), np.array([0.1, 0.7, -0.2, 0.5])),
+                offset=0.3,
+            ),
+        ),
+    )
+    assert again(turned) == turned
+    assert write_nirox(again(turned)).text == write_nirox(turned).text
+
+
+@pytest.mark.parametrize(
+    ("pattern", "by", "words"),
+    [
+        (r"('linkage 2',)#\d+", r"\1#13", "between the two links"),
+        (r"\(0\.26,0\.,-1\.04\)", "(0.29,0.,0.1166)", "in line within the limits"),
+        (
+            r"HYDRAULIC_CYLINDER\([^;]*",
+            "HYDRAULIC_ROTARY_MOTOR('m',1.E-4,1.E-4,0.,0.)",
+            "moves a joint by a linkage",
+        ),
+    ],
+)
+def test_a_linkage_that_turns_no_joint_is_told(pattern: str, by: str, words: str) -> None:
+    (drive,) = lifted().drives
+    narrow = [replace(one, lower=0.1, upper=1.4) for one in robots.load("two_link").joints]
+    text = write_nirox(replace(robots.load("two_link"), joints=tuple(narrow), drives=(drive,) * 2)).text
+    changed = re.sub(pattern, by, text)
+    assert changed != text
+    found = read(changed)
+    assert [one.message for one in found.findings if words in one.message], found.findings
+    assert found.robot is None or found.robot.drives == ()
 
 
 def test_a_robot_without_drives_keeps_its_limits() -> None:

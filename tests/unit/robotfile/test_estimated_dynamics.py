@@ -28,7 +28,7 @@ def test_an_arm_without_masses_gets_some_by_its_payload_and_drives_that_carry_it
     assert not [one for one in audit(robot) if one.is_error]
     amplifiers = [drive.amplifier for drive in robot.drives]
     most = [
-        one.max_effort * drive.ratio if isinstance(one, EffortAmplifier) else 0.0
+        one.max_effort * drive.ratio_at(0.0) if isinstance(one, EffortAmplifier) else 0.0
         for one, drive in zip(amplifiers, robot.drives, strict=True)
     ]
     if all(np.isinf(robots.load(name).max_efforts)):

@@ -13,6 +13,7 @@ from ropsim.model import (
     ElasticGear,
     HydraulicMotor,
     JointType,
+    Linkage,
     RobotModel,
     ValveAmplifier,
     audit,
@@ -20,6 +21,7 @@ from ropsim.model import (
     check_counts,
 )
 from ropsim.robotfile import read_robot_file, robot_file_places, write_robot_file
+from ropsim.spatial import Pose
 from support.robot_files import PUMA560, TWO_JOINTS
 
 ROUNDING = 1e-12
@@ -162,6 +164,63 @@ def test_drives_may_be_hydraulic() -> None:
     )
     assert (first.amplifier, second.amplifier) == (ValveAmplifier(0.05), ValveAmplifier(0.04))
     assert arm(write_robot_file(robot).text).drives == robot.drives
+
+
+CYLINDER = (
+    '{ kind = "cylinder", area_a = 7.9e-3, area_b = 5.4e-3, stroke = 0.54, retracted_length = 0.82, '
+    "dead_volume_a = 4e-4, dead_volume_b = 3e-4, moving_mass = 14, leakage = 3e-12, "
+    "carrier_pin = [0.26, -1.04, 0], link_pin = [-2.5, -0.1, 0], "
+    "supply_pressure = 16e6, bulk_modulus = 1.1e9, rated_flow = 4e-4, "
+    "rated_pressure_drop = 7e6, rated_input = 0.7, natural_frequency = 300 }"
+)
+BOOM = """
+convention = "standard"
+base = { position = [0, 0, 300], rpy = [90, 0, 0] }
+joints = [
+  { a = 2800, alpha = 10, theta = 5, limits = [-15, 60] },
+  { a = 1500, limits = [-120, -10] },
+]
+mass = 200
+"""
+
+
+def test_a_cylinder_has_its_pins_in_the_frames_of_the_table() -> None:
+    robot = arm(f'{BOOM}drives = [{CYLINDER}, {{ kind = "servo" }}]\n')
+    gear = robot.drives[0].transmission
+    assert isinstance(gear, Linkage)
+    q = 0.4
+    tip = Pose.from_matrix(kinematics.joint_frames(robot, np.array([q, 0.0]))[0]) @ Pose(
+        np.array(gear.link_pin)
+    )
+    turn = np.radians(5.0) + q
+    x, y = 2.8 - 2.5, -0.1 * np.cos(np.radians(10.0))  # of the pin beside axis 1, before it turns
+    away = -0.1 * np.sin(np.radians(10.0))
+    across, up = x * np.cos(turn) - y * np.sin(turn), x * np.sin(turn) + y * np.cos(turn)
+    np.testing.assert_allclose(tip.position, [across, -away, 0.3 + up], atol=ROUNDING)
+    length = np.sqrt((across - 0.26) ** 2 + (up + 1.04) ** 2 + away**2)
+    assert gear.length_at(q) == pytest.approx(length)
+    assert arm(write_robot_file(robot).text).drives == robot.drives
+    bent = replace(robot, dh=())
+    assert arm(write_robot_file(bent).text).drives[0].ratio_at(q) == pytest.approx(gear.ratio_at(q))
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "words"),
+    [
+        ("[-15, 60]", "[-80, 60]", "dead centre"),
+        ("stroke = 0.54", "stroke = 0.2", "its cylinder is 820 to 1020 mm long"),
+        ("[-15, 60] }", "[-15, 60], type = 'prismatic' }", "turning joint"),
+    ],
+)
+def test_a_cylinder_that_cannot_turn_its_joint_is_told_on_its_line(
+    before: str, after: str, words: str
+) -> None:
+    text = f'{BOOM}drives = [{CYLINDER}, {{ kind = "servo" }}]\n'.replace(before, after)
+    read = read_robot_file(SourceText("robots/arm.toml", text))
+    (found,) = [one for one in read.findings if one.code == "X916"]
+    assert words in found.message
+    assert found.span is not None
+    assert read.robot is None
 
 
 def test_a_torque_constant_is_the_back_emf_constant_where_only_one_is_given() -> None:

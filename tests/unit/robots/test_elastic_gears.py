@@ -24,7 +24,7 @@ IN_POSITION = 0.2e-3
 def springs(stiffness: tuple[float, ...] = STIFFNESS) -> RobotModel:
     """Return the arm on springs in all its axes, without friction and without damping of gears."""
     drives = (
-        replace(drive, transmission=ElasticGear(drive.ratio, one), friction=Friction())
+        replace(drive, transmission=ElasticGear(drive.ratio_at(0.0), one), friction=Friction())
         for drive, one in zip(R3.drives, stiffness, strict=True)
     )
     return replace(R3, drives=tuple(drives))
@@ -33,7 +33,7 @@ def springs(stiffness: tuple[float, ...] = STIFFNESS) -> RobotModel:
 def closed_loop(robot: RobotModel, gains: CascadedGains, q: Array) -> Array:
     """Return the matrix of (q, q̇, θ/G, ω/G, integrals) about a rest at q [rad], shape (30, 30)."""
     n, one_each = robot.n, np.eye(robot.n)
-    J = np.diag([reflected_inertia(drive) for drive in robot.drives])
+    J = np.diag([reflected_inertia(drive, 0.0) for drive in robot.drives])
     K = np.diag(
         [one.transmission.stiffness for one in robot.drives if isinstance(one.transmission, ElasticGear)]
     )
@@ -43,7 +43,7 @@ def closed_loop(robot: RobotModel, gains: CascadedGains, q: Array) -> Array:
         2.0 * step
     )
     kp, kv, ki = (np.diag(one) for one in (gains.kp, gains.kv, gains.ki))
-    G = np.diag(np.abs([drive.ratio for drive in robot.drives]))
+    G = np.diag(np.abs([drive.ratio_at(0.0) for drive in robot.drives]))
     A = np.zeros((5 * n, 5 * n))
     place = [slice(k * n, (k + 1) * n) for k in range(5)]
     A[place[0], place[1]] = A[place[2], place[3]] = one_each
@@ -72,7 +72,7 @@ def test_gains_of_stiffer_gears_let_the_same_arm_swing() -> None:
 
 def test_frequencies_are_those_of_the_arm_that_swings_with_motors_held() -> None:
     robot, Q = springs(), configurations(R3, 40)
-    links = mass_matrices(robot, Q) - np.diag([reflected_inertia(drive) for drive in robot.drives])
+    links = mass_matrices(robot, Q) - np.diag([reflected_inertia(drive, 0.0) for drive in robot.drives])
     lowest = min(float(np.sqrt(eigh(np.diag(STIFFNESS), M, eigvals_only=True)[0])) for M in links)
     found = elastic_frequencies(robot, Q)
     assert found.min() == pytest.approx(lowest, rel=1e-9)

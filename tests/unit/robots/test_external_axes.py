@@ -56,7 +56,7 @@ def test_the_bridge_carries_the_trolley() -> None:
 def rotor(mechanism: Mechanism, axis: int) -> float:
     """Return the inertia of a rotor seen at its axis [kg | kg·m²]."""
     drive = mechanism.drives[axis]
-    return float(drive.motor.rotor_inertia * drive.ratio**2)
+    return float(drive.motor.rotor_inertia * drive.ratio_at(0.0) ** 2)
 
 
 def test_the_plate_of_a_tilting_table_tilts_about_x_and_turns_about_its_own_axis() -> None:
@@ -114,7 +114,7 @@ def test_the_drive_of_a_single_axis_has_the_rotor_and_the_friction_that_are_esti
     ):
         (drive,) = robot.drives
         assert isinstance(drive.motor, IdealMotor)
-        ratio = drive.transmission.ratio
+        ratio = drive.ratio_at(0.0)
         assert drive.motor.rotor_inertia * ratio**2 == pytest.approx(0.3 * 15.0)
         assert drive.friction.coulomb_positive * ratio == pytest.approx(dry)
         assert drive.friction.coulomb_negative * ratio == pytest.approx(-dry)

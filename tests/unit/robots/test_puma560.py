@@ -42,7 +42,7 @@ def test_home_is_far_from_every_singular_posture() -> None:
 def test_the_amplifier_can_drive_the_joint_at_its_speed_limit(index: int) -> None:
     """Back-EMF, friction and, at joints 2 and 3, gravity at full speed need no more than the voltage."""
     joint, drive = PUMA.joints[index], PUMA.drives[index]
-    ratio, motor, friction = abs(drive.ratio), dc_motor(drive), drive.friction
+    ratio, motor, friction = abs(drive.ratio_at(0.0)), dc_motor(drive), drive.friction
     gravity = (0.0, 60.0, 10.0, 0.0, 0.0, 0.0)[index]  # arm stretched out, generously rounded [N·m]
     coulomb = max(friction.coulomb_positive, -friction.coulomb_negative)
     torque = friction.viscous * ratio**2 * joint.max_speed + coulomb * ratio + gravity
@@ -54,5 +54,7 @@ def test_the_amplifier_can_drive_the_joint_at_its_speed_limit(index: int) -> Non
 
 def test_the_largest_current_gives_the_torque_limit() -> None:
     for joint, drive in zip(PUMA.joints, PUMA.drives, strict=True):
-        torque = voltage_amplifier(drive).max_current * dc_motor(drive).torque_constant * abs(drive.ratio)
+        torque = (
+            voltage_amplifier(drive).max_current * dc_motor(drive).torque_constant * abs(drive.ratio_at(0.0))
+        )
         assert torque == pytest.approx(joint.max_effort, rel=0.03)

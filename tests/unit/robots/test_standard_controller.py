@@ -28,7 +28,7 @@ PHASE_MARGIN = 45.0
 
 def phase_margin(one: Drive, inertia: float, kv: float, ki: float, period: float) -> float:
     """Return the phase margin of a speed loop [degrees]: the whole drive, its output held for a period."""
-    motor, ratio = dc_motor(one), abs(one.ratio)
+    motor, ratio = dc_motor(one), abs(one.ratio_at(0.0))
     s = 1j * np.geomspace(1.0, 3000.0, 20_000)
     torque = motor.torque_constant * ratio
     friction = one.friction.viscous * ratio**2

@@ -23,13 +23,13 @@ HZ, TICKS = 250, 100
 
 def quiet(robot: RobotModel = ROBOT) -> dict[str, Array]:
     """What is judged of a run in which nothing happens, tick by tick, a column for each joint that has it."""
-    layout = judged(LogLayout.of(structure_of(robot).drives))
+    layout = judged(structure_of(robot).drives)
     return {field.name: np.zeros((TICKS, len(field.axes))) for field in layout}
 
 
 def found_in(rows: dict[str, Array], robot: RobotModel = ROBOT) -> tuple[Diagnostic, ...]:
     """Return the verdicts on such a run; the line in force at a tick has its number."""
-    layout, full = judged(LogLayout.of(structure_of(robot).drives)), full_values(robot)
+    layout, full = judged(structure_of(robot).drives), full_values(robot)
     table = np.zeros((TICKS, len(full)))
     for field in layout:
         table[:, field.place] = rows[field.name]

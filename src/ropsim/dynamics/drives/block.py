@@ -6,6 +6,7 @@ A block is static: it holds functions, not numbers. The numbers of one drive are
 
 from collections.abc import Callable, Sequence
 from enum import Enum
+from math import inf
 from typing import Any, NamedTuple
 
 from ropsim.codegen import Scalar
@@ -22,11 +23,13 @@ class Column(NamedTuple):
         name: of the channel.
         unit: SI unit; `{q}` stands for that of the joint coordinate, `{tau}` for that of its effort.
         text: what it is.
+        least: below this the quantity cannot be; a model that has it there says too much.
     """
 
     name: str
     unit: str
     text: str
+    least: float = -inf
 
 
 class LimitSort(Enum):
@@ -57,6 +60,18 @@ class Torque(NamedTuple):
 
     torque: Scalar
     rates: tuple[Scalar, ...]
+
+
+class Movement(NamedTuple):
+    """How the shaft of a motor stands and moves.
+
+    Attributes:
+        place: of the shaft [rad], of the rod of a cylinder by how much it is out [m].
+        speed: of either [rad/s | m/s].
+    """
+
+    place: Scalar
+    speed: Scalar
 
 
 class Turning(NamedTuple):
@@ -107,7 +122,7 @@ class MotorBlock:
         numbers: attributes of its record that the formulas take.
         positive: those of them that must be positive.
         states: what it remembers.
-        trace: `(numbers, states, input, shaft speed)` to torque and rates.
+        trace: `(numbers, states, input, movement of the shaft)` to torque and rates.
         inertia: `numbers` to the rotor inertia.
         steady: `(record, torque, shaft speed)` to the states, and the input, that go on giving the torque.
         pole: `record` to the rate at which its torque follows its input [rad/s].
@@ -121,7 +136,7 @@ class MotorBlock:
     numbers: tuple[str, ...]
     positive: tuple[str, ...]
     states: tuple[Column, ...]
-    trace: Callable[[Numbers, Numbers, Scalar, Scalar], Torque]
+    trace: Callable[[Numbers, Numbers, Scalar, Movement], Torque]
     inertia: Callable[[Numbers], Scalar]
     steady: Callable[[Any, float, float], Steady]
     pole: Callable[[Any], float]
@@ -135,16 +150,16 @@ class Shaft(NamedTuple):
     Attributes:
         q: joint coordinate.
         qd: joint speed.
-        motor: shaft speed to what the motor is given and does.
+        motor: movement of the shaft to what the motor is given and does.
         inertia: of the rotor.
-        friction: speed seen at the joint, to the torque at the joint that friction takes.
+        friction: ratio G and speed seen at the joint, to the torque at the joint that friction takes.
     """
 
     q: Scalar
     qd: Scalar
-    motor: Callable[[Scalar], Turning]
+    motor: Callable[[Movement], Turning]
     inertia: Scalar
-    friction: Callable[[Scalar], Scalar]
+    friction: Callable[[Scalar, Scalar], Scalar]
 
 
 class Carried(NamedTuple):
@@ -152,7 +167,8 @@ class Carried(NamedTuple):
 
     Attributes:
         effort: torque or force of the drive at the joint, before friction that acts there.
-        friction: torque or force that friction takes at the joint; None where it acts on the motor alone.
+        friction: torque or force that friction takes at the joint, and with it what the mass of a motor takes
+            as its ratio changes; None where it acts on the motor alone.
         inertia: that the joint feels in addition to its links; None where the motor moves by itself.
         rates: of the states of the motor, then of the transmission.
         given: what the motor is given by its amplifier, in its own sense.
@@ -167,7 +183,7 @@ class Carried(NamedTuple):
 
 @frozen_dataclass
 class TransmissionBlock:
-    """A transmission; the first of its numbers is the ratio G.
+    """A transmission; the first of its numbers has the sign of its ratio G.
 
     Attributes:
         numbers: attributes of its record that the formula takes.

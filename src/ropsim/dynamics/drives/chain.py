@@ -7,6 +7,7 @@ from ropsim.dynamics.drives.block import (
     Carried,
     Column,
     MotorBlock,
+    Movement,
     Numbers,
     Shaft,
     TransmissionBlock,
@@ -73,12 +74,12 @@ class DriveChain:
         _, motor, gear, friction = self._parts(p)
         own = len(self.motor.states)
 
-        def turning(speed: Scalar) -> Turning:
-            given = self._given(p, u, speed)
-            return Turning(given, self.motor.trace(motor, states[:own], given, speed))
+        def turning(shaft: Movement) -> Turning:
+            given = self._given(p, u, shaft.speed)
+            return Turning(given, self.motor.trace(motor, states[:own], given, shaft))
 
-        def taken(speed: Scalar) -> Scalar:
-            return trace_friction(friction, gear[0], speed)
+        def taken(ratio: Scalar, speed: Scalar) -> Scalar:
+            return trace_friction(friction, ratio, speed)
 
         shaft = Shaft(q, qd, turning, self.motor.inertia(motor), taken)
         return self.transmission.trace(gear, states[own:], shaft)

@@ -1,16 +1,16 @@
 """A permanent-magnet DC motor: its current is a state."""
 
 from ropsim.codegen import Scalar
-from ropsim.dynamics.drives.block import Column, MotorBlock, Numbers, Steady, Torque
+from ropsim.dynamics.drives.block import Column, MotorBlock, Movement, Numbers, Steady, Torque
 from ropsim.model import DcMotor, InputKind
 
 
-def _trace(p: Numbers, states: Numbers, voltage: Scalar, speed: Scalar) -> Torque:
+def _trace(p: Numbers, states: Numbers, voltage: Scalar, shaft: Movement) -> Torque:
     """Return Kt·i and di/dt = (u - R·i - Ke·ω) / L."""
     constant, back_emf, resistance, inductance, _ = p
     (current,) = states
     inverse = 1.0 / inductance
-    rate = voltage * inverse - current * (resistance * inverse) - speed * (back_emf * inverse)
+    rate = voltage * inverse - current * (resistance * inverse) - shaft.speed * (back_emf * inverse)
     return Torque(current * constant, (rate,))
 
 

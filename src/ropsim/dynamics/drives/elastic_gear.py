@@ -4,7 +4,7 @@ M. W. Spong: Modeling and control of elastic joint robots, ASME J. Dyn. Sys. Mea
 310-319: a spring lies between rotor and link, and the turning of the rotor with its link is left out.
 """
 
-from ropsim.dynamics.drives.block import Carried, Column, Numbers, Shaft, Steady, TransmissionBlock
+from ropsim.dynamics.drives.block import Carried, Column, Movement, Numbers, Shaft, Steady, TransmissionBlock
 from ropsim.model import ElasticGear
 
 
@@ -16,9 +16,9 @@ def _trace(p: Numbers, states: Numbers, shaft: Shaft) -> Carried:
     ratio, stiffness, damping = p
     theta, omega = states
     spring = stiffness * (theta - shaft.q) + damping * (omega - shaft.qd)
-    given, motor = shaft.motor(ratio * omega)
+    given, motor = shaft.motor(Movement(ratio * theta, ratio * omega))
     inverse = 1.0 / (shaft.inertia * (ratio * ratio))
-    rate = (ratio * motor.torque - shaft.friction(omega) - spring) * inverse
+    rate = (ratio * motor.torque - shaft.friction(ratio, omega) - spring) * inverse
     return Carried(spring, None, None, (*motor.rates, omega, rate), given)
 
 

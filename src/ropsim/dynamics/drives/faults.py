@@ -1,15 +1,28 @@
 """What makes a drive impossible."""
 
-from math import inf, isfinite
+from math import degrees, inf, isfinite
 
 from ropsim.dynamics.drives.chain import chain_of
-from ropsim.model import Drive, HydraulicMotor
+from ropsim.model import (
+    Drive,
+    Hydraulic,
+    HydraulicCylinder,
+    HydraulicMotor,
+    Joint,
+    JointType,
+    Linkage,
+)
+
+Fault = tuple[str, str]
+"""What of a drive is impossible, and why."""
 
 _OPEN = frozenset({"max_effort", "max_current"})
 """Limits that may be infinite."""
+WAY = 1e-6
+"""By so much a rod may be short or long at the ends of the range of its joint: lengths are rounded [m]."""
 
 
-def drive_fault(drive: Drive) -> tuple[str, str] | None:
+def drive_fault(drive: Drive) -> Fault | None:
     """Return what of a drive is impossible and why, None for a drive that can exist.
 
     Args:
@@ -19,6 +32,11 @@ def drive_fault(drive: Drive) -> tuple[str, str] | None:
     if chain.motor.takes is not chain.amplifier.kind:
         takes, gives = chain.motor.takes.value, chain.amplifier.kind.value
         return "the motor", f"takes {takes}, but its amplifier puts out {gives}"
+    if isinstance(drive.motor, HydraulicCylinder) is not isinstance(drive.transmission, Linkage):
+        return (
+            "the transmission",
+            "and the motor do not go together; a cylinder needs a linkage, others a gear",
+        )
     pairs = (
         (chain.amplifier, drive.amplifier),
         (chain.motor, drive.motor),
@@ -29,14 +47,58 @@ def drive_fault(drive: Drive) -> tuple[str, str] | None:
             value = float(getattr(record, name))
             if not (value > 0.0 and (isfinite(value) or name in _OPEN)):
                 return f"`{name}`", f"is `{value}`; it must be positive and finite"
-    if not (drive.ratio != 0.0 and abs(drive.ratio) < inf):
-        return "magnitude of `ratio`", f"is `{abs(drive.ratio)}`; it must be positive and finite"
-    if isinstance(drive.motor, HydraulicMotor) and not (
-        0.0 <= drive.motor.return_pressure < drive.motor.supply_pressure and drive.motor.leakage >= 0.0
+    if not isinstance(drive.transmission, Linkage) and not 0.0 < abs(drive.transmission.ratio) < inf:
+        size = abs(drive.transmission.ratio)
+        return "magnitude of `ratio`", f"is `{size}`; it must be positive and finite"
+    if isinstance(drive.motor, HydraulicMotor | HydraulicCylinder) and (
+        found := _hydraulic_fault(drive.motor)
     ):
-        found = f"is `{drive.motor.return_pressure}`; it must be between 0 and the supply pressure"
-        return "`return_pressure`", found
+        return found
     if chain.transmission.states and not drive.motor.rotor_inertia > 0.0:
-        found = f"is `{drive.motor.rotor_inertia}`; behind an elastic gear it must be positive"
-        return "`rotor_inertia`", found
+        found_inertia = f"is `{drive.motor.rotor_inertia}`; behind an elastic gear it must be positive"
+        return "`rotor_inertia`", found_inertia
+    return None
+
+
+def _hydraulic_fault(motor: Hydraulic) -> Fault | None:
+    if not 0.0 <= motor.return_pressure < motor.supply_pressure:
+        found = f"is `{motor.return_pressure}`; it must be between 0 and the supply pressure"
+        return "`return_pressure`", found
+    if not motor.leakage >= 0.0:
+        return "`leakage`", f"is `{motor.leakage}`; it must be 0 or more"
+    if not motor.rotor_inertia >= 0.0:
+        name = "moving_mass" if isinstance(motor, HydraulicCylinder) else "rotor_inertia"
+        return f"`{name}`", f"is `{motor.rotor_inertia}`; it must be 0 or more"
+    return None
+
+
+def range_fault(drive: Drive, joint: Joint) -> Fault | None:
+    """Return why a drive cannot move its joint over the range that it has, None where it can.
+
+    A cylinder that turns a joint is in line with the axis at its dead centres, where it has no lever, and its
+    rod comes out by its stroke.
+
+    Args:
+        drive: that can exist.
+        joint: that it moves.
+    """
+    gear, motor = drive.transmission, drive.motor
+    if not isinstance(gear, Linkage) or not isinstance(motor, HydraulicCylinder):
+        return None
+    if joint.type is not JointType.REVOLUTE:
+        return "the linkage", f"moves a joint of type {joint.type.value}; a cylinder turns a turning joint"
+    if not isfinite(joint.upper - joint.lower):
+        return "the linkage", "has a stroke, and its joint has no limits"
+    dead = gear.dead_centre(joint.lower, joint.upper)
+    if dead is not None:
+        return "the linkage", f"has a dead centre at {degrees(dead):.5g}°, within the range of its joint"
+    ways = sorted(gear.out_at(q) for q in (joint.lower, joint.upper))
+    if ways[0] < -WAY or ways[1] > motor.stroke + WAY:
+        first, last = (1e3 * (gear.retracted_length + way) for way in ways)
+        shortest, longest = 1e3 * gear.retracted_length, 1e3 * (gear.retracted_length + motor.stroke)
+        return (
+            "the linkage",
+            f"is {first:.5g} to {last:.5g} mm long over the range of its joint; its cylinder is "
+            f"{shortest:.5g} to {longest:.5g} mm long",
+        )
     return None

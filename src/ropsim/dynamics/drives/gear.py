@@ -1,6 +1,6 @@
 """A rigid gear: motor and joint move as one."""
 
-from ropsim.dynamics.drives.block import Carried, Numbers, Shaft, Steady, TransmissionBlock
+from ropsim.dynamics.drives.block import Carried, Movement, Numbers, Shaft, Steady, TransmissionBlock
 from ropsim.model import Gear
 
 
@@ -8,9 +8,9 @@ def _trace(p: Numbers, states: Numbers, shaft: Shaft) -> Carried:
     """Return G·τ and J·G²; the motor turns at G·q̇."""
     del states
     (ratio,) = p
-    given, motor = shaft.motor(ratio * shaft.qd)
+    given, motor = shaft.motor(Movement(ratio * shaft.q, ratio * shaft.qd))
     inertia = shaft.inertia * (ratio * ratio)
-    return Carried(ratio * motor.torque, shaft.friction(shaft.qd), inertia, motor.rates, given)
+    return Carried(ratio * motor.torque, shaft.friction(ratio, shaft.qd), inertia, motor.rates, given)
 
 
 def _rest(gear: Gear, q: float, effort: float) -> Steady:

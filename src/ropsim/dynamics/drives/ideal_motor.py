@@ -3,12 +3,12 @@
 from math import inf
 
 from ropsim.codegen import Scalar
-from ropsim.dynamics.drives.block import MotorBlock, Numbers, Steady, Torque
+from ropsim.dynamics.drives.block import MotorBlock, Movement, Numbers, Steady, Torque
 from ropsim.model import IdealMotor, InputKind
 
 
-def _trace(p: Numbers, states: Numbers, effort: Scalar, speed: Scalar) -> Torque:
-    del p, states, speed
+def _trace(p: Numbers, states: Numbers, effort: Scalar, shaft: Movement) -> Torque:
+    del p, states, shaft
     return Torque(effort, ())
 
 

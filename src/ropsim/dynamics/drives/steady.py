@@ -1,7 +1,7 @@
 """A drive in a steady state: what its controller has to command for an effort at the joint."""
 
 from collections.abc import Sequence
-from math import copysign, inf
+from math import inf
 from typing import NamedTuple
 
 from ropsim.dynamics.drives.block import Limit
@@ -34,14 +34,15 @@ def steady_drive(drive: Drive, q: float, qd: float, effort: float) -> SteadyDriv
     """
     chain = chain_of(drive)
     gear = chain.transmission.rest(drive.transmission, q, effort)
-    motor = chain.motor.steady(drive.motor, gear.needs, drive.ratio * qd)
-    command = copysign(1.0, drive.ratio) * motor.needs
+    motor = chain.motor.steady(drive.motor, gear.needs, drive.ratio_at(q) * qd)
+    command = drive.sense * motor.needs
     return SteadyDrive((*motor.states, *gear.states), motor.needs, command)
 
 
-def reflected_inertia(drive: Drive) -> float:
-    """Return J·G² [kg·m² | kg], the inertia of the rotor as the joint sees it through a rigid gear."""
-    return drive.motor.rotor_inertia * drive.ratio * drive.ratio
+def reflected_inertia(drive: Drive, q: float) -> float:
+    """Return J·G² [kg·m² | kg], the inertia of the rotor as the joint at q sees it through a rigid gear."""
+    ratio = drive.ratio_at(q)
+    return drive.motor.rotor_inertia * ratio * ratio
 
 
 def command_limit(drive: Drive) -> float:
@@ -81,7 +82,7 @@ def command_band(drive: Drive) -> CommandBand:
     return CommandBand(per_speed, per_effort * _bound(drive, held))
 
 
-def largest_effort(drive: Drive) -> float:
+def largest_effort(drive: Drive, q: float) -> float:
     """Return the largest torque or force that a drive can keep up at its joint at standstill [N·m | N].
 
     What its motor remembers and what its amplifier puts out grow in proportion to the effort; the first of
@@ -91,13 +92,14 @@ def largest_effort(drive: Drive) -> float:
 
     Args:
         drive: the drive; friction is no part of the effort.
+        q: joint coordinate [rad | m].
 
     Returns:
         Infinite where the drive has no limit.
     """
     chain = chain_of(drive)
     if chain.motor.most is not None:
-        return chain.motor.most(drive.motor) * abs(drive.ratio)
+        return chain.motor.most(drive.motor) * abs(drive.ratio_at(q))
     return _bound(drive, chain.amplifier.limits)
 
 

@@ -5,16 +5,20 @@ from ropsim.dynamics.drives.block import AmplifierBlock, MotorBlock, Transmissio
 from ropsim.dynamics.drives.dc_motor import DC_MOTOR
 from ropsim.dynamics.drives.elastic_gear import ELASTIC_GEAR
 from ropsim.dynamics.drives.gear import GEAR
+from ropsim.dynamics.drives.hydraulic_cylinder import HYDRAULIC_CYLINDER
 from ropsim.dynamics.drives.hydraulic_motor import HYDRAULIC_MOTOR
 from ropsim.dynamics.drives.ideal_motor import IDEAL_MOTOR
+from ropsim.dynamics.drives.linkage import LINKAGE
 from ropsim.model import (
     CurrentLimitedAmplifier,
     DcMotor,
     EffortAmplifier,
     ElasticGear,
     Gear,
+    HydraulicCylinder,
     HydraulicMotor,
     IdealMotor,
+    Linkage,
     ValveAmplifier,
     VoltageAmplifier,
 )
@@ -25,5 +29,10 @@ AMPLIFIERS: dict[type, AmplifierBlock] = {
     EffortAmplifier: EFFORT,
     ValveAmplifier: VALVE,
 }
-MOTORS: dict[type, MotorBlock] = {DcMotor: DC_MOTOR, IdealMotor: IDEAL_MOTOR, HydraulicMotor: HYDRAULIC_MOTOR}
-TRANSMISSIONS: dict[type, TransmissionBlock] = {Gear: GEAR, ElasticGear: ELASTIC_GEAR}
+MOTORS: dict[type, MotorBlock] = {
+    DcMotor: DC_MOTOR,
+    IdealMotor: IDEAL_MOTOR,
+    HydraulicMotor: HYDRAULIC_MOTOR,
+    HydraulicCylinder: HYDRAULIC_CYLINDER,
+}
+TRANSMISSIONS: dict[type, TransmissionBlock] = {Gear: GEAR, ElasticGear: ELASTIC_GEAR, Linkage: LINKAGE}

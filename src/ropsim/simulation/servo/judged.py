@@ -1,23 +1,31 @@
 """What of a servo simulation is judged at every control tick, and from which value on it is at its limit."""
 
+from dataclasses import replace
+
 import numpy as np
 
-from ropsim.dynamics import Limit, LimitSort, chain_of, structure_of
+from ropsim.dynamics import DriveChain, Limit, LimitSort, chain_of, structure_of
 from ropsim.model import RobotModel
 from ropsim.simulation.fields import Field
-from ropsim.simulation.servo.log import REFERENCE_COLUMNS, LogLayout
+from ropsim.simulation.servo.log import REFERENCE_COLUMNS, LogLayout, floors
 from ropsim.spatial import Array
 
+BELOW = "below "
+"""Begins the names of what says by how much a quantity of a drive is below what it can be."""
 
-def judged(log: LogLayout) -> tuple[Field, ...]:
-    """Return the fields of the tally; its table is as wide as a row of the log.
+
+def judged(chains: tuple[DriveChain, ...]) -> tuple[Field, ...]:
+    """Return the fields of the tally of an arm with these drives; its table is as wide as a row of the log.
 
     Quantities of arm and drives stand where they are in a row. The way beyond the range of a joint stands in
-    place of its coordinate, its following error in place of the reference.
+    place of its coordinate, its following error in place of the reference, and in place of a quantity that
+    cannot be below a value by how much it is.
     """
+    log, least = LogLayout.of(chains), floors(chains)
     q, q_ref = log.field("q"), log.field("q_ref")
     references = {column.name for column in REFERENCE_COLUMNS}
     others = tuple(field for field in log.fields if field.name != "q" and field.name not in references)
+    others = tuple(replace(one, name=BELOW + one.name) if one.name in least else one for one in others)
     return (Field("overrun", q.axes, q.first), *others, Field("q_error", q_ref.axes, q_ref.first))
 
 

@@ -1,5 +1,7 @@
 """What a servo simulation records at a tick: the fields of a row of its log."""
 
+from math import inf
+
 from ropsim.core import frozen_dataclass
 from ropsim.dynamics import Column, DriveChain
 from ropsim.simulation.fields import Field, fields
@@ -49,3 +51,9 @@ class LogLayout:
 def recorded(chain: DriveChain) -> tuple[Column, ...]:
     """Return what is recorded of a drive: its states and what its amplifier puts out."""
     return (*chain.states, chain.amplifier.output)
+
+
+def floors(chains: tuple[DriveChain, ...]) -> dict[str, float]:
+    """Return the quantities of drives that cannot be below a value, and that value, by name."""
+    columns = dict.fromkeys(column for chain in chains for column in recorded(chain))
+    return {column.name: column.least for column in columns if column.least > -inf}

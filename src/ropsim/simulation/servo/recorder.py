@@ -30,9 +30,10 @@ class Recorder:
     def __init__(
         self, robot: RobotModel, start: ServoState, decimation: int, most_rows: int = MOST_ROWS
     ) -> None:
-        self._layout = LogLayout.of(structure_of(robot).drives)
+        chains = structure_of(robot).drives
+        self._layout = LogLayout.of(chains)
         self._log = RowLog(self._layout.width, start.tick, decimation, most_rows)
-        self._tally = Tally(judged(self._layout), self._layout.width)
+        self._tally = Tally(judged(chains), self._layout.width)
         if self._log.first_tick == start.tick:
             self._log.begin(self._first(robot, start))
 

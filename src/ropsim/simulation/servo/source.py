@@ -3,7 +3,7 @@
 from ropsim.codegen import Bounds, SourceFunction
 from ropsim.controller import CompiledLaw, LawTraits
 from ropsim.dynamics import ArmStructure
-from ropsim.simulation.servo.log import LogLayout
+from ropsim.simulation.servo.log import LogLayout, floors
 from ropsim.simulation.servo.plant_code import plant_code
 from ropsim.simulation.servo.state import StateLayout
 
@@ -32,7 +32,8 @@ def _slice_text(structure: ArmStructure, traits: LawTraits) -> str:
     of the log is what holds then, beside what the amplifiers put out over the tick. `values` is the state
     vector; `ref`, `pending` and `memory` are parts of it by rows; `frame` (4, n), `stages` (5, m) and `now`
     (w,) are room to work in. Every tick enters the tally (4, w): `ends` (2, n) are the ranges of the joints,
-    `full` (w,) is from where on values count as at their limits. What is the same in many calls comes first.
+    `full` (w,) is from where on values count as at their limits; of pressures counts by how much they are
+    below what they can be. What is the same in many calls comes first.
     """
     n = structure.n
     layout = StateLayout.of(structure.drives, traits)
@@ -47,6 +48,12 @@ def _slice_text(structure: ArmStructure, traits: LawTraits) -> str:
     log = LogLayout.of(structure.drives)
     q_ref, qd_ref = log.field("q_ref").first, log.field("qd_ref").first
     q = log.field("q").first
+    below = "".join(
+        f"\n        for j in range({field.first}, {field.place.stop}):\n"
+        f"            now[j] = max({least!r} - now[j], 0.0)"
+        for name, least in floors(structure.drives).items()
+        for field in (log.field(name),)
+    )
     return f"""\
 def run_slice(
     values, ref, pending, memory, par, frame, stages, now, ends, full, plant_steps, period, constants, load,
@@ -93,7 +100,7 @@ def run_slice(
             row += 1
         for j in range({n}):
             now[{q} + j] = max(x[j] - ends[1, j], ends[0, j] - x[j], 0.0)
-            now[{q_ref} + j] -= x[j]
+            now[{q_ref} + j] -= x[j]{below}
         for j in range({log.width}):
             size = abs(now[j])
             if size > tally[0, j]:

@@ -99,7 +99,7 @@ def test_a_start_at_rest_stays_at_rest(servo: Servo) -> None:
 
 def _torque_constants(servo: Servo) -> Array:
     """Return G·Kt of each joint [N·m/A]."""
-    return np.array([one.ratio * dc_motor(one).torque_constant for one in servo.robot.drives])
+    return np.array([one.ratio_at(0.0) * dc_motor(one).torque_constant for one in servo.robot.drives])
 
 
 def test_motors_at_rest_carry_gravity_and_payload(servo: Servo) -> None:
@@ -234,10 +234,10 @@ def test_a_single_axis_moves_as_the_matrix_exponential_says() -> None:
     servo = Servo.build(robot, controller(1, Rates(1000, 4, 16)), _constant(5.0), Engine.PYTHON)
     link, motor = robot.links[0], dc_motor(one)
     x, y, _ = link.com
-    inertia = link.inertia[2, 2] + link.mass * (x * x + y * y) + motor.rotor_inertia * one.ratio**2
+    inertia = link.inertia[2, 2] + link.mass * (x * x + y * y) + motor.rotor_inertia * one.ratio_at(0.0) ** 2
     A = np.zeros((3, 3))
-    A[0, 1] = one.ratio * motor.torque_constant / inertia
-    A[1] = np.array([-one.ratio * motor.back_emf_constant, -motor.resistance, 5.0]) / motor.inductance
+    A[0, 1] = one.ratio_at(0.0) * motor.torque_constant / inertia
+    A[1] = np.array([-one.ratio_at(0.0) * motor.back_emf_constant, -motor.resistance, 5.0]) / motor.inductance
     expected = (expm(A * 0.05) @ np.array([0.0, 0.0, 1.0]))[:2]
     state = servo.initial_state(np.zeros(1))
     after = servo.run(state, standing(np.zeros(1), 50), NOTHING, servo.recorder(state))

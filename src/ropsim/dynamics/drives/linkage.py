@@ -1,0 +1,38 @@
+"""A cylinder between two links: its force has a lever that changes as the joint turns.
+
+The triangle of pins and axis and its derivatives: `model.Linkage`. What moves with the rod has the energy
+m·(G·q̇)²/2, so that the joint feels m·G² as inertia and m·G·G'·q̇² besides (Lagrange).
+"""
+
+from ropsim.codegen import Scalar, cos, sin, sqrt
+from ropsim.dynamics.drives.block import Carried, Movement, Numbers, Shaft, Steady, TransmissionBlock
+from ropsim.model import Linkage
+
+
+def _trace(p: Numbers, states: Numbers, shaft: Shaft) -> Carried:
+    """Return G·F and m·G²; the rod moves at G·q̇, and G' = r·s·cos(q + φ)/ℓ - G²/ℓ."""
+    del states
+    _, product, squares, angle, retracted = p
+    turn = shaft.q + angle
+    lever, length = product * cos(turn), sqrt(squares - 2.0 * product * cos(turn))
+    inverse: Scalar = 1.0 / length
+    ratio = product * sin(turn) * inverse
+    bend = (lever - ratio * ratio) * inverse
+    given, motor = shaft.motor(Movement(length - retracted, ratio * shaft.qd))
+    turned = shaft.inertia * ratio * bend * (shaft.qd * shaft.qd)
+    against = shaft.friction(ratio, shaft.qd) + turned
+    return Carried(ratio * motor.torque, against, shaft.inertia * (ratio * ratio), motor.rates, given)
+
+
+def _rest(gear: Linkage, q: float, effort: float) -> Steady:
+    ratio = gear.ratio_at(q)
+    return Steady((), effort / ratio if ratio else 0.0)
+
+
+LINKAGE = TransmissionBlock(
+    ("sense", "product", "squares", "angle", "retracted_length"),
+    ("product", "retracted_length"),
+    (),
+    _trace,
+    _rest,
+)

@@ -1,0 +1,101 @@
+"""Hydraulic motors and cylinders, each with the valve and the supply that it is at."""
+
+from ropsim.core import frozen_dataclass
+
+
+@frozen_dataclass
+class HydraulicMotor:
+    """A hydraulic motor, or a cylinder with two equal areas, at a symmetric servo valve with four edges.
+
+    The spool opens as x'' = ωn²·(i/i_r - x) - 2·ζ·ωn·x'. Each edge that is open lets Q = Q_r·|x|·√(2·Δp/Δp_r)
+    through, the fall of pressure Δp_r of data sheets being that of both edges. Each chamber has
+    p' = β/V·(Q - D·ω - leak), and the torque is D·(p_a - p_b) (H. E. Merritt, Hydraulic Control Systems,
+    Wiley 1967). Of a cylinder ω is its speed [m/s], the torque a force [N], D its area [m²].
+
+    Attributes:
+        displacement: D [m³/rad | m²].
+        chamber_volume: V of each chamber with its line, at mid-stroke [m³].
+        leakage: from chamber to chamber [m³/(s·Pa)].
+        rotor_inertia: J [kg·m²], or the moving mass [kg].
+        supply_pressure: [Pa].
+        return_pressure: [Pa].
+        bulk_modulus: effective β of the oil [Pa].
+        rated_flow: Q_r [m³/s], at the rated current and fall of pressure.
+        rated_pressure_drop: Δp_r [Pa] over both edges.
+        rated_input: i_r [A].
+        natural_frequency: ωn of the spool [rad/s].
+        damping_ratio: ζ of the spool.
+        oil_density: [kg/m³], at which the flow is rated; no equation has it.
+    """
+
+    displacement: float
+    chamber_volume: float
+    leakage: float
+    rotor_inertia: float
+    supply_pressure: float
+    return_pressure: float
+    bulk_modulus: float
+    rated_flow: float
+    rated_pressure_drop: float
+    rated_input: float
+    natural_frequency: float
+    damping_ratio: float
+    oil_density: float = 870.0
+
+
+@frozen_dataclass
+class HydraulicCylinder:
+    """A cylinder with one rod at a symmetric servo valve with four edges.
+
+    Its rod is out by s, from 0 to the stroke. The chamber behind the piston holds V_a = V_0a + A_a·s, that
+    around the rod V_b = V_0b + A_b·(stroke - s); p_a' = β/V_a·(Q_a - A_a·s' - leak), p_b' = β/V_b·(Q_b +
+    A_b·s' + leak), and the force that drives the rod out is A_a·p_a - A_b·p_b (H. E. Merritt, Hydraulic
+    Control Systems, Wiley 1967). Valve and flows are those of `HydraulicMotor`.
+
+    Attributes:
+        area_a: A_a, of the piston [m²].
+        area_b: A_b, of the ring around the rod [m²].
+        stroke: from the rod drawn in to the rod out [m].
+        dead_volume_a: V_0a, of the chamber with its line while the rod is in [m³].
+        dead_volume_b: V_0b, of the other one while the rod is out [m³].
+        leakage: from chamber to chamber [m³/(s·Pa)].
+        moving_mass: of rod and piston [kg].
+        supply_pressure: over that of the air [Pa].
+        return_pressure: the same [Pa].
+        bulk_modulus: effective β of the oil [Pa].
+        rated_flow: Q_r [m³/s], at the rated current and fall of pressure.
+        rated_pressure_drop: Δp_r [Pa] over both edges.
+        rated_input: i_r [A].
+        natural_frequency: ωn of the spool [rad/s].
+        damping_ratio: ζ of the spool.
+        oil_density: [kg/m³], at which the flow is rated; no equation has it.
+    """
+
+    area_a: float
+    area_b: float
+    stroke: float
+    dead_volume_a: float
+    dead_volume_b: float
+    leakage: float
+    moving_mass: float
+    supply_pressure: float
+    return_pressure: float
+    bulk_modulus: float
+    rated_flow: float
+    rated_pressure_drop: float
+    rated_input: float
+    natural_frequency: float
+    damping_ratio: float
+    oil_density: float = 870.0
+
+    @property
+    def rotor_inertia(self) -> float:
+        """Return the inertia of what moves with the shaft, here a mass [kg]."""
+        return self.moving_mass
+
+    def volumes(self, out: float) -> tuple[float, float]:
+        """Return the volumes of both chambers [m³] where the rod is out by `out` [m]."""
+        return self.dead_volume_a + self.area_a * out, self.dead_volume_b + self.area_b * (self.stroke - out)
+
+
+Hydraulic = HydraulicMotor | HydraulicCylinder

@@ -1,0 +1,59 @@
+"""Hydraulic motors and cylinders as instances, with their valves, supplies and pins."""
+
+from ropsim.model import (
+    WRITTEN,
+    Hydraulic,
+    HydraulicCylinder,
+    Linkage,
+    RobotModel,
+    carrier_frame,
+    pin_at,
+)
+from ropsim.nirox.building import UNSET, Building, reals
+from ropsim.part21 import Reference, Value
+from ropsim.spatial import Pose
+
+
+def write_hydraulic(building: Building, number: int, name: str, motor: Hydraulic) -> tuple[Reference, Value]:
+    """Make a hydraulic motor or cylinder and its valve, with the supply of that.
+
+    Args:
+        building: takes the instances.
+        number: of the joint.
+        name: of the joint.
+        motor: to be written.
+
+    Returns:
+        The motor and the valve.
+    """
+    pressures = (motor.supply_pressure, motor.return_pressure, motor.bulk_modulus, motor.oil_density)
+    key = ("amplifier", number)
+    supply = building.add((*key, "supply"), "HYDRAULIC_SUPPLY", f"supply {name}", *map(float, pressures))
+    flow = (motor.rated_flow, motor.rated_pressure_drop, motor.rated_input)
+    spool = (motor.natural_frequency, motor.damping_ratio, 0.0, 0.0)
+    valve = building.add(key, "SERVO_VALVE", f"valve {name}", supply, *map(float, (*flow, *spool)), UNSET)
+    sizes: tuple[float, ...]
+    if isinstance(motor, HydraulicCylinder):
+        keyword, label = "HYDRAULIC_CYLINDER", f"cylinder {name}"
+        volumes = (motor.dead_volume_a, motor.dead_volume_b)
+        sizes = (motor.area_a, motor.area_b, motor.stroke, *volumes, motor.leakage, motor.moving_mass)
+    else:
+        keyword, label = "HYDRAULIC_ROTARY_MOTOR", f"motor {name}"
+        sizes = (motor.displacement, motor.chamber_volume, motor.leakage, motor.rotor_inertia)
+    return building.add(("motor", number), keyword, label, *map(float, sizes)), valve
+
+
+def write_linkage(building: Building, robot: RobotModel, number: int, gear: Linkage) -> Reference:
+    """Make the pins of a cylinder, in the frames of the two links that they are on."""
+    joint = robot.joints[number]
+    carrier = pin_at(carrier_frame(joint, Pose()).inverse(), gear.carrier_pin, WRITTEN)
+    return building.add(
+        ("gear", number),
+        "LINKAGE_TRANSMISSION",
+        f"linkage {joint.name}",
+        building.at(("link", joint.parent)),
+        reals(carrier),
+        building.at(("link", number)),
+        reals(gear.link_pin),
+        float(gear.retracted_length),
+    )

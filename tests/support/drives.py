@@ -1,0 +1,35 @@
+"""The formulas of a hydraulic drive as a function of plain numbers."""
+
+from collections.abc import Callable
+
+import numpy as np
+
+from ropsim.codegen import Engine, Tracer, emit, load
+from ropsim.dynamics import chain_of
+from ropsim.model import Drive
+from ropsim.spatial import Array
+
+
+def rates_of(drive: Drive) -> Callable[[Array, float, float, float], Array]:
+    """Return the function of states, joint coordinate, joint speed and valve current to effort and rates.
+
+    Args:
+        drive: with four states.
+    """
+    chain, tracer = chain_of(drive), Tracer()
+    x = tracer.variables("x", 7)
+    p = [tracer.constant(value) for value in chain.numbers(drive)]
+    carried = chain.trace(p, x[4], x[5], x[:4], x[6])
+    results = [carried.effort, *carried.rates]
+    code = load(
+        "drive",
+        (emit("drive", ("x", "out"), [(f"out[{i}]", one) for i, one in enumerate(results)]),),
+        Engine.PYTHON,
+    )
+
+    def rates(states: Array, q: float, speed: float, current: float) -> Array:
+        out = [0.0] * 5
+        code([*states.tolist(), q, speed, current], out)
+        return np.array(out)
+
+    return rates
