@@ -71,5 +71,5 @@ def indent_of(line: str) -> int:
 
 
 def is_marked(text: str) -> bool:
-    """Return whether a text is one of those, one of so many, at which parts end."""
-    return crc32(text.strip().encode(errors="surrogatepass")) % ONE_OF == 0
+    """Return whether a text is one of those, one of so many, at which parts end; its form is one as well."""
+    return crc32("".join(text.split()).lower().encode(errors="surrogatepass")) % ONE_OF == 0

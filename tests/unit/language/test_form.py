@@ -3,6 +3,7 @@
 import pytest
 
 from ropsim.language import formatted
+from ropsim.language.chunks import chunks
 
 WRITTEN = """PROGRAM  Foo
 UNITS  mm,deg , mm / s
@@ -81,7 +82,7 @@ def test_a_text_is_written_in_its_form() -> None:
         ("q . z=q.z+1", "q.z = q.z + 1"),
         ("mov joints (1,2)", "mov joints(1, 2)"),
         ("mov (1,2,3;config(Left,UP),turns (0 ,-1))", "mov (1, 2, 3; config(Left, UP), turns (0, -1))"),
-        ("for i=9 to 1 step -2", "for i = 9 to 1 step -2"),
+        ("for i=9 to 1 step -2\nEndf", "for i = 9 to 1 step -2\nendf"),
         ("lin a at 3 mm Before END do set glue ON", "lin a at 3 mm before end do set glue on"),
         ("lin (1,2,3;euler ZYX 1 2 3)", "lin (1, 2, 3; euler ZYX 1 2 3)"),
         ("var  n:int=3", "var n: int = 3"),
@@ -123,3 +124,35 @@ def test_nothing_is_made_of_nothing(text: str) -> None:
 
 def test_line_ends_and_a_byte_order_mark_are_kept() -> None:
     assert formatted("\ufeffmov  a\r\n\r\n\r\nmov  b") == "\ufeffmov a\r\n\r\nmov b\r\n"
+
+
+ROWS = [line for k in range(100) for line in (f"LIN  (1,{k}, 3)", f"x{k}=3+{k}")]
+
+
+@pytest.mark.parametrize("opened", ["Repeat  3", "if  x1 > 2 then", "ENDR", "else"])
+@pytest.mark.parametrize("indent", ["", "   "])
+def test_lines_around_a_block_that_has_no_end_or_no_beginning_stay_as_they_are(
+    opened: str, indent: str
+) -> None:
+    inside = [f"{indent}mov   a", "", "", f"{indent}MOV b"]
+    text = "\n".join(("program  p", *ROWS, opened, *inside, *ROWS, "")).splitlines()
+    form = formatted("\n".join(text)).splitlines()
+    assert form[0] == "program p"
+    start = form.index(opened)
+    assert form[start : start + 5] == [opened, *inside]
+    assert len(form) == len(text)
+    as_written = sum(one == other for one, other in zip(form, text, strict=True))
+    assert 5 <= as_written < 100  # of 405 lines: the piece of the block and no more
+
+
+def test_a_task_whose_block_has_no_end_stays_as_it_is_and_others_do_not() -> None:
+    wrong = "task A()\n repeat  3\n  MOV a\nendp\n"
+    assert formatted(f"{wrong}\ntask B( )\nMOV  b\nendp\n") == f"{wrong}\ntask B()\n  mov b\nendp\n"
+    assert formatted(wrong.rstrip("\n")) == wrong.rstrip("\n")
+
+
+def test_a_text_and_its_form_are_cut_at_the_same_lines() -> None:
+    text = "\n".join(ROWS).splitlines()
+    form = formatted("\n".join(text)).splitlines()
+    assert form != text
+    assert [one.first for one in chunks(form)] == [one.first for one in chunks(text)] != [1]

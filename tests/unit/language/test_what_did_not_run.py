@@ -214,5 +214,5 @@ def test_a_type_reaches_all_lines_that_read_the_variable() -> None:
 def test_a_frame_reaches_the_lines_below_it_alone() -> None:
     editor = Editor(FLAT)
     parts = len(editor.ran("checked_part"))
-    editor.edited(FLAT.replace("lin (400, 30, 300)", "set frame pallet\nlin (400, 30, 300)"))
+    editor.edited(FLAT.replace("lin (400, 20, 300)", "set frame pallet\nlin (400, 20, 300)"))
     assert parts // 3 < len(editor.ran("checked_part")) < parts * 2 // 3

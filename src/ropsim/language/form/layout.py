@@ -1,18 +1,17 @@
 """A text in its form: indentation, blanks, lower-case words; lines that are wrong stay as they are."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable
 
 from ropsim.core import SourceText
-from ropsim.language.cache import LineCache
 from ropsim.language.form.indents import indented
+from ropsim.language.form.pieces import Piece, pieces
 from ropsim.language.form.rows import rows, without_blanks
 from ropsim.language.form.sameness import shape
-from ropsim.language.form.told import told
 from ropsim.language.form.writing import INDENT, written
 from ropsim.language.syntax.line import parse_line
 from ropsim.language.syntax.lines import logical_lines
 from ropsim.language.syntax.statements import Broken, ContractClause
-from ropsim.language.text import Line, read
+from ropsim.language.text import Line
 
 _MARK = "\ufeff"
 """Byte order mark: it may begin a text."""
@@ -24,29 +23,44 @@ def formatted(text: str) -> str:
     Blocks are indented by two blanks, statements have one blank between words and around operators, words of
     the language are written in lower case, and no more than one empty line stands between others. Comments
     and line breaks are kept, a comment behind a statement in its column where there is room. Lines that
-    cannot be read keep their characters, and so does the prose of contracts.
+    cannot be read keep their characters, and so does the prose of contracts. Where a block has no end or an
+    end no block, indentation says how far it reaches: those lines stay as they are, empty ones too.
     """
     if _MARK in text[1:]:
         return text
-    laid: list[str] = []
-    for block in _blocks(SourceText("", text)):
-        if block != [""] or (laid and laid[-1]):
-            laid += block
-    while laid and not laid[-1]:
-        laid.pop()
+    read = tuple(pieces(SourceText("", text)))
     ending = "\r\n" if "\r\n" in text else "\n"
-    result = "".join(line + ending for line in laid)
-    if text.endswith("\\"):  # with a line end it would go on
-        result = result.removesuffix(ending)
-    return _MARK + result if text.startswith(_MARK) and not result.startswith(_MARK) else result
+    result = "".join(line + ending for line in _lines(read))
+    if text.endswith("\\") or not all(piece.is_sound for piece in read[-1:]):
+        result = result.removesuffix(ending)  # with a line end the last line would go on, or be another one
+    form = _MARK + result if text.startswith(_MARK) and not result.startswith(_MARK) else result
+    kept = _unsound(read)
+    return form if not kept or _unsound(pieces(SourceText("", form))) == kept else text
 
 
-def _blocks(source: SourceText) -> Iterator[list[str]]:
-    """Yield the physical lines of each logical one in their form."""
-    lines = told(list(read(source, LineCache())))
-    ends = [*(line.logical.number - 1 for line in lines[1:]), len(source.lines)]
-    for (line, depth), end in zip(indented(lines), ends, strict=True):
-        yield _laid(line, depth, source.lines[line.logical.number - 1 : end])
+def _unsound(read: Iterable[Piece]) -> list[tuple[str, ...]]:
+    """Return the lines in which blocks have no ends: in the form of a text they are still the same ones."""
+    return [piece.physical for piece in read if not piece.is_sound]
+
+
+def _lines(read: Iterable[Piece]) -> list[str]:
+    """Return the physical lines of a text in their form."""
+    laid: list[str] = []
+    is_sound = True
+    for piece in read:
+        is_sound = piece.is_sound
+        if not is_sound:
+            laid += piece.physical
+            continue
+        for (line, depth), (_, physical) in zip(
+            indented(line for line, _ in piece.lines), piece.lines, strict=True
+        ):
+            block = _laid(line, depth, physical)
+            if block != [""] or (laid and laid[-1]):
+                laid += block
+    while is_sound and laid and not laid[-1]:
+        laid.pop()
+    return laid
 
 
 def _laid(line: Line, depth: int, physical: tuple[str, ...]) -> list[str]:
