@@ -11,6 +11,7 @@ import pytest
 
 from ropsim.workbench import new_project
 from support.patience import PATIENCE
+from support.usual_signals import usual_signals
 
 FULL = Path("/dev/full")
 
@@ -104,16 +105,21 @@ def test_an_interrupt_leaves_nothing_half_written(project: Path, tmp_path: Path)
     out = tmp_path / "out"
     out.mkdir()
     results = ("--report", out / "r.html", "--record", out / "r.npz")
-    with subprocess.Popen(
-        command("run", project, "--kinematic", *results),
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        text=True,
-    ) as process:
+    with usual_signals():
+        process = subprocess.Popen(
+            command("run", project, "--kinematic", *results),
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+        )
+    with process:
         assert process.stderr is not None
-        assert "simulating" in process.stderr.readline()  # the progress says that work is going on
-        process.send_signal(signal.SIGINT)
-        _, error = process.communicate(timeout=PATIENCE)
+        try:
+            assert "simulating" in process.stderr.readline()  # the progress says that work is going on
+            process.send_signal(signal.SIGINT)
+            _, error = process.communicate(timeout=PATIENCE)
+        finally:
+            process.kill()
     assert process.returncode == 130, error
     assert error.splitlines()[-1] == "interrupted; nothing was left half-written"
     assert list(out.iterdir()) == []

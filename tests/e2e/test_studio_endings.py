@@ -15,6 +15,7 @@ from support.patience import GLANCE, PATIENCE
 from support.studio_client import Page, command, opened, page_of
 from support.studio_family import ends, gone, language_servers, needs_proc, origins, workers
 from support.studio_process import Studio
+from support.usual_signals import usual_signals
 
 MAIN = "programs/main.task"
 ENDLESS = "program main\nrepeat\n  wait 1\nendr\n"
@@ -85,18 +86,23 @@ def test_an_end_during_the_start_leaves_nothing(
 ) -> None:
     home = tmp_path / "home"
     home.mkdir()
-    started = subprocess.Popen(
-        [*command(tmp_path), "studio", str(project), "--no-browser"],
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        start_new_session=True,
-        env={**os.environ, "XDG_STATE_HOME": str(home), "XDG_CONFIG_HOME": str(home)},
-    )
+    with usual_signals():
+        started = subprocess.Popen(
+            [*command(tmp_path), "studio", str(project), "--no-browser"],
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            start_new_session=True,
+            env={**os.environ, "XDG_STATE_HOME": str(home), "XDG_CONFIG_HOME": str(home)},
+        )
     end = time.monotonic() + PATIENCE
     while len(workers(started.pid)) < count and started.poll() is None and time.monotonic() < end:
         time.sleep(GLANCE)
     os.killpg(started.pid, signal.Signals[number])
-    _, errors = started.communicate(timeout=PATIENCE)
+    try:
+        _, errors = started.communicate(timeout=PATIENCE)
+    except subprocess.TimeoutExpired:
+        os.killpg(started.pid, signal.SIGKILL)
+        raise
     assert (started.returncode, errors) == (0, b"")
     assert ends(started.pid)
 

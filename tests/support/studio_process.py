@@ -15,6 +15,7 @@ from types import TracebackType
 from typing import Self
 
 from support.patience import PATIENCE
+from support.usual_signals import usual_signals
 
 ROPSIM = (sys.executable, "-P", "-m", "ropsim")
 ADDRESS = re.compile(r"http://127\.0\.0\.1:(\d+)/\S*")
@@ -57,7 +58,7 @@ class Studio:
         home.mkdir(parents=True, exist_ok=True)
         self.home = home
         self._errors = home / "stderr.txt"
-        with self._errors.open("ab") as errors:
+        with self._errors.open("ab") as errors, usual_signals():
             self.process = subprocess.Popen(
                 [
                     *command,
