@@ -1,10 +1,8 @@
-"""Files: no path of one machine, no registry host, no broken link between pages."""
+"""Files: no path of one machine, no registry host, exact versions."""
 
 import re
 import subprocess
 from pathlib import Path
-
-import pytest
 
 ROOT = Path(__file__).parents[2]
 FOREIGN = re.compile(
@@ -14,7 +12,6 @@ FOREIGN = re.compile(
     + r"hosted|deb\.deb"
     + r"ian|/(?:work|root|home|Users|opt)/[\w.-]+"
 )
-LINK = re.compile(r"\[[^\]\n]*\]\(([^)#\s]+)(?:#[^)]*)?\)")
 BINARY = {".png", ".npz", ".ico", ".jpg"}
 
 
@@ -31,26 +28,13 @@ def project_files() -> list[Path]:
     return [path for path in files if "__pycache__" not in path.parts and "out" not in path.parts]
 
 
-TEXTS = [path for path in project_files() if path.suffix not in BINARY]
-PAGES = [path for path in TEXTS if path.suffix == ".md"]
-
-
 def test_no_file_names_a_place_of_one_machine_or_a_registry() -> None:
     found = [
         f"{path.relative_to(ROOT)}: {match[0]}"
-        for path in TEXTS
-        if (match := FOREIGN.search(path.read_text("utf-8", errors="replace")))
+        for path in project_files()
+        if path.suffix not in BINARY and (match := FOREIGN.search(path.read_text("utf-8", errors="replace")))
     ]
     assert found == []
-
-
-@pytest.mark.parametrize("page", PAGES, ids=lambda page: str(page.relative_to(ROOT)))
-def test_links_between_pages_lead_somewhere(page: Path) -> None:
-    text = re.sub(r"```.*?```", "", page.read_text("utf-8"), flags=re.DOTALL)
-    targets = [
-        target for target in LINK.findall(text) if "://" not in target and not target.startswith("mailto:")
-    ]
-    assert [target for target in targets if not (page.parent / target).exists()] == []
 
 
 def test_every_pinned_version_is_exact() -> None:
