@@ -9,12 +9,12 @@ import numpy as np
 
 from ropsim import language
 from ropsim.calibration import MotionSettings, Trace
-from ropsim.calibration.limits import with_settings
+from ropsim.calibration.limits import under
 from ropsim.cellfile import read_cell
 from ropsim.controller import StretchOrder
 from ropsim.core import SourceText
 from ropsim.icr import Program
-from ropsim.model import Cell, Station
+from ropsim.model import Cell, Station, with_axis_limits
 from ropsim.simulation import Fidelity, RunOptions, run
 from ropsim.spatial import Array
 from ropsim.workbench import environment_of
@@ -100,7 +100,8 @@ def site(program: str = PROGRAM, cell_text: str = CELL) -> Site:
 
 def logged(made: Site, settings: MotionSettings, fidelity: Fidelity = Fidelity.KINEMATIC) -> Trace:
     """Return what a robot under settings logs of a program: at 125 Hz, by encoders of 0.002°."""
-    station = with_settings(made.station, settings)
+    robot = with_axis_limits(made.station.robot, *settings.joints)
+    station = replace(made.station, robot=robot, controller=under(made.station.controller, settings))
     cell = replace(made.cell, stations={**made.cell.stations, station.name: station})
     recording = run(cell, made.codes, RunOptions(fidelity, record_hz=1000))
     times = np.arange(0.0013, recording.duration, 1.0 / RATE)

@@ -1,10 +1,10 @@
-"""The limits that calibration looks for, and a station under them."""
+"""The limits that calibration looks for, and a controller under them."""
 
 from dataclasses import replace
 
 import numpy as np
 
-from ropsim.model import PathDefaults, Station, with_axis_limits
+from ropsim.model import ControllerModel, PathDefaults, Station
 from ropsim.spatial import Array, frozen, record
 
 ORDERS = 3
@@ -58,10 +58,7 @@ def settings_of(station: Station) -> MotionSettings:
     return MotionSettings(joints, np.array(tool), station.controller.look_ahead)
 
 
-def with_settings(station: Station, settings: MotionSettings) -> Station:
-    """Return a station whose controller keeps to other limits."""
+def under(controller: ControllerModel, settings: MotionSettings) -> ControllerModel:
+    """Return a controller that keeps to other limits on tool paths and looks as far ahead as they say."""
     (v, w), (a, wa), (j, wj) = settings.tool.tolist()
-    controller = replace(
-        station.controller, path=PathDefaults(v, a, j, w, wa, wj), look_ahead=settings.look_ahead
-    )
-    return replace(station, robot=with_axis_limits(station.robot, *settings.joints), controller=controller)
+    return replace(controller, path=PathDefaults(v, a, j, w, wa, wj), look_ahead=settings.look_ahead)

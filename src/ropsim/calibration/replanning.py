@@ -6,7 +6,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from ropsim.calibration.limits import MotionSettings, with_settings
+from ropsim.calibration.limits import ORDERS, MotionSettings, under
 from ropsim.controller import (
     MotionChain,
     MotionPlan,
@@ -16,7 +16,7 @@ from ropsim.controller import (
     plan,
     standard_chain,
 )
-from ropsim.model import Cell, Station
+from ropsim.model import Cell, RobotModel, Station, with_axis_limits
 from ropsim.spatial import Array
 
 Replan = Callable[[int, MotionSettings], MotionPlan | None]
@@ -42,9 +42,13 @@ def replanner(
     made_for = standard_chain(cell, station)
 
     @lru_cache(maxsize=_KEPT)
+    def robot_under(joints: bytes) -> RobotModel:
+        """Return one arm for all settings with these joint limits, so that it is looked at once."""
+        return with_axis_limits(station.robot, *np.frombuffer(joints).reshape(ORDERS, -1))
+
+    @lru_cache(maxsize=_KEPT)
     def chain(settings: MotionSettings) -> MotionChain:
-        changed = with_settings(station, settings)
-        robot, controller = changed.robot, changed.controller
+        robot, controller = robot_under(settings.joints.tobytes()), under(station.controller, settings)
         planner = made_for.planner
         assert isinstance(planner, StandardPathPlanner)
         planner = replace(planner, robot=robot, controller=controller)

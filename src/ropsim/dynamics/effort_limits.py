@@ -5,7 +5,7 @@ from math import inf, isfinite
 
 from ropsim.dynamics.drives import drive_fault, largest_effort
 from ropsim.dynamics.model_check import check_model
-from ropsim.model import Drive, Joint, Mechanism
+from ropsim.model import Drive, Mechanism
 from ropsim.spatial import Array, frozen
 
 
@@ -30,12 +30,16 @@ def effort_limits(robot: Mechanism) -> Array:
     efforts = [float(limit) for limit in robot.max_efforts]
     if robot.drives:
         pairs = zip(robot.drives, robot.axis_joints, strict=True)
-        drives = [inf if drive_fault(drive) else _least(drive, joint) for drive, joint in pairs]
+        drives = [_kept_up(drive, joint.lower, joint.upper) for drive, joint in pairs]
         efforts = [min(pair) for pair in zip(efforts, drives, strict=True)]
     return frozen(efforts)
 
 
-def _least(drive: Drive, joint: Joint) -> float:
-    """Return the least of what a drive can keep up: a lever is shortest at an end of the range."""
-    ends = [q for q in (joint.lower, joint.upper) if isfinite(q)] or [0.0]
-    return min(largest_effort(drive, q) for q in ends)
+@lru_cache(maxsize=1024)
+def _kept_up(drive: Drive, lower: float, upper: float) -> float:
+    """Return what a drive can keep up at standstill [N·m | N]; infinite for one that cannot exist.
+
+    It is the least in the range of its joint: a lever is shortest at one of the ends.
+    """
+    ends = [q for q in (lower, upper) if isfinite(q)] or [0.0]
+    return inf if drive_fault(drive) else min(largest_effort(drive, q) for q in ends)

@@ -27,8 +27,9 @@ def barycentric(mass: float, com: Array, inertia: Array) -> Array:
     return frozen([mass, *(mass * c), xx, yy, zz, xy, xz, yz])
 
 
+@lru_cache(maxsize=1024)
 def link_parameters(link: Link) -> Array:
-    """Return the barycentric parameters of a link in the frame of its joint, shape (10,)."""
+    """Return the barycentric parameters of a link in the frame of its joint, shape (10,), read-only."""
     return barycentric(link.mass, link.com, link.inertia)
 
 

@@ -1,6 +1,8 @@
 """Whether the dynamics of an arm can be computed."""
 
 import math
+from collections.abc import Sequence
+from functools import lru_cache
 
 from ropsim.dynamics.diagnostics import (
     ASYMMETRIC_INERTIA,
@@ -48,19 +50,26 @@ def _check_counts(robot: Mechanism) -> None:
 
 
 def _check_symmetric(owner: str, link: Link) -> None:
-    if not is_symmetric(link.inertia):
+    if not _has_symmetric_inertia(link):
         message = f"the inertia tensor of {owner} is not symmetric"
         hint = "write each product of inertia on both sides of the diagonal"
         raise ModelNumberError(ASYMMETRIC_INERTIA.at(None, message, hint=hint))
 
 
-def _drive_numbers(drive: Drive) -> list[float]:
+@lru_cache(maxsize=1024)
+def _has_symmetric_inertia(link: Link) -> bool:
+    """Return whether the inertia of a link is symmetric: links are shared by arms with other limits."""
+    return is_symmetric(link.inertia)
+
+
+@lru_cache(maxsize=1024)
+def _drive_numbers(drive: Drive) -> tuple[float, ...]:
     smoothing = drive.friction.smoothing_speed
     given = [number for number in chain_of(drive).numbers(drive) if number != math.inf]  # an open limit
-    return [*given, 1.0 / smoothing if smoothing else math.inf]
+    return *given, 1.0 / smoothing if smoothing else math.inf
 
 
-def _check_finite(owner: str, numbers: list[float]) -> None:
+def _check_finite(owner: str, numbers: Sequence[float]) -> None:
     bad = next((number for number in numbers if not math.isfinite(number)), None)
     if bad is not None:
         message = f"a number of {owner} is `{float(bad)}`; every number of a model must be finite"

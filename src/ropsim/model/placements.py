@@ -4,10 +4,12 @@ A quaternion of a right angle gives cosines such as 2e-16. Code generators drop 
 factor is exactly zero, so entries that are 0 or ±1 to rounding are set so here.
 """
 
+from functools import lru_cache
+
 import numpy as np
 
 from ropsim.model.joint_tree import JointTree
-from ropsim.spatial import Array, Pose
+from ropsim.spatial import Array, Pose, frozen
 
 SNAP = 1e-15
 """Entries this near to -1, 0 or 1 are rounding, not geometry: no drawing gives angles to 1e-15 rad."""
@@ -20,9 +22,10 @@ def snapped(matrix: Array) -> Array:
     return np.where(whole, nearest + 0.0, matrix)
 
 
+@lru_cache(maxsize=1024)
 def pose_matrices(pose: Pose) -> tuple[Array, Array]:
-    """Return (R_AB, p_AB) of a pose X_AB, shapes (3, 3) and (3,) [m], entries snapped."""
-    return snapped(pose.rotation()), snapped(pose.position)
+    """Return (R_AB, p_AB) of a pose X_AB, shapes (3, 3) and (3,) [m], entries snapped, read-only."""
+    return frozen(snapped(pose.rotation())), frozen(snapped(pose.position))
 
 
 def placement_matrices(tree: JointTree) -> tuple[Array, Array]:

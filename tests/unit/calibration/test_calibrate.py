@@ -104,18 +104,26 @@ def test_every_motion_lasts_as_long_as_in_the_trace() -> None:
     assert found.remaining < NEAR_TIME
 
 
-def test_one_weak_joint_is_told_from_the_others() -> None:
-    """Joint 1 alone accelerates far less; joints that move beside it are not blamed."""
+@cache
+def weak() -> tuple[MotionSettings, Trace, Calibration]:
+    """Return limits of which one is far lower, a short trace under them, and what comes of it."""
     made = site(SHORT)
     known = settings_of(made.station)
     joints = known.joints.copy()
     joints[1, 0] *= WEAK
-    weak = MotionSettings(joints, known.tool, known.look_ahead)
-    found, findings = calibrate(made.cell, made.station, made.orders, logged(made, weak))
+    settings = MotionSettings(joints, known.tool, known.look_ahead)
+    logs = logged(made, settings)
+    found, findings = calibrate(made.cell, made.station, made.orders, logs)
     assert found is not None
     assert findings == ()
-    assert found.after.joints[1, 0] == pytest.approx(joints[1, 0], rel=NEAR)
-    assert found.after.joints[:2, 1:] == pytest.approx(joints[:2, 1:], rel=NEAR)
+    return settings, logs, found
+
+
+def test_one_weak_joint_is_told_from_the_others() -> None:
+    """Joint 1 alone accelerates far less; joints that move beside it are not blamed."""
+    settings, _, found = weak()
+    assert found.after.joints[1, 0] == pytest.approx(settings.joints[1, 0], rel=NEAR)
+    assert found.after.joints[:2, 1:] == pytest.approx(settings.joints[:2, 1:], rel=NEAR)
 
 
 def test_joints_that_all_differ_are_told_apart_and_limits_that_nothing_tells_are_not_lowered() -> None:
@@ -189,15 +197,17 @@ def test_a_robot_that_keeps_to_its_limits_changes_nothing_that_matters() -> None
 
 
 def test_longer_pauses_between_the_motions_change_nothing() -> None:
-    made, known = site(), trace()
+    made, (settings, known, before) = site(SHORT), weak()
     rests = np.flatnonzero(np.abs(np.diff(known.q, axis=0)).max(axis=1) == 0.0)
     middle = int(rests[len(rests) // 2])
     pause = np.repeat(known.q[middle : middle + 1], int(3.0 * RATE), axis=0)
     q = np.vstack((known.q[:middle], pause, known.q[middle:]))
     found, _ = calibrate(made.cell, made.station, made.orders, Trace(np.arange(len(q)) / RATE, q))
     assert found is not None
-    assert found.after.look_ahead == 2
-    assert found.after.all == pytest.approx(calibrated().after.all, rel=NEAR)
+    assert found.after.look_ahead == settings.look_ahead
+    lasts = [one.logged for one in before.stretches]
+    assert [one.logged for one in found.stretches] == pytest.approx(lasts, rel=1e-6)  # rounding of times
+    assert found.after.all == pytest.approx(before.after.all, rel=NEAR)
 
 
 def test_a_trace_of_another_program_is_refused() -> None:
