@@ -25,11 +25,13 @@ class KinematicPlant:
         self._lower, self._upper = robot.lower_limits, robot.upper_limits
         self._q = np.array(q)
         self._qd = np.zeros(len(q))
+        self._stands = False  # since it was judged where it is
         self._tick = 0
         self._log = RowLog(2 * len(q), 0, record_ticks, most_rows)
         self._past = Past(0, self._q)
         self._tally = Tally(fields((("overrun", "qd"),) * len(q), 0), 2 * len(q))
-        self._log.begin(np.concatenate([q, np.zeros(len(q))]))
+        self._row = np.concatenate([q, np.zeros(len(q))])  # as it stands
+        self._log.begin(self._row)
 
     @property
     def q(self) -> Array:
@@ -65,16 +67,20 @@ class KinematicPlant:
         self._judge(reference.q, reference.qd)
         self._past.enter(self._tick + 1, reference.q)
         self._q, self._qd = np.array(reference.q[-1]), np.array(reference.qd[-1])
+        self._stands = False
         self._tick += reference.ticks
 
     def hold(self, q: Array, ticks: int, payload: Payload) -> None:
-        """Stand still at `q` for `ticks` control ticks: one row tells all of them."""
+        """Stand still at `q` for `ticks` control ticks: one row tells all of them, and of all holds there."""
         del payload
         table, row = self._log.claim(self._tick, ticks)
-        self._q, self._qd = np.array(q), np.zeros(len(q))
-        table[row : self._log.rows] = np.concatenate((self._q, self._qd))
-        self._judge(self._q[np.newaxis], self._qd[np.newaxis])
-        self._past.enter(self._tick + 1, self._q[np.newaxis])
+        if not (self._stands and np.array_equal(q, self._q)):
+            self._q, self._qd = np.array(q), np.zeros(len(q))
+            self._row = np.concatenate((self._q, self._qd))
+            self._judge(self._q[np.newaxis], self._qd[np.newaxis])
+            self._past.enter(self._tick + 1, self._q[np.newaxis])
+            self._stands = True
+        table[row : self._log.rows] = self._row
         self._tick += ticks
 
     def _judge(self, q: Array, qd: Array) -> None:
