@@ -14,6 +14,7 @@ from ropsim.language import formatted
 from ropsim.language.syntax.lexer import tokens
 from ropsim.language.syntax.lines import logical_lines
 from ropsim.language.syntax.words import RESERVED
+from support.characters import ANY
 from support.manual import DOCS, blocks
 from support.programs.making import program
 from support.programs.text import written
@@ -115,7 +116,7 @@ def test_any_words_mean_the_same_in_their_form(words: list[str], random: Random)
 
 
 @settings(max_examples=150, derandomize=True, deadline=None)
-@given(st.text(max_size=300))
+@given(st.text(ANY, max_size=300))
 def test_any_text_has_a_form(text: str) -> None:
     form = formatted(text)
     assert formatted(form) == form

@@ -29,13 +29,14 @@ from ropsim.icr import (
     run,
     verify,
 )
+from support.characters import ANY
 
 GOLDEN = sorted((Path(__file__).parent.parent / "golden" / "icr").glob("*.icr"))
 TEXTS = [path.read_text(encoding="ascii") for path in GOLDEN]
 PROGRAMS = [assemble(text) for text in TEXTS]
 BUDGET = 20_000
 
-names = st.text(min_size=1, max_size=8)
+names = st.text(ANY, min_size=1, max_size=8)
 reals = st.floats(allow_nan=False)
 types = st.sampled_from(Type)
 Named = TypeVar("Named", Variable, IoChannel, FrameDefinition, ToolDefinition)
@@ -50,7 +51,7 @@ constants = st.one_of(
     st.booleans().map(lambda value: Constant(Type.BOOL, value)),
     st.integers(-(2**63), 2**63 - 1).map(lambda value: Constant(Type.INT, value)),
     reals.map(lambda value: Constant(Type.REAL, value)),
-    st.text(max_size=8).map(lambda value: Constant(Type.STR, value)),
+    st.text(ANY, max_size=8).map(lambda value: Constant(Type.STR, value)),
     numbers(3).map(lambda value: Constant(Type.VEC, value)),
     numbers(4).map(lambda value: Constant(Type.ORI, value)),
     numbers(7).map(lambda value: Constant(Type.POSE, value)),
@@ -67,7 +68,7 @@ def operand(kind: OperandKind) -> st.SearchStrategy[Operand]:
     if kind is OperandKind.CONSTANT:
         return constants
     if kind is OperandKind.POSTURE:
-        return st.from_regex(r"\A[a-z][a-z0-9_]*(-[a-z][a-z0-9_]*){0,2}\Z")
+        return st.from_regex(r"\A[a-z][a-z0-9_]*(-[a-z][a-z0-9_]*){0,2}\Z", alphabet=ANY)
     if kind in WORDS:
         return st.sampled_from(WORDS[kind])
     if kind in {OperandKind.FRAME, OperandKind.TOOL}:
@@ -129,7 +130,7 @@ def replace_target(step: Step, size: int) -> Step:
 def programs(draw: st.DrawFn) -> Program:
     """Return a program that can be written down; the verifier refuses most of them."""
     return Program(
-        draw(st.text(max_size=8)),
+        draw(st.text(ANY, max_size=8)),
         tuple(draw(procedures(name)) for name in draw(NAMES)),
         capabilities=tuple(sorted(draw(PARTS))),
         axes=draw(AXES),
@@ -137,7 +138,7 @@ def programs(draw: st.DrawFn) -> Program:
         channels=tuple(draw(CHANNELS)),
         frames=tuple(draw(FRAMES)),
         tools=tuple(draw(TOOLS)),
-        source=draw(st.text(max_size=8)),
+        source=draw(st.text(ANY, max_size=8)),
     )
 
 
@@ -158,7 +159,7 @@ def test_the_verifier_answers_for_every_program(program: Program) -> None:
 
 
 @settings(max_examples=200, derandomize=True)
-@given(st.text(max_size=400))
+@given(st.text(ANY, max_size=400))
 def test_no_text_makes_the_reader_fail(text: str) -> None:
     program, found = read_text(text)
     assert (program is None) == bool(found)
@@ -170,7 +171,7 @@ def test_no_text_makes_the_reader_fail(text: str) -> None:
 @given(st.sampled_from(TEXTS), st.data())
 def test_a_damaged_text_is_refused_or_runs_to_an_end(text: str, data: st.DataObject) -> None:
     at = data.draw(st.integers(0, len(text) - 1))
-    damage = data.draw(st.text(max_size=3))
+    damage = data.draw(st.text(ANY, max_size=3))
     program, _ = read_text(text[:at] + damage + text[at + data.draw(st.integers(0, 3)) :])
     if program is not None and not verify(program):
         assert run(program, budget=BUDGET).steps <= BUDGET

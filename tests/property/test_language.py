@@ -7,6 +7,7 @@ from hypothesis import strategies as st
 
 from ropsim.core import Span
 from ropsim.language import Compiled
+from support.characters import ANY
 from support.tasks import CELL, compiled
 
 FIG5 = (Path(__file__).parents[1] / "golden" / "task" / "fig5.task").read_text(encoding="utf-8")
@@ -55,7 +56,7 @@ def assert_inside(span: Span, result: Compiled) -> None:
 
 
 @EXAMPLES
-@given(st.text(max_size=400))
+@given(st.text(ANY, max_size=400))
 def test_any_text_is_answered(text: str) -> None:
     assert_answers(text)
 
@@ -77,7 +78,7 @@ def test_any_words_of_the_language_are_answered(lines: list[list[str]]) -> None:
 def test_mutations_of_right_programs_are_answered(program: str, data: st.DataObject) -> None:
     start = data.draw(st.integers(0, len(program)))
     length = data.draw(st.integers(0, 30))
-    inserted = data.draw(st.one_of(st.text(max_size=5), st.sampled_from(WORDS)))
+    inserted = data.draw(st.one_of(st.text(ANY, max_size=5), st.sampled_from(WORDS)))
     assert_answers(program[:start] + inserted + program[start + length :])
 
 

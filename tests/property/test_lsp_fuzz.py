@@ -13,6 +13,7 @@ from ropsim.lsp.framing import FrameReader, framed
 from ropsim.lsp.messages import ErrorCode
 from ropsim.lsp.protocol import ContentChange, Position, Range
 from ropsim.lsp.requests import ASKED
+from support.characters import ANY
 from support.editors import Editor, applied, place
 
 URI = "file:///nowhere-at-all/x.task"
@@ -26,24 +27,24 @@ json_values = st.recursive(
     | st.booleans()
     | st.integers(-(2**40), 2**40)
     | st.floats(allow_nan=False, allow_infinity=False)
-    | st.text(max_size=9),
-    lambda inner: st.lists(inner, max_size=3) | st.dictionaries(st.text(max_size=9), inner, max_size=3),
+    | st.text(ANY, max_size=9),
+    lambda inner: st.lists(inner, max_size=3) | st.dictionaries(st.text(ANY, max_size=9), inner, max_size=3),
     max_leaves=8,
 )
 positions = st.fixed_dictionaries({"line": st.integers(0, 5), "character": st.integers(0, 20)})
 params = json_values | st.fixed_dictionaries(
     {
         "textDocument": st.fixed_dictionaries(
-            {"uri": st.sampled_from([URI, "", "file:", "file:///%00"]), "text": st.text(max_size=40)}
+            {"uri": st.sampled_from([URI, "", "file:", "file:///%00"]), "text": st.text(ANY, max_size=40)}
         ),
         "position": positions,
         "newName": st.sampled_from(["b", "a", "lin", "2", ""]),
         "previousResultId": st.just("x"),
-        "query": st.text(max_size=3),
+        "query": st.text(ANY, max_size=3),
         "range": st.fixed_dictionaries({"start": positions, "end": positions}),
         "contentChanges": st.lists(
             st.fixed_dictionaries(
-                {"text": st.text(max_size=9)},
+                {"text": st.text(ANY, max_size=9)},
                 optional={"range": st.fixed_dictionaries({"start": positions, "end": positions})},
             ),
             max_size=3,

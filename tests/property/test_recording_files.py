@@ -27,12 +27,13 @@ from ropsim.flow import (
 )
 from ropsim.records import RecordingFileError, read_recording, recording_bytes
 from ropsim.records.plain_values import tagged, untagged
+from support.characters import ANY
 from support.recordings import pick_and_place, two_findings
 
 CONTENT = recording_bytes(pick_and_place(1, 10.0, two_findings()))
 PLAIN = st.recursive(
-    st.none() | st.booleans() | st.integers() | st.floats(allow_nan=False) | st.text(),
-    lambda inner: st.lists(inner, max_size=4) | st.dictionaries(st.text(), inner, max_size=4),
+    st.none() | st.booleans() | st.integers() | st.floats(allow_nan=False) | st.text(ANY),
+    lambda inner: st.lists(inner, max_size=4) | st.dictionaries(st.text(ANY), inner, max_size=4),
     max_leaves=12,
 )
 
@@ -84,7 +85,7 @@ def test_plain_values_come_back(value: object) -> None:
     assert untagged(tagged(value)) == value
 
 
-TEXTS = st.text(max_size=8)
+TEXTS = st.text(ANY, max_size=8)
 NUMBERS = st.floats()
 ORIGINS = st.none() | st.builds(
     Origin,
@@ -131,15 +132,15 @@ def events() -> st.SearchStrategy[Event]:
     happened=st.lists(events(), max_size=4),
     about=st.builds(
         RunFacts,
-        project=st.text(),
+        project=st.text(ANY),
         record_hz=NUMBERS,
-        checked=st.lists(st.text(), max_size=2).map(tuple),
+        checked=st.lists(st.text(ANY), max_size=2).map(tuple),
         inputs=st.lists(st.builds(InputChange, NUMBERS, TEXTS, NUMBERS), max_size=2).map(tuple),
         overrides=st.lists(st.builds(OverrideChange, NUMBERS, NUMBERS), max_size=2).map(tuple),
         stopped=st.none() | NUMBERS,
         stations=st.lists(st.builds(StationFacts, TEXTS, control_hz=NUMBERS), max_size=2).map(tuple),
     ),
-    unit=st.text(max_size=5),
+    unit=st.text(ANY, max_size=5),
 )
 def test_any_channel_event_and_fact_comes_back(
     place: Path, values: list[float], changes: list[float], happened: list[Event], about: RunFacts, unit: str

@@ -23,13 +23,14 @@ from ropsim.part21 import (
     read_exchange,
     write_exchange,
 )
+from support.characters import ANY
 
 HEADER = (
     Record("FILE_DESCRIPTION", (("",), "2;1")),
     Record("FILE_NAME", ("", "", ("",), ("",), "", "", "")),
     Record("FILE_SCHEMA", (("A",),)),
 )
-WORDS = st.from_regex(r"[A-Z][A-Z0-9_]{0,6}", fullmatch=True)
+WORDS = st.from_regex(r"[A-Z][A-Z0-9_]{0,6}", fullmatch=True, alphabet=ANY)
 
 
 def values(count: int) -> st.SearchStrategy[Value]:
@@ -41,7 +42,7 @@ def values(count: int) -> st.SearchStrategy[Value]:
         st.sampled_from(Absent),
         WORDS.map(Enumeration),
         st.integers(1, count).map(Reference),
-        st.from_regex(r"[0-3][0-9A-F]{0,4}", fullmatch=True).map(Binary),
+        st.from_regex(r"[0-3][0-9A-F]{0,4}", fullmatch=True, alphabet=ANY).map(Binary),
     )
     return st.recursive(
         simple,

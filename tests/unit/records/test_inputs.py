@@ -17,6 +17,7 @@ from ropsim.records.inputs import LONGEST, inputs_of, read_inputs, with_inputs
 from ropsim.records.plain_inputs import inputs_from_plain
 from ropsim.simulation import Fidelity, InputChange, RunOptions
 from ropsim.workbench import open_project
+from support.characters import ANY
 from support.live import KEYS, project
 
 INPUTS = (InputChange(2.0, "start", 1.0), InputChange(2.5, "more", 1.0), InputChange(2.6, "level", -0.25))
@@ -62,7 +63,7 @@ def test_what_was_given_is_written_in_order_of_time_and_comes_back(tmp_path: Pat
 TIMES = st.floats(0.0, 1e6)
 GIVEN = st.builds(
     Interventions,
-    st.lists(st.builds(InputChange, TIMES, st.text(), st.floats(-1e9, 1e9))).map(sorted).map(tuple),
+    st.lists(st.builds(InputChange, TIMES, st.text(ANY), st.floats(-1e9, 1e9))).map(sorted).map(tuple),
     st.lists(st.builds(OverrideChange, TIMES, st.floats(0.0, 1.0))).map(sorted).map(tuple),
     st.none() | TIMES,
 )
@@ -201,7 +202,7 @@ def test_missing_and_foreign_files_are_told(tmp_path: Path) -> None:
 
 
 JSON = st.recursive(
-    st.none() | st.booleans() | st.integers() | st.floats() | st.text(max_size=5),
+    st.none() | st.booleans() | st.integers() | st.floats() | st.text(ANY, max_size=5),
     lambda inner: (
         st.lists(inner, max_size=4)
         | st.dictionaries(st.sampled_from(["signal", "time", "value", "override", "stop"]), inner, max_size=3)

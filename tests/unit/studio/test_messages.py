@@ -18,6 +18,7 @@ from tools import wire_types
 from ropsim.core import frozen_dataclass
 from ropsim.studio import commands, messages
 from ropsim.studio.jobs import PoseNumbers
+from support.characters import ANY
 
 ROOT = Path(__file__).parents[3]
 PAGE_SIDE = ROOT / "frontend" / "src" / "wire"
@@ -146,7 +147,7 @@ def test_a_text_that_is_no_command_is_told_in_words(text: str | bytes) -> None:
     assert problem
 
 
-@given(st.one_of(st.text(), st.binary()))
+@given(st.one_of(st.text(ANY), st.binary()))
 def test_no_text_raises(text: str | bytes) -> None:
     command, problem = commands.read_command(text)
     assert (command is None) == bool(problem)
