@@ -28,12 +28,19 @@ class LineEditor:
         self._place = place
         self._workshop = Workshop()
         self._found: tuple[str, ...] = ()
+        self._words: Callable[[str], tuple[str, ...]] = _no_words
         self.is_typed = sys.stdin.isatty() and sys.stdout.isatty()
         if self.is_typed:
             self._prepare()
 
-    def line(self, prompt: str) -> str | None:
-        """Return the next line, None at the end of the input."""
+    def line(self, prompt: str, words: Callable[[str], tuple[str, ...]] | None = None) -> str | None:
+        """Return the next line, None at the end of the input.
+
+        Args:
+            prompt: stands before it.
+            words: returns those with which it can go on beside what the text tells, as far as it is typed.
+        """
+        self._words = words or _no_words
         try:
             if self.is_typed:
                 return input(prompt)
@@ -55,7 +62,8 @@ class LineEditor:
 
     def offered(self, line: str) -> tuple[str, ...]:
         """Return what can stand where a line ends, as far as it begins like the word there."""
-        return offered(self._text(), line, self._place, self._workshop)
+        found = offered(self._text(), line, self._place, self._workshop)
+        return tuple(sorted({*self._words(line), *found}))
 
     def _prepare(self) -> None:
         try:
@@ -74,6 +82,11 @@ class LineEditor:
             self._found = self.offered(readline.get_line_buffer()[: readline.get_endidx()])
         del begun
         return self._found[number] if number < len(self._found) else None
+
+
+def _no_words(line: str) -> tuple[str, ...]:
+    del line
+    return ()
 
 
 def _history() -> Path:

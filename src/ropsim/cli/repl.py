@@ -18,6 +18,7 @@ from ropsim.workbench import (
     open_project,
     reply_to,
     standing,
+    words_for,
 )
 
 if TYPE_CHECKING:
@@ -102,7 +103,7 @@ def _lines(editor: LineEditor) -> Iterator[str]:
     lines: list[str] = []
     while True:
         try:
-            line = editor.line(_MORE if lines else _PROMPT)
+            line = editor.line(_MORE) if lines else editor.line(_PROMPT, words_for)
         except KeyboardInterrupt:
             lines = []
             continue

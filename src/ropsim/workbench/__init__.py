@@ -58,6 +58,7 @@ from ropsim.workbench.session import saved as saved
 from ropsim.workbench.session import session_text as session_text
 from ropsim.workbench.session import taken_back as taken_back
 from ropsim.workbench.session import told as told
+from ropsim.workbench.session_words import words_for as words_for
 from ropsim.workbench.task_texts import NO_TASKS as NO_TASKS
 from ropsim.workbench.task_texts import TaskTexts as TaskTexts
 from ropsim.workbench.task_texts import read_task_texts as read_task_texts

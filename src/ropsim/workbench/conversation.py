@@ -9,6 +9,7 @@ from ropsim.language import goes_on
 from ropsim.workbench.project import ProjectError
 from ropsim.workbench.project_diagnostics import NOT_IN_SESSION, NOT_WRITABLE
 from ropsim.workbench.session import Session, begin_session, saved, taken_back, told
+from ropsim.workbench.session_words import with_hints
 
 if TYPE_CHECKING:
     from ropsim.simulation import RunOptions
@@ -103,7 +104,7 @@ def _reply(session: Session, said: str, line: str, options: "RunOptions") -> Rep
             lines = tuple(session.text.splitlines()) or ("no commands",)
             return Reply(session, Outcome.ANSWERED, lines)
         case "undo", "":
-            return _moved(session, taken_back(session, options))
+            return _taken_back(session, options)
         case "restart", "":
             return _moved(session, begin_session(session.project, options))
         case "undo" | "restart", _:
@@ -131,8 +132,17 @@ def _told(session: Session, line: str, options: "RunOptions") -> Reply:
     answer = told(session, line, options)
     asked = replace(session, commands=(*session.commands, line))
     if not answer.is_taken:
-        return Reply(session, Outcome.REFUSED, (), answer.diagnostics, asked)
+        return Reply(session, Outcome.REFUSED, (), with_hints(answer.diagnostics, line), asked)
     return replace(_moved(session, answer.session), diagnostics=answer.diagnostics, asked=asked)
+
+
+def _taken_back(session: Session, options: "RunOptions") -> Reply:
+    """Return the session without its last command, and which one that was."""
+    if not session.commands:
+        return Reply(session, Outcome.ANSWERED, ("there is no command to take back",))
+    first, *more = session.commands[-1].strip().splitlines()
+    reply = _moved(session, taken_back(session, options))
+    return replace(reply, lines=(f"took back `{first}{' …' if more else ''}`", *reply.lines))
 
 
 def _moved(before: Session, after: Session) -> Reply:

@@ -8,6 +8,7 @@ import pytest
 
 from ropsim.cli.line_editor import LineEditor
 from ropsim.cli.main import main
+from ropsim.workbench import words_for
 
 
 @pytest.fixture
@@ -35,7 +36,12 @@ def test_commands_are_answered_with_pose_and_time(
         "4.000 s (+2.000 s)",
         "2.000 s (-2.000 s)",
     ]
-    assert [line for line in lines if not line.startswith("x ")] == ["says 3", "wait 2 s", "print 1 + 2"]
+    assert [line for line in lines if not line.startswith("x ")] == [
+        "says 3",
+        "took back `repeat 2 …`",
+        "wait 2 s",
+        "print 1 + 2",
+    ]
 
 
 def test_no_mistake_ends_it(
@@ -80,6 +86,20 @@ def test_completion_offers_what_can_stand_there(project: Path) -> None:
     assert editor.offered('print "pi') == ()
 
 
+def test_completion_offers_words_to_the_session_where_a_line_begins(
+    project: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    editor = LineEditor(lambda: "program p\n", project / "programs" / "x.task")
+    monkeypatch.setattr(sys, "stdin", io.StringIO("wait 1 s\nwait 2 s\n"))
+    editor.line("> ", words_for)
+    assert {"undo", "until"} <= set(editor.offered("un"))
+    assert {"restart", "repeat"} <= set(editor.offered("re"))
+    assert {"undo", "help", "mov"} <= set(editor.offered(""))
+    assert "undo" not in editor.offered("mov ")
+    editor.line(". ")
+    assert "undo" not in editor.offered("un")
+
+
 def test_a_session_can_begin_anew(
     project: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -94,7 +114,7 @@ def test_words_to_the_session_are_written_in_any_case(
 ) -> None:
     assert said(project, "print 1\nprint 2\nUndo\nLIST\nRestart\nlist\nQuit\nprint 3\n", monkeypatch) == 0
     lines = [line for line in capsys.readouterr().out.splitlines() if not line.startswith("x ")]
-    assert lines == ["says 1", "says 2", "print 1", "no commands"]
+    assert lines == ["says 1", "says 2", "took back `print 2`", "print 1", "no commands"]
 
 
 def test_a_program_without_a_name_is_not_saved(
@@ -111,3 +131,14 @@ def test_words_to_the_session_take_nothing_more(
     printed = capsys.readouterr()
     assert printed.err.count("[X912]") == 2
     assert printed.out.splitlines()[-1] == "wait 1 s"
+
+
+def test_words_to_the_session_that_are_misspelt_are_told(
+    project: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    lines = "hlep\nudno\nSvae first\nmvo pick_up\nundo\n"
+    assert said(project, lines, monkeypatch) == 1
+    printed = capsys.readouterr()
+    assert printed.out.splitlines()[1:] == ["there is no command to take back"]
+    hints = [line.split("did you mean ")[1] for line in printed.err.splitlines() if "did you mean" in line]
+    assert hints == ["`help`?", "`undo`?", "`save`?", "`mov`?"]

@@ -26,6 +26,7 @@ from ropsim.workbench import (
     reply_to,
     session_text,
     standing,
+    words_for,
 )
 
 LISTEN = 0.05
@@ -76,8 +77,9 @@ class ToldRobot:
             return OfferedReply(begun_word(last), ())
         unsaved = {folder / name: text for name, text in job.texts.items()}
         place = folder / "programs" / "session.task"
+        words = words_for(job.line) if "\n" not in job.line else ()
         found = offered(text, job.line, place, self._workshop, unsaved)
-        return OfferedReply(begun_word(last), found)
+        return OfferedReply(begun_word(last), tuple(sorted({*words, *found})))
 
     def _so_far(self, project: Project, commands: tuple[str, ...], options: RunOptions) -> Session:
         """Return the session with some commands; they are carried out again where texts have changed.

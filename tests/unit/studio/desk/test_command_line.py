@@ -119,4 +119,6 @@ def test_words_that_can_end_a_line(robot: ToldRobot, folder: Path) -> None:
     assert "Carry" in offered("Ca")[1]
     assert offered("mov plac", "loc placed = pick_up above 50") == ("plac", ("placed",))
     assert offered("repeat 2\nlin pick") == ("pick", ("pick_up",))
+    assert "undo" in offered("un")[1]
+    assert "undo" not in offered("repeat 2\nun")[1]
     assert offered("mov x", texts={"cell.toml": "["}) == ("x", ())

@@ -1,0 +1,29 @@
+"""Words to a session of commands: what they are, which may have been meant, and with which a line goes on."""
+
+from dataclasses import replace
+
+from ropsim.core import Diagnostic, near
+from ropsim.language import STATEMENT_WORDS
+
+SESSION_WORDS = ("undo", "restart", "list", "save", "help", "quit", "exit")
+
+_UNKNOWN_TASK = "N201"
+
+
+def words_for(line: str) -> tuple[str, ...]:
+    """Return the words to the session with which a line can go on that somebody types, empty or begun."""
+    begun = line.strip().lower()
+    return tuple(word for word in SESSION_WORDS if word.startswith(begun))
+
+
+def with_hints(found: tuple[Diagnostic, ...], command: str) -> tuple[Diagnostic, ...]:
+    """Return the findings of a command; where it begins like a misspelt word to the session, one says so."""
+    head = command.split(maxsplit=1)[0] if command.strip() else ""
+    meant = near(head, (*SESSION_WORDS, *STATEMENT_WORDS), limit=1)
+    if not head.isalpha() or not meant or meant[0] not in SESSION_WORDS:
+        return found
+    hint = f"did you mean `{meant[0]}`?"
+    return tuple(
+        replace(one, hint=hint) if one.code == _UNKNOWN_TASK and f"`{head}`" in one.message else one
+        for one in found
+    )
