@@ -4,6 +4,10 @@ import gc
 from collections.abc import Iterator
 from contextlib import contextmanager
 
+MANY = 200_000
+"""New objects that are worth keeping out of all later searches for garbage: to look through them once takes
+a tenth of a second."""
+
 
 @contextmanager
 def without_collection() -> Iterator[None]:
@@ -19,3 +23,16 @@ def without_collection() -> Iterator[None]:
     finally:
         if was_on:
             gc.enable()
+
+
+@contextmanager
+def kept_from_collection() -> Iterator[None]:
+    """Let what is made meanwhile never be looked at for garbage, where it is much.
+
+    For processes that keep what they have compiled. Records go as before when nobody holds them any more;
+    only a circle of them would stay. All else that there is at the end is not looked at any more, either.
+    """
+    with without_collection():
+        yield
+        if gc.get_count()[0] > MANY:
+            gc.freeze()

@@ -8,6 +8,7 @@ from typing import BinaryIO, Protocol
 
 import msgspec
 
+from ropsim.core import kept_from_collection
 from ropsim.lsp.framing import FrameFault, FrameReader, framed
 from ropsim.lsp.inbox import Ended, Inbox
 from ropsim.lsp.messages import Call, ErrorCode, Fault, Json, failure, notification, read_message
@@ -43,15 +44,15 @@ def serve(source: _Source, sink: BinaryIO) -> int:
         _receive(inbox, waiting)
         message, is_cancelled = waiting.next()
         said: tuple[Json, ...] = ()
-        if isinstance(message, Ended):
-            is_open = False
-        elif is_cancelled and isinstance(message, Call):
-            said = (failure(message.id, ErrorCode.REQUEST_CANCELLED, "the request has been cancelled"),)
-        else:
-            state, said = _step(state, message, workshop)
-        if state.stale and (not is_open or (waiting.is_empty and inbox.empty())):
-            state, more = _settled(state, workshop)
-            said = (*said, *more)
+        is_open = not isinstance(message, Ended)
+        with kept_from_collection():  # the texts of an editor stay, and what is known of them
+            if is_cancelled and isinstance(message, Call):
+                said = (failure(message.id, ErrorCode.REQUEST_CANCELLED, "the request has been cancelled"),)
+            elif not isinstance(message, Ended):
+                state, said = _step(state, message, workshop)
+            if state.stale and (not is_open or (waiting.is_empty and inbox.empty())):
+                state, more = _settled(state, workshop)
+                said = (*said, *more)
         try:
             for one in said:
                 sink.write(framed(msgspec.json.encode(one)))

@@ -4,7 +4,7 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 
 from ropsim import icr
-from ropsim.core import Diagnostic, RopsimError, frozen_dataclass
+from ropsim.core import Diagnostic, RopsimError, frozen_dataclass, kept_from_collection
 from ropsim.flow import Recording
 from ropsim.model import Cell
 from ropsim.records import inputs_of
@@ -71,6 +71,11 @@ def made_ready(job: Simulate | LiveStart, workspace: Workspace) -> Runnable | Ru
     Raises:
         RopsimError: there is no such project or program.
     """
+    with kept_from_collection():  # the workspace keeps what is made of the texts
+        return _made_ready(job, workspace)
+
+
+def _made_ready(job: Simulate | LiveStart, workspace: Workspace) -> Runnable | RunReply:
     project = open_overlaid(Path(job.folder), job.texts, workspace)
     if project.is_broken:
         return RunReply("refused", job.program, findings=plain_findings(project.diagnostics))

@@ -1,0 +1,46 @@
+"""What is kept for good is not looked through for garbage again and again."""
+
+import gc
+from collections.abc import Iterator
+
+import pytest
+
+from ropsim.core import kept_from_collection
+from ropsim.core.without_collection import MANY
+
+
+@pytest.fixture(autouse=True)
+def _as_before() -> Iterator[None]:
+    gc.enable()
+    gc.unfreeze()
+    yield
+    gc.unfreeze()
+
+
+def looked_at() -> int:
+    """Return how many objects a search for garbage goes through."""
+    return len(gc.get_objects())
+
+
+def test_much_that_is_made_is_never_looked_at() -> None:
+    with kept_from_collection():
+        made = [[k] for k in range(MANY + 1_000)]
+    assert gc.isenabled()
+    assert looked_at() < len(made) // 10
+    assert gc.get_freeze_count() > len(made)
+
+
+def test_little_that_is_made_is_looked_at_as_before() -> None:
+    gc.collect()
+    with kept_from_collection():
+        made = [[k] for k in range(1_000)]
+    assert looked_at() > len(made)
+    assert gc.get_freeze_count() == 0
+
+
+def test_where_others_have_switched_the_search_off_it_stays_off() -> None:
+    gc.disable()
+    with kept_from_collection():
+        made = [[k] for k in range(10)]
+    assert len(made) == 10
+    assert not gc.isenabled()
