@@ -1,16 +1,20 @@
 """Rule V7: a value in every variable before it is read."""
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
+from itertools import pairwise
 from typing import NamedTuple
 
 from ropsim.core import Diagnostic
 from ropsim.icr import diagnostics as kinds
+from ropsim.icr.opcodes import ENDS_FLOW
 from ropsim.icr.program import Procedure, Program, text_place
 from ropsim.icr.rules.calls import callees_first
 from ropsim.icr.rules.flow import JUMPS, successors
 from ropsim.icr.rules.held import Held, Slot, Slots, Ways, common, held_before, missing, ways
 
 _NONE: Slots = frozenset()
+_NOTABLE = ENDS_FLOW | JUMPS | {"CALL", "LOAD", "STORE"}
+"""What ways lead to: other instructions are passed on the way, and do nothing with variables."""
 
 
 class Need(NamedTuple):
@@ -138,7 +142,7 @@ def summary(procedure: Procedure, known: Mapping[str, Summary], given: Slots) ->
 def _followed(
     procedure: Procedure, known: Mapping[str, Summary], start: Slots, end: int
 ) -> tuple[Ways, dict[int, Held], dict[Slot, Need]]:
-    """Return the ways through code, what holds a value before each instruction, and what is missing.
+    """Return the ways through code, what holds a value before each notable instruction, and what is missing.
 
     Args:
         procedure: the code.
@@ -149,24 +153,47 @@ def _followed(
     own = procedure.numbers
     gives: dict[int, Slots] = {}
     reads: dict[int, Slots] = {}
-    lost: set[int] = set()
+    lost: set[int] = {end}
+    stops = {0, end} if end >= 0 else {0}
     for index, step in enumerate(procedure.code):
-        if step.mnemonic == "CALL":
+        mnemonic = step.mnemonic
+        if mnemonic not in _NOTABLE:
+            continue
+        stops.add(index)
+        if mnemonic == "CALL":
             called = known[str(step.operands[0])]
             reads[index], gives[index] = called.needed, called.assigns or _NONE
             if called.assigns is None:
                 lost.add(index)
-        elif step.mnemonic in {"LOAD", "STORE"}:
+        elif mnemonic in {"LOAD", "STORE"}:
             name = str(step.operands[0])
             touched = frozenset({Slot(name, is_global=name not in own)})
-            (reads if step.mnemonic == "LOAD" else gives)[index] = touched
-    lost.add(end)
-    way = ways(lambda index: () if index in lost else successors(procedure, index))
+            (reads if mnemonic == "LOAD" else gives)[index] = touched
+        elif mnemonic in JUMPS and isinstance(step.operands[0], int):
+            stops.add(step.operands[0])
+    way = ways(_between(procedure, sorted(stops), lost))
     before = held_before(way, start, lambda index: gives.get(index, _NONE))
     needs: dict[Slot, Need] = {}
     for index, slot in missing(before, reads):
         needs.setdefault(slot, Need(slot, index))
     return way, before, needs
+
+
+def _between(
+    procedure: Procedure, stops: Sequence[int], lost: Container[int]
+) -> Callable[[int], tuple[int, ...]]:
+    """Return what tells to which stops one leads; behind those lost nothing follows.
+
+    What lies between two stops is no jump, no target of one, and does nothing with variables.
+    """
+    behind = dict(pairwise(stops))
+
+    def following(index: int) -> tuple[int, ...]:
+        if index in lost:
+            return ()
+        return tuple(behind[index] if one == index + 1 else one for one in successors(procedure, index))
+
+    return following
 
 
 def _global(slots: Iterable[Slot]) -> Slots:
