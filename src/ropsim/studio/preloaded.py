@@ -8,4 +8,6 @@ with without_collection():
     import ropsim.studio.desk
     import ropsim.studio.language_server  # noqa: F401  both are there for the copies
 
-gc.freeze()  # modules stay: copies need not look through them, and share their memory
+    # Modules stay: copies need not look through them, and share their memory. Nor does this process, which would
+    # where the search for garbage is on again.
+    gc.freeze()
