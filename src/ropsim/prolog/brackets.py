@@ -2,6 +2,7 @@
 
 import re
 from bisect import bisect_left
+from dataclasses import replace
 from functools import cached_property
 
 from ropsim.core import frozen_dataclass
@@ -46,10 +47,17 @@ class Brackets:
     def fault(self, place: int) -> BracketFault | None:
         """Return what is wrong with the brackets of a clause, None where nothing is.
 
+        A bracket may be missed only lines behind the place where the clause cannot be read any more: then it
+        is missing at the end of the line of that.
+
         Args:
-            place: in the clause, or at its end, as a number of characters.
+            place: where the clause cannot be read any more, as a number of characters.
         """
-        return self._faults[min(bisect_left(self._ends, place), len(self._ends) - 1)]
+        found = self._faults[min(bisect_left(self._ends, place), len(self._ends) - 1)]
+        if found is None or found.opened is None:
+            return found
+        line, _, rest = self._text[place : found.place].partition("\n")
+        return replace(found, place=place + len(line)) if rest.strip() else found
 
     @cached_property
     def _ends(self) -> list[int]:

@@ -1,6 +1,10 @@
 """Knowledge bases of tasks: what a robot can do, whether it can now, and what it has to do for a goal."""
 
 from ropsim.tasks import words as words
+from ropsim.tasks.asked_geometry import Geometry as Geometry
+from ropsim.tasks.asked_geometry import InTheAir as InTheAir
+from ropsim.tasks.asked_geometry import Obstruction as Obstruction
+from ropsim.tasks.asked_geometry import Overlap as Overlap
 from ropsim.tasks.base import KnowledgeBase as KnowledgeBase
 from ropsim.tasks.call_reading import call_of as call_of
 from ropsim.tasks.call_report import CallReport as CallReport
@@ -25,10 +29,6 @@ from ropsim.tasks.form_clause import FieldFault as FieldFault
 from ropsim.tasks.form_clause import FormClause as FormClause
 from ropsim.tasks.form_clause import form_clause as form_clause
 from ropsim.tasks.form_edit import edited as edited
-from ropsim.tasks.geometry import Geometry as Geometry
-from ropsim.tasks.geometry import InTheAir as InTheAir
-from ropsim.tasks.geometry import Obstruction as Obstruction
-from ropsim.tasks.geometry import Overlap as Overlap
 from ropsim.tasks.geometry import unchecked_text as unchecked_text
 from ropsim.tasks.kinds import UNITS as UNITS
 from ropsim.tasks.known_task import KnownTask as KnownTask

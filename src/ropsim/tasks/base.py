@@ -7,12 +7,13 @@ from pathlib import Path
 
 from ropsim.core import Diagnostic, SourceText, Span, read_bytes
 from ropsim.prolog import Atom, GoalError, Places, Prolog, Struct, Term, Var
+from ropsim.tasks.asked_geometry import Anywhere, Geometry
 from ropsim.tasks.call_reading import call_of
 from ropsim.tasks.call_report import CallReport
 from ropsim.tasks.checking import checked
 from ropsim.tasks.clause_places import ClausePlaces, places_of
 from ropsim.tasks.folder import read_folder
-from ropsim.tasks.geometry import Anywhere, Geometry, RememberedGeometry
+from ropsim.tasks.geometry import RememberedGeometry
 from ropsim.tasks.host import CHECK_SECONDS, Host, Progress
 from ropsim.tasks.known_task import KnownTask
 from ropsim.tasks.layer import Layer

@@ -1,6 +1,7 @@
 """Findings about tasks of a knowledge base, calls of them and plans."""
 
 from ropsim.core import Severity, define
+from ropsim.tasks.conditions import forms
 
 TASK_FORM = define(
     "P130",
@@ -151,10 +152,10 @@ UNKNOWN_GEOMETRY = define(
     "unknown-geometry",
     Severity.ERROR,
     "a condition of geometry is none that can be asked",
-    """
-Conditions of geometry are `reachable(Robot, Location)` and `collision_free(Robot, Part, Location)`; Robot is
-a name, such as `arm`. `in_rows(reachable(arm, L), Columns, Rows, Distance)` asks one at every place of a
-pattern that begins at L; the three are parameters.
+    f"""
+Conditions of geometry are {forms()}.
+Robot is a name, such as `arm`. The last one asks a condition at every place of a pattern that begins at its
+location; Columns, Rows and Distance are parameters.
 """,
 )
 

@@ -34,19 +34,11 @@ def _pattern_words(condition: Term) -> str:
     match condition:
         case Struct("enough", (place, _, _)):
             return f"as many parts at `{name_words(place)}` as the pattern has places"
+        case Struct("vacant", (first, *_)):
+            return f"no part at any place of the pattern from `{name_words(first)}` on"
         case Struct("filled", (first, *_)):
             return f"parts at all places of the pattern from `{name_words(first)}` on"
     return f"`{name_words(condition)}`"
-
-
-def refusal_words(condition: Term) -> str:
-    """Return why a condition of geometry does not hold."""
-    match condition:
-        case Struct("reachable", (_, place)):
-            return f"`{name_words(place)}` cannot be reached"
-        case Struct("collision_free", (_, part, place)):
-            return f"`{name_words(part)}` is in something at `{name_words(place)}`"
-    return f"`{name_words(condition)}` does not hold"
 
 
 def meeting_words(one: str, other: str, depth: float) -> str:

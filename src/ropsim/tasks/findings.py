@@ -5,6 +5,7 @@ from collections.abc import Callable, Mapping
 from ropsim.core import Diagnostic, Kind, Label, SourceText, did_you_mean
 from ropsim.prolog import Atom, Places, Struct, Term, findings_of
 from ropsim.tasks import diagnostics as kinds
+from ropsim.tasks.conditions import forms
 from ropsim.tasks.expression_text import shown
 from ropsim.tasks.words import KINDS, PROPERTIES
 
@@ -116,11 +117,11 @@ class Wording:
                 hint = did_you_mean(first, KINDS) or f"kinds are {', '.join(KINDS)}"
                 return kinds.UNKNOWN_KIND, f"there is no kind `{first}`", hint
             case "geometry":
-                hint = (
-                    "there are `reachable(Robot, Location)`, `collision_free(Robot, Part, Location)` "
-                    "and `in_rows`"
+                return (
+                    kinds.UNKNOWN_GEOMETRY,
+                    f"`{first}` is no condition of geometry",
+                    f"there are {forms()}",
                 )
-                return kinds.UNKNOWN_GEOMETRY, f"`{first}` is no condition of geometry", hint
             case "statement":
                 return kinds.UNKNOWN_STATEMENT, f"`{first}` is no statement", "see `ropsim explain P138`"
         return self._between(code, first, arguments)

@@ -10,6 +10,7 @@ from ropsim.tasks.body_terms import body_terms
 from ropsim.tasks.bounds import SIGNS
 from ropsim.tasks.call_reading import call_of
 from ropsim.tasks.clause_text import term_text
+from ropsim.tasks.conditions import examples
 from ropsim.tasks.diagnostics import TASK_FORM
 from ropsim.tasks.errors import TaskError
 from ropsim.tasks.expression_terms import NoTermError
@@ -96,7 +97,7 @@ def form_clause(form: TaskForm, term_faults: TermFaults) -> FormClause:
 _TERMS = {
     "pre": "write a fact such as `gripper(open)` or `at(P, L)`",
     "eff": "write `+` or `-` before a fact, such as `+held(P)`",
-    "geo": "write `reachable(arm, L)`, `collision_free(arm, P, L)` or `in_rows(reachable(arm, L), N, M, D)`",
+    "geo": f"write {examples()}",
 }
 
 

@@ -18,12 +18,13 @@ from ropsim.prolog import (
     Var,
     question,
 )
+from ropsim.tasks.conditions import CONDITIONS
 from ropsim.tasks.diagnostics import TOO_DEEP
 from ropsim.tasks.findings import Wording
 from ropsim.tasks.layer import Layer
 
 SOURCES = ("kb", "world", "planner")
-TEXTS = "ropsim_kb_texts"
+TEXTS, GEOMETRY = "ropsim_kb_texts", "ropsim_kb_geometry"
 LIMITS = Limits(seconds=10.0)
 ALONE = Limits(seconds=2.0)
 """For one text, where all together could not be read."""
@@ -47,6 +48,8 @@ class Host:
         self._progress: Progress | None = None
         for predicate in (*predicates, question("plan_progress", (Sort.INTEGER,), self._told)):
             self._engine.register(predicate)
+        known = (Struct("condition", (Atom(one.name), one.arity)) for one in CONDITIONS.values())
+        self._engine.put_facts(GEOMETRY, known)
         for name in SOURCES:
             path = Path(str(files("ropsim.tasks").joinpath("pl", f"{name}.pl")))
             text = SourceText(f"ropsim_tasks/{name}.pl", read_bytes(path).decode())

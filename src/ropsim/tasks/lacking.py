@@ -1,6 +1,6 @@
 """What a task lacks in a state, and what can be done about it, in words for an operator."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 from ropsim.core import Diagnostic
 from ropsim.prolog import Atom, Struct, Term, Var
@@ -54,6 +54,12 @@ def _finding(task: KnownTask, condition: Term, providers: Sequence[str], state: 
             parts = "no part is" if left == 0 else "1 part is" if left == 1 else f"{left} parts are"
             needed = f"{parts} left at `{where}`, the pattern asks for {columns * rows}"
             hint = _LESS.format(_labels(task, "enough"))
+        case Struct("vacant", (_, int(columns), int(rows), _)):
+            part, at = _in_the_way(condition, state)
+            count = columns * rows
+            among = f"one of the {count} places of its pattern" if count > 1 else "which is to be filled"
+            needed = f"`{name_words(part)}` lies at `{name_words(at)}`, {among}"
+            hint = "choose another place, or take away what lies there"
         case Struct("filled", (_, int(columns), int(rows), _)):
             empty = _empty(condition, state)
             are = f"{len(empty)} are empty, the first one" if len(empty) > 1 else "one is empty,"
@@ -105,13 +111,23 @@ def parts_left(place: Term, state: WorldState) -> int:
 
 def _empty(filled: Struct, state: WorldState) -> Sequence[Term]:
     """Return the places of a pattern of which it is known that no part lies there."""
-    first, columns, rows, distance = filled.arguments
-    place, apart = point_of_term(first), millimetres(distance)
-    if place is None or apart is None or not isinstance(columns, int) or not isinstance(rows, int):
-        return (first,)
     free = {one.arguments[0] for one in state.facts if isinstance(one, Struct) and one.name == "free"}
-    places = map(term_of_point, places_in_rows(place, columns, rows, apart))
-    return [one for one in places if one in free] or (first,)
+    return [one for one in _places(filled) if one in free]
+
+
+def _in_the_way(vacant: Struct, state: WorldState) -> tuple[Term, Term]:
+    """Return the first part that lies in a pattern, and where."""
+    facts = (one.arguments for one in state.facts if isinstance(one, Struct) and one.name == "at")
+    lying = {place: part for part, place in facts}
+    return next((lying[place], place) for place in _places(vacant) if place in lying)
+
+
+def _places(pattern: Struct) -> Iterator[Term]:
+    """Yield the places of a pattern, as facts have them."""
+    first, columns, rows, distance = pattern.arguments
+    place, apart = point_of_term(first), millimetres(distance)
+    if place is not None and apart is not None and isinstance(columns, int) and isinstance(rows, int):
+        yield from map(term_of_point, places_in_rows(place, columns, rows, apart))
 
 
 def _lying(state: WorldState) -> frozenset[str]:

@@ -76,7 +76,7 @@ def planned(
         case Struct("plan", (tuple(heads), int(looked_at))):
             return Plan(tuple(_call(head, task) for head in heads), (), looked_at)
         case Struct("none", (why, int(looked_at))):
-            return Plan((), (_nothing(why, geometry),), looked_at)
+            return Plan((), (_nothing(why, wanted, geometry),), looked_at)
     raise ValueError(f"{found} is no plan")
 
 
@@ -88,7 +88,7 @@ def _stopped(error: GoalError, seconds: float) -> Diagnostic:
     return PLAN_STOPPED.at(None, f"planning was stopped: {cause.message}", hint=cause.hint)
 
 
-def _nothing(why: Term, geometry: RememberedGeometry) -> Diagnostic:
+def _nothing(why: Term, wanted: Sequence[Term], geometry: RememberedGeometry) -> Diagnostic:
     match why:
         case Struct("nobody", (fact,)):
             message = f"no plan: no task can make {fact_words(fact)}"
@@ -101,6 +101,9 @@ def _nothing(why: Term, geometry: RememberedGeometry) -> Diagnostic:
             hints = tuple(dict.fromkeys(geometry.hint(one) for one in conditions))
             others = "choose other locations, or move them in the cell"
             return NO_PLAN.at(None, message, hint=hints[0] if len(hints) == 1 else others)
+    if len(wanted) == 1:
+        message = f"no plan: no tasks in a row make {fact_words(wanted[0])} from this state"
+        return NO_PLAN.at(None, message, hint="a free place to put something down may be missing")
     message = "no plan: each fact of the goal can be made, but not all of them together"
     return NO_PLAN.at(None, message, hint="look for facts that exclude each other, or a place too few")
 

@@ -4,8 +4,9 @@ from collections.abc import Iterator
 
 from ropsim.core import Diagnostic
 from ropsim.prolog import Atom, Struct
+from ropsim.tasks.asked_geometry import InTheAir
 from ropsim.tasks.diagnostics import IN_THE_AIR
-from ropsim.tasks.geometry import InTheAir, RememberedGeometry
+from ropsim.tasks.geometry import RememberedGeometry
 from ropsim.tasks.known_task import KnownTask
 from ropsim.tasks.pattern import MOST_PLACES
 from ropsim.tasks.task_call import Point, point_of_term, point_words

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 
+from ropsim.tasks.conditions import CONDITIONS, IN_ROWS
 from ropsim.tasks.kinds import SYMBOLIC, TYPES
 
 PROPERTIES: Mapping[str, str] = {
@@ -52,5 +53,5 @@ BLOCKS = ("repeat", "repeat_until", "if", "while", "for", "for_each", "with")
 FACTS = ("at", "free", "gripper", "held", "tool", "without_gripper", "follows", "part", "location", "device")
 """Names of the facts that cells have."""
 
-GEOMETRY = ("reachable", "collision_free", "in_rows")
+GEOMETRY = (*CONDITIONS, IN_ROWS)
 """Conditions that geometry tells."""

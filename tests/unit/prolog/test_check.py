@@ -15,6 +15,8 @@ SYNTAX = [
     ("a :- .\n", (1, 5), "lacks one"),
     ("a(1)\n", (1, 5), "ends within a clause"),
     ("a :- (b, c.\n", (1, 11), "`)` is missing before this"),
+    ("a([b])\nb(c).\nc(d).\n", (1, 7), "an operator, a comma"),
+    ("a([b]\nb(c).\nc(d).\n", (1, 6), "`)` is missing before this"),
     ("a(1)).\n", (1, 5), "`)` closes nothing"),
     ("a(1).\nt([p([L-x),\n  b]).\n", (2, 10), "`]` is missing before this"),
     ("a('x(', \"(\", 0'(, `(`, b(c). % (\n", (1, 28), "`)` is missing before this"),

@@ -204,3 +204,12 @@ def test_a_function_that_fails_is_told() -> None:
     (finding,) = known.plan(["held(bolt)"], state).findings
     assert finding.code == "P155"
     assert "location" in finding.message
+
+
+def test_patterns_are_no_way_to_a_goal_as_nobody_tells_their_numbers() -> None:
+    state = WorldState.of("gripper(open)", "at(bolt, s1)", "free(s2)", "location(s1)", "location(s2)")
+    plan = base().plan(["at(bolt, s2)"], state)
+    assert [one.name for one in plan.calls] == ["grip", "release"]
+    assert plan.looked_at <= 3
+    (finding,) = base().plan(["held(nut)"], WorldState.of("gripper(open)", "at(bolt, s1)")).findings
+    assert "nut" in finding.message

@@ -12,7 +12,7 @@ task(load_pallet(P, From, To, Columns, Rows, Distance, Clear), [
     word(Distance, "distance", "from the middle of each part to that of the next one"),
     word(Clear, "clearance", "how far above the parts the tool comes and goes")]),
   range([Columns >= 1, Rows >= 1, Distance > 0*mm, Clear >= 0*mm]),
-  pre([gripper(open), at(P, From), enough(From, Columns, Rows)]),
+  pre([gripper(open), at(P, From), enough(From, Columns, Rows), vacant(To, Columns, Rows, Distance)]),
   eff([-at(P, From), +at(P, To), -free(To), +in_rows(at(P, To), Columns, Rows, Distance)]),
   geo([
     reachable(arm, From),

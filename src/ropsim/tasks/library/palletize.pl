@@ -32,7 +32,7 @@ task(depalletize(From, To, Distance, Count), [
     word(Distance, "distance", "from each part to the next one"),
     word(Count, "parts in a row", "the square has as many rows")]),
   range([Distance > 0*mm, Count >= 1]),
-  pre([gripper(open), enough(From, Count, Count)]),
+  pre([gripper(open), enough(From, Count, Count), vacant(To, Count, Count, Distance)]),
   geo([reachable(arm, From), in_rows(reachable(arm, To), Count, Count, Distance)]),
   body([
     x := 0*mm,

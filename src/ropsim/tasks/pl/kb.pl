@@ -28,8 +28,12 @@ read_base(Replies, Findings) :-
 
 emptied(Name/Arity) :- functor(Head, Name, Arity), retractall(Head).
 
+%   read_text(+Text, +String, -Items): closed by hand, as setup_call_cleanup takes longer in WebAssembly than all reading.
 read_text(Text, String, Items) :-
-    setup_call_cleanup(open_string(String, Stream), items(Stream, Text, Items), close(Stream)).
+    open_string(String, Stream),
+    ( catch(items(Stream, Text, Items), Error, true) -> Ended = true ; Ended = fail ),
+    close(Stream),
+    ( nonvar(Error) -> throw(Error) ; call(Ended) ).
 
 items(Stream, Text, Items) :-
     catch(read_term(Stream, Term, [ module(ropsim_kb_words), subterm_positions(Positions), variable_names(Names),
@@ -63,16 +67,20 @@ clause_read(Term, P, _, Text) :- functor(Term, task, _), !, found_at(Text, P, fo
 clause_read(Fact, P, _, Text) :- fact(Fact), !, ( ground(Fact) -> keep_fact(Fact) ; found_at(Text, P, open_fact, []) ).
 clause_read(_, P, _, Text) :- found_at(Text, P, no_clause, []).
 
+%   shallow(+Term): a list counts as one term around its elements.
 shallow(Term) :- deepest(Deepest), shallow(Term, Deepest).
+
 shallow(Term, _) :- \+ compound(Term), !.
-shallow(Term, _) :- is_list(Term), !, deepest(Deepest), D is Deepest - 1, shallow_list(Term, D).
-shallow(Term, D) :- D > 0, D1 is D - 1, Term =.. [_|Arguments], shallow_list(Arguments, D1).
+shallow(Term, D) :- D > 0, D1 is D - 1, ( is_list(Term) -> shallow_list(Term, D1) ; functor(Term, _, N), shallow_arguments(N, Term, D1) ).
 
 shallow_list([], _).
-shallow_list([One|More], D) :- shallow_in(One, D), shallow_list(More, D).
+shallow_list([One|More], D) :- ( compound(One) -> shallow(One, D) ; true ), shallow_list(More, D).
 
-shallow_in(Term, _) :- \+ compound(Term), !.
-shallow_in(Term, D) :- D > 0, D1 is D - 1, ( is_list(Term) -> List = Term ; Term =.. [_|List] ), shallow_list(List, D1).
+shallow_arguments(N, Term, D) :-
+    (   N =:= 0 -> true
+    ;   arg(N, Term, One), ( compound(One) -> shallow(One, D) ; true ),
+        N1 is N - 1, shallow_arguments(N1, Term, D)
+    ).
 
 directive(Directive, P, Text) :- ( nonvar(Directive), Directive = module(_, _) -> true ; found_at(Text, P, directive, []) ).
 
@@ -85,8 +93,14 @@ logic(_ = _).
 logic(_ \= _).
 logic(_ == _).
 logic(_ \== _).
-logic(enough(_, _, _)).
-logic(filled(_, _, _, _)).
+logic(Condition) :- of_pattern(Condition).
+
+%   of_pattern(+Condition): it is about the parts of a pattern; facts tell whether it holds, and none is of its name.
+of_pattern(Condition) :- nonvar(Condition), pattern(Condition).
+
+pattern(enough(_, _, _)).
+pattern(filled(_, _, _, _)).
+pattern(vacant(_, _, _, _)).
 
 keep_fact(goal(Name/Arity)) :- !, note(reads, Name, Arity).     % people ask for such facts
 keep_fact(given(Name/Arity)) :- !, note(makes, Name, Arity).    % cells have such facts
@@ -111,8 +125,7 @@ condition(Body, _, _) :- var(Body), !, fail.
 condition((A, B), Name, Arity) :- !, ( condition(A, Name, Arity) ; condition(B, Name, Arity) ).
 condition((A ; B), Name, Arity) :- !, ( condition(A, Name, Arity) ; condition(B, Name, Arity) ).
 condition(\+ A, Name, Arity) :- !, condition(A, Name, Arity).
-condition(enough(_, _, _), Name, 2) :- !, member(Name, [at, follows]).
-condition(filled(_, _, _, _), at, 2) :- !.
+condition(A, Name, 2) :- of_pattern(A), !, member(Name, [at, follows]).
 condition(A, Name, Arity) :- fact(A), A \== true, functor(A, Name, Arity).
 
 %   task_read: the parts of a task, each with its place; a task with an error of form is left out.
@@ -328,8 +341,8 @@ asks_of_places(Condition, Arity) :-
     ( var(Location) ; atom(Location) ; functor(Location, p, _) ),
     !.
 
-geometry(reachable, 2).
-geometry(collision_free, 3).
+%   geometry(?Name, ?Arity): as the host tells (tasks/conditions), a robot first and a location last.
+geometry(Name, Arity) :- ropsim_kb_geometry:condition(Name, Arity).
 
 bound(Term, Known, Text, P) :-
     term_variables(Term, Variables),

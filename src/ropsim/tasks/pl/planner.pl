@@ -63,7 +63,8 @@ templates(State, Goals) :-
 untold(Parameters, Pre, State) :-
     member(p(Value, Kind, none), Parameters),
     ropsim_kb:measured(Kind),
-    term_variables(Pre, Told), \+ ( member(V, Told), V == Value ),
+    exclude(ropsim_kb:of_pattern, Pre, Telling),    % they look at numbers and bind none
+    term_variables(Telling, Told), \+ ( member(V, Told), V == Value ),
     \+ ropsim_kb:makes(Kind, 1),
     functor(Fact, Kind, 1), \+ memberchk(Fact, State), !.
 
@@ -340,8 +341,7 @@ could(A \= B, _) :- !, ( ground(A-B) -> A \= B ; true ).
 could(A == B, _) :- !, ( ground(A-B) -> A == B ; true ).
 could(A \== B, _) :- !, ( ground(A-B) -> A \== B ; true ).
 could(true, _) :- !.
-could(enough(_, _, _), _) :- !.
-could(filled(_, _, _, _), _) :- !.
+could(Condition, _) :- ropsim_kb:of_pattern(Condition), !.
 could(Fact, _) :- fact(Fact).
 could(Fact, D) :- ropsim_kb:rule(Fact, Body), D > 0, D1 is D - 1, could(Body, D1).
 

@@ -33,6 +33,8 @@ holds(A == B, _, _) :- !, A == B.
 holds(A \== B, _, _) :- !, A \== B.
 holds(true, _, _) :- !.
 holds(enough(Place, Columns, Rows), State, _) :- !, \+ too_few(Place, Columns, Rows, State).
+holds(vacant(First, Columns, Rows, Distance), State, _) :- !,
+    \+ ( place_in(First, Columns, Rows, Distance, Place), memberchk(at(_, Place), State) ).
 holds(filled(First, Columns, Rows, Distance), State, _) :- !, \+ ( place_in(First, Columns, Rows, Distance, Place), ord_memberchk(free(Place), State) ).
 holds(gripper(_), State, _) :- gripperless(State, _), !, fail.
 holds(Fact, State, D) :-
@@ -168,9 +170,8 @@ chosen([p(Value, Kind, Default)|More], State) :-
     chosen(More, State).
 
 %   looked(+Geometry): what refuses, by the functions of the host.
-looked(reachable(R, L)) :- ropsim_door:reachable(R, L).
-looked(collision_free(R, P, L)) :- ropsim_door:collision_free(R, P, L).
-looked(in_rows(Condition, Columns, Rows, Distance)) :- ropsim_door:in_rows(Condition, Columns, Rows, Distance).
+looked(in_rows(Condition, Columns, Rows, Distance)) :- !, ropsim_door:in_rows(Condition, Columns, Rows, Distance).
+looked(Condition) :- ropsim_door:geometry(Condition).
 
 refusal(Geo, One) :- member(One, Geo), \+ looked(One).
 
