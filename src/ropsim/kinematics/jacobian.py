@@ -67,6 +67,13 @@ def frame_and_jacobian(robot: Mechanism, q: npt.ArrayLike, X_MT: Pose) -> tuple[
     return X_BT, _of_point(chain, frames, X_BT[:3, 3])
 
 
+def least_singular_values(chain: ChainArrays, rows: Array) -> Array:
+    """Return the least singular value of `jacobian` [m, rad] at configurations (k, n), shape (k,)."""
+    frames = frames_of(chain, rows)
+    J = np.array([_of_point(chain, one, one[-1, :3, 3]) for one in frames])
+    return np.asarray(np.linalg.svd(J, compute_uv=False)[:, -1])
+
+
 def _of_point(chain: ChainArrays, frames: Array, p_BT: Array) -> Array:
     """Return the Jacobian of a point of the interface for frames of the steps and its own, (m + 1, 4, 4)."""
     axes = frames[:-1, :3, 2]  # (m, 3)

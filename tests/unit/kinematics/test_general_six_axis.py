@@ -21,6 +21,7 @@ from ropsim.kinematics import (
     solver_of,
 )
 from ropsim.kinematics.arrays import chain_arrays
+from ropsim.kinematics.jacobian import least_singular_values
 from ropsim.kinematics.solvers.elimination import eliminations, steps_of
 from ropsim.kinematics.solvers.elimination_roots import starts
 from ropsim.kinematics.solvers.general_six_axis import GeneralSixAxisSolver, recognise
@@ -67,6 +68,29 @@ def test_an_upright_upper_arm_loses_no_answer(name: str, fixed: tuple[float, ...
     assert (present(branches).sum(axis=1) % 2 == 0).all()
     own = np.where(present(branches), apart(branches, Q[:, np.newaxis]), np.inf).min(axis=1)
     assert own.max() < SAME
+
+
+def test_answers_whose_roots_share_a_space_are_each_found() -> None:
+    """Where joint 2 of a CRX is 0 in four answers, its root is a fourfold one."""
+    robot = ARMS["crx5ia"]
+    Q = random_joints(robot, 150, 5)[[39, 8]]
+    Q[:, 1] = 0.0
+    branches = solver_of(robot).branches(forward_batch(robot, Q), np.zeros(6))
+    assert present(branches).sum(axis=1).tolist() == [8, 8]
+    upright = np.abs(branches[:, :, 1]) < SAME
+    assert upright.sum(axis=1).tolist() == [4, 4]
+
+
+def test_answers_that_stand_alone_are_kept_beside_a_motion_that_moves_no_interface() -> None:
+    """With joints 2 and 3 at 0 and 180° a HC10 may move so; a search finds answers along the motion."""
+    robot = ARMS["motoman_hc10"]
+    Q = random_joints(robot, 100, 5)[[1, 3]]
+    Q[:, 1:3] = 0.0, pi
+    branches = solver_of(robot).branches(forward_batch(robot, Q), np.zeros(6))
+    for rows in branches:
+        least = least_singular_values(chain_arrays(robot), rows[present(rows)])
+        assert (least > 1e-3).sum() == 4
+        assert (least < 1e-6).any()
 
 
 @by_arm

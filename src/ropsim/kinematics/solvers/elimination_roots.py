@@ -18,6 +18,8 @@ NEARLY_REAL = 1e-3
 root."""
 TOGETHER = 5e-4
 """Roots this near to each other [rad] may share a space of vectors."""
+ONE = 1e-7
+"""Roots this near to each other [rad] are the same: the space is looked at once."""
 SINGULAR = 1e-13
 """A matrix A whose least singular value is this part of its greatest one has no inverse."""
 ROOTS = 24
@@ -35,12 +37,13 @@ def starts(way: Elimination, T: Array) -> tuple[Array, Array]:
         T: poses X_BM, finite, shape (k, 4, 4).
 
     Returns:
-        Joint coordinates [rad], NaN where there is no root, shape (k, 48, 6), and how regular the eigenvalue
-        problem of each pose is, the ratio of the least to the greatest singular value of A, shape (k,).
+        Joint coordinates [rad], NaN where there is no root, shape (k, 24 + s, 6) with up to s further ones
+        from roots that share a space of vectors, and how regular the eigenvalue problem of each pose is, the
+        ratio of the least to the greatest singular value of A, shape (k,).
     """
     C = way.loop(T)
     (A, B, D), right = pencils(way, C)
-    out = np.full((len(T), 2 * ROOTS, 6), np.nan)
+    out = np.full((len(T), ROOTS, 6), np.nan)
     values = np.linalg.svd(A, compute_uv=False)
     regular = np.divide(values[:, -1], values[:, 0], out=np.zeros(len(T)), where=values[:, 0] > 0.0)
     x = np.full((len(T), ROOTS), np.nan, dtype=complex)
@@ -56,12 +59,24 @@ def starts(way: Elimination, T: Array) -> tuple[Array, Array]:
     vectors = np.linalg.svd(M)[2]  # rows, that of the least singular value last
     out[place, root] = _coordinates(way, C[place], right[place], c, vectors[:, -1])
     close = real[place] & (np.abs(np.sin(0.5 * (angles.real[place] - c[:, np.newaxis]))) < TOGETHER)
-    shared = np.flatnonzero(close.sum(axis=1) > 1)
-    if len(shared):
-        parted = np.array([_parted(vectors[i], close[i], int(root[i])) for i in shared])
-        at = place[shared]
-        out[at, ROOTS + root[shared]] = _coordinates(way, C[at], right[at], c[shared], parted)
-    return out, regular
+    shared = _sharing(close, angles.real[place], root)
+    if not len(shared):
+        return out, regular
+    parted = [_parted(vectors[i], int(close[i].sum())) for i in shared]
+    asked = np.repeat(shared, [len(rows) for rows in parted])
+    at = place[asked]  # in order, so that the first one of a pose can be looked up
+    number = np.arange(len(at)) - np.searchsorted(at, at)
+    more = np.full((len(T), int(number.max()) + 1, 6), np.nan)
+    more[at, number] = _coordinates(way, C[at], right[at], c[asked], np.concatenate(parted))
+    return np.concatenate((out, more), axis=1), regular
+
+
+def _sharing(close: npt.NDArray[np.bool_], angles: Array, root: npt.NDArray[np.intp]) -> npt.NDArray[np.intp]:
+    """Return which roots have others `close` by (s, 24), one of those that are the same; angles (s, 24)."""
+    own = angles[np.arange(len(root)), root][:, np.newaxis]
+    same = close & (np.abs(np.sin(0.5 * (angles - own))) < ONE)
+    before = np.arange(ROOTS) < root[:, np.newaxis]
+    return np.flatnonzero((close.sum(axis=1) > 1) & ~(same & before).any(axis=1))
 
 
 def _roots(A: Array, B: Array, C: Array) -> npt.NDArray[np.complex128]:
@@ -73,17 +88,17 @@ def _roots(A: Array, B: Array, C: Array) -> npt.NDArray[np.complex128]:
     return np.linalg.eigvals(F).astype(np.complex128)
 
 
-def _parted(vectors: Array, close: npt.NDArray[np.bool_], root: int) -> Array:
-    """Return the vector (12,) of one of the roots that share a space of vectors, of which these are rows.
+def _parted(vectors: Array, count: int) -> Array:
+    """Return the vectors (count, 12) of roots that share the space of the last ones of `vectors`, in rows.
 
     In that space multiplication by x_d and by x_e are matrices, whose common eigenvectors are looked for.
+    All of them are given: which one belongs to which root is not known where some roots are one and others
+    only near.
     """
-    mates = np.flatnonzero(close)
-    V = vectors[-len(mates) :].T
+    V = vectors[-count:].T
     by_d = np.linalg.lstsq(V[3:], V[:-3], rcond=None)[0]
     by_e = np.linalg.lstsq(V[LOWER], V[HIGHER], rcond=None)[0]
-    parts = np.linalg.eig(by_d + 0.618 * by_e)[1].real
-    return np.asarray(V @ parts[:, np.flatnonzero(mates == root)[0]])
+    return np.asarray((V @ np.linalg.eig(by_d + 0.618 * by_e)[1].real).T)
 
 
 def _coordinates(way: Elimination, C: Array, right: Array, c: Array, v: Array) -> Array:

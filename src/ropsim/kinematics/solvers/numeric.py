@@ -82,24 +82,25 @@ class NumericSolver:
         return np.tile(starts, (count, 1, 1))
 
 
-def distinct(answers: Array, near: Array, turning: Array) -> Array:
+def distinct(answers: Array, near: Array, turning: Array, most: int = ROWS) -> Array:
     """Return each answer to a pose once, those nearest to `near` first.
 
     Args:
         answers: joint coordinates [rad | m], NaN where there is none, shape (k, s, n).
         near: joint coordinates [rad | m], shape (n,).
         turning: 1.0 for axes that turn, shape (n,).
+        most: answers that are given.
 
     Returns:
-        At most 16 answers for each pose, NaN rows behind them, shape (k, 16, n).
+        At most so many answers for each pose, NaN rows behind them, shape (k, most, n).
     """
     turns = TURN * turning
-    out = np.full((len(answers), ROWS, answers.shape[2]), np.nan)
+    out = np.full((len(answers), most, answers.shape[2]), np.nan)
     for row, found in zip(out, answers, strict=True):
         left = found[~np.isnan(found[:, 0])]
         apart = np.abs(_wrapped(left - near, turns)).max(axis=1, initial=0.0)
         left = left[np.argsort(apart, kind="stable")]
-        for place in range(ROWS):
+        for place in range(most):
             if not len(left):
                 break
             row[place] = left[0]

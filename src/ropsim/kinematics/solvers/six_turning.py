@@ -4,9 +4,10 @@ import numpy as np
 import numpy.typing as npt
 
 from ropsim.kinematics.arrays import ChainArrays
+from ropsim.kinematics.jacobian import least_singular_values
 from ropsim.kinematics.polish import polished
 from ropsim.kinematics.solvers.elimination import WAYS, Elimination, eliminations, steps_of
-from ropsim.kinematics.solvers.elimination_roots import starts
+from ropsim.kinematics.solvers.elimination_roots import ROOTS, starts
 from ropsim.kinematics.solvers.numeric import ROWS, distinct
 from ropsim.spatial import Array
 
@@ -16,6 +17,8 @@ REGULAR = 1e-9
 """Below this one poses beside the asked one are solved in any case."""
 BESIDE = (1e-6, 1e-4, -1e-4, 1e-3)
 """How far beside [m, rad]."""
+MOVING = 1e-6
+"""An arm whose Jacobian has a smaller singular value [m, rad] may move without moving its interface."""
 FOUND = 1e-4
 """An elimination finds a configuration where it comes so near to it [rad]."""
 TOUCHING = 1e-6
@@ -86,17 +89,34 @@ def _answers(chain: ChainArrays, ways: tuple[Elimination, ...], T: Array, near: 
     rows, regular = starts(ways[0], T)
     here = np.broadcast_to(near, (len(T), 1, 6))
     found = polished(chain, T, np.concatenate((here, rows), axis=1))
+    unsure = (regular < CLEAR) | ~np.isnan(rows[:, ROOTS:, 0]).all(axis=1)
     for way in ways[1:]:
-        found = _more(chain, T, found, regular < CLEAR, ((way, 0.0),))
+        found = _more(chain, T, found, unsure, ((way, 0.0),))
     lost = np.isnan(found[:, :, 0]).all(axis=1)
     everywhere = tuple((way, step) for way in ways for step in BESIDE)
     found = _more(chain, T, found, (lost & (regular < CLEAR)) | (regular < REGULAR), everywhere)
-    found = distinct(found, near, chain.turning)
+    found = _kept(chain, found, near)
     odd = np.flatnonzero((~np.isnan(found[:, :, 0])).sum(axis=1) % 2)
     if len(odd):
         more = _more(chain, T[odd], found[odd], np.ones(len(odd), np.bool_), everywhere)
-        found[odd] = distinct(more, near, chain.turning)
+        found[odd] = _kept(chain, more, near)
     return found
+
+
+def _kept(chain: ChainArrays, answers: Array, near: Array) -> Array:
+    """Return each answer to a pose once, those nearest to `near` first, shape (k, 16, 6).
+
+    Where the arm can move without moving its interface there may be more: the nearest one is kept, then those
+    that stand alone.
+    """
+    found = distinct(answers, near, chain.turning, max(answers.shape[1], ROWS))
+    kept = np.ascontiguousarray(found[:, :ROWS])
+    for k in np.flatnonzero(~np.isnan(found[:, ROWS:, 0]).all(axis=1)):
+        rows = found[k, ~np.isnan(found[k, :, 0])]
+        moving = least_singular_values(chain, rows) < MOVING
+        moving[0] = False
+        kept[k] = rows[np.sort(np.argsort(moving, kind="stable")[:ROWS])]
+    return kept
 
 
 def _more(
