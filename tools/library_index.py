@@ -8,7 +8,7 @@ from ropsim.robots import CatalogueEntry
 from ropsim.spatial import Array
 
 MAKERS = (
-    *("ABB", "Adept", "FANUC", "Franka Emika", "KUKA", "Manutec", "Stanford", "Stäubli", "Unimation"),
+    *("ABB", "Adept", "FANUC", "Franka Emika", "KUKA", "Manutec", "PATU", "Stanford", "Stäubli", "Unimation"),
     *("Universal Robots", "Yaskawa"),
 )
 """What titles begin with."""

@@ -56,6 +56,7 @@ SOLVERS = {
     "irb660_180_315": ("level wrist", Method.CLOSED_FORM),
     "m410ib_700": ("level wrist", Method.CLOSED_FORM),
     "iiwa14": ("S-R-S", Method.CLOSED_FORM),
+    "patu655": ("planar two-link", Method.CLOSED_FORM),
     "panda": ("general seven-axis", Method.ALGEBRAIC),
     "stanford": ("sliding joint, spherical wrist", Method.CLOSED_FORM),
     "ur10e": ("three parallel axes", Method.CLOSED_FORM),
