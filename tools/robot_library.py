@@ -42,7 +42,7 @@ def robots() -> dict[str, RobotModel]:
     """Return the robots of all facts, by name.
 
     Raises:
-        ValueError: a file of facts is wrong, or doubtful.
+        ValueError: a file of facts is wrong, or doubtful, or nothing says what the arm looks like.
     """
     looks = tomllib.loads(LOOKS.read_text("utf-8"))
     found = {}
@@ -50,11 +50,27 @@ def robots() -> dict[str, RobotModel]:
         read = read_robot_file(SourceText(path.name, path.read_text("utf-8")))
         if read.robot is None or read.findings:
             raise ValueError(f"{path.name}: {'; '.join(one.message for one in read.findings)}")
-        found[path.stem] = drawn(read.robot, looks[path.stem])
+        found[path.stem] = drawn(read.robot, look_of(path, looks))
     found |= {path.stem: palletizer(path) for path in sorted(FACTS.glob("palletizers/*.toml"))}
     for path in sorted(FACTS.glob("chains/*.toml")):
-        found[path.stem] = drawn(chain(path), looks[path.stem])
+        found[path.stem] = drawn(chain(path), look_of(path, looks))
     return found
+
+
+def look_of(facts: Path, looks: Mapping[str, Any]) -> Mapping[str, Any]:
+    """Return the table of what a robot looks like.
+
+    Args:
+        facts: its file.
+        looks: the file of looks.
+
+    Raises:
+        ValueError: it has no such table.
+    """
+    if facts.stem not in looks:
+        raise ValueError(f"{facts.name}: no table [{facts.stem}] in {LOOKS.name} says what it looks like")
+    look: Mapping[str, Any] = looks[facts.stem]
+    return look
 
 
 def drawn(robot: RobotModel, look: Mapping[str, Any]) -> RobotModel:
@@ -125,7 +141,11 @@ def texts() -> dict[str, str]:
 
 def main(arguments: list[str]) -> int:
     """Write or check the files; return the exit code."""
-    wanted = texts()
+    try:
+        wanted = texts()
+    except ValueError as error:
+        print(error)
+        return 1
     there = {path.name: path.read_text("utf-8") for path in TARGET.iterdir()}
     if arguments == ["--check"]:
         names = wanted.keys() | there.keys()

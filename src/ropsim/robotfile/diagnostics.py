@@ -103,8 +103,10 @@ NOT_IN_ROBOT_FILE = define(
     "a robot has something that a robot file cannot say",
     """
 A robot file describes one chain of turning and sliding joints by a table. Branches, closed chains,
-couplings and other types of joints have no place in it, and neither have drives that are neither a DC motor
-at a voltage amplifier nor a servo. The finding says what is left out, or why there is no file at all.
+couplings other than those of coupled axes and other types of joints have no place in it, and neither have
+drives of other kinds than those of its rows. Rods and cranks without mass, which follow the axes and are
+only drawn, are left out: the arm moves without them as with them. The finding says what is left out, or why
+there is no file at all.
 """,
 )
 

@@ -22,6 +22,7 @@ from ropsim.model import (
 )
 from ropsim.robotfile.common_normals import common_normals
 from ropsim.robotfile.diagnostics import NOT_IN_ROBOT_FILE
+from ropsim.robotfile.drawn_bodies import without_drawn_bodies
 from ropsim.robotfile.drive_words import PinFrames, drive_keys
 from ropsim.robotfile.shape_words import shapes_text
 from ropsim.robotfile.toml_words import (
@@ -59,11 +60,12 @@ def write_robot_file(robot: RobotModel) -> WrittenRobot:
     Args:
         robot: to be written; where a file cannot say what it is, the text is empty and the losses name why.
     """
-    robot, coupled = without_coupled_axes(robot)
+    undrawn = without_drawn_bodies(robot)
+    robot, coupled = without_coupled_axes(undrawn.robot)
     refused = tuple(_refusals(robot))
     if refused:
         return WrittenRobot("", refused)
-    table, losses = _table(robot), tuple(_losses(robot))
+    table, losses = _table(robot), tuple(_losses(robot, undrawn.names))
     X_NM = table.frames[-1] @ robot.X_nM
     head = {
         "name": text(robot.name),
@@ -93,7 +95,7 @@ def write_robot_file(robot: RobotModel) -> WrittenRobot:
         drive_keys(drive, frames)
         for drive, frames in zip(robot.drives, _pin_frames(robot, table), strict=False)
     ]
-    parts += [f"[[drives]]\n{lines(keys)}" for keys in drives if keys and not losses]
+    parts += [f"[[drives]]\n{lines(keys)}" for keys in drives if keys and None not in drives]
     return WrittenRobot("\n".join(parts), losses)
 
 
@@ -130,8 +132,12 @@ def _refusals(robot: RobotModel) -> Iterator[Diagnostic]:
             yield NOT_IN_ROBOT_FILE.at(None, message)
 
 
-def _losses(robot: RobotModel) -> Iterator[Diagnostic]:
-    """Yield what a file does not say of a robot that it can hold."""
+def _losses(robot: RobotModel, undrawn: Sequence[str]) -> Iterator[Diagnostic]:
+    """Yield what a file does not say of a robot that it holds; `undrawn` are bodies that are only drawn."""
+    if undrawn:
+        names = ", ".join(f"`{name}`" for name in undrawn)
+        message = f"rods and cranks of `{robot.name}` that only follow its axes are not drawn: {names}"
+        yield NOT_IN_ROBOT_FILE.at(None, message, hint="it moves as before; NIROX keeps them")
     if any(drive_keys(drive, _ANYWHERE) is None for drive in robot.drives):
         yield NOT_IN_ROBOT_FILE.at(None, f"`{robot.name}` has drives of other blocks than robot files know")
     if robot.external:

@@ -8,7 +8,7 @@ import pytest
 
 from ropsim import dynamics, kinematics, robots
 from ropsim.core import SourceText
-from ropsim.model import DcMotor, EffortAmplifier, Joint, JointType, Link, RobotModel
+from ropsim.model import DcMotor, EffortAmplifier, Joint, JointType, Link, RobotModel, coupled_limits
 from ropsim.robotfile import read_robot_file, write_robot_file
 from ropsim.robotfile.common_normals import common_normals
 from ropsim.spatial import Pose
@@ -106,3 +106,24 @@ def test_what_a_file_cannot_say_is_told() -> None:
     read = read_robot_file(SourceText("robots/a.toml", written.text))
     assert read.robot is not None
     assert read.robot.drives == ()
+
+
+def test_an_arm_with_a_rod_comes_back_without_the_drawn_bodies_and_says_so() -> None:
+    robot = robots.load("irb2400_16")
+    written = write_robot_file(robot)
+    (told,) = written.losses
+    assert (told.code, told.message) == (
+        "X908",
+        "rods and cranks of `irb2400_16` that only follow its axes are not drawn: `rod`, `3`",
+    )
+    copy = read_robot_file(SourceText("robots/irb2400.toml", written.text)).robot
+    assert copy is not None
+    assert apart(robot, copy) < ROUNDED
+    assert coupled_limits(copy).lower == pytest.approx(coupled_limits(robot).lower)
+    heavy = replace(robot, links=(*robot.links[:-1], replace(robot.links[-1], mass=5.0)))
+    assert write_robot_file(heavy).text == ""
+
+
+def test_a_crane_comes_back_with_its_cylinders() -> None:
+    crane = robots.load("patu655")
+    assert again(crane).drives == crane.drives

@@ -81,3 +81,14 @@ def test_the_catalogue_says_how_far_an_arm_reaches() -> None:
 def test_listing_the_robots_reads_none() -> None:
     code = "import sys, ropsim.robots; ropsim.robots.catalogue(); sys.exit('ropsim.nirox' in sys.modules)"
     assert subprocess.run([sys.executable, "-c", code], check=False, cwd=Path.cwd()).returncode == 0
+
+
+def test_facts_without_a_look_are_told_by_their_names(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    looks = tmp_path / "library_looks.toml"
+    looks.write_text("")
+    monkeypatch.setattr(robot_library, "LOOKS", looks)
+    assert robot_library.main(["--check"]) == 1
+    told = "cobra600.toml: no table [cobra600] in library_looks.toml says what it looks like\n"
+    assert capsys.readouterr().out == told
