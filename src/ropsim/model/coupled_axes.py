@@ -19,9 +19,6 @@ from ropsim.model.placements import snapped
 from ropsim.model.robot import RobotModel
 from ropsim.spatial import Pose, frozen
 
-OWN = " itself"
-"""What the name of a joint ends in that turns by more than the axis with its name."""
-
 
 @frozen_dataclass
 class CoupledAxis:
@@ -56,7 +53,7 @@ def with_coupled_axes(robot: RobotModel, axes: tuple[CoupledAxis, ...]) -> Robot
         own, beside = robot.joints[axis.joint], robot.joints[axis.others[0][0]]
         joints.append(replace(own, placement=_crank(robot, axis), offset=0.0, parent=beside.parent))
         joints[axis.joint] = replace(
-            own, name=own.name + OWN, lower=axis.lower, upper=axis.upper, max_effort=inf
+            own, name=_sum(robot, axis), lower=axis.lower, upper=axis.upper, max_effort=inf
         )
         links.append(Link(0.0, frozen(np.zeros(3)), frozen(np.zeros((3, 3)))))
         terms = ((places[axis.joint], 1.0), *((places[other], factor) for other, factor in axis.others))
@@ -93,6 +90,15 @@ def without_coupled_axes(robot: RobotModel) -> tuple[RobotModel, tuple[CoupledAx
         joints[axis.joint] = replace(limits, placement=own.placement, offset=own.offset, parent=own.parent)
     serial = replace(robot, joints=tuple(joints), links=robot.links[:n], axes=tuple(range(n)), couplings=())
     return (serial, tuple(axes)) if axes and with_coupled_axes(serial, tuple(axes)) == robot else (robot, ())
+
+
+def _sum(robot: RobotModel, axis: CoupledAxis) -> str:
+    """Return a joint in coordinates of a pendant, as `J3 + J2`."""
+    words = robot.joints[axis.joint].name
+    for other, factor in axis.others:
+        times = "" if abs(factor) == 1.0 else f"{abs(factor):g}·"
+        words += f" {'-' if factor < 0.0 else '+'} {times}{robot.joints[other].name}"
+    return words
 
 
 def _crank(robot: RobotModel, axis: CoupledAxis) -> Pose:

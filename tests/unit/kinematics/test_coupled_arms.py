@@ -93,7 +93,8 @@ def test_axis_2_alone_leaves_the_forearm_as_it_was_turned(name: str) -> None:
 def test_the_joint_itself_has_limits_beside_those_of_the_axis() -> None:
     for name, factor in ARMS.items():
         both = coupled_limits(robots.load(name))
-        assert "itself" in both.joints[0].name
+        second, third = (robots.load(name).axis_joints[k].name for k in (1, 2))
+        assert both.joints[0].name == f"{third} {'+' if factor > 0.0 else '-'} {second}"
         np.testing.assert_array_equal(both.T[0], [0.0, factor, 1.0, 0.0, 0.0, 0.0])
 
 
@@ -117,7 +118,7 @@ def test_the_class_is_that_of_the_joints_and_told_so() -> None:
     robot = robots.load("m10ia_12")
     plain = plain_arm(robot)
     assert plain is not None
-    assert [joint.name for joint in plain.joints] == ["J1", "J2", "J3 itself", "J4", "J5", "J6"]
+    assert [joint.name for joint in plain.joints] == ["J1", "J2", "J3 + J2", "J4", "J5", "J6"]
     assert "spherical wrist" not in classes_missed(robot)
     assert (solver_of(robot).name, solver_of(robot).method) == ("spherical wrist", Method.CLOSED_FORM)
 
