@@ -1,6 +1,7 @@
 """Generated modules: cache folder, damage, and both engines."""
 
 import os
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -33,13 +34,20 @@ def _run(cache: Path) -> list[str]:
     return done.stdout.split()
 
 
-def test_the_second_process_loads_machine_code_from_the_cache(tmp_path: Path) -> None:
-    assert _run(tmp_path) == ["42.0", "True"]
-    assert _run(tmp_path) == ["42.0", "False"]
+@pytest.fixture(scope="module")
+def filled(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Return a cache folder that was empty before one process ran the script."""
+    cache = tmp_path_factory.mktemp("cache")
+    assert _run(cache) == ["42.0", "True"]
+    return cache
 
 
-def test_a_damaged_cache_is_seen_and_mended(tmp_path: Path) -> None:
-    _run(tmp_path)
+def test_the_second_process_loads_machine_code_from_the_cache(filled: Path) -> None:
+    assert _run(filled) == ["42.0", "False"]
+
+
+def test_a_damaged_cache_is_seen_and_mended(filled: Path, tmp_path: Path) -> None:
+    shutil.copytree(filled, tmp_path, dirs_exist_ok=True)
     (kept,) = tmp_path.rglob("*.code")
     whole = kept.read_bytes()
     for damaged in (b"", b"not what you expect", whole[: len(whole) // 2], whole[:-1] + b"x"):
@@ -50,10 +58,17 @@ def test_a_damaged_cache_is_seen_and_mended(tmp_path: Path) -> None:
     assert kept.read_bytes() == whole
 
 
-def test_a_cache_that_cannot_be_written_costs_time_only(tmp_path: Path) -> None:
+def test_a_cache_that_cannot_be_written_costs_time_only(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     blocked = tmp_path / "file"
     blocked.write_text("a file where the folder should be")
-    assert _run(blocked)[0] == "42.0"
+    monkeypatch.setenv("ROPSIM_CACHE_DIR", str(blocked))
+    text = "def halved(x, out): out[0] = 0.5 * x[0]\n"
+    out = np.empty(1)
+    load("halved", (SourceFunction("halved", "void(f8[::1], f8[::1])", text),), Engine.NUMBA)(np.ones(1), out)
+    assert out[0] == 0.5
+    assert blocked.is_file()
 
 
 def test_both_engines_run_the_same_source(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -72,7 +87,10 @@ def test_code_that_needs_numba_says_so_and_is_loaded_with_it(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setenv("ROPSIM_CACHE_DIR", str(tmp_path))
-    text = "def room(x):\n    other = np.zeros(x.shape[0])\n    other[0] = 7.0\n    x[:] = other\n"
+    text = (
+        "def room(x):\n    other = np.empty(x.shape[0])\n    other[0] = 7.0\n"
+        "    for k in range(1, len(x)): other[k] = 0.0\n    for k in range(len(x)): x[k] = other[k]\n"
+    )
     x = np.ones(3)
     load("room", (SourceFunction("room", "void(f8[::1])", text),), Engine.NUMBA)(x)
     assert x.tolist() == [7.0, 0.0, 0.0]
