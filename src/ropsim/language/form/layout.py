@@ -70,8 +70,9 @@ def _laid(line: Line, depth: int, physical: tuple[str, ...]) -> list[str]:
     if isinstance(statement, ContractClause) or (statement is None and len(physical) == 1):
         bare = (without_blanks(one.replace(_MARK, " ")) for one in physical)
         return [INDENT * depth + one if one else "" for one in bare]
+    as_written = list(physical)
     own = written(rows(line.logical.text, physical), line.logical.text, statement, depth)
-    return own if _means(own, line) else list(physical)
+    return own if own != as_written and _means(own, line) else as_written
 
 
 def _means(own: list[str], line: Line) -> bool:

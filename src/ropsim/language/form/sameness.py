@@ -15,25 +15,25 @@ def shape(node: object) -> object:
     if isinstance(node, tuple):
         return tuple(map(shape, node))
     kind: type[Any] = type(node)
-    if not is_dataclass(kind):
-        return node
-    return (kind, *(shape(getattr(node, name)) for name in _parts(kind)))
+    parts = _parts(kind)
+    return node if parts is None else (kind, *[shape(getattr(node, name)) for name in parts])
 
 
 def names_in(node: object) -> Iterator[tuple[int, str]]:
     """Yield where the names in a statement begin, and the names, whose letters may not change their case."""
-    kind: type[Any] = type(node)
     if isinstance(node, Name):
         yield node.start, node.text
     elif isinstance(node, tuple):
         for one in node:
             yield from names_in(one)
-    elif is_dataclass(kind):
-        for name in _parts(kind):
+    else:
+        for name in _parts(type(node)) or ():
             yield from names_in(getattr(node, name))
 
 
 @cache
-def _parts(kind: type[Any]) -> tuple[str, ...]:
-    """Return the fields of a node that are no places."""
+def _parts(kind: type[Any]) -> tuple[str, ...] | None:
+    """Return the fields of a node that are no places; None for what is no node."""
+    if not is_dataclass(kind):
+        return None
     return tuple(one.name for one in fields(kind) if one.name not in _PLACES)
