@@ -32,6 +32,23 @@ def pytest_xdist_auto_num_workers() -> int:
     return 1 + (len(os.sched_getaffinity(0)) if sys.platform == "linux" else os.cpu_count() or 1)
 
 
+def pytest_configure(config: pytest.Config) -> None:
+    """Let each worker of the whole suite begin to collect elsewhere, for what one compiles the others find.
+
+    Beginning together, each of them would compile every module of tests after a fresh checkout, two thirds of
+    the time that it takes to collect them. The order of the tests is that of `pytest_collection_modifyitems`.
+    """
+    worker = os.environ.get("PYTEST_XDIST_WORKER")
+    if worker is None or config.args != ["tests"]:
+        return
+    folders = [f"tests/{name}" for name in ORDER if name != "unit"]
+    folders += [f"tests/unit/{path.name}" for path in (HERE / "unit").iterdir() if path.is_dir()]
+    folders = sorted(one for one in folders if not one.endswith("__pycache__"))
+    count = int(os.environ["PYTEST_XDIST_WORKER_COUNT"])
+    begin = int(worker.removeprefix("gw")) * len(folders) // count
+    config.args[:] = folders[begin:] + folders[:begin]
+
+
 @pytest.hookimpl(wrapper=True)
 def pytest_collection() -> Generator[None, object, object]:
     """Take what lasts as long as the suite out of sight of the garbage collector.
@@ -50,7 +67,7 @@ def pytest_collection() -> Generator[None, object, object]:
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Sort by folder, modules with a browser behind all others; inside a module the order stays.
+    """Sort by folder and name, modules with a browser behind all others; inside a module the order stays.
 
     From the first of them on, playwright keeps an event loop in the main thread, where others could not start
     their own. Where workers run side by side a module stays together (`--dist loadfile`): its tests share a
@@ -58,7 +75,8 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """
     in_browser = {item.path for item in items if _in_browser(item)}
     places = {
-        path: (path in in_browser, _folder(path), _rank(path.name)) for path in {item.path for item in items}
+        path: (path in in_browser, _folder(path), _rank(path.name), path)
+        for path in {item.path for item in items}
     }
     items.sort(key=lambda item: places[item.path])
 
