@@ -15,8 +15,7 @@ def effort_limits(robot: Mechanism) -> Array:
 
     It counts at the joint and before friction, as `effort_rows` and recordings do: the least of the limit of
     the joint and of what its drive can keep up at standstill wherever the joint is; infinite where neither is
-    known. A drive that
-    cannot exist (`drive_fault`) has no say: whoever simulates the arm refuses it.
+    known. A drive that cannot exist (`drive_fault`) has no say: whoever simulates the arm refuses it.
 
     Args:
         robot: the arm, with drives or without.

@@ -8,6 +8,6 @@ with without_collection():
     import ropsim.studio.desk
     import ropsim.studio.language_server  # noqa: F401  both are there for the copies
 
-    # Modules stay: copies need not look through them, and share their memory. Nor does this process, which would
-    # where the search for garbage is on again.
+    # Modules stay: copies need not look through them, and share their memory. Put aside here, this process
+    # does not look through them either, when the search for garbage is on again.
     gc.freeze()

@@ -39,8 +39,8 @@ TIE = 1e-9
 WIDER = 3.0
 """The slacks of a snapped arm are so many times the error that its snap can make."""
 TOUCHING = 1e-6
-"""A cosine or a squared length [m²] this far beyond its bound is a start on an arm that was snapped: where the
-wrist or the shoulder is nearly singular, too, the snap moves a stretched elbow by many times its own size."""
+"""A cosine or a squared length [m²] this far beyond its bound is a start on an arm that was snapped: where
+the wrist or the shoulder is nearly singular, too, the snap moves a stretched elbow by many times its size."""
 NEARBY = 0.02
 """A pose this near to a singular one [rad, m] may be one, on an arm that was snapped."""
 

@@ -2,7 +2,6 @@
 
 from collections.abc import Iterator
 from dataclasses import fields, is_dataclass
-from functools import cache
 from typing import Any
 
 from ropsim.language.syntax.nodes import Name
@@ -31,9 +30,13 @@ def names_in(node: object) -> Iterator[tuple[int, str]]:
             yield from names_in(getattr(node, name))
 
 
-@cache
+_parts_of: dict[type[Any], tuple[str, ...] | None] = {}
+
+
 def _parts(kind: type[Any]) -> tuple[str, ...] | None:
     """Return the fields of a node that are no places; None for what is no node."""
-    if not is_dataclass(kind):
-        return None
-    return tuple(one.name for one in fields(kind) if one.name not in _PLACES)
+    if kind not in _parts_of:
+        _parts_of[kind] = (
+            tuple(one.name for one in fields(kind) if one.name not in _PLACES) if is_dataclass(kind) else None
+        )
+    return _parts_of[kind]
