@@ -62,13 +62,22 @@ def standings(parts: Blocks, others: Blocks, gap: float) -> list[Standing]:
 
 
 def height_above(parts: Blocks, row: int, others: Blocks) -> tuple[float, str]:
-    """Return the height of a part above what is next below it [m], and its name: `WORLD` for the floor."""
+    """Return the height of a part above what is next below it [m], and its name: `WORLD` for the floor.
+
+    The floor is meant below it only where nothing else is: the height is negative then.
+    """
     rows, cols = np.full(len(others.owners), row), np.arange(len(others.owners))
     least, _ = _gaps(parts, others, rows, cols)
     own = parts.owners[row]
-    near = [(float(one), name) for one, name in zip(least, others.owners, strict=True) if name != own]
+    near = [
+        (float(one), name)
+        for one, name in zip(least, others.owners, strict=True)
+        if name != own and np.isfinite(one)
+    ]
     floor = float(parts.reaches[0][row, 2])
-    return min([*near, (floor, WORLD)], key=lambda one: (max(one[0], 0.0), one[1]))
+    if floor >= 0.0 or not near:
+        near.append((floor, WORLD))
+    return min(near, key=lambda one: (max(one[0], 0.0), one[1]))
 
 
 @dataclass(slots=True)

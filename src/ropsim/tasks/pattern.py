@@ -1,7 +1,7 @@
 """The places of parts in rows, in the order in which they are looked at."""
 
 from collections.abc import Iterator
-from itertools import chain, islice, product
+from itertools import chain, islice
 
 from ropsim.core import frozen_dataclass
 from ropsim.tasks.expression_text import short_text
@@ -71,7 +71,8 @@ def places_in_rows(first: Point, columns: int, rows: int, distance: float) -> tu
         rows: likewise.
         distance: likewise [mm].
     """
-    numbers = islice(product(range(rows), range(columns)), MOST_IN_ROWS)
+    every = ((row, column) for row in range(rows) for column in range(columns))  # product would keep them all
+    numbers = islice(every, MOST_IN_ROWS)
     return tuple(_point(first, column * distance, row * distance) for row, column in numbers)
 
 

@@ -165,3 +165,11 @@ def test_two_parts_that_cross_do_not_stand_on_each_other() -> None:
     )
     one_, other = standings(crossed, crossed, 0.1)
     assert not (one_.on == "b" and other.on == "a")
+
+
+def test_the_floor_is_not_below_a_part_under_it_where_something_else_is() -> None:
+    cellar = thing(Box((0.4, 0.4, 0.02)), at(0.0, 0.0, -0.5), "cellar")
+    height, below = height_above(part(at(0.0, 0.0, -0.3)), 0, cellar)
+    assert (below, height > 0.0) == ("cellar", True)
+    height, below = height_above(part(at(2.0, 0.0, -0.3)), 0, cellar)
+    assert (below, height < 0.0) == (WORLD, True)

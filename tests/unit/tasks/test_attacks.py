@@ -80,3 +80,20 @@ def test_a_rule_that_never_ends_is_stopped() -> None:
     )
     assert not known.check("a", STATE).ok
     assert known.check("grip s1", STATE).ok
+
+
+@pytest.mark.parametrize(
+    "condition",
+    [
+        "enough(L, x, y)", "enough(L, N, -3)", "enough(L, 1000000000000, 1000000000000)", "enough(_, 2, 2)",
+        "filled(L, 1000000000, 1000000000, 1)", "filled(L, N, N, furlong)", "filled(L, 0, 0, 0)",
+        "vacant(L, 1.5, 2, 3)", "vacant(_, _, _, _)", "(enough(L, 2, 2), vacant(L, 2, 2, 5*mm))",
+        "\\+ enough(L, 2, 2)", "few(L)",
+    ],
+)  # fmt: skip
+def test_conditions_of_patterns_answer_whatever_they_are_given(condition: str) -> None:
+    rule = "few(L) :- \\+ enough(L, 2, 2), \\+ vacant(L, 1, 1, 1)."
+    known = base(f"{rule}\ntask(t(L, N), [params([L-location, N-int]), pre([{condition}])]).")
+    report = known.check("t s1, 3", WorldState.of("at(bolt, s1)", "follows(nut, bolt)", "follows(nut, nut)"))
+    assert all(one.code == "P152" and one.message for one in report.findings)
+    assert known.plan(["parked(s1)"], WorldState.of("location(s1)")).ok

@@ -6,7 +6,7 @@ import pytest
 
 from ropsim.prolog import Atom, Struct, Var, write_term
 from ropsim.tasks import Quantity, TaskCall, TaskError, WorldState
-from ropsim.tasks.pattern import neighbours
+from ropsim.tasks.pattern import neighbours, places_in_rows
 from support.knowledge import GEOMETRY, base
 
 CELL = WorldState.of("gripper(open)", "at(bolt, s1)", "at(nut, s2)", "free(s3)")
@@ -314,6 +314,14 @@ def test_a_named_part_that_lies_elsewhere_is_brought_by_a_task_that_can_take_it(
         "no part is left at `s3`: `release`, `place`, `insert` could bring one"
     )
     assert known.check("weld", far).providers == ()  # there is no bolt
+
+
+def test_a_pattern_without_end_is_refused_as_quickly_as_any() -> None:
+    for shape in ("1000000000000, 1", "1, 1000000000000", "1000000000000, 1000000000000"):
+        report = base().check(f"load_pallet feed, s1, {shape}, 75", WorldState.of(*QUEUE, "free(s1)"))
+        assert "3 parts are left at `feed`, the pattern asks for 1" in report.message
+    first = places_in_rows("s1", 10**12, 10**12, 5.0)
+    assert (len(first), first[1]) == (1000, "s1 rel (5, 0, 0)")
 
 
 def test_a_part_that_is_left_in_the_air_is_a_warning_with_what_is_below() -> None:
