@@ -8,6 +8,8 @@
 :- use_module(library(assoc)).
 :- use_module(library(solution_sequences)).
 
+:- dynamic answered/2.         % answered(Condition, yes | no) of the call that is checked
+
 most_ways(200).                % so many ways to fill in what is not told are tried
 deepest_rule(40).              % rules may lean on each other so deep
 
@@ -188,7 +190,8 @@ check_call(Name, Given, Facts, Report) :-
     ;   all_hold(Pre, State), chosen(Parameters, State)
     ->  findall(One, refusal(Geo, One), Refusals), Report = refused(Head, Refusals)
     ;   fewest(Pre, State, Most, Head-Names, Missing), Missing \== []
-    ->  findall(of(Index, Provider), ( nth0(Index, Missing, One), provider(One, State, Provider) ), Providers),
+    ->  retractall(answered(_, _)),
+        findall(of(Index, Provider), ( nth0(Index, Missing, One), provider(One, State, Provider) ), Providers),
         Report = lacks(Head, Missing, Providers, Names)
     ;   findall(Kind, ( member(p(Value, Kind, none), Parameters), var(Value) ), Kinds),
         Report = nothing_for(Kinds)
@@ -218,13 +221,20 @@ missing([One|More], State, Missing) :-
     missing(More, State, Rest).
 
 %   provider(+Condition, +State, -Name): a task that could make what is missing: what it needs itself holds, or other
-%   tasks could make that now.
+%   tasks could make that now. Of more tasks with such an effect than most_ways/1 the first ones are looked at.
 provider(Condition, State, Name) :- provider(Condition, State, 1, Name).
 
-provider(Condition, State, Level, Name) :-
+provider(Condition0, State, Level, Name) :-
+    copy_term(Condition0, Condition),
     made_so(Condition, Effect),
+    most_ways(Most),
+    limit(Most, candidate(Effect, Name, Parameters, Pre)),
+    \+ ropsim_planner:untold(Parameters, Pre, State),
+    able(Pre, State, Level).
+
+candidate(Effect, Name, Parameters, Pre) :-
     ropsim_kb:known(Name, _, task(_, _, Parameters, Pre, Eff, _, _, _, _, _)),
-    \+ \+ ( member(Effect, Eff), \+ ropsim_planner:untold(Parameters, Pre, State), able(Pre, State, Level) ).
+    member(Effect, Eff).
 
 made_so(Condition, _) :- var(Condition), !, fail.
 made_so(\+ Fact, - Fact) :- !, nonvar(Fact), ropsim_kb:fact(Fact).
@@ -237,4 +247,13 @@ able(Pre, State, Level) :-
     !.
 
 all_made([], _, _).
-all_made([One|More], State, Level) :- once(provider(One, State, Level, _)), all_made(More, State, Level).
+all_made([One|More], State, Level) :- could_be_made(One, State, Level), all_made(More, State, Level).
+
+%   could_be_made(+Condition, +State, +Level): asked once for each condition of a call.
+could_be_made(Condition, State, Level) :-
+    (   answered(Known, Answer), Known =@= Condition
+    ->  true
+    ;   ( once(provider(Condition, State, Level, _)) -> Answer = yes ; Answer = no ),
+        assertz(answered(Condition, Answer))
+    ),
+    Answer == yes.
