@@ -13,6 +13,7 @@ MAX_DEPTH = 32
 """Lists and typed values in each other that are read; a matrix has two."""
 MAX_DIGITS = 40
 """Digits of an integer that are read."""
+_ABSENT = {one.value: one for one in Absent}
 
 
 def read_record(scanner: Scanner, places: Places) -> Record:
@@ -42,22 +43,30 @@ def read_record(scanner: Scanner, places: Places) -> Record:
 def _value(scanner: Scanner, places: Places, depth: int) -> Value:
     if depth > MAX_DEPTH:
         raise scanner.problem(f"at most {MAX_DEPTH} parentheses in each other")
-    if scanner.is_sign("("):
-        return _list(scanner, places, depth)
-    if scanner.token.kind is TokenKind.KEYWORD:
+    token = scanner.token
+    if token.kind is TokenKind.SIGN:
+        if token.text == "(":
+            return _list(scanner, places, depth)
+        if token.text in _ABSENT:
+            scanner.take()
+            return _ABSENT[token.text]
+        raise scanner.problem("a parameter")
+    if token.kind is TokenKind.KEYWORD:
         keyword = scanner.take_keyword()
         scanner.take_sign("(")
         value = _value(scanner, places, depth + 1)
         scanner.take_sign(")")
         return Typed(keyword, value)
-    if scanner.is_sign("$") or scanner.is_sign("*"):
-        return Absent(scanner.take().text)
-    if scanner.token.kind in (TokenKind.SIGN, TokenKind.END):
+    if token.kind is TokenKind.END:
         raise scanner.problem("a parameter")
     return _simple(scanner, places)
 
 
 def _list(scanner: Scanner, places: Places, depth: int) -> Value:
+    plain = scanner.take_plain_list() if depth < MAX_DEPTH else None
+    if plain is not None:
+        reals, references = plain
+        return (*map(float, reals), *[Reference(int(one.strip()[1:])) for one in references])
     scanner.take()
     values: list[Value] = []
     while not scanner.is_sign(")"):

@@ -14,6 +14,11 @@ _TOKEN = pattern(
     r"""|(!?[A-Za-z_][A-Za-z0-9_]*(?:-[A-Za-z0-9_]+)*)|(\.[A-Za-z_][A-Za-z0-9_]*\.)|([+-]?\d+)"""
     r"""|("[0-3][0-9A-Fa-f]*"))"""
 )
+_REAL, _REFERENCE = r"[+-]?\d{1,20}\.\d{0,20}(?:[Ee][+-]?\d{1,2})?", r"\#\d{1,18}"
+_PLAIN = pattern(
+    rf"\(\s*+(?:({_REAL}(?:\s*+,\s*+{_REAL})*+)|({_REFERENCE}(?:\s*+,\s*+{_REFERENCE})*+))\s*+\)"
+)
+"""A list of real numbers that are surely finite, or of references: most lists are."""
 _STOP = pattern(r";|/\*|'[^']*'")
 SHOWN = 24
 """Characters of a token that a message shows."""
@@ -55,6 +60,10 @@ class Token(NamedTuple):
     offset: int
 
 
+_made = tuple.__new__
+"""Makes a token in half the time of calling its class."""
+
+
 class SyntaxProblemError(Exception):
     """The text goes on in another way than it may; carries what is said of it."""
 
@@ -87,13 +96,27 @@ class Scanner:
         token = self.token
         return token.text == text and token.kind is TokenKind.SIGN
 
+    def take_plain_list(self) -> tuple[list[str], list[str]] | None:
+        """Go on behind a list of real numbers, or one of references, and return the texts of either.
+
+        None where another list comes next, with comments in it or with mistakes: it is still to be taken.
+        """
+        found = _PLAIN.match(self._text, self.token.offset)
+        if found is None:
+            return None
+        reals, references = found.groups()
+        self._at = found.end()
+        self.token = self._scanned()
+        return (reals.split(",") if reals else []), (references.split(",") if references else [])
+
     def take_sign(self, text: str) -> None:
         """Go on behind a sign.
 
         Raises:
             SyntaxProblemError: something else comes next.
         """
-        if not self.is_sign(text):
+        token = self.token
+        if token.text != text or token.kind is not TokenKind.SIGN:
             raise self.problem(f"`{text}`")
         self.token = self._scanned()
 
@@ -140,7 +163,7 @@ class Scanner:
             return Token(TokenKind.SIGN, self._text[self._at - 1], self._at - 1)
         group = found.lastindex or 0
         self._at = found.end()
-        return Token(_KINDS[group], found[group], found.start(group))
+        return _made(Token, (_KINDS[group], found[group], found.start(group)))
 
     def _behind_gap(self) -> Match[str] | None:
         """Return the token behind comments, or the empty match at the end of the text."""

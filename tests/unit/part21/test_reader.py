@@ -11,6 +11,7 @@ from ropsim.part21 import (
     Record,
     Reference,
     Typed,
+    Value,
     read_exchange,
     references,
 )
@@ -42,6 +43,23 @@ def test_every_kind_of_parameter_is_read() -> None:
         (1, (2.0, ())),
         Typed("LENGTH_MEASURE", 3.0),
     )
+
+
+@pytest.mark.parametrize(
+    ("written", "meant"),
+    [
+        ("(1.,-2.5E-3 ,\n+0.5)", (1.0, -2.5e-3, 0.5)),
+        ("( #7, #7,\r\n#1 )", (Reference(7), Reference(7), Reference(1))),
+        ("(1.,/* two */2.)", (1.0, 2.0)),
+        ("(1.,2)", (1.0, 2)),
+        ("(1.,#7)", (1.0, Reference(7))),
+        ("(1000000000000000000000000.,1.E300)", (1e24, 1e300)),
+        ("((1.,2.),(#7),())", ((1.0, 2.0), (Reference(7),), ())),
+    ],
+)
+def test_lists_of_one_kind_are_read_like_others(written: str, meant: Value) -> None:
+    file = read(f"#7=A({written},'behind');\n#1=B();\n")
+    assert file.instances[0].records == (Record("A", (meant, "behind")),)
 
 
 def test_a_complex_instance_has_a_record_for_each_entity() -> None:
@@ -101,6 +119,8 @@ def test_strings_stand_for_characters(written: str, meant: str) -> None:
         ("#1=A((" + "(" * 40 + "));", "X960", 6 + 33),
         ("#1=A();#1=B();", "X961", 8),
         ("#1=A((3,#2));", "X962", 6),
+        ("#1=A((1.,1.E999));", "X960", 10),
+        ("#1=A((#1,#12345678901234567890));", "X960", 10),
         ("ENDSEC;DATA;", "X963", 8),
         ("#1=A(é);", "X960", 6),
     ],
