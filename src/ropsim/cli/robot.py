@@ -149,13 +149,22 @@ def fk(options: argparse.Namespace, output: Output) -> int:
 
 
 def _following(robot: RobotModel) -> list[str]:
-    """Return a line for each joint that follows axes and has limits of its own."""
-    found = []
-    for joint in coupled_limits(robot).joints:
-        scale, unit = display(joint.measure)
-        lower, upper = f"{joint.lower * scale:.1f} {unit}", f"{joint.upper * scale:.1f} {unit}"
-        found.append(f"joint {joint.name}, which follows the axes: {lower} to {upper}")
-    return ["", *found] if found else []
+    """Return lines for each joint that follows axes and has limits of its own: them, and what they leave."""
+    found, coupled = [""], coupled_limits(robot)
+    for joint, factors, constant in zip(coupled.joints, coupled.T, coupled.c.tolist(), strict=True):
+        found.append(f"joint {joint.name}, which follows the axes: {_range(joint, joint.lower, joint.upper)}")
+        number = int(np.flatnonzero(factors)[-1])
+        axis, factor = robot.axis_joints[number], float(factors[number])
+        others = constant + float(factors @ robot.home) - factor * float(robot.home[number])
+        lower, upper = sorted(((joint.lower - others) / factor, (joint.upper - others) / factor))
+        left = _range(axis, max(lower, axis.lower), min(upper, axis.upper))
+        found.append(f"with the other axes at home that leaves {axis.name} {left}")
+    return found if len(found) > 1 else []
+
+
+def _range(joint: Joint, lower: float, upper: float) -> str:
+    scale, unit = display(joint.measure)
+    return f"{lower * scale:.1f} {unit} to {upper * scale:.1f} {unit}"
 
 
 def _payload(robot: RobotModel) -> list[str]:

@@ -37,6 +37,19 @@ def said(words: str, capsys: pytest.CaptureFixture[str]) -> str:
     return " ".join(capsys.readouterr().out.split())
 
 
+def test_what_a_joint_that_follows_axes_leaves_them_is_told(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    """J3 of a FANUC has 520° in the table, for all that J2 may have; in any one posture it has 275°."""
+    shown = said("robot show lr_mate_200id", capsys)
+    assert "J3 revolute -215.0 ° 305.0 °" in shown
+    assert "joint J3 itself, which follows the axes: -70.0 ° to 205.0 °" in shown
+    assert "with the other axes at home that leaves J3 -70.0 ° to 205.0 °" in shown
+    palletizer = said("robot show m410ib_700", capsys)
+    assert "joint elbow, which follows the axes: -74.9 ° to 65.0 °" in palletizer
+    assert "with the other axes at home that leaves 3 -50.0 ° to 65.0 °" in palletizer
+
+
 def test_the_class_of_an_arm_is_named_with_its_branches(capsys: pytest.CaptureFixture[str]) -> None:
     assert "inverse kinematics: SCARA, closed form, 2 branches" in said("robot show cobra", capsys)
     assert "inverse kinematics: spherical wrist, closed form, 8 branches" in said(
