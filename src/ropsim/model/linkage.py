@@ -46,6 +46,12 @@ class Linkage:
         (a, b, _), (c, d, _) = self.carrier_pin, self.link_pin
         return atan2(d, c) - atan2(b, a)
 
+    @property
+    def is_about_axis(self) -> bool:
+        """Return whether a pin lies on the axis, to a nanometre: then there is no lever anywhere."""
+        (a, b, _), (c, d, _) = self.carrier_pin, self.link_pin
+        return min(hypot(a, b), hypot(c, d)) < 1e-9
+
     def length_at(self, q: float) -> float:
         """Return ℓ from pin to pin [m] at a coordinate [rad]."""
         return sqrt(max(self.squares - 2.0 * self.product * cos(q + self.angle), 0.0))

@@ -100,9 +100,12 @@ class Linkages:
         gear, joint = drive.transmission, self._joints[number]
         if not isinstance(gear, Linkage):
             return True
-        if gear.dead_centre(joint.lower, joint.upper) is None:
+        if gear.is_about_axis:
+            self._lost(through, "a pin lies on the axis of its pair")
+        elif gear.dead_centre(joint.lower, joint.upper) is not None:
+            self._lost(through, "pins and axis are in line within the limits of its pair")
+        else:
             return True
-        self._lost(through, "pins and axis are in line within the limits of its pair")
         return False
 
     def _lost(self, through: int, why: str) -> None:

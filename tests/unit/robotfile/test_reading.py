@@ -208,6 +208,7 @@ def test_a_cylinder_has_its_pins_in_the_frames_of_the_table() -> None:
     ("before", "after", "words"),
     [
         ("[-15, 60]", "[-80, 60]", "dead centre"),
+        ("link_pin = [-2.5, -0.1, 0]", "link_pin = [-2.8, 0, 0]", "a pin on the axis of its joint"),
         ("stroke = 0.54", "stroke = 0.2", "its cylinder is 820 to 1020 mm long"),
         ("[-15, 60] }", "[-15, 60], type = 'prismatic' }", "turning joint"),
     ],

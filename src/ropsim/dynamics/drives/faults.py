@@ -89,6 +89,8 @@ def range_fault(drive: Drive, joint: Joint) -> Fault | None:
         return "the linkage", f"moves a joint of type {joint.type.value}; a cylinder turns a turning joint"
     if not isfinite(joint.upper - joint.lower):
         return "the linkage", "has a stroke, and its joint has no limits"
+    if gear.is_about_axis:
+        return "the linkage", "has a pin on the axis of its joint, where it has no lever"
     dead = gear.dead_centre(joint.lower, joint.upper)
     if dead is not None:
         return "the linkage", f"has a dead centre at {degrees(dead):.5g}°, within the range of its joint"
