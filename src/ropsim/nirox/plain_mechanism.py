@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from ropsim.nirox.building import UNSET
+from ropsim.nirox.plain_loops import loops_of
 from ropsim.part21 import ExchangeFile, Instance, Record, Reference, Value
 
 SCHEMA = "AP242"
@@ -17,7 +18,8 @@ def with_arm(file: ExchangeFile) -> ExchangeFile | None:
     """Return a file with an arm of its first mechanism; nothing where it has none.
 
     The base is the link that the file calls so, else the one to which no joint leads; axes are all pairs of
-    one freedom, in the order of the file; the rest position is the first state of the mechanism.
+    one freedom but those that follow in closed chains (`plain_loops`), in the order of the file; the rest
+    position is the first state of the mechanism.
 
     Args:
         file: without an arm.
@@ -40,6 +42,8 @@ def with_arm(file: ExchangeFile) -> ExchangeFile | None:
     axes = [
         one for one in pairs if one in known and known[one].keyword.removesuffix("_WITH_RANGE") in _SINGLE
     ]
+    loops = loops_of(known, pairs, axes)
+    axes = [one for one in axes if one not in loops.passive]
     states = [
         one
         for one in _all(known, "MECHANISM_STATE_REPRESENTATION")
@@ -49,7 +53,9 @@ def with_arm(file: ExchangeFile) -> ExchangeFile | None:
     name = known[mechanism].values[0]
     ends_of_arm = Reference(mechanism), Reference(base), tuple(map(Reference, dict.fromkeys(axes)))
     arm = Record("ROBOT_ARM", (name, *_NO_ARM, *ends_of_arm, (), _GRAVITY, home))
-    return replace(file, instances=(*file.instances, Instance(max(known) + 1, (arm,))))
+    added = [arm, *(Record("LOOP_CUT", (Reference(loop), Reference(pair))) for loop, pair in loops.cuts)]
+    made = [Instance(number, (record,)) for number, record in enumerate(added, start=max(known) + 1)]
+    return replace(file, instances=(*file.instances, *made))
 
 
 def _base(known: dict[int, Record]) -> int | None:

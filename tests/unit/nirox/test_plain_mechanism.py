@@ -3,10 +3,14 @@
 import re
 
 import numpy as np
+import pytest
 
 from ropsim.core import SourceText
-from ropsim.kinematics import forward
+from ropsim.exchange import write_ap242
+from ropsim.kinematics import forward, frames_batch
+from ropsim.model import RobotModel
 from ropsim.nirox import ConformanceClass, ReadNirox, read_nirox, write_nirox
+from support.linkages import CRANK, FOUR_BAR, ROD, SLIDER_CRANK
 from support.nirox_texts import AP242 as SCHEMA
 from support.nirox_texts import PLAIN
 from support.nirox_texts import WEIGHED_PLAIN as GIVEN
@@ -133,3 +137,22 @@ def test_products_with_masses_are_written_and_read_again_as_nirox() -> None:
     assert found.robot is not None
     text = write_nirox(found.robot, found.beside).text
     assert read(text).robot == found.robot
+
+
+@pytest.mark.parametrize("linkage", [FOUR_BAR, SLIDER_CRANK], ids=["four-bar", "slider-crank"])
+def test_a_loop_of_ap242_is_cut_at_its_first_joint_and_its_other_joints_follow_the_next(
+    linkage: RobotModel,
+) -> None:
+    found = read_nirox(SourceText("linkage.stp", write_ap242(linkage).text)).robot
+    assert found is not None
+    assert (found.axes, found.cuts) == (linkage.axes, linkage.cuts)
+    again = read_nirox(SourceText("linkage.stp", write_nirox(found).text)).robot
+    assert again == found
+
+
+def test_a_slider_crank_of_ap242_moves_as_the_textbook_says() -> None:
+    found = read_nirox(SourceText("linkage.stp", write_ap242(SLIDER_CRANK).text)).robot
+    assert found is not None
+    for q in (0.3, 1.2, -0.8):
+        x = frames_batch(found, np.array([[q]]))[0, 2, 0, 3]
+        assert x == pytest.approx(CRANK * np.cos(q) + np.sqrt(ROD**2 - (CRANK * np.sin(q)) ** 2), abs=1e-9)
