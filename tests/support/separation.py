@@ -16,6 +16,10 @@ from support.arm_capsules import Block
 Mask = npt.NDArray[np.bool_]
 FAR = 0.08
 """What is farther apart than this by the ball around the moving one is not looked at more closely [m]."""
+PARALLEL = 1e-6
+"""Sine of the angle below which two edges span no plane."""
+NEXT = np.array([1, 2, 0])
+"""The axis behind each one."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,7 +48,7 @@ def least_gap(track: Track, block: Block, when: Mask) -> tuple[float, int]:
         return np.inf, 0
     ball = float(np.linalg.norm(track.half)) + track.radius
     offset = (track.poses[rows, :3, 3] - block.centre.position) @ block.centre.rotation()
-    rows = rows[(np.abs(offset) - block.half).max(axis=1) - ball < FAR]
+    rows = rows[_greatest(np.abs(offset) - block.half) - ball < FAR]
     if not len(rows):
         return np.inf, 0
     gap = _from_line if track.radius else _separation
@@ -61,7 +65,8 @@ def _from_line(poses: Array, half: Array, block: Block) -> Array:
     heights = np.linspace(-half[2], half[2], 33)
     points = poses[:, np.newaxis, :3, 3] + heights[:, np.newaxis] * poses[:, np.newaxis, :3, 2]
     local = np.abs((points - block.centre.position) @ block.centre.rotation()) - block.half
-    nearest = np.linalg.norm(np.maximum(local, 0.0), axis=2).min(axis=1)
+    beyond = np.maximum(local, 0.0)
+    nearest = np.sqrt(np.einsum("khi,khi->kh", beyond, beyond).min(axis=1))
     return np.asarray(nearest - (heights[1] - heights[0]) / 2.0)
 
 
@@ -72,13 +77,31 @@ def _separation(poses: Array, half: Array, block: Block) -> Array:
     spread = np.abs(R)
     own = np.abs(t) - block.half - spread @ half
     theirs = np.abs(np.einsum("kij,ki->kj", R, t)) - half - np.einsum("kij,i->kj", spread, block.half)
-    best = np.maximum(own.max(axis=1), theirs.max(axis=1))
-    for i in range(3):
-        for j in range(3):
-            axis = np.cross(np.eye(3)[i], R[:, :, j])
-            length = np.linalg.norm(axis, axis=1)
-            bound = np.abs(axis) @ block.half + np.abs(np.einsum("kij,ki->kj", R, axis)) @ half
-            gap = np.abs(np.einsum("ki,ki->k", axis, t)) - bound
-            with np.errstate(divide="ignore", invalid="ignore"):
-                best = np.where(length > 1e-6, np.maximum(best, gap / length), best)
+    best = np.maximum(_greatest(own), _greatest(theirs))
+    near = np.flatnonzero(best < FAR)
+    best[near] = np.maximum(best[near], _across(R[near], t[near], half, block.half))
     return np.asarray(best)
+
+
+def _across(R: Array, t: Array, half: Array, fixed: Array) -> Array:
+    """Return the greatest gap along the axes at right angles to an edge of each box [m], shape (k,).
+
+    Args:
+        R: axes of the moving box in those of the fixed one, shape (k, 3, 3).
+        t: middle of the moving box there [m], shape (k, 3).
+        half: half edges of the moving box [m], shape (3,).
+        fixed: those of the fixed one [m], shape (3,).
+    """
+    spread, one, two = np.abs(R), NEXT, NEXT[NEXT]
+    gap = np.abs(t[:, two, np.newaxis] * R[:, one] - t[:, one, np.newaxis] * R[:, two])
+    gap -= fixed[one, np.newaxis] * spread[:, two] + fixed[two, np.newaxis] * spread[:, one]
+    gap -= half[one] * spread[:, :, two] + half[two] * spread[:, :, one]
+    length = np.hypot(R[:, one], R[:, two])
+    crossed = length > PARALLEL
+    gap = np.where(crossed, gap / np.where(crossed, length, 1.0), -np.inf)
+    return _greatest(_greatest(gap))
+
+
+def _greatest(three: Array) -> Array:
+    """Return the greatest along the last axis of three: numpy is slow where an axis is that short."""
+    return np.asarray(np.maximum(np.maximum(three[..., 0], three[..., 1]), three[..., 2]))
