@@ -2,17 +2,24 @@
 
 import os
 import threading
+from dataclasses import replace
 from hashlib import sha256
 from pathlib import Path
+from typing import cast
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
 from ropsim.core import RopsimError, read_own_bytes, replace_private_file
+from ropsim.prolog import Engine
+from ropsim.prolog.program import CrashError
 from ropsim.prolog.wasm.artefact import NAMES, artefact, artefact_in
 from ropsim.prolog.wasm.files import ROOM, MemoryFiles, NoRoomError, absolute
+from ropsim.prolog.wasm.instance import Instance
+from ropsim.prolog.wasm.jumps import ASKED, BRIDGED, LEFT, THROWN, jumps
 from ropsim.prolog.wasm.library import Library, Packed
+from ropsim.prolog.wasm.linking import linked
 from ropsim.prolog.wasm.lz4 import DamagedBlockError, unpacked
 from ropsim.prolog.wasm.module_cache import kept_code
 from ropsim.prolog.watchdog import Watchdog
@@ -41,6 +48,82 @@ def test_the_tables_of_the_package_are_those_that_the_host_answers() -> None:
     assert found.code.startswith(b"\0asm")
     assert found.library.content("/swipl/boot.prc").startswith(b"PK")
     assert sum(1 for _ in found.library) == 329
+
+
+PROGRAM = """\
+(module
+  (import "env" "a" (func $invoke (param i32 i32) (result i32)))
+  (import "env" "b" (func $jump))
+  (import "env" "c" (func $ask (param i32 i32 i32) (result i32)))
+  (table (export "t") 3 funcref)
+  (global $stack (mut i32) (i32.const 100))
+  (global $told (mut i32) (i32.const 0))
+  (func (export "get") (result i32) (global.get $stack))
+  (func (export "put") (param i32) (global.set $stack (local.get 0)))
+  (func (export "tell") (param i32 i32)
+    (global.set $told (i32.add (i32.mul (i32.const 10) (local.get 0)) (local.get 1))))
+  (func (export "told") (result i32) (global.get $told))
+  (func $adds (param i32) (result i32) (i32.add (local.get 0) (i32.const 1)))
+  (func $jumps (param i32) (result i32) (global.set $stack (i32.const 7)) (call $jump) (i32.const 5))
+  (func $asks (param i32) (result i32) (global.set $stack (i32.const 7))
+    (call $ask (local.get 0) (i32.const 0) (i32.const 0)))
+  (elem (i32.const 0) $adds $jumps $asks)
+  (func (export "go") (param i32 i32) (result i32) (call $invoke (local.get 0) (local.get 1)))
+  (func (export "leave") (call $jump)))
+"""
+NAMES_OF_IMPORTS = {"a": "invoke_ii", "b": "_emscripten_throw_longjmp", "c": ASKED}
+NAMES_OF_EXPORTS = dict(zip(BRIDGED, ("get", "put", "tell"), strict=True))
+
+
+def test_a_jump_is_caught_by_the_call_that_may_be_left_also_across_the_host(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    import wasmtime
+    from wasmtime import Func, Trap
+
+    monkeypatch.setenv("ROPSIM_CACHE_DIR", str(tmp_path))
+    config = wasmtime.Config()
+    config.wasm_exceptions = True
+    engine = wasmtime.Engine(config)
+    store = wasmtime.Store(engine)
+    program = replace(
+        artefact(), code=bytes(wasmtime.wat2wasm(PROGRAM)), imports=NAMES_OF_IMPORTS, exports=NAMES_OF_EXPORTS
+    )
+    exports = linked(engine, store, program, {ASKED: lambda asked, *_: LEFT if asked == 3 else asked})
+
+    def call(name: str, *arguments: int) -> int:
+        function = exports[name]
+        assert isinstance(function, Func)
+        return cast("int", function(store, *arguments))
+
+    assert (call("go", 0, 41), call("get"), call("told")) == (42, 100, 0)
+    assert (call("go", 1, 41), call("get"), call("told")) == (0, 100, 10)
+    call("tell", 0, 0)
+    assert (call("go", 2, 4), call("get"), call("told")) == (4, 7, 0)
+    call("put", 100)
+    assert (call("go", 2, 3), call("get"), call("told")) == (0, 100, 10)
+    with pytest.raises(Trap, match=f"{THROWN}$"):
+        call("leave")
+
+
+@pytest.mark.parametrize("name", ["invoke_vd", "invoke_", "invoke_ij"])
+def test_calls_that_take_something_else_than_numbers_of_32_bits_are_refused(name: str) -> None:
+    with pytest.raises(CrashError, match=name):
+        jumps([name])
+
+
+def test_a_start_calls_the_program_a_few_times_only(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Where each call that may be left went through Python, these were 1750 calls."""
+    calls: list[str] = []
+    call = Instance.call
+
+    def counted(self: Instance, name: str, *arguments: int) -> int:
+        calls.append(name)
+        return call(self, name, *arguments)
+
+    monkeypatch.setattr(Instance, "call", counted)
+    assert Engine().once("true") is not None
+    assert len(calls) < 100
 
 
 def test_missing_files_are_told_with_what_to_do(tmp_path: Path) -> None:

@@ -9,13 +9,13 @@ from ropsim.prolog.wasm.artefact import Artefact
 from ropsim.prolog.wasm.clock_calls import ClockCalls
 from ropsim.prolog.wasm.file_calls import FileCalls
 from ropsim.prolog.wasm.files import MemoryFiles
-from ropsim.prolog.wasm.jumps import LongJump, invoke, jump
+from ropsim.prolog.wasm.jumps import ASKED, LEFT, THROWN, LongJumpError
+from ropsim.prolog.wasm.linking import linked
 from ropsim.prolog.wasm.memory import LinearMemory, NoAddressError
-from ropsim.prolog.wasm.module_cache import compiled
 from ropsim.prolog.wasm.stream_calls import StreamCalls
 
 if TYPE_CHECKING:
-    from wasmtime import Func, Memory, Table
+    from wasmtime import Func
 
 ENVIRONMENT = ("HOME=/kb", "PATH=/", "LANG=C.UTF-8", "USER=ropsim", "SWI_HOME_DIR=swipl")
 FOREVER = 1 << 40
@@ -42,7 +42,7 @@ class Instance:
     """One program with memory and files of its own; it belongs to one thread, except for `stop`."""
 
     def __init__(self, artefact: Artefact, host: Host) -> None:
-        from wasmtime import Config, Engine, Linker, Store
+        from wasmtime import Config, Engine, Memory, Store
 
         self._artefact = artefact
         self._host = host
@@ -53,24 +53,18 @@ class Instance:
         clock_calls = ClockCalls()
         config = Config()
         config.epoch_interruption = True
+        config.wasm_exceptions = True
         # An engine of its own: whoever moves its epoch on stops this program and no other.
         self._engine: Engine = Engine(config)
         self._store = Store(self._engine)
         self._store.set_limits(memory_size=max(host.memory_bytes, FEWEST_BYTES))
         self._store.set_epoch_deadline(FOREVER)
-        module = compiled(self._engine, artefact.code)
         tables = (self._streams.table(), file_calls.table(), clock_calls.table(), self._table())
         answers = dict(item for table in tables for item in table.items())
-        linker = Linker(self._engine)
-        for one in module.imports:
-            name = artefact.imports[one.name or ""]
-            answer = answers.get(name) or self._invoke(name)
-            linker.define_func(one.module, one.name or "", one.type, answer)  # type: ignore[arg-type]
-        exports = linker.instantiate(self._store, module).exports(self._store)
+        exports = linked(self._engine, self._store, artefact, answers)
         self._exports = {name: cast("Func", exports[short]) for name, short in artefact.exports.items()}
-        kinds = {type(one).__name__: one for one in exports.values()}
-        self._functions = cast("Table", kinds["Table"])
-        self.memory = LinearMemory(cast("Memory", kinds["Memory"]), self._store)
+        memory = next(one for one in exports.values() if isinstance(one, Memory))
+        self.memory = LinearMemory(memory, self._store)
         self._streams.memory = file_calls.memory = clock_calls.memory = self.memory
         cast("Func", exports[artefact.start])(self._store)
 
@@ -79,6 +73,7 @@ class Instance:
 
         Raises:
             StoppedError: it was stopped.
+            LongJumpError: it jumps to a call that is below that of the host.
             CrashError: the program has ended, by a trap or by itself.
         """
         from wasmtime import Trap, TrapCode, WasmtimeError
@@ -87,9 +82,11 @@ class Instance:
             raise CrashError("the program has ended")
         try:
             return cast("int", self._exports[name](self._store, *arguments))
-        except LongJump:
+        except LongJumpError:
             raise
         except Trap as trap:
+            if trap.message.rstrip().endswith(THROWN):
+                raise LongJumpError from None
             self.has_ended = True
             if trap.trap_code is TrapCode.INTERRUPT:
                 raise StoppedError("stopped") from trap
@@ -115,21 +112,14 @@ class Instance:
         self._streams.printed.clear()
         return text
 
-    def _invoke(self, name: str) -> Callable[..., int | None]:
-        """Return the function of an import that calls back into the program."""
-        if not name.startswith("invoke_"):
-            raise CrashError(f"the program wants `{name}`, which nobody answers")
-        return invoke(name, self._store, lambda: self._functions, self.call)
-
     def _table(self) -> dict[str, Callable[..., int | None]]:
         """Return the functions about the program itself by the names of their imports."""
         return {
-            "emscripten_asm_const_int": self._constant,
+            ASKED: self._constant,
             "emscripten_asm_const_ptr": lambda *_: 0,
             "emscripten_get_heap_max": lambda: self._host.memory_bytes,
             "emscripten_resize_heap": lambda size: int(self.memory.grow(size & 0xFFFFFFFF)),
             "emscripten_run_script": lambda _script: None,
-            "_emscripten_throw_longjmp": jump,
             "_munmap_js": lambda *_: 0,
             "_abort_js": lambda: _ended("abort"),
             "exit": lambda code: _ended(f"exit with {code}"),
@@ -142,7 +132,10 @@ class Instance:
         if code != self._artefact.call_code:
             return 0
         request, reply = self.memory.unpack(arguments, "<II")
-        return self._host.on_call(request, reply)
+        try:
+            return self._host.on_call(request, reply)
+        except LongJumpError:
+            return LEFT
 
     def _environment_sizes(self, count: int, size: int) -> int:
         self.memory.pack(count, "<I", len(ENVIRONMENT))

@@ -1,47 +1,97 @@
 """Long jumps: how a program of C leaves many calls at once, as emscripten compiles it.
 
-A call that may be left so goes through an import `invoke_…`. Jumping is an exception here; the import that
-catches it puts the stack back and tells the program, which then looks whether it is the one that was meant.
+A call that may be left so goes through an import `invoke_…`; jumping is an exception of WebAssembly, and the
+import that catches it puts the stack back and tells the program, which then looks whether it is the one that
+was meant. These imports are a module of WebAssembly beside the program: Prolog makes 1700 of these calls when
+it starts, each of which would cost a tenth of a millisecond by way of Python.
+
+The program is given the imports before it is there. So they call its functions through a table of their own,
+into which a second module copies those of the program once it is.
 """
 
-from collections.abc import Callable
-from typing import TYPE_CHECKING, cast
+from collections.abc import Iterable
 
-if TYPE_CHECKING:
-    from wasmtime import Func, Store, Table
+from ropsim.prolog.program import CrashError
+
+ASKED = "emscripten_asm_const_int"
+"""The import by which the program calls its host: a jump goes on behind it where `LEFT` is answered."""
+LEFT = -(1 << 31)
+"""What the host answers where the program has left the call of the host by a jump."""
+THROWN = "thrown Wasm exception"
+"""What a trap says of a jump to calls that are not below it."""
+
+_MODULE = f"""\
+(module
+  (import "host" "asked" (func $asked (param i32 i32 i32) (result i32)))
+  (tag $jump)
+  (table $functions (export "functions") 0 funcref)
+  (table $stack (export "stack") 3 funcref)
+  (func (export "_emscripten_throw_longjmp") (throw $jump))
+  (func (export "{ASKED}") (param i32 i32 i32) (result i32)
+    (local $answer i32)
+    (local.set $answer (call $asked (local.get 0) (local.get 1) (local.get 2)))
+    (if (i32.eq (local.get $answer) (i32.const {LEFT})) (then (throw $jump)))
+    (local.get $answer))
+"""
+
+_INVOKE = """\
+  (func (export "{name}") (param i32 {takes}) {gives}
+    (local $before i32)
+    (local.set $before (call_indirect $stack (result i32) (i32.const 0)))
+    (block $left
+      (try_table (catch $jump $left)
+        (return (call_indirect $functions (param {takes}) {gives} {values} (local.get 0)))))
+    (call_indirect $stack (param i32) (local.get $before) (i32.const 1))
+    (call_indirect $stack (param i32 i32) (i32.const 1) (i32.const 0) (i32.const 2))
+    {failed})
+"""
+
+BRIDGE = """\
+(module
+  (import "program" "functions" (table $from 1 funcref))
+  (import "jumps" "functions" (table $to 0 funcref))
+  (import "jumps" "stack" (table $stack 3 funcref))
+  (import "program" "emscripten_stack_get_current" (func $get (result i32)))
+  (import "program" "_emscripten_stack_restore" (func $restore (param i32)))
+  (import "program" "setThrew" (func $tell (param i32 i32)))
+  (elem declare func $get $restore $tell)
+  (func $join
+    (drop (table.grow $to (ref.null func) (table.size $from)))
+    (table.copy $to $from (i32.const 0) (i32.const 0) (table.size $from))
+    (table.set $stack (i32.const 0) (ref.func $get))
+    (table.set $stack (i32.const 1) (ref.func $restore))
+    (table.set $stack (i32.const 2) (ref.func $tell)))
+  (start $join))
+"""
+"""Lets the imports find the functions of the program, and those with which its stack is put back."""
+BRIDGED = ("emscripten_stack_get_current", "_emscripten_stack_restore", "setThrew")
+"""The functions of the program by their names in C that the bridge takes."""
 
 
-class LongJump(Exception):  # noqa: N818 - no error: it is how the program goes on
-    """The program leaves calls."""
+class LongJumpError(Exception):
+    """The program leaves the call of its host, and goes on at a call below it."""
 
 
-def jump() -> None:
-    """Leave all calls up to the next one that may be left so."""
-    raise LongJump
-
-
-def invoke(
-    name: str, store: "Store", table: Callable[[], "Table"], exported: Callable[..., int]
-) -> Callable[..., int | None]:
-    """Return the function of an import such as `invoke_viii`.
+def jumps(names: Iterable[str]) -> str:
+    """Return the text of the module of imports such as `invoke_viii`, of jumping and of the call of the host.
 
     Args:
-        name: the import; a `v` after the underline says that it has no result.
-        store: the state of the program.
-        table: gives its table of functions, once there is one.
-        exported: calls a function of the program by its name.
+        names: of imports; a `v` behind the underline says that it has no result, each `i` is a number.
+
+    Raises:
+        CrashError: an import takes or gives something else.
     """
-    failed = None if name.startswith("invoke_v") else 0
+    return _MODULE + "".join(map(_invoke, names)) + ")\n"
 
-    def called(index: int, *arguments: int) -> int | None:
-        stack = exported("emscripten_stack_get_current")
-        try:
-            function = cast("Func", table().get(store, index & 0xFFFFFFFF))
-            result: int | None = function(store, *arguments)
-        except LongJump:
-            exported("_emscripten_stack_restore", stack)
-            exported("setThrew", 1, 0)
-            return failed
-        return result
 
-    return called
+def _invoke(name: str) -> str:
+    gives, takes = name.removeprefix("invoke_")[:1], name.removeprefix("invoke_")[1:]
+    if not gives or set(gives) - set("vi") or set(takes) - set("i"):
+        raise CrashError(f"the program wants `{name}`, which nobody answers")
+    return _INVOKE.format(
+        name=name,
+        takes=" ".join("i32" for _ in takes),
+        gives="(result i32)" if gives == "i" else "",
+        values=" ".join(f"(local.get {number})" for number in range(1, len(takes) + 1)),
+        failed="(i32.const 0)" if gives == "i" else "",
+    )

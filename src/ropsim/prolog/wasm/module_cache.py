@@ -31,7 +31,7 @@ def compiled(engine: "Engine", code: bytes) -> "Module":
 
 def _path(code: bytes) -> Path:
     """Return the file that holds the machine code of this code, made by this compiler."""
-    digest = sha256(f"{version('wasmtime')} epochs ".encode() + code).hexdigest()
+    digest = sha256(f"{version('wasmtime')} epochs exceptions ".encode() + code).hexdigest()
     return cache_folder() / "prolog" / f"{digest[:32]}.module"
 
 
