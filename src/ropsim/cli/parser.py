@@ -1,6 +1,7 @@
 """All commands and their arguments, as `ropsim --help` shows them."""
 
 import argparse
+from functools import cache
 
 from ropsim.cli.arguments import around, icr, knowledge, project, robot
 from ropsim.cli.arguments.command import Parser
@@ -15,8 +16,12 @@ Exit code 0: all is well. 1: there are errors in the input. 2: wrong usage.
 """
 
 
+@cache
 def build_parser() -> argparse.ArgumentParser:
-    """Return the parser; each command's module is imported only when it runs."""
+    """Return the parser, one for all command lines of a process.
+
+    Each command's module is imported only when it runs.
+    """
     parser = Parser(
         prog="ropsim",
         description="Robot off-line programming and real-time simulation: task text in, verified motion out.",
