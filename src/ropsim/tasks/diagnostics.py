@@ -348,7 +348,7 @@ where nothing is said: no object, no device, no floor, no other part of which it
 message says what is next below and how far. The task is accepted; a run says the same of where the part is
 released (S736).
 
-Nothing is said in a cell without fixed objects, or with one that is drawn by a mesh, and of locations in a
-frame that moves.
+Nothing is said in a cell without fixed objects, or with one that is drawn by a mesh, of locations in a frame
+that moves, and of the location at which the part lies at the start.
 """,
 )

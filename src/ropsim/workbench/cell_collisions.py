@@ -68,7 +68,7 @@ class CellCollisions:
         """
         held = self._held(station, part)
         absent = self._places.keys() - {part}
-        is_drawn_so = place == self._place_of(part)
+        is_drawn_so = place == self.place_of(part)
         best: Nearness | None = None
         for q in postures:
             found = self._collisions.meetings({station.name: q}, held, absent)
@@ -143,7 +143,7 @@ class CellCollisions:
     def _is_of_arm(self, station: Station, one: Nearness) -> bool:
         return any(_station_of(self._bodies, name) == station.name for name in one.pair)
 
-    def _place_of(self, part: str) -> str | None:
+    def place_of(self, part: str) -> str | None:
         """Return where a part lies at the start, or the first one of its supply; None where nobody knows."""
         return self._places.get(self._firsts.get(part, part))
 
@@ -162,7 +162,7 @@ class CellCollisions:
 
         One that waits in a supply is taken from where the first one of it lies.
         """
-        place = self._place_of(name)
+        place = self.place_of(name)
         return (
             UPSIDE_DOWN if place is None else self._cell.locations[place].inverse() @ self._parts[name].X_WO
         )

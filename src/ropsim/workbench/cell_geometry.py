@@ -107,7 +107,8 @@ class CellGeometry:
         """Return how high a part that a robot leaves is above what is below it; None where that carries it.
 
         Of a part or a location that is not in the cell, in a frame that moves, or with joint values, and in a
-        cell without fixed objects, or with one that is drawn by a mesh, nothing is said.
+        cell without fixed objects, or with one that is drawn by a mesh, nothing is said; nor of the location
+        at which the part lies at the start, which the cell file tells.
 
         Args:
             robot: as with `reachable`.
@@ -119,7 +120,7 @@ class CellGeometry:
 
         station, looked = self._station(robot), self._collisions()
         X_WO = None if station is None else self._lying_at(station, part, location)
-        if station is None or X_WO is None:
+        if station is None or X_WO is None or location == looked.place_of(part):
             return None
         supports, own = self._carriers(), looked.parts[part]
         still = [(one, one.X_WO) for one in looked.parts.values() if self._lies_still(one, part, lying)]

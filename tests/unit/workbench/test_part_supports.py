@@ -89,5 +89,10 @@ def test_other_parts_carry_where_they_are_known_to_lie_and_nowhere_else(room: Ce
 def test_nothing_is_said_where_it_is_not_known_what_stands_around(room: CellGeometry) -> None:
     bare = geometry(CELL)
     assert bare.in_the_air("arm", "bolt", (500.0, 0.0, 100.0), {}) is None
+    loose = geometry(CELL + TABLE.replace("-220", "-420"))
+    assert loose.in_the_air("arm", "bolt", "s2", {}) is not None
+    assert (
+        loose.in_the_air("arm", "bolt", "s1", {}) is None
+    )  # where it lies at the start: the cell file tells
     assert room.in_the_air("arm", "thing", (500.0, 0.0, 100.0), {}) is None
     assert room.in_the_air("other", "bolt", (500.0, 0.0, 100.0), {}) is None
