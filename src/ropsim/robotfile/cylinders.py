@@ -1,10 +1,15 @@
 """Rows of `drives` with cylinders between the body that carries a joint and the link that it turns."""
 
+from math import degrees
+
 from ropsim.dynamics import range_fault
 from ropsim.model import (
     Drive,
     Friction,
     HydraulicCylinder,
+    Joint,
+    JointType,
+    Linkage,
     Point,
     ValveAmplifier,
     carrier_frame,
@@ -47,14 +52,29 @@ def read_cylinder(table: TomlTable, dh: DhTable, number: int, friction: Friction
     carrier = pin_at(carrier_frame(joint, dh.carrier(number)), pins[0])
     made = linkage(carrier, pin_at(dh.frame(number), pins[1]), retracted, middle)
     drive = Drive(ValveAmplifier(most), cylinder, made, friction)
-    fault = range_fault(drive, joint)
+    fault = _coupled_fault(dh, number) or _range_fault(drive, joint, made)
+    if fault and is_whole:
+        message = f"the linkage of joint `{joint.name}` {fault}"
+        table.findings.add(kinds.BAD_LINKAGE, table.value_span("retracted_length"), message, _HINT)
+    return None if fault else drive
+
+
+def _coupled_fault(dh: DhTable, number: int) -> str:
+    """Return why a cylinder cannot turn a joint that is coupled with others; empty for one that is not."""
     if any(one.joint == number for one in dh.coupled):
-        fault = "the linkage", "moves a joint that is `coupled` with others; a cylinder turns one joint"
-    if fault is None or not is_whole:
-        return drive if fault is None else None
-    message = f"{fault[0]} of joint `{joint.name}` {fault[1]}"
-    table.findings.add(kinds.BAD_LINKAGE, table.value_span("retracted_length"), message, _HINT)
-    return None
+        return "moves a joint that is `coupled` with others; a cylinder turns one joint"
+    return ""
+
+
+def _range_fault(drive: Drive, joint: Joint, gear: Linkage) -> str:
+    """Return why a cylinder cannot turn its joint over the range that it has; empty where it can."""
+    fault = range_fault(drive, joint)
+    if fault is None:
+        return ""
+    dead = gear.dead_centre(joint.lower, joint.upper)
+    if dead is None or joint.type is not JointType.REVOLUTE or gear.is_about_axis:
+        return fault[1]
+    return f"{fault[1]}, at {degrees(dead):.5g}°"
 
 
 _HINT = "pins are in metres, `carrier_pin` in the frame of the table before the joint, `link_pin` in its own"

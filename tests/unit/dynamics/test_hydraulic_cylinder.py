@@ -236,8 +236,8 @@ def test_a_drive_that_cannot_be_is_told_by_what_is_wrong() -> None:
     for swapped in (replace(DRIVE, transmission=Gear()), replace(DRIVE, motor=replace(CYLINDER, area_b=0.0))):
         assert drive_fault(swapped) is not None
     cases = (
-        (replace(joint, lower=-1.2), "dead centre at -57.764°"),
-        (replace(joint, upper=pi / 1.8), "829.64 to 1373.8 mm"),
+        (replace(joint, lower=-1.2), "a dead centre within the range"),
+        (replace(joint, upper=pi / 1.8), "is 0.82964 to 1.3738 m long"),
         (replace(joint, type=JointType.PRISMATIC), "turning joint"),
         (replace(joint, upper=float("inf")), "no limits"),
     )

@@ -207,10 +207,10 @@ def test_a_cylinder_has_its_pins_in_the_frames_of_the_table() -> None:
 @pytest.mark.parametrize(
     ("before", "after", "words"),
     [
-        ("[-15, 60]", "[-80, 60]", "dead centre"),
+        ("[-15, 60]", "[-80, 60]", "dead centre within the range of its joint, at -"),
         ("link_pin = [-2.5, -0.1, 0]", "link_pin = [-2.8, 0, 0]", "a pin on the axis of its joint"),
-        ("stroke = 0.54", "stroke = 0.2", "its cylinder is 820 to 1020 mm long"),
-        ("[-15, 60] }", "[-15, 60], type = 'prismatic' }", "turning joint"),
+        ("stroke = 0.54", "stroke = 0.2", "its cylinder is 0.82 to 1.02 m long"),
+        ("[-15, 60] }", "[-15, 60], type = 'prismatic' }", "a cylinder turns a turning joint"),
     ],
 )
 def test_a_cylinder_that_cannot_turn_its_joint_is_told_on_its_line(

@@ -1,6 +1,6 @@
 """What makes a drive impossible."""
 
-from math import degrees, inf, isfinite
+from math import inf, isfinite
 
 from ropsim.dynamics.drives.chain import chain_of
 from ropsim.model import (
@@ -91,16 +91,15 @@ def range_fault(drive: Drive, joint: Joint) -> Fault | None:
         return "the linkage", "has a stroke, and its joint has no limits"
     if gear.is_about_axis:
         return "the linkage", "has a pin on the axis of its joint, where it has no lever"
-    dead = gear.dead_centre(joint.lower, joint.upper)
-    if dead is not None:
-        return "the linkage", f"has a dead centre at {degrees(dead):.5g}°, within the range of its joint"
+    if gear.dead_centre(joint.lower, joint.upper) is not None:
+        return "the linkage", "has a dead centre within the range of its joint"
     ways = sorted(gear.out_at(q) for q in (joint.lower, joint.upper))
     if ways[0] < -WAY or ways[1] > motor.stroke + WAY:
-        first, last = (1e3 * (gear.retracted_length + way) for way in ways)
-        shortest, longest = 1e3 * gear.retracted_length, 1e3 * (gear.retracted_length + motor.stroke)
+        first, last = (gear.retracted_length + way for way in ways)
+        longest = gear.retracted_length + motor.stroke
         return (
             "the linkage",
-            f"is {first:.5g} to {last:.5g} mm long over the range of its joint; its cylinder is "
-            f"{shortest:.5g} to {longest:.5g} mm long",
+            f"is {first:.5g} to {last:.5g} m long over the range of its joint; its cylinder is "
+            f"{gear.retracted_length:.5g} to {longest:.5g} m long",
         )
     return None
