@@ -1,14 +1,15 @@
 """Whether two values are the same to whoever reads them: stricter than `==`."""
 
-from collections.abc import Hashable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import fields, is_dataclass
-from functools import cache
 from itertools import compress, starmap
 from math import copysign, isnan
-from operator import is_not
-from typing import Any, cast
+from operator import attrgetter, eq, is_not
+from typing import Any
 
 _PLAIN = (str, int, bool, bytes, type(None))
+_FEW = 12
+"""Of so many values those that are not one and the same are found one by one: there mostly are some."""
 
 
 def is_same(one: object, other: object) -> bool:
@@ -20,29 +21,56 @@ def is_same(one: object, other: object) -> bool:
     if one is other:
         return True
     kind = type(one)
-    if kind is not type(other):
-        return False
+    return kind is type(other) and _BY_TYPE[kind](one, other)
+
+
+class _ByType(dict[type[Any], Callable[[Any, Any], bool]]):
+    """What compares two values of a type: looked for once, since there are thousands of values."""
+
+    def __missing__(self, kind: type[Any]) -> Callable[[Any, Any], bool]:
+        found = self[kind] = _comparison(kind)
+        return found
+
+
+_BY_TYPE = _ByType()
+
+
+def _comparison(kind: type[Any]) -> Callable[[Any, Any], bool]:
     if kind in _PLAIN:
-        return one == other
-    if isinstance(one, float) and isinstance(other, float):
-        return (one == other and copysign(1.0, one) == copysign(1.0, other)) or (isnan(one) and isnan(other))
-    if isinstance(one, tuple | list) and isinstance(other, tuple | list):
-        if len(one) != len(other):
-            return False
-        apart = compress(zip(one, other, strict=True), map(is_not, one, other))  # mostly few of many
-        return all(starmap(is_same, apart))
-    if isinstance(one, Mapping) and isinstance(other, Mapping):
-        return is_same(tuple(one.items()), tuple(other.items()))
-    if hasattr(one, "tobytes"):  # arrays: their numbers, and how they lie
-        return _array(one) == _array(other)
-    if is_dataclass(one) and not isinstance(one, type):
-        return all(is_same(getattr(one, name), getattr(other, name)) for name in _names(cast(Hashable, kind)))
-    return bool(one == other)
+        return eq
+    if issubclass(kind, float):
+        return _are_same_numbers
+    if issubclass(kind, tuple | list):
+        return _are_same_rows
+    if issubclass(kind, Mapping):
+        return lambda one, other: _are_same_rows(tuple(one.items()), tuple(other.items()))
+    if hasattr(kind, "tobytes"):  # arrays: their numbers, and how they lie
+        return lambda one, other: _array(one) == _array(other)
+    if is_dataclass(kind):
+        names = tuple(field.name for field in fields(kind))
+        if not names:
+            return lambda _one, _other: True
+        values = attrgetter(*names)
+        if len(names) == 1:
+            return lambda one, other: is_same(values(one), values(other))
+        return lambda one, other: _are_same_rows(values(one), values(other))
+    return lambda one, other: bool(one == other)
 
 
-@cache
-def _names(kind: Hashable) -> tuple[str, ...]:
-    return tuple(one.name for one in fields(cast(Any, kind)))
+def _are_same_numbers(one: float, other: float) -> bool:
+    return (one == other and copysign(1.0, one) == copysign(1.0, other)) or (isnan(one) and isnan(other))
+
+
+def _are_same_rows(one: Sequence[object], other: Sequence[object]) -> bool:
+    if len(one) != len(other):
+        return False
+    if len(one) <= _FEW:
+        for mine, yours in zip(one, other, strict=True):
+            if mine is not yours and not is_same(mine, yours):
+                return False
+        return True
+    apart = compress(zip(one, other, strict=True), map(is_not, one, other))  # mostly few of many
+    return all(starmap(is_same, apart))
 
 
 def _array(one: Any) -> tuple[object, ...]:  # noqa: ANN401 - arrays of any library
