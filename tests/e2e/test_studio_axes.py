@@ -1,7 +1,6 @@
 """The studio of a cell whose axes carry things: a part on a positioner, a shuttle with its own program."""
 
 from collections.abc import Iterator
-from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -90,11 +89,6 @@ def page(studio: StudioPage) -> StudioPage:
     return studio
 
 
-def has_moved(page: StudioPage, name: str, start: list[float]) -> bool:
-    """Return whether a part is shown elsewhere than at the start."""
-    return way(start, page.poses()[name]) > MOVED
-
-
 def way(one: list[float], other: list[float]) -> float:
     """Return how far two shown poses are from each other [m]."""
     return float(np.linalg.norm(np.subtract(one[:3], other[:3])))
@@ -143,6 +137,6 @@ def test_in_a_live_run_parts_ride_too(page: StudioPage) -> None:
     start = page.poses()
     page.hurry()
     for name in ("goods", "box"):
-        page.until(partial(has_moved, page, name, start[name]))
+        page.leaves(name, start[name], MOVED)
     page.page.evaluate("() => __ropsim.command('live.stop')")
     page.rerun(shown)

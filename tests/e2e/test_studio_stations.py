@@ -2,7 +2,6 @@
 
 import shutil
 from collections.abc import Iterator
-from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -185,14 +184,10 @@ def test_a_live_run_moves_both_arms_and_the_belt(page: StudioPage) -> None:
     start = page.poses()
     page.hurry()
     for name in ("left/link6", "right/link6", "infeed/link1"):
-        page.until(partial(_has_moved, page, name, start[name]))
+        page.leaves(name, start[name], MOVED)
     shown = page.state()["shown"]
     page.page.evaluate("() => __ropsim.command('live.stop')")
     page.rerun(shown)
-
-
-def _has_moved(page: StudioPage, name: str, start: list[float]) -> bool:
-    return _way(start, page.poses()[name]) > MOVED
 
 
 def _way(one: list[float], other: list[float]) -> float:
