@@ -6,6 +6,7 @@ import pytest
 
 from ropsim.core import SourceText
 from ropsim.prolog import Engine, GoalError, Limits, Predicate, Prolog, Sort, Term, Trust
+from ropsim.prolog.door import Door
 from ropsim.prolog.wasm.program import GRACE
 from support.patience import PATIENCE
 
@@ -155,6 +156,15 @@ def test_a_text_that_does_not_end_while_it_is_loaded_is_stopped(prolog: Prolog) 
         engine.consult(SourceText("kb/x.pl", ":- repeat, fail.\n"), Trust.OWN)
     assert engine.consult(SourceText("kb/x.pl", "a(1).\n"), Trust.OWN) == ()
     assert engine.once("a(X)", module="x") == {"X": 1}
+
+
+def test_an_engine_for_short_goals_has_time_to_start(prolog: Prolog, monkeypatch: pytest.MonkeyPatch) -> None:
+    """As on a machine that is busy: what opens the door takes longer than a goal may."""
+    text = Door.text
+    slow = ":- between(1, 400000, X), X >= 400000, !.\n"
+    monkeypatch.setattr(Door, "text", lambda door: text(door) + slow)
+    engine = Engine(Limits(seconds=0.001), prolog)
+    assert engine.once("X = 1", limits=Limits(seconds=PATIENCE)) == {"X": 1}
 
 
 @pytest.mark.parametrize("values", [{"seconds": 0.0}, {"inferences": 0}, {"memory_bytes": 1}])
