@@ -11,12 +11,11 @@ from ropsim.exchange.names import link_name
 from ropsim.exchange.notes import listed
 from ropsim.model import (
     Cylinder,
-    DcMotor,
     Drive,
     EffortAmplifier,
     ElasticGear,
     Friction,
-    Gear,
+    IdealMotor,
     Linkage,
     Material,
     Polyline,
@@ -31,8 +30,8 @@ _TESTS: tuple[tuple[str, Callable[[Drive], bool]], ...] = (
         "amplifiers with their voltages and currents",
         lambda one: not isinstance(one.amplifier, EffortAmplifier),
     ),
-    ("motor constants", lambda one: isinstance(one.motor, DcMotor)),
-    ("gear ratios", lambda one: isinstance(one.transmission, Gear) and abs(one.transmission.ratio) != 1.0),
+    ("motor constants", lambda one: not isinstance(one.motor, IdealMotor)),
+    ("gear ratios", lambda one: not isinstance(one.transmission, Linkage) and abs(one.ratio_at(0.0)) != 1.0),
     ("cylinders with their pins", lambda one: isinstance(one.transmission, Linkage)),
     ("stiffness and damping of gears", lambda one: isinstance(one.transmission, ElasticGear)),
     (

@@ -45,6 +45,8 @@ def _words_at(around: str, lead: str) -> Iterator[Json]:
         yield from (_item(name, _STATEMENT, form, "") for name, form in words.STATEMENTS.items())
     elif around in ("pre", "eff"):
         yield from (_item(one, _CONDITION, "fact of the cell", "") for one in words.FACTS)
+        more = words.OF_PATTERNS if around == "pre" else ("in_rows",)
+        yield from (_item(one, _CONDITION, "for patterns", "") for one in more)
     elif around == "geo":
         yield from (_item(one, _CONDITION, "condition of geometry", "") for one in words.GEOMETRY)
 

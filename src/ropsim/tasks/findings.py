@@ -5,9 +5,9 @@ from collections.abc import Callable, Mapping
 from ropsim.core import Diagnostic, Kind, Label, SourceText, did_you_mean
 from ropsim.prolog import Atom, Places, Struct, Term, findings_of
 from ropsim.tasks import diagnostics as kinds
-from ropsim.tasks.conditions import forms
+from ropsim.tasks.conditions import examples, forms
 from ropsim.tasks.expression_text import shown
-from ropsim.tasks.words import KINDS, PROPERTIES
+from ropsim.tasks.words import GEOMETRY, KINDS, PROPERTIES
 
 Words = tuple[Kind, str, str]
 """Kind, message and hint of a finding."""
@@ -40,6 +40,7 @@ _FIXED: Mapping[str, Words] = {
         "name it in the head and in `params`; a body's own variables have small letters",
     ),
 }
+_GEOMETRY = f"write {examples()}; N, M and D are parameters"
 _FORMS: Mapping[str, tuple[str, str]] = {
     "arguments": ("a task has a head and a list of properties", "write `task(Head, [Properties])`"),
     "head": ("the head of a task is a name with variables", "write it as `grip(P, L)`"),
@@ -117,6 +118,8 @@ class Wording:
                 hint = did_you_mean(first, KINDS) or f"kinds are {', '.join(KINDS)}"
                 return kinds.UNKNOWN_KIND, f"there is no kind `{first}`", hint
             case "geometry":
+                if first.partition("/")[0] in GEOMETRY:
+                    return kinds.UNKNOWN_GEOMETRY, f"`{first}` is not of its form here", _GEOMETRY
                 return (
                     kinds.UNKNOWN_GEOMETRY,
                     f"`{first}` is no condition of geometry",

@@ -53,5 +53,8 @@ BLOCKS = ("repeat", "repeat_until", "if", "while", "for", "for_each", "with")
 FACTS = ("at", "free", "gripper", "held", "tool", "without_gripper", "follows", "part", "location", "device")
 """Names of the facts that cells have."""
 
+OF_PATTERNS = ("enough", "filled", "vacant")
+"""Conditions about the parts of a pattern, which `pattern/1` of kb.pl has, too."""
+
 GEOMETRY = (*CONDITIONS, IN_ROWS)
 """Conditions that geometry tells."""

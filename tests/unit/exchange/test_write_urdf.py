@@ -11,9 +11,10 @@ from ropsim import robots
 from ropsim.core import SourceText
 from ropsim.exchange import read_urdf, write_urdf
 from ropsim.kinematics import solver_of
-from ropsim.model import Coupling, LoopCut, Mesh, RobotModel, Shape, joint_tree
+from ropsim.model import Coupling, ElasticGear, LoopCut, Mesh, RobotModel, Shape, joint_tree
 from ropsim.spatial import Pose, frozen, quaternion, roll_pitch_yaw
 from support.built_in import WRITTEN
+from support.cylinders import lifted
 from support.exchange_laws import differences, random_chain
 
 SAME = 1e-12
@@ -77,6 +78,16 @@ def test_losses_name_what_is_dropped() -> None:
     for what in ("rotors of axes `1`", "motor constants", "gear ratios", "cones", "DH table", "numbers come"):
         assert what in words
     assert {one.code for one in write_urdf(robots.load("puma560")).losses} == {"X994", "X995"}
+
+
+def test_numbers_of_gears_that_twist_and_of_cylinders_are_told_to_be_dropped() -> None:
+    puma = robots.load("puma560")
+    twisting = replace(puma.drives[0], transmission=ElasticGear(-62.6, 2e4, 1.0))
+    words = [one.message for one in write_urdf(replace(puma, drives=(twisting, *puma.drives[1:]))).losses]
+    assert any(one.startswith("gear ratios of axes `1`, `2`") for one in words)
+    words = [one.message for one in write_urdf(lifted()).losses]
+    assert "motor constants of axes `lift` do not go over" in words
+    assert not [one for one in words if one.startswith("gear ratios")]
 
 
 def test_what_urdf_has_no_words_for_is_told() -> None:

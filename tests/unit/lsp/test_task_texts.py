@@ -98,7 +98,8 @@ def test_words_are_proposed_where_they_fit(desk: Desk) -> None:
     assert {"location", "part"} <= set(desk.proposed(f"{begin}params([L-lo|"))
     assert {"mov", "wait_until"} <= set(desk.proposed(f"{begin}body([mov(L), repeat(3, [|"))
     assert "palletize" in desk.proposed(f"{begin}body([call(pa|")
-    assert "held" in desk.proposed(f"{begin}pre([|")
+    assert {"held", "enough", "filled"} <= set(desk.proposed(f"{begin}pre([|"))
+    assert "in_rows" in desk.proposed(f"{begin}eff([+|")
     assert desk.proposed(f"{begin}geo([|") == ["reachable", "collision_free", "in_rows"]
     assert desk.proposed(f"{begin}body([mov(|") == []
     items = desk.editor.at_mark("completion", desk.program, "program p\nunits mm\n|")["items"]

@@ -170,6 +170,11 @@ def test_statements_for_editors_are_those_that_are_read() -> None:
     assert set(words.STATEMENTS) == set(read_)
 
 
+def test_conditions_on_patterns_for_editors_are_those_that_hold_of_no_fact() -> None:
+    read_ = re.findall(r"^pattern\(([a-z_]+)\(", (PL / "kb.pl").read_text("utf-8"), re.MULTILINE)
+    assert set(words.OF_PATTERNS) == set(read_)
+
+
 @pytest.mark.parametrize(
     "wrong",
     [

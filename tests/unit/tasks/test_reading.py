@@ -61,6 +61,11 @@ def found(text: str) -> list[tuple[str, int, str]]:
         ("task(a(L), [params([L-location]), geo([near(L)])]).", ("P141", 1, "near(L)")),
         ("task(a(L), [params([L-location]), geo([reachable(f(1), L)])]).", ("P141", 1, "reachable(f(1), L)")),
         ("task(a, [geo([reachable(arm, 3)])]).", ("P141", 1, "reachable(arm, 3)")),
+        (
+            "task(a(L, N, D), [params([L-location, N-int, D-length]), "
+            "geo([in_rows(in_rows(reachable(arm, L), N, N, D), N, N, D)])]).",
+            ("P141", 1, "in_rows(in_rows(reachable(arm, L), N, N, D), N, N, D)"),
+        ),
         (f"part({'f(' * 70}a{')' * 70}).", ("P142", 1, f"part({'f(' * 70}a{')' * 70})")),
         (OWN_GRIP, ("P146", 1, "grip(P, L)")),
         ("part(bolt nut).", ("P101", 1, " ")),
@@ -77,6 +82,17 @@ def test_a_mistake_is_found_at_its_place_and_the_task_behind_it_is_there(
     assert expected in [*codes, None]
     assert [one for one in codes if one[0] not in ("P103", "P137")] in ([], [expected])
     assert "behind" in last().names
+
+
+def test_a_condition_of_geometry_in_a_wrong_form_is_not_told_to_be_unknown() -> None:
+    head = "task(a(L, N, D), [params([L-location, N-int, D-length]), geo(["
+    for wrong in ("in_rows(reachable(arm, L), N, 2, D)", "in_rows(reachable(arm, L), N)", "reachable(L)"):
+        (finding, *_) = base(f"{head}{wrong}])]).").findings
+        assert "is not of its form here" in finding.message
+        assert finding.hint is not None
+        assert "`in_rows(reachable(arm, L), N, M, D)`" in finding.hint
+    (finding, *_) = base(f"{head}near(L)])]).").findings
+    assert finding.message == "`near/1` is no condition of geometry"
 
 
 def test_a_task_is_a_record_with_the_names_of_its_text() -> None:

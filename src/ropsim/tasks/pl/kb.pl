@@ -323,7 +323,7 @@ effect(+ Fact, +, Fact) :- nonvar(Fact).
 effect(- Fact, -, Fact) :- nonvar(Fact).
 
 geo_read(Known, Text, One, P) :-
-    (   nonvar(One), One = in_rows(Inner, Columns, Rows, Distance), callable(Inner), maplist(var, [Columns, Rows, Distance])
+    (   nonvar(One), One = in_rows(Inner, Columns, Rows, Distance), callable(Inner), Inner \= in_rows(_, _, _, _), maplist(var, [Columns, Rows, Distance])
     ->  bound([Columns, Rows, Distance], Known, Text, P),
         geo_read(Known, Text, Inner, P)
     ;   callable(One), functor(One, Name, Arity), geometry(Name, Arity), asks_of_places(One, Arity)

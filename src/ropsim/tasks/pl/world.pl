@@ -135,14 +135,14 @@ pattern(Gone, Effect, State, After) :-
         ->  findall(at(One, Place), ( member(Place, Places), member(at(One, Place), State) ), Taken0),
             sort(Taken0, Taken), ord_subtract(State, Taken, After)
         ;   member(at(Part, Supply), Gone)
-        ->  filled(Places, Supply, State, After)
+        ->  laid(Places, Supply, State, After)
         ;   After = State
         )
     ;   After = State
     ).
 
-%   filled(+Places, +Supply, +State, -After): the part at a supply and those behind it lie at these places, as far as they go.
-filled(Places, Supply, State, After) :-
+%   laid(+Places, +Supply, +State, -After): the part at a supply and those behind it lie at these places, as far as they go.
+laid(Places, Supply, State, After) :-
     (   memberchk(at(Part, Supply), State)
     ->  findall(Before-Next, member(follows(Next, Before), State), Pairs),
         sort(1, @<, Pairs, Queue), list_to_assoc(Queue, Behind),
