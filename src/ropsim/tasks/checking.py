@@ -1,6 +1,7 @@
 """Whether a call is possible: is there such a task, is it called rightly, can it be done now and here?"""
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 from ropsim.core import Diagnostic
 from ropsim.prolog import Atom, GoalError, Struct, Term, Var
@@ -11,7 +12,7 @@ from ropsim.tasks.host import Host
 from ropsim.tasks.kinds import LOCATION, UNITS
 from ropsim.tasks.known_task import KnownTask, Parameter
 from ropsim.tasks.lacking import is_hindered, lacking_findings
-from ropsim.tasks.not_defined import not_defined
+from ropsim.tasks.not_defined import not_defined, unknown_locations
 from ropsim.tasks.pattern import Spot
 from ropsim.tasks.set_down import set_down_findings
 from ropsim.tasks.task_call import Quantity, TaskCall, Value, term_of_point, term_of_value
@@ -59,7 +60,9 @@ def checked(
         if error.diagnostic.code != "P113":
             raise
         raise _stopped(task, seconds) from error
-    return _report(call, task, state, found, geometry)
+    report = _report(call, task, state, found, geometry)
+    unknown = tuple(unknown_locations(report, state))
+    return replace(report, findings=unknown, providers=()) if unknown else report
 
 
 def _stopped(task: KnownTask, seconds: float) -> GoalError:

@@ -355,3 +355,21 @@ def test_a_tool_without_a_gripper_is_told_and_counts_no_more_once_it_is_changed(
     assert base().plan(["at(bolt, s3)"], state).calls[0].name == "tool_change"
     none = base().check("pick s1", WorldState.of("at(bolt, s1)"))
     assert none.message == "`pick` is not possible now: no gripper is known"
+
+
+@pytest.mark.parametrize(
+    ("call", "message", "hint"),
+    [
+        ("pick fed", "Location not defined: `fed`", "did you mean `feed`?"),
+        ("pick nowhere", "Location not defined: `nowhere`", "there are `feed`"),
+    ],
+)
+def test_a_location_that_nobody_knows_is_told_with_a_near_name(call: str, message: str, hint: str) -> None:
+    report = base().check(call, WorldState.of(*QUEUE))
+    assert [(one.message, one.hint) for one in report.findings] == [(message, hint)]
+    assert report.providers == ()
+
+
+def test_where_no_location_is_stated_a_call_lacks_what_lies_there() -> None:
+    report = base().check("pick fed", WorldState.of("at(b0, feed)", "gripper(open)"))
+    assert "a part at `fed` is needed" in report.message
