@@ -18,7 +18,7 @@ NEARLY_REAL = 1e-3
 root."""
 TOGETHER = 5e-4
 """Roots this near to each other [rad] may share a space of vectors."""
-ONE = 1e-7
+ONE = 1e-5
 """Roots this near to each other [rad] are the same: the space is looked at once."""
 SINGULAR = 1e-13
 """A matrix A whose least singular value is this part of its greatest one has no inverse."""

@@ -36,6 +36,7 @@ def all_answers(chain: ChainArrays, ways: tuple[Elimination, ...], T: Array, nea
     For a pose whose eigenvalue problem is singular, because the arm can move in it without moving its
     interface, poses a little beside it are solved, too; their answers are starts. So it is where the number
     of answers is odd: real roots of real equations come in pairs, and one is lost where two of them meet.
+    Where there are fewer answers than roots the other elimination is asked.
 
     Args:
         chain: of the arm.
@@ -89,13 +90,18 @@ def _answers(chain: ChainArrays, ways: tuple[Elimination, ...], T: Array, near: 
     rows, regular = starts(ways[0], T)
     here = np.broadcast_to(near, (len(T), 1, 6))
     found = polished(chain, T, np.concatenate((here, rows), axis=1))
-    unsure = (regular < CLEAR) | ~np.isnan(rows[:, ROOTS:, 0]).all(axis=1)
     for way in ways[1:]:
-        found = _more(chain, T, found, unsure, ((way, 0.0),))
+        found = _more(chain, T, found, regular < CLEAR, ((way, 0.0),))
     lost = np.isnan(found[:, :, 0]).all(axis=1)
     everywhere = tuple((way, step) for way in ways for step in BESIDE)
     found = _more(chain, T, found, (lost & (regular < CLEAR)) | (regular < REGULAR), everywhere)
     found = _kept(chain, found, near)
+    roots = (~np.isnan(rows[:, :ROOTS, 0])).sum(axis=1)
+    short = np.flatnonzero((~np.isnan(found[:, :, 0])).sum(axis=1) < np.minimum(roots, ROWS))
+    if len(short):
+        others = tuple((way, 0.0) for way in ways[1:])
+        more = _more(chain, T[short], found[short], np.ones(len(short), np.bool_), others)
+        found[short] = _kept(chain, more, near)
     odd = np.flatnonzero((~np.isnan(found[:, :, 0])).sum(axis=1) % 2)
     if len(odd):
         more = _more(chain, T[odd], found[odd], np.ones(len(odd), np.bool_), everywhere)
