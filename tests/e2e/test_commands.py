@@ -328,7 +328,15 @@ def test_a_new_project_runs_at_once(tmp_path: Path) -> None:
 
 def test_every_example_can_be_copied(tmp_path: Path) -> None:
     names = json.loads(ropsim("examples", "--json").stdout)["examples"]
-    assert set(names) == {"fig5", "first_cell", "operator", "palletizing", "track_and_table", "two_arms"}
+    assert set(names) == {
+        "crane",
+        "fig5",
+        "first_cell",
+        "operator",
+        "palletizing",
+        "track_and_table",
+        "two_arms",
+    }
     for name in names:
         assert ropsim("new", name, "--example", name, cwd=tmp_path).returncode == 0
         assert ropsim("check", name, cwd=tmp_path).returncode == 0
