@@ -6,6 +6,9 @@ from ropsim.core import frozen_dataclass
 
 Point = tuple[float, float, float]
 
+WAY = 1e-6
+"""By so much a rod may be short or long at the ends of the range of its joint: lengths are rounded [m]."""
+
 
 @frozen_dataclass
 class Linkage:
@@ -64,6 +67,16 @@ class Linkage:
     def out_at(self, q: float) -> float:
         """Return by how much the rod of the cylinder is out [m] at a coordinate [rad]."""
         return self.length_at(q) - self.retracted_length
+
+    def ways(self, lower: float, upper: float) -> tuple[float, float]:
+        """Return the least and the most by which the rod is out [m] over a range without a dead centre."""
+        first, last = self.out_at(lower), self.out_at(upper)
+        return min(first, last), max(first, last)
+
+    def fits(self, stroke: float, lower: float, upper: float) -> bool:
+        """Return whether a cylinder of a stroke [m] reaches over a range without a dead centre."""
+        least, most = self.ways(lower, upper)
+        return least >= -WAY and most <= stroke + WAY
 
     def dead_centre(self, lower: float, upper: float) -> float | None:
         """Return the first coordinate of a range [rad] at which the pins and the axis are in line, if any.

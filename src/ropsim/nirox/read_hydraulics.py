@@ -104,6 +104,10 @@ class Linkages:
             self._lost(through, "a pin lies on the axis of its pair")
         elif gear.dead_centre(joint.lower, joint.upper) is not None:
             self._lost(through, "pins and axis are in line within the limits of its pair")
+        elif isinstance(drive.motor, HydraulicCylinder) and not gear.fits(
+            drive.motor.stroke, joint.lower, joint.upper
+        ):
+            self._lost(through, "its cylinder does not reach over the limits of its pair")
         else:
             return True
         return False

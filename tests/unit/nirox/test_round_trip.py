@@ -185,6 +185,8 @@ def test_cylinders_come_back_with_their_pins() -> None:
         (r"('linkage 2',)#\d+", r"\1#13", "between the two links"),
         (r"\(0\.26,0\.,-1\.04\)", "(0.29,0.,0.1166)", "in line within the limits"),
         (r"\(0\.30419,-0\.10001,0\.\)", "(0.,0.,0.5)", "a pin lies on the axis"),
+        (r",0\.535,", ",0.1,", "does not reach over the limits"),
+        (r",0\.82\)", ",1.2)", "does not reach over the limits"),
         (
             r"HYDRAULIC_CYLINDER\([^;]*",
             "HYDRAULIC_ROTARY_MOTOR('m',1.E-4,1.E-4,0.,0.)",

@@ -18,8 +18,6 @@ Fault = tuple[str, str]
 
 _OPEN = frozenset({"max_effort", "max_current"})
 """Limits that may be infinite."""
-WAY = 1e-6
-"""By so much a rod may be short or long at the ends of the range of its joint: lengths are rounded [m]."""
 
 
 def drive_fault(drive: Drive) -> Fault | None:
@@ -93,9 +91,8 @@ def range_fault(drive: Drive, joint: Joint) -> Fault | None:
         return "the linkage", "has a pin on the axis of its joint, where it has no lever"
     if gear.dead_centre(joint.lower, joint.upper) is not None:
         return "the linkage", "has a dead centre within the range of its joint"
-    ways = sorted(gear.out_at(q) for q in (joint.lower, joint.upper))
-    if ways[0] < -WAY or ways[1] > motor.stroke + WAY:
-        first, last = (gear.retracted_length + way for way in ways)
+    if not gear.fits(motor.stroke, joint.lower, joint.upper):
+        first, last = (gear.retracted_length + way for way in gear.ways(joint.lower, joint.upper))
         longest = gear.retracted_length + motor.stroke
         return (
             "the linkage",
