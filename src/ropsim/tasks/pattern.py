@@ -71,8 +71,8 @@ def places_in_rows(first: Point, columns: int, rows: int, distance: float) -> tu
         rows: likewise.
         distance: likewise [mm].
     """
-    every = ((row, column) for row in range(rows) for column in range(columns))  # product would keep them all
-    numbers = islice(every, MOST_IN_ROWS)
+    count = min(max(columns, 0) * max(rows, 0), MOST_IN_ROWS)
+    numbers = (divmod(place, columns) for place in range(count))  # empty rows without number end at once
     return tuple(_point(first, column * distance, row * distance) for row, column in numbers)
 
 

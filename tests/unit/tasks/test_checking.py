@@ -322,6 +322,9 @@ def test_a_pattern_without_end_is_refused_as_quickly_as_any() -> None:
         assert "3 parts are left at `feed`, the pattern asks for 1" in report.message
     first = places_in_rows("s1", 10**12, 10**12, 5.0)
     assert (len(first), first[1]) == (1000, "s1 rel (5, 0, 0)")
+    assert places_in_rows("s1", 2, 2, 5.0)[1:3] == ("s1 rel (5, 0, 0)", "s1 rel (0, -5, 0)")
+    for columns, rows in ((0, 10**12), (10**12, 0), (-2, -3)):
+        assert places_in_rows("s1", columns, rows, 5.0) == ()
 
 
 def test_a_part_that_is_left_in_the_air_is_a_warning_with_what_is_below() -> None:
