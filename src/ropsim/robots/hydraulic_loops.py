@@ -9,6 +9,8 @@ is taken. A cylinder has another lever at each place, and another speed out than
 valve: ki is that of where an opening moves the axis fastest, ke the middle of the range.
 """
 
+from dataclasses import replace
+
 import numpy as np
 
 from ropsim.dynamics import mass_matrix, steady_drive
@@ -98,8 +100,14 @@ def with_hydraulic_axes(gains: CascadedGains, robot: Mechanism, crossover: float
 
 
 def _per_speed(robot: Mechanism, axis: int) -> Array:
-    """Return current over speed of an axis without load, forward and back, over its range [A·s/rad]."""
+    """Return current over speed of an axis without load, forward and back, over its range [A·s/rad].
+
+    What leaks is left out: it does not grow with the speed, and where it flows against a slow rod the current
+    would have the other sign.
+    """
     drive, joint = robot.drives[axis], robot.axis_joints[axis]
+    if isinstance(drive.motor, HydraulicCylinder):
+        drive = replace(drive, motor=replace(drive.motor, leakage=0.0))
     places = (
         np.linspace(joint.lower, joint.upper, PLACES) if isinstance(drive.transmission, Linkage) else [0.0]
     )

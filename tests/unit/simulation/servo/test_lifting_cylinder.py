@@ -64,6 +64,15 @@ def test_the_regulator_is_as_quick_as_the_softest_place_allows() -> None:
     assert gains.ki[0] / crossover < gains.ke[0]
 
 
+def test_what_leaks_against_a_slow_rod_turns_no_gain_around() -> None:
+    leaky = replace(DRIVE, motor=replace(CYLINDER, leakage=1e-9))
+    tight, loose = (standard_controller(lifted(one), Rates()).gains for one in (DRIVE, leaky))
+    assert isinstance(tight, CascadedGains)
+    assert isinstance(loose, CascadedGains)
+    assert min(tight.ki[0], loose.ki[0]) > 0.0
+    assert tight.ke[0] == pytest.approx(loose.ke[0])
+
+
 def test_it_follows_its_reference_and_comes_to_rest_there(lift: Recorder) -> None:
     rows = lift.channels()
     error = np.abs(rows["q"] - rows["q_ref"])
