@@ -120,6 +120,18 @@ def test_it_pushes_with_its_piston_and_pulls_with_its_ring() -> None:
     assert largest_effort(DRIVE, 0.5) == pytest.approx(pull * lever(0.5))
 
 
+def test_beyond_the_ends_of_its_stroke_the_chambers_stay_as_large_as_there() -> None:
+    """No stop is modelled: a chamber that went on shrinking would have no volume in the end."""
+    gear, end = linkage(CARRIER_PIN, LINK_PIN, RETRACTED, 0.5), UPPER + 0.3
+    assert gear.out_at(end) > CYLINDER.stroke
+    states = np.array([4e6, 3e6, 0.2, 0.0])
+    at_end, longer = (
+        rates_of(replace(DRIVE, motor=replace(CYLINDER, stroke=stroke)))(states, end, 0.0, 0.1)[2]
+        for stroke in (CYLINDER.stroke, gear.out_at(end))
+    )
+    assert at_end == pytest.approx(longer, rel=1e-9)
+
+
 def textbook(current: float) -> Callable[[float, Array], Array]:
     """Return the equations of the lifted link as they stand in books, for a valve current.
 
@@ -238,6 +250,8 @@ def test_a_drive_that_cannot_be_is_told_by_what_is_wrong() -> None:
     cases = (
         (replace(joint, lower=-1.2), "a dead centre within the range"),
         (replace(joint, upper=pi / 1.8), "is 0.82964 to 1.3738 m long"),
+        (replace(joint, lower=-0.45), "m long over the range of its joint; its cylinder is 0.82 to"),
+        (replace(joint, upper=2.2), "a dead centre within the range"),
         (replace(joint, type=JointType.PRISMATIC), "turning joint"),
         (replace(joint, upper=float("inf")), "no limits"),
     )

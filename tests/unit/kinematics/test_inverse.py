@@ -183,3 +183,16 @@ def test_the_kernel_does_the_same_without_numba() -> None:
     plain.solving(T, one)(near)
     np.testing.assert_array_equal(one, plain.branches(T, near))
     np.testing.assert_allclose(one, inverse_batch(PUMA, T), atol=1e-12)
+
+
+def test_later_calls_leave_the_answers_of_earlier_ones_as_they_were() -> None:
+    """One pose is solved where the one before it was: what is returned is nobody else's."""
+    q = np.array([0.2, 1.2, -2.8, radians(120.0), -0.8, radians(-100.0)])
+    first = inverse(PUMA, kinematics.forward(PUMA, q))
+    arrays = (first.branches, first.solutions, *first.turns)
+    assert any(len(turns) for turns in first.turns)
+    before = [one.copy() for one in arrays]
+    for other in (REACHED, beside(0.4, 0.1, 0.2), beside(9.0, 0.0, 0.0)):
+        inverse(PUMA, other)
+    for one, was in zip(arrays, before, strict=True):
+        np.testing.assert_array_equal(one, was)
