@@ -37,9 +37,13 @@ def read_cylinder(table: TomlTable, dh: DhTable, number: int, friction: Friction
         friction: of the rod.
     """
     table.require(*_SIZES, *VALVE_NEEDED, "retracted_length", "carrier_pin", "link_pin")
+    piston = table.number("area_a", HYDRAULIC, 1.0)
+    ring = NUMBER.within(1e-18, piston) if "area_a" in table else HYDRAULIC  # the rod takes its share of it
     cylinder = HydraulicCylinder(
         moving_mass=table.number("moving_mass", _MASS, 0.0),
-        **{key: table.number(key, HYDRAULIC, 1.0) for key in _SIZES},
+        area_a=piston,
+        area_b=table.number("area_b", ring, 1.0),
+        **{key: table.number(key, HYDRAULIC, 1.0) for key in _SIZES[2:]},
         **read_valve(table),
     )
     most = table.number("max_input", HYDRAULIC, cylinder.rated_input)

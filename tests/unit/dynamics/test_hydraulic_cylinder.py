@@ -242,6 +242,9 @@ def test_a_drive_that_cannot_be_is_told_by_what_is_wrong() -> None:
         found = drive_fault(replace(DRIVE, motor=replace(CYLINDER, **wrong)))
         assert found is not None
         assert word in found[0]
+    found = drive_fault(replace(DRIVE, motor=replace(CYLINDER, area_b=1.1 * CYLINDER.area_a)))
+    assert found is not None
+    assert found[0] == "`area_b`"
     found = drive_fault(replace(DRIVE, motor=replace(CYLINDER, return_pressure=2e7)))
     assert found is not None
     assert "return_pressure" in found[0]

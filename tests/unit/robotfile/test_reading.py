@@ -184,6 +184,23 @@ mass = 200
 """
 
 
+@pytest.mark.parametrize(
+    ("before", "after", "word"),
+    [
+        ("area_b = 5.4e-3", "area_b = 8e-3", "area_b"),
+        ("supply_pressure = 16e6", "supply_pressure = 16e6, return_pressure = 16e6", "return_pressure"),
+    ],
+)
+def test_rings_larger_than_their_piston_and_returns_at_the_supply_are_told(
+    before: str, after: str, word: str
+) -> None:
+    row = CYLINDER.replace(before, after)
+    assert row != CYLINDER
+    text = f'{BOOM}drives = [{row}, {{ kind = "servo" }}]\n'
+    found = read_robot_file(SourceText("robots/arm.toml", text))
+    assert [word in one.message for one in found.findings] == [True]
+
+
 def test_a_cylinder_has_its_pins_in_the_frames_of_the_table() -> None:
     robot = arm(f'{BOOM}drives = [{CYLINDER}, {{ kind = "servo" }}]\n')
     gear = robot.drives[0].transmission

@@ -62,6 +62,8 @@ def _hydraulic_fault(motor: Hydraulic) -> Fault | None:
     if not 0.0 <= motor.return_pressure < motor.supply_pressure:
         found = f"is `{motor.return_pressure}`; it must be between 0 and the supply pressure"
         return "`return_pressure`", found
+    if isinstance(motor, HydraulicCylinder) and motor.area_b > motor.area_a:
+        return "`area_b`", f"is `{motor.area_b}`; the ring around the rod cannot be larger than the piston"
     if not motor.leakage >= 0.0:
         return "`leakage`", f"is `{motor.leakage}`; it must be 0 or more"
     if not motor.rotor_inertia >= 0.0:
