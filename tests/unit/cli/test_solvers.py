@@ -43,7 +43,7 @@ def test_what_a_joint_that_follows_axes_leaves_them_is_told(
     """J3 of a FANUC has 520° in the table, for all that J2 may have; in any one posture it has 275°."""
     shown = said("robot show lr_mate_200id", capsys)
     assert "J3 revolute -215.0 ° 305.0 °" in shown
-    assert "joint J3 itself, which follows the axes: -70.0 ° to 205.0 °" in shown
+    assert "joint J3 + J2, which follows the axes: -70.0 ° to 205.0 °" in shown
     assert "with the other axes at home that leaves J3 -70.0 ° to 205.0 °" in shown
     palletizer = said("robot show m410ib_700", capsys)
     assert "joint elbow, which follows the axes: -74.9 ° to 65.0 °" in palletizer

@@ -115,7 +115,7 @@ def test_the_arm_of_the_cell_tells_what_it_can_reach(known: Knowledge) -> None:
         "accepted",
         "accepted",
         "`park` is not possible here: `(4000, 0, 0)` cannot be reached",
-        "`park` is not possible here: `nowhere` cannot be reached",
+        "Location not defined: `nowhere`",
     ]
 
 
