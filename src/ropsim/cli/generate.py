@@ -31,11 +31,20 @@ from ropsim.tasks import (
     typed_points,
     typed_values,
     unchecked_text,
+    unknown_location,
+    wrong_value,
 )
 from ropsim.workbench import open_knowledge
 
 END, BACK = "end", "undo"
-HEAD = "Type the tasks to be included in this program, `end` to terminate, `undo` to take the last one back."
+HEAD = (
+    "Type the tasks to be included in this program, `end` to terminate, `undo` to take the last one back;\n"
+    "`undo` in place of a point or parameter leaves out the task that asks for it."
+)
+
+
+class _LeftOutError(Exception):
+    """A task is not wanted after all."""
 
 
 @dataclass(slots=True)
@@ -79,8 +88,10 @@ def _choose(desk: _Desk, name: str) -> None:
         desk.output.failure(not_defined(name, desk.base.names))
         return
     try:
-        call = TaskCall(name, _points(desk, task), _parameters(task))
+        call = TaskCall(name, _points(desk, task), _parameters(desk, task))
         desk.draft = added(desk.draft, desk.base, call, desk.seconds)
+    except _LeftOutError:
+        return
     except RopsimError as error:
         desk.output.failure(error.diagnostic)
         return
@@ -92,26 +103,50 @@ def _points(desk: _Desk, task: KnownTask) -> tuple[Point, ...]:
     wanted = [_words(one) for one in task.passed if one.kind == "location"]
     found: list[Point] = []
     while len(found) < len(wanted):
-        line = _asked(f"POINT {wanted[len(found)]}, by name or X Y Z [Pitch Roll [Yaw]] in mm and deg")
+        line = _answer(f"POINT {wanted[len(found)]}, by name or X Y Z [Pitch Roll [Yaw]] in mm and deg")
         if not line:
             break
-        found += typed_points(line, desk.lists)
+        points = typed_points(line, desk.lists)
+        names = (one for one in points if isinstance(one, str))
+        unknown = filter(None, (unknown_location(one, desk.draft.state) for one in names))
+        if wrong := next(unknown, None):
+            desk.output.failure(wrong)
+        else:
+            found += points
     return tuple(found)
 
 
-def _parameters(task: KnownTask) -> tuple[Value, ...]:
-    """Return the parameters that are typed; an empty line leaves the rest to their defaults.
+def _parameters(desk: _Desk, task: KnownTask) -> tuple[Value, ...]:
+    """Return the parameters that are typed; an empty line leaves the rest to their defaults."""
+    wanted = [one for one in task.passed if one.kind != "location"]
+    found: list[Value] = []
+    while len(found) < len(wanted):
+        line = _answer(f"PARAMETER {_words(wanted[len(found)])}")
+        if not line:
+            break
+        try:
+            values = typed_values(line, task)
+        except TaskError as error:
+            desk.output.failure(error.diagnostic)
+            continue
+        pairs = zip(wanted[len(found) :], values, strict=False)
+        if wrong := next(filter(None, (wrong_value(task, one, value) for one, value in pairs)), None):
+            desk.output.failure(wrong)
+        else:
+            found += values
+    return tuple(found)
+
+
+def _answer(prompt: str) -> str | None:
+    """Return what is typed for a task.
 
     Raises:
-        TaskError: what was typed is no value.
+        _LeftOutError: the task is not wanted after all.
     """
-    found: list[Value] = []
-    for one in (one for one in task.passed if one.kind != "location"):
-        line = _asked(f"PARAMETER {_words(one)}")
-        if not line:
-            break
-        found += typed_values(line, task)
-    return tuple(found)
+    line = _asked(prompt)
+    if line in (BACK, END):
+        raise _LeftOutError
+    return line
 
 
 def _words(parameter: Parameter) -> str:
@@ -124,9 +159,12 @@ def _words(parameter: Parameter) -> str:
 
 def _show(desk: _Desk) -> None:
     """Print the state for each task."""
-    rows = [(call_words(one.call), one.message) for one in desk.draft.entries]
+    rows = [(call_words(one.call), one) for one in desk.draft.entries]
     width = max((len(call) for call, _ in rows), default=0)
-    desk.output.text("\n".join(f"  {call:{width}}  {message}" for call, message in rows))
+    for call, one in rows:
+        desk.output.text(f"  {call:{width}}  {one.message}")
+        for hint in dict.fromkeys(finding.hint for finding in one.findings if finding.hint):
+            desk.output.text(f"  {'':{width}}    = {hint}")
 
 
 def _asked(prompt: str) -> str | None:

@@ -8,6 +8,7 @@ from ropsim.tasks.asked_geometry import Overlap as Overlap
 from ropsim.tasks.base import KnowledgeBase as KnowledgeBase
 from ropsim.tasks.call_reading import call_of as call_of
 from ropsim.tasks.call_report import CallReport as CallReport
+from ropsim.tasks.checking import wrong_value as wrong_value
 from ropsim.tasks.clause_places import ClausePlaces as ClausePlaces
 from ropsim.tasks.clause_places import field_at as field_at
 from ropsim.tasks.clause_text import term_text as term_text
@@ -35,6 +36,7 @@ from ropsim.tasks.known_task import KnownTask as KnownTask
 from ropsim.tasks.known_task import Parameter as Parameter
 from ropsim.tasks.layer import Layer as Layer
 from ropsim.tasks.not_defined import not_defined as not_defined
+from ropsim.tasks.not_defined import unknown_location as unknown_location
 from ropsim.tasks.planning import Plan as Plan
 from ropsim.tasks.point_list import PointList as PointList
 from ropsim.tasks.point_list import exchanged as exchanged

@@ -186,10 +186,15 @@ def _wrong(call: TaskCall, task: KnownTask) -> Iterator[Diagnostic]:
             message = f"a point has 3, 5 or 6 numbers, given: {len(point)}"
             yield WRONG_CALL.at(None, message, hint="X Y Z, X Y Z Pitch Roll or X Y Z Pitch Roll Yaw")
     for value, parameter in zip(call.parameters, others, strict=False):
-        wanted_words = _misfit(value, parameter)
-        if wanted_words:
-            message = f"`{parameter.label}` of `{task.name}` is {wanted_words}, given: {value}"
-            yield WRONG_CALL.at(None, message)
+        if found := wrong_value(task, parameter, value):
+            yield found
+
+
+def wrong_value(task: KnownTask, parameter: Parameter, value: Value) -> Diagnostic | None:
+    """Return the finding that a value does not fit a parameter of a task, None where it does."""
+    words = _misfit(value, parameter)
+    message = f"`{parameter.label}` of `{task.name}` is {words}, given: {value}"
+    return WRONG_CALL.at(None, message) if words else None
 
 
 def _misfit(value: Value, parameter: Parameter) -> str:

@@ -75,6 +75,9 @@ def _hint(condition: Term, providers: Sequence[str], state: WorldState) -> str:
     names = [f"`{name}`" for name in dict.fromkeys(providers)]
     more = f" or {len(names) - MOST_NAMED} more" if len(names) > MOST_NAMED else ""
     able = f"{', '.join(names[:MOST_NAMED])}{more} could" if names else ""
+    match condition:
+        case Struct("free", (place,)) if lying := _part_at(place, state):
+            return f"`{lying}` lies there: take it away first, or choose another location"
     gone = _gone(condition, state)
     if gone:
         return f"{gone}: {f'{able} bring one' if able else _ELSEWHERE}"
@@ -90,6 +93,15 @@ def _gone(condition: Term, state: WorldState) -> str:
             return f"`{part}` is not at `{name_words(place)}`"
         case Struct("held", (Var(),)) if not _lying(state):
             return "no part is left that could be taken"
+    return ""
+
+
+def _part_at(place: Term, state: WorldState) -> str:
+    """Return the name of a part of which it is known that it lies at a place; empty for none."""
+    for fact in state.facts:
+        match fact:
+            case Struct("at", (Atom(part), where)) if where == place:
+                return part
     return ""
 
 

@@ -19,18 +19,21 @@ def not_defined(name: str, names: Iterable[str]) -> Diagnostic:
 
 
 def unknown_locations(report: CallReport, state: WorldState) -> Iterator[Diagnostic]:
-    """Yield a finding for each location that a call fails for and a state does not know.
-
-    A state without any `location(…)` says nothing of what locations there are.
-    """
-    locations = [name for one in state.facts if _is_location(one) for name in _names(one)]
-    known = {name for one in state.facts for name in _names(one)} if locations else set()
+    """Yield a finding for each location that a call fails for and a state does not know."""
     failing = {name for one in report.fails for name in _names(one)}
-    some = ", ".join(f"`{one}`" for one in locations[:MOST_NAMED])
     for point in report.call.points:
-        if isinstance(point, str) and locations and point in failing - known:
-            hint = did_you_mean(point, locations) or f"there are {some}"
-            yield WRONG_CALL.at(None, f"Location not defined: `{point}`", hint=hint)
+        if isinstance(point, str) and point in failing and (found := unknown_location(point, state)):
+            yield found
+
+
+def unknown_location(name: str, state: WorldState) -> Diagnostic | None:
+    """Return the finding that a state does not know a location, None where it does or says nothing of any."""
+    locations = [one for fact in state.facts if _is_location(fact) for one in _names(fact)]
+    if not locations or any(name in _names(fact) for fact in state.facts):
+        return None
+    some = ", ".join(f"`{one}`" for one in locations[:MOST_NAMED])
+    hint = did_you_mean(name, locations) or f"there are {some}"
+    return WRONG_CALL.at(None, f"Location not defined: `{name}`", hint=hint)
 
 
 def _is_location(fact: Term) -> bool:

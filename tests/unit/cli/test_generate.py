@@ -36,7 +36,7 @@ def test_a_dialogue_makes_a_program_that_compiles(
     (tmp_path / "points").mkdir()
     (tmp_path / "cell.toml").write_text(CELL)
     (tmp_path / "points" / "table.csv").write_text("name,x,y,z\n,mm,mm,mm\na,400,0,100\n")
-    typed = ["grip", "s1", "xyz", "grip", "s1", "undo", "move_over", "400 0 50", "", "pick", "s1", "x mm",
+    typed = ["grip", "s1", "xyz", "grip", "s1", "undo", "move_over", "400 0 50", "", "pick", "s1", "x mm", "undo",
              "place", "table", "20 mm", "place", "table", "end"]  # fmt: skip
     monkeypatch.setattr("sys.stdin", io.StringIO("\n".join(typed)))
     assert main(["generate", str(tmp_path), "--name", "shift", "--write"]) == 0
@@ -54,6 +54,23 @@ def test_a_dialogue_makes_a_program_that_compiles(
     monkeypatch.setattr("sys.stdin", io.StringIO("grip\ns1\n"))
     assert main(["generate", str(tmp_path), "--name", "shift", "--write"]) == 2
     assert (tmp_path / "programs" / "shift.task").read_text() == text
+
+
+def test_each_answer_is_judged_and_asked_again_and_a_task_can_be_left_out(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "cell.toml").write_text(CELL)
+    typed = ["place", "s2", "s1", "-2 mm", "5 mm", "pick", "undo", "end"]
+    monkeypatch.setattr("sys.stdin", io.StringIO("\n".join(typed)))
+    assert main(["generate", str(tmp_path)]) == 1
+    said = capsys.readouterr()
+    assert "Location not defined: `s2`" in said.err
+    assert "there are `s1`" in said.err
+    assert "at least 0 mm, given: -2 mm" in said.err
+    assert said.out.count("TASK NAME: ") == 3
+    assert "place s1, 5 mm  `place` is not possible now" in said.out
+    assert "= `grip`, `pick` could provide it" in said.out
+    assert "= `bolt` lies there: take it away first, or choose another location" in said.out
 
 
 @pytest.mark.parametrize("name", ["load", "Repeat", "my pallet"])

@@ -242,9 +242,13 @@ made_so(Fact, + Fact) :- ropsim_kb:fact(Fact).
 
 able(Pre, State, Level) :-
     most_ways(Most),
-    limit(Most, missing(Pre, State, Missing)),
+    limit(Most, missing(Pre, State, Missing0)),
+    exclude(of_open_place, Missing0, Missing),
     (   Missing == [] -> true ; Level > 0, Level1 is Level - 1, all_made(Missing, State, Level1) ),
     !.
+
+%   of_open_place(+Condition): people may tell a free place by numbers.
+of_open_place(free(Place)) :- var(Place).
 
 all_made([], _, _).
 all_made([One|More], State, Level) :- could_be_made(One, State, Level), all_made(More, State, Level).
