@@ -221,14 +221,13 @@ missing([One|More], State, Missing) :-
     missing(More, State, Rest).
 
 %   provider(+Condition, +State, -Name): a task that could make what is missing: what it needs itself holds, or other
-%   tasks could make that now. Of more tasks with such an effect than most_ways/1 the first ones are looked at.
+%   tasks could make that now. Of more than fifty tasks with such an effect the first ones are looked at.
 provider(Condition, State, Name) :- provider(Condition, State, 1, Name).
 
 provider(Condition0, State, Level, Name) :-
     copy_term(Condition0, Condition),
     made_so(Condition, Effect),
-    most_ways(Most),
-    limit(Most, candidate(Effect, Name, Parameters, Pre)),
+    limit(50, candidate(Effect, Name, Parameters, Pre)),
     \+ ropsim_planner:untold(Parameters, Pre, State),
     able(Pre, State, Level).
 
