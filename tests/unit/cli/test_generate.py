@@ -36,8 +36,8 @@ def test_a_dialogue_makes_a_program_that_compiles(
     (tmp_path / "points").mkdir()
     (tmp_path / "cell.toml").write_text(CELL)
     (tmp_path / "points" / "table.csv").write_text("name,x,y,z\n,mm,mm,mm\na,400,0,100\n")
-    typed = ["grip", "s1", "xyz", "grip", "s1", "undo", "move_over", "400 0 50", "", "pick", "s1", "x mm", "undo",
-             "place", "table", "20 mm", "place", "table", "end"]  # fmt: skip
+    typed = ["grip", "s1", "xyz", "grip", "s1", "undo", "move_over", "400 0 50", "", "pick", "s1", "x mm",
+             "undo", "place", "table", "20 mm", "place", "table", "end"]  # fmt: skip
     monkeypatch.setattr("sys.stdin", io.StringIO("\n".join(typed)))
     assert main(["generate", str(tmp_path), "--name", "shift", "--write"]) == 0
     said = capsys.readouterr()
