@@ -26,7 +26,39 @@ def fact_words(fact: Term) -> str:
             return f"the tool `{name_words(tool)}` without a gripper"
         case Struct("follows", (part, other)):
             return f"`{name_words(part)}` behind `{name_words(other)}` in its supply"
-    return _pattern_words(fact)
+    return _place_words(fact)
+
+
+def _place_words(fact: Term) -> str:
+    """Return what is said of machines and racks as people say it."""
+    match fact:
+        case Struct("loaded", (_, machine)):
+            return f"a part in the machine `{name_words(machine)}`"
+        case Struct("empty", (Var(),)):
+            return "an empty machine"
+        case Struct("empty", (machine,)):
+            return f"the machine `{name_words(machine)}`, empty,"
+        case Struct("chuck_of", (_, place)):
+            return f"a machine with its chuck at `{name_words(place)}`"
+        case Struct("home_of", (Var(), place)):
+            return f"a tool that has its rack at `{name_words(place)}`"
+        case Struct("home_of", (tool, place)):
+            return f"the rack of `{name_words(tool)}` at `{name_words(place)}`"
+    return _logic_words(fact)
+
+
+def _logic_words(condition: Term) -> str:
+    """Return a condition of others as people say it."""
+    match condition:
+        case Struct("\\=" | "\\==", (one, Var())) | Struct("\\=" | "\\==", (Var(), one)):
+            return f"something else than `{name_words(one)}`"
+        case Struct("\\+", (fact,)):
+            return f"a state without {fact_words(fact)}"
+        case Struct(";", (one, other)):
+            return f"{fact_words(one)} or {fact_words(other)}"
+        case Struct(",", (one, other)):
+            return f"{fact_words(one)} and {fact_words(other)}"
+    return _pattern_words(condition)
 
 
 def _pattern_words(condition: Term) -> str:

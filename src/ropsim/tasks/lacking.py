@@ -15,6 +15,8 @@ from ropsim.tasks.world_state import WorldState
 MOST_NAMED = 4
 """So many tasks that could help are named."""
 _ELSEWHERE = "choose another place, or bring parts there in the cell"
+_STATED = {"chuck_of": "lathe", "home_of": "welder"}
+"""What a knowledge base says of places, with the name of a thing as an example."""
 _LESS = "take fewer for {0}, or bring more parts there"
 
 
@@ -78,6 +80,10 @@ def _hint(condition: Term, providers: Sequence[str], state: WorldState) -> str:
     match condition:
         case Struct("free", (place,)) if lying := _part_at(place, state):
             return f"`{lying}` lies there: take it away first, or choose another location"
+        case Struct("chuck_of" | "home_of" as name, (thing, place)):
+            example = _STATED[name] if isinstance(thing, Var) else name_words(thing)
+            fact = f"{name}({example}, {name_words(place)})"
+            return f"choose another location, or say it in a file of the folder `kb`, such as `{fact}.`"
     gone = _gone(condition, state)
     if gone:
         return f"{gone}: {f'{able} bring one' if able else _ELSEWHERE}"

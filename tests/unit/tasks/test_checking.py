@@ -6,6 +6,7 @@ import pytest
 
 from ropsim.prolog import Atom, Struct, Var, write_term
 from ropsim.tasks import Quantity, TaskCall, TaskError, WorldState
+from ropsim.tasks.fact_words import fact_words
 from ropsim.tasks.pattern import neighbours, places_in_rows
 from support.knowledge import GEOMETRY, base
 
@@ -376,3 +377,26 @@ def test_a_location_that_nobody_knows_is_told_with_a_near_name(call: str, messag
 def test_where_no_location_is_stated_a_call_lacks_what_lies_there() -> None:
     report = base().check("pick fed", WorldState.of("at(b0, feed)", "gripper(open)"))
     assert "a part at `fed` is needed" in report.message
+
+
+@pytest.mark.parametrize(
+    ("call", "words", "hint"),
+    [
+        ("tool_change s1, s3", "a tool that has its rack at `s3` is needed", "`home_of(welder, s3).`"),
+        ("load_machine s1", "a machine with its chuck at `s1` is needed", "`chuck_of(lathe, s1).`"),
+    ],
+)
+def test_what_the_knowledge_base_has_to_say_of_places_is_told_in_words(
+    call: str, words: str, hint: str
+) -> None:
+    report = base().check(
+        call, WorldState.of("tool(jaws)", "gripper(closed)", "held(b0)", "home_of(jaws, s1)")
+    )
+    assert words in report.message
+    assert any(hint in one.hint for one in report.findings)
+
+
+def test_conditions_of_others_are_told_in_words() -> None:
+    both = Struct(";", (Struct("\\+", (Struct("held", (Var("P"),)),)), Struct("free", (Atom("s1"),))))
+    assert fact_words(both) == "a state without a part in the gripper or an empty place `s1`"
+    assert fact_words(Struct("\\=", (Atom("jaws"), Var("New")))) == "something else than `jaws`"
