@@ -39,7 +39,7 @@ from ropsim.workbench import open_knowledge
 END, BACK = "end", "undo"
 HEAD = (
     "Type the tasks to be included in this program, `end` to terminate, `undo` to take the last one back;\n"
-    "`undo` in place of a point or parameter leaves out the task that asks for it."
+    "either in place of a point or parameter leaves out the task that asks for it."
 )
 
 

@@ -55,12 +55,13 @@ def along_curve(x: Array, y: Array, tolerance: float, points: int, kept: Indices
     """
     if x.size == 0:
         return np.empty(0, dtype=np.intp)
+    corners = np.unique(np.concatenate(([0, x.size - 1], kept)).astype(np.intp))
     while True:
         cells = np.round(np.stack([x, y]) / (_CELL * tolerance))
         near = np.concatenate(([True], np.any(np.diff(cells, axis=1) != 0.0, axis=0)))
-        near[-1] = near[kept] = True
+        near[corners] = True
         indices = np.flatnonzero(near)
-        ends = np.searchsorted(indices, np.unique(np.concatenate(([0, x.size - 1], kept)).astype(np.intp)))
+        ends = np.searchsorted(indices, corners)
         found = _thin(
             np.stack([x, y], axis=1)[indices], (1.0 - 2.0 * _CELL) * tolerance, ends, points + ends.size
         )

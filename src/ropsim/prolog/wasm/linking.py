@@ -40,8 +40,8 @@ def linked(
         name = artefact.imports[short]
         if name in caught:
             linker.define(store, one.module, short, caught[name])
-        elif name in answers:
-            linker.define_func(one.module, short, one.type, answers[name])  # type: ignore[arg-type]
+        elif name in answers and isinstance(one.type, FuncType):
+            linker.define_func(one.module, short, one.type, answers[name])
         else:
             raise CrashError(f"the program wants `{name}`, which nobody answers")
     exports = linker.instantiate(store, module).exports(store)
