@@ -18,7 +18,8 @@ DEPTH = 50
 """Values nested deeper than this are refused."""
 
 Spelling = Callable[[str], object]
-Fallback = Callable[[object, str], object]
+Keys = tuple[str | int, ...]
+Fallback = Callable[[object, Keys], object]
 Rules = tuple[Spelling, Fallback]
 
 _WORDS = {"NaN": math.nan, "Infinity": math.inf, "-Infinity": -math.inf}
@@ -34,7 +35,7 @@ def readable(value: object) -> object:
     Numbers that are not finite become texts, arrays lists, enums their values, records mappings of their
     fields and of those properties that are single values, and anything unknown its `str`.
     """
-    return _plain(value, "value", _READABLE)
+    return _plain(value, (), _READABLE)
 
 
 def tagged(value: object) -> object:
@@ -45,12 +46,12 @@ def tagged(value: object) -> object:
     Raises:
         NotPlainError: the value, or one inside it, has no such form.
     """
-    return _plain(value, "value", _TAGGED)
+    return _plain(value, (), _TAGGED)
 
 
 def numeric(value: object) -> object:
     """Return a plain form as `readable` does, with null for every number that is not finite."""
-    return _plain(value, "value", _NULLED)
+    return _plain(value, (), _NULLED)
 
 
 def untagged(value: object) -> object:
@@ -72,32 +73,35 @@ def word_of(number: float) -> str:
     return "Infinity" if number > 0.0 else "-Infinity"
 
 
-def _plain(value: object, place: str, rules: Rules) -> object:
-    if value is None or isinstance(value, (bool, str)):
+def _plain(value: object, keys: Keys, rules: Rules) -> object:
+    if value is None or isinstance(value, (str, bool)):
         return value
-    if isinstance(value, (int, float)):
+    if isinstance(value, (float, int)):
         return value if math.isfinite(value) else rules[0](word_of(value))
-    if isinstance(value, (np.ndarray, np.generic)):
-        return _plain(value.tolist(), place, rules) if value.dtype.kind in "biufU" else rules[1](value, place)
-    if place.count("[") > DEPTH:
-        return rules[1](value, place)
-    if isinstance(value, (list, tuple)):
-        return [_plain(entry, f"{place}[{index}]", rules) for index, entry in enumerate(value)]
-    if isinstance(value, Mapping) and all(isinstance(key, str) for key in value):
-        return {key: _plain(entry, f"{place}[{key!r}]", rules) for key, entry in value.items()}
-    return rules[1](value, place)
+    if isinstance(value, (list, tuple)) and len(keys) <= DEPTH:
+        return [_plain(entry, (*keys, index), rules) for index, entry in enumerate(value)]
+    if isinstance(value, dict) and len(keys) <= DEPTH and all(isinstance(key, str) for key in value):
+        return {key: _plain(entry, (*keys, key), rules) for key, entry in value.items()}
+    if isinstance(value, (np.ndarray, np.generic)) and value.dtype.kind in "biufU":
+        return _plain(value.tolist(), keys, rules)
+    if isinstance(value, Mapping) and not isinstance(value, dict):
+        return _plain(dict(value), keys, rules)
+    return rules[1](value, keys)
 
 
-def _refuse(value: object, place: str) -> object:
-    raise NotPlainError(f"{place} is a `{type(value).__name__}`")
+def _refuse(value: object, keys: Keys) -> object:
+    place = "".join(f"[{key!r}]" for key in keys)
+    raise NotPlainError(f"value{place} is a `{type(value).__name__}`")
 
 
-def _record_or_text(value: object, place: str) -> object:
+def _record_or_text(value: object, keys: Keys) -> object:
     if isinstance(value, Enum):
-        return _plain(value.value, place, _READABLE)
+        return _plain(value.value, keys, _READABLE)
+    if len(keys) > DEPTH:
+        return str(value)
     if isinstance(value, Mapping):
-        return _plain({str(key): entry for key, entry in value.items()}, place, _READABLE)
-    if not is_dataclass(value) or isinstance(value, type) or place.count("[") > DEPTH:
+        return _plain({str(key): entry for key, entry in value.items()}, keys, _READABLE)
+    if not is_dataclass(value) or isinstance(value, type):
         return str(value)
     names = [field.name for field in fields(value)]
     properties = {
@@ -106,7 +110,7 @@ def _record_or_text(value: object, place: str) -> object:
         if isinstance(member, property)
     }
     single = {name: entry for name, entry in properties.items() if isinstance(entry, (bool, int, float, str))}
-    return _plain({**{name: getattr(value, name) for name in names}, **single}, place, _READABLE)
+    return _plain({**{name: getattr(value, name) for name in names}, **single}, keys, _READABLE)
 
 
 def _tag(word: str) -> object:

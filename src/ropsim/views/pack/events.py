@@ -2,6 +2,7 @@
 
 from dataclasses import asdict, fields, is_dataclass
 from enum import Enum
+from functools import cache
 
 from ropsim.flow import Event
 from ropsim.views.event_text import event_text
@@ -11,7 +12,7 @@ _COMMON = {field.name for field in fields(Event)}
 
 def packed_event(event: Event) -> dict[str, object]:
     """Return an event as plain values: when, what, whose, where in the text, and its own figures."""
-    own = {field.name: getattr(event, field.name) for field in fields(event) if field.name not in _COMMON}
+    own = {name: getattr(event, name) for name in _names(type(event)) if name not in _COMMON}
     passes = {"visit": event.origin.visit, "calls": event.origin.calls} if event.origin else {}
     return {
         "time": event.time,
@@ -24,7 +25,13 @@ def packed_event(event: Event) -> dict[str, object]:
     }
 
 
+@cache
+def _names(kind: type) -> tuple[str, ...]:
+    """Return the names of the fields of a record; none for any other kind of value."""
+    return tuple(field.name for field in fields(kind)) if is_dataclass(kind) else ()
+
+
 def _plain(value: object) -> object:
-    if is_dataclass(value):
-        return {field.name: _plain(getattr(value, field.name)) for field in fields(value)}
+    if names := _names(type(value)):
+        return {name: _plain(getattr(value, name)) for name in names}
     return value.value if isinstance(value, Enum) else value
