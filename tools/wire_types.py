@@ -36,6 +36,7 @@ HOMES = {
     "Destinations": "./facts",
     "Finding": "../run/run",
     "Pose": "../scene/description",
+    "ResultFigures": "./result",
     "RunEvent": "../run/run",
     "SceneDescription": "../scene/description",
 }

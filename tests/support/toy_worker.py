@@ -8,6 +8,8 @@ from ropsim.studio import jobs
 
 GIVEN_UP: list[jobs.Request] = []
 """What ended the first estimate that takes long; the second one does not."""
+LONG_WAYS: set[int] = set()
+"""Jobs whose runs have ways that are looked at without end."""
 UNIT = (0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0)
 
 
@@ -26,6 +28,7 @@ def main(connection: Connection) -> None:
                 | jobs.Simulate()
                 | jobs.LiveStart()
                 | jobs.SaveRun()
+                | jobs.LookAtWays()
                 | jobs.JogJoints()
                 | jobs.JogTcp()
                 | jobs.ListTasks()
@@ -41,12 +44,8 @@ def _reply(connection: Connection, request: jobs.Request) -> jobs.Reply:
     match request.content:
         case jobs.OpenScene(_, texts):
             return jobs.SceneReply({"unsaved": sorted(texts)}, (), {"abc": b"glTF"})
-        case jobs.Simulate() as job:
-            return _simulate(connection, request.number, job)
-        case jobs.LiveStart() as job:
-            return _live(connection, request.number, job)
-        case jobs.SaveRun(kept, form):
-            return jobs.SavedRun(f"{form} {kept}".encode())
+        case jobs.Simulate() | jobs.LiveStart() | jobs.SaveRun() | jobs.LookAtWays() as job:
+            return _run(connection, request.number, job)
         case jobs.JogJoints(_, q, _):
             return jobs.JogReply(q, UNIT, ((1, UNIT),), reached=True, words=(("info", "all is well"),))
         case jobs.ListTasks(_, texts):
@@ -60,6 +59,22 @@ def _reply(connection: Connection, request: jobs.Request) -> jobs.Reply:
             return jobs.TasksReply({"type": "tasks_estimated", "id": number, "program": program})
         case job:
             return _tell(connection, job)
+
+
+def _run(connection: Connection, number: int, job: jobs.RunJob) -> jobs.Reply:
+    match job:
+        case jobs.Simulate() as job:
+            return _simulate(connection, number, job)
+        case jobs.LiveStart() as job:
+            return _live(connection, number, job)
+        case jobs.SaveRun(kept, form):
+            return jobs.SavedRun(f"{form} {kept}".encode())
+        case jobs.LookAtWays(kept) if kept in LONG_WAYS:
+            while not isinstance(connection.recv().content, jobs.Cancel):
+                pass
+            return jobs.Failed("given up")
+        case jobs.LookAtWays(kept):
+            return jobs.WaysReply(({"code": "S751"},), {"warnings": kept})
 
 
 def _tell(connection: Connection, job: object) -> jobs.Reply:
@@ -108,8 +123,10 @@ def _simulate(connection: Connection, number: int, job: jobs.Simulate) -> jobs.R
         return jobs.RunReply("done", job.program, made="nothing")
     if "wrong" in text:
         return jobs.RunReply("refused", job.program, findings=({"code": "N201"},))
+    if "far" in text:
+        LONG_WAYS.add(number)
     pack = f"{text}|{len(job.inputs)}".encode()
-    return jobs.RunReply("done", job.program or "main", pack=pack)
+    return jobs.RunReply("done", job.program or "main", pack=pack, ways="seen" in text)
 
 
 def _live(connection: Connection, number: int, job: jobs.LiveStart) -> jobs.Reply:

@@ -20,8 +20,6 @@ export class RecordedRun implements Run {
   readonly duration: number
   readonly channels: readonly ChannelInfo[]
   readonly events: readonly RunEvent[]
-  readonly findings: readonly Finding[]
-  readonly result: ResultFigures
   /** What the recording says about the run: stations with robot, limits and rates. */
   readonly facts: RunFacts
   readonly #header: PackHeader
@@ -31,6 +29,8 @@ export class RecordedRun implements Run {
   readonly #trails = new Map<string, Trail>()
   /** By the name of their channel. */
   readonly #speeds = new Map<string, Series>()
+  #findings: readonly Finding[]
+  #result: ResultFigures
   #placements: Placements
   /** Seven values a sample for each body with poses, by place in the scene. */
   #poses: ReadonlyMap<number, Float64Array> = new Map()
@@ -44,8 +44,8 @@ export class RecordedRun implements Run {
     this.project = header.project
     this.duration = header.duration
     this.events = header.events
-    this.findings = header.findings
-    this.result = header.result
+    this.#findings = header.findings
+    this.#result = header.result
     this.facts = header.facts
     this.#clock = new Clock(header.rate, header.duration, header.count)
     for (const channel of header.channels) {
@@ -83,6 +83,20 @@ export class RecordedRun implements Run {
   static async decode(file: ArrayBuffer, scene: SceneDescription): Promise<RecordedRun> {
     const { header, body } = await openPack(file)
     return new RecordedRun(header, body, scene)
+  }
+
+  /** Let other findings and figures be told of the run, since more of it has been looked at. */
+  tell(findings: readonly Finding[], result: ResultFigures): void {
+    this.#findings = findings
+    this.#result = result
+  }
+
+  get findings(): readonly Finding[] {
+    return this.#findings
+  }
+
+  get result(): ResultFigures {
+    return this.#result
   }
 
   /** Let the bodies of another description of the cell be moved; those that the run does not know stand still. */

@@ -7,6 +7,7 @@ import { type Tile, tilesOf } from './result_tiles'
 export function ResultStrip() {
   const studio = useStudio()
   const shown = useStudioState(state => state.shown)
+  useStudioState(state => state.looked)
   const stale = useStudioState(state => state.stale)
   const changed = useStudioState(state => state.changed)
   const older = useStudioState(state => state.older)

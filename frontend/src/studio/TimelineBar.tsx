@@ -8,7 +8,7 @@ import { useEvery } from './hooks'
 export function TimelineBar() {
   const studio = useStudio()
   const host = useRef<HTMLDivElement>(null)
-  const shown = useStudioState(state => state.shown)
+  const shown = useStudioState(state => state.shown + state.looked)
   const live = useStudioState(state => state.live)
   const lagging = useStudioState(
     state => state.live !== null && state.live.state !== 'over' && !state.following,

@@ -81,6 +81,7 @@ export class Receiver {
       trust: ({ trusted, code }) => studio.store.setState({ trust: { trusted, code } }),
       scene: message => this.#scene(message),
       run: message => this.#run(message),
+      ways: message => studio.runs.see(message),
       live: message => this.#live(message),
       layout: message => this.#layout(message),
       placed: message => studio.runs.place(message),

@@ -13,15 +13,18 @@ const onlyBase: SceneDescription = { ...scene, bodies: scene.bodies.slice(0, 1) 
 /** Answers that the server has not given yet, by address. */
 const asked = new Map<string, (answer: Response) => void>()
 let shown: Run[]
+let told: Run[]
 let troubles: string[]
 let runs: Runs
 
 beforeEach(() => {
   asked.clear()
   shown = []
+  told = []
   troubles = []
   runs = new Runs({
     onRun: run => shown.push(run),
+    onTold: run => told.push(run),
     onGrown: () => {},
     onTrouble: text => troubles.push(text),
   })
@@ -42,6 +45,31 @@ test('of two runs the newer one stays, whichever comes first', async () => {
   await first
   expect(shown).toHaveLength(1)
   expect(runs.run).toBe(shown[0])
+})
+
+test('what is told of a run whose ways were looked at takes the place of what its pack says', async () => {
+  runs.setScene(scene)
+  const first = runs.take(1)
+  give(1)
+  await first
+  const run = runs.run
+  const result = run?.result
+  if (!result) throw new Error('a run of a program has a result')
+  const ways = { type: 'ways', findings: [], result: { ...result, unchecked: 'nothing' } } as const
+  runs.see({ ...ways, run: 2 })
+  expect(told).toHaveLength(0)
+  expect(run.result).toBe(result)
+  runs.see({ ...ways, run: 1 })
+  expect(told).toEqual([run])
+  expect(runs.run).toBe(run)
+  expect(run.result?.unchecked).toBe('nothing')
+  expect(run.findings).toEqual([])
+  // A page that comes later hears of them before it has the pack.
+  const again = runs.take(1)
+  give(1)
+  await again
+  expect(runs.run?.result?.unchecked).toBe('nothing')
+  expect(told).toHaveLength(1)
 })
 
 test('a pack that comes before the scene waits for it', async () => {

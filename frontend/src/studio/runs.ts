@@ -5,12 +5,14 @@ import type { Run } from '../run/run'
 import type { SceneDescription } from '../scene/description'
 import { words } from '../text/messages'
 import { decodeFrame } from '../wire/frame'
-import type { Happened, LiveLayout, Placed, SignalStamped } from '../wire/messages'
+import type { Happened, LiveLayout, Placed, RunWays, SignalStamped } from '../wire/messages'
 import { NOW, type RunAge, type Texts } from './run_lines'
 
 export interface RunWires {
   /** Another run is shown from now on. */
   readonly onRun: (run: Run, of: RunTexts) => void
+  /** More is told of the run that is shown. */
+  readonly onTold: (run: Run, of: RunTexts) => void
   /** The live run has grown. */
   readonly onGrown: (run: Run) => void
   readonly onTrouble: (text: string) => void
@@ -36,6 +38,8 @@ export class Runs {
   /** A pack that came before the scene. */
   #early: ArrayBuffer | null = null
   #newest = 0
+  /** What is said of a run whose ways have been looked at, which may not be here yet. */
+  #ways: RunWays | null = null
   /** The run that is on its way, and the one that is shown. */
   #wanted: RunTexts = { id: 0, texts: NOW, age: 'newest', of: 'program' }
   #shown = this.#wanted
@@ -84,6 +88,15 @@ export class Runs {
   async takeCommands(id: number): Promise<void> {
     this.#wanted = { id: 0, texts: NOW, age: 'newest', of: 'commands' }
     await this.#take(++this.#newest, () => fetchPack('told', id))
+  }
+
+  /** The ways of a run have been looked at: it is shown with what is said of it now. */
+  see(ways: RunWays): void {
+    this.#ways = ways
+    const run = this.#recorded
+    if (!run || run !== this.#run || this.#shown.id !== ways.run) return
+    run.tell(ways.findings, ways.result)
+    this.#wires.onTold(run, this.#shown)
   }
 
   async #take(order: number, fetch: () => Promise<ArrayBuffer>): Promise<void> {
@@ -135,6 +148,8 @@ export class Runs {
     if (order !== this.#newest) return
     // Another scene may have come while the pack was unpacked.
     if (this.#scene && this.#scene !== scene) run.showIn(this.#scene)
+    const ways = this.#ways
+    if (ways?.run === this.#wanted.id) run.tell(ways.findings, ways.result)
     this.#recorded = run
     this.#live = null
     this.#show(run, this.#wanted)

@@ -55,6 +55,8 @@ export interface StudioState {
   readonly status: RunStatus | null
   /** Counts the runs shown; 0 before the first. */
   readonly shown: number
+  /** So many times more has been told of a run that was shown. */
+  readonly looked: number
   /** A text differs from those of the shown run, and what it comes to is not known yet. */
   readonly changed: boolean
   /** The shown run was live while a text was changed: it stays the result of the older one until asked. */
@@ -108,6 +110,7 @@ const START: StudioState = {
   found: [],
   status: null,
   shown: 0,
+  looked: 0,
   changed: false,
   older: false,
   stale: false,

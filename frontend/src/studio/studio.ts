@@ -120,6 +120,7 @@ export class Studio {
     })
     this.runs = new Runs({
       onRun: (run, of) => this.#showRun(run, of),
+      onTold: (run, of) => this.#tellRun(run, of),
       onGrown: run => this.view.grown(run),
       onTrouble: text => this.notify('error', words.run.unreadable(text)),
     })
@@ -492,5 +493,12 @@ export class Studio {
     this.setFindings('run', run.findings, texts)
     this.#lines.renew()
     this.#compareTexts()
+  }
+
+  /** More of the shown run has been looked at; where it is, and which text is shown, stays. */
+  #tellRun(run: Run, { texts }: RunTexts): void {
+    this.transport.show(run)
+    this.store.setState({ looked: this.store.getState().looked + 1 })
+    this.setFindings('run', run.findings, texts)
   }
 }

@@ -5,6 +5,7 @@
  */
 import type { Finding, RunEvent } from '../run/run'
 import type { Pose, SceneDescription } from '../scene/description'
+import type { ResultFigures } from './result'
 
 /** A text of the project. */
 export interface DocumentState {
@@ -121,6 +122,17 @@ export interface RunStatus {
   readonly versions: Readonly<Record<string, number>>
   /** `older` where the text has changed while the run went on live: it stays the result. */
   readonly age: 'newest' | 'older'
+}
+
+/** What is said of a finished run since its ways were looked at: what met on them is a finding. */
+export interface RunWays {
+  readonly type: 'ways'
+  /** Its number. */
+  readonly run: number
+  /** All of the run, instead of those in its pack. */
+  readonly findings: readonly Finding[]
+  /** Its figures, instead of those in its pack. */
+  readonly result: ResultFigures
 }
 
 /** How a live run stands. */
@@ -545,6 +557,7 @@ export type Message =
   | DocumentsChanged
   | EditingRight
   | RunStatus
+  | RunWays
   | LiveStatus
   | LiveLayout
   | Placed

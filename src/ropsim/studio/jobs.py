@@ -98,6 +98,16 @@ class SaveRun:
     form: RunForm
 
 
+@frozen_dataclass
+class LookAtWays:
+    """Look at what met on the ways of the finished run of the job of this number (`WaysReply`).
+
+    Orders may only be to give it up.
+    """
+
+    number: int
+
+
 class JogJoints(Struct, frozen=True):
     """Put the arm of a station of the last opened scene at joint coordinates `q` [rad | m] (`JogReply`)."""
 
@@ -287,7 +297,8 @@ class Stop:
 
 TasksJob: TypeAlias = ListTasks | CheckTasks | EstimateTasks | OpenTaskForm | CheckTaskForm
 LineJob: TypeAlias = Tell | OfferWords
-Job: TypeAlias = OpenScene | Simulate | LiveStart | SaveRun | JogJoints | JogTcp | TasksJob | LineJob
+RunJob: TypeAlias = Simulate | LiveStart | SaveRun | LookAtWays
+Job: TypeAlias = OpenScene | RunJob | JogJoints | JogTcp | TasksJob | LineJob
 LiveOrder: TypeAlias = LiveControl | LiveOverride | LiveSpeed | SetSignal
 Order: TypeAlias = Cancel | Renew | LiveOrder | Stop
 
@@ -346,7 +357,8 @@ class RunReply:
     `done`: `pack` is the finished run for the page. `refused`: the program has errors, they are in
     `findings`. `failed`: `message` says in words why there is no run. `inputs` are those that a live run
     was given and has used. `made`: whether it was simulated, is the run before on other lines, or whether
-    nothing was made, as the live run before stays the result beside texts that say something else.
+    nothing was made, as the live run before stays the result beside texts that say something else. `ways`:
+    whether its ways have been looked at.
     """
 
     state: Literal["done", "refused", "cancelled", "failed"]
@@ -356,6 +368,7 @@ class RunReply:
     findings: tuple[Mapping[str, object], ...] = ()
     inputs: tuple[InputChange, ...] = ()
     made: Literal["simulated", "kept", "nothing"] = "simulated"
+    ways: bool = False
 
 
 @frozen_dataclass
@@ -363,6 +376,19 @@ class SavedRun:
     """A finished run as a file."""
 
     content: bytes
+
+
+@frozen_dataclass
+class WaysReply:
+    """What is said of a run since somebody has looked at its ways.
+
+    Attributes:
+        findings: all of the run, as its pack has them.
+        result: its figures, as its pack has them.
+    """
+
+    findings: tuple[Mapping[str, object], ...]
+    result: Mapping[str, object]
 
 
 @frozen_dataclass
@@ -438,7 +464,7 @@ class Failed:
 
 
 LineReply: TypeAlias = ToldReply | OfferedReply
-Reply: TypeAlias = SceneReply | RunReply | SavedRun | JogReply | TasksReply | LineReply | Failed
+Reply: TypeAlias = SceneReply | RunReply | SavedRun | WaysReply | JogReply | TasksReply | LineReply | Failed
 
 Report: TypeAlias = Progress | Planned | Renewed | LiveMessage | LiveFrame
 

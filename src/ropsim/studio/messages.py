@@ -25,6 +25,9 @@ from ropsim.studio.task_messages import (
 RunEvent: TypeAlias = Annotated[Mapping[str, object], Meta(title="RunEvent")]
 """An event of a run as plain JSON values."""
 
+Result: TypeAlias = Annotated[Mapping[str, object], Meta(title="ResultFigures")]
+"""Figures of a run as plain JSON values."""
+
 Scene: TypeAlias = Annotated[Mapping[str, object], Meta(title="SceneDescription")]
 """A cell as it is drawn, as plain JSON values."""
 
@@ -161,6 +164,20 @@ class RunStatus(Struct, frozen=True, tag_field="type", tag="run"):
     simulated: int = 0
     versions: Mapping[str, int] = {}
     age: Literal["newest", "older"] = "newest"
+
+
+class RunWays(Struct, frozen=True, tag_field="type", tag="ways"):
+    """What is said of a finished run since its ways were looked at: what met on them is a finding.
+
+    Attributes:
+        run: its number.
+        findings: all of the run, instead of those in its pack.
+        result: its figures, instead of those in its pack.
+    """
+
+    run: int
+    findings: tuple[Finding, ...]
+    result: Result
 
 
 class LiveStatus(Struct, frozen=True, tag_field="type", tag="live"):
@@ -361,6 +378,7 @@ Message: TypeAlias = (
     | DocumentsChanged
     | EditingRight
     | RunStatus
+    | RunWays
     | LiveStatus
     | LiveLayout
     | Placed

@@ -11,7 +11,7 @@ from msgspec import structs
 from ropsim.core import frozen_dataclass
 from ropsim.studio import jobs
 from ropsim.studio.live_log import LiveLog
-from ropsim.studio.messages import Message, RunStatus
+from ropsim.studio.messages import Message, RunStatus, RunWays
 from ropsim.studio.workers import Task, WorkerLink
 
 QUIET = 0.25
@@ -83,6 +83,8 @@ class Runs:
         self._planned: tuple[Mapping[str, object], ...] | None = None
         self._done: RunStatus | None = None
         self._status: RunStatus | None = None
+        self._look: Task | None = None
+        self._ways: RunWays | None = None
         self._live = LiveLog(tell)
         self._typed_beside = False
         self._inputs: tuple[jobs.InputChange, ...] = ()
@@ -90,8 +92,8 @@ class Runs:
     @property
     def news(self) -> tuple[Message, ...]:
         """Return what a tab that has just come must know: the last good run, the newest one, the live one."""
-        statuses = [self._done, self._status if self._status is not self._done else None]
-        return (*(one for one in statuses if one is not None), *self._live.messages)
+        said = [self._done, self._ways, self._status if self._status is not self._done else None]
+        return (*(one for one in said if one is not None), *self._live.messages)
 
     def pack(self, run: int) -> bytes | None:
         """Return a finished run for the page."""
@@ -184,6 +186,8 @@ class Runs:
         if self._next is None:
             return
         (run, wish), self._next = self._next, None
+        if self._look is not None:
+            self._simulator.order(self._look, jobs.Cancel())
         self._planned = None
         if wish.speed is None:
             job: jobs.Job = self._job(run, wish)
@@ -239,9 +243,29 @@ class Runs:
             return
         run, wish, task = self._current.id, self._current.wish, self._current.task
         self._current = None
-        if not done.cancelled() and isinstance(reply := done.result(), jobs.RunReply):
+        reply = None if done.cancelled() else done.result()
+        if isinstance(reply, jobs.RunReply):
             self._conclude(run, wish, task, reply)
         self._start_next()
+        if self._current is None and isinstance(reply, jobs.RunReply) and not reply.ways:
+            self._look_at_ways()
+
+    def _look_at_ways(self) -> None:
+        """Let the simulator look at what met in the kept run; the next run ends that."""
+        if self._kept is None or self._look is not None:
+            return
+        run, number = self._kept
+        look = self._simulator.submit(jobs.LookAtWays(number))
+        self._look = look
+
+        def over(done: "asyncio.Future[jobs.Reply]") -> None:
+            self._look = None
+            reply = None if done.cancelled() else done.result()
+            if isinstance(reply, jobs.WaysReply) and self._kept == (run, number):
+                self._ways = RunWays(run, reply.findings, reply.result)
+                self._tell(self._ways)
+
+        look.reply.add_done_callback(over)
 
     def _conclude(self, run: int, wish: Wish, task: Task, reply: jobs.RunReply) -> None:
         if reply.made == "nothing":
@@ -272,7 +296,7 @@ class Runs:
             self._packs[run] = reply.pack
             for old in sorted(self._packs)[:-PACKS_KEPT]:
                 del self._packs[old]
-            self._done = status
+            self._done, self._ways = status, None
             self._kept = (run, task.number)
         if reply.state != "cancelled" or self._next is None:
             self._say(status)

@@ -23,10 +23,11 @@ from ropsim.studio.jobs import (
     Simulate,
     TasksReply,
     ToldReply,
+    WaysReply,
 )
 from ropsim.studio.pipe import Pipe
 
-REPLIES = (SceneReply, RunReply, SavedRun, JogReply, TasksReply, ToldReply, OfferedReply, Failed)
+REPLIES = (SceneReply, RunReply, SavedRun, WaysReply, JogReply, TasksReply, ToldReply, OfferedReply, Failed)
 
 DESK = "ropsim.studio.desk:main"
 """The worker that simulates, draws and jogs."""

@@ -31,6 +31,7 @@ from ropsim.views.pack.pack import Pack as Pack
 from ropsim.views.pack.pack import pack as pack
 from ropsim.views.pack.pack import plain_finding as plain_finding
 from ropsim.views.pack.pack import plain_findings as plain_findings
+from ropsim.views.pack.pack import run_findings as run_findings
 from ropsim.views.path_summary import PathLine as PathLine
 from ropsim.views.path_summary import PathMove as PathMove
 from ropsim.views.path_summary import PathSummary as PathSummary

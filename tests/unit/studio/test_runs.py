@@ -7,7 +7,7 @@ from functools import partial
 from pathlib import Path
 
 from ropsim.studio import jobs
-from ropsim.studio.messages import LiveStatus, Message, RunStatus
+from ropsim.studio.messages import LiveStatus, Message, RunStatus, RunWays
 from ropsim.studio.runs import Runs
 from ropsim.studio.workers import WorkerLink
 from support.patience import PATIENCE
@@ -79,7 +79,44 @@ def test_a_finished_run_has_its_pack_and_a_tab_that_comes_later_hears_of_it(tmp_
         assert stage.states() == [(1, "running"), (1, "done")]
         assert stage.runs.pack(1) == b"x|0"
         assert stage.runs.pack(2) is None
-        assert stage.runs.news == (RunStatus(1, "done", "main", simulated=1, versions=VERSIONS),)
+        assert stage.runs.news[0] == RunStatus(1, "done", "main", simulated=1, versions=VERSIONS)
+
+    on_stage(tmp_path, play)
+
+
+def _is_ways(message: Message) -> bool:
+    return isinstance(message, RunWays)
+
+
+def test_the_ways_of_a_finished_run_are_looked_at_and_a_tab_that_comes_later_hears_of_it(
+    tmp_path: Path,
+) -> None:
+    async def play(stage: Stage) -> None:
+        stage.runs.run("main", "dynamic")
+        await stage.until(_is_ways)
+        done = RunStatus(1, "done", "main", simulated=1, versions=VERSIONS)
+        assert stage.runs.news == (done, RunWays(1, ({"code": "S751"},), {"warnings": 1}))
+        stage.texts["programs/main.task"] = "seen before"
+        stage.told.clear()
+        stage.runs.run("main", "dynamic")
+        await stage.until_state("done")
+        assert not any(_is_ways(one) for one in stage.runs.news)
+        assert await stage.runs.file(2, "report") == b"report 3"
+        assert not any(_is_ways(one) for one in stage.told)
+
+    on_stage(tmp_path, play)
+
+
+def test_the_next_run_ends_the_look_at_the_ways_of_the_one_before(tmp_path: Path) -> None:
+    async def play(stage: Stage) -> None:
+        stage.texts["programs/main.task"] = "far"
+        stage.runs.run("main", "dynamic")
+        await stage.until_state("done")
+        stage.texts["programs/main.task"] = "near"
+        stage.runs.run("main", "dynamic")
+        await stage.until(_is_ways)
+        assert stage.states() == [(1, "running"), (1, "done"), (2, "running"), (2, "done")]
+        assert [one.run for one in stage.told if isinstance(one, RunWays)] == [2]
 
     on_stage(tmp_path, play)
 

@@ -10,6 +10,7 @@ from ropsim.studio.desk.line import Line
 from ropsim.studio.desk.live.run import run_live
 from ropsim.studio.desk.scene import open_scene
 from ropsim.studio.desk.simulate import simulate
+from ropsim.studio.desk.ways import look_at_ways
 from ropsim.studio.jobs import (
     CheckTaskForm,
     CheckTasks,
@@ -20,6 +21,7 @@ from ropsim.studio.jobs import (
     JogTcp,
     ListTasks,
     LiveStart,
+    LookAtWays,
     OfferWords,
     OpenScene,
     OpenTaskForm,
@@ -81,6 +83,8 @@ class Desk:
             case SaveRun(number, form):
                 kept = self.shelf.run
                 return kept.file(form) if kept is not None and kept.number == number else Failed(NOT_KEPT)
+            case LookAtWays(number):
+                return look_at_ways(number, line, self.shelf) or Failed(NOT_KEPT)
             case JogJoints() | JogTcp():
                 return self.arms.move(job) if self.arms else Failed(NOTHING_OPEN)
             case ListTasks() | CheckTasks() | EstimateTasks() | OpenTaskForm() | CheckTaskForm():

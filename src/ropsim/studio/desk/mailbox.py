@@ -22,6 +22,7 @@ from ropsim.studio.jobs import (
     LiveOverride,
     LiveSpeed,
     LiveStart,
+    LookAtWays,
     OfferWords,
     OpenScene,
     OpenTaskForm,
@@ -124,6 +125,7 @@ class Mailbox:
                 Simulate()
                 | LiveStart()
                 | SaveRun()
+                | LookAtWays()
                 | OpenScene()
                 | JogJoints()
                 | JogTcp()

@@ -42,7 +42,8 @@ class Runnable:
     def finished(self, recording: Recording) -> RunReply:
         """Return the reply to a run of this program."""
         pack = pack_of(self.project, recording, self.findings)
-        return RunReply("done", self.name, pack=pack, inputs=used_inputs(recording))
+        inputs, ways = used_inputs(recording), recording.facts.ways is not None
+        return RunReply("done", self.name, pack=pack, inputs=inputs, ways=ways)
 
 
 def used_inputs(recording: Recording) -> tuple[InputChange, ...]:

@@ -2,12 +2,13 @@
 
 from dataclasses import asdict, fields, is_dataclass
 from enum import Enum
-from functools import cache
 
 from ropsim.flow import Event
 from ropsim.views.event_text import event_text
 
 _COMMON = {field.name for field in fields(Event)}
+_NAMES: dict[type, tuple[str, ...]] = {}
+"""Names of the fields by kind: asking a record for them takes longer than all else."""
 
 
 def packed_event(event: Event) -> dict[str, object]:
@@ -25,10 +26,11 @@ def packed_event(event: Event) -> dict[str, object]:
     }
 
 
-@cache
 def _names(kind: type) -> tuple[str, ...]:
     """Return the names of the fields of a record; none for any other kind of value."""
-    return tuple(field.name for field in fields(kind)) if is_dataclass(kind) else ()
+    if kind not in _NAMES:
+        _NAMES[kind] = tuple(field.name for field in fields(kind)) if is_dataclass(kind) else ()
+    return _NAMES[kind]
 
 
 def _plain(value: object) -> object:

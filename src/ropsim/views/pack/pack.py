@@ -61,14 +61,24 @@ def pack(recording: Recording, cell: Cell, summary: Summary, findings: Iterable[
         "channels": packed_channels(recording, times, body),
         "bodies": packed_bodies(recording, cell, times, body),
         "events": [packed_event(event) for event in recording.events],
-        "findings": [
-            *(plain_finding(one) for one in findings),
-            *(plain_finding(one, time_of(one, recording.events)) for one in recording.findings),
-        ],
+        "findings": run_findings(recording, findings),
         "result": asdict(result_figures(summary)),
         "facts": asdict(recording.facts),
     }
     return Pack(header, body.content())
+
+
+def run_findings(recording: Recording, before: Iterable[Diagnostic]) -> list[Mapping[str, object]]:
+    """Return all findings of a run as plain values.
+
+    Args:
+        recording: of the run.
+        before: of compiling, listed before those of the run.
+    """
+    return [
+        *(plain_finding(one) for one in before),
+        *(plain_finding(one, time_of(one, recording.events)) for one in recording.findings),
+    ]
 
 
 def sample_times(duration: float) -> Array:
