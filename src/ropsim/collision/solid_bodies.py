@@ -7,8 +7,9 @@ import numpy.typing as npt
 
 from ropsim.collision.convex import Convex
 from ropsim.collision.depth import FINE, Support, depth_of
-from ropsim.collision.gjk_kernel import closest_on_ways, distances
+from ropsim.collision.gjk_kernel import distances
 from ropsim.collision.separation import Nearness
+from ropsim.collision.ways_kernel import closest_on_ways
 from ropsim.spatial import Array
 
 Rows = npt.NDArray[np.intp]
