@@ -14,6 +14,7 @@ from ropsim.kinematics import (
     forward_batch,
     inverse,
     inverse_batch,
+    jacobian,
     posture,
     singular_distances,
     solver_of,
@@ -26,6 +27,8 @@ POSE_TOLERANCE = 1e-9
 """What the inverse kinematics promises [m, entries of the rotation matrix]."""
 OWN_TOLERANCE = 1e-6
 """Near singularities rounding of 1e-16 moves angles by its square root [rad]."""
+LAST_PLACE = 2.5e-16
+"""So far rounding of their last places moves the numbers of a pose [m, entries of the matrix]."""
 PRINTED = 1e-8
 """Angles and poses are printed to 1e-9; six angles act on at most 3 m [m, entries of the matrix]."""
 FAR = 1e-2
@@ -92,6 +95,16 @@ def test_every_answer_reaches_the_pose_and_one_is_the_configuration_itself(name:
     )
     nearest = np.nanmin(np.where(present, apart(branches, Q[:, None]), np.inf), axis=1)
     assert nearest.max() < OWN_TOLERANCE
+
+
+@pytest.mark.parametrize("name", CLOSED)
+def test_the_configuration_itself_is_an_answer_to_1e_9_rad_or_to_the_rounding_of_its_pose(name: str) -> None:
+    robot = ARMS[name]
+    Q = np.random.default_rng(1).uniform(robot.lower_limits, robot.upper_limits, (10_000, 6))
+    own = np.nanmin(apart(inverse_batch(robot, forward_batch(robot, Q)), Q[:, None]), axis=1)
+    for k in np.flatnonzero(own > 1e-9):
+        least = float(np.linalg.svd(jacobian(robot, Q[k]), compute_uv=False)[-1])
+        assert own[k] * least < LAST_PLACE, (k, own[k], least)
 
 
 @pytest.mark.parametrize("name", WRISTS)

@@ -313,6 +313,6 @@ def _cos_sin(angle: float) -> tuple[float, float]:
     c = 1.0 - (0.5 * z - z * z * (C1 + z * (C2 + z * (C3 + z * (C4 + z * (C5 + z * C6))))))
     quarters -= 4.0 * ((0.25 * quarters + ROUNDING) - ROUNDING)  # 0, ±1 or ±2 are left
     square = quarters * quarters
-    if square == 1.0:
-        return -quarters * s, quarters * c
-    return (1.0 - 0.5 * square) * c, (1.0 - 0.5 * square) * s
+    odd = quarters if square == 1.0 else 0.0
+    even = 0.0 if square == 1.0 else 1.0 - 0.5 * square
+    return even * c - odd * s, even * s + odd * c

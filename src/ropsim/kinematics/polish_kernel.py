@@ -12,7 +12,10 @@ from ropsim.codegen import kernel
 from ropsim.spatial import Array
 
 GOAL = 1e-14
-"""No more steps below this error [m, rad]: it is the rounding of forward kinematics."""
+"""No more steps but a last one below this error [m, rad]: it is the rounding of forward kinematics."""
+FAR = 2e-10
+"""The last step is made where it is longer than this [rad | m]: next to singular configurations joints may be
+far from their answer though the hand is at its pose."""
 LONGEST_STEP = 0.7
 """No joint moves farther in one step [rad | m]; beyond, the Jacobian says little."""
 STALLS = 6
@@ -112,8 +115,36 @@ def _descend(
         for i in range(n):
             q[i] = trial[i]
         error = _error(frames[last], X, e)
+    if steps > 0 and error <= GOAL:
+        _end(chain, spread, X, q, error, frames, room, lanes, mu * error)
     _spread(spread, q, lanes[6])
     _place(chain, lanes[6], frames)
+
+
+def _end(
+    chain: Array,
+    spread: Array,
+    X: Array,
+    q: Array,
+    error: float,
+    frames: Array,
+    room: Array,
+    lanes: Array,
+    damping: float,
+) -> None:
+    """Make a last step of q (n,), to which frames belong, where it is long and halves the error at least."""
+    n, last = q.shape[0], frames.shape[0] - 1
+    trial = room[8]
+    _jacobian(chain, spread, frames, room, lanes)
+    if not _step(room, damping) > FAR:
+        return
+    for i in range(n):
+        trial[i] = q[i] + room[7, i]
+    _spread(spread, trial, lanes[6])
+    _place(chain, lanes[6], frames)
+    if _error(frames[last], X, room[9]) < 0.5 * error:
+        for i in range(n):
+            q[i] = trial[i]
 
 
 def _spread(spread: Array, q: Array, steps: Array) -> None:
