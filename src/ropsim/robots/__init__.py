@@ -24,3 +24,4 @@ from ropsim.robots.library import names as names
 from ropsim.robots.standard_controller import LoopBandwidths as LoopBandwidths
 from ropsim.robots.standard_controller import standard_bandwidths as standard_bandwidths
 from ropsim.robots.standard_controller import standard_gains as standard_gains
+from ropsim.robots.standard_controller import swings as swings

@@ -10,6 +10,7 @@ valve: ki is that of where an opening moves the axis fastest, ke the middle of t
 """
 
 from dataclasses import replace
+from math import pi
 
 import numpy as np
 
@@ -36,6 +37,11 @@ VALVE_SHARE = 0.2
 CORNER_SHARE = 0.5
 """Corner of the integral action over the crossover: it costs about 27 degrees of phase."""
 SAMPLES = 64
+WINDOW = pi / 360.0
+"""Window of a fine stop of a hydraulic axis [rad | m], half a degree: within it the arm swings for long, and
+what a valve lets pass is not made up for."""
+LONGEST_SETTLING = 3.0
+"""Longest wait for that [s]: arms swing on their oil for a second or two."""
 PLACES = 33
 """Places at which the lever of a cylinder is looked at."""
 

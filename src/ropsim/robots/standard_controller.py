@@ -36,6 +36,8 @@ from ropsim.robots.elastic_gears import (
     gear_stiffnesses,
 )
 from ropsim.robots.hydraulic_loops import (
+    LONGEST_SETTLING,
+    WINDOW,
     hydraulic_axes,
     hydraulic_crossover,
     hydraulic_statement,
@@ -66,6 +68,9 @@ about 7 degrees where its speed loop, twice as fast, crosses over."""
 
 IN_POSITION = 0.2e-3
 """Window of a fine stop [rad | m]."""
+
+SETTLE_TIMEOUT = 1.0
+"""Longest wait for a fine stop [s]."""
 
 SAMPLES = 512
 """Configurations at which the inertias of the axes are looked at."""
@@ -164,14 +169,22 @@ def standard_torque_gains(robot: Mechanism, rates: Rates) -> ComputedTorqueGains
 def standard_controller(robot: Mechanism, rates: Rates) -> ControllerModel:
     """Return the standard controller of an arm: the ideal one where it has no drives."""
     kind, gains, origins = _law(robot, rates)
+    windows, hydraulic = np.full(robot.n, IN_POSITION), hydraulic_axes(robot)
+    windows[hydraulic] = WINDOW
     return ControllerModel(
         kind=kind,
         rates=rates,
         gains=gains,
         path=PathDefaults(),
-        in_position=np.full(robot.n, IN_POSITION),
+        in_position=windows,
+        settle_timeout=LONGEST_SETTLING if hydraulic else SETTLE_TIMEOUT,
         origins=origins,
     )
+
+
+def swings(robot: Mechanism) -> bool:
+    """Return whether an arm swings on elastic gears or on its oil: at full speed joints overshoot it then."""
+    return bool(robot.drives) and bool(elastic_axes(robot).any() or hydraulic_axes(robot))
 
 
 def _law(robot: Mechanism, rates: Rates) -> tuple[ControllerKind, Gains, tuple[ParameterOrigin, ...]]:

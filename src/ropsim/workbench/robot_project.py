@@ -5,12 +5,14 @@ from pathlib import Path
 from ropsim.cellfile import POINTER, new_cell, written_coordinates
 from ropsim.flow import Fidelity
 from ropsim.model import Mesh, RobotModel, Shape
+from ropsim.robots import swings
 from ropsim.simulation import RunOptions
 from ropsim.workbench.first_way import FirstWay, first_way, turning
 from ropsim.workbench.named_robot import find_robot, load_robot
 from ropsim.workbench.opening import open_project
 
 _HEAD = "program {name}\nunits mm, deg, s\n\n"
+_CAREFUL = "# The arm swings: faster, its joints would go beyond their limits.\nset speed 70 %\n\n"
 
 
 def fill_robot_project(folder: Path, name: str, robot: str) -> None:
@@ -32,7 +34,7 @@ def fill_robot_project(folder: Path, name: str, robot: str) -> None:
     for way in (first_way(model, POINTER), turning(model)):
         cell = new_cell(name, named, way.corners)
         (folder / "cell.toml").write_text(cell, "utf-8")
-        program = _HEAD.format(name=name) + _statements(model, way)
+        program = _HEAD.format(name=name) + (_CAREFUL if swings(model) else "") + _statements(model, way)
         (folder / "programs" / "main.task").write_text(program, "utf-8")
         if open_project(folder).simulate(options=RunOptions(Fidelity.KINEMATIC)).ok:
             return

@@ -42,6 +42,15 @@ def test_the_first_program_of_a_built_in_robot_runs_and_moves(name: str, tmp_pat
     assert bool(lines) == (name != "two_link")  # two axes cannot lead a tool without turning it
 
 
+@pytest.mark.parametrize("name", ["patu655", "manutec_r3"])
+def test_the_first_program_of_an_arm_that_swings_keeps_its_limits_with_drives_too(
+    name: str, tmp_path: Path
+) -> None:
+    recording = ropsim.open(new_robot_project(tmp_path / "my_cell", name)).simulate()
+    assert recording.ok
+    assert {one.code for one in recording.findings} <= {"S725"}  # it settles for long
+
+
 def test_a_robot_file_is_copied_with_its_meshes(tmp_path: Path) -> None:
     source = tmp_path / "vendor" / "robots" / "arm.toml"
     source.parent.mkdir(parents=True)
