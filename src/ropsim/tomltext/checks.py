@@ -189,7 +189,9 @@ class TomlTable:
             return value
         words = ", ".join(f"`{word}`" for word in allowed)
         message = f"`{self.name_of(key)}` is `{cut(value)}`, allowed are {words}"
-        self.findings.add(kinds.UNKNOWN_CHOICE, self.value_span(key), message)
+        close = near(value, allowed, limit=1)
+        hint = f"did you mean `{close[0]}`?" if close else ""
+        self.findings.add(kinds.UNKNOWN_CHOICE, self.value_span(key), message, hint)
         return default
 
     def reference(self, key: str, known: Mapping[str, object], sort: str) -> str:

@@ -189,11 +189,10 @@ mass = 200
     [
         ("area_b = 5.4e-3", "area_b = 8e-3", "area_b"),
         ("supply_pressure = 16e6", "supply_pressure = 16e6, return_pressure = 16e6", "return_pressure"),
+        ("carrier_pin = [0.26, -1.04, 0]", "carrier_pin = [0.26, -1.04]", "carrier_pin"),
     ],
 )
-def test_rings_larger_than_their_piston_and_returns_at_the_supply_are_told(
-    before: str, after: str, word: str
-) -> None:
+def test_what_is_wrong_in_the_row_of_a_cylinder_is_told_alone(before: str, after: str, word: str) -> None:
     row = CYLINDER.replace(before, after)
     assert row != CYLINDER
     text = f'{BOOM}drives = [{row}, {{ kind = "servo" }}]\n'
@@ -222,22 +221,43 @@ def test_a_cylinder_has_its_pins_in_the_frames_of_the_table() -> None:
 
 
 @pytest.mark.parametrize(
-    ("before", "after", "words"),
+    ("before", "after", "words", "key", "hint"),
     [
-        ("[-15, 60]", "[-80, 60]", "dead centre within the range of its joint, at -"),
-        ("link_pin = [-2.5, -0.1, 0]", "link_pin = [-2.8, 0, 0]", "a pin on the axis of its joint"),
-        ("stroke = 0.54", "stroke = 0.2", "its cylinder is 0.82 to 1.02 m long"),
-        ("[-15, 60] }", "[-15, 60], type = 'prismatic' }", "a cylinder turns a turning joint"),
+        (
+            "[-15, 60]",
+            "[-80, 60]",
+            "dead centre within the range of its joint, at -",
+            "carrier_pin",
+            "narrow",
+        ),
+        (
+            "link_pin = [-2.5, -0.1, 0]",
+            "link_pin = [-2.8, 0, 0]",
+            "a pin on the axis",
+            "link_pin",
+            "pins are",
+        ),
+        ("stroke = 0.54", "stroke = 0.2", "its cylinder is 0.82 to 1.02 m long", "stroke", "make it 0.45"),
+        ("h = 0.82", "h = 1.1", "its cylinder is 1.1 to 1.64 m long", "retracted_length", "make it 0.8"),
+        (
+            "[-15, 60] }",
+            "[-15, 60], type = 'prismatic' }",
+            "turns a turning joint",
+            "kind",
+            "which turns",
+        ),
     ],
 )
 def test_a_cylinder_that_cannot_turn_its_joint_is_told_on_its_line(
-    before: str, after: str, words: str
+    before: str, after: str, words: str, key: str, hint: str
 ) -> None:
     text = f'{BOOM}drives = [{CYLINDER}, {{ kind = "servo" }}]\n'.replace(before, after)
     read = read_robot_file(SourceText("robots/arm.toml", text))
     (found,) = [one for one in read.findings if one.code == "X916"]
     assert words in found.message
+    assert hint in found.hint
     assert found.span is not None
+    assert text.splitlines()[found.span.line - 1][: found.span.column - 1].endswith(f"{key} = ")
     assert read.robot is None
 
 
