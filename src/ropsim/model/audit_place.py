@@ -20,6 +20,7 @@ class Attribute(StrEnum):
     COM = "com"
     INERTIA = "inertia"
     HOME = "home"
+    DRIVE = "drive"
 
 
 @frozen_dataclass
@@ -29,10 +30,12 @@ class AuditPlace:
     Attributes:
         number: of the joint or link, from 0; of the axis for its home position.
         attribute: which of its attributes.
+        name: of the number in its drive; empty for all else.
     """
 
     number: int
     attribute: Attribute
+    name: str = ""
 
 
 PlaceOf: TypeAlias = Callable[[AuditPlace], Span | None]

@@ -94,3 +94,25 @@ units = { length = "m" }
 ```
 """,
 )
+
+UNLIKELY_DRIVE = define(
+    "X917",
+    "unlikely-drive",
+    Severity.WARNING,
+    "a number of a drive is beyond what motors, cylinders and valves have",
+    """
+The model has SI units: pressures and bulk moduli in Pa, flows in m³/s, areas in m², volumes in m³, inertias
+in kg·m², inductances in H. Data sheets give bar, l/min, mm², cm³, kg·cm² and mH. A drive with such a number
+is ten to a million times too strong, too fast or too sluggish. The hint names the unit in which the number
+would be a usual one.
+
+| data sheet | in SI units |
+|---|---|
+| 160 bar | `16e6` Pa |
+| 24 l/min | `4e-4` m³/s |
+| 7854 mm² | `7.854e-3` m² |
+| 400 cm³ | `4e-4` m³ |
+| 2 kg·cm² | `2e-4` kg·m² |
+| 1.5 mH | `1.5e-3` H |
+""",
+)

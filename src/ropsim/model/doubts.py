@@ -12,6 +12,7 @@ import numpy as np
 from ropsim.core import Diagnostic
 from ropsim.model import doubt_diagnostics as kinds
 from ropsim.model.audit_place import Attribute, AuditPlace, PlaceOf
+from ropsim.model.drive_doubts import drive_doubts
 from ropsim.model.joint import BASE_LINK, Joint, JointType
 from ropsim.model.link import Link
 from ropsim.model.mechanism import Mechanism
@@ -43,6 +44,7 @@ def doubts(robot: Mechanism, place_of: PlaceOf) -> Iterator[Diagnostic]:
         yield from _range(number, robot.joints[number], place_of)
     yield from _copied(robot, place_of)
     yield from _doubled_axes(robot, place_of)
+    yield from drive_doubts(robot, place_of)
 
 
 def length_of(robot: Mechanism) -> float:

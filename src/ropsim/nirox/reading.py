@@ -35,6 +35,7 @@ _WORDS: Mapping[Attribute, tuple[str, ...]] = MappingProxyType(
         Attribute.COM: ("mass", "link"),
         Attribute.INERTIA: ("mass", "link"),
         Attribute.HOME: ("state",),
+        Attribute.DRIVE: ("motor", "drive"),
     }
 )
 """Where the numbers of a joint, a link or an axis stand: the first of these that the file has."""

@@ -39,6 +39,8 @@ def robot_file_places(source: SourceText) -> PlaceOf:
 def _path(wanted: AuditPlace) -> Path:
     if wanted.attribute is Attribute.HOME:
         return ("home", wanted.number)
+    if wanted.attribute is Attribute.DRIVE:
+        return ("drives", wanted.number, wanted.name)
     table, key = _KEYS[wanted.attribute]
     return (table, wanted.number, key)
 

@@ -1,6 +1,6 @@
 """The keys of a servo valve and its supply, which hydraulic motors and cylinders share."""
 
-from ropsim.tomltext import NUMBER, TomlTable
+from ropsim.tomltext import NUMBER, VALUE_OUT_OF_RANGE, TomlTable
 
 HYDRAULIC = NUMBER.within(1e-18, 1e12)
 """Areas, volumes for a radian and pressures are far from 1 in SI units."""
@@ -21,11 +21,20 @@ _MOST_RETURN = 0.99
 def read_valve(table: TomlTable) -> dict[str, float]:
     """Return what hydraulic motors and cylinders have in common, by the names of their attributes."""
     valve = {key: table.number(key, HYDRAULIC, 1.0) for key in VALVE_NEEDED}
-    most = _MOST_RETURN * valve["supply_pressure"] if "supply_pressure" in table else 1e9
     return {
         "leakage": table.number("leakage", _FROM_ZERO, 0.0),
-        "return_pressure": table.number("return_pressure", NUMBER.within(0.0, most), 0.0),
+        "return_pressure": _return_pressure(table, valve["supply_pressure"]),
         "damping_ratio": table.number("damping_ratio", _POSITIVE, 0.7),
         "oil_density": table.number("oil_density", _POSITIVE, 870.0),
         **valve,
     }
+
+
+def _return_pressure(table: TomlTable, supply: float) -> float:
+    """Return the pressure of the return [Pa], which is less than that of the supply."""
+    found = table.number("return_pressure", _FROM_ZERO, 0.0)
+    if "supply_pressure" in table and found > _MOST_RETURN * supply:
+        message = f"`{table.name_of('return_pressure')}` is {found:g} Pa, the supply has {supply:g} Pa"
+        hint = "the return has less than the supply; are both in Pa?"
+        table.findings.add(VALUE_OUT_OF_RANGE, table.value_span("return_pressure"), message, hint)
+    return found

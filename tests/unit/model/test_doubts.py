@@ -10,7 +10,7 @@ from ropsim.core import Severity
 from ropsim.model import Joint, Link, RobotModel, audit
 from ropsim.spatial import Pose
 
-DOUBTS = {"X863", "X864", "X865", "X866", "X867", "X868", "X869"}
+DOUBTS = {"X863", "X864", "X865", "X866", "X867", "X868", "X869", "X917"}
 
 
 def doubted(robot: RobotModel) -> list[str]:
@@ -30,6 +30,36 @@ def with_joint(robot: RobotModel, number: int, joint: Joint) -> RobotModel:
 @pytest.mark.parametrize("name", robots.names())
 def test_nothing_of_the_built_in_arms_is_doubted(name: str) -> None:
     assert doubted(robots.load(name)) == []
+
+
+@pytest.mark.parametrize(
+    ("name", "joint", "key", "factor", "unit"),
+    [
+        ("patu655", 0, "supply_pressure", 1e-5, "bar"),
+        ("patu655", 1, "rated_pressure_drop", 1e-6, "MPa"),
+        ("patu655", 0, "bulk_modulus", 1e-6, "MPa"),
+        ("patu655", 1, "rated_flow", 6e4, "l/min"),
+        ("patu655", 0, "area_a", 1e6, "mm²"),
+        ("patu655", 0, "area_b", 1e4, "cm²"),
+        ("patu655", 1, "stroke", 1e3, "mm"),
+        ("patu655", 1, "dead_volume_a", 1e6, "cm³"),
+        ("puma560", 2, "inductance", 1e3, "mH"),
+        ("puma560", 3, "torque_constant", 1e3, "mN·m/A"),
+        ("puma560", 4, "rotor_inertia", 1e7, "g·cm²"),
+    ],
+)
+def test_numbers_of_drives_in_units_of_data_sheets_are_doubted(
+    name: str, joint: int, key: str, factor: float, unit: str
+) -> None:
+    robot = robots.load(name)
+    drives = list(robot.drives)
+    motor = drives[joint].motor
+    drives[joint] = replace(drives[joint], motor=replace(motor, **{key: factor * getattr(motor, key)}))
+    (found,) = [one for one in audit(replace(robot, drives=tuple(drives))) if one.code in DOUBTS]
+    assert found.code == "X917"
+    assert f"`{key}`" in found.message
+    assert unit in found.hint
+    assert f"joint `{robot.axis_joints[joint].name}`" in found.message
 
 
 def test_masses_that_are_all_the_same_are_doubted_from_three_links_on() -> None:

@@ -288,3 +288,13 @@ def test_findings_of_an_audit_point_into_the_file() -> None:
     assert found.span is not None
     line = source.line(found.span.line)
     assert line[found.span.column - 1 :].startswith("9000")
+
+
+def test_a_doubt_about_a_drive_stands_at_its_number() -> None:
+    text = f'{BOOM}drives = [{CYLINDER}, {{ kind = "servo" }}]\n'.replace("e = 16e6", "e = 160")
+    source = SourceText("robots/arm.toml", text)
+    robot = read_robot_file(source).robot
+    assert robot is not None
+    (found,) = [one for one in audit(robot, robot_file_places(source)) if one.code == "X917"]
+    assert found.span is not None
+    assert text.splitlines()[found.span.line - 1][: found.span.column - 1].endswith("supply_pressure = ")
