@@ -9,6 +9,7 @@ import numpy as np
 
 from ropsim import kinematics, robots
 from ropsim.cli.coordinates import check_coordinates, joint_coordinates
+from ropsim.cli.drive_words import drive_lines
 from ropsim.cli.named_robot import named_robot
 from ropsim.cli.numbers import display, shown
 from ropsim.cli.output import Output, cannot_write
@@ -73,7 +74,7 @@ def show(options: argparse.Namespace, output: Output) -> int:
         demands = [one.value for one in ConformanceClass if one.name <= class_.name]
         lines.append(f"NIROX class {class_.name}: {', '.join(demands)}")
     lines += ["", *_joint_rows(robot), *_following(robot), *_payload(robot), ""]
-    for text in solver_lines(robot):
+    for text in (*drive_lines(robot), *solver_lines(robot)):
         lines += textwrap.wrap(text, COLUMNS, subsequent_indent="  ")
     lines += ["", "where the numbers come from"]
     for one in robot.origins:

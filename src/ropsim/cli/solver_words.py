@@ -11,7 +11,10 @@ def solver_lines(robot: RobotModel) -> list[str]:
     """Return class, method and number of branches of an arm, or why none has them all in closed form."""
     solver = solver_of(robot)
     if solver.method is Method.NUMERIC:
-        missed = [f"not {name}: {reason}" for name, reason in classes_missed(robot).items()]
+        reasons: dict[str, list[str]] = {}
+        for name, reason in classes_missed(robot).items():
+            reasons.setdefault(reason, []).append(name)
+        missed = [f"not {' or '.join(names)}: {reason}" for reason, names in reasons.items()]
         return ["inverse kinematics: numeric; further branches than those found may exist", *missed]
     count = len(solver.postures)
     branches = f"{count} branches" if solver.parts else f"up to {count} branches without names"

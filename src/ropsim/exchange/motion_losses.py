@@ -6,7 +6,7 @@ from ropsim.core import Diagnostic
 from ropsim.exchange.loss_diagnostics import LOST_DRIVE, LOST_MOTION
 from ropsim.exchange.notes import listed
 from ropsim.exchange.written_tree import WrittenTree
-from ropsim.model import JointType, RobotModel
+from ropsim.model import HydraulicCylinder, JointType, RobotModel
 
 _GRAVITY = [0.0, 0.0, -9.81]
 _DOWN_HINT = "turn the base frame so that its z axis points up"
@@ -32,11 +32,10 @@ def axis_losses(robot: RobotModel) -> Iterable[Diagnostic]:
     if robot.gravity.tolist() != _GRAVITY:
         words = f"gravity of `{robot.name}` does not point down along z of its base frame"
         yield LOST_MOTION.at(None, words, hint=_DOWN_HINT)
-    rotors = [
-        joint.name
-        for joint, drive in zip(robot.axis_joints, robot.drives, strict=False)
-        if drive.motor.rotor_inertia
-    ]
-    if rotors:
-        words = f"inertias of the rotors of axes {listed(rotors)} do not go over"
-        yield LOST_DRIVE.at(None, words, hint="MJCF holds them", data={"axes": tuple(rotors)})
+    pairs = list(zip(robot.axis_joints, robot.drives, strict=False))
+    rods = [joint.name for joint, drive in pairs if isinstance(drive.motor, HydraulicCylinder)]
+    rotors = [joint.name for joint, drive in pairs if drive.motor.rotor_inertia and joint.name not in rods]
+    for names, what in ((rotors, "inertias of the rotors"), (rods, "masses of the rods")):
+        if names:
+            words = f"{what} of axes {listed(names)} do not go over"
+            yield LOST_DRIVE.at(None, words, hint="MJCF holds them", data={"axes": tuple(names)})

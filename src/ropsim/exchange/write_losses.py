@@ -15,6 +15,8 @@ from ropsim.model import (
     EffortAmplifier,
     ElasticGear,
     Friction,
+    HydraulicCylinder,
+    HydraulicMotor,
     IdealMotor,
     Linkage,
     Material,
@@ -23,16 +25,20 @@ from ropsim.model import (
     Revolve,
     RobotModel,
     Shape,
+    ValveAmplifier,
 )
 
+_HYDRAULIC = HydraulicMotor | HydraulicCylinder
 _TESTS: tuple[tuple[str, Callable[[Drive], bool]], ...] = (
     (
         "amplifiers with their voltages and currents",
-        lambda one: not isinstance(one.amplifier, EffortAmplifier),
+        lambda one: not isinstance(one.amplifier, EffortAmplifier | ValveAmplifier),
     ),
-    ("motor constants", lambda one: not isinstance(one.motor, IdealMotor)),
+    ("motor constants", lambda one: not isinstance(one.motor, IdealMotor | _HYDRAULIC)),
+    ("valves, oil and supply", lambda one: isinstance(one.motor, _HYDRAULIC)),
+    ("displacements and chambers of hydraulic motors", lambda one: isinstance(one.motor, HydraulicMotor)),
     ("gear ratios", lambda one: not isinstance(one.transmission, Linkage) and abs(one.ratio_at(0.0)) != 1.0),
-    ("cylinders with their pins", lambda one: isinstance(one.transmission, Linkage)),
+    ("cylinders with their areas, strokes and pins", lambda one: isinstance(one.transmission, Linkage)),
     ("stiffness and damping of gears", lambda one: isinstance(one.transmission, ElasticGear)),
     (
         "differences of dry friction between the two directions",

@@ -86,8 +86,14 @@ def test_numbers_of_gears_that_twist_and_of_cylinders_are_told_to_be_dropped() -
     words = [one.message for one in write_urdf(replace(puma, drives=(twisting, *puma.drives[1:]))).losses]
     assert any(one.startswith("gear ratios of axes `1`, `2`") for one in words)
     words = [one.message for one in write_urdf(lifted()).losses]
-    assert "motor constants of axes `lift` do not go over" in words
-    assert not [one for one in words if one.startswith("gear ratios")]
+    for what in (
+        "masses of the rods",
+        "valves, oil and supply",
+        "cylinders with their areas, strokes and pins",
+    ):
+        assert f"{what} of axes `lift` do not go over" in words
+    for what in ("gear ratios", "motor constants", "amplifiers", "inertias of the rotors"):
+        assert not [one for one in words if one.startswith(what)]
 
 
 def test_what_urdf_has_no_words_for_is_told() -> None:
