@@ -86,12 +86,9 @@ def test_numbers_of_gears_that_twist_and_of_cylinders_are_told_to_be_dropped() -
     words = [one.message for one in write_urdf(replace(puma, drives=(twisting, *puma.drives[1:]))).losses]
     assert any(one.startswith("gear ratios of axes `1`, `2`") for one in words)
     words = [one.message for one in write_urdf(lifted()).losses]
-    for what in (
-        "masses of the rods",
-        "valves, oil and supply",
-        "cylinders with their areas, strokes and pins",
-    ):
-        assert f"{what} of axes `lift` do not go over" in words
+    for what in ("masses of the rods", "valves, oil and supply", "cylinders with their areas"):
+        (one,) = (word for word in words if word.startswith(what))
+        assert one.endswith(" of axes `lift` do not go over")
     for what in ("gear ratios", "motor constants", "amplifiers", "inertias of the rotors"):
         assert not [one for one in words if one.startswith(what)]
 
