@@ -231,3 +231,29 @@ def test_axes_that_are_all_parallel_or_meet_in_one_point_have_no_elimination(row
     name = {6: "general six-axis", 7: "general seven-axis"}[count]
     assert classes_missed(crooked)[name] == "its axes lie so that no elimination is regular"
     assert solver_of(replace(crooked, name="crooked")).method is Method.NUMERIC
+
+
+ALONE = [
+    ("motoman_hc10", (-180, -180, 0, 0, -90, 90), (-90, 101.98505, 35.90465, 90, -90, -156.08041)),
+    (
+        "motoman_hc10",
+        (-123.47942, -180, 180, -54.19152, 90, -90),
+        (92.32906, -164.6231, -144.09535, 90, 90, -110.52775),
+    ),
+    (
+        "fanuc_m430ia2p",
+        (-90, 0, 0, -145.3839, -90, -237.97404),
+        (34.6161, 15.45727, -30.37167, 90, -90, 107.11156),
+    ),
+]
+"""Where an arm can move without moving its interface, and an answer that stands alone beside that [deg]."""
+
+
+@pytest.mark.parametrize(("name", "moving", "alone"), ALONE)
+def test_answers_that_stand_alone_are_not_lost_among_those_of_an_arm_that_can_move(
+    name: str, moving: tuple[float, ...], alone: tuple[float, ...]
+) -> None:
+    robot = published_arm(name)
+    answers = inverse_batch(robot, forward_batch(robot, np.radians([moving])))[0]
+    apart = np.abs((answers - np.radians(alone) + pi) % (2.0 * pi) - pi).max(axis=1)
+    assert np.nanmin(apart) < 1e-5

@@ -36,7 +36,8 @@ def all_answers(chain: ChainArrays, ways: tuple[Elimination, ...], T: Array, nea
     For a pose whose eigenvalue problem is singular, because the arm can move in it without moving its
     interface, poses a little beside it are solved, too; their answers are starts. So it is where the number
     of answers is odd: real roots of real equations come in pairs, and one is lost where two of them meet.
-    Where there are fewer answers than roots the other elimination is asked.
+    Where there are fewer answers than roots the other elimination is asked. Where roots share a space of
+    vectors because the arm can move so, answers that stand alone are sought beside the pose, too.
 
     Args:
         chain: of the arm.
@@ -95,8 +96,10 @@ def _answers(chain: ChainArrays, ways: tuple[Elimination, ...], T: Array, near: 
     lost = np.isnan(found[:, :, 0]).all(axis=1)
     everywhere = tuple((way, step) for way in ways for step in BESIDE)
     found = _more(chain, T, found, (lost & (regular < CLEAR)) | (regular < REGULAR), everywhere)
-    found = _kept(chain, found, near)
     roots = (~np.isnan(rows[:, :ROOTS, 0])).sum(axis=1)
+    shared = ~np.isnan(rows[:, ROOTS:, 0]).all(axis=1)
+    shared[shared] = [_moves(chain, answers) for answers in found[shared]]
+    found = _kept(chain, _more(chain, T, found, shared, everywhere), near)
     short = np.flatnonzero((~np.isnan(found[:, :, 0])).sum(axis=1) < np.minimum(roots, ROWS))
     if len(short):
         others = tuple((way, 0.0) for way in ways[1:])
@@ -107,6 +110,12 @@ def _answers(chain: ChainArrays, ways: tuple[Elimination, ...], T: Array, near: 
         more = _more(chain, T[odd], found[odd], np.ones(len(odd), np.bool_), everywhere)
         found[odd] = _kept(chain, more, near)
     return found
+
+
+def _moves(chain: ChainArrays, answers: Array) -> bool:
+    """Return whether the arm can move at one of some answers (s, 6) without moving its interface."""
+    rows = answers[~np.isnan(answers[:, 0])]
+    return len(rows) > 0 and bool((least_singular_values(chain, rows) < MOVING).any())
 
 
 def _kept(chain: ChainArrays, answers: Array, near: Array) -> Array:
