@@ -38,7 +38,10 @@ BANDS = {
     "C6": Band("Controller", ("controller",)),
     "S7": Band("Simulation", ("simulation",)),
     "X8": Band("Projects, cell files, models, recordings", (*_FILES, "workbench")),
-    "X9": Band("Robots in files", ("exchange", "express", "nirox", "part21", "robotfile", "workbench")),
+    "X9": Band(
+        "Robots in files",
+        ("exchange", "express", "model", "nirox", "part21", "robotfile", "workbench"),
+    ),
     "U9": Band("Use of the commands", ("cli", "lsp", "studio")),
     "P1": Band("Knowledge bases", ("prolog", "tasks")),
     "W1": Band("Workspaces", ("workspace",)),

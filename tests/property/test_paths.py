@@ -64,8 +64,9 @@ def assert_lawful(path: ToolPath) -> None:
     assert (away >= 0.0).all()
     assert (away <= np.linalg.norm([0.02, -0.01, 0.03]) + ROUNDING).all()
     d1, d2 = tool_differences(path, s, 1e-4 * path.length)
-    assert np.abs(points.d1 - d1).max() * path.length < DIFFERENCES
-    assert np.abs(points.d2 - d2).max() * path.length**2 < 100.0 * DIFFERENCES
+    bend = np.abs(points.d2).max() * path.length  # differences are off by its square and its cube
+    assert np.abs(points.d1 - d1).max() * path.length < DIFFERENCES * (1.0 + (bend / 5.0) ** 2)
+    assert np.abs(points.d2 - d2).max() * path.length**2 < 100.0 * DIFFERENCES * (1.0 + (bend / 8.0) ** 3)
 
 
 @settings(max_examples=60, derandomize=True)

@@ -7,8 +7,8 @@ cylinders of excavators. A number beyond them is told with the unit in which it 
 from collections.abc import Iterator
 
 from ropsim.core import Diagnostic, frozen_dataclass
-from ropsim.model import doubt_diagnostics as kinds
 from ropsim.model.audit_place import Attribute, AuditPlace, PlaceOf
+from ropsim.model.doubt_diagnostics import UNLIKELY_DRIVE
 from ropsim.model.drive import DcMotor
 from ropsim.model.hydraulics import HydraulicCylinder, HydraulicMotor
 from ropsim.model.mechanism import Mechanism
@@ -80,7 +80,7 @@ def drive_doubts(robot: Mechanism, place_of: PlaceOf) -> Iterator[Diagnostic]:
                 continue
             fitting = [unit for unit, size in usual.others if usual.low <= value * size <= usual.high]
             hint = f"is it in {' or '.join(fitting)}?" if fitting else "compare it with the data sheet"
-            yield kinds.UNLIKELY_DRIVE.at(
+            yield UNLIKELY_DRIVE.at(
                 place_of(AuditPlace(axis, Attribute.DRIVE, name)),
                 f"the drive of joint `{joint.name}` has `{name}` = {value:g} {usual.unit}, usual are "
                 f"{usual.low:g} to {usual.high:g} {usual.unit}",

@@ -5,6 +5,11 @@ from enum import Enum
 from ropsim.core import frozen_dataclass, plural
 from ropsim.views.summary import Summary
 
+COLLISION = "S751"
+"""Code of bodies that met on a way."""
+NAMED = 4
+"""Lines on which bodies met are named up to so many, else counted."""
+
 
 class Verdict(Enum):
     """How far a run can be relied on."""
@@ -36,13 +41,31 @@ def verdict(summary: Summary) -> VerdictText:
         )
     if summary.error_count:
         reasons.append(plural(summary.error_count, "error"))
-    failed = bool(reasons)
+    failed, met = bool(reasons), _met(summary)
+    if failed and met:
+        reasons.append(met)
     if summary.warning_count:
         reasons.append(plural(summary.warning_count, "warning"))
     if failed:
         return VerdictText(Verdict.FAILED, "failed: " + ", ".join(reasons))
     end = "ended by hand before the program ended" if summary.stopped_by_hand else "ran to the end"
     if reasons:
-        return VerdictText(Verdict.DOUBTFUL, f"{end} with " + ", ".join(reasons))
+        how = f", but {met}:" if met else " with"
+        return VerdictText(Verdict.DOUBTFUL, f"{end}{how} " + ", ".join(reasons))
     kind = Verdict.DOUBTFUL if summary.stopped_by_hand else Verdict.GOOD
     return VerdictText(kind, f"{end}, no errors, no warnings")
+
+
+def _met(summary: Summary) -> str:
+    """Return on which lines bodies met, in words; empty where none did."""
+    spans = [one.first.span for one in summary.findings if one.first.code == COLLISION]
+    lines = sorted({span.line for span in spans if span})
+    if not spans:
+        return ""
+    if not lines:
+        return "bodies met"
+    if len(lines) > NAMED:
+        return f"bodies met on {len(lines)} lines"
+    *before, last = map(str, lines)
+    where = f"lines {', '.join(before)} and {last}" if before else f"line {last}"
+    return f"bodies met on {where}"

@@ -2,7 +2,7 @@
 
 import pytest
 
-from ropsim.core import Diagnostic, Severity
+from ropsim.core import Diagnostic, Severity, Span
 from ropsim.views import summarize, verdict
 from ropsim.views.verdict import Verdict
 from support.recordings import pick_and_place
@@ -25,3 +25,23 @@ def test_a_run_is_good_only_where_it_came_to_its_end_with_nothing_found(
     findings: tuple[Diagnostic, ...], kind: Verdict
 ) -> None:
     assert verdict(summarize(pick_and_place(1, findings=findings))).kind is kind
+
+
+@pytest.mark.parametrize(
+    ("lines", "said"),
+    [
+        ((), "ran to the end with 1 warning"),
+        ((9, 9), "ran to the end, but bodies met on line 9: 3 warnings"),
+        ((9, 17, 9), "ran to the end, but bodies met on lines 9 and 17: 4 warnings"),
+        ((1, 2, 3, 4), "ran to the end, but bodies met on lines 1, 2, 3 and 4: 5 warnings"),
+        ((1, 2, 3, 4, 5), "ran to the end, but bodies met on 5 lines: 6 warnings"),
+    ],
+)
+def test_lines_on_which_bodies_met_are_said_before_all_else(lines: tuple[int, ...], said: str) -> None:
+    met = [
+        Diagnostic("S751", "collision", Severity.WARNING, f"{k}", span=Span.whole_line("main.task", line))
+        for k, line in enumerate(lines)
+    ]
+    assert verdict(summarize(pick_and_place(1, findings=(WARNED, *met)))).text == said
+    failed = verdict(summarize(pick_and_place(1, findings=(WRONG, *met)))).text
+    assert ("bodies met" in failed) == bool(lines)
