@@ -129,7 +129,9 @@ def _refusals(robot: RobotModel) -> Iterator[Diagnostic]:
     ):
         if found:
             message = f"`{robot.name}` has {what}, a robot file has one chain of turning and sliding joints"
-            yield NOT_IN_ROBOT_FILE.at(None, message)
+            yield NOT_IN_ROBOT_FILE.at(
+                None, message, hint="a NIROX file holds all of it: let its name end in .stp"
+            )
 
 
 def _losses(robot: RobotModel, undrawn: Sequence[str]) -> Iterator[Diagnostic]:
