@@ -46,8 +46,12 @@ wild_poses = st.builds(lambda *p: Pose(np.array(p)), wild, wild, wild)
 
 
 def unbent(path: ToolPath, s: Array) -> bool:
-    """Return whether differences over a thousandth of the way see the path as smooth."""
-    return bool(np.abs(path.tool(s).d2).max() * path.length < 50.0)
+    """Return whether differences over 10⁻⁴ of the way see the path as smooth.
+
+    Of 570 random splines such ones are off by 10⁻⁸ in d1 and 10⁻⁷ in d2 at the most, those with 40 to 50 by
+    3·10⁻⁶ and 0.08: differences grow with the third and the fourth derivative.
+    """
+    return bool(np.abs(path.tool(s).d2).max() * path.length < 10.0)
 
 
 def assert_lawful(path: ToolPath) -> None:
@@ -63,12 +67,9 @@ def assert_lawful(path: ToolPath) -> None:
     away = path.distance(moved)
     assert (away >= 0.0).all()
     assert (away <= np.linalg.norm([0.02, -0.01, 0.03]) + ROUNDING).all()
-    rough, fine = (tool_differences(path, s, step * path.length) for step in (1e-4, 5e-5))
-    for told, one, other, scale in zip(
-        (points.d1, points.d2), rough, fine, (path.length, path.length**2 / 100.0), strict=True
-    ):
-        off = np.abs(other - one)  # where a path bends at once, differences are off, of half the way less
-        assert ((np.abs(told - other) - off) * scale).max() < DIFFERENCES
+    d1, d2 = tool_differences(path, s, 1e-4 * path.length)
+    assert np.abs(points.d1 - d1).max() * path.length < DIFFERENCES
+    assert np.abs(points.d2 - d2).max() * path.length**2 < 100.0 * DIFFERENCES
 
 
 @settings(max_examples=60, derandomize=True)
