@@ -69,7 +69,7 @@ def show(options: argparse.Namespace, output: Output) -> int:
     from ropsim.nirox import ConformanceClass, conformance_of
 
     class_ = conformance_of(robot)
-    lines = [f"{robot.name}: {robot.title}, {robot.n} axes"]
+    lines = [f"{robot.name}: {robot.title}, {robot.n} {'axis' if robot.n == 1 else 'axes'}"]
     if Path(options.name).suffix.lower() in _NIROX:
         demands = [one.value for one in ConformanceClass if one.name <= class_.name]
         lines.append(f"NIROX class {class_.name}: {', '.join(demands)}")

@@ -46,7 +46,7 @@ def test_the_solver_says_that_it_is_numeric_and_why() -> None:
         "sliding joint, spherical wrist": "it has 7 joints, the class has 6",
         "SCARA": "it has 7 joints, the class has 4",
         "planar two-link": "it has 7 joints, the class has 2",
-        "level wrist": "it has 7 axes, the class has 4",
+        "level wrist": "it has 7 joints, the class has 4",
         "S-R-S": "joint `3` is prismatic",
         "general six-axis": "it has 7 joints, the class has 6",
         "general seven-axis": "joint `3` is prismatic",

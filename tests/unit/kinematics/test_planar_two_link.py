@@ -132,7 +132,7 @@ def test_limits_are_looked_at() -> None:
     [
         (random_arm(1, "RR"), "its axes are not parallel"),
         (random_arm(1, "RP"), "joint `2` is prismatic"),
-        (random_arm(1, "R"), "it has 1 joints, the class has 2"),
+        (random_arm(1, "R"), "it has 1 joint, the class has 2"),
         (arm((DhRow(0.5, 0.0, 0.1), DhRow(0.0, 0.0, 0.1))), "one of its two links has no length"),
     ],
 )

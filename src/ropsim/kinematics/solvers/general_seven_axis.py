@@ -4,6 +4,7 @@ from typing import ClassVar
 
 import numpy as np
 
+from ropsim.core import plural
 from ropsim.kinematics.arrays import ChainArrays, chain_arrays
 from ropsim.kinematics.configurations import configurations
 from ropsim.kinematics.forward import frames_of
@@ -108,7 +109,7 @@ def recognise(robot: RobotModel) -> GeneralSevenAxisSolver | str:
     """Return the solver of an arm of the class, or the condition that another arm misses."""
     chain = chain_arrays(robot)
     if robot.n != 7:
-        return f"it has {robot.n} joints, the class has 7"
+        return f"it has {plural(robot.n, 'joint')}, the class has 7"
     if not chain.parallel:
         return COUPLED
     for joint in robot.axis_joints:

@@ -17,6 +17,7 @@ from typing import ClassVar
 
 import numpy as np
 
+from ropsim.core import plural
 from ropsim.kinematics.arrays import ChainArrays, chain_arrays
 from ropsim.kinematics.polish import TASK_SLACK, checked, polished
 from ropsim.kinematics.posture import Posture
@@ -148,7 +149,7 @@ class LevelWristSolver:
 def recognise(robot: RobotModel) -> LevelWristSolver | str:
     """Return the solver of an arm of the class, or the condition that another arm misses."""
     if robot.n != 4:
-        return f"it has {robot.n} axes, the class has 4"
+        return f"it has {plural(robot.n, 'joint')}, the class has 4"
     chain = chain_arrays(robot)
     if chain.parallel or len(chain.slides) != 5 or chain.slides.any():
         return "its interface is not moved by five rotations that are coupled"

@@ -10,6 +10,7 @@ from typing import ClassVar
 
 import numpy as np
 
+from ropsim.core import plural
 from ropsim.kinematics.arrays import ChainArrays, chain_arrays
 from ropsim.kinematics.forward import frames_of
 from ropsim.kinematics.polish import TASK_SLACK, checked, polished
@@ -97,7 +98,7 @@ def recognise(robot: RobotModel) -> PlanarTwoLinkSolver | str:
     """Return the solver of an arm of the class, or the condition that another arm misses."""
     chain = chain_arrays(robot)
     if robot.n != 2:
-        return f"it has {robot.n} joints, the class has 2"
+        return f"it has {plural(robot.n, 'joint')}, the class has 2"
     if not chain.parallel:
         return COUPLED
     for joint in robot.axis_joints:

@@ -10,6 +10,7 @@ from typing import ClassVar
 
 import numpy as np
 
+from ropsim.core import plural
 from ropsim.kinematics.arrays import ChainArrays, chain_arrays
 from ropsim.kinematics.polish import TASK_SLACK, checked, polished
 from ropsim.kinematics.posture import Posture
@@ -90,7 +91,7 @@ def recognise(robot: RobotModel) -> ScaraSolver | str:
     """Return the solver of an arm of the class, or the condition that another arm misses."""
     chain = chain_arrays(robot)
     if robot.n != 4:
-        return f"it has {robot.n} joints, the class has 4"
+        return f"it has {plural(robot.n, 'joint')}, the class has 4"
     if not chain.parallel:
         return COUPLED
     turning = [i for i, joint in enumerate(robot.axis_joints) if joint.type is JointType.REVOLUTE]

@@ -97,9 +97,10 @@ def _answers(chain: ChainArrays, ways: tuple[Elimination, ...], T: Array, near: 
     everywhere = tuple((way, step) for way in ways for step in BESIDE)
     found = _more(chain, T, found, (lost & (regular < CLEAR)) | (regular < REGULAR), everywhere)
     roots = (~np.isnan(rows[:, :ROOTS, 0])).sum(axis=1)
-    shared = ~np.isnan(rows[:, ROOTS:, 0]).all(axis=1)
-    shared[shared] = [_moves(chain, answers) for answers in found[shared]]
-    found = _kept(chain, _more(chain, T, found, shared, everywhere), near)
+    shared = np.flatnonzero(~np.isnan(rows[:, ROOTS:, 0]).all(axis=1))
+    moving = np.zeros(len(T), np.bool_)
+    moving[shared] = [_moves(chain, answers) for answers in found[shared]]
+    found = _kept(chain, _more(chain, T, found, moving, everywhere), near)
     short = np.flatnonzero((~np.isnan(found[:, :, 0])).sum(axis=1) < np.minimum(roots, ROWS))
     if len(short):
         others = tuple((way, 0.0) for way in ways[1:])

@@ -10,6 +10,7 @@ from typing import ClassVar
 
 import numpy as np
 
+from ropsim.core import plural
 from ropsim.kinematics.arrays import ChainArrays, chain_arrays
 from ropsim.kinematics.polish import POSE_SLACK, checked, polished
 from ropsim.kinematics.posture import Posture
@@ -113,7 +114,7 @@ def recognise(robot: RobotModel) -> SlidingWristSolver | str:
     """Return the solver of an arm of the class, or the condition that another arm misses."""
     chain = chain_arrays(robot)
     if robot.n != 6:
-        return f"it has {robot.n} joints, the class has 6"
+        return f"it has {plural(robot.n, 'joint')}, the class has 6"
     if not chain.parallel:
         return COUPLED
     kinds = [joint.type for joint in robot.axis_joints]
