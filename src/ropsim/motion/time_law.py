@@ -164,7 +164,7 @@ def plan_time_law(stages: Sequence[Stage]) -> TimeLaw:
         dtype=np.float64,
     )
     p = len(bounds)
-    ways, courses = np.empty((3, 9, p + 1)), np.empty((3, 8, _SEGMENTS * p))
+    ways, courses = np.empty((3, 10, p + 1)), np.empty((3, 8, _SEGMENTS * p))
     rows, ends, told = np.empty((8, 2 * _SEGMENTS * p)), np.empty(p), np.empty(2)
     time_law_kernel.plan_segments(bounds, ways, courses, rows, ends, told)
     count, wrong = told.tolist()

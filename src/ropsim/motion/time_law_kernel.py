@@ -13,7 +13,8 @@ Trajectory Planning for Automatic Machines and Robots, section 3.4).
 
 In a table of a way stand, piece by piece: length, speed, acceleration, jerk, bound of the speed at its start,
 horizon; then, where a rise starts at a piece, its first segment, the one behind its last, and the speed to
-which its end can be levelled off. The last column is the end of the way. In a table of segments stand piece,
+which its end can be levelled off; at last the speed at its start from which all of the rest can be made. The
+last column is the end of the way. In a table of segments stand piece,
 place, speed, acceleration, jerk, duration, place at the end, and the speed to which its start can be levelled
 off.
 """
@@ -43,7 +44,7 @@ def plan_segments(bounds: Array, ways: Array, courses: Array, rows: Array, ends:
     Args:
         bounds: of the pieces in columns: length, speed, acceleration, jerk, ratio, horizon (see `Stage`), of
             shape (p, 6).
-        ways: room for the tables of the way there, the way back, and units and lengths, shape (3, 9, p + 1).
+        ways: room for the tables of the way there, the way back, and units and lengths, shape (3, 10, p + 1).
         courses: room for the tables of rises, of falls, and for segments on the way back, of shape
             (3, 8, 8·p).
         rows: where the segments go: piece, time at the start [s], place, speed, acceleration, jerk, duration
@@ -85,9 +86,11 @@ def _lay_out(bounds: Array, ways: Array) -> int:
         gone[i + 1] = gone[i] + there[0, i]
         there[4, i] = 0.0 if i == 0 or bounds[i, 4] == 0.0 else min(there[1, i - 1], there[1, i])
     there[4, p] = 0.0
-    for i in range(p - 1):
-        if there[5, i] < inf and there[4, i + 1] > 0.0:
-            there[4, i + 1] = min(there[4, i + 1], _stoppable(there, i + 1, 0.0, int(there[5, i])))
+    if _look_ahead(there):
+        for i in range(p - 1):
+            if there[5, i] < inf and there[4, i + 1] > 0.0:
+                there[4, i + 1] = min(there[4, i + 1], _stoppable(there, i + 1, 0.0, int(there[5, i])))
+        _look_ahead(there)
     for i in range(p):
         for k in range(4):
             back[k, i] = there[k, p - 1 - i]
@@ -129,13 +132,32 @@ def _is_wrong(bounds: Array, way: Array, i: int) -> bool:
     return not (bounds[i, 5] == -1.0 or bounds[i, 5] >= i)
 
 
+def _look_ahead(way: Array) -> bool:
+    """Write from which speeds, without acceleration, the motion can stop at the end; say if a horizon counts."""
+    p, limited = way.shape[1] - 1, False
+    for i in range(p):
+        limited = limited or way[5, i] < inf
+    way[9, p] = 0.0
+    for k in range(p - 1, -1, -1):
+        if not limited:
+            break
+        way[9, k] = min(_reached(way[9, k + 1], way[0, k], way[2, k], way[3, k]), way[4, k])
+    return limited
+
+
 def _stoppable(way: Array, piece: int, place: float, last: int) -> float:
-    """Return a speed, without acceleration, from which the motion can stop before the end of a last piece."""
+    """Return a speed, without acceleration, from which the motion can stop before the end of a last piece.
+
+    What lies behind that piece matters no more where both are as fast.
+    """
     if piece > last:
         return 0.0
     speed = 0.0
     for k in range(last, piece, -1):
         speed = min(_reached(speed, way[0, k], way[2, k], way[3, k]), way[4, k])
+        if speed == way[9, k]:
+            speed = way[9, piece + 1]
+            break
     speed = _reached(speed, way[0, piece] - place, way[2, piece], way[3, piece])
     return float(min(speed, way[1, piece]))
 
