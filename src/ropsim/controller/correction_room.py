@@ -1,5 +1,6 @@
 """How much of a correction the joints of an arm leave room for, and what shifts its references."""
 
+from contextlib import suppress
 from typing import NamedTuple
 
 import numpy as np
@@ -21,6 +22,8 @@ _LOOK_SIDEWAYS = 4e-3
 _SLOWEST = 5e-3
 """Speed that the joints must leave to a correction, or the posture is too near a singular one [m/s]."""
 _TINY = 1e-12
+_LONG = 1e6
+"""A joint step so many times as large as that of the tool is one at a singular posture [rad/m]."""
 _STEPS = 6
 _CLOSED = 1e-9
 """What may be left between a pose and that of the joints [m, rad]."""
@@ -190,6 +193,11 @@ class ShiftedArm:
 
 def _least(J: Array, twist: Array) -> Array:
     """Return the smallest joint step that makes a step of the tool."""
+    if J.shape == (6, 6):
+        with suppress(np.linalg.LinAlgError):
+            step = np.asarray(np.linalg.solve(J, twist), dtype=np.float64)
+            if float(np.abs(step).max()) <= _LONG * float(np.abs(twist).max()):
+                return step  # the only one: no joint is left free
     return np.asarray(np.linalg.lstsq(J, twist, rcond=1e-9)[0])
 
 

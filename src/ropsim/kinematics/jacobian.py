@@ -4,9 +4,11 @@ import numpy as np
 import numpy.typing as npt
 
 from ropsim.kinematics.arrays import ChainArrays, chain_arrays, joint_vector
-from ropsim.kinematics.forward import frames_of
+from ropsim.kinematics.steps_kernel import frames_and_jacobians
 from ropsim.model import Mechanism
-from ropsim.spatial import Array, Pose, cross
+from ropsim.spatial import Array, Pose
+
+_AT_INTERFACE = Pose().matrix()
 
 
 def jacobian(robot: Mechanism, q: npt.ArrayLike) -> Array:
@@ -43,14 +45,11 @@ def jacobian_at(robot: Mechanism, q: npt.ArrayLike, X_MT: Pose) -> Array:
         ArrayShapeError: M551, q has another shape.
         NotFiniteError: M552, q holds NaN or infinity.
     """
-    chain = chain_arrays(robot)
-    frames = frames_of(chain, joint_vector(robot, q)[np.newaxis])[0]
-    X_BM = frames[-1]
-    return _of_point(chain, frames, X_BM[:3, :3] @ X_MT.position + X_BM[:3, 3])
+    return frame_and_jacobian(robot, q, X_MT)[1]
 
 
 def frame_and_jacobian(robot: Mechanism, q: npt.ArrayLike, X_MT: Pose) -> tuple[Array, Array]:
-    """Return X_BT of a tool, homogeneous (4, 4), and what `jacobian_at` returns, in the time of one of them.
+    """Return X_BT of a tool, homogeneous (4, 4), and what `jacobian_at` returns, at once.
 
     Args:
         robot: mechanism with n axes.
@@ -61,25 +60,20 @@ def frame_and_jacobian(robot: Mechanism, q: npt.ArrayLike, X_MT: Pose) -> tuple[
         ArrayShapeError: M551, q has another shape.
         NotFiniteError: M552, q holds NaN or infinity.
     """
-    chain = chain_arrays(robot)
-    frames = frames_of(chain, joint_vector(robot, q)[np.newaxis])[0]
-    X_BT = np.asarray(frames[-1] @ X_MT.matrix())
-    return X_BT, _of_point(chain, frames, X_BT[:3, 3])
+    T, J = _at_rows(chain_arrays(robot), joint_vector(robot, q)[np.newaxis], X_MT.matrix())
+    return T[0], J[0]
 
 
 def least_singular_values(chain: ChainArrays, rows: Array) -> Array:
     """Return the least singular value of `jacobian` [m, rad] at configurations (k, n), shape (k,)."""
-    frames = frames_of(chain, rows)
-    J = np.array([_of_point(chain, one, one[-1, :3, 3]) for one in frames])
+    _, J = _at_rows(chain, rows, _AT_INTERFACE)
     return np.asarray(np.linalg.svd(J, compute_uv=False)[:, -1])
 
 
-def _of_point(chain: ChainArrays, frames: Array, p_BT: Array) -> Array:
-    """Return the Jacobian of a point of the interface for frames of the steps and its own, (m + 1, 4, 4)."""
-    axes = frames[:-1, :3, 2]  # (m, 3)
-    levers = p_BT - frames[:-1, :3, 3]  # (m, 3)
-    slides = chain.slides[:, np.newaxis] > 0.0  # (m, 1)
-    linear = np.where(slides, axes, cross(axes, levers))
-    angular = np.where(slides, 0.0, axes)
-    J = np.concatenate((linear, angular), axis=1).T  # of the steps
-    return J if chain.parallel else np.asarray(J @ chain.spread[:, :-1])
+def _at_rows(chain: ChainArrays, rows: Array, X_MT: Array) -> tuple[Array, Array]:
+    """Return X_BT (k, 4, 4) and the Jacobians of its origin (k, 6, n) at configurations (k, n)."""
+    m, Q = len(chain.slides), np.ascontiguousarray(rows, dtype=np.float64)
+    T, J = np.empty((len(Q), 4, 4)), np.empty((len(Q), 6, chain.n))
+    frames, lanes = np.empty((m + 1, 12)), np.empty((7, m))
+    frames_and_jacobians(chain.flat, chain.spread, Q, X_MT, frames, lanes, T, J)
+    return T, J

@@ -6,9 +6,10 @@ so that the steps become Newton's, and keeps joints still that a singular config
 Yuan 2005; for robots Sugihara 2011); μ falls after a step that helps and grows after one that does not.
 """
 
-from math import atan2, ceil, cos, pi, sin, sqrt
+from math import atan2, ceil, pi, sqrt
 
 from ropsim.codegen import kernel
+from ropsim.kinematics.steps_kernel import axis_columns, place_steps, spread_over
 from ropsim.spatial import Array
 
 GOAL = 1e-14
@@ -86,22 +87,22 @@ def _descend(
     """
     n, last = q.shape[0], frames.shape[0] - 1
     e, trial = room[6], room[8]
-    _spread(spread, q, lanes[6])
-    _place(chain, lanes[6], frames)
+    spread_over(spread, q, lanes[6])
+    place_steps(chain, lanes[6], frames)
     error = _error(frames[last], X, e)
     mu, stalls = 1.0, 0
     for _ in range(steps):
         if error <= GOAL or stalls > STALLS:
             break
-        _jacobian(chain, spread, frames, room, lanes)
+        axis_columns(chain, spread, frames, room, lanes)
         helped, tried = False, error
         for _ in range(12):
             longest = _step(room, mu * error)
             scale = LONGEST_STEP / longest if longest > LONGEST_STEP else 1.0
             for i in range(n):
                 trial[i] = q[i] + scale * room[7, i]
-            _spread(spread, trial, lanes[6])
-            _place(chain, lanes[6], frames)
+            spread_over(spread, trial, lanes[6])
+            place_steps(chain, lanes[6], frames)
             tried = _error(frames[last], X, room[9])
             if tried < error:
                 helped = True
@@ -117,8 +118,8 @@ def _descend(
         error = _error(frames[last], X, e)
     if steps > 0 and error <= GOAL:
         _end(chain, spread, X, q, error, frames, room, lanes, mu * error)
-    _spread(spread, q, lanes[6])
-    _place(chain, lanes[6], frames)
+    spread_over(spread, q, lanes[6])
+    place_steps(chain, lanes[6], frames)
 
 
 def _end(
@@ -135,58 +136,16 @@ def _end(
     """Make a last step of q (n,), to which frames belong, where it is long and halves the error at least."""
     n, last = q.shape[0], frames.shape[0] - 1
     trial = room[8]
-    _jacobian(chain, spread, frames, room, lanes)
+    axis_columns(chain, spread, frames, room, lanes)
     if not _step(room, damping) > FAR:
         return
     for i in range(n):
         trial[i] = q[i] + room[7, i]
-    _spread(spread, trial, lanes[6])
-    _place(chain, lanes[6], frames)
+    spread_over(spread, trial, lanes[6])
+    place_steps(chain, lanes[6], frames)
     if _error(frames[last], X, room[9]) < 0.5 * error:
         for i in range(n):
             q[i] = trial[i]
-
-
-def _spread(spread: Array, q: Array, steps: Array) -> None:
-    """Write the coordinates of the steps (m,) for those of the axes, the first n numbers of q."""
-    n = spread.shape[1] - 1
-    for i in range(steps.shape[0]):
-        if spread.shape[0] == 0:
-            steps[i] = q[i]
-        else:
-            total = spread[i, n]
-            for j in range(n):
-                total += spread[i, j] * q[j]
-            steps[i] = total
-
-
-def _place(chain: Array, q: Array, frames: Array) -> None:
-    """Write the frames of all steps and of the interface, R by rows and p, to frames (m + 1, 12)."""
-    n = frames.shape[0] - 1
-    for i in range(n + 1):
-        X, at = frames[i], 14 * i
-        turn = slide = 0.0
-        if i < n:
-            turn = q[i] + chain[at + 13]
-            slide = turn * chain[at + 12]
-            turn -= slide
-        co, si = cos(turn), sin(turn)
-        for r in range(3):
-            a, b, c, d = 1.0, 0.0, 0.0, 0.0
-            if r == 1:
-                a, b = 0.0, 1.0
-            elif r == 2:
-                a, c = 0.0, 1.0
-            if i > 0:
-                W = frames[i - 1]
-                a, b, c, d = W[3 * r], W[3 * r + 1], W[3 * r + 2], W[9 + r]
-            x = a * chain[at] + b * chain[at + 3] + c * chain[at + 6]
-            y = a * chain[at + 1] + b * chain[at + 4] + c * chain[at + 7]
-            z = a * chain[at + 2] + b * chain[at + 5] + c * chain[at + 8]
-            X[9 + r] = d + a * chain[at + 9] + b * chain[at + 10] + c * chain[at + 11] + z * slide
-            X[3 * r] = x * co + y * si
-            X[3 * r + 1] = y * co - x * si
-            X[3 * r + 2] = z
 
 
 def _error(M: Array, X: Array, e: Array) -> float:
@@ -213,36 +172,6 @@ def _error(M: Array, X: Array, e: Array) -> float:
         vz = pi * sqrt(max(0.5 * (c22 + 1.0), 0.0)) * (1.0 if c02 + c20 >= 0.0 else -1.0)
     e[0], e[1], e[2], e[3], e[4], e[5] = dx, dy, dz, vx, vy, vz
     return sqrt(dx * dx + dy * dy + dz * dz + vx * vx + vy * vy + vz * vz)
-
-
-def _jacobian(chain: Array, spread: Array, frames: Array, room: Array, lanes: Array) -> None:
-    """Write the Jacobian of the interface to the first six rows of `room`, as in `jacobian.py`."""
-    if spread.shape[0] == 0:
-        _columns(chain, frames, room)
-        return
-    _columns(chain, frames, lanes)
-    for i in range(room.shape[0] - 10):
-        for r in range(6):
-            total = 0.0
-            for k in range(spread.shape[0]):
-                total += lanes[r, k] * spread[k, i]
-            room[r, i] = total
-
-
-def _columns(chain: Array, frames: Array, J: Array) -> None:
-    """Write the Jacobian of the interface for the steps to the first six rows of J."""
-    m = frames.shape[0] - 1
-    M = frames[m]
-    for i in range(m):
-        X = frames[i]
-        ax, ay, az = X[2], X[5], X[8]
-        if chain[14 * i + 12] > 0.0:
-            J[0, i], J[1, i], J[2, i] = ax, ay, az
-            J[3, i] = J[4, i] = J[5, i] = 0.0
-        else:
-            x, y, z = M[9] - X[9], M[10] - X[10], M[11] - X[11]
-            J[0, i], J[1, i], J[2, i] = ay * z - az * y, az * x - ax * z, ax * y - ay * x
-            J[3, i], J[4, i], J[5, i] = ax, ay, az
 
 
 def _step(room: Array, damping: float) -> float:

@@ -133,7 +133,7 @@ def _is_wrong(bounds: Array, way: Array, i: int) -> bool:
 
 
 def _look_ahead(way: Array) -> bool:
-    """Write from which speeds, without acceleration, the motion can stop at the end; say if a horizon counts."""
+    """Write from which speeds, without acceleration, it can stop at the end; say whether a horizon counts."""
     p, limited = way.shape[1] - 1, False
     for i in range(p):
         limited = limited or way[5, i] < inf
