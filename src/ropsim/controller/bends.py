@@ -5,8 +5,9 @@ from collections.abc import Callable
 import numpy as np
 import numpy.typing as npt
 
-from ropsim.controller.bends_kernel import ACROSS, ALONG, D1, SHARE, TINY, bounds_of
-from ropsim.motion import JointMotionLimits
+from ropsim.controller.bends_kernel import ACROSS, ALONG, D1, bounds_of
+from ropsim.controller.curve_bends_kernel import ROUNDS, bends_along
+from ropsim.motion import Curve, JointMotionLimits
 from ropsim.spatial import Array, record
 
 Look = Callable[[Array], tuple[Array, Array]]
@@ -14,8 +15,8 @@ Look = Callable[[Array], tuple[Array, Array]]
 
 _FEWEST = 9
 """Places that are looked at, at least."""
-_ROUNDS = 6
-"""How often cells are halved at most."""
+_ROOM = 8
+"""Times as many places as in the grid of a curve for which there is room."""
 
 
 @record
@@ -51,6 +52,21 @@ class Bends:
         return self.table[ACROSS : ACROSS + 2]
 
 
+@record
+class CurveBends:
+    """The bends of a curve of the tool.
+
+    Attributes:
+        bends: of position and orientation.
+        d1: the greatest size of their first derivatives where it was looked.
+        d2: the same of second ones.
+    """
+
+    bends: Bends
+    d1: float
+    d2: float
+
+
 def bends_of(look: Look, grid: Array, limits: JointMotionLimits) -> Bends:
     """Return bounds that are close where the bend counts.
 
@@ -70,7 +86,7 @@ def bends_of(look: Look, grid: Array, limits: JointMotionLimits) -> Bends:
         s = np.insert(s, np.arange(1, len(s)), 0.5 * (s[:-1] + s[1:]))
     d1, d2 = look(s)
     rates = np.array((limits.speed, limits.acceleration, limits.jerk))
-    for _ in range(_ROUNDS):
+    for _ in range(ROUNDS):
         found, cells = _bounds(s, d1, d2, rates)
         if len(cells) == 0:
             return found
@@ -83,17 +99,35 @@ def bends_of(look: Look, grid: Array, limits: JointMotionLimits) -> Bends:
     return _bounds(s, d1, d2, rates)[0]
 
 
-def bent_speeds(bends: Bends, limits: JointMotionLimits) -> Array:
-    """Return the highest speeds at which bends take no more than their share in the cells, shape (k,).
+def bends_of_curve(curve: Curve, limits: JointMotionLimits) -> CurveBends | None:
+    """Return what `bends_of` finds on a curve, looked at from its own grid on; None where it is too uneven.
 
     Args:
-        bends: of the path.
-        limits: of the parts, each of shape (p,).
+        curve: of the tool.
+        limits: of position and orientation, each of shape (2,).
     """
-    second, third = (np.hypot(*both) for both in zip(bends.along, bends.across, strict=True))
-    by_acceleration = np.sqrt(SHARE * limits.acceleration / np.maximum(second, TINY))
-    by_jerk = np.cbrt(SHARE * limits.jerk / np.maximum(third, TINY))
-    return np.asarray(np.minimum(by_acceleration, by_jerk).min(axis=1))
+    grid = curve.own_grid()
+    m = _ROOM * len(grid)
+    s, rows, told = np.empty(m), np.empty((2, m, 6)), np.array([float(len(grid)), 0.0, 0.0])
+    s[: len(grid)] = grid
+    table, rates = np.empty(20 * m), np.array((limits.speed, limits.acceleration, limits.jerk))
+    bends_along(
+        *curve.numbers,
+        rates,
+        s,
+        np.empty(m),
+        np.empty((m, 4, 4)),
+        rows,
+        np.empty((2, m, 6)),
+        rows.reshape(2 * m, 2, 3),
+        table,
+        told,
+    )
+    count, d1, d2 = told.tolist()
+    if not count:
+        return None
+    k = int(count) - 1
+    return CurveBends(Bends(np.diff(s[: k + 1]), table[: 10 * k].reshape(5, k, 2)), d1, d2)
 
 
 def _bounds(s: Array, d1: Array, d2: Array, rates: Array) -> tuple[Bends, npt.NDArray[np.intp]]:

@@ -1,4 +1,4 @@
-"""Bounds of a bent path cell by cell, and what may be gone there, in plain loops that numba compiles.
+"""Bounds of a bent path cell by cell, and speeds that its bends allow, in plain loops that numba compiles.
 
 What is no number stays none: a path that turns back in a point has such bounds.
 """
@@ -16,8 +16,6 @@ CLOSE = 0.97
 """Cells are loose where bounds of what lies between places cost more of the speed than the rest to 1."""
 SHARE = 0.9
 """Of acceleration and of jerk that the bend alone may take; the rest is for changes of speed."""
-MIXED = 0.5
-"""Share of the jerk that a bend leaves along the path that is given up for changes of speed in the bend."""
 TINY = 1e-150
 """Sizes below this count as this, so that nothing is divided by 0."""
 D1, ALONG, ACROSS = 0, 1, 3
@@ -73,70 +71,17 @@ def bounds_of(s: Array, d1: Array, d2: Array, limits: Array, bounds: Array, loos
         loose[i] = 1.0 if _fastest(bounds, 0, i, limits) < CLOSE * wanted else 0.0
 
 
-@kernel("void(f8[:,:,::1], f8[:,::1], f8[::1], f8[::1], f8[:,::1])")
-def room_of(bounds: Array, limits: Array, speeds: Array, cubes: Array, out: Array) -> None:
-    """Write the speeds, accelerations and jerks along a path that hold together in k cells.
+@kernel("void(f8[:,:,::1], f8[:,::1], f8[::1])")
+def bend_speeds(bounds: Array, limits: Array, out: Array) -> None:
+    """Write the highest speeds at which bends take no more than their share in k cells.
 
     Args:
         bounds: of the derivatives, rows as above, shape (5 or more, k, p).
         limits: of speed, acceleration and jerk of the parts, shape (3, p).
-        speeds: with which the cells are walked, shape (k,).
-        cubes: their third powers, shape (k,).
-        out: where all three go, shape (k, 3).
+        out: where they go, shape (k,).
     """
     for i in range(bounds.shape[1]):
-        v, a, j = speeds[i], np.inf, np.inf
-        for part in range(bounds.shape[2]):
-            d1 = _greater(bounds[D1, i, part], TINY)
-            second, second_across = bounds[ALONG, i, part], bounds[ACROSS, i, part]
-            most, jerk = limits[1, part], limits[2, part]
-            along, across = bounds[ALONG + 1, i, part] * cubes[i], bounds[ACROSS + 1, i, part] * cubes[i]
-            bent = second_across * (v * v)
-            room = sqrt(_greater(most * most - bent * bent, 0.0)) - second * (v * v)
-            left = MIXED * (sqrt(_greater(jerk * jerk - across * across, 0.0)) - along)
-            rest = sqrt(_greater(jerk * jerk - (along + left) * (along + left), 0.0)) - across
-            mixed = _lesser(left / _greater(second * v, TINY), rest / _greater(second_across * v, TINY))
-            a = _lesser(a, _lesser(room / d1, mixed / 3.0))
-        for part in range(bounds.shape[2]):
-            d1, jerk = _greater(bounds[D1, i, part], TINY), limits[2, part]
-            along, across = bounds[ALONG + 1, i, part] * cubes[i], bounds[ACROSS + 1, i, part] * cubes[i]
-            across += 3.0 * bounds[ACROSS, i, part] * v * a
-            along += 3.0 * bounds[ALONG, i, part] * v * a
-            j = _lesser(j, (sqrt(_greater(jerk * jerk - across * across, 0.0)) - along) / d1)
-        out[i, 0], out[i, 1], out[i, 2] = v, a, j
-
-
-@kernel("void(f8[::1], f8[:,::1], f8[::1], f8[:,::1], f8[::1])")
-def join_alike(lengths: Array, bounds: Array, ratios: Array, out: Array, told: Array) -> None:
-    """Write cells, of neighbours with similar bounds one, with the least of each bound.
-
-    Args:
-        lengths: of k cells, shape (k,).
-        bounds: of their speeds, accelerations and jerks, shape (k, 3).
-        ratios: factors by which these differ at most in what becomes one, shape (3,).
-        out: where lengths and bounds go, then the greatest of the bounds, shape (k, 7).
-        told: where their number goes, shape (1,).
-    """
-    count = 0
-    for i in range(lengths.shape[0]):
-        row = count - 1
-        alike = count > 0
-        for kind in range(3):
-            if alike:
-                low = min(out[row, 1 + kind], bounds[i, kind])
-                high = max(out[row, 4 + kind], bounds[i, kind])
-                alike = high <= ratios[kind] * low
-        if not alike:
-            row = count
-            count += 1
-            out[row, 0] = 0.0
-            for kind in range(3):
-                out[row, 1 + kind] = out[row, 4 + kind] = bounds[i, kind]
-        out[row, 0] += lengths[i]
-        for kind in range(3):
-            out[row, 1 + kind] = min(out[row, 1 + kind], bounds[i, kind])
-            out[row, 4 + kind] = max(out[row, 4 + kind], bounds[i, kind])
-    told[0] = count
+        out[i] = _fastest(bounds, 0, i, limits)
 
 
 def _size(vector: Array) -> float:

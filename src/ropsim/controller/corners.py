@@ -13,7 +13,7 @@ from ropsim.controller.tracing import trace
 from ropsim.controller.wrist_corner import are_led, wrist_corner
 from ropsim.flow import MoveInstruction
 from ropsim.kinematics import forward_batch
-from ropsim.motion import CornerFault, JointPath, ToolPath, corner, enter, leave
+from ropsim.motion import CornerFault, JointPath, Line, ToolPath, corner, enter, leave
 from ropsim.spatial import Array, record
 
 _HALF = 0.5
@@ -94,8 +94,8 @@ def corner_between(chain: MotionChain, before: Leg, behind: Leg) -> Corner | Sto
     if before.joints is None or behind.joints is None:
         return Stop.NO_WAY
     meeting = meeting_of(before, behind)
-    one = _Way(chain, before, before.joints, meeting.before if meeting else _in_base(before))
-    other = _Way(chain, behind, behind.joints, meeting.behind if meeting else _in_base(behind))
+    one = _way(chain, before, before.joints, meeting.before if meeting else _in_base(before))
+    other = _way(chain, behind, behind.joints, meeting.behind if meeting else _in_base(behind))
     halves, zone = (_HALF * one.length, _HALF * other.length), commanded_zone(chain, before.move)
     if zone < _LEAST:
         return Stop.TOO_SMALL
@@ -103,8 +103,7 @@ def corner_between(chain: MotionChain, before: Leg, behind: Leg) -> Corner | Sto
         zone = min(zone, one.distance(halves[0], one.length), other.distance(halves[1], 0.0))
         if zone < _LEAST:
             return Stop.STANDS
-    s_leave = leave(one.positions, one.length, zone, halves[0])
-    s_enter = enter(other.positions, other.length, zone, halves[1])
+    s_leave, s_enter = one.leave(zone, halves[0]), other.enter(zone, halves[1])
     distances = one.distance(s_leave, one.length), other.distance(s_enter, 0.0)
     flown = max(distances)
     if meeting:
@@ -159,7 +158,36 @@ class _Way:
         matrices = forward_batch(self._robot, self._joints.joints(places).q)
         return np.asarray((matrices @ self._leg.planned.X_MT.matrix())[:, :3, 3])
 
+    def leave(self, zone: float, clip: float) -> float:
+        """Return the place, at least `clip`, behind which the TCP stays within a zone [m] round the end."""
+        return leave(self.positions, self.length, zone, clip)
+
+    def enter(self, zone: float, clip: float) -> float:
+        """Return the place, at most `clip`, before which the TCP stays within a zone [m] round the start."""
+        return enter(self.positions, self.length, zone, clip)
+
     def distance(self, place: float, other: float) -> float:
         """Return the distance of the TCP between two places [m]."""
         a, b = self.positions(np.array([place, other]))
         return float(np.linalg.norm(a - b))
+
+
+class _StraightWay:
+    """The same along a straight line, which is asked for its ends: nothing is to be searched for."""
+
+    def __init__(self, length: float) -> None:
+        self.length = length
+
+    def leave(self, zone: float, clip: float) -> float:
+        return max(clip, self.length - zone)
+
+    def enter(self, zone: float, clip: float) -> float:
+        return min(clip, zone)
+
+    def distance(self, place: float, other: float) -> float:
+        return abs(place - other)
+
+
+def _way(chain: MotionChain, leg: Leg, joints: JointPath, tool: ToolPath | None) -> _Way | _StraightWay:
+    straight = isinstance(tool, Line) and tool.moves
+    return _StraightWay(joints.length) if straight else _Way(chain, leg, joints, tool)

@@ -4,10 +4,11 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from ropsim.controller.bends import Bends, bends_of, bent_speeds
-from ropsim.controller.bends_kernel import TINY, join_alike, room_of
+from ropsim.controller.bends import Bends, bends_of, bends_of_curve
+from ropsim.controller.bends_kernel import TINY
 from ropsim.controller.coordination import Coordination
-from ropsim.motion import JointMotionLimits, JointPath, Stage, ToolLimits, ToolPath, grid
+from ropsim.controller.stages_kernel import bent_stages
+from ropsim.motion import Curve, JointMotionLimits, JointPath, Stage, ToolLimits, ToolPath, grid
 from ropsim.spatial import Array
 
 Stages = tuple[Stage, ...]
@@ -15,8 +16,6 @@ Stages = tuple[Stage, ...]
 _PLACES = np.linspace(0.0, 1.0, 33)
 _STRAIGHT = 1e-9
 """A path of the tool whose direction changes by less from end to end is straight."""
-_ALIKE = np.array([1.1, 2.0, 2.0])
-"""Factors by which speed, acceleration and jerk of cells differ at most that are made one stage."""
 _SAME_PLACE = 1e-9
 """Share of a path below which two ends of stages are one."""
 
@@ -36,8 +35,7 @@ def joint_stages(path: JointPath, limits: JointMotionLimits) -> Stages:
         rows = path.joints(places)
         return rows.d1[:, :, None], rows.d2[:, :, None]
 
-    bends = bends_of(look, _PLACES * path.length, limits)
-    return _bent(bends, limits, bent_speeds(bends, limits))
+    return _bent(bends_of(look, _PLACES * path.length, limits), limits, 1.0)
 
 
 def tool_stages(path: ToolPath, limits: ToolLimits) -> Stages:
@@ -67,6 +65,11 @@ def tool_choices(path: ToolPath, limits: ToolLimits, shares: Sequence[float]) ->
         np.array([limits.jerk, limits.orientation_jerk]),
     )
 
+    if isinstance(path, Curve):
+        found = bends_of_curve(path, both)
+        if found and not found.d2 * path.length <= _STRAIGHT * found.d1:
+            return _choices(found.bends, both, shares)
+
     def look(places: Array) -> tuple[Array, Array]:
         rows = path.tool(places)
         return rows.d1.reshape(-1, 2, 3), rows.d2.reshape(-1, 2, 3)
@@ -79,11 +82,10 @@ def tool_choices(path: ToolPath, limits: ToolLimits, shares: Sequence[float]) ->
 
 
 def _choices(bends: Bends, both: JointMotionLimits, shares: Sequence[float]) -> tuple[Stages, ...]:
-    most = bent_speeds(bends, both)
-    first = _bent(bends, both, shares[0] * most)
+    first = _bent(bends, both, shares[0])
     if len(first) > 1:  # a bend that changes: what is left for changes of speed is used up where it changes
         return (first,)
-    return tuple(dict.fromkeys((first, *(_bent(bends, both, share * most) for share in shares[1:]))))
+    return tuple(dict.fromkeys((first, *(_bent(bends, both, share) for share in shares[1:]))))
 
 
 def along_with(stages: Stages, coordination: Coordination | None) -> Stages:
@@ -126,25 +128,9 @@ def _straight(length: float, d1: Array, limits: JointMotionLimits) -> Stages:
     return (Stage(length, speed, acceleration, jerk),)
 
 
-def _bent(bends: Bends, limits: JointMotionLimits, most: Array) -> Stages:
-    """Return bounds that hold together on a bent path, where no cell is walked faster than it may.
-
-    With the derivatives d1, d2, d3 of the path by its length s: acceleration d2·v² + d1·a, jerk
-    d3·v³ + 3·d2·v·a + d1·j. What is along d1 adds up, and what is across it is at right angles to that.
-    """
-    slow = np.minimum((limits.speed / np.maximum(bends.d1, TINY)).min(axis=1), most)
-    rates, bounds = np.array((limits.speed, limits.acceleration, limits.jerk)), np.empty((len(slow), 3))
-    room_of(bends.table, rates, slow, slow**3, bounds)
-    return _joined(bends.lengths, bounds)
-
-
-def _joined(lengths: Array, bounds: Array) -> Stages:
-    """Return stages of cells, of neighbours with similar bounds one.
-
-    Args:
-        lengths: of the cells, shape (k,).
-        bounds: of their speeds, accelerations and jerks, shape (k, 3).
-    """
-    rows, told = np.empty((len(lengths), 7)), np.empty(1)
-    join_alike(np.ascontiguousarray(lengths), bounds, _ALIKE, rows, told)
-    return tuple(Stage(*row) for row in rows[: int(told[0]), :4].tolist())
+def _bent(bends: Bends, limits: JointMotionLimits, share: float) -> Stages:
+    """Return bounds that hold together on a bent path, bends walked at a share of what they allow."""
+    rates, k = np.array((limits.speed, limits.acceleration, limits.jerk)), len(bends.lengths)
+    out, told = np.empty((k, 7)), np.empty(1)
+    bent_stages(bends.table, bends.lengths, rates, share, np.empty(k), np.empty((k, 3)), out, told)
+    return tuple(Stage(*row) for row in out[: int(told[0]), :4].tolist())

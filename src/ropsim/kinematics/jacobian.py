@@ -73,7 +73,7 @@ def least_singular_values(chain: ChainArrays, rows: Array) -> Array:
 def _at_rows(chain: ChainArrays, rows: Array, X_MT: Array) -> tuple[Array, Array]:
     """Return X_BT (k, 4, 4) and the Jacobians of its origin (k, 6, n) at configurations (k, n)."""
     m, Q = len(chain.slides), np.ascontiguousarray(rows, dtype=np.float64)
-    T, J = np.empty((len(Q), 4, 4)), np.empty((len(Q), 6, chain.n))
+    T, J = np.empty((len(Q), 4, 4)), np.zeros((len(Q), 6, chain.n))
     frames, lanes = np.empty((m + 1, 12)), np.empty((7, m))
     frames_and_jacobians(chain.flat, chain.spread, Q, X_MT, frames, lanes, T, J)
     return T, J

@@ -20,7 +20,7 @@ def frames_and_jacobians(
         frames: room to work in, shape (m + 1, 12).
         lanes: room to work in, shape (7, m).
         T: where the frames X_BT go, homogeneous, shape (k, 4, 4).
-        J: where the Jacobians go, shape (k, 6, n).
+        J: zeros, where the Jacobians go; those of axes that do not move the tool stay, shape (k, 6, n).
     """
     last = frames.shape[0] - 1
     M = frames[last]

@@ -7,6 +7,7 @@ from ropsim.motion.paths.arc import arc as arc
 from ropsim.motion.paths.corner import CornerFault as CornerFault
 from ropsim.motion.paths.corner import corner as corner
 from ropsim.motion.paths.curve import Curve as Curve
+from ropsim.motion.paths.curve_kernel import curve_points as curve_points
 from ropsim.motion.paths.differences import numeric_points as numeric_points
 from ropsim.motion.paths.differences import pose_derivatives as pose_derivatives
 from ropsim.motion.paths.grid import grid as grid

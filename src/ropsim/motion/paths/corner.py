@@ -6,11 +6,10 @@ from enum import Enum
 import numpy as np
 
 from ropsim.motion.paths.arc_length import arc_length
+from ropsim.motion.paths.corner_kernel import corner_polynomials
 from ropsim.motion.paths.curve import Curve
 from ropsim.motion.paths.path import STANDS, ToolPath
-from ropsim.motion.paths.polynomials import largest, quintics
-from ropsim.motion.paths.rotation_vector import FULL_TURN, exponentials, logarithms, rates
-from ropsim.spatial import Array
+from ropsim.motion.paths.rotation_vector import FULL_TURN, series
 
 _STEPS = 128  # of the arc length
 _SHARPEST = -0.98481  # cosine of 170°
@@ -47,24 +46,34 @@ def corner(before: ToolPath, s_leave: float, after: ToolPath, s_enter: float) ->
     """
     ways = before.length - s_leave, s_enter
     first, last = before.tool(np.array([s_leave])), after.tool(np.array([s_enter]))
-    tangents = np.stack((first.d1[0, :3], last.d1[0, :3]))
-    if min(ways) <= STANDS or np.abs(np.linalg.norm(tangents, axis=1) - 1.0).max() > _UNIT:
+    d1 = np.concatenate((first.d1, last.d1))
+    one, other = d1[:, :3].tolist()
+    if not (min(ways) > STANDS and _is_unit(one) and _is_unit(other)):
         return CornerFault.NO_LENGTH
-    if tangents[0] @ tangents[1] < _SHARPEST:
+    cosine = one[0] * other[0] + one[1] * other[1] + one[2] * other[2]
+    if cosine < _SHARPEST:
         return CornerFault.TURNS_BACK
-    c_in, c_out = (_swing(float(tangents[0] @ tangents[1])) * way for way in ways)
-    c = np.array([[c_in], [c_out]])
-    matrices = np.concatenate((first.matrices, last.matrices))
-    d1, d2 = np.concatenate((first.d1, last.d1)) * c, np.concatenate((first.d2, last.d2)) * (c * c)
-    ends = np.empty((2, 3, 6))
-    ends[:, 0, :3], ends[:, 1, :3], ends[:, 2, :3] = matrices[:, :3, 3], d1[:, :3], d2[:, :3]
-    middle, ends[:, :, 3:] = _orientations(matrices[:, :3, :3], d1[:, 3:], d2[:, 3:])
-    coefficients = quintics(ends.reshape(1, 6, 6))
-    if not largest(coefficients[..., 3:]) <= FULL_TURN:
+    c_in, c_out = (_swing(cosine) * way for way in ways)
+    coefficients, middles, told = np.empty((1, 6, 6)), np.empty((1, 3, 3)), np.empty(1)
+    corner_polynomials(
+        series(),
+        np.concatenate((first.matrices, last.matrices)),
+        d1,
+        np.concatenate((first.d2, last.d2)),
+        np.array([c_in, c_out]),
+        np.empty((17, 3)),
+        coefficients,
+        middles,
+        told,
+    )
+    if not told[0] <= FULL_TURN:
         return CornerFault.WHIRLS
-    least = np.array([_SLOWEST * min(c_in, c_out)])
-    way = arc_length(coefficients, _STEPS, least)
-    return CornerFault.TURNS_BACK if way is None else Curve(coefficients, middle[None], way)
+    way = arc_length(coefficients, _STEPS, np.array([_SLOWEST * min(c_in, c_out)]))
+    return CornerFault.TURNS_BACK if way is None else Curve(coefficients, middles, way)
+
+
+def _is_unit(tangent: list[float]) -> bool:
+    return abs(math.hypot(*tangent) - 1.0) <= _UNIT
 
 
 def _swing(cosine: float) -> float:
@@ -77,13 +86,3 @@ def _swing(cosine: float) -> float:
         cosine: of the turn.
     """
     return 2.1 * math.sqrt(math.sqrt(max(0.5 + 0.5 * cosine, 0.0)))
-
-
-def _orientations(rotations: Array, speed: Array, change: Array) -> tuple[Array, Array]:
-    """Return the middle of two orientations, (3, 3), and θ, θ', θ'' from there to both, (2, 3, 3)."""
-    if not speed.any() and not change.any() and (rotations[0] == rotations[1]).all():
-        return rotations[0], np.zeros((2, 3, 3))
-    half = logarithms((rotations[0].T @ rotations[1])[None]) / 2.0
-    middle = rotations[0] @ exponentials(half)[0]
-    vectors = np.concatenate((-half, half))
-    return middle, np.stack((vectors, *rates(vectors, speed @ middle, change @ middle)), axis=1)

@@ -57,21 +57,17 @@ class Curve:
         """
         return self.way.ends[::_EVERY]
 
+    @property
+    def numbers(self) -> tuple[Array, Array, Array, int, Array, Array]:
+        """Return what `curve_points` takes of the curve."""
+        way = self.way
+        return series(), way.ends, way.inverse, way.steps, self.coefficients, self.middles
+
     def tool(self, s: Array) -> ToolPoints:
         """Return the tool and its derivatives at places s, shape (k,)."""
         points = ToolPoints(np.empty((len(s), 4, 4)), np.empty((len(s), 6)), np.empty((len(s), 6)))
-        curve_points(
-            series(),
-            self.way.ends,
-            self.way.inverse,
-            self.way.steps,
-            self.coefficients,
-            self.middles,
-            np.ascontiguousarray(s),
-            points.matrices,
-            points.d1,
-            points.d2,
-        )
+        places = np.ascontiguousarray(s)
+        curve_points(*self.numbers, places, points.matrices, points.d1, points.d2)
         return points
 
     def positions(self, s: Array) -> Array:

@@ -20,6 +20,7 @@ class Line:
         mode: how the tool turns.
         turn: what follows from that.
         way: from start to end [m], shape (3,).
+        moves: whether the TCP moves, so that the place is its way.
         length: of the way [m]; where the TCP stands (moves less than `STANDS`) the size of the turn [rad];
             0 where the tool neither moves nor turns.
     """
@@ -29,13 +30,15 @@ class Line:
     mode: OrientationMode = OrientationMode.FIXED_AXIS
     turn: ToolTurn = field(init=False, repr=False)
     way: Array = field(init=False, repr=False)
+    moves: bool = field(init=False, repr=False)
     length: float = field(init=False)
 
     def __post_init__(self) -> None:
         turn = tool_turn(self.X_start, self.X_end, self.mode)
         way = frozen(self.X_end.position - self.X_start.position)
         length = float(np.linalg.norm(way))
-        if length <= STANDS:
+        object.__setattr__(self, "moves", length > STANDS)
+        if not self.moves:
             length = turn.turn.size if turn.turn.size > STILL else 0.0
         object.__setattr__(self, "turn", turn)
         object.__setattr__(self, "way", way)
