@@ -97,7 +97,13 @@ def _traced(
             joints, rough = refined
             if density == MOST_DENSITY or (rough is not None and not rough.max() > SMOOTH):
                 return joints, samples, rough
-        density *= 2
+            density *= 1 if rough is None else _too_coarse(float(rough.max()))
+        density = min(2 * density, MOST_DENSITY)
+
+
+def _too_coarse(rough: float) -> int:
+    """Return how many times half the density is that divides a roughness by enough; its sixth root counts."""
+    return 2 ** max(math.ceil(math.log2(rough / SMOOTH) / 6.0) - 1, 0)
 
 
 def _setpoints(

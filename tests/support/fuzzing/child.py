@@ -18,7 +18,7 @@ from support.fuzzing.target import Target
 
 MEMORY = 1_000_000_000
 """Memory that the process may hold [bytes]."""
-_WARM = 40  # cases before which modules may still be loaded
+_WARM = 10  # cases before which modules may still be loaded
 _CEILING = 6 << 30  # address space, so that a fault of ours does not take the machine with it
 
 _FORBIDDEN = (

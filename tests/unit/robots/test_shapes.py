@@ -21,11 +21,11 @@ def points_of(shapes: tuple[Shape, ...]) -> Array:
 
 
 def gap(a: Array, b: Array) -> float:
-    """Return the least distance of two clouds of points [m]; infinite where their boxes are apart."""
+    """Return the least distance of two clouds of points [m]; infinite where it is `STEP` or more."""
     low = np.maximum(a.min(axis=0), b.min(axis=0)) - STEP
     high = np.minimum(a.max(axis=0), b.max(axis=0)) + STEP
     a, b = (cloud[((cloud > low) & (cloud < high)).all(axis=1)] for cloud in (a, b))
-    return float(cKDTree(b).query(a)[0].min()) if len(a) and len(b) else np.inf
+    return float(cKDTree(b).query(a, distance_upper_bound=STEP)[0].min()) if len(a) and len(b) else np.inf
 
 
 @pytest.mark.parametrize("name", [*WRITTEN, "irb120", "kr6_r900_2", "lr_mate_200id", "panda", "tx60", "ur3e"])
