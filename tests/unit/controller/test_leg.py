@@ -87,7 +87,8 @@ def test_away_from_singularities_one_sampling_is_enough() -> None:
 @pytest.mark.parametrize("offset", [0.3, 0.1, 0.05])
 def test_near_a_singularity_samples_are_taken_more_densely_until_the_joints_are_smooth(offset: float) -> None:
     leg, densities = traced(offset)
-    assert densities == [2**k for k in range(len(densities))]
+    assert densities == sorted(set(densities) & {2**k for k in range(10)})
+    assert 2 <= len(densities) <= 3  # how rough the joints are tells how dense samples must be
     assert densities[-1] < MOST_DENSITY
     assert error_of(leg, X_MT.matrix()) < ON_PATH
 
