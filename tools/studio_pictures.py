@@ -104,6 +104,8 @@ def ready_page(browser: "Browser", url: str, scheme: str) -> StudioPage:
     page.goto(url)
     tab = StudioPage(page)
     tab.ready()
+    seen = page.locator(".unchecked").filter(has_not_text="collisions")
+    seen.first.wait_for()  # behind the run it is looked at whether bodies meet
     tab.seek(MOMENT)
     tab.drawn()
     return tab
