@@ -13,7 +13,7 @@ interface Branch {
 
 /** Robots one by one, then what is of a kind. */
 function branchesOf({ stations }: SceneDescription): readonly Branch[] {
-  const isArm = ({ kind }: Body) => kind === 'base' || kind === 'link'
+  const isArm = ({ kind }: Body) => kind === 'base' || kind === 'link' || kind === 'cylinder'
   return [
     ...stations.map(({ name }) => ({
       name: stations.length > 1 ? words.cell.robotOf(name) : words.cell.robot,

@@ -14,7 +14,7 @@ const CROWD_FROM = 4
 /** What is this near to the floor stands on it [m]. */
 const FOOT = 0.02
 
-const ARM: ReadonlySet<BodyKind> = new Set<BodyKind>(['base', 'link', 'tool'])
+const ARM: ReadonlySet<BodyKind> = new Set<BodyKind>(['base', 'link', 'cylinder', 'tool'])
 
 /** Whether a body never moves: bases of robots and devices, and objects. */
 export function standsStill({ kind, name }: Body): boolean {

@@ -67,7 +67,7 @@ export interface MeshShape extends ShapeBase {
 
 export type Shape = BoxShape | CylinderShape | SphereShape | RevolveShape | PrismShape | LineShape | MeshShape
 
-export type BodyKind = 'base' | 'link' | 'tool' | 'device' | 'object' | 'part'
+export type BodyKind = 'base' | 'link' | 'cylinder' | 'tool' | 'device' | 'object' | 'part'
 
 export interface Body {
   readonly name: string

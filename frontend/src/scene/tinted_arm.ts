@@ -14,6 +14,9 @@ import { Figure, type Wardrobe } from './figure'
 import { ARM_MARK, type Role } from './materials'
 import { TintMaterial } from './tint_material'
 
+/** What moves with the arm. */
+const MOVED: ReadonlySet<string> = new Set(['link', 'cylinder', 'tool'])
+
 /** `beside`: nothing is drawn where the arm itself is seen; `upon`: it lies over what it marks. */
 export type TintPlace = 'beside' | 'upon'
 
@@ -83,7 +86,7 @@ export class TintedArm {
     for (const { figure } of this.#figures) figure.removeFrom(this.parent)
     this.#figures = this.bodies.list.flatMap(({ kind }, body) => {
       const look = this.bodies.look(body)
-      if (!look || (kind !== 'link' && kind !== 'tool')) return []
+      if (!look || !MOVED.has(kind)) return []
       const matrix = new Matrix4()
       const figure = Figure.at(look, matrix)
       figure.dress(this.tint)

@@ -59,7 +59,7 @@ export function lookFrom(kept: unknown): Look {
   return sound ? look : DEFAULT_LOOK
 }
 
-const ARM = new Set(['base', 'link', 'tool'])
+const ARM = new Set(['base', 'link', 'cylinder', 'tool'])
 
 /** Tell the stage. Bodies are found by name, so that the look outlives a change of the cell. */
 export function applyLook(stage: Stage, look: Look, scene: SceneDescription | null): void {

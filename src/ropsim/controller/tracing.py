@@ -103,7 +103,7 @@ def _traced(
 
 def _too_coarse(rough: float) -> int:
     """Return how many times half the density is that divides a roughness by enough; its sixth root counts."""
-    return 2 ** max(math.ceil(math.log2(rough / SMOOTH) / 6.0) - 1, 0)
+    return 1 << max(math.ceil(math.log2(rough / SMOOTH) / 6.0) - 1, 0)
 
 
 def _setpoints(

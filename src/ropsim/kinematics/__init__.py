@@ -55,6 +55,7 @@ from ropsim.kinematics.solver import InverseSolver as InverseSolver
 from ropsim.kinematics.solver import Method as Method
 from ropsim.kinematics.solver import RedundantSolver as RedundantSolver
 from ropsim.kinematics.solver import Snap as Snap
+from ropsim.kinematics.strut_frames import strut_frames as strut_frames
 from ropsim.kinematics.supports import Standing as Standing
 from ropsim.kinematics.supports import height_above as height_above
 from ropsim.kinematics.supports import standings as standings

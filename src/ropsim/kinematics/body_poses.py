@@ -7,7 +7,8 @@ import numpy as np
 import numpy.typing as npt
 
 from ropsim.kinematics.forward import frames_batch
-from ropsim.model import WORLD, Body, BodyTree
+from ropsim.kinematics.strut_frames import strut_frames
+from ropsim.model import WORLD, Body, BodyTree, Strut
 from ropsim.spatial import Array, Pose
 
 NOWHERE_ELSE: Mapping[str, tuple[str, Pose]] = MappingProxyType({})
@@ -51,6 +52,9 @@ def body_poses(
         return known[way[0].name] if way else known[name]
 
     def step(body: Body, X_WP: Array) -> Array:
+        if isinstance(body.mover, Strut):
+            mechanism = tree.mechanisms[body.mover.mechanism]
+            return np.asarray(X_WP @ strut_frames(mechanism, body.mover, frames[body.mover.mechanism]))
         if body.mover is not None:
             return np.asarray(X_WP @ frames[body.mover.mechanism][:, body.mover.joint])
         X_PB = elsewhere[body.name][1] if body.name in elsewhere else body.X_PB

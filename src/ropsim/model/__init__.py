@@ -18,6 +18,8 @@ from ropsim.model.body import WORLD as WORLD
 from ropsim.model.body import Body as Body
 from ropsim.model.body import BodyKind as BodyKind
 from ropsim.model.body import Mover as Mover
+from ropsim.model.body import Strut as Strut
+from ropsim.model.body import StrutEnd as StrutEnd
 from ropsim.model.body_tree import BodyTree as BodyTree
 from ropsim.model.body_tree import carrier as carrier
 from ropsim.model.cell import Cell as Cell
@@ -52,6 +54,7 @@ from ropsim.model.coupled_axes import without_coupled_axes as without_coupled_ax
 from ropsim.model.coupled_limits import CoupledLimits as CoupledLimits
 from ropsim.model.coupled_limits import coupled_limits as coupled_limits
 from ropsim.model.coupling import Coupling as Coupling
+from ropsim.model.cylinder_bodies import cylinder_bodies as cylinder_bodies
 from ropsim.model.device import Barrier as Barrier
 from ropsim.model.device import BeltDrive as BeltDrive
 from ropsim.model.device import Device as Device

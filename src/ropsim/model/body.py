@@ -3,6 +3,7 @@
 from enum import StrEnum
 
 from ropsim.model.geometry import Shape
+from ropsim.model.linkage import Linkage
 from ropsim.spatial import Pose, record
 
 WORLD = ""
@@ -16,6 +17,7 @@ class BodyKind(StrEnum):
     LINK = "link"
     TOOL = "tool"
     FINGER = "finger"
+    CYLINDER = "cylinder"
     DEVICE = "device"
     OBJECT = "object"
     PART = "part"
@@ -34,6 +36,33 @@ class Mover:
     joint: int
 
 
+class StrutEnd(StrEnum):
+    """Which pin of a strut a body hangs on."""
+
+    CARRIER = "carrier"
+    LINK = "link"
+
+
+@record
+class Strut:
+    """What moves a body that hangs on one pin of a linkage and points along it: barrel or rod of a cylinder.
+
+    Its z axis goes from the pin on the carrier to that on the link, its x axis is as near to the axis of the
+    joint as that allows.
+
+    Attributes:
+        mechanism: name of the mechanism that the joint belongs to.
+        joint: number of the joint that the linkage turns, from 0.
+        linkage: the pins.
+        end: the one that it hangs on.
+    """
+
+    mechanism: str
+    joint: int
+    linkage: Linkage
+    end: StrutEnd
+
+
 @record
 class Body:
     """A rigid body where it hangs at time 0.
@@ -44,7 +73,7 @@ class Body:
         parent: name of the body that it hangs on, `WORLD` for none.
         X_PB: its frame in that of the parent; of a moved body at joint coordinate 0.
         shapes: what it looks like, in its own frame; without any, views draw a stand-in for arms and tools.
-        mover: what moves it against its parent; None where it stands still there.
+        mover: what moves it; None where it stands still on its parent.
         visible: False for a tool that is not mounted and for a part that waits in its supply.
     """
 
@@ -53,5 +82,5 @@ class Body:
     parent: str
     X_PB: Pose
     shapes: tuple[Shape, ...] = ()
-    mover: Mover | None = None
+    mover: Mover | Strut | None = None
     visible: bool = True

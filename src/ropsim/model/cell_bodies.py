@@ -6,6 +6,7 @@ from ropsim.flow import ROBOT, prefix_of
 from ropsim.model.body import WORLD, Body, BodyKind, Mover
 from ropsim.model.body_tree import BodyTree
 from ropsim.model.cell import Cell
+from ropsim.model.cylinder_bodies import cylinder_bodies
 from ropsim.model.device import Device
 from ropsim.model.geometry import Box, Shape
 from ropsim.model.mechanism import Mechanism
@@ -77,6 +78,8 @@ def _robot(station: Station) -> Iterator[Body]:
     robot, name = station.robot, station.name
     yield Body(link_name(0, name), BodyKind.BASE, WORLD, station.X_WB, robot.base_shapes)
     yield from _links(robot, name, BodyKind.LINK)
+    names = tuple(link_name(number, name) for number in range(len(robot.joints) + 1))
+    yield from cylinder_bodies(robot, name, names)
 
 
 def _device(device: Device) -> Iterator[Body]:

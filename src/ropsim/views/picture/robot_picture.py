@@ -7,8 +7,8 @@ import numpy as np
 import numpy.typing as npt
 
 from ropsim.core import frozen_dataclass
-from ropsim.kinematics import joint_frames
-from ropsim.model import RobotModel, Shape
+from ropsim.kinematics import joint_frames, strut_frames
+from ropsim.model import RobotModel, Shape, Strut, cylinder_bodies, link_name
 from ropsim.spatial import Array, fingerprint
 from ropsim.views.picture.depth_buffer import DepthBuffer
 from ropsim.views.picture.facets import facets
@@ -68,10 +68,9 @@ def robot_png(robot: RobotModel, options: PictureOptions = DEFAULT) -> bytes:
 
 def _scene(robot: RobotModel) -> tuple[Array, Array, Array]:
     """Return triangles in the base frame, their colours from 0 to 1, and the number of the body of each."""
-    X_B = (np.eye(4), *joint_frames(robot, robot.home)[:-1])
     found = [
         (facets(shape) @ X[:3, :3].T + X[:3, 3], _colour(shape), body)
-        for body, (X, shapes) in enumerate(zip(X_B, _shapes(robot), strict=True))
+        for body, (X, shapes) in enumerate(_bodies(robot))
         for shape in shapes
     ]
     triangles = np.concatenate([one for one, _, _ in found])
@@ -79,10 +78,16 @@ def _scene(robot: RobotModel) -> tuple[Array, Array, Array]:
     return triangles, colours, np.concatenate([np.full(len(one), body) for one, _, body in found])
 
 
-def _shapes(robot: RobotModel) -> Iterator[tuple[Shape, ...]]:
-    yield robot.base_shapes
-    for link in robot.links:
-        yield link.shapes
+def _bodies(robot: RobotModel) -> Iterator[tuple[Array, tuple[Shape, ...]]]:
+    """Yield base, links and cylinders at home: frame in the base frame, and shapes."""
+    frames = joint_frames(robot, robot.home)
+    yield np.eye(4), robot.base_shapes
+    for X, link in zip(frames, robot.links, strict=False):
+        yield X, link.shapes
+    names = tuple(link_name(number) for number in range(len(robot.joints) + 1))
+    for body in cylinder_bodies(robot, robot.name, names):
+        assert isinstance(body.mover, Strut)
+        yield strut_frames(robot, body.mover, frames[np.newaxis])[0], body.shapes
 
 
 def _colour(shape: Shape) -> Array:
