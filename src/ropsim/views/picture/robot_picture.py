@@ -8,7 +8,7 @@ import numpy.typing as npt
 
 from ropsim.core import frozen_dataclass
 from ropsim.kinematics import joint_frames, strut_frames
-from ropsim.model import RobotModel, Shape, Strut, cylinder_bodies, link_name
+from ropsim.model import Body, RobotModel, Shape, Strut, cylinder_bodies, link_name
 from ropsim.spatial import Array, fingerprint
 from ropsim.views.picture.depth_buffer import DepthBuffer
 from ropsim.views.picture.facets import facets
@@ -46,7 +46,10 @@ DEFAULT = PictureOptions()
 
 def picture_print(robot: RobotModel, options: PictureOptions = DEFAULT) -> str:
     """Return what changes when the picture of a robot does."""
-    return fingerprint((DRAWING, options, robot.base_shapes, robot.links, robot.joints, robot.home))
+    cylinders = tuple(_cylinders(robot))
+    return fingerprint(
+        (DRAWING, options, robot.base_shapes, robot.links, robot.joints, robot.home, *cylinders)
+    )
 
 
 def robot_png(robot: RobotModel, options: PictureOptions = DEFAULT) -> bytes:
@@ -84,10 +87,14 @@ def _bodies(robot: RobotModel) -> Iterator[tuple[Array, tuple[Shape, ...]]]:
     yield np.eye(4), robot.base_shapes
     for X, link in zip(frames, robot.links, strict=False):
         yield X, link.shapes
-    names = tuple(link_name(number) for number in range(len(robot.joints) + 1))
-    for body in cylinder_bodies(robot, robot.name, names):
+    for body in _cylinders(robot):
         assert isinstance(body.mover, Strut)
         yield strut_frames(robot, body.mover, frames[np.newaxis])[0], body.shapes
+
+
+def _cylinders(robot: RobotModel) -> Iterator[Body]:
+    names = tuple(link_name(number) for number in range(len(robot.joints) + 1))
+    return cylinder_bodies(robot, robot.name, names)
 
 
 def _colour(shape: Shape) -> Array:
