@@ -4,7 +4,7 @@ from collections.abc import Collection, Iterator, Mapping
 from enum import StrEnum
 from itertools import combinations
 
-from ropsim.model import WORLD, Body, BodyKind, BodyTree, carrier
+from ropsim.model import WORLD, Body, BodyKind, BodyTree, Strut, carrier
 from ropsim.spatial import Pose
 
 Pair = tuple[str, str]
@@ -27,7 +27,8 @@ def left_out(tree: BodyTree, names: Collection[str], elsewhere: Elsewhere) -> di
 
     - What stands still on one and the same moving body, or in the world: a base and its pedestal, a part and
       what it lies on, a tool and the flange, a gripper and the part that hangs on it.
-    - Links of one mechanism with a joint between them; links without a shape in between do not count.
+    - Links of one mechanism with a joint between them; links without a shape in between do not count; barrel
+      and rod of one cylinder.
     - Fingers, their tool, and the part that hangs on it.
 
     Args:
@@ -46,6 +47,8 @@ def left_out(tree: BodyTree, names: Collection[str], elsewhere: Elsewhere) -> di
             found[pair] = LeftOut.FIXED
         elif _is_gripped(one, other, parents) or _is_gripped(other, one, parents):
             found[pair] = LeftOut.GRIPPED
+        elif _slide(one, other):
+            found[pair] = LeftOut.NEIGHBOURS
     for one in ordered:
         below = _shaped_below(bodies, names, one)
         if below is not None:
@@ -75,6 +78,12 @@ def _is_gripped(finger: Body, other: Body, parents: Mapping[str, str]) -> bool:
         return False
     tool = finger.parent
     return tool in (other.name, parents.get(other.name, other.parent))
+
+
+def _slide(one: Body, other: Body) -> bool:
+    """Return whether two bodies are barrel and rod of one cylinder."""
+    a, b = one.mover, other.mover
+    return isinstance(a, Strut) and isinstance(b, Strut) and (a.mechanism, a.joint) == (b.mechanism, b.joint)
 
 
 def _shaped_below(bodies: Mapping[str, Body], names: Collection[str], link: Body) -> str | None:
