@@ -32,7 +32,7 @@ const RESULT: ResultFigures = {
   destinations: null,
 }
 const STATIONS = [{ name: 'robot', program: 'main', source: 'main.task' }]
-const RUN = { duration: 186.8, findings: [], stations: STATIONS } as unknown as Run
+const RUN = { duration: 186.8, findings: [], stations: STATIONS, channels: [] } as unknown as Run
 
 function tile(id: string, change: Partial<ResultFigures> = {}, run: Run = RUN) {
   const found = tilesOf(run, { ...RESULT, ...change }).find(one => one.id === id)
@@ -102,6 +102,12 @@ test('parts with a destination are counted where a cell has some', () => {
 test('what a run does not know is said, and leads nowhere', () => {
   expect(tile('torque', { peak_torque: null })).toMatchObject({ value: '–', time: null, line: 0 })
   expect(tile('path', { path_error: null })).toMatchObject({ value: '–', time: null })
+})
+
+test('a torque without a limit in the model is no torque that was not simulated', () => {
+  const driven = { ...RUN, channels: [{ name: 'left/tau' }] } as unknown as Run
+  expect(tile('torque', { peak_torque: null }).detail).toBe('not simulated')
+  expect(tile('torque', { peak_torque: null }, driven).detail).toBe('limit unknown')
 })
 
 test('findings count and lead to the worst one', () => {

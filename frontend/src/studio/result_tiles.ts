@@ -3,7 +3,7 @@
 import type { Run } from '../run/run'
 import { labelled } from '../run/station'
 import { resultWords as words } from '../text/result'
-import { jointName } from '../units/names'
+import { jointName, partsOf } from '../units/names'
 import { formatQuantity } from '../units/quantity'
 import type { Destinations } from '../wire/facts'
 import type { ResultFigures } from '../wire/result'
@@ -78,8 +78,7 @@ function settling(run: Run, { settling }: ResultFigures): Tile {
 }
 
 function torque(run: Run, { peak_torque }: ResultFigures): Tile {
-  if (!peak_torque)
-    return { ...NOWHERE, id: 'torque', label: words.torque, value: '–', detail: words.notSimulated }
+  if (!peak_torque) return { ...NOWHERE, id: 'torque', label: words.torque, value: '–', detail: noShare(run) }
   const { share, closeness, station, joint, line, time } = peak_torque
   return {
     id: 'torque',
@@ -143,6 +142,12 @@ function findings(run: Run, { errors, warnings, hints }: ResultFigures): Tile {
 const NOWHERE = { tone: 'plain', time: null, source: '', line: 0 } as const
 
 /** Name of the text that a station runs. */
+/** Why no torque is a share of a limit: none was simulated, or the model does not say how much there is. */
+function noShare({ channels }: Run): string {
+  const simulated = channels.some(({ name }) => partsOf(name).quantity === 'tau')
+  return simulated ? words.limitUnknown : words.notSimulated
+}
+
 function sourceOf(run: Run, station: string): string {
   return run.stations.find(one => one.name === station)?.source ?? ''
 }

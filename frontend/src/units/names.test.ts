@@ -5,6 +5,7 @@ test('numbers of a joint are named after the joint and what they measure', () =>
   expect(columnName('q', '1')).toBe('Joint 1 position')
   expect(columnName('tau', '6')).toBe('Joint 6 torque')
   expect(columnName('qd', 'rail')).toBe('rail speed')
+  expect(columnName('pressure_a', 'lift')).toBe('lift pressure A')
 })
 
 test('where the quantity is told already a column is its joint', () => {

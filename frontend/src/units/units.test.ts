@@ -8,6 +8,7 @@ test('angles are shown in degrees, lengths in millimetres, with their unit', () 
   expect(formatQuantity(Math.PI / 2, 'rad')).toBe('90.00°')
   expect(formatQuantity(0.0125, 'm')).toBe('12.5 mm')
   expect(formatQuantity(3, 'N·m')).toBe('3.00 N·m')
+  expect(formatQuantity(7.818e6, 'Pa')).toBe('78.2 bar')
   expect(formatQuantity(Number.NaN, 'm')).toBe('– mm')
 })
 
