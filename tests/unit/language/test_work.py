@@ -8,6 +8,7 @@ from typing import Any
 import pytest
 
 from ropsim import language
+from ropsim.language.check import motions
 from ropsim.language.chunks import chunks
 
 MODERN = """\
@@ -110,3 +111,40 @@ def test_looking_where_to_cut_is_in_proportion_whatever_is_not_closed(head: str,
     )
     assert small > 400
     assert large <= MOST * small
+
+
+def looked_at(text: str) -> tuple[int, int]:
+    """Return how many motions a text has, and how often one is checked while it is compiled."""
+    checked = 0
+
+    def called(frame: FrameType, event: str, _: object) -> None:
+        nonlocal checked
+        checked += event == "call" and frame.f_code is motions.motion.__code__
+
+    before = sys.getprofile()
+    sys.setprofile(called)
+    try:
+        language.compile(text)
+    finally:
+        sys.setprofile(before)
+    return text.count("mov ") + text.count("lin "), checked
+
+
+@pytest.mark.parametrize("unit", [MODERN, FLAT], ids=["modern", "flat"])
+def test_a_motion_whose_names_have_types_is_looked_at_once(unit: str) -> None:
+    there, checked = looked_at(text_of(unit, 20))
+    assert checked == there
+
+
+OPEN = """\
+program p
+units mm, deg
+n = 1
+mov (400, 0, n)
+print n
+mov (400, 0, n)
+"""
+
+
+def test_a_motion_that_tells_a_type_is_looked_at_twice_and_no_other() -> None:
+    assert looked_at(OPEN) == (2, 3)

@@ -7,7 +7,7 @@ from ropsim.language.blocks import Block as SyntaxBlock
 from ropsim.language.blocks import Section
 from ropsim.language.check import lines, loops, settings, values
 from ropsim.language.check.body import Body, Loop, RejectedError
-from ropsim.language.check.literal_motions import is_literal
+from ropsim.language.check.silent import tells_nothing
 from ropsim.language.check.types import BOOL
 from ropsim.language.findings import syntax as kinds
 from ropsim.language.syntax import statements as syntax
@@ -30,10 +30,11 @@ def walk(body: Body, items: Iterable[Line | SyntaxBlock]) -> Block:
 def walk_part(body: Body, items: Iterable[Line | SyntaxBlock]) -> Block:
     """Return the statements of a part of a body; a `set frame` holds on behind it."""
     body.depth += 1
+    is_silent = body.report.muted
     result: list[Statement] = []
     for item in items:
         line = item.opener if isinstance(item, SyntaxBlock) else item
-        if body.report.muted and is_literal(line.statement):
+        if is_silent and line is item and tells_nothing(body, line):
             continue
         body.line = line
         try:

@@ -115,6 +115,7 @@ class World:
         signatures: tasks by name.
         without_result: tasks that return a value and whose header has no type for it, which is told there.
         joint_count: how many coordinates `joints(…)` has in this text, 0 as long as there is none.
+        untyped: variables seen everywhere whose types only use tells.
     """
 
     environment: Environment
@@ -130,3 +131,4 @@ class World:
     signatures: Mapping[str, Signature] = field(default_factory=dict)
     without_result: Container[str] = frozenset()
     joint_count: int = 0
+    untyped: Container[str] = frozenset()

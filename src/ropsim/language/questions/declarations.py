@@ -81,6 +81,12 @@ def names_in(db: Database, table: str) -> tuple[str, ...]:
     return tuple(getattr(_declared(db).world, table))
 
 
+def untyped(db: Database) -> frozenset[str]:
+    """Return the variables declared without a type, which only use tells."""
+    symbols = _declared(db).world.symbols.items()
+    return frozenset(name for name, one in symbols if isinstance(one, Variable) and is_open(one.type))
+
+
 def symbol(db: Database, name: str) -> Symbol | None:
     """Return what a name means everywhere; the types of variables are known."""
     found = db.ask(declared_symbol, name)

@@ -10,7 +10,7 @@ from ropsim.language.check.types import is_open
 from ropsim.language.check.world import Variable
 from ropsim.language.environment import Environment
 from ropsim.language.questions.callers import task
-from ropsim.language.questions.declarations import _declared, basics, names_in, statements, symbol
+from ropsim.language.questions.declarations import _declared, basics, names_in, statements, symbol, untyped
 from ropsim.language.questions.headers import header, with_types
 from ropsim.language.questions.inputs import ENVIRONMENT, ORDER
 from ropsim.language.questions.told import Inferred, Walked, inferred, told
@@ -29,7 +29,7 @@ def is_inferred(db: Database) -> bool:
     has none.
     """
     world = _declared(db).world
-    if any(isinstance(one, Variable) and is_open(one.type) for one in world.symbols.values()):
+    if db.ask(untyped):
         return True
     headers = (db.ask(header, name).signature for name in db.read(ORDER)) if world.is_classic else ()
     return any(is_open(formal.type) for signature in headers for formal in signature.formals)
@@ -43,7 +43,7 @@ def inference(db: Database) -> Inferred | None:
     symbols = {name: of_body(one) for name, one in world.symbols.items()}
     environment: Environment = db.read(ENVIRONMENT)
     called = {name: signatures.of_library(one) for name, one in environment.tasks.items()}
-    world = replace(world, symbols=symbols, signatures=called)
+    world = replace(world, symbols=symbols, signatures=called, untyped=db.ask(untyped))
     names = db.read(ORDER)
     texts = {name: text for name in names if (text := db.ask(task, name)) is not None}
     for name, text in texts.items():

@@ -7,7 +7,7 @@ from ropsim.language.check.table import Table
 from ropsim.language.check.types import opened
 from ropsim.language.check.world import Signature, Symbol, Variable, World
 from ropsim.language.questions.callers import all_tasks
-from ropsim.language.questions.declarations import basics, declared_symbol, frame, names_in, tool
+from ropsim.language.questions.declarations import basics, declared_symbol, frame, names_in, tool, untyped
 from ropsim.query import Database
 
 
@@ -24,6 +24,7 @@ def world_of(db: Database, called: Callable[[str], Signature | None]) -> World:
         tools=Table(lambda name: db.ask(tool, name), lambda: db.ask(names_in, "tools")),
         symbols=Table(symbol_of, lambda: db.ask(names_in, "symbols")),
         signatures=Table(called, lambda: all_tasks(db)),
+        untyped=db.ask(untyped),
     )
 
 
