@@ -31,23 +31,49 @@ class Chunk:
     ends_part: bool = False
 
 
+@frozen_dataclass
+class Stretch:
+    """A task, or what stands between two of them.
+
+    Attributes:
+        start: its first line, from 0.
+        in_task: whether that is the header of a task.
+        chunks: its lines.
+    """
+
+    start: int
+    in_task: bool
+    chunks: tuple[Chunk, ...]
+
+
 def chunks(lines: Sequence[str]) -> Iterator[Chunk]:
     """Yield the lines of a text in chunks: one begins before the header of a task and one after its end."""
-    kinds = kinds_of(lines)
-    start, in_task = 0, False
-    for match in _OF_TASKS.finditer(kinds):
+    for one in stretches(lines, kinds_of(lines)):
+        yield from one.chunks
+
+
+def stretches(
+    lines: Sequence[str], kinds: bytes, start: int = 0, *, in_task: bool = False
+) -> Iterator[Stretch]:
+    """Yield the stretches of a text from a line on with which one begins; `kinds` says what lines mean."""
+    for match in _OF_TASKS.finditer(kinds, start):
         number = match.start()
         if number and lines[number - 1].endswith("\\"):
             continue
         if kinds[number] & TASK:
             if number > start:
-                yield from (_without_end if in_task else _pieces)(lines, kinds, start, number)
+                yield _stretch(lines, kinds, start, number, in_task)
             start, in_task = number, True
         elif in_task and _END.fullmatch(lines[number]):
-            yield _whole(lines, start, number + 1)
+            yield Stretch(start, in_task, (_whole(lines, start, number + 1),))
             start, in_task = number + 1, False
     if start < len(lines):
-        yield from (_without_end if in_task else _pieces)(lines, kinds, start, len(lines))
+        yield _stretch(lines, kinds, start, len(lines), in_task)
+
+
+def _stretch(lines: Sequence[str], kinds: bytes, start: int, end: int, in_task: bool) -> Stretch:  # noqa: FBT001
+    found = (_without_end if in_task else _pieces)(lines, kinds, start, end)
+    return Stretch(start, in_task, tuple(found))
 
 
 def _whole(lines: Sequence[str], start: int, end: int) -> Chunk:

@@ -1,34 +1,18 @@
 """A text divided into units, chunk by chunk."""
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 from functools import partial
 
 from ropsim.core import SourceText, Span
-from ropsim.language import prose, units
+from ropsim.language import units
 from ropsim.language.check.tasks import TaskText
-from ropsim.language.chunks import Chunk, chunks
+from ropsim.language.chunk_walk import Step, walk_chunks
 from ropsim.language.environment import Environment
 from ropsim.language.findings import names as name_kinds
-from ropsim.language.reading import (
-    CALLABLE,
-    TASK_NAMES,
-    Ends,
-    Key,
-    Parsed,
-    Read,
-    Task,
-    alone_of,
-    begins_marked,
-    control_of,
-    has_foreign,
-    mended,
-    mended_names,
-    parsed,
-    read_chunk,
-)
-from ropsim.language.report import MAX_FINDINGS, Report
+from ropsim.language.reading import Task, alone_of, control_of
+from ropsim.language.report import Report
 from ropsim.program import Places, SourceMap, placed
 from ropsim.query import Database
 
@@ -59,60 +43,10 @@ def divided(source: SourceText, environment: Environment, report: Report, db: Da
     Raises:
         TooManyFindingsError: the list is full.
     """
-    found: list[tuple[Chunk, Parsed]] = []
-    faults = 0
-    for chunk in chunks(source.lines):
-        one = db.ask(parsed, chunk.lines)
-        found.append((chunk, one))
-        faults += one.faults
-        if faults > 2 * MAX_FINDINGS:
-            break
-    names = frozenset(environment.tasks).union(environment.refused, *(one.tasks for _, one in found))
-    db.give({TASK_NAMES: names})
-    keys = _mended(found, db)
-    misspelt = [(chunk, ends) for (chunk, _), ends in zip(found, keys, strict=True) if ends is not None]
-    db.give({CALLABLE: names.union(*(db.ask(mended_names, chunk.lines, ends) for chunk, ends in misspelt))})
-    return _joined(source, list(_read(found, keys, db)), report, db)
+    return _joined(source, walk_chunks(source, environment, db), report, db)
 
 
-def _mended(found: list[tuple[Chunk, Parsed]], db: Database) -> list[Ends | None]:
-    """Return for each chunk with a word that nobody knows the ends with which it is to be mended."""
-    foreign = [db.ask(has_foreign, chunk.lines) for chunk, _ in found]
-    keys: list[Ends | None] = [None] * len(found)
-    if not any(foreign):
-        return keys
-    total: Counter[str] = Counter()
-    for _, one in found:
-        total.update(dict(one.ends))
-    ends = tuple(sorted((word, count) for word, count in total.items() if count))
-    for k, (chunk, _) in enumerate(found):
-        if foreign[k]:
-            keys[k] = ends
-            ends = db.ask(mended, chunk.lines, ends)[1]
-    return keys
-
-
-def _read(
-    found: list[tuple[Chunk, Parsed]], keys: list[Ends | None], db: Database
-) -> Iterator[tuple[Chunk, Key, Read]]:
-    """Yield the chunks in blocks."""
-    is_classic = prose.is_classic(frozenset().union(*(one.modes for _, one in found)))
-    manner = prose.Manner(is_classic, is_classic)
-    cut: tuple[str, ...] = ()
-    for (chunk, _), ends in zip(found, keys, strict=True):
-        key: Key = (chunk.lines, ends, manner, ())
-        one = db.ask(read_chunk, *key)
-        if cut and one.looked_above:
-            key = (chunk.lines, ends, manner, cut)
-            one = db.ask(read_chunk, *key)
-            cut = one.cut
-        else:
-            cut = (*cut, *one.cut)
-        yield chunk, key, one
-        manner = one.manner
-
-
-def _joined(source: SourceText, read: list[tuple[Chunk, Key, Read]], report: Report, db: Database) -> Units:
+def _joined(source: SourceText, steps: Iterable[Step], report: Report, db: Database) -> Units:
     """Return the units of all chunks.
 
     Raises:
@@ -123,7 +57,8 @@ def _joined(source: SourceText, read: list[tuple[Chunk, Key, Read]], report: Rep
     open_part = _OpenPart()
     names: Counter[str] = Counter()
     doubles: list[tuple[str, Span]] = []
-    for chunk, key, one in read:
+    for step in steps:
+        chunk, key, one = step.chunk, step.key, step.read
         for finding in one.found:
             report.add(placed(finding, partial(_moved, source=source.name, by=chunk.first - 1)))
         if result.opener is None and one.opener is not None:
@@ -141,10 +76,10 @@ def _joined(source: SourceText, read: list[tuple[Chunk, Key, Read]], report: Rep
                 unit = _entered_part(alone.name, alone.items, result, names)
                 places[unit] = Places(chunk.first + alone.first, alone.offsets)
                 continue
-        items, offsets = db.ask(control_of, key, len(open_part.offsets))
+        items, offsets, ends = db.ask(control_of, key, len(open_part.offsets))
         open_part.items += items
         open_part.offsets += [chunk.first + offset for offset in offsets]
-        if chunk.ends_part or begins_marked(items) or len(open_part.items) >= MOST_ITEMS:
+        if chunk.ends_part or ends or len(open_part.items) >= MOST_ITEMS:
             _end_part(open_part, result, places, names)
             open_part = _OpenPart()
     if open_part.items or not result.parts:

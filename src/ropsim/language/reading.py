@@ -144,9 +144,10 @@ def read_chunk(
     return Read(tasks, control, tuple(report.log), manner, tree.cut, tree.looked_above, opener)
 
 
-def control_of(db: Database, key: Key, before: int) -> tuple[units.Items, tuple[int, ...]]:
-    """Return the control statements of a chunk, counted on from `before`, and where they lie in it."""
-    return units.renumbered(db.ask(read_chunk, *key).control, before)
+def control_of(db: Database, key: Key, before: int) -> tuple[units.Items, tuple[int, ...], bool]:
+    """Return the control statements of a chunk, counted on from `before`, where they lie, if a part ends."""
+    items, offsets = units.renumbered(db.ask(read_chunk, *key).control, before)
+    return items, offsets, begins_marked(items)
 
 
 @frozen_dataclass

@@ -24,7 +24,8 @@ KEPT_REVISIONS = 8
 """An answer that nobody asked for during so many changes of inputs is of no use lately."""
 
 _Key = tuple[Hashable, ...]
-_ALWAYS_NEW: set[Callable[..., object]] = set()
+_Function = Callable[..., object]
+_ALWAYS_NEW: set[_Function] = set()
 
 
 def always_new(function: Callable[P, T]) -> Callable[P, T]:
@@ -166,7 +167,7 @@ class Database:
             known.verified, known.is_doubtful = self.revision, False
             self._note(key, Outcome.REUSED)
             return known
-        function = cast(Callable[..., object], key[0])
+        function = cast(_Function, key[0])
         self._running.append(_Running())
         try:
             value = function(self, *key[1:])

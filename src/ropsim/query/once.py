@@ -9,6 +9,7 @@ P = ParamSpec("P")
 T = TypeVar("T")
 
 _MISSING = object()
+_Function = Callable[..., object]
 
 
 class Once(Database):
@@ -37,7 +38,7 @@ class Once(Database):
         key = (function, *given)
         found = self._known.get(key, _MISSING)
         if found is _MISSING:
-            called = cast(Callable[..., object], function)
+            called = cast(_Function, function)
             found = self._known[key] = called(self, *arguments)
         value: T = found
         return value

@@ -7,6 +7,7 @@ import pytest
 from ropsim import language
 from ropsim.language.chunks import chunks
 from ropsim.language.cuts import MOST_LINES, REACH
+from ropsim.language.recut import Cut, recut
 from ropsim.query import Outcome
 from support.tasks import CELL
 
@@ -127,3 +128,43 @@ def test_no_cut_lies_in_a_block_or_a_statement(seed: int) -> None:
     found = [chunk.first - 1 for chunk in chunks(lines)]
     assert len(found) > 1
     assert set(found) <= places
+
+
+TASKS = [
+    line
+    for k in range(60)
+    for line in (f"task T{k}(a: loc)", f"  lin a speed {k + 1} mm/s", "endp", f"T{k} p")
+]
+TYPED = [
+    "task again",
+    "endp",
+    "endr",
+    "repeat 2",
+    "if x",
+    "end",
+    "needs 3",
+    "x = 1 \\",
+    "lin (1,",
+    "",
+    "  y = 2",
+]
+
+
+@pytest.mark.parametrize("text", [LINES, TASKS], ids=["flat", "of tasks"])
+def test_a_text_that_was_cut_before_is_cut_as_one_that_is_new(text: list[str]) -> None:
+    chance = random.Random(len(text))
+    lines, before = list(text), Cut()
+    for _ in range(150):
+        at = chance.randrange(len(lines))
+        lines[at : at + chance.randrange(3)] = chance.choices([*TYPED, *text], k=chance.randrange(3))
+        before = recut(lines, before)
+        assert before.chunks() == list(chunks(lines))
+
+
+def test_an_edit_cuts_the_task_around_it_and_no_other() -> None:
+    before = recut(TASKS, Cut())
+    edited = [*TASKS[:121], "  lin a", "  mov a", *TASKS[122:]]
+    after = recut(edited, before)
+    known = {id(chunk.lines) for chunk in before.chunks()}
+    new = [chunk for chunk in after.chunks() if id(chunk.lines) not in known]
+    assert 0 < sum(len(chunk.lines) for chunk in new) <= REACH + 12
