@@ -157,12 +157,12 @@ def _checked(
         return None, nowhere
     try:
         units = divided(source, environment, report, db)
-        gone = db.read(questions.TASKS) or ()
-        left = db.read(questions.PARTS) or ()
+        gone = [name for name in db.read(questions.TASKS) or () if name not in units.tasks]
+        units_now = {one.unit for one in units.parts}
+        left = [unit for unit in db.read(questions.PARTS) or () if unit not in units_now]
         inputs: dict[Hashable, object] = {("task", name): None for name in gone}
         inputs |= {("places", of_task(name)): None for name in gone}
-        units_now = {one.unit for one in units.parts}
-        inputs |= {(what, unit): None for unit in left if unit not in units_now for what in OF_UNITS}
+        inputs |= {(what, unit): None for unit in left for what in OF_UNITS}
         inputs |= {("task", name): task for name, task in units.tasks.items()}
         inputs |= {("places", unit): one for unit, one in units.map.units.items()}
         inputs |= {(questions.PART, one.unit): one.items for one in units.parts}

@@ -67,14 +67,15 @@ def _joined(source: SourceText, steps: Iterable[Step], report: Report, db: Datab
             result.opener = _moved(span, source.name, chunk.first - 1)
         for task in one.tasks:
             name = _entered(result.tasks, task, doubles)
-            places[units.of_task(name)] = Places(chunk.first, task.places)
+            unit = units.of_task(name)
+            places[unit] = _places(unit, chunk.first, task.places, db)
         if not one.control:
             continue
         if not open_part.items:
             alone = db.ask(alone_of, key)
             if chunk.ends_part or alone.ends or len(alone.items) >= MOST_ITEMS:
                 unit = _entered_part(alone.name, alone.items, result, names)
-                places[unit] = Places(chunk.first + alone.first, alone.offsets)
+                places[unit] = _places(unit, chunk.first + alone.first, alone.offsets, db)
                 continue
         items, offsets, ends = db.ask(control_of, key, len(open_part.offsets))
         open_part.items += items
@@ -89,6 +90,13 @@ def _joined(source: SourceText, steps: Iterable[Step], report: Report, db: Datab
         message = f"task `{name}` is defined twice"
         report.add(name_kinds.DUPLICATE.at(result.map.span(span), message, hint="rename one of them"))
     return result
+
+
+def _places(unit: str, first: int, offsets: tuple[int, ...], db: Database) -> Places:
+    """Return where the lines of a unit lie: what is known of it where it lies as it did."""
+    known: Places | None = db.read(("places", unit))
+    is_known = known is not None and known.first == first and known.offsets == offsets
+    return known if known is not None and is_known else Places(first, offsets)
 
 
 @dataclass(slots=True)

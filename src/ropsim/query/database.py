@@ -106,17 +106,18 @@ class Database:
 
     def give(self, values: Mapping[Hashable, object]) -> None:
         """Give inputs; those that are what they were change nothing. None stands for one that is gone."""
+        inputs = self._inputs
         changed = [
             (name, value)
             for name, value in values.items()
-            if name not in self._inputs or not is_same(self._inputs[name].value, value)
+            if (known := inputs.get(name)) is None or not is_same(known.value, value)
         ]
         if changed:
             self.revision += 1
             for name, value in changed:
-                known = self._inputs.setdefault(name, _Input(None, 0))
-                known.value, known.changed = value, self.revision
-                self._doubt(known.users)
+                one = inputs.setdefault(name, _Input(None, 0))
+                one.value, one.changed = value, self.revision
+                self._doubt(one.users)
         if len(self._answers) > self._limit:
             self._forget()
 

@@ -216,3 +216,10 @@ def test_a_frame_reaches_the_lines_below_it_alone() -> None:
     parts = len(editor.ran("checked_part"))
     editor.edited(FLAT.replace("lin (400, 20, 300)", "set frame pallet\nlin (400, 20, 300)"))
     assert parts // 3 < len(editor.ran("checked_part")) < parts * 2 // 3
+
+
+def test_what_lies_where_it_lay_is_not_compared_again() -> None:
+    cache = language.LineCache()
+    first = language.compile(TEXT, CELL, cache=cache).places.units
+    then = language.compile(TEXT.replace("by + 1", "by + 2"), CELL, cache=cache).places.units
+    assert [name for name, one in then.items() if one is not first[name]] == []
