@@ -50,7 +50,8 @@ def absorb(
     read = list(lines)
     heads = [line.statement for line in read if isinstance(line.statement, TaskHeader)]
     runs_on = _runs_on(heads[-1], manner) if heads else manner.runs_on
-    return tuple(_absorbed(read, task_names, report, manner)), replace(manner, runs_on=runs_on)
+    absorbed = tuple(_absorbed(read, task_names, report, manner))
+    return absorbed, manner if manner.runs_on is runs_on else replace(manner, runs_on=runs_on)
 
 
 def _runs_on(header: TaskHeader, manner: Manner) -> bool:

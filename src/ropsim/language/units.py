@@ -1,12 +1,13 @@
 """The parts of a text whose lines belong together: each task, and the control statements."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from itertools import islice
 from zlib import crc32
 
 from ropsim.core import frozen_dataclass
 from ropsim.language.blocks import Block, Section
+from ropsim.language.syntax.lines import LogicalLine
 from ropsim.language.text import Line
 
 CONTROL = "control statements"
@@ -71,7 +72,9 @@ class _Numbering:
         logical = line.logical
         number = self.first + len(self.offsets) + 1
         self.offsets += range(logical.number - 1, logical.number + logical.text.count("\n"))
-        return line if logical.number == number else replace(line, logical=replace(logical, number=number))
+        if logical.number == number:
+            return line
+        return Line(LogicalLine(number, logical.text), line.statement, line.fault)
 
     def items(self, items: Items) -> Items:
         return tuple(self.line(one) if isinstance(one, Line) else self.block(one) for one in items)

@@ -7,7 +7,8 @@ from collections.abc import Mapping
 
 import pytest
 
-from ropsim.program import Binary, Program, Unary
+from ropsim.language.check import fold
+from ropsim.program import Binary, Constant, Program, Unary, ValueType
 from support.outcomes import outcome
 from support.tasks import codes, compiled
 
@@ -94,3 +95,19 @@ def test_orientations_of_constants_and_of_variables_have_the_same_bits() -> None
         head = f"units mm, deg\nvar a: angle = {a}\nvar b: angle = {b}\n"
         found = outcome(f"{head}p = (1, 2, 3; rx {a}, rz {b})\nq = (1, 2, 3; rx a, rz b)").values
         assert found["p"] == found["q"], turn
+
+
+@pytest.mark.parametrize("number", [*NUMBERS, "5e-324"])
+@pytest.mark.parametrize("factor", [0.001, math.pi / 180.0, 1.0, 25.4, 1e-300])
+def test_a_number_in_its_unit_has_the_bits_of_the_product(number: str, factor: float) -> None:
+    given = fold.real(float(number))
+    product = fold.binary("mul", given, fold.real(factor), ValueType.REAL)
+    scaled = fold.scaled(given, factor)
+    assert isinstance(product, Constant)
+    assert isinstance(scaled, Constant)
+    assert bits(scaled.value) == bits(product.value)
+
+
+def test_a_number_too_large_for_its_unit_has_no_place() -> None:
+    with pytest.raises(ArithmeticError):
+        fold.scaled(fold.real(1.7e308), 25.4)

@@ -77,7 +77,7 @@ def _real(body: Body, value: Value, wanted: Type, place: Placed, what: str) -> E
         )
     factor = body.world.units.factor(wanted.dimension)
     try:
-        return fold.binary("mul", expression, fold.real(factor), _REAL)
+        return fold.scaled(expression, factor)
     except ArithmeticError as error:
         body.fail(kinds.OUT_OF_RANGE, place, f"the value cannot be computed: {error}", "check the numbers")
 

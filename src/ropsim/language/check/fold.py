@@ -155,6 +155,18 @@ def binary(op: str, left: Expression, right: Expression, kind: ValueType) -> Exp
     return _simplified(op, a, b, left, right) or Binary(op, left, right, kind)
 
 
+def scaled(operand: Expression, factor: float) -> Expression:
+    """Return a REAL times a number, as `binary` makes it.
+
+    Raises:
+        ArithmeticError: the result has no place.
+    """
+    number = number_of(operand)
+    if number is not None and isfinite(result := float(number) * factor):
+        return real(result)
+    return binary("mul", operand, real(factor), ValueType.REAL)
+
+
 def _computed(op: str, instruction: str, kind: ValueType, of: ValueType, *numbers: float) -> Expression:
     """Return what the machine would compute of constant numbers; `of` is REAL where one of them is."""
     is_real = kind is ValueType.REAL or of is ValueType.REAL

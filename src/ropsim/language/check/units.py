@@ -94,6 +94,8 @@ class UnitSystem:
 
         Speeds and accelerations follow from length, angle and time; everything else is SI.
         """
+        if not self.others and dimension == LENGTH:
+            return float(self.length)
         for known, factor in self.others:
             if known == dimension:
                 return factor

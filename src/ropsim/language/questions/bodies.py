@@ -23,7 +23,8 @@ def checked(db: Database, name: str) -> Outcome:
     found = db.ask(signature, name)
     assert text is not None
     assert found is not None
-    own = replace(found.signature, is_known=db.ask(header, name).signature.is_known)
+    own, is_known = found.signature, db.ask(header, name).signature.is_known
+    own = own if own.is_known is is_known else replace(own, is_known=is_known)
     return one_body.checked_task(final_world(db), text, own, db.ask(types, name).types)
 
 

@@ -45,7 +45,7 @@ def signature(db: Database, name: str) -> Called | None:
         signatures.report_untold(body, text, untold)
     except TooManyFindingsError:
         found = with_types(start, kinds)
-    return Called(replace(found, is_known=found.is_known and not untold), tuple(report.log))
+    return Called(replace(found, is_known=False) if untold else found, tuple(report.log))
 
 
 def joint_count(db: Database) -> int:

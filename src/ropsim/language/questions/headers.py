@@ -7,7 +7,7 @@ from ropsim.core import Diagnostic, frozen_dataclass
 from ropsim.language.check import signatures
 from ropsim.language.check.body import Body
 from ropsim.language.check.expressions import EXPRESSIONS
-from ropsim.language.check.types import Type, Unknown, closed, opened
+from ropsim.language.check.types import AnyType, Unknown, closed, opened
 from ropsim.language.check.world import Signature
 from ropsim.language.questions.callers import is_own, library, precedes, task
 from ropsim.language.questions.worlds import world_of
@@ -42,8 +42,8 @@ def header(db: Database, name: str) -> Header:
         signature = signatures.of_text(body, text, Names(db, CALLABLE))
     except TooManyFindingsError:
         signature = Signature(name, (), (), None, is_known=False)
-    formals = tuple(replace(one, type=closed(one.type)) for one in signature.formals)
-    return Header(replace(signature, formals=formals), tuple(report.log), body.joint_count)
+    closed_ones = with_types(signature, tuple(closed(one.type) for one in signature.formals))
+    return Header(closed_ones, tuple(report.log), body.joint_count)
 
 
 def _header_before(db: Database, caller: str, name: str) -> Signature | None:
@@ -60,7 +60,7 @@ def opened_formals(found: Signature) -> Signature:
     return replace(found, formals=tuple(replace(one, type=opened(one.type)) for one in found.formals))
 
 
-def with_types(found: Signature, kinds: tuple[Type, ...]) -> Signature:
+def with_types(found: Signature, kinds: tuple[AnyType, ...]) -> Signature:
     """Return a signature with the types of its parameters."""
     pairs = tuple(zip(found.formals, kinds, strict=True))
     if all(one.type is kind for one, kind in pairs):

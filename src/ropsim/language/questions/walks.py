@@ -42,6 +42,8 @@ def own_signature(db: Database, name: str) -> Signature | None:
         return db.ask(library, name)
     found = with_types(db.ask(header, name).signature, db.ask(formals_of, name))
     untold = db.ask(untold_of, name)
+    if not untold:
+        return found
     formals = (replace(one, type=Unknown()) if one.name in untold else one for one in found.formals)
     return replace(found, formals=tuple(formals))
 

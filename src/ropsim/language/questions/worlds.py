@@ -18,13 +18,22 @@ def world_of(db: Database, called: Callable[[str], Signature | None]) -> World:
         found = db.ask(declared_symbol, name)
         return of_body(found) if found is not None else None
 
-    return replace(
-        db.ask(basics),
-        frames=Table(lambda name: db.ask(frame, name), lambda: db.ask(names_in, "frames")),
-        tools=Table(lambda name: db.ask(tool, name), lambda: db.ask(names_in, "tools")),
-        symbols=Table(symbol_of, lambda: db.ask(names_in, "symbols")),
-        signatures=Table(called, lambda: all_tasks(db)),
-        untyped=db.ask(untyped),
+    text = db.ask(basics)
+    return World(  # thousands of times in a text: field by field, as `replace` takes three times as long
+        text.environment,
+        text.units,
+        text.is_strict,
+        text.is_classic,
+        text.frame,
+        text.X_BK,
+        Table(lambda name: db.ask(frame, name), lambda: db.ask(names_in, "frames")),
+        Table(lambda name: db.ask(tool, name), lambda: db.ask(names_in, "tools")),
+        Table(symbol_of, lambda: db.ask(names_in, "symbols")),
+        text.has_axes,
+        Table(called, lambda: all_tasks(db)),
+        text.without_result,
+        text.joint_count,
+        db.ask(untyped),
     )
 
 

@@ -46,11 +46,14 @@ _TURN_COUNTS = {
     "rz": 1,
     "down": 0,
 }
+_AFTER_VALUES = frozenset(",);")
 _AXES = frozenset(a + b + c for a in "XYZ" for b in "XYZ" for c in "XYZ" if a != b != c)
 
 
 def expression(cursor: Cursor) -> Node:
     """Read `and {or and}`."""
+    if cursor.token.kind == "number" and cursor.look(1).word in _AFTER_VALUES:  # most values are such
+        return number(cursor)
     left = _conjunction(cursor)
     while cursor.word == "or":
         left = _binary(cursor, left, "or", _conjunction)

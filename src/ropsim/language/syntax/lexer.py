@@ -81,6 +81,8 @@ def tokens(line: str) -> list[Token]:
 
 def number_parts(text: str) -> tuple[str, str]:
     """Return digits and unit of a number token."""
+    if text.isdigit():
+        return text, ""
     match = _NUMBER_PARTS.match(text)
     return (match.group(1), match.group(2)) if match else (text, "")
 
