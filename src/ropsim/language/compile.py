@@ -104,6 +104,11 @@ def _compiled(source: SourceText, signatures: Environment, cache: LineCache | No
 
 
 def _compiled_in(db: Database, source: SourceText, signatures: Environment) -> Compiled:
+    with db.version():
+        return _version_compiled(db, source, signatures)
+
+
+def _version_compiled(db: Database, source: SourceText, signatures: Environment) -> Compiled:
     report = Report(source.name)
     checked, places = _checked(source, signatures, report, db)
     if checked is None:

@@ -8,7 +8,8 @@ References:
     (inputs, derived queries, revisions of the last change, verification of dependencies).
 """
 
-from collections.abc import Callable, Hashable, Mapping
+from collections.abc import Callable, Hashable, Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from typing import Any, Concatenate, ParamSpec, TypeVar, cast
 
@@ -20,8 +21,8 @@ T = TypeVar("T")
 
 MAX_KEPT = 50_000
 """Answers kept at least before those of no use lately are given up."""
-KEPT_REVISIONS = 8
-"""An answer that nobody asked for during so many changes of inputs is of no use lately."""
+KEPT_VERSIONS = 8
+"""An answer that nobody asked for during so many versions of the inputs is of no use lately."""
 
 _Key = tuple[Hashable, ...]
 _Function = Callable[..., object]
@@ -54,7 +55,7 @@ class _Answer:
         value: its answer.
         changed: revision in which it became what it is.
         verified: revision in which it was last found to hold.
-        asked: revision in which somebody wanted to know it.
+        asked: version in which somebody wanted to know it.
         inputs: that it was made of.
         answers: that it was made of, in the order in which they were asked for.
         users: answers that were made of it.
@@ -99,6 +100,8 @@ class Database:
         self._inputs: dict[Hashable, _Input] = {}
         self._answers: dict[_Key, _Answer] = {}
         self._running: list[_Running] = []
+        self._version = 1
+        self._is_in_version = False
 
     def __len__(self) -> int:
         """Return how many answers are kept."""
@@ -118,8 +121,21 @@ class Database:
                 one = inputs.setdefault(name, _Input(None, 0))
                 one.value, one.changed = value, self.revision
                 self._doubt(one.users)
-        if len(self._answers) > self._limit:
-            self._forget()
+        if not self._is_in_version:
+            self._end_version(is_new=bool(changed))
+
+    @contextmanager
+    def version(self) -> Iterator[None]:
+        """Let inputs that are given meanwhile be of one version; each by itself would be one of its own.
+
+        For who gives inputs that are made of answers: no answer is given up before all have been asked for.
+        """
+        before, self._is_in_version = self.revision, True
+        try:
+            yield
+        finally:
+            self._is_in_version = False
+            self._end_version(is_new=self.revision != before)
 
     def read(self, name: Hashable) -> Any:  # noqa: ANN401 - inputs are of any type
         """Return an input; None where nobody has given it."""
@@ -137,7 +153,7 @@ class Database:
         found = self._answers.get(key)
         if found is None or found.is_doubtful:
             found = self._verified(key, found)
-        found.asked = self.revision
+        found.asked = self._version
         value: T = found.value
         return value
 
@@ -149,7 +165,7 @@ class Database:
         found = self._answers.get((function, *given))
         if found is None or found.is_doubtful:
             return None
-        found.asked = self.revision
+        found.asked = self._version
         value: T = found.value
         return value
 
@@ -179,7 +195,7 @@ class Database:
         value = known.value if known is not None and is_kept else value
         users = known.users if known is not None else set()
         inputs, answers = tuple(looked.inputs), tuple(looked.answers)
-        found = _Answer(value, changed, self.revision, self.revision, inputs, answers, users)
+        found = _Answer(value, changed, self.revision, self._version, inputs, answers, users)
         self._answers[key] = found
         self._connect(key, known, found)
         self._note(key, Outcome.SAME if is_kept else Outcome.RAN)
@@ -216,9 +232,14 @@ class Database:
             name = getattr(key[0], "__name__", str(key[0]))
             self.events.append(Event(name, key[1:], outcome))
 
+    def _end_version(self, *, is_new: bool) -> None:
+        self._version += is_new
+        if len(self._answers) > self._limit:
+            self._forget()
+
     def _forget(self) -> None:
         """Give up answers of no use lately; what those in use are made of stays."""
-        oldest = self.revision - KEPT_REVISIONS
+        oldest = self._version - KEPT_VERSIONS
         work = [key for key, one in self._answers.items() if one.asked >= oldest]
         kept: dict[_Key, _Answer] = {}
         while work:

@@ -1,10 +1,13 @@
 """What an edit reaches: a task is checked again only where its text, or what it names, has changed."""
 
+from functools import partial
+
 import pytest
 
 from ropsim import icr, language
 from ropsim.language.main_code import END, START
-from ropsim.query import Outcome
+from ropsim.language.units import of_task
+from ropsim.query import Database, Outcome
 from support.tasks import CELL
 
 TEXT = """program p
@@ -222,4 +225,13 @@ def test_what_lies_where_it_lay_is_not_compared_again() -> None:
     cache = language.LineCache()
     first = language.compile(TEXT, CELL, cache=cache).places.units
     then = language.compile(TEXT.replace("by + 1", "by + 2"), CELL, cache=cache).places.units
-    assert [name for name, one in then.items() if one is not first[name]] == []
+    assert all(then[of_task(name)] is first[of_task(name)] for name in ("Pick", "Count", "Fetch"))
+
+
+def test_a_text_with_more_answers_than_are_kept_is_worked_out_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("ropsim.language.cache.Database", partial(Database, 10))
+    editor = Editor(FLAT)
+    assert len(editor.ran("checked_part")) > 5
+    editor.edited(FLAT.replace("lin (400, 30, 300)", "lin (400, 30, 310)"))
+    assert len(editor.ran("checked_part")) == 1
+    assert len(editor.ran("parsed")) == 1

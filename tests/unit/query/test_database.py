@@ -162,6 +162,28 @@ def test_what_is_in_use_keeps_all_that_it_is_made_of() -> None:
     assert db.ask(counted_and_one) == 5
 
 
+def left_by(db: Database, number: int) -> int:
+    found: int = db.read(("left", number))
+    return found + 1
+
+
+def handed_on(db: Database, size: int) -> int:
+    """Give inputs that are made of answers, one after the other."""
+    with db.version():
+        for number in range(size):
+            db.give({("left", number + 1): db.ask(left_by, number)})
+    return db.ask(left_by, size)
+
+
+def test_inputs_made_of_answers_give_up_no_answer_of_their_version() -> None:
+    db = Database(limit=5)
+    db.give({("left", 0): 0})
+    assert handed_on(db, 50) == 51
+    db.events = []
+    assert handed_on(db, 50) == 51
+    assert ran(db) == []
+
+
 def test_a_database_for_one_state_gives_the_same_answers() -> None:
     once, db = Once(), database(text="a b c", is_left=False, left="l", right="r")
     once.give({"text": "a b c", "is left": False, "left": "l", "right": "r"})
