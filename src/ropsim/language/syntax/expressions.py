@@ -47,6 +47,7 @@ _TURN_COUNTS = {
     "down": 0,
 }
 _AFTER_VALUES = frozenset(",);")
+_OF_NAMES = frozenset(".[")
 _AXES = frozenset(a + b + c for a in "XYZ" for b in "XYZ" for c in "XYZ" if a != b != c)
 
 
@@ -124,6 +125,8 @@ def _term(cursor: Cursor) -> Node:
 
 def unary(cursor: Cursor) -> Node:
     """Read a value with any number of minus signs."""
+    if cursor.token.kind == "number" and cursor.look(1).word not in _OF_NAMES:
+        return number(cursor)
     start = cursor.start
     count = 0
     while cursor.accept("-"):

@@ -184,7 +184,7 @@ def _constant(scope: Scope, constant: sir.Constant) -> Type:
     kind, value = constant.type, constant.value
     if isinstance(value, tuple):
         numbers = tuple(float(number) for number in value)
-        if kind in {Type.ORI, Type.POSE}:
+        if kind is Type.ORI or kind is Type.POSE:
             at = 3 if kind is Type.POSE else 0
             w, x, y, z = numbers[at : at + 4]
             numbers = (*numbers[:at], *quaternion.unit((w, x, y, z)), *numbers[at + 4 :])
