@@ -24,7 +24,7 @@ from tools.library_rods import with_rod
 
 from ropsim.core import SourceText
 from ropsim.kinematics import joint_frames
-from ropsim.model import ParameterOrigin, RobotModel, Shape, rod
+from ropsim.model import Linkage, ParameterOrigin, RobotModel, Shape, rod
 from ropsim.nirox import write_nirox
 from ropsim.robotfile import read_robot_file
 from ropsim.robots import INDEX, catalogue_text, load, names
@@ -94,7 +94,12 @@ def _rods(robot: RobotModel, look: Mapping[str, Any]) -> Sequence[Sequence[Shape
     bodies: list[list[Shape]] = [[] for _ in range(robot.n + 1)]
     for one in look["rods"]:
         X_LB = np.linalg.inv(X_B[one["link"]])
-        first, last = (np.round(X_LB @ _point(X_B, *one[key]), 9)[:3] + 0.0 for key in ("from", "to"))
+        ends = (
+            _bracket(robot, X_B, one)
+            if "pin" in one
+            else (_point(X_B, *one["from"]), _point(X_B, *one["to"]))
+        )
+        first, last = (np.round(X_LB @ end, 9)[:3] + 0.0 for end in ends)
         radius, top = (1e-3 * value for value in one["radii"])
         bodies[one["link"]].append(rod(first, last, radius, top, look["tones"][one["tone"]]))
     return bodies
@@ -121,6 +126,19 @@ def _point(X_B: Array, axis: int, place: float) -> Array:
     z, origin = X_B[axis, :, 2], X_B[axis, :, 3]
     is_backwards = 0 < axis < len(X_B) - 1 and float(z @ (X_B[axis - 1, :, 3] - origin)) < -1e-6
     return np.asarray(origin + (-1e-3 if is_backwards else 1e-3) * place * z)
+
+
+def _bracket(robot: RobotModel, X_B: Array, one: Mapping[str, Any]) -> tuple[Array, Array]:
+    """Return the ends of a bracket: a pin of a cylinder and its foot on the way between two frames, in B."""
+    gear, joint = robot.drives[one["pin"]].transmission, robot.joints[one["pin"]]
+    if not isinstance(gear, Linkage):
+        raise TypeError(f"{robot.name}: drive {one['pin']} has no pins")
+    on_link = one["link"] == one["pin"] + 1
+    carrier = X_B[joint.parent + 1] @ joint.placement.matrix()
+    pin = (X_B[one["pin"] + 1] @ [*gear.link_pin, 1.0]) if on_link else carrier @ [*gear.carrier_pin, 1.0]
+    begin, end = (X_B[number][:3, 3] for number in one["along"])
+    share = (pin[:3] - begin) @ (end - begin) / ((end - begin) @ (end - begin))
+    return np.append(begin + share * (end - begin), 1.0), pin
 
 
 def texts() -> dict[str, str]:
