@@ -17,6 +17,8 @@ _FEWEST = 9
 """Places that are looked at, at least."""
 _ROOM = 8
 """Times as many places as in the grid of a curve for which there is room."""
+_LONGEST = 600
+"""Places in the grid of a curve for which that is; a corner has 129 at the most."""
 
 
 @record
@@ -100,13 +102,15 @@ def bends_of(look: Look, grid: Array, limits: JointMotionLimits) -> Bends:
 
 
 def bends_of_curve(curve: Curve, limits: JointMotionLimits) -> CurveBends | None:
-    """Return what `bends_of` finds on a curve, looked at from its own grid on; None where it is too uneven.
+    """Return what `bends_of` finds on a curve, from its own grid on; None where it is too long or too uneven.
 
     Args:
         curve: of the tool.
         limits: of position and orientation, each of shape (2,).
     """
     grid = curve.own_grid()
+    if len(grid) > _LONGEST:
+        return None
     m = _ROOM * len(grid)
     s, rows, told = np.empty(m), np.empty((2, m, 6)), np.array([float(len(grid)), 0.0, 0.0])
     s[: len(grid)] = grid

@@ -61,7 +61,7 @@ def corner(before: ToolPath, s_leave: float, after: ToolPath, s_enter: float) ->
         d1,
         np.concatenate((first.d2, last.d2)),
         np.array([c_in, c_out]),
-        np.empty((17, 3)),
+        np.empty((15, 3)),
         coefficients,
         middles,
         told,

@@ -33,7 +33,7 @@ def corner_polynomials(
         d1: first derivatives by the way there, shape (2, 6).
         d2: second ones.
         scales: ds/du at both ends, shape (2,).
-        room: to work in, shape (17, 3).
+        room: to work in, shape (15, 3).
         coefficients: where those of u⁰ to u⁵ go, shape (1, 6, 6).
         middles: where the orientation goes that rotation vectors count from, shape (1, 3, 3).
         told: where the greatest of these goes [rad], shape (1,).
