@@ -119,6 +119,9 @@ class CellCollisions:
                 return f"a finger of {self.words(body.parent)}"
             case BodyKind.PART:
                 return f"the part `{name}`"
+            case BodyKind.CYLINDER:
+                link, _, end = name.rpartition("/")
+                return f"the {end} of the cylinder that turns `{link}`"
         return f"`{name}`"
 
     def is_moved(self, station: Station, name: str, part: str) -> bool:
@@ -172,7 +175,7 @@ def _station_of(bodies: Mapping[str, Body], name: str) -> str:
     """Return the mechanism that moves a body with its arm, empty for none."""
     while name:
         body = bodies[name]
-        if body.mover is not None and body.kind is BodyKind.LINK:
+        if body.mover is not None and body.kind in (BodyKind.LINK, BodyKind.CYLINDER):
             return body.mover.mechanism
         name = body.parent
     return ""

@@ -13,6 +13,7 @@ from ropsim.kinematics import frames_batch, inverse
 from ropsim.model import Cell
 from ropsim.spatial import Array
 from ropsim.workbench import CellGeometry, world_state
+from ropsim.workbench.cell_collisions import CellCollisions
 from ropsim.workbench.part_places import part_places
 from support.meshes import stl
 
@@ -202,3 +203,13 @@ def test_a_mesh_of_the_project_is_looked_at_and_one_that_is_missing_is_said(tmp_
     (tmp_path / "block.stl").write_bytes(stl(soup))
     found = CellGeometry(cell, tmp_path).obstruction("arm", "bolt", "there")
     assert str(found) == "the part `bolt` would be 10.0 mm deep in `block`"
+
+
+def test_barrel_and_rod_of_a_cylinder_are_of_their_arm_and_called_after_the_link_that_it_turns() -> None:
+    cell, _ = read_cell(SourceText("cell.toml", '[robot]\nmodel = "patu655"\n'), "c")
+    assert cell is not None
+    looked = CellCollisions(cell, {})
+    assert looked.words("link2/rod") == "the rod of the cylinder that turns `link2`"
+    for name in ("link1/barrel", "link1/rod", "link2/barrel", "link2/rod"):
+        assert looked.is_moved(cell.first, name, "")
+    assert not looked.is_moved(cell.first, "base", "")
