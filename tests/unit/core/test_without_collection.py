@@ -38,14 +38,14 @@ def test_much_that_is_made_is_never_looked_at(kept: int) -> None:
         made = [[k] for k in range(MANY + 1_000)]
     assert gc.isenabled()
     assert looked_at() < len(made) // 10
-    assert gc.get_freeze_count() > kept + len(made)
+    assert gc.get_freeze_count() > kept + MANY  # a few of those kept before may have gone
 
 
 def test_little_that_is_made_is_looked_at_as_before(kept: int) -> None:
     with kept_from_collection():
         made = [[k] for k in range(1_000)]
     assert looked_at() > len(made)
-    assert gc.get_freeze_count() <= kept  # Some of them may have gone.
+    assert gc.get_freeze_count() <= kept
 
 
 def test_where_others_have_switched_the_search_off_it_stays_off() -> None:
