@@ -114,7 +114,7 @@ def bends_of_curve(curve: Curve, limits: JointMotionLimits) -> CurveBends | None
     m = _ROOM * len(grid)
     s, rows, told = np.empty(m), np.empty((2, m, 6)), np.array([float(len(grid)), 0.0, 0.0])
     s[: len(grid)] = grid
-    table, rates = np.empty(20 * m), np.array((limits.speed, limits.acceleration, limits.jerk))
+    table, rates = np.empty((10, m, 2)), np.array((limits.speed, limits.acceleration, limits.jerk))
     bends_along(
         *curve.numbers,
         rates,
@@ -131,7 +131,7 @@ def bends_of_curve(curve: Curve, limits: JointMotionLimits) -> CurveBends | None
     if not count:
         return None
     k = int(count) - 1
-    return CurveBends(Bends(np.diff(s[: k + 1]), table[: 10 * k].reshape(5, k, 2)), d1, d2)
+    return CurveBends(Bends(np.diff(s[: k + 1]), np.ascontiguousarray(table[:5, :k])), d1, d2)
 
 
 def _bounds(s: Array, d1: Array, d2: Array, rates: Array) -> tuple[Bends, npt.NDArray[np.intp]]:

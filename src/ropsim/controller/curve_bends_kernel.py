@@ -11,7 +11,7 @@ ROUNDS = 6
 
 @kernel(
     "void(f8[:,::1], f8[::1], f8[:,::1], i8, f8[:,:,::1], f8[:,:,::1], f8[:,::1], f8[::1], f8[::1],"
-    " f8[:,:,::1], f8[:,:,::1], f8[:,:,::1], f8[:,:,::1], f8[::1], f8[::1])"
+    " f8[:,:,::1], f8[:,:,::1], f8[:,:,::1], f8[:,:,::1], f8[:,:,::1], f8[::1])"
 )
 def bends_along(
     series: Array,
@@ -46,7 +46,7 @@ def bends_along(
         rows: room for both derivatives, shape (2, m, 6).
         more: room for those at new places, shape (2, m, 6).
         parts: the memory of `rows`, shape (2·m, 2, 3).
-        table: where the bounds go, all rows of the first one first, shape (20·m,).
+        table: where the bounds go, in its first cells, shape (10, m, 2).
         told: number of the places; becomes that of all, 0 where there is no room for them; then the greatest
             sizes of first and second derivatives of a part, shape (3,).
     """
@@ -54,8 +54,7 @@ def bends_along(
     curve_points(series, ends, inverse, steps, coefficients, middles, s[:n], matrices, rows[0], rows[1])
     for attempt in range(ROUNDS + 1):
         k = n - 1
-        bounds = table[: 20 * k].reshape((10, k, 2))
-        bounds_of(s[:n], parts[:n], parts[m : m + n], limits, bounds, between)
+        bounds_of(s[:n], parts[:n], parts[m : m + n], limits, table[:, :k], between)
         count = 0
         for i in range(k):
             if between[i] != 0.0:
