@@ -7,9 +7,8 @@ import numpy.typing as npt
 
 from ropsim.controller.bands_kernel import bring_down
 from ropsim.controller.joint_caps import Caps
-from ropsim.controller.parts import Part, part_of
-from ropsim.controller.pieces import piece_borders, stage_ends
-from ropsim.motion import Quantity, Stage
+from ropsim.controller.parts import Part, planned_part
+from ropsim.motion import Quantity, Stages
 from ropsim.spatial import Array, record
 
 _STEPS = np.array([0.01, 0.04, 0.08])
@@ -41,7 +40,7 @@ class Bands:
     @property
     def begins(self) -> Array:
         """Return the places at which pieces begin, and the end of the last one, shape (p + 1,)."""
-        return piece_borders(self.part.pieces)
+        return self.part.borders
 
     @property
     def share(self) -> float:
@@ -79,14 +78,10 @@ class Bands:
         changes = (np.diff(self.bounds, axis=1) != 0.0).any(axis=0) | (np.diff(owner) != 0)
         firsts = np.append(0, np.flatnonzero(changes) + 1)
         lengths = np.diff(self.borders[np.append(firsts, len(middles))])
-        stages: list[list[Stage]] = [[] for _ in self.part.pieces]
-        rows = np.column_stack((lengths, self.bounds[:, firsts].T)).tolist()
-        for piece, row in zip(owner[firsts].tolist(), rows, strict=True):
-            stages[piece].append(Stage(*row))
-        pieces = [
-            replace(piece, stages=tuple(own)) for piece, own in zip(self.part.pieces, stages, strict=True)
-        ]
-        return part_of(pieces, self.part.over, look_ahead)
+        stages = Stages(np.column_stack((lengths, self.bounds[:, firsts].T)))
+        pieces = self.part.pieces
+        counts = np.bincount(owner[firsts], minlength=len(pieces))
+        return planned_part(pieces, stages, counts, self.part.over, look_ahead)
 
     def cause(self, band: int) -> tuple[int, Quantity]:
         """Return the joint that has brought a band down, and what it had too little of."""
@@ -102,14 +97,13 @@ def bands_of(part: Part, times: Array) -> Bands:
         times: between which bands lie, from the start of the part on [s], rising, shape (m,).
     """
     inside = times[(times > 0.0) & (times < part.law.duration)]
-    rows, ends = part.law.at(inside), stage_ends(part.pieces)
-    places = piece_borders(part.pieces)[rows.pieces] + rows.places
+    rows, ends = part.law.at(inside), part.stages.ends
+    places = part.borders[rows.pieces] + rows.places
     fixed, near = np.append(0.0, ends), _SAME_PLACE * float(ends[-1])
     beside = np.searchsorted(fixed, places).clip(1, len(fixed) - 1)
     free = np.minimum(places - fixed[beside - 1], fixed[beside] - places) > near
     borders = np.sort(np.append(fixed, places[free]))
     borders = borders[np.append(np.diff(borders) > 0.0, True)]
-    stages = [stage for piece in part.pieces for stage in piece.stages]
     here = np.searchsorted(ends[:-1], 0.5 * (borders[1:] + borders[:-1]), "right")
-    bounds = np.array([[one.speed, one.acceleration, one.jerk] for one in stages]).T[:, here]
+    bounds = np.ascontiguousarray(part.stages.bounds[here].T)
     return Bands(part, borders, bounds, bounds, np.full((2, len(here)), -1))

@@ -27,20 +27,19 @@ def standing_refusal(leg: Leg, piece: Piece) -> Refusal | None:
     """
     if leg.tool is None or piece.corner:
         return None
-    place = piece.begin
-    for stage in piece.stages:
-        if not _NOTHING < min(stage.speed, stage.acceleration, stage.jerk) < math.inf:
-            share = place / leg.tool.length
-            finding = NO_SPLINE.at(
-                leg.move.origin.span,
-                f"the curve turns back after {share:.0%} of its way, so sharply that the tool cannot pass",
-                label=passes(leg.move.origin),
-                hint="put the points further apart, or in an order in which the curve goes on",
-                data={"place": share},
-            )
-            return Refusal((finding,))
-        place += stage.length
-    return None
+    least = piece.stages.bounds.min(axis=1)
+    wrong = np.flatnonzero(~((least > _NOTHING) & (least < math.inf)))
+    if len(wrong) == 0:
+        return None
+    share = (piece.begin + float(piece.stages.rows[: wrong[0], 0].sum())) / leg.tool.length
+    finding = NO_SPLINE.at(
+        leg.move.origin.span,
+        f"the curve turns back after {share:.0%} of its way, so sharply that the tool cannot pass",
+        label=passes(leg.move.origin),
+        hint="put the points further apart, or in an order in which the curve goes on",
+        data={"place": share},
+    )
+    return Refusal((finding,))
 
 
 def joints_refusal(leg: Leg, speeds: Array) -> Refusal | None:

@@ -11,7 +11,6 @@ from ropsim.controller.course import Course, Run, course_of
 from ropsim.controller.joint_caps import Walked, joint_caps
 from ropsim.controller.kept_limits import ArmBounds
 from ropsim.controller.parts import Part
-from ropsim.controller.pieces import piece_borders
 from ropsim.controller.slowed_bands import slowed_in
 from ropsim.controller.stretch_motion import StretchMotion
 from ropsim.motion import (
@@ -161,7 +160,7 @@ def _walked(fit: Fit, run: Run, ticks: Indices) -> Walked:
             points = run.pieces[number].joints.joints(law.places[here])
             d[0, here], d[1, here] = points.d1, points.d2
     d1, d2 = d.reshape(2, 2, len(ticks), n)
-    places = piece_borders(run.pieces)[law.pieces] + law.places
+    places = run.part.borders[law.pieces] + law.places
     places, speeds, accelerations = (each.reshape(2, -1) for each in (places, law.speeds, law.accelerations))
     torque = None if reference.torque is None else reference.torque[ticks]
     at_ticks = rows.q[ticks], rows.d1[ticks], rows.d2[pairs]

@@ -1,5 +1,6 @@
 """Joint limits of a motion: what the arm can do with its payload, and what is said where that binds."""
 
+from bisect import bisect_right
 from collections.abc import Sequence
 from functools import lru_cache
 
@@ -95,7 +96,7 @@ def move_at(ends: Sequence[float], phi: float) -> int:
         ends: motion times at which the moves end [s].
         phi: motion time [s].
     """
-    return next((number for number, end in enumerate(ends) if phi < end), len(ends) - 1)
+    return min(bisect_right(ends, phi), len(ends) - 1)
 
 
 def _slowed(leg: Leg, part: Slowed, joint: Joint, start: float, end: float) -> Diagnostic:

@@ -4,11 +4,14 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
+import numpy.typing as npt
 
 from ropsim.controller.corners import Overlap
 from ropsim.controller.pieces import Piece, Walk
-from ropsim.motion import Stage, SynchronisedJoints, TimeLaw, plan_time_law
-from ropsim.spatial import record
+from ropsim.motion import Stages, SynchronisedJoints, TimeLaw, plan_stages
+from ropsim.spatial import Array, record
+
+Counts = npt.NDArray[np.intp]
 
 
 @record
@@ -17,23 +20,33 @@ class Part:
 
     Attributes:
         pieces: in order.
+        stages: with which they are planned, of all pieces in a row; none where the path is one of time.
+        counts: how many stages each piece has, shape (p,).
         law: when the motion is where on them; it counts pieces, whatever the stages of each.
         over: how it goes over into the next one; None where it stops.
     """
 
     pieces: tuple[Piece, ...]
+    stages: Stages
+    counts: Counts
     law: TimeLaw
     over: Overlap | None
 
     @property
     def has_stages(self) -> bool:
         """Return whether its time law is planned with stages; else its path is one of time."""
-        return bool(self.pieces[0].stages)
+        return len(self.stages) > 0
 
     @property
     def leads_tool(self) -> bool:
         """Return whether it is on a path of the tool, so that limits of the tool hold."""
         return self.pieces[0].tool is not None
+
+    @property
+    def borders(self) -> Array:
+        """Return the places at which pieces begin, from the start on, and the end of the last, (p + 1,)."""
+        ends = np.append(0.0, self.stages.ends)
+        return np.asarray(ends[np.append(0, np.cumsum(self.counts))])
 
 
 def parts_of(walks: Sequence[Walk], look_ahead: int) -> tuple[Part, ...]:
@@ -54,28 +67,42 @@ def part_of(pieces: Sequence[Piece], over: Overlap | None, look_ahead: int) -> P
         over: how they go over into the next ones; None where they stop.
         look_ahead: how many moves beyond the present one are known.
     """
-    alone = pieces[0].joints
+    counts, alone = np.array([len(piece.stages) for piece in pieces]), pieces[0].joints
+    rows = [piece.stages.rows for piece in pieces]
+    stages = Stages(np.concatenate(rows)) if len(rows) > 1 else pieces[0].stages
     if isinstance(alone, SynchronisedJoints):
-        return Part(tuple(pieces), alone.law, over)
-    law = plan_time_law(_with_horizons(pieces, look_ahead))
-    counts = [len(piece.stages) for piece in pieces]
-    return Part(tuple(pieces), law if max(counts) == 1 else law.in_parts(counts), over)
+        return Part(tuple(pieces), stages, counts, alone.law, over)
+    return planned_part(pieces, stages, counts, over, look_ahead)
 
 
-def _with_horizons(pieces: Sequence[Piece], look_ahead: int) -> list[Stage]:
-    """Return the stages of the pieces of a run, with the last stage that is known where a piece ends.
+def planned_part(
+    pieces: Sequence[Piece], stages: Stages, counts: Counts, over: Overlap | None, look_ahead: int
+) -> Part:
+    """Return pieces with the time law of stages that count for them instead of their own.
+
+    Args:
+        pieces: that are walked together from rest to rest.
+        stages: of all pieces in a row.
+        counts: how many of them each piece has, one or more, shape (p,).
+        over: how they go over into the next ones; None where they stop.
+        look_ahead: how many moves beyond the present one are known.
+    """
+    law = plan_stages(stages, _horizons(pieces, counts, look_ahead))
+    if counts.max() > 1:
+        law = law.in_parts(counts)
+    return Part(tuple(pieces), stages, counts, law, over)
+
+
+def _horizons(pieces: Sequence[Piece], counts: Counts, look_ahead: int) -> Counts:
+    """Return the last stage that is known where a stage ends, of all stages; -1 where that tells nothing.
 
     Within a piece no more gets known: who can stop after it can stop before.
     """
-    ends = np.cumsum([len(piece.stages) for piece in pieces]).tolist()
-    last = {piece.leg: end - 1 for piece, end in zip(pieces, ends, strict=True)}
-    final = pieces[-1].leg
-    stages: list[Stage] = []
-    for piece in pieces:
-        *inner, end = piece.stages
-        horizon = last[min(piece.leg + look_ahead, final)]
-        stages += (*inner, Stage(end.length, end.speed, end.acceleration, end.jerk, end.ratio, horizon))
-    return stages
+    lasts, legs = np.cumsum(counts) - 1, np.array([piece.leg for piece in pieces])
+    known = np.searchsorted(legs, np.minimum(legs + look_ahead, legs[-1]), "right") - 1
+    horizons = np.full(lasts[-1] + 1, -1)
+    horizons[lasts] = lasts[known]
+    return horizons
 
 
 def _quickest(pieces: Sequence[Piece], over: Overlap | None, look_ahead: int) -> Part:

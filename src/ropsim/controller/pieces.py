@@ -2,19 +2,26 @@
 
 from collections.abc import Sequence
 
-import numpy as np
-
 from ropsim.controller.coordination import Coordination
 from ropsim.controller.corners import Corner, Overlap, Rounding
 from ropsim.controller.leg import Leg
-from ropsim.controller.stages import Stages, along_with, joint_stages, tool_choices, tool_stages
-from ropsim.motion import JointPath, JointSection, SynchronisedJoints, ToolLimits, ToolPath, ToolSection
-from ropsim.spatial import Array, Pose, record
+from ropsim.controller.stages import along_with, joint_stages, tool_choices, tool_stages
+from ropsim.motion import (
+    JointPath,
+    JointSection,
+    Stages,
+    SynchronisedJoints,
+    ToolLimits,
+    ToolPath,
+    ToolSection,
+)
+from ropsim.spatial import Pose, record
 
 _SHARES = (1.0, 0.9, 0.81, 0.729, 0.656, 0.59, 0.531, 0.478)
 """Of the highest speed that a bend allows: those that are tried on the path of a move."""
 _NOTHING = 1e-9
 """Share of a path below which nothing is left of it between two corners."""
+_NO_STAGES = Stages.of(())
 
 
 @record
@@ -74,25 +81,6 @@ def pieces_of(legs: Sequence[Leg], corners: Sequence[Corner | None]) -> list[Wal
     return runs
 
 
-def stage_ends(pieces: Sequence[Piece]) -> Array:
-    """Return the places at which the stages of pieces end, counted from the start of the first one, (p,).
-
-    Args:
-        pieces: that are walked together.
-    """
-    return np.cumsum([stage.length for piece in pieces for stage in piece.stages])
-
-
-def piece_borders(pieces: Sequence[Piece]) -> Array:
-    """Return the places at which pieces begin, from the start on, and the end of the last one, (c + 1,).
-
-    Args:
-        pieces: that are walked together.
-    """
-    ends = np.append(0.0, stage_ends(pieces))
-    return np.asarray(ends[np.cumsum([0, *(len(piece.stages) for piece in pieces)])])
-
-
 def _straight(number: int, leg: Leg, first: float, last: float) -> Piece:
     assert leg.joints is not None
     whole = first == 0.0 and last == leg.joints.length
@@ -100,7 +88,7 @@ def _straight(number: int, leg: Leg, first: float, last: float) -> Piece:
     tool = leg.tool if whole or leg.tool is None else ToolSection(leg.tool, first, last)
     limits, coordination = leg.planned.limits, leg.planned.coordination
     if tool is None:
-        stages = () if isinstance(joints, SynchronisedJoints) else joint_stages(joints, limits.joints)
+        stages = _NO_STAGES if isinstance(joints, SynchronisedJoints) else joint_stages(joints, limits.joints)
         return Piece(number, joints, None, leg.planned.X_MT, stages, begin=first)
     if coordination and not whole:
         coordination = coordination.part(first, last)

@@ -8,10 +8,8 @@ from ropsim.controller.bends import Bends, bends_of, bends_of_curve
 from ropsim.controller.bends_kernel import TINY
 from ropsim.controller.coordination import Coordination
 from ropsim.controller.stages_kernel import bent_stages
-from ropsim.motion import Curve, JointMotionLimits, JointPath, Stage, ToolLimits, ToolPath, grid
+from ropsim.motion import Curve, JointMotionLimits, JointPath, Stages, ToolLimits, ToolPath, grid
 from ropsim.spatial import Array
-
-Stages = tuple[Stage, ...]
 
 _PLACES = np.linspace(0.0, 1.0, 33)
 _STRAIGHT = 1e-9
@@ -85,7 +83,12 @@ def _choices(bends: Bends, both: JointMotionLimits, shares: Sequence[float]) -> 
     first = _bent(bends, both, shares[0])
     if len(first) > 1:  # a bend that changes: what is left for changes of speed is used up where it changes
         return (first,)
-    return tuple(dict.fromkeys((first, *(_bent(bends, both, share) for share in shares[1:]))))
+    others: list[Stages] = []
+    for share in shares[1:]:
+        other = _bent(bends, both, share)
+        if not any(np.array_equal(other.rows, one.rows) for one in (first, *others)):
+            others.append(other)
+    return (first, *others)
 
 
 def along_with(stages: Stages, coordination: Coordination | None) -> Stages:
@@ -98,26 +101,15 @@ def along_with(stages: Stages, coordination: Coordination | None) -> Stages:
     if coordination is None:
         return stages
     axes = joint_stages(coordination.axes, coordination.limits)
-    ways = [np.cumsum([one.length for one in each]) for each in (stages, axes)]
+    ways = [each.ends for each in (stages, axes)]
     length = float(ways[0][-1])
     ends = np.unique(np.concatenate((ways[0][:-1], ways[1][:-1])))
     near = _SAME_PLACE * length
     ends = ends[(np.diff(ends, prepend=0.0) > near) & (ends < length - near)]
     middles = 0.5 * (np.append(0.0, ends) + np.append(ends, length))
-    here, there = (np.minimum(np.searchsorted(way, middles), len(way) - 1).tolist() for way in ways)
-    lengths = np.diff(ends, prepend=0.0, append=length).tolist()
-    return tuple(
-        _least(length, stages[i], axes[k]) for length, i, k in zip(lengths, here, there, strict=True)
-    )
-
-
-def _least(length: float, one: Stage, other: Stage) -> Stage:
-    return Stage(
-        length,
-        min(one.speed, other.speed),
-        min(one.acceleration, other.acceleration),
-        min(one.jerk, other.jerk),
-    )
+    here, there = (np.minimum(np.searchsorted(way, middles), len(way) - 1) for way in ways)
+    least = np.minimum(stages.bounds[here], axes.bounds[there])
+    return Stages(np.column_stack((np.diff(ends, prepend=0.0, append=length), least)))
 
 
 def _straight(length: float, d1: Array, limits: JointMotionLimits) -> Stages:
@@ -125,7 +117,7 @@ def _straight(length: float, d1: Array, limits: JointMotionLimits) -> Stages:
         float((limit / np.maximum(d1, TINY)).min())
         for limit in (limits.speed, limits.acceleration, limits.jerk)
     )
-    return (Stage(length, speed, acceleration, jerk),)
+    return Stages(np.array(((length, speed, acceleration, jerk),)))
 
 
 def _bent(bends: Bends, limits: JointMotionLimits, share: float) -> Stages:
@@ -133,4 +125,4 @@ def _bent(bends: Bends, limits: JointMotionLimits, share: float) -> Stages:
     rates, k = np.array((limits.speed, limits.acceleration, limits.jerk)), len(bends.lengths)
     out, told = np.empty((k, 7)), np.empty(1)
     bent_stages(bends.table, bends.lengths, rates, share, np.empty(k), np.empty((k, 3)), out, told)
-    return tuple(Stage(*row) for row in out[: int(told[0]), :4].tolist())
+    return Stages(out[: int(told[0]), :4].copy())

@@ -5,7 +5,6 @@ from dataclasses import field
 import numpy as np
 
 from ropsim.controller.course import Course, Run
-from ropsim.controller.pieces import piece_borders, stage_ends
 from ropsim.controller.stretch_kernel import add_in_time, walk_runs
 from ropsim.controller.walk_table import WalkTable, walk_table
 from ropsim.motion import JointPoints, LawRows, Ways
@@ -113,7 +112,6 @@ def _walk(run: Run, times: Array, row: int, shared: int, corner: Array, total: A
 
 def _most(run: Run, rows: LawRows) -> Array:
     """Return the limits of acceleration and jerk on the path of a run, shape (2, k)."""
-    stages = [stage for piece in run.pieces for stage in piece.stages]
-    places = piece_borders(run.pieces)[rows.pieces] + rows.places
-    here = np.searchsorted(stage_ends(run.pieces)[:-1], places, "right")
-    return np.array([[stage.acceleration for stage in stages], [stage.jerk for stage in stages]])[:, here]
+    places = run.part.borders[rows.pieces] + rows.places
+    here = np.searchsorted(run.part.stages.ends[:-1], places, "right")
+    return run.part.stages.bounds[here, 1:].T

@@ -103,10 +103,12 @@ from ropsim.motion.profile import ProfileLimits as ProfileLimits
 from ropsim.motion.profile import evaluate as evaluate
 from ropsim.motion.profile import plan_profile as plan_profile
 from ropsim.motion.stage import Stage as Stage
+from ropsim.motion.stages import Stages as Stages
 from ropsim.motion.synchronised import SynchronisedJoints as SynchronisedJoints
 from ropsim.motion.synchronised_kernel import joint_rows as joint_rows
 from ropsim.motion.time_law import LawRows as LawRows
 from ropsim.motion.time_law import TimeLaw as TimeLaw
+from ropsim.motion.time_law import plan_stages as plan_stages
 from ropsim.motion.time_law import plan_time_law as plan_time_law
 from ropsim.motion.turn import Turn as Turn
 from ropsim.motion.turn import plan_turn as plan_turn

@@ -9,6 +9,7 @@ from ropsim.motion import law_rows_kernel, time_law_kernel
 from ropsim.motion.diagnostics import WRONG_PROFILE_REQUEST
 from ropsim.motion.profile import ProfileError
 from ropsim.motion.stage import Stage
+from ropsim.motion.stages import Stages
 from ropsim.motion.time_law_kernel import LEAST, MOST
 from ropsim.spatial import Array, record
 
@@ -119,17 +120,18 @@ class TimeLaw:
         law_rows_kernel.times_at(self.segments, self.ends, numbers, asked, out)
         return out
 
-    def in_parts(self, counts: Sequence[int]) -> "TimeLaw":
+    def in_parts(self, counts: npt.ArrayLike) -> "TimeLaw":
         """Return the same motion over longer pieces, each of several pieces of this one with the same unit.
 
         Args:
             counts: of how many, in order, each 1 or more; their sum is p.
         """
-        firsts = np.cumsum([0, *counts[:-1]])
+        many = np.asarray(counts)
+        firsts = np.append(0, np.cumsum(many[:-1]))
         last_segments = np.append(np.flatnonzero(np.diff(self.segments[0])), self.segments.shape[1] - 1)
         gone = np.append(0.0, np.cumsum(self.segments[7, last_segments]))
-        begins = gone[:-1] - np.repeat(gone[firsts], counts)
-        numbers, here = np.repeat(np.arange(len(counts)), counts), self.pieces
+        begins = gone[:-1] - np.repeat(gone[firsts], many)
+        numbers, here = np.repeat(np.arange(len(many)), many), self.pieces
         segments = self.segments.copy()
         segments[0] = numbers[here]
         segments[2] += begins[here]
@@ -159,25 +161,48 @@ def plan_time_law(stages: Sequence[Stage]) -> TimeLaw:
     """
     if not stages:
         raise ProfileError(WRONG_PROFILE_REQUEST.at(None, "a way has no pieces, allowed is one or more"))
-    bounds = np.array(
-        [(one.length, one.speed, one.acceleration, one.jerk, one.ratio, one.horizon) for one in stages],
-        dtype=np.float64,
+    return _planned(
+        np.array(
+            [(one.length, one.speed, one.acceleration, one.jerk, one.ratio, one.horizon) for one in stages],
+            dtype=np.float64,
+        )
     )
+
+
+def plan_stages(stages: Stages, horizons: Indices) -> TimeLaw:
+    """Return what `plan_time_law` does, of stages that stand in rows.
+
+    Args:
+        stages: in their order, one or more.
+        horizons: of each, see `Stage`, shape (p,).
+
+    Raises:
+        ProfileError: M540, as there.
+    """
+    bounds = np.ones((len(stages), 6))
+    bounds[:, :4] = stages.rows
+    bounds[:, 5] = horizons
+    return _planned(bounds)
+
+
+def _planned(bounds: Array) -> TimeLaw:
+    """Return the time law of pieces, rows as for `plan_segments`, shape (p, 6)."""
     p = len(bounds)
-    ways, courses = np.empty((3, 10, p + 1)), np.empty((3, 8, _SEGMENTS * p))
+    ways, courses = np.empty((3, 12, p + 1)), np.empty((3, 8, _SEGMENTS * p))
     rows, ends, told = np.empty((8, 2 * _SEGMENTS * p)), np.empty(p), np.empty(2)
     time_law_kernel.plan_segments(bounds, ways, courses, rows, ends, told)
     count, wrong = told.tolist()
     if count < 0.0:
-        raise ProfileError(WRONG_PROFILE_REQUEST.at(None, _wrong_words(int(wrong), stages[int(wrong)])))
+        raise ProfileError(WRONG_PROFILE_REQUEST.at(None, _wrong_words(int(wrong), bounds[int(wrong)])))
     return TimeLaw(rows[:, : int(count)].copy(), ends)
 
 
-def _wrong_words(piece: int, stage: Stage) -> str:
-    """Return what is wrong with the bounds of a piece."""
+def _wrong_words(piece: int, bounds: Array) -> str:
+    """Return what is wrong with the bounds of a piece, shape (6,)."""
+    length, speed, acceleration, jerk, ratio, horizon = bounds.tolist()
     found = (
-        f"length {stage.length:g}, speed {stage.speed:g}, acceleration {stage.acceleration:g}, "
-        f"jerk {stage.jerk:g}, ratio {stage.ratio:g}, horizon {stage.horizon}"
+        f"length {length:g}, speed {speed:g}, acceleration {acceleration:g}, "
+        f"jerk {jerk:g}, ratio {ratio:g}, horizon {int(horizon)}"
     )
     return (
         f"piece {piece} has {found}; allowed are numbers from {LEAST:g} to {MOST:g}, for the ratio also 0, "

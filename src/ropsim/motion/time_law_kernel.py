@@ -13,10 +13,10 @@ Trajectory Planning for Automatic Machines and Robots, section 3.4).
 
 In a table of a way stand, piece by piece: length, speed, acceleration, jerk, bound of the speed at its start,
 horizon; then, where a rise starts at a piece, its first segment, the one behind its last, and the speed to
-which its end can be levelled off; at last the speed at its start from which all of the rest can be made. The
-last column is the end of the way. In a table of segments stand piece,
-place, speed, acceleration, jerk, duration, place at the end, and the speed to which its start can be levelled
-off.
+which its end can be levelled off; then the speed at its start from which all of the rest can be made; at
+last, for its horizon, a piece and the speed at the end of that from which the motion can stop in time, as far
+as they have been found. The last column is the end of the way. In a table of segments stand piece, place,
+speed, acceleration, jerk, duration, place at the end, and the speed to which its start can be levelled off.
 """
 
 from math import inf, sqrt
@@ -44,7 +44,7 @@ def plan_segments(bounds: Array, ways: Array, courses: Array, rows: Array, ends:
     Args:
         bounds: of the pieces in columns: length, speed, acceleration, jerk, ratio, horizon (see `Stage`), of
             shape (p, 6).
-        ways: room for the tables of the way there, the way back, and units and lengths, shape (3, 10, p + 1).
+        ways: room for the tables of the way there, the way back, and units and lengths, shape (3, 12, p + 1).
         courses: room for the tables of rises, of falls, and for segments on the way back, of shape
             (3, 8, 8·p).
         rows: where the segments go: piece, time at the start [s], place, speed, acceleration, jerk, duration
@@ -89,7 +89,7 @@ def _lay_out(bounds: Array, ways: Array) -> int:
     if _look_ahead(there):
         for i in range(p - 1):
             if there[5, i] < inf and there[4, i + 1] > 0.0:
-                there[4, i + 1] = min(there[4, i + 1], _stoppable(there, i + 1, 0.0, int(there[5, i])))
+                there[4, i + 1] = min(there[4, i + 1], _stoppable(there, i + 1, 0.0, i))
         _look_ahead(there)
     for i in range(p):
         for k in range(4):
@@ -137,6 +137,7 @@ def _look_ahead(way: Array) -> bool:
     p, limited = way.shape[1] - 1, False
     for i in range(p):
         limited = limited or way[5, i] < inf
+        way[10, i] = -1.0
     way[9, p] = 0.0
     for k in range(p - 1, -1, -1):
         if not limited:
@@ -145,19 +146,22 @@ def _look_ahead(way: Array) -> bool:
     return limited
 
 
-def _stoppable(way: Array, piece: int, place: float, last: int) -> float:
-    """Return a speed, without acceleration, from which the motion can stop before the end of a last piece.
+def _stoppable(way: Array, piece: int, place: float, ahead: int) -> float:
+    """Return a speed, without acceleration, from which the motion can stop before the horizon of a piece.
 
-    What lies behind that piece matters no more where both are as fast.
+    What lies behind the horizon matters no more where both are as fast. The way back from there is kept.
     """
-    if piece > last:
-        return 0.0
-    speed = 0.0
-    for k in range(last, piece, -1):
+    known, speed = int(way[5, ahead]), 0.0
+    if piece > known:
+        return speed
+    if way[10, ahead] >= piece:
+        known, speed = int(way[10, ahead]), way[11, ahead]
+    for k in range(known, piece, -1):
         speed = min(_reached(speed, way[0, k], way[2, k], way[3, k]), way[4, k])
         if speed == way[9, k]:
             speed = way[9, piece + 1]
             break
+    way[10, ahead], way[11, ahead] = piece, speed
     speed = _reached(speed, way[0, piece] - place, way[2, piece], way[3, piece])
     return float(min(speed, way[1, piece]))
 
@@ -240,7 +244,7 @@ def _level(
             fault, where = 2, k
         else:
             for i in range(since, k):
-                if way[5, i] < inf and top > _stoppable(way, k, end, int(way[5, i])):
+                if way[5, i] < inf and top > _stoppable(way, k, end, i):
                     return 1, k, end, top, i + 1
     return fault, k, end, top, where
 
@@ -383,7 +387,7 @@ def _fault(way: Array, piece: int, place: float, v: float, a: float, since: int)
         return 2, k, (way[1, k] - top) / way[1, k]
     for i in range(since, k):
         if way[5, i] < inf:
-            most = _stoppable(way, k, end, int(way[5, i]))
+            most = _stoppable(way, k, end, i)
             if top > most:
                 return 1, i + 1, (most - top) / top
             room = min(room, (most - top) / top if top > 0.0 else inf)

@@ -11,7 +11,7 @@ from ropsim.controller.joint_caps_kernel import ACCELERATION, SPEED
 from ropsim.controller.leg import Leg, leg_of
 from ropsim.controller.parts import Part, part_of, parts_of
 from ropsim.controller.pieces import pieces_of
-from ropsim.motion import JointSection, Quantity
+from ropsim.motion import JointSection, Quantity, Stages
 from support.motion import CHAIN, START, interface_pose, lin, shifted
 
 AHEAD = 10
@@ -45,7 +45,7 @@ def test_cells_lie_between_the_places_at_given_times() -> None:
 
 def test_with_its_bounds_as_they_were_a_part_has_its_time_law() -> None:
     again = BANDS.replanned(AHEAD)
-    assert len(again.pieces[0].stages) == 1
+    assert len(again.stages) == 1
     assert again.law.duration == pytest.approx(PART.law.duration, rel=1e-12)
 
 
@@ -53,14 +53,15 @@ def test_pieces_with_the_same_bounds_keep_stages_of_their_own() -> None:
     piece = PART.pieces[0]
     (stage,) = piece.stages
     half = replace(stage, length=0.5 * stage.length)
+    halves = Stages.of([half])
     pieces = [
-        replace(piece, joints=JointSection(piece.joints, begin * LENGTH, end * LENGTH), stages=(half,))
+        replace(piece, joints=JointSection(piece.joints, begin * LENGTH, end * LENGTH), stages=halves)
         for begin, end in ((0.0, 0.5), (0.5, 1.0))
     ]
     two = part_of(pieces, None, AHEAD)
     again = bands_of(two, np.linspace(0.0, two.law.duration, 40)).replanned(AHEAD)
-    assert [len(one.stages) for one in again.pieces] == [1, 1]
-    assert [one.stages[0].length for one in again.pieces] == pytest.approx([half.length, half.length])
+    assert again.counts.tolist() == [1, 1]
+    assert again.stages.rows[:, 0] == pytest.approx([half.length, half.length])
 
 
 def test_at_a_share_of_all_rates_a_part_takes_as_many_times_as_long() -> None:
