@@ -1,6 +1,6 @@
 """The time law of a way of several pieces: jerk-limited, from rest to rest, as fast as its bounds allow."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable
 
 import numpy as np
 import numpy.typing as npt
@@ -139,7 +139,7 @@ class TimeLaw:
         return TimeLaw(segments, self.ends[np.append(firsts[1:], len(self.ends)) - 1])
 
 
-def plan_time_law(stages: Sequence[Stage]) -> TimeLaw:
+def plan_time_law(stages: Iterable[Stage]) -> TimeLaw:
     """Return the time law of a way of p pieces, in time proportional to p and the look-ahead.
 
     The motion starts and ends at rest and keeps the bounds of each piece; its acceleration goes on where a
@@ -159,14 +159,8 @@ def plan_time_law(stages: Sequence[Stage]) -> TimeLaw:
         Biagiotti and Melchiorri 2008, Trajectory Planning for Automatic Machines and Robots, section 3.4.
         Bobrow, Dubowsky and Gibson 1985, Int. J. Robotics Research 4(3), for the passes.
     """
-    if not stages:
-        raise ProfileError(WRONG_PROFILE_REQUEST.at(None, "a way has no pieces, allowed is one or more"))
-    return _planned(
-        np.array(
-            [(one.length, one.speed, one.acceleration, one.jerk, one.ratio, one.horizon) for one in stages],
-            dtype=np.float64,
-        )
-    )
+    rows = [(one.length, one.speed, one.acceleration, one.jerk, one.ratio, one.horizon) for one in stages]
+    return _planned(np.array(rows, dtype=np.float64))
 
 
 def plan_stages(stages: Stages, horizons: Indices) -> TimeLaw:
@@ -188,6 +182,8 @@ def plan_stages(stages: Stages, horizons: Indices) -> TimeLaw:
 def _planned(bounds: Array) -> TimeLaw:
     """Return the time law of pieces, rows as for `plan_segments`, shape (p, 6)."""
     p = len(bounds)
+    if p == 0:
+        raise ProfileError(WRONG_PROFILE_REQUEST.at(None, "a way has no pieces, allowed is one or more"))
     ways, courses = np.empty((3, 12, p + 1)), np.empty((3, 8, _SEGMENTS * p))
     rows, ends, told = np.empty((8, 2 * _SEGMENTS * p)), np.empty(p), np.empty(2)
     time_law_kernel.plan_segments(bounds, ways, courses, rows, ends, told)

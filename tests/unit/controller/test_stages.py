@@ -1,7 +1,7 @@
 """Bounds of the pieces of a stretch: exact on straight ways, kept together on bent ones."""
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from itertools import pairwise
 
 import numpy as np
@@ -22,6 +22,7 @@ from ropsim.motion import (
     OrientationMode,
     SplineFault,
     Stage,
+    Stages,
     ToolLimits,
     ToolPath,
     ToolPoints,
@@ -119,11 +120,10 @@ def test_the_bounds_of_a_straight_way_of_the_joints_are_those_of_the_slowest_joi
     assert law.duration == pytest.approx(durations(start, end[None], JOINTS)[0], rel=ROUNDING)
 
 
-def bounds_at(stages: Sequence[Stage], s: Array) -> tuple[Array, Array, Array]:
+def bounds_at(stages: Stages, s: Array) -> tuple[Array, Array, Array]:
     """Return the bounds of speed, acceleration and jerk at places, each of shape (k, 1)."""
-    ends = np.cumsum([stage.length for stage in stages])
-    here = np.minimum(np.searchsorted(ends, s), len(stages) - 1)
-    rows = np.array([(stage.speed, stage.acceleration, stage.jerk) for stage in stages])[here]
+    here = np.minimum(np.searchsorted(stages.ends, s), len(stages) - 1)
+    rows = stages.bounds[here]
     return rows[:, :1], rows[:, 1:2], rows[:, 2:]
 
 
