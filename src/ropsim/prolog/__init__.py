@@ -10,6 +10,7 @@ from ropsim.prolog.limits import Limits as Limits
 from ropsim.prolog.predicate import Predicate as Predicate
 from ropsim.prolog.predicate import Sort as Sort
 from ropsim.prolog.predicate import question as question
+from ropsim.prolog.preparation import Preparation as Preparation
 from ropsim.prolog.program import Prolog as Prolog
 from ropsim.prolog.reading import UnreadableError as UnreadableError
 from ropsim.prolog.reading import read_term as read_term

@@ -11,11 +11,12 @@ from ropsim.prolog.clauses import findings_of
 from ropsim.prolog.diagnostics import NOT_FOR_NATIVE, WRONG_USE
 from ropsim.prolog.door import Door
 from ropsim.prolog.errors import GoalError
-from ropsim.prolog.failures import failure_of, failures_told
+from ropsim.prolog.failures import failure_of, failures_told, taken
 from ropsim.prolog.limits import Limits
 from ropsim.prolog.loading import load_findings, loaded_module
 from ropsim.prolog.native.program import NativeProgram
 from ropsim.prolog.predicate import Predicate
+from ropsim.prolog.preparation import Preparation
 from ropsim.prolog.program import Prolog, Start
 from ropsim.prolog.running import RunningProlog
 from ropsim.prolog.terms import Atom, Struct, Term
@@ -24,6 +25,7 @@ from ropsim.prolog.wasm.program import WasmProgram
 from ropsim.prolog.writing import write_term
 
 DOOR = "/ropsim/door.pl"
+NOTHING = Preparation()
 OPENING = 10.0
 """Least time for opening the door [s]: it is a part of ropsim that ends, however busy the machine is."""
 _START: Mapping[Prolog, Start] = MappingProxyType(
@@ -38,18 +40,27 @@ class Engine:
     what has to stay is given with `put_facts`.
     """
 
-    def __init__(self, limits: Limits | None = None, prolog: Prolog = Prolog.BUILT_IN) -> None:
+    def __init__(
+        self,
+        limits: Limits | None = None,
+        prolog: Prolog = Prolog.BUILT_IN,
+        preparation: Preparation = NOTHING,
+    ) -> None:
         """Prepare an engine.
 
         Args:
             limits: of the engine, and of goals for which no others are given.
             prolog: which one it uses.
+            preparation: what it has from its start on.
         """
         self.limits = limits or Limits()
         self.prolog = prolog
         self._thread = get_ident()
         self._running: RunningProlog | None = None
+        self._preparation = preparation
         self._door = Door()
+        for predicate in preparation.predicates:
+            self._door.register(predicate)
         self._texts: dict[str, LoadedText] = {}
         self._facts: dict[str, tuple[Term, ...]] = {}
         self._stack = GoalStack()
@@ -98,19 +109,6 @@ class Engine:
             self._texts[text.name] = LoadedText(loaded.path, loaded.content, loaded_module(reply), trust)
         return findings
 
-    def load_source(self, text: SourceText) -> None:
-        """Load a part of ropsim that is written in Prolog: trusted, and not checked, as tests have done that.
-
-        Raises:
-            GoalError: Prolog has an error in it, or loading took too long or too much.
-        """
-        loaded = LoadedText(f"/kb/{text.name}", text.text.encode(), PurePosixPath(text.name).stem, Trust.OWN)
-        reply = self._load(self._prolog(), loaded)
-        for finding in load_findings(text, reply):
-            if finding.is_error:
-                raise GoalError(finding)
-        self._texts[text.name] = LoadedText(loaded.path, loaded.content, loaded_module(reply), Trust.OWN)
-
     def forget(self, name: str) -> None:
         """Take the text of a name out of the engine, and all that it defined."""
         loaded = self._texts.pop(name, None)
@@ -124,9 +122,7 @@ class Engine:
             GoalError: a fact is no callable term, or the module is one of a text.
         """
         given = tuple(facts)
-        reply = self._give(self._prolog(), module, given)
-        if reply != Atom("done"):
-            raise failure_of(reply)
+        taken(self._give(self._prolog(), module, given))
         self._facts[module] = given
 
     def register(self, predicate: Predicate) -> None:
@@ -230,24 +226,46 @@ class Engine:
             self.close()
             running = RunningProlog(self.limits, self._door.answer, _START[self.prolog])
             self._running = running
-            with failures_told():
-                self._replay(running)
+            try:
+                with failures_told():
+                    self._replay(running)
+            except BaseException:  # what it was not given it would never have
+                self.close()
+                raise
         return running
 
     def _replay(self, running: RunningProlog) -> None:
-        self._open_door(running)
+        self._prepare(running)
         for module, facts in self._facts.items():
             self._give(running, module, facts)
         for loaded in self._texts.values():
             self._load(running, loaded)
+
+    def _prepare(self, running: RunningProlog) -> None:
+        """Open the door and give what the engine has from the start on, or go on from where that was done."""
+        own, loads, door = self._preparation, self._preparation.loads(), self._door.text()
+        mark = own.mark(door)
+        if own.sources and running.go_on(mark):
+            running.write(DOOR, door.encode())
+            for loaded in loads:
+                running.write(loaded.path, loaded.content)
+            return
+        self._open_door(running)
+        for module, facts in own.facts.items():
+            taken(self._give(running, module, facts))
+        for text, loaded in zip(own.sources, loads, strict=True):
+            for finding in load_findings(text, self._load(running, loaded)):
+                if finding.is_error:
+                    raise GoalError(finding)
+        if own.sources:
+            running.keep(mark)
 
     def _open_door(self, running: RunningProlog) -> None:
         running.write(DOOR, self._door.text().encode())
         seconds = max(self.limits.seconds, OPENING)
         with failures_told():
             reply = running.once("open_door", Atom(running.place(DOOR)), seconds)
-        if reply != Atom("done"):
-            raise failure_of(reply)
+        taken(reply)
 
     def _load(self, running: RunningProlog, loaded: LoadedText) -> Term:
         running.write(loaded.path, loaded.content)

@@ -49,6 +49,16 @@ def answer_of(reply: Term) -> Mapping[str, Term]:
     raise failure_of(reply)
 
 
+def taken(reply: Term) -> None:
+    """Accept that something was done.
+
+    Raises:
+        GoalError: the reply says that it was not.
+    """
+    if reply != Atom("done"):
+        raise failure_of(reply)
+
+
 def failure_of(reply: Term) -> GoalError:
     """Return the error that a reply tells."""
     match reply:

@@ -63,6 +63,20 @@ class Program(Protocol):
             TooLongError: a reply is longer than allowed.
         """
 
+    def go_on(self, mark: str) -> bool:
+        """Go on from where another one was kept under a mark, with the same files.
+
+        Returns:
+            whether there is such a one; else nothing has changed.
+        """
+
+    def keep(self, mark: str) -> None:
+        """Keep the program as it is now, where that can be, for others of this machine.
+
+        Args:
+            mark: tells what it was given and asked since it has started.
+        """
+
     def limit(self) -> None:
         """Let the next `stop` end what runs from now on."""
 

@@ -59,6 +59,14 @@ class RunningProlog:
         """Return by what name Prolog sees a file that was written."""
         return self._program.place(path)
 
+    def go_on(self, mark: str) -> bool:
+        """Go on from where another one was kept; see `Program.go_on`."""
+        return self._program.go_on(mark)
+
+    def keep(self, mark: str) -> None:
+        """Keep it as it is now; see `Program.keep`."""
+        self._program.keep(mark)
+
     def close(self) -> None:
         """End it."""
         self._program.close()

@@ -11,6 +11,7 @@ from ropsim.prolog import (
     GoalError,
     Limits,
     Predicate,
+    Preparation,
     Prolog,
     Sort,
     Struct,
@@ -44,16 +45,11 @@ class Host:
 
     def __init__(self, predicates: Iterable[Predicate], prolog: Prolog) -> None:
         self._texts: Mapping[int, SourceText] = {}
-        self._engine = Engine(LIMITS, prolog)
         self._progress: Progress | None = None
-        for predicate in (*predicates, question("plan_progress", (Sort.INTEGER,), self._told)):
-            self._engine.register(predicate)
+        progress = question("plan_progress", (Sort.INTEGER,), self._told)
         known = (Struct("condition", (Atom(one.name), one.arity)) for one in CONDITIONS.values())
-        self._engine.put_facts(GEOMETRY, known)
-        for name in SOURCES:
-            path = Path(str(files("ropsim.tasks").joinpath("pl", f"{name}.pl")))
-            text = SourceText(f"ropsim_tasks/{name}.pl", read_bytes(path).decode())
-            self._engine.load_source(text)
+        own = Preparation((*predicates, progress), {GEOMETRY: tuple(known)}, _sources())
+        self._engine = Engine(LIMITS, prolog, own)
 
     def read(self, texts: Mapping[int, SourceText]) -> tuple[Diagnostic, ...]:
         """Read these texts only; return what is wrong with them. One that ends Prolog is left out."""
@@ -155,6 +151,13 @@ class Host:
         order = {text.name: index for index, text in self._texts.items()}
         span = finding.span
         return (order.get(span.source, 0), span.line, span.column) if span else (0, 0, 0)
+
+
+def _sources() -> tuple[SourceText, ...]:
+    """Return our own Prolog."""
+    folder = files("ropsim.tasks").joinpath("pl")
+    texts = ((name, read_bytes(Path(str(folder.joinpath(f"{name}.pl"))))) for name in SOURCES)
+    return tuple(SourceText(f"ropsim_tasks/{name}.pl", content.decode()) for name, content in texts)
 
 
 def _readable(text: str) -> str:

@@ -5,7 +5,7 @@ from importlib.resources import files
 import pytest
 
 from ropsim.core import SourceText
-from ropsim.prolog import Engine, GoalError
+from ropsim.prolog import Engine, GoalError, Preparation
 from ropsim.tasks.host import SOURCES
 
 
@@ -14,7 +14,11 @@ def test_nothing_is_wrong_with_our_own_prolog_and_what_is_wrong_is_told() -> Non
     for name in SOURCES:
         text = files("ropsim.tasks").joinpath("pl", f"{name}.pl").read_text("utf-8")
         assert engine.check(SourceText(f"{name}.pl", text)) == ()
-    engine.load_source(SourceText("own.pl", ":- module(own, []).\np(1).\n"))
-    assert engine.once("own:p(X)") == {"X": 1}
-    with pytest.raises(GoalError, match="P105"):
-        engine.load_source(SourceText("bad.pl", ":- module(bad, [missing/1]).\np(1).\n"))
+    own = Preparation(sources=(SourceText("own.pl", ":- module(own, []).\np(1).\n"),))
+    assert Engine(preparation=own).once("own:p(X)") == {"X": 1}
+    bad = Engine(
+        preparation=Preparation(sources=(SourceText("bad.pl", ":- module(bad, [missing/1]).\np(1).\n"),))
+    )
+    for _ in range(2):
+        with pytest.raises(GoalError, match="P105"):
+            bad.once("true")

@@ -108,6 +108,13 @@ class NativeProgram:
                 while self._received()[0] != "done":
                     pass
 
+    def go_on(self, _mark: str) -> bool:
+        """Return False: no process is kept."""
+        return False
+
+    def keep(self, _mark: str) -> None:
+        """Do nothing: a process cannot be kept."""
+
     def limit(self) -> None:
         """Do nothing: `stop` always ends the process."""
 

@@ -7,6 +7,7 @@ other tables say where each file of the library lies in the packed data.
 import re
 from collections.abc import Mapping
 from functools import lru_cache
+from hashlib import sha256
 from importlib.resources import files
 from pathlib import Path
 
@@ -32,6 +33,7 @@ class Artefact:
         start: the short name of the function that prepares the memory.
         call_code: the number under which Prolog calls its host.
         library: the files of SWI-Prolog.
+        digest: of code and library.
     """
 
     code: bytes
@@ -40,6 +42,7 @@ class Artefact:
     start: str
     call_code: int
     library: Library
+    digest: str
 
 
 @lru_cache(maxsize=1)
@@ -95,6 +98,7 @@ def _read(code: bytes, data: bytes, script: str) -> Artefact:
         start[1],
         int(call[1]),
         Library(_packed(data, script), _places(script)),
+        sha256(code + data).hexdigest(),
     )
 
 

@@ -13,12 +13,16 @@ STEP_NS = 1000
 
 
 class ClockCalls:
-    """Answers the calls about time of one program; the time zone is UTC."""
+    """Answers the calls about time of one program; the time zone is UTC.
+
+    Attributes:
+        elapsed_ns: time since the start, as it was seen last [ns].
+    """
 
     memory: LinearMemory
 
     def __init__(self) -> None:
-        self._elapsed_ns = 0
+        self.elapsed_ns = 0
 
     def table(self) -> dict[str, Callable[..., float | int | None]]:
         """Return the function of each call by the name of its import."""
@@ -32,8 +36,8 @@ class ClockCalls:
         }
 
     def _look(self) -> int:
-        self._elapsed_ns += STEP_NS
-        return self._elapsed_ns
+        self.elapsed_ns += STEP_NS
+        return self.elapsed_ns
 
     def _time(self, clock: int, _precision: int, result: int) -> int:
         self.memory.pack(result, "<Q", self._look() + (BEGIN_NS if clock == 0 else 0))

@@ -16,7 +16,11 @@ class NoRoomError(Exception):
 
 
 class MemoryFiles:
-    """Files and folders by absolute path; nothing of the machine is among them."""
+    """Files and folders by absolute path; nothing of the machine is among them.
+
+    Attributes:
+        changes: how often a file or folder was made, written or taken away.
+    """
 
     def __init__(self, library: Library) -> None:
         self._library = library
@@ -25,6 +29,7 @@ class MemoryFiles:
         self._numbers: dict[str, int] = {}
         self._last = 0
         self._bytes = 0
+        self.changes = 0
         for path in FOLDERS:
             self.make_folder(path)
         for path in library:
@@ -60,6 +65,7 @@ class MemoryFiles:
         Raises:
             NoRoomError: there is no room for it.
         """
+        self.changes += 1
         self._take_room(path, len(content) - len(self._written.get(path, b"")))
         self._enter(path)
         self._written[path] = bytearray(content)
@@ -70,6 +76,7 @@ class MemoryFiles:
         Raises:
             NoRoomError: there is no room for them.
         """
+        self.changes += 1
         if path not in self._written:
             self.replace(path, self._library.content(path))
         old = self._written[path]
@@ -84,11 +91,13 @@ class MemoryFiles:
             NoRoomError: there is no room for it.
         """
         if path not in self._names:
+            self.changes += 1
             self._enter(path)
             self._names[path] = {}
 
     def remove(self, path: str) -> None:
         """Take a file away."""
+        self.changes += 1
         self._bytes -= len(self._written.pop(path, b""))
         self._numbers.pop(path, None)
         self._names[dirname(path)].pop(path.rpartition("/")[2], None)

@@ -9,9 +9,10 @@ from ropsim.prolog.wasm.artefact import Artefact
 from ropsim.prolog.wasm.clock_calls import ClockCalls
 from ropsim.prolog.wasm.file_calls import FileCalls
 from ropsim.prolog.wasm.files import MemoryFiles
+from ropsim.prolog.wasm.image import Image
 from ropsim.prolog.wasm.jumps import ASKED, LEFT, THROWN, LongJumpError
 from ropsim.prolog.wasm.linking import linked
-from ropsim.prolog.wasm.memory import LinearMemory, NoAddressError
+from ropsim.prolog.wasm.memory import PAGE, LinearMemory, NoAddressError
 from ropsim.prolog.wasm.stream_calls import StreamCalls
 
 if TYPE_CHECKING:
@@ -49,8 +50,9 @@ class Instance:
         self.has_ended = False
         self.files = MemoryFiles(artefact.library)
         self._streams = StreamCalls(self.files)
-        file_calls = FileCalls(self._streams)
-        clock_calls = ClockCalls()
+        self._file_calls = file_calls = FileCalls(self._streams)
+        self._clock = clock_calls = ClockCalls()
+        self._held: frozenset[int] = frozenset()
         config = Config()
         config.epoch_interruption = True
         config.wasm_exceptions = True
@@ -111,6 +113,29 @@ class Instance:
         text = self._streams.printed.decode(errors="replace")
         self._streams.printed.clear()
         return text
+
+    def hold(self) -> None:
+        """Remember which pages hold something before the first call: an image tells of all of them."""
+        self._held = frozenset(self.memory.used_pages())
+
+    def image(self) -> Image:
+        """Return the program as it is now, between two calls; it was held before the first of them."""
+        numbers = self._held | frozenset(self.memory.used_pages())
+        pages = {number: self.memory.read(PAGE * number, PAGE) for number in numbers}
+        elapsed_ns, folder, opened = self._clock.elapsed_ns, self._file_calls.folder, self._streams.state()
+        return Image(self.memory.size, pages, elapsed_ns, folder, opened)
+
+    def go_on_from(self, image: Image) -> bool:
+        """Go on from an image instead of the beginning; return whether there is room for its memory."""
+        if not self.memory.grow(image.size):
+            return False
+        for number, content in image.pages.items():
+            self.memory.write(PAGE * number, content)
+        self._clock.elapsed_ns = image.elapsed_ns
+        self._file_calls.folder = image.folder
+        self._streams.go_on_from(image.opened)
+        self._held = frozenset(image.pages)
+        return True
 
     def _table(self) -> dict[str, Callable[..., int | None]]:
         """Return the functions about the program itself by the names of their imports."""

@@ -57,6 +57,11 @@ class LinearMemory:
             content += piece
         return content[: content.index(b"\0")].decode(errors="replace")
 
+    def used_pages(self) -> list[int]:
+        """Return the numbers of the pages that hold more than zeros."""
+        nothing, count = bytes(PAGE), self.size // PAGE
+        return [number for number in range(count) if self.read(PAGE * number, PAGE) != nothing]
+
     def grow(self, size: int) -> bool:
         """Let the memory have at least `size` bytes; return whether it may."""
         from wasmtime import WasmtimeError

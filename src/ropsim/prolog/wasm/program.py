@@ -5,8 +5,11 @@ from collections.abc import Callable, Generator
 from ropsim.prolog.program import own_sources
 from ropsim.prolog.wasm.artefact import artefact
 from ropsim.prolog.wasm.foreign import Foreign
+from ropsim.prolog.wasm.image_cache import image_path, keep_image, kept_image, mark_of
 from ropsim.prolog.wasm.instance import Host, Instance
 
+START = "start"
+"""Mark of a program to which nothing has been given yet."""
 GRACE = 0.05
 """After so much time over its limit it is stopped from outside, where it did not stop itself [s]."""
 
@@ -17,19 +20,25 @@ class WasmProgram:
     grace = GRACE
 
     def __init__(self, memory_bytes: int, answer: Callable[[str], str]) -> None:
-        """Start Prolog; see `ropsim.prolog.program.Start`.
+        """Start Prolog, or go on from where an earlier one had started; see `ropsim.prolog.program.Start`.
 
         Raises:
             CrashError: it does not start.
             RopsimError: the files of SWI-Prolog are not there.
         """
         self._answer = answer
+        sources = own_sources("in_process.pl")
         self._instance = Instance(artefact(), Host(memory_bytes, self._called))
         self._foreign = Foreign(self._instance)
-        for name, content in own_sources("in_process.pl").items():
+        for name, content in sources.items():
             self._instance.files.replace(f"/ropsim/{name}", content)
-        self._foreign.initialise(("swipl", "-q", "--nosignals", "/ropsim/engine.pl"))
-        self._instance.printed()
+        self._mark = mark_of(artefact().digest, memory_bytes, sources)
+        self._changes = self._instance.files.changes
+        if not self.go_on(START):
+            self._instance.hold()
+            self._foreign.initialise(("swipl", "-q", "--nosignals", "/ropsim/engine.pl"))
+            self._instance.printed()
+            self.keep(START)
 
     @property
     def has_ended(self) -> bool:
@@ -38,7 +47,9 @@ class WasmProgram:
 
     def write(self, path: str, content: bytes) -> None:
         """Put a file among those that Prolog sees."""
+        before = self._instance.files.changes
         self._instance.files.replace(path, content)
+        self._changes += self._instance.files.changes - before
 
     def place(self, path: str) -> str:
         """Return the path: all files that Prolog sees are its own."""
@@ -51,6 +62,16 @@ class WasmProgram:
     def replies(self, name: str, request: str) -> Generator[tuple[str, bool]]:
         """Ask one of our predicates, see `Program.replies`."""
         return self._foreign.replies(name, "ropsim_engine", request)
+
+    def go_on(self, mark: str) -> bool:
+        """Go on from where another one was kept under a mark; return whether there is one."""
+        image = kept_image(image_path(self._mark, mark))
+        return image is not None and self._instance.go_on_from(image)
+
+    def keep(self, mark: str) -> None:
+        """Keep the program as it is now; one that has changed files by itself is not kept."""
+        if self._instance.files.changes == self._changes:
+            keep_image(image_path(self._mark, mark), self._instance.image())
 
     def limit(self) -> None:
         """Let the next `stop` end what runs from now on."""

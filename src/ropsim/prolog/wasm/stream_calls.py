@@ -8,6 +8,7 @@ from collections.abc import Callable
 from enum import IntEnum
 
 from ropsim.prolog.wasm.files import MemoryFiles, NoRoomError
+from ropsim.prolog.wasm.image import Opened
 from ropsim.prolog.wasm.memory import LinearMemory
 
 MOST_OPEN = 256
@@ -68,6 +69,17 @@ class StreamCalls:
             return -Errno.MFILE
         self.opened[number] = Opening(path, flags)
         return number
+
+    def state(self) -> tuple[Opened, ...]:
+        """Return what is open now."""
+        return tuple((number, one.path, one.flags, one.place) for number, one in self.opened.items())
+
+    def go_on_from(self, opened: tuple[Opened, ...]) -> None:
+        """Have open what was open once."""
+        self.opened = {}
+        for number, path, flags, place in opened:
+            self.opened[number] = Opening(path, flags)
+            self.opened[number].place = place
 
     def _close(self, number: int) -> int:
         return 0 if self.opened.pop(number, None) else Errno.BADF
