@@ -16,7 +16,7 @@ from ropsim.language.report import Report
 from ropsim.language.task_form import TaskForm
 from ropsim.language.text import Line
 from ropsim.language.way import give_equal
-from ropsim.program import Local, Program
+from ropsim.program import Local, Program, SignalUse
 from ropsim.query import Database
 
 
@@ -27,14 +27,14 @@ class Checked:
     Attributes:
         program: places in it count lines in their unit.
         tasks: how its tasks are called.
-        bodies: what was told of each task, those called first.
+        bodies: what was told of the tasks of the text, group by group, those called first.
         control: what was told of the control statements.
         variables: type of each variable in a word, by its task (empty for what all tasks see) and name.
     """
 
     program: Program
     tasks: Mapping[str, TaskForm]
-    bodies: Mapping[str, Outcome]
+    bodies: tuple[questions.Bodies, ...]
     control: Outcome
     variables: Mapping[str, Mapping[str, str]]
 
@@ -59,52 +59,56 @@ def check(units: Units, report: Report, db: Database) -> Checked:
     tell(declared.found)
     order = db.ask(questions.order)
     db.give({questions.DECLARED: declared, questions.ORDER: order})
-    for name in order:  # callees first, so that no chain of calls becomes a chain of questions
-        tell(db.ask(questions.header, name).found)
+    groups = db.ask(questions.groups)
+    for group in groups:  # callees first, so that no chain of calls becomes a chain of questions
+        tell(db.ask(questions.found_in_headers, group))
     inferred = db.ask(questions.inference)
     db.give({questions.INFERRED: inferred})
-    for name in order:
-        db.ask(questions.types, name)
+    for group in groups:
+        db.ask(questions.find_types, group)
     parts: tuple[str, ...] = db.read(questions.PARTS)
     if inferred is None:
         give_equal(db, questions.WALKED_CONTROL, walk_control(db, parts))
     db.give({questions.JOINT_COUNT: db.ask(questions.joint_count)})
-    for name in order:
-        called = db.ask(questions.signature, name)
-        tell(called.found if called is not None else ())
-    bodies: dict[str, Outcome] = {}
-    for name in order:
-        bodies[name] = db.ask(questions.checked, name)
-        tell(bodies[name].found)
+    for group in groups:
+        tell(db.ask(questions.found_in_signatures, group))
+    bodies: list[questions.Bodies] = []
+    for group in groups:
+        bodies.append(db.ask(questions.bodies_in, group))
+        tell(bodies[-1].found)
     control = check_control(db, parts, db.ask(questions.types, "").types)
     tell(control.found)
     _give_variables(db, control.locals)
     if not report.has_errors:
-        for one in (*bodies.values(), control):
+        for one in bodies:
             tell(one.unread)
+        tell(control.unread)
     if not control.block:
         _report_empty(tuple(units.tasks), units.opener, report)
-    world = declared.world
-    program = _program(units.tasks, bodies, control, declared, db)
-    told = ((name, db.ask(questions.form, name)) for name in (*world.environment.tasks, *order))
-    forms = {name: form for name, form in told if form is not None}
-    words = {name: db.ask(questions.words, name) for name in ("", *order)}
-    return Checked(program, forms, bodies, control, words)
+    program = _program(bodies, control, declared, db)
+    library = ((name, db.ask(questions.form, name)) for name in declared.world.environment.tasks)
+    forms = {name: form for name, form in library if form is not None}
+    own = db.ask(questions.all_forms)
+    return Checked(
+        program, {**forms, **own} if forms else own, tuple(bodies), control, db.ask(questions.all_words)
+    )
 
 
 def _program(
-    names: Iterable[str], bodies: Mapping[str, Outcome], control: Outcome, declared: Declared, db: Database
+    bodies: Iterable[questions.Bodies], control: Outcome, declared: Declared, db: Database
 ) -> Program:
     world = declared.world
     environment = world.environment
-    signals = {signal.name: signal for one in (*bodies.values(), control) for signal in one.signals}
-    own = tuple(task for name in names if (task := bodies[name].task) is not None)
-    library = tuple(one.task for name, one in environment.tasks.items() if name not in bodies)
+    signals: dict[str, SignalUse] = {}
+    for one in bodies:
+        signals |= one.signals
+    signals |= {signal.name: signal for signal in control.signals}
+    library = tuple(one.task for name, one in environment.tasks.items() if not db.ask(questions.is_own, name))
     return Program(
         declared.name,
         control.block,
         (*_globals(world, db), *control.locals),
-        (*own, *library),
+        (*db.ask(questions.own_tasks), *library),
         world.frame,
         dict(world.frames),
         dict(world.tools),

@@ -1,18 +1,38 @@
 """The executable form of a checked text: each procedure by itself, then all of them linked."""
 
 from collections.abc import Iterable, Iterator
-from dataclasses import replace
+from itertools import chain
 
 from ropsim import icr
 from ropsim.core import Diagnostic
 from ropsim.language import questions
-from ropsim.language.check.tasks import callee_first
 from ropsim.language.checked import Checked
 from ropsim.language.environment import Environment
 from ropsim.language.main_code import begun, joined_at, lowered_parts, passage
-from ropsim.language.task_code import GIVEN, lowered, needs_of, procedure, summary
-from ropsim.program import Lowered, SourceMap, axes_of, draft_of, findings_of, linked, reached
+from ropsim.language.task_code import GIVEN, lowered, procedure_name, ready
+from ropsim.language.task_codes import (
+    FIRST,
+    find_summaries,
+    needs_in,
+    procedures_in,
+    reached_groups,
+    summary_groups,
+    usage_in,
+)
+from ropsim.program import (
+    Lowered,
+    SourceMap,
+    Usage,
+    axes_of,
+    axes_with_starts,
+    draft_of,
+    findings_of,
+    joint_usage,
+    linked,
+)
 from ropsim.query import Database
+
+Groups = tuple[questions.Group, ...]
 
 
 def code_of(checked: Checked, places: SourceMap, db: Database) -> tuple[icr.Program, tuple[Diagnostic, ...]]:
@@ -21,41 +41,44 @@ def code_of(checked: Checked, places: SourceMap, db: Database) -> tuple[icr.Prog
     It is that of `ropsim.program.lower_with_findings`.
     """
     guess: int | None = None
-    parts, every = _lowered_all(db, guess)
-    if any(one.has_guessed_axes for one in (*parts.values(), *every.values())):
-        guess = axes_of((*parts.values(), *every.values())) or 1
-        parts, every = _lowered_all(db, guess)
-    axes = axes_of((*parts.values(), *every.values()))
+    parts, groups, usage = _lowered_all(db, guess)
+    if usage.has_guessed_axes:
+        guess = axes_of((usage,)) or 1
+        parts, groups, usage = _lowered_all(db, guess)
+    axes = axes_of((usage,))
     main = joined_at(db, parts, guess, 0, places)
-    given = icr.given_at_once(draft_of(main)) if every else frozenset()
-    db.give({(GIVEN, guess): given})
-    calls = {name: one.callees for name, one in every.items()}
-    for name in callee_first(calls):  # so that no chain of calls, of text or library, is one of questions
-        db.ask(summary, name, guess)
+    db.give({(GIVEN, guess): icr.given_at_once(draft_of(main)) if groups else frozenset()})
+    for group in db.ask(summary_groups, guess):
+        db.ask(find_summaries, group, guess)
     passages = [(db.ask(passage, unit, guess), len(one.code)) for unit, one in parts.items()]
     needs = icr.needs_of_passages(passages)
-    variables = {one.name: one.type for one in checked.program.main_locals}
-    findings = findings_of(main, needs, variables, places) if needs else ()
-    for name, one in every.items():
-        own = db.ask(needs_of, name, guess)
-        findings += findings_of(one, own, variables, places) if own else ()
+    missing = tuple(chain.from_iterable(db.ask(needs_in, group, guess) for group in groups))
+    variables = {one.name: one.type for one in checked.program.main_locals} if needs or missing else {}
+    findings = findings_of(main, needs, variables, places)
+    for name, own in missing:
+        findings += findings_of(db.ask(lowered, name, guess), own, variables, places)
     main_procedure = begun(main, needs, variables, axes, lambda by: joined_at(db, parts, guess, by, places))
-    procedures = (main_procedure, *(db.ask(procedure, name, guess, axes) for name in every))
-    code = linked(checked.program, (main, *every.values()), procedures, places.source)
-    return replace(code, libraries=tuple(_libraries(every.values(), db))), findings
+    made = [db.ask(procedures_in, group, guess, axes) for group in groups]
+    procedures = (main_procedure, *chain.from_iterable(made))
+    begun_ones = ((db.ask(lowered, name, guess), db.ask(ready, name, guess, axes)) for name, _ in missing)
+    every_axes = axes_with_starts(axes, ((main, main_procedure), *begun_ones))
+    libraries = tuple(_libraries(chain.from_iterable(groups), guess, db))
+    return linked(checked.program, usage, procedures, every_axes, places.source, libraries), findings
 
 
-def _lowered_all(db: Database, guess: int | None) -> tuple[dict[str, Lowered], dict[str, Lowered]]:
-    """Return the parts of the control statements that are reached, by unit, and the tasks, by name."""
+def _lowered_all(db: Database, guess: int | None) -> tuple[dict[str, Lowered], Groups, Usage]:
+    """Return the parts of the control statements that are reached, by unit, the tasks, and what all use."""
     parts = lowered_parts(db, guess)
-    first = dict.fromkeys(name for one in parts.values() for name in one.callees)
-    return parts, {one.task: one for one in reached(first, lambda name: db.ask(lowered, name, guess))}
+    db.give({(FIRST, guess): tuple(dict.fromkeys(name for one in parts.values() for name in one.callees))})
+    groups = db.ask(reached_groups, guess)
+    used = (db.ask(usage_in, group, guess) for group in groups)
+    return parts, groups, joint_usage((*parts.values(), *used))
 
 
-def _libraries(every: Iterable[Lowered], db: Database) -> Iterator[icr.LibraryText]:
+def _libraries(names: Iterable[str], guess: int | None, db: Database) -> Iterator[icr.LibraryText]:
     """Yield of which text each procedure of a library was made."""
     environment: Environment = db.read(questions.ENVIRONMENT)
-    for one in every:
-        found = environment.tasks.get(one.task)
-        if found is not None and found.version and not db.ask(questions.is_own, one.task):
-            yield icr.LibraryText(one.name, found.source, found.version)
+    for task in names if environment.tasks else ():
+        found = environment.tasks.get(task)
+        if found is not None and found.version and not db.ask(questions.is_own, task):
+            yield icr.LibraryText(db.ask(procedure_name, task, guess), found.source, found.version)

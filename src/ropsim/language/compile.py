@@ -9,7 +9,8 @@ from ropsim.language import checked as checker
 from ropsim.language import questions
 from ropsim.language import text as texts
 from ropsim.language.cache import LineCache, once
-from ropsim.language.check.reached import uncalled, unreached
+from ropsim.language.check.outcome import Outcome
+from ropsim.language.check.reached import never_called, unreached
 from ropsim.language.check.signatures import for_library
 from ropsim.language.codes import code_of
 from ropsim.language.division import divided
@@ -21,7 +22,7 @@ from ropsim.language.report import Report, TooManyFindingsError
 from ropsim.language.task_form import TaskForm
 from ropsim.language.text import Line
 from ropsim.language.units import of_task
-from ropsim.program import Program, SourceMap, check_contracts, circles, recursion
+from ropsim.program import Program, SourceMap, check_contracts, recursion
 from ropsim.query import Database
 
 OF_UNITS = (*questions.OF_PARTS, HIDDEN, "places")
@@ -121,34 +122,29 @@ def _lowered(
     checked: checker.Checked, places: SourceMap, source: SourceText, report: Report, db: Database
 ) -> IcrProgram | None:
     """Return the executable form; None where tasks call each other in a circle."""
-    program, bodies = checked.program, checked.bodies
-    report.extend(map(places.finding, _circles(checked, db)))
+    program, control, bodies = checked.program, checked.control, checked.bodies
+    report.extend(map(places.finding, _circles(program, db)))
     if report.has_errors:
         return None
-    every = (checked.control, *bodies.values())
-    report.extend(check_contracts(program, places))
+    if any(one.has_contracts for one in bodies) or len(program.tasks) > len(db.ask(questions.own_tasks)):
+        report.extend(check_contracts(program, places))
+    every: tuple[Outcome | questions.Bodies, ...] = (control, *bodies)
     report.extend(places.finding(found) for one in every for found in one.impossible)
     report.extend(unreached((places.span(one), places.span(end)) for body in every for one, end in body.late))
     if program.main:
-        calls = {name: tuple(called for called, _ in body.calls) for name, body in bodies.items()}
-        start = tuple(called for called, _ in checked.control.calls)
-        tasks = tuple(body.task for body in bodies.values() if body.task is not None)
-        report.extend(map(places.finding, uncalled(calls, start, tasks)))
+        db.give({questions.CONTROL_CALLS: tuple(called for called, _ in control.calls)})
+        missed = (db.ask(questions.checked, name).task for name in db.ask(questions.uncalled_tasks))
+        report.extend(places.finding(never_called(task)) for task in missed if task is not None)
     code, findings = code_of(checked, places, db)
     report.extend(at_names(findings, source))
     return None if report.has_errors else code
 
 
-def _circles(checked: checker.Checked, db: Database) -> tuple[Diagnostic, ...]:
+def _circles(program: Program, db: Database) -> tuple[Diagnostic, ...]:
     """Return a finding for each call that closes a circle."""
-    if any(task.name not in checked.bodies for task in checked.program.tasks):
-        return recursion(checked.program)  # tasks of a library call as well
-    return db.ask(circles_of)
-
-
-def circles_of(db: Database) -> tuple[Diagnostic, ...]:
-    """Return the same for a text whose tasks call no library."""
-    return circles({name: db.ask(questions.calls_of, name) for name in db.read(questions.TASKS)})
+    if len(program.tasks) > len(db.ask(questions.own_tasks)):
+        return recursion(program)  # tasks of a library call as well
+    return db.ask(questions.circles_of)
 
 
 def _checked(

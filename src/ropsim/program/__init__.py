@@ -25,6 +25,7 @@ from ropsim.program.expressions import SignalValue as SignalValue
 from ropsim.program.expressions import Unary as Unary
 from ropsim.program.expressions import Variable as Variable
 from ropsim.program.lowering.linking import axes_of as axes_of
+from ropsim.program.lowering.linking import axes_with_starts as axes_with_starts
 from ropsim.program.lowering.linking import draft_of as draft_of
 from ropsim.program.lowering.linking import findings_of as findings_of
 from ropsim.program.lowering.linking import linked as linked
@@ -42,6 +43,8 @@ from ropsim.program.lowering.procedure import lower_start as lower_start
 from ropsim.program.lowering.procedure import lower_task as lower_task
 from ropsim.program.lowering.shifting import jumps_in as jumps_in
 from ropsim.program.lowering.shifting import shifted as shifted
+from ropsim.program.lowering.usage import Usage as Usage
+from ropsim.program.lowering.usage import joint_usage as joint_usage
 from ropsim.program.move import Guard as Guard
 from ropsim.program.move import Move as Move
 from ropsim.program.move import Settings as Settings

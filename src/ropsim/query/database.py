@@ -38,7 +38,7 @@ def always_new(function: Callable[P, T]) -> Callable[P, T]:
     return function
 
 
-@dataclass(slots=True)
+@dataclass(slots=True, eq=False)
 class _Input:
     """An input: its value, the revision in which it came, and which answers were made of it."""
 
@@ -47,11 +47,12 @@ class _Input:
     users: set[_Key] = field(default_factory=set)
 
 
-@dataclass(slots=True)
+@dataclass(slots=True, eq=False)
 class _Answer:
-    """What a function gave.
+    """What a function gave; one object for all that it gives to a question.
 
     Attributes:
+        key: the function and what it was given.
         value: its answer.
         changed: revision in which it became what it is.
         verified: revision in which it was last found to hold.
@@ -62,13 +63,14 @@ class _Answer:
         is_doubtful: whether an input has changed since on which it depends, maybe through others.
     """
 
+    key: _Key
     value: Any
     changed: int
     verified: int
     asked: int
-    inputs: tuple[Hashable, ...]
-    answers: tuple[_Key, ...]
-    users: set[_Key]
+    inputs: tuple[_Input, ...] = ()
+    answers: "tuple[_Answer, ...]" = ()
+    users: set[_Key] = field(default_factory=set)
     is_doubtful: bool = False
 
 
@@ -76,8 +78,8 @@ class _Answer:
 class _Running:
     """What a function that runs now has looked at so far."""
 
-    inputs: dict[Hashable, None] = field(default_factory=dict)
-    answers: dict[_Key, None] = field(default_factory=dict)
+    inputs: dict[_Input, None] = field(default_factory=dict)
+    answers: dict[_Answer, None] = field(default_factory=dict)
 
 
 class Database:
@@ -139,20 +141,22 @@ class Database:
 
     def read(self, name: Hashable) -> Any:  # noqa: ANN401 - inputs are of any type
         """Return an input; None where nobody has given it."""
-        if self._running:
-            self._running[-1].inputs[name] = None
         found = self._inputs.get(name)
+        if self._running:
+            if found is None:
+                found = self._inputs[name] = _Input(None, 0)
+            self._running[-1].inputs[found] = None
         return found.value if found is not None else None
 
     def ask(self, function: Callable[Concatenate["Database", P], T], *arguments: P.args, **_: P.kwargs) -> T:
         """Return what a function gives for its arguments, the same as if it were called now."""
         given: Any = arguments  # nothing is called here that need not be: there are thousands of questions
         key: _Key = (function, *given)
-        if self._running:
-            self._running[-1].answers[key] = None
         found = self._answers.get(key)
         if found is None or found.is_doubtful:
             found = self._verified(key, found)
+        if self._running:
+            self._running[-1].answers[found] = None
         found.asked = self._version
         value: T = found.value
         return value
@@ -191,38 +195,40 @@ class Database:
         finally:
             looked = self._running.pop()
         is_kept = known is not None and function not in _ALWAYS_NEW and is_same(known.value, value)
-        changed = known.changed if known is not None and is_kept else self.revision
-        value = known.value if known is not None and is_kept else value
-        users = known.users if known is not None else set()
-        inputs, answers = tuple(looked.inputs), tuple(looked.answers)
-        found = _Answer(value, changed, self.revision, self._version, inputs, answers, users)
-        self._answers[key] = found
-        self._connect(key, known, found)
+        if known is None:
+            known = self._answers[key] = _Answer(key, value, self.revision, self.revision, self._version)
+        elif not is_kept:
+            known.value, known.changed = value, self.revision
+        known.verified, known.is_doubtful = self.revision, False
+        self._connect(known, tuple(looked.inputs), tuple(looked.answers))
         self._note(key, Outcome.SAME if is_kept else Outcome.RAN)
-        return found
+        return known
 
-    def _connect(self, key: _Key, known: _Answer | None, found: _Answer) -> None:
+    def _connect(self, found: _Answer, inputs: tuple[_Input, ...], answers: tuple[_Answer, ...]) -> None:
         """Let what an answer is made of know that it is, and what it is no longer made of that it is not."""
-        if known is not None:
-            for name in known.inputs:
-                self._inputs[name].users.discard(key)
-            for asked in known.answers:
-                if asked in self._answers:
-                    self._answers[asked].users.discard(key)
-        for name in found.inputs:
-            self._inputs.setdefault(name, _Input(None, 0)).users.add(key)
-        for asked in found.answers:
-            self._answers[asked].users.add(key)
+        key = found.key
+        if found.inputs != inputs:
+            for one in found.inputs:
+                one.users.discard(key)
+            for one in inputs:
+                one.users.add(key)
+            found.inputs = inputs
+        if found.answers != answers:
+            for asked in found.answers:
+                asked.users.discard(key)
+            for asked in answers:
+                asked.users.add(key)
+            found.answers = answers
 
     def _holds(self, known: _Answer) -> bool:
         """Return whether nothing that an answer was made of has changed since it was found to hold."""
         since = known.verified
-        if any(self._inputs[name].changed > since for name in known.inputs):
-            return False
-        for key in known.answers:
-            one = self._answers.get(key)
-            if one is None or one.is_doubtful:
-                one = self._verified(key, one)
+        for given in known.inputs:
+            if given.changed > since:
+                return False
+        for one in known.answers:
+            if one.is_doubtful:
+                self._verified(one.key, one)
             if one.changed > since:
                 return False
         return True
@@ -240,13 +246,13 @@ class Database:
     def _forget(self) -> None:
         """Give up answers of no use lately; what those in use are made of stays."""
         oldest = self._version - KEPT_VERSIONS
-        work = [key for key, one in self._answers.items() if one.asked >= oldest]
+        work = [one for one in self._answers.values() if one.asked >= oldest]
         kept: dict[_Key, _Answer] = {}
         while work:
-            key = work.pop()
-            if key not in kept and key in self._answers:
-                kept[key] = self._answers[key]
-                work += kept[key].answers
+            one = work.pop()
+            if one.key not in kept:
+                kept[one.key] = one
+                work += one.answers
         self._answers = kept
         for answer in kept.values():
             answer.users &= kept.keys()

@@ -23,15 +23,12 @@ from ropsim.program import (
 )
 
 
-def uncalled(
-    calls: Mapping[str, Iterable[str]], control: Iterable[str], tasks: Iterable[Task]
-) -> Iterator[Diagnostic]:
-    """Yield a hint for each task that the control statements do not reach (N238).
+def uncalled(calls: Mapping[str, Iterable[str]], control: Iterable[str]) -> Iterator[str]:
+    """Return the tasks that the control statements do not reach.
 
     Args:
-        calls: names of the tasks that each task calls.
+        calls: names of the tasks that each task of the text calls; those of a library may be of no use in it.
         control: of those that the control statements call.
-        tasks: of the text; those of a library may be of no use in it.
     """
     work = list(control)
     called: set[str] = set()
@@ -40,10 +37,13 @@ def uncalled(
         if name in calls and name not in called:
             called.add(name)
             work += calls[name]
-    for task in tasks:
-        if task.name not in called:
-            message, hint = f"nothing calls the task `{task.name}`", "call it, or leave it out"
-            yield name_kinds.UNUSED_TASK.at(task.span, message, hint=hint)
+    return (name for name in calls if name not in called)
+
+
+def never_called(task: Task) -> Diagnostic:
+    """Return a hint at a task that the control statements do not reach (N238)."""
+    message, hint = f"nothing calls the task `{task.name}`", "call it, or leave it out"
+    return name_kinds.UNUSED_TASK.at(task.span, message, hint=hint)
 
 
 def unreached(places: Iterable[tuple[Span, Span]]) -> Iterator[Diagnostic]:

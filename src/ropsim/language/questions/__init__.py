@@ -8,6 +8,16 @@ parameters.
 
 from ropsim.language.questions.bodies import calls_of as calls_of
 from ropsim.language.questions.bodies import checked as checked
+from ropsim.language.questions.bodies_in import Bodies as Bodies
+from ropsim.language.questions.bodies_in import all_forms as all_forms
+from ropsim.language.questions.bodies_in import all_words as all_words
+from ropsim.language.questions.bodies_in import bodies_in as bodies_in
+from ropsim.language.questions.bodies_in import find_types as find_types
+from ropsim.language.questions.bodies_in import found_in_headers as found_in_headers
+from ropsim.language.questions.bodies_in import found_in_signatures as found_in_signatures
+from ropsim.language.questions.bodies_in import own_tasks as own_tasks
+from ropsim.language.questions.call_graph import circles_of as circles_of
+from ropsim.language.questions.call_graph import uncalled_tasks as uncalled_tasks
 from ropsim.language.questions.callers import is_own as is_own
 from ropsim.language.questions.callers import order as order
 from ropsim.language.questions.calls import form as form
@@ -18,6 +28,9 @@ from ropsim.language.questions.declarations import declared as declared
 from ropsim.language.questions.declarations import frame as frame
 from ropsim.language.questions.declarations import names_in as names_in
 from ropsim.language.questions.declarations import symbol as symbol
+from ropsim.language.questions.groups import Group as Group
+from ropsim.language.questions.groups import grouped as grouped
+from ropsim.language.questions.groups import groups as groups
 from ropsim.language.questions.headers import header as header
 from ropsim.language.questions.inference import inference as inference
 from ropsim.language.questions.inference import types as types
@@ -25,6 +38,7 @@ from ropsim.language.questions.inference import words as words
 from ropsim.language.questions.inputs import BEFORE_CHECK as BEFORE_CHECK
 from ropsim.language.questions.inputs import BEFORE_WALK as BEFORE_WALK
 from ropsim.language.questions.inputs import BLOCK as BLOCK
+from ropsim.language.questions.inputs import CONTROL_CALLS as CONTROL_CALLS
 from ropsim.language.questions.inputs import CONTROL_LOCAL as CONTROL_LOCAL
 from ropsim.language.questions.inputs import CONTROL_LOCALS as CONTROL_LOCALS
 from ropsim.language.questions.inputs import DECLARED as DECLARED

@@ -9,9 +9,10 @@ from ropsim.language.check.expressions import EXPRESSIONS
 from ropsim.language.check.world import Signature
 from ropsim.language.questions.callers import is_own, library, task
 from ropsim.language.questions.declarations import basics
+from ropsim.language.questions.groups import Group, groups
 from ropsim.language.questions.headers import header, with_types
 from ropsim.language.questions.inference import types
-from ropsim.language.questions.inputs import JOINT_COUNT, ORDER
+from ropsim.language.questions.inputs import JOINT_COUNT
 from ropsim.language.questions.walks import untold_of
 from ropsim.language.questions.worlds import world_of
 from ropsim.language.report import Report, TooManyFindingsError
@@ -53,10 +54,20 @@ def joint_count(db: Database) -> int:
     world = db.ask(basics)
     if world.environment.axes or world.joint_count:
         return world.joint_count
-    names = db.read(ORDER)
-    told = (db.ask(header, name).joint_count for name in names)
-    used = (db.ask(walked_joints, name) for name in (*names, ""))
+    found = db.ask(groups)
+    told = (db.ask(told_joints_in, group) for group in found)
+    used = (db.ask(walked_joints_in, group) for group in (*found, ("",)))
     return next(filter(None, (*told, *used)), 0)
+
+
+def told_joints_in(db: Database, group: Group) -> int:
+    """Return how many coordinates `joints(…)` has first in the headers of a group of tasks."""
+    return next(filter(None, (db.ask(header, name).joint_count for name in group)), 0)
+
+
+def walked_joints_in(db: Database, group: Group) -> int:
+    """Return how many coordinates `joints(…)` has first in the bodies of a group of tasks."""
+    return next(filter(None, (db.ask(walked_joints, name) for name in group)), 0)
 
 
 def walked_joints(db: Database, name: str) -> int:

@@ -10,6 +10,7 @@ from ropsim.program.diagnostics import without_value
 from ropsim.program.lowering.expressions import zero_of
 from ropsim.program.lowering.procedure import Lowered
 from ropsim.program.lowering.shifting import shifted
+from ropsim.program.lowering.usage import Usage
 from ropsim.program.program import Program
 from ropsim.program.source_map import SourceMap
 from ropsim.spatial import PoseTuple, quaternion
@@ -76,50 +77,57 @@ def findings_of(
     )
 
 
-def axes_of(lowered: Iterable[Lowered]) -> int | None:
+def axes_of(parts: Iterable[Lowered | Usage]) -> int | None:
     """Return how many joint coordinates there are in a program, None where it has none."""
-    every = list(lowered)
+    every = list(parts)
     told = next((one.axes for one in every if one.axes is not None), None)
     needs_one = any(one.has_guessed_axes for one in every)
     return told or (1 if needs_one else None)
 
 
+def axes_with_starts(axes: int | None, made: Iterable[tuple[Lowered, icr.Procedure]]) -> int | None:
+    """Return how many joint coordinates the values of a program have, those of its starts among them.
+
+    Args:
+        axes: the same without the starts.
+        made: procedures and what became of them, at least those that begin with giving values.
+    """
+    if axes is not None:
+        return axes
+    starts = (ready.code[: len(ready.code) - len(one.code)] for one, ready in made)
+    return 1 if any(_is_joints(step) for start in starts for step in start) else None
+
+
 def linked(
-    program: Program, lowered: Sequence[Lowered], procedures: tuple[icr.Procedure, ...], source: str
+    program: Program,
+    usage: Usage,
+    procedures: tuple[icr.Procedure, ...],
+    axes: int | None,
+    source: str,
+    libraries: tuple[icr.LibraryText, ...] = (),
 ) -> icr.Program:
     """Return the program of its procedures; it declares what they use and nothing else.
 
     Args:
         program: the structured program, for what it defines.
-        lowered: its procedures, `main` first.
-        procedures: the same, ready.
+        usage: what its procedures use.
+        procedures: `main` first.
+        axes: how many joint coordinates its values have.
         source: name of the text to which source lines refer.
+        libraries: texts of the procedures that come from elsewhere.
     """
-    channels = {channel.name: channel for one in lowered for channel in one.channels}
-    frames = dict.fromkeys(name for one in lowered for name in one.frames)
-    tools = dict.fromkeys(name for one in lowered for name in one.tools)
     return icr.Program(
         program.name,
         procedures,
-        capabilities=tuple(sorted({word for one in lowered for word in one.capabilities})),
-        axes=_axes(lowered, procedures),
+        capabilities=usage.capabilities,
+        axes=axes,
         variables=tuple(icr.Variable(one.name, one.type) for one in program.main_locals),
-        channels=tuple(channels.values()),
-        frames=tuple(icr.FrameDefinition(name, _canonical(program.frames[name])) for name in frames),
-        tools=tuple(icr.ToolDefinition(name, _tool_pose(program, name)) for name in tools),
+        channels=usage.channels,
+        frames=tuple(icr.FrameDefinition(name, _canonical(program.frames[name])) for name in usage.frames),
+        tools=tuple(icr.ToolDefinition(name, _tool_pose(program, name)) for name in usage.tools),
         source=source,
+        libraries=libraries,
     )
-
-
-def _axes(lowered: Sequence[Lowered], procedures: Sequence[icr.Procedure]) -> int | None:
-    """Return how many joint coordinates the values of a program have, those of its starts among them."""
-    found = axes_of(lowered)
-    has_start = (
-        len(ready.code) > len(one.code)
-        and any(_is_joints(step) for step in ready.code[: len(ready.code) - len(one.code)])
-        for one, ready in zip(lowered, procedures, strict=True)
-    )
-    return found if found is not None else (1 if any(has_start) else None)
 
 
 def _is_joints(step: icr.Step) -> bool:

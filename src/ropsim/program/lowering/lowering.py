@@ -1,13 +1,22 @@
 """Structured program (SIR) -> ICR: its procedures, put together."""
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
 
 from ropsim import icr
 from ropsim.core import Diagnostic
 from ropsim.program.calls import recursion
-from ropsim.program.lowering.linking import axes_of, draft_of, findings_of, linked, placed_lines, started
+from ropsim.program.lowering.linking import (
+    axes_of,
+    axes_with_starts,
+    draft_of,
+    findings_of,
+    linked,
+    placed_lines,
+    started,
+)
 from ropsim.program.lowering.procedure import Lowered, lower_control, lower_task
+from ropsim.program.lowering.usage import joint_usage
 from ropsim.program.program import Program
 from ropsim.program.scope import Known
 from ropsim.program.source_map import SourceMap
@@ -49,23 +58,34 @@ def lower_with_findings(program: Program, source: str) -> tuple[icr.Program, tup
         findings += findings_of(one, missing, known.globals, places)
         procedure = started(drafts[name], missing, known.globals, axes)
         made.append(replace(procedure, lines=placed_lines(one, procedure, places)))
-    return linked(program, tuple(lowered.values()), tuple(made), source), findings
+    axes = axes_with_starts(axes, zip(lowered.values(), made, strict=True))
+    return linked(program, joint_usage(lowered.values()), tuple(made), axes, source), findings
 
 
 def _lowered(program: Program, known: Known) -> dict[str, Lowered]:
     main = lower_control(known, program.main, program.frame, program.tool)
-    tasks = reached(main.callees, lambda name: lower_task(known, known.tasks[name]))
-    return {one.name: one for one in (main, *tasks)}
+    tasks: dict[str, Lowered] = {}
+
+    def callees(name: str) -> tuple[str, ...]:
+        tasks[name] = lower_task(known, known.tasks[name])
+        return tasks[name].callees
+
+    return {one.name: one for one in (main, *(tasks[name] for name in reached(main.callees, callees)))}
 
 
-def reached(callees: Iterable[str], lowered: Callable[[str], Lowered]) -> Iterator[Lowered]:
-    """Yield tasks that are called and all that they call, depth first."""
-    work = list(reversed(tuple(callees)))
+def reached(first: Iterable[str], callees: Callable[[str], Sequence[str]]) -> Iterator[str]:
+    """Yield the tasks that are called and all that they call, depth first.
+
+    Args:
+        first: those that the control statements call.
+        callees: tells those that a task calls, in order.
+    """
+    work = list(reversed(tuple(first)))
     seen = set()
     while work:
-        task = work.pop()
-        if task not in seen:
-            seen.add(task)
-            one = lowered(task)
-            yield one
-            work += reversed(one.callees)
+        name = work.pop()
+        if name not in seen:
+            seen.add(name)
+            called = callees(name)
+            yield name
+            work += reversed(called)

@@ -1,0 +1,41 @@
+"""Names in groups: what is told of a group is put together once, so that an edit reaches one group of many.
+
+Where a group ends is told by the name there, so that a name more or less changes the group in which it stands
+and no other.
+"""
+
+from collections.abc import Iterable
+from zlib import crc32
+
+from ropsim.language.questions.inputs import ORDER, TASKS
+from ropsim.query import Database
+
+Group = tuple[str, ...]
+"""Names that follow each other."""
+
+USUAL = 32
+"""Names of a group on average."""
+MOST = 4 * USUAL
+"""Names of a group at most."""
+
+
+def grouped(names: Iterable[str]) -> tuple[Group, ...]:
+    """Return names in groups."""
+    found: list[Group] = []
+    group: list[str] = []
+    for name in names:
+        group.append(name)
+        if crc32(name.encode(errors="surrogatepass")) % USUAL == 0 or len(group) == MOST:
+            found.append(tuple(group))
+            group = []
+    return (*found, tuple(group)) if group else tuple(found)
+
+
+def groups(db: Database) -> tuple[Group, ...]:
+    """Return the tasks of the text in groups, those called before those that call them."""
+    return grouped(db.read(ORDER))
+
+
+def text_groups(db: Database) -> tuple[Group, ...]:
+    """Return the tasks of the text in groups, in the order of the text."""
+    return grouped(db.read(TASKS))
