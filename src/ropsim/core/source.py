@@ -13,16 +13,25 @@ class SourceText:
     Attributes:
         name: path or label.
         text: the characters; every kind of line end is understood.
-        lines: the text cut into lines, without line ends.
     """
 
     name: str
     text: str
-    lines: tuple[str, ...] = field(init=False, repr=False, compare=False)
+    _lines: tuple[str, ...] | None = field(init=False, repr=False, compare=False, default=None)
 
-    def __post_init__(self) -> None:
-        cut = self.text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
-        object.__setattr__(self, "lines", tuple(cut))
+    @property
+    def lines(self) -> tuple[str, ...]:
+        """Return the text cut into lines, without line ends; it is cut when somebody asks first."""
+        if self._lines is None:
+            object.__setattr__(self, "_lines", tuple(self.plain.split("\n")))
+        found = self._lines
+        assert found is not None
+        return found
+
+    @property
+    def plain(self) -> str:
+        """Return the characters with a line feed as the only kind of line end."""
+        return self.text.replace("\r\n", "\n").replace("\r", "\n")
 
     def line(self, number: int) -> str:
         """Return line `number` (from 1), or an empty string beyond the end."""

@@ -84,7 +84,7 @@ def check(units: Units, report: Report, db: Database) -> Checked:
             tell(one.unread)
         tell(control.unread)
     if not control.block:
-        _report_empty(tuple(units.tasks), units.opener, report)
+        _report_empty(units.tasks, units.opener, report)
     program = _program(bodies, control, declared, db)
     library = ((name, db.ask(questions.form, name)) for name in declared.world.environment.tasks)
     forms = {name: form for name, form in library if form is not None}

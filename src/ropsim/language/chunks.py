@@ -7,6 +7,7 @@ system", SOSP 2001: chunks that their content defines).
 
 import re
 from collections.abc import Iterator, Sequence
+from itertools import pairwise
 
 from ropsim.core import frozen_dataclass
 from ropsim.language.cuts import cuts
@@ -22,13 +23,28 @@ class Chunk:
 
     Attributes:
         lines: as in the text.
-        first: number of the first one, from 1.
         ends_part: whether a part of the control statements ends with it.
     """
 
     lines: tuple[str, ...]
-    first: int
     ends_part: bool = False
+
+
+@frozen_dataclass
+class Bounds:
+    """Where a task lies, or what stands between two of them.
+
+    Attributes:
+        start: its first line, from 0.
+        end: the line behind it.
+        in_task: whether the first one is the header of a task.
+        is_ended: whether its last one is the end of the task.
+    """
+
+    start: int
+    end: int
+    in_task: bool
+    is_ended: bool = False
 
 
 @frozen_dataclass
@@ -36,25 +52,24 @@ class Stretch:
     """A task, or what stands between two of them.
 
     Attributes:
-        start: its first line, from 0.
-        in_task: whether that is the header of a task.
+        in_task: whether its first line is the header of a task.
         chunks: its lines.
+        is_plain: whether it is no task and all blocks in it have a beginning and an end.
     """
 
-    start: int
     in_task: bool
     chunks: tuple[Chunk, ...]
+    is_plain: bool
 
 
 def chunks(lines: Sequence[str]) -> Iterator[Chunk]:
     """Yield the lines of a text in chunks: one begins before the header of a task and one after its end."""
-    for one in stretches(lines, kinds_of(lines)):
-        yield from one.chunks
+    kinds = kinds_of(lines)
+    for one in bounds(lines, kinds):
+        yield from stretch(lines, kinds, one).chunks
 
 
-def stretches(
-    lines: Sequence[str], kinds: bytes, start: int = 0, *, in_task: bool = False
-) -> Iterator[Stretch]:
+def bounds(lines: Sequence[str], kinds: bytes, start: int = 0, *, in_task: bool = False) -> Iterator[Bounds]:
     """Yield the stretches of a text from a line on with which one begins; `kinds` says what lines mean."""
     for match in _OF_TASKS.finditer(kinds, start):
         number = match.start()
@@ -62,34 +77,28 @@ def stretches(
             continue
         if kinds[number] & TASK:
             if number > start:
-                yield _stretch(lines, kinds, start, number, in_task)
+                yield Bounds(start, number, in_task)
             start, in_task = number, True
         elif in_task and _END.fullmatch(lines[number]):
-            yield Stretch(start, in_task, (_whole(lines, start, number + 1),))
+            yield Bounds(start, number + 1, in_task, is_ended=True)
             start, in_task = number + 1, False
     if start < len(lines):
-        yield _stretch(lines, kinds, start, len(lines), in_task)
+        yield Bounds(start, len(lines), in_task)
 
 
-def _stretch(lines: Sequence[str], kinds: bytes, start: int, end: int, in_task: bool) -> Stretch:  # noqa: FBT001
-    found = (_without_end if in_task else _pieces)(lines, kinds, start, end)
-    return Stretch(start, in_task, tuple(found))
+def stretch(lines: Sequence[str], kinds: bytes, one: Bounds) -> Stretch:
+    """Return the lines between bounds in chunks."""
+    if one.is_ended:
+        return Stretch(one.in_task, (Chunk(tuple(lines[one.start : one.end])),), is_plain=False)
+    found, is_plain = cuts(lines, kinds, one.start, one.end)
+    if not one.in_task:
+        return Stretch(one.in_task, pieces(lines, (one.start, *found, one.end), one.end), is_plain)
+    first = found[0] if found else one.end  # a task that no line ends, and what is none of it as far as known
+    rest, _ = cuts(lines, kinds, first, one.end)
+    inner = pieces(lines, (first, *rest, one.end), one.end) if first < one.end else ()
+    return Stretch(one.in_task, (Chunk(tuple(lines[one.start : first])), *inner), is_plain=False)
 
 
-def _whole(lines: Sequence[str], start: int, end: int) -> Chunk:
-    return Chunk(tuple(lines[start:end]), start + 1)
-
-
-def _without_end(lines: Sequence[str], kinds: bytes, start: int, end: int) -> Iterator[Chunk]:
-    """Yield a task that no line ends, and what is not of it as far as can be told."""
-    first = next(iter(cuts(lines, kinds, start, end)), end)
-    yield _whole(lines, start, first)
-    if first < end:
-        yield from _pieces(lines, kinds, first, end)
-
-
-def _pieces(lines: Sequence[str], kinds: bytes, start: int, end: int) -> Iterator[Chunk]:
-    """Yield what stands between two tasks."""
-    found = cuts(lines, kinds, start, end)
-    for first, last in zip((start, *found), (*found, end), strict=True):
-        yield Chunk(tuple(lines[first:last]), first + 1, ends_part=last != end)
+def pieces(lines: Sequence[str], borders: Sequence[int], end: int) -> tuple[Chunk, ...]:
+    """Return the lines between borders; a part ends with each but the last one before the end."""
+    return tuple(Chunk(tuple(lines[one:other]), other != end) for one, other in pairwise(borders))

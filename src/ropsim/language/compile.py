@@ -21,11 +21,10 @@ from ropsim.language.places import at_names
 from ropsim.language.report import Report, TooManyFindingsError
 from ropsim.language.task_form import TaskForm
 from ropsim.language.text import Line
-from ropsim.language.units import of_task
 from ropsim.program import Program, SourceMap, check_contracts, recursion
 from ropsim.query import Database
 
-OF_UNITS = (*questions.OF_PARTS, HIDDEN, "places")
+OF_UNITS = (*questions.OF_PARTS, HIDDEN)
 """Inputs about a part of the control statements."""
 
 
@@ -152,25 +151,19 @@ def _checked(
 ) -> tuple[checker.Checked | None, SourceMap]:
     """Run the phases; None where the text holds more wrong lines than are worth looking at."""
     nowhere = SourceMap(source.name)
-    if len(source.lines) > texts.MAX_LINES:
-        message = f"the text has {len(source.lines)} lines; at most {texts.MAX_LINES} are allowed"
+    size = source.plain.count("\n") + 1
+    if size > texts.MAX_LINES:
+        message = f"the text has {size} lines; at most {texts.MAX_LINES} are allowed"
         report.line(kinds.LINE_LENGTH, Line.empty(), message, "split it")
         return None, nowhere
     try:
         units = divided(source, environment, report, db)
-        gone = [name for name in db.read(questions.TASKS) or () if name not in units.tasks]
-        units_now = {one.unit for one in units.parts}
-        left = [unit for unit in db.read(questions.PARTS) or () if unit not in units_now]
-        inputs: dict[Hashable, object] = {("task", name): None for name in gone}
-        inputs |= {("places", of_task(name)): None for name in gone}
+        left = [unit for unit, items in units.new_parts.items() if items is None]
+        inputs: dict[Hashable, object] = {("task", name): task for name, task in units.new_tasks.items()}
         inputs |= {(what, unit): None for unit in left for what in OF_UNITS}
-        inputs |= {("task", name): task for name, task in units.tasks.items()}
-        inputs |= {("places", unit): one for unit, one in units.map.units.items()}
-        inputs |= {(questions.PART, one.unit): one.items for one in units.parts}
-        inputs |= {
-            questions.TASKS: tuple(units.tasks),
-            questions.PARTS: tuple(one.unit for one in units.parts),
-        }
+        inputs |= {("places", unit): one for unit, one in units.new_places.items()}
+        inputs |= {(questions.PART, unit): items for unit, items in units.new_parts.items()}
+        inputs |= {questions.TASKS: units.tasks, questions.PARTS: units.parts}
         db.give(inputs)
         return checker.check(units, report, db), units.map
     except TooManyFindingsError:

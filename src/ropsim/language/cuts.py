@@ -33,17 +33,30 @@ above what closes nothing: the other end may be misspelt, and is mended where bo
 _NOTABLE = those_with(~BEGINS)
 _STATING = those_with(STATES)
 _OF_BLOCKS = those_with(OPENS | CLOSES)
+_OPENING = those_with(OPENS)
 _OPENED_BY = {word: opener for opener, words in OPENERS.items() for word in words}
 
 
-def cuts(lines: Sequence[str], kinds: bytes, start: int, end: int) -> list[int]:
-    """Return before which lines of those from `start` to `end` to cut; `kinds` says what each line means."""
+def cuts(lines: Sequence[str], kinds: bytes, start: int, end: int) -> tuple[list[int], bool]:
+    """Return before which lines to cut of those from `start` to `end`, and whether each block has both ends.
+
+    Args:
+        lines: of the text.
+        kinds: what each line means.
+        start: first line, from 0.
+        end: line behind the last one.
+    """
     closed, strays = _matched(lines, kinds, start, end)
     found = _cuts(lines, kinds, start, end, closed)
     for stray in strays:
         above = _above(lines, kinds, start, stray)
         del found[bisect_right(found, above) : bisect_right(found, stray)]
-    return found
+    return found, not strays and len(_OPENING.findall(kinds, start, end)) == len(closed)
+
+
+def has_blocks(kinds: bytes) -> bool:
+    """Return whether one of some lines opens or closes a block."""
+    return _OF_BLOCKS.search(kinds) is not None
 
 
 def _matched(lines: Sequence[str], kinds: bytes, start: int, end: int) -> tuple[dict[int, int], list[int]]:

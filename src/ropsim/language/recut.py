@@ -1,12 +1,13 @@
 """A text in chunks, which is cut anew around what has changed and remains what it was elsewhere."""
 
-from collections.abc import Iterator, Sequence
+from bisect import bisect_left, bisect_right
+from collections.abc import Sequence
 from dataclasses import dataclass, field
-from itertools import chain, compress, count
-from operator import ne
+from itertools import accumulate, chain, compress, count
 
-from ropsim.language.chunks import Chunk, Stretch, stretches
-from ropsim.language.cuts import REACH
+from ropsim.language.chunks import Bounds, Chunk, Stretch, bounds, pieces, stretch
+from ropsim.language.cuts import REACH, cuts, has_blocks
+from ropsim.language.edited_lines import EditedLines, edited_lines
 from ropsim.language.line_kinds import kinds_of
 
 
@@ -15,64 +16,136 @@ class Cut:
     """A text in chunks.
 
     Attributes:
+        text: its characters; lines end with a line feed alone.
         lines: of the text; those that stood in the text before are the same objects.
         kinds: what each line means.
         stretches: of the text.
+        starts: first line of each stretch, from 0.
+        sizes: number of chunks of each stretch.
+        chunks: of the text.
+        above: how many of them, from the first one on, are those of the text before.
+        below: the same from the last one up.
     """
 
+    text: str = ""
     lines: list[str] = field(default_factory=list)
     kinds: bytes = b""
     stretches: list[Stretch] = field(default_factory=list)
+    starts: list[int] = field(default_factory=list)
+    sizes: list[int] = field(default_factory=list)
+    chunks: list[Chunk] = field(default_factory=list)
+    above: int = 0
+    below: int = 0
 
-    def chunks(self) -> list[Chunk]:
-        """Return all chunks."""
-        return [*chain.from_iterable(one.chunks for one in self.stretches)]
 
-
-def recut(lines: Sequence[str], before: Cut) -> Cut:
+def recut(text: str, before: Cut) -> Cut:
     """Return a text in chunks.
 
     Args:
-        lines: of the text.
+        text: its lines end with a line feed alone.
         before: the text as it was before, or an empty one; it saves time and changes no chunk.
     """
+    if not before.lines:
+        return _cut(text)
     known = before.lines
-    above, below = ends_alike(lines, known)
-    here = len(lines) - below
-    now = [*known[:above], *lines[above:here], *known[len(known) - below :]]
-    kinds = before.kinds[:above] + kinds_of(now[above:here]) + before.kinds[len(known) - below :]
-    kept = _kept_above(before.stretches, above)
-    found = before.stretches[:kept]
-    start, in_task = (before.stretches[kept].start, before.stretches[kept].in_task) if kept else (0, False)
-    shift = len(now) - len(known)
-    places = {one.start + shift: k for k, one in enumerate(before.stretches) if one.start + shift > here}
-    for one in stretches(now, kinds, start, in_task=in_task):
-        if one.start in places:  # the line before it and all below are what they were
-            found += (_moved(old, shift) for old in before.stretches[places[one.start] :])
+    edit = edited_lines(before.text, text)
+    end = len(known) - edit.below
+    lines = [*known[: edit.above], *edit.between, *known[end:]]
+    kinds = before.kinds[: edit.above] + kinds_of(edit.between) + before.kinds[end:]
+    here, shift = edit.above + len(edit.between), len(lines) - len(known)
+    kept, until = _kept_above(before.starts, edit.above), len(before.starts)
+    start, in_task = (before.starts[kept], before.stretches[kept].in_task) if kept else (0, False)
+    found: list[Bounds] = []
+    for one in bounds(lines, kinds, start, in_task=in_task):
+        place = _place(before.starts, one.start - shift) if one.start > here else None
+        if place is not None:  # the line before it and all below are what they were
+            until = place
             break
         found.append(one)
-    return Cut(now, kinds, found)
+    made = [_again(one, lines, kinds, before, edit) or stretch(lines, kinds, one) for one in found]
+    below = before.starts[until:]
+    first = sum(before.sizes[:kept])
+    gone = before.chunks[first : first + sum(before.sizes[kept:until])]
+    new = [*chain.from_iterable(one.chunks for one in made)]
+    above_new, below_new = _ends_alike(new, gone)
+    return Cut(
+        text,
+        lines,
+        kinds,
+        [*before.stretches[:kept], *made, *before.stretches[until:]],
+        [
+            *before.starts[:kept],
+            *(one.start for one in found),
+            *(map(shift.__add__, below) if shift else below),
+        ],
+        [*before.sizes[:kept], *(len(one.chunks) for one in made), *before.sizes[until:]],
+        [*before.chunks[:first], *new, *before.chunks[first + len(gone) :]],
+        first + above_new,
+        len(before.chunks) - first - len(gone) + below_new,
+    )
 
 
-def ends_alike(one: Sequence[object], other: Sequence[object]) -> tuple[int, int]:
-    """Return with how many equal items two rows begin, and with how many further ones they end."""
-    least = min(len(one), len(other))
-    above = next(compress(count(), map(ne, one, other)), least)
-    below = next(compress(count(), map(ne, reversed(one), reversed(other))), least)
-    return above, min(below, least - above)
+def _cut(text: str) -> Cut:
+    lines = text.split("\n")
+    kinds = kinds_of(lines)
+    found = [*bounds(lines, kinds)]
+    made = [stretch(lines, kinds, one) for one in found]
+    starts, sizes = [one.start for one in found], [len(one.chunks) for one in made]
+    return Cut(text, lines, kinds, made, starts, sizes, [*chain.from_iterable(one.chunks for one in made)])
 
 
-def _kept_above(found: Sequence[Stretch], above: int) -> int:
+def _again(one: Bounds, lines: Sequence[str], kinds: bytes, before: Cut, edit: EditedLines) -> Stretch | None:
+    """Return a stretch whose pieces are known but for those around an edit; None where all may be others.
+
+    Where a piece ends is told by the lines up to there, from the end of the piece above on, as long as each
+    block has both of its ends and no line that has changed begins or ends one.
+    """
+    place = _place(before.starts, one.start)
+    end = len(before.lines) - edit.below
+    shift = len(lines) - len(before.lines)
+    if place is None or not before.stretches[place].is_plain or one.in_task or one.start > edit.above:
+        return None
+    known = before.stretches[place].chunks
+    firsts = [*accumulate((len(chunk.lines) for chunk in known), initial=one.start)]
+    if firsts[-1] + shift != one.end or firsts[-1] < end:
+        return None
+    if has_blocks(before.kinds[edit.above : end]) or has_blocks(kinds[edit.above : end + shift]):
+        return None
+    first = max(bisect_left(firsts, edit.above) - 1, 0)
+    last = bisect_right(firsts, end)
+    if last >= len(known) or (first and lines[firsts[first] - 1].endswith("\\")):
+        return None
+    again = firsts[last] + shift
+    found, is_plain = cuts(lines, kinds, firsts[first], firsts[last + 1] + shift)
+    if not is_plain or again not in found:
+        return None
+    borders = (firsts[first], *found[: found.index(again)], again)
+    return Stretch(
+        one.in_task, (*known[:first], *pieces(lines, borders, one.end), *known[last:]), is_plain=True
+    )
+
+
+def _place(numbers: Sequence[int], number: int) -> int | None:
+    """Return where a number stands among numbers in order, None where it does not."""
+    place = bisect_left(numbers, number)
+    return place if place < len(numbers) and numbers[place] == number else None
+
+
+def _kept_above(starts: Sequence[int], above: int) -> int:
     """Return how many stretches remain, as they lie far enough within the lines that remain.
 
     Where a stretch ends is told by the line behind it, and a block without end looks a few lines further.
     """
-    return max(sum(one.start + REACH <= above for one in found) - 1, 0)
+    return max(bisect_right(starts, above - REACH) - 1, 0)
 
 
-def _moved(one: Stretch, by: int) -> Stretch:
-    return Stretch(one.start + by, one.in_task, tuple(_moved_chunks(one.chunks, by))) if by else one
+def _ends_alike(one: Sequence[Chunk], other: Sequence[Chunk]) -> tuple[int, int]:
+    """Return with how many equal chunks two rows begin, and with how many further ones they end."""
+    least = min(len(one), len(other))
+    above = next(compress(count(), map(_differ, one, other)), least)
+    below = next(compress(count(), map(_differ, reversed(one), reversed(other))), least)
+    return above, min(below, least - above)
 
 
-def _moved_chunks(chunks: Sequence[Chunk], by: int) -> Iterator[Chunk]:
-    return (Chunk(one.lines, one.first + by, one.ends_part) for one in chunks)
+def _differ(one: Chunk, other: Chunk) -> bool:
+    return one is not other and one != other

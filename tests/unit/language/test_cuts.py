@@ -1,6 +1,7 @@
 """Texts cut into pieces: what is not closed, or closes nothing, takes no more than the lines around it."""
 
 import random
+from itertools import accumulate
 
 import pytest
 
@@ -125,7 +126,7 @@ def test_no_cut_lies_in_a_block_or_a_statement(seed: int) -> None:
 
     while len(lines) < 900:
         write(0)
-    found = [chunk.first - 1 for chunk in chunks(lines)]
+    found = [*accumulate(sizes(lines)[:-1], initial=0)]
     assert len(found) > 1
     assert set(found) <= places
 
@@ -154,17 +155,22 @@ TYPED = [
 def test_a_text_that_was_cut_before_is_cut_as_one_that_is_new(text: list[str]) -> None:
     chance = random.Random(len(text))
     lines, before = list(text), Cut()
-    for _ in range(150):
+    for _ in range(400):
         at = chance.randrange(len(lines))
         lines[at : at + chance.randrange(3)] = chance.choices([*TYPED, *text], k=chance.randrange(3))
-        before = recut(lines, before)
-        assert before.chunks() == list(chunks(lines))
+        known = before
+        before = recut("\n".join(lines), known)
+        assert before.chunks == list(chunks(lines))
+        assert before.lines == lines
+        assert before.chunks[: before.above] == known.chunks[: before.above]
+        below = before.below
+        assert before.chunks[len(before.chunks) - below :] == known.chunks[len(known.chunks) - below :]
 
 
 def test_an_edit_cuts_the_task_around_it_and_no_other() -> None:
-    before = recut(TASKS, Cut())
+    before = recut("\n".join(TASKS), Cut())
     edited = [*TASKS[:121], "  lin a", "  mov a", *TASKS[122:]]
-    after = recut(edited, before)
-    known = {id(chunk.lines) for chunk in before.chunks()}
-    new = [chunk for chunk in after.chunks() if id(chunk.lines) not in known]
+    after = recut("\n".join(edited), before)
+    known = {id(chunk.lines) for chunk in before.chunks}
+    new = [chunk for chunk in after.chunks if id(chunk.lines) not in known]
     assert 0 < sum(len(chunk.lines) for chunk in new) <= REACH + 12

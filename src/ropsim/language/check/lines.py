@@ -9,6 +9,7 @@ from ropsim.language.check.types import BOOL
 from ropsim.language.findings import syntax as kinds
 from ropsim.language.syntax import statements as syntax
 from ropsim.language.syntax.nodes import Name
+from ropsim.language.syntax.words import RESERVED
 from ropsim.program import Block, If
 
 _DECLARATIONS = (
@@ -39,7 +40,8 @@ def poison_targets(body: Body, node: syntax.Statement | None) -> None:
             for name in names:
                 body.poison(name.text)
         case syntax.Broken(head=head, name=name):
-            body.poison(head)
+            if head not in RESERVED:  # no name, so nobody would look it up
+                body.poison(head)
             if name and head == "for":
                 body.poison(name)
         case syntax.If(body=inner) if inner is not None:

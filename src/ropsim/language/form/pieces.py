@@ -32,9 +32,9 @@ class Piece:
 def pieces(source: SourceText) -> Iterator[Piece]:
     """Yield the pieces of a text."""
     lines = told(list(read(source, LineCache())))
-    at = 0
+    at, behind = 0, 1
     for chunk in chunks(source.lines):
-        first, behind = at, chunk.first + len(chunk.lines)
+        first, behind = at, behind + len(chunk.lines)
         while at < len(lines) and lines[at].logical.number < behind:
             at += 1
         own = lines[first:at]

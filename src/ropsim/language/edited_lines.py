@@ -1,0 +1,65 @@
+"""Which lines of a text are others than before: found by its characters, so that nobody cuts the text."""
+
+from ropsim.core import frozen_dataclass
+
+_STEP = 65_536
+"""Characters that are compared at a time."""
+
+
+@frozen_dataclass
+class EditedLines:
+    """The lines between those that begin a text as before and those that end it as before.
+
+    Attributes:
+        above: how many lines above are what they were.
+        below: how many lines below are what they were.
+        between: the lines between them, at least one.
+    """
+
+    above: int
+    below: int
+    between: list[str]
+
+
+def edited_lines(before: str, now: str) -> EditedLines:
+    """Return the lines that have changed in a text whose lines end with a line feed alone."""
+    first = _alike(before, now)
+    last = len(now) - _alike_at_end(before, now, min(len(before), len(now)) - first)
+    below = now.count("\n", last)
+    end = now.find("\n", last) if below else len(now)
+    begin = now.rfind("\n", 0, first) + 1
+    return EditedLines(now.count("\n", 0, begin), below, now[begin:end].split("\n"))
+
+
+def _alike(one: str, other: str) -> int:
+    """Return with how many equal characters two texts begin."""
+    least, low = min(len(one), len(other)), 0
+    while low < least and one[low : low + _STEP] == other[low : low + _STEP]:
+        low += _STEP
+    low, high = min(low, least), min(low + _STEP, least)
+    while low < high:
+        middle = (low + high + 1) // 2
+        if one[low:middle] == other[low:middle]:
+            low = middle
+        else:
+            high = middle - 1
+    return low
+
+
+def _alike_at_end(one: str, other: str, most: int) -> int:
+    """Return with how many equal characters two texts end, `most` at most."""
+    end, others_end, low = len(one), len(other), 0
+    while low < most and _are_alike_at(one, other, end - low, others_end - low, min(_STEP, most - low)):
+        low += _STEP
+    low, high = min(low, most), min(low + _STEP, most)
+    while low < high:
+        middle = (low + high + 1) // 2
+        if _are_alike_at(one, other, end - low, others_end - low, middle - low):
+            low = middle
+        else:
+            high = middle - 1
+    return low
+
+
+def _are_alike_at(one: str, other: str, end: int, others_end: int, size: int) -> bool:
+    return one[end - size : end] == other[others_end - size : others_end]
