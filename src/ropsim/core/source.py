@@ -31,7 +31,8 @@ class SourceText:
     @property
     def plain(self) -> str:
         """Return the characters with a line feed as the only kind of line end."""
-        return self.text.replace("\r\n", "\n").replace("\r", "\n")
+        text = self.text
+        return text.replace("\r\n", "\n").replace("\r", "\n") if "\r" in text else text
 
     def line(self, number: int) -> str:
         """Return line `number` (from 1), or an empty string beyond the end."""

@@ -36,6 +36,7 @@ from ropsim.icr.rules.assignment import Need as Need
 from ropsim.icr.rules.assignment import Passage as Passage
 from ropsim.icr.rules.assignment import Summary as Summary
 from ropsim.icr.rules.assignment import given_at_once as given_at_once
+from ropsim.icr.rules.assignment import joint_passage as joint_passage
 from ropsim.icr.rules.assignment import needs_of_passages as needs_of_passages
 from ropsim.icr.rules.assignment import passage as passage
 from ropsim.icr.rules.assignment import refused_needs as refused_needs

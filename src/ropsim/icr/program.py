@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import field
+from operator import attrgetter
 from typing import NamedTuple
 
 from ropsim.core import Span, frozen_dataclass
@@ -18,6 +19,7 @@ CHANNEL_TYPES = {
 """Kind of channel -> types that it may have."""
 
 Operand = str | int | Constant
+_NAME = attrgetter("name")
 
 
 class Step(NamedTuple):
@@ -106,7 +108,6 @@ class Procedure:
         code: instructions.
         lines: source line of each instruction, 0 where unknown; no part of what the procedure is.
         places: where each instruction stands in the ICR text; empty where there was none.
-        numbers: place of each variable, parameters first, by its name.
     """
 
     name: str
@@ -116,12 +117,19 @@ class Procedure:
     code: tuple[Step, ...] = ()
     lines: tuple[int, ...] = field(default=(), compare=False)
     places: tuple[Span, ...] = field(default=(), compare=False, repr=False)
-    numbers: dict[str, int] = field(init=False, compare=False, repr=False)
+    _numbers: dict[str, int] | None = field(init=False, default=None, compare=False, repr=False)
 
     def __post_init__(self) -> None:
         missing = len(self.code) - len(self.lines)
         object.__setattr__(self, "lines", self.lines + (0,) * missing)
-        object.__setattr__(self, "numbers", _numbers(self.variables))
+
+    @property
+    def numbers(self) -> dict[str, int]:
+        """Return the place of each variable, parameters first, by its name; found when first asked for."""
+        if self._numbers is None:
+            object.__setattr__(self, "_numbers", _places(self.variables))
+        assert self._numbers is not None
+        return self._numbers
 
     @property
     def variables(self) -> tuple[Variable, ...]:
@@ -147,9 +155,6 @@ class Program:
             is no part of what the program is.
         libraries: texts of the procedures that come from elsewhere; no part of what the program is, either.
         declared_at: record (`PROC main`, `FRAMEDEF st1`) -> place in the ICR text.
-        numbers: place of each global variable, by its name.
-        procedure_numbers: place of each procedure, by its name.
-        channels_by_name: channels, by name.
     """
 
     name: str
@@ -164,14 +169,25 @@ class Program:
     source: str = field(default="", compare=False)
     libraries: tuple[LibraryText, ...] = field(default=(), compare=False)
     declared_at: Mapping[str, Span] = field(default_factory=dict, compare=False, repr=False)
-    numbers: dict[str, int] = field(init=False, compare=False, repr=False)
-    procedure_numbers: dict[str, int] = field(init=False, compare=False, repr=False)
-    channels_by_name: Mapping[str, IoChannel] = field(init=False, compare=False, repr=False)
+    _numbers: dict[str, int] | None = field(init=False, default=None, compare=False, repr=False)
+    _procedure_numbers: dict[str, int] | None = field(init=False, default=None, compare=False, repr=False)
+    _channel_numbers: dict[str, int] | None = field(init=False, default=None, compare=False, repr=False)
 
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "numbers", _numbers(self.variables))
-        object.__setattr__(self, "procedure_numbers", _numbers(self.procedures))
-        object.__setattr__(self, "channels_by_name", {one.name: one for one in reversed(self.channels)})
+    @property
+    def numbers(self) -> dict[str, int]:
+        """Return the place of each global variable, by its name; found when first asked for."""
+        if self._numbers is None:
+            object.__setattr__(self, "_numbers", _places(self.variables))
+        assert self._numbers is not None
+        return self._numbers
+
+    @property
+    def procedure_numbers(self) -> dict[str, int]:
+        """Return the place of each procedure, by its name; found when first asked for."""
+        if self._procedure_numbers is None:
+            object.__setattr__(self, "_procedure_numbers", _places(self.procedures))
+        assert self._procedure_numbers is not None
+        return self._procedure_numbers
 
     def procedure(self, name: str) -> Procedure | None:
         """Return the first procedure of that name, or None."""
@@ -180,12 +196,16 @@ class Program:
 
     def channel(self, name: str) -> IoChannel | None:
         """Return the first channel of that name, or None."""
-        return self.channels_by_name.get(name)
+        if self._channel_numbers is None:
+            object.__setattr__(self, "_channel_numbers", _places(self.channels))
+        assert self._channel_numbers is not None
+        number = self._channel_numbers.get(name)
+        return None if number is None else self.channels[number]
 
 
-def _numbers(named: Sequence[Variable] | Sequence[Procedure]) -> dict[str, int]:
+def _places(named: Sequence[Variable] | Sequence[Procedure] | Sequence[IoChannel]) -> dict[str, int]:
     """Return the place of each name; of two equal ones the first counts."""
-    return {named[number].name: number for number in reversed(range(len(named)))}
+    return dict(zip(map(_NAME, reversed(named)), range(len(named) - 1, -1, -1), strict=True))
 
 
 def text_place(program: Program, procedure: Procedure, index: int) -> Span | None:

@@ -66,9 +66,8 @@ def check(units: Units, report: Report, db: Database) -> Checked:
     db.give({questions.INFERRED: inferred})
     for group in groups:
         db.ask(questions.find_types, group)
-    parts: tuple[str, ...] = db.read(questions.PARTS)
     if inferred is None:
-        give_equal(db, questions.WALKED_CONTROL, walk_control(db, parts))
+        give_equal(db, questions.WALKED_CONTROL, walk_control(db))
     db.give({questions.JOINT_COUNT: db.ask(questions.joint_count)})
     for group in groups:
         tell(db.ask(questions.found_in_signatures, group))
@@ -76,7 +75,7 @@ def check(units: Units, report: Report, db: Database) -> Checked:
     for group in groups:
         bodies.append(db.ask(questions.bodies_in, group))
         tell(bodies[-1].found)
-    control = check_control(db, parts, db.ask(questions.types, "").types)
+    control = check_control(db, db.ask(questions.types, "").types)
     tell(control.found)
     _give_variables(db, control.locals)
     if not report.has_errors:
@@ -129,10 +128,12 @@ def _give_variables(db: Database, variables: tuple[Local, ...]) -> None:
     if before == variables:
         return
     types = {one.name: one.type for one in variables}
+    known = {one.name: one.type for one in before}
     inputs: dict[Hashable, object] = {
-        (questions.CONTROL_LOCAL, one.name): types.get(one.name) for one in before
+        (questions.CONTROL_LOCAL, name): types.get(name)
+        for name in {**known, **types}
+        if known.get(name) is not types.get(name)
     }
-    inputs |= {(questions.CONTROL_LOCAL, name): kind for name, kind in types.items()}
     db.give({questions.CONTROL_LOCALS: variables, **inputs})
 
 

@@ -8,7 +8,7 @@ from ropsim.core import Diagnostic
 from ropsim.language import questions
 from ropsim.language.checked import Checked
 from ropsim.language.environment import Environment
-from ropsim.language.main_code import begun, joined_at, lowered_parts, passage
+from ropsim.language.main_code import begun, joined_at, lowered_groups, passage_in, unbegun
 from ropsim.language.task_code import GIVEN, lowered, procedure_name, ready
 from ropsim.language.task_codes import (
     FIRST,
@@ -25,7 +25,7 @@ from ropsim.program import (
     Usage,
     axes_of,
     axes_with_starts,
-    draft_of,
+    declared_of,
     findings_of,
     joint_usage,
     linked,
@@ -33,6 +33,9 @@ from ropsim.program import (
 from ropsim.query import Database
 
 Groups = tuple[questions.Group, ...]
+
+VARIABLES = "global variables"
+"""Input: those of the whole text and of the control statements."""
 
 
 def code_of(checked: Checked, places: SourceMap, db: Database) -> tuple[icr.Program, tuple[Diagnostic, ...]]:
@@ -47,10 +50,10 @@ def code_of(checked: Checked, places: SourceMap, db: Database) -> tuple[icr.Prog
         parts, groups, usage = _lowered_all(db, guess)
     axes = axes_of((usage,))
     main = joined_at(db, parts, guess, 0, places)
-    db.give({(GIVEN, guess): icr.given_at_once(draft_of(main)) if groups else frozenset()})
+    db.give({(GIVEN, guess): icr.given_at_once(unbegun(main)) if groups else frozenset()})
     for group in db.ask(summary_groups, guess):
         db.ask(find_summaries, group, guess)
-    passages = [(db.ask(passage, unit, guess), len(one.code)) for unit, one in parts.items()]
+    passages = ((db.ask(passage_in, group, guess), len(one.code)) for group, one in parts.items())
     needs = icr.needs_of_passages(passages)
     missing = tuple(chain.from_iterable(db.ask(needs_in, group, guess) for group in groups))
     variables = {one.name: one.type for one in checked.program.main_locals} if needs or missing else {}
@@ -63,12 +66,20 @@ def code_of(checked: Checked, places: SourceMap, db: Database) -> tuple[icr.Prog
     begun_ones = ((db.ask(lowered, name, guess), db.ask(ready, name, guess, axes)) for name, _ in missing)
     every_axes = axes_with_starts(axes, ((main, main_procedure), *begun_ones))
     libraries = tuple(_libraries(chain.from_iterable(groups), guess, db))
-    return linked(checked.program, usage, procedures, every_axes, places.source, libraries), findings
+    db.give({VARIABLES: checked.program.main_locals})
+    declared = db.ask(declared_variables)
+    code = linked(checked.program, usage, procedures, every_axes, declared, places.source, libraries)
+    return code, findings
 
 
-def _lowered_all(db: Database, guess: int | None) -> tuple[dict[str, Lowered], Groups, Usage]:
-    """Return the parts of the control statements that are reached, by unit, the tasks, and what all use."""
-    parts = lowered_parts(db, guess)
+def declared_variables(db: Database) -> tuple[icr.Variable, ...]:
+    """Return the global variables as the code declares them."""
+    return declared_of(db.read(VARIABLES))
+
+
+def _lowered_all(db: Database, guess: int | None) -> tuple[dict[questions.Group, Lowered], Groups, Usage]:
+    """Return the control statements and the tasks that are reached, in groups, and what all use."""
+    parts = lowered_groups(db, guess)
     db.give({(FIRST, guess): tuple(dict.fromkeys(name for one in parts.values() for name in one.callees))})
     groups = db.ask(reached_groups, guess)
     used = (db.ask(usage_in, group, guess) for group in groups)

@@ -3,22 +3,23 @@
 What was given to a part and what it told stands in a trail, as on the silent walk (`control_walk`).
 """
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
 from itertools import chain
 
-from ropsim.core import Diagnostic, Span, frozen_dataclass
+from ropsim.core import Diagnostic, frozen_dataclass
 from ropsim.language import questions
-from ropsim.language.check.body import Made
 from ropsim.language.check.near_names import near_names, seen_variables, unread_variables
-from ropsim.language.check.one_part import CheckedPart
+from ropsim.language.check.one_part import CheckedPart, Left
 from ropsim.language.check.outcome import Outcome
 from ropsim.language.check.sight import Seen
 from ropsim.language.check.types import Type
 from ropsim.language.check.world import Poison
+from ropsim.language.checked_parts import CheckedParts, Together, first_of, joined, late, together
 from ropsim.language.questions.parts import Before
-from ropsim.language.way import Way, give_equal
-from ropsim.program import KnownPlace, Local, SignalUse
+from ropsim.language.stages import Stages
+from ropsim.language.way import give_equal, left_by
+from ropsim.program import KnownPlace
 from ropsim.query import Database, is_same
 
 _TRAIL = "trail of the control statements"
@@ -36,7 +37,8 @@ class _Step:
         before: what it sees of the parts before it.
         found: what was told of it.
         impossible: arcs and curves of it whose points make none.
-        place: where the arm is behind it, if that is known.
+        start: where the arm is before it, if that is known.
+        end: the same behind it.
     """
 
     unit: str
@@ -45,71 +47,140 @@ class _Step:
     before: Before
     found: CheckedPart
     impossible: tuple[Diagnostic, ...]
-    place: KnownPlace | None
+    start: KnownPlace | None
+    end: KnownPlace | None
+
+    @property
+    def left(self) -> Left:
+        """Return what it leaves to those behind it."""
+        return self.found.left
+
+
+@frozen_dataclass
+class _Stage:
+    """A group of parts on the way.
+
+    Attributes:
+        group: their units.
+        steps: the parts.
+        mentions: words of them.
+        makes: variables that they make, or the words again.
+        left: what they leave to those behind them.
+        start: where the arm is before them, if that is known.
+        end: the same behind them.
+        found: what was told of them.
+    """
+
+    group: questions.Group
+    steps: tuple[_Step, ...]
+    mentions: frozenset[str]
+    makes: frozenset[str]
+    left: Left
+    start: KnownPlace | None
+    end: KnownPlace | None
+    found: CheckedParts
 
 
 @dataclass(slots=True)
 class _Trail:
-    """Steps of a check, and the types with which it was made."""
+    """Stages of a check, the types with which it was made, and what all stages told together."""
 
-    steps: tuple[_Step, ...] = ()
+    stages: list[_Stage] = field(default_factory=list)
     types: Mapping[str, Type] | None = None
+    told: Together | None = None
 
 
-def check_control(db: Database, units: Iterable[str], types: Mapping[str, Type]) -> Outcome:
-    """Return the control statements, checked; `types` are those of all their variables."""
-    trail = _trail(db)
-    past = trail.steps if trail.types is types else ()
-    is_inferred = questions.inferred(db) is not None
-    types_of = _types_by_name(types) if is_inferred else _types_of(types)
-    steps: list[_Step] = []
-    way, passed = Way(), 0
-    is_as_before = True
-    place: KnownPlace | None = None
-    for number, unit in enumerate(units):
-        known = past[number] if is_as_before and number < len(past) and past[number].unit == unit else None
-        if known is not None and _is_as_it_was(db, known):
-            place = known.place
-            steps.append(known)
-            continue
+class _Check(Stages[_Step, _Stage]):
+    """Goes through the parts; `new_types` are the variables that have another type than the last time."""
+
+    def __init__(self, db: Database, types_of: "_TypesOf", new_types: Collection[str]) -> None:
+        super().__init__()
+        self._db = db
+        self._types_of = types_of
+        self._new_types = frozenset(new_types)
+        self._is_inferred = questions.inferred(db) is not None
+        self._place: KnownPlace | None = None
+
+    def is_as_before(self, stage: _Stage) -> bool:
+        """Return whether all parts of a group that sees what it saw told what they would tell now."""
+        return (
+            stage.start == self._place
+            and not stage.found.looked_around
+            and self._new_types.isdisjoint(stage.makes)
+            and self._db.known(questions.checked_in, stage.group) is not None
+        )
+
+    def is_step_as_before(self, step: _Step) -> bool:
+        """Return whether a part that sees what it saw told what it would tell now."""
+        db = self._db
+        if step.start != self._place or not self._new_types.isdisjoint(step.makes):
+            return False
+        made = db.known(questions.variables_of, step.unit)
+        return db.known(questions.checked_part, step.unit, None) is step.found and (
+            made is step.makes or db.known(questions.mentions, step.unit) is step.makes
+        )
+
+    def step(self, unit: str, known: _Step | None) -> _Step:
+        """Look at a part; `known` is what became of it the last time, where it sees what it saw."""
+        db, start = self._db, self._place
         mentions = db.ask(questions.mentions, unit)
-        makes = mentions if is_inferred else db.ask(questions.variables_of, unit)
+        makes = mentions if self._is_inferred else db.ask(questions.variables_of, unit)
         key = (questions.BEFORE_CHECK, unit)
         is_new = known is None or known.mentions is not mentions or known.before is not db.read(key)
         if is_new:
-            passed = _pass_by(way, steps, passed)
-            give_equal(db, key, way.before(mentions))
-        if known is None or is_new or known.makes is not makes:
-            give_equal(db, (questions.TYPES, unit), types_of(makes))
+            give_equal(db, key, self.catch_up().before(mentions))
+        if known is None or is_new or known.makes is not makes or not self._new_types.isdisjoint(makes):
+            give_equal(db, (questions.TYPES, unit), self._types_of(makes))
         found = db.ask(questions.checked_part, unit, None)
         if found.looked_around:
-            passed = _pass_by(way, steps, passed)
-            around = tuple(
-                name for name, one in way.names.items() if not isinstance(one.symbol, Poison | None)
-            )
+            names = self.catch_up().names
+            around = tuple(name for name, one in names.items() if not isinstance(one.symbol, Poison | None))
             found = db.ask(questions.checked_part, unit, around)
         db.give({(questions.BLOCK, unit): found.block})
-        impossible, place = db.ask(questions.points, unit, place)
-        is_as_before = known is not None and known.place == place and is_same(known.found.left, found.left)
-        steps.append(_Step(unit, mentions, makes, db.read(key), found, impossible, place))
-    _pass_by(way, steps, passed)
-    trail.steps, trail.types = tuple(steps), types
-    return _outcome(db, steps, way.names)
+        impossible, self._place = db.ask(questions.points, unit, start)
+        return _Step(unit, mentions, makes, db.read(key), found, impossible, start, self._place)
+
+    def pass_by(self, one: _Step | _Stage) -> None:
+        """Take a part, or a group of them, as it was."""
+        super().pass_by(one)
+        self._place = one.end
+
+    def leaves_as_before(self, before: _Step, step: _Step) -> bool:
+        """Return whether a part leaves to those behind it what it left the last time."""
+        return is_same(before.left, step.left)
+
+    def stage(self, group: questions.Group, steps: tuple[_Step, ...]) -> _Stage:
+        """Put parts together."""
+        self._db.ask(questions.checked_in, group)
+        return _Stage(
+            group,
+            steps,
+            frozenset().union(*(one.mentions for one in steps)),
+            frozenset().union(*(one.makes for one in steps)),
+            left_by(one.left for one in steps),
+            steps[0].start,
+            steps[-1].end,
+            joined([one.found for one in steps], [one.impossible for one in steps]),
+        )
 
 
-def _is_as_it_was(db: Database, step: _Step) -> bool:
-    """Return whether nothing has changed that a part was told of."""
-    made = db.known(questions.variables_of, step.unit)
-    return db.known(questions.checked_part, step.unit, None) is step.found and (
-        made is step.makes or db.known(questions.mentions, step.unit) is step.makes
-    )
+def check_control(db: Database, types: Mapping[str, Type]) -> Outcome:
+    """Return the control statements, checked; `types` are those of all their variables."""
+    trail = _trail(db)
+    is_inferred = questions.inferred(db) is not None
+    is_known = trail.types is types or (trail.types is not None and not is_inferred)
+    new_types = _other(trail.types, types) if trail.types is not None and trail.types is not types else ()
+    check = _Check(db, _types_by_name(types) if is_inferred else _types_of(types), new_types)
+    stages = check.go_through(db.ask(questions.part_groups), trail.stages if is_known else [])
+    trail.told = together([one.found for one in stages], [one.found for one in trail.stages], trail.told)
+    trail.stages, trail.types = stages, types
+    return _outcome(db, stages, check, trail.told)
 
 
-def _pass_by(way: Way, steps: list[_Step], passed: int) -> int:
-    """Go on behind the last part, and return how many lie behind then."""
-    for one in steps[passed:]:
-        way.pass_by(one.found.left)
-    return len(steps)
+def _other(before: Mapping[str, Type], now: Mapping[str, Type]) -> set[str]:
+    """Return the variables whose types are not what they were."""
+    changed = {name for name, kind in now.items() if before.get(name) is not kind}
+    return changed | (before.keys() - now.keys())
 
 
 def _trail(db: Database) -> _Trail:
@@ -138,59 +209,33 @@ def _types_by_name(types: Mapping[str, Type]) -> _TypesOf:
     return lambda mentions: tuple(one for name in mentions for one in by_name.get(name, ()))
 
 
-def _outcome(
-    db: Database,
-    steps: list[_Step],
-    names: Mapping[str, Seen],
-) -> Outcome:
-    parts = tuple(one.found for one in steps)
-    made: dict[str, Made] = {}
-    read: set[str] = set()
-    locals_: dict[str, Local] = {}
-    signals: dict[str, SignalUse] = {}
-    for one in parts:
-        for name, place in one.made.items():
-            made.setdefault(name, place)
-        read |= one.read
-        for local in one.locals:
-            locals_.setdefault(local.name, local)
-        for signal in one.signals:
-            signals[signal.name] = signal
-    found = [finding for one in parts for finding in one.found]
+def _outcome(db: Database, stages: Sequence[_Stage], check: _Check, told: Together) -> Outcome:
+    parts = [one.found for one in stages]
+    found = [*chain.from_iterable(one.found for one in parts)]
 
     def visible() -> Iterator[str]:
         declared = db.ask(questions.names_in, "symbols")
         symbols = {name: one for name in declared if (one := db.ask(questions.symbol, name)) is not None}
+        names: Mapping[str, Seen] = check.catch_up().names
         own = {name: one.symbol for name, one in names.items() if one.symbol is not None}
         return seen_variables({**symbols, **own})
 
-    for name, finding in list(near_names(made, read, visible)):
-        found.append(finding)
-        del made[name]
+    unread: tuple[Diagnostic, ...] = ()
+    if told.has_unread:
+        made = dict(first_of(one.made for one in parts))
+        for name, finding in list(near_names(made, told.read, visible)):
+            found.append(finding)
+            del made[name]
+        unread = tuple(unread_variables(made, told.read))
+    may_end = any(one.may_end for one in parts)
     return Outcome(
         tuple(chain.from_iterable(one.block for one in parts)),
-        tuple(locals_.values()),
+        told.locals,
         None,
         tuple(found),
-        tuple(unread_variables(made, read)),
-        tuple(signals.values()),
-        tuple(call for one in parts for call in one.calls),
-        tuple(_late(parts)),
-        tuple(chain.from_iterable(one.impossible for one in steps)),
+        unread,
+        tuple({name: signal for one in parts for name, signal in one.signals.items()}.values()),
+        tuple(chain.from_iterable(one.calls for one in parts)),
+        tuple(late(step.found for one in stages for step in one.steps)) if may_end else (),
+        tuple(chain.from_iterable(one.impossible for one in parts)),
     )
-
-
-def _late(parts: Iterable[CheckedPart]) -> Iterator[tuple[Span, Span]]:
-    """Yield where statements are not reached, each with that before it, which does not go on."""
-    end: Span | None = None
-    for one in parts:
-        if end is not None:
-            if one.block and one.block[0].span != end:
-                yield one.block[0].span, end
-            if one.block:
-                return
-            continue
-        yield from one.late
-        if one.end is not None and one.end + 1 < len(one.block):
-            return
-        end = one.block[one.end].span if one.end is not None else None

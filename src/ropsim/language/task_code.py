@@ -104,11 +104,11 @@ def ready(db: Database, name: str, guess: int | None, axes: int | None) -> icr.P
 def procedure(db: Database, name: str, guess: int | None, axes: int | None) -> icr.Procedure:
     """Return a procedure with its source lines."""
     one, done = db.ask(lowered, name, guess), db.ask(ready, name, guess, axes)
-    start = len(done.code) - len(one.code)
-    return replace(done, lines=(0,) * start + placed_lines(db, one))
+    lines = (0,) * (len(done.code) - len(one.code)) + placed_lines(db, one.unit, one.lines)
+    return icr.Procedure(done.name, done.parameters, done.locals, done.results, done.code, lines)
 
 
-def placed_lines(db: Database, one: Lowered) -> tuple[int, ...]:
-    """Return the source lines of the code of a task, or of a part of the control statements."""
-    places: Places | None = db.read(("places", one.unit))
-    return SourceMap("", {one.unit: places} if places is not None else {}).lines(one.unit, one.lines)
+def placed_lines(db: Database, unit: str, lines: tuple[int, ...]) -> tuple[int, ...]:
+    """Return where lines of a unit, a task or a part of the control statements, lie in the text."""
+    places: Places | None = db.read(("places", unit))
+    return SourceMap("", {unit: places} if places is not None else {}).lines(unit, lines)

@@ -6,7 +6,7 @@ from ropsim.language.check.tasks import callee_first
 from ropsim.language.questions import Group, grouped
 from ropsim.language.task_code import lowered, needs_of, procedure, summary
 from ropsim.program import Usage, joint_usage, reached
-from ropsim.query import Database
+from ropsim.query import Database, always_new
 
 FIRST = "tasks that are called first"
 """Input with what `lowered` is told of axes: the tasks that the control statements call."""
@@ -50,6 +50,7 @@ def needs_in(db: Database, group: Group, axes: int | None) -> tuple[tuple[str, t
     return tuple((name, needs) for name, needs in found if needs)
 
 
+@always_new
 def procedures_in(
     db: Database, group: Group, guess: int | None, axes: int | None
 ) -> tuple[icr.Procedure, ...]:

@@ -26,6 +26,7 @@ from ropsim.program.expressions import Unary as Unary
 from ropsim.program.expressions import Variable as Variable
 from ropsim.program.lowering.linking import axes_of as axes_of
 from ropsim.program.lowering.linking import axes_with_starts as axes_with_starts
+from ropsim.program.lowering.linking import declared_of as declared_of
 from ropsim.program.lowering.linking import draft_of as draft_of
 from ropsim.program.lowering.linking import findings_of as findings_of
 from ropsim.program.lowering.linking import linked as linked

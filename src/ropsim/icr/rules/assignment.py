@@ -109,6 +109,31 @@ def needs_of_passages(passages: Iterable[tuple[Passage, int]]) -> tuple[Need, ..
     Args:
         passages: what each does, and the number of its instructions.
     """
+    given: list[Slots] = []
+    held: set[Slot] = set()
+    needs: dict[Slot, Need] = {}
+    start = 0
+    for one, size in passages:
+        for need in one.needs:
+            if need.slot in held or need.slot in needs:
+                continue
+            if any(need.slot in slots for slots in reversed(given)):  # mostly one that is not far above
+                held.add(need.slot)
+            else:
+                needs[need.slot] = Need(need.slot, start + need.at)
+        if one.gives is None:
+            break
+        given.append(one.gives)
+        start += size
+    return tuple(needs.values())
+
+
+def joint_passage(passages: Iterable[tuple[Passage, int]]) -> Passage:
+    """Return what parts do together that follow each other.
+
+    Args:
+        passages: what each does, and the number of its instructions.
+    """
     held: set[Slot] = set()
     needs: dict[Slot, Need] = {}
     start = 0
@@ -117,10 +142,10 @@ def needs_of_passages(passages: Iterable[tuple[Passage, int]]) -> tuple[Need, ..
             if need.slot not in held:
                 needs.setdefault(need.slot, Need(need.slot, start + need.at))
         if one.gives is None:
-            break
+            return Passage(tuple(needs.values()), None)
         held |= one.gives
         start += size
-    return tuple(needs.values())
+    return Passage(tuple(needs.values()), frozenset(held))
 
 
 def summary(procedure: Procedure, known: Mapping[str, Summary], given: Slots) -> Summary:

@@ -31,6 +31,7 @@ from ropsim.language.questions.declarations import symbol as symbol
 from ropsim.language.questions.groups import Group as Group
 from ropsim.language.questions.groups import grouped as grouped
 from ropsim.language.questions.groups import groups as groups
+from ropsim.language.questions.groups import part_groups as part_groups
 from ropsim.language.questions.headers import header as header
 from ropsim.language.questions.inference import inference as inference
 from ropsim.language.questions.inference import types as types
@@ -52,9 +53,11 @@ from ropsim.language.questions.inputs import PARTS as PARTS
 from ropsim.language.questions.inputs import TASKS as TASKS
 from ropsim.language.questions.inputs import TYPES as TYPES
 from ropsim.language.questions.inputs import WALKED_CONTROL as WALKED_CONTROL
+from ropsim.language.questions.parts import checked_in as checked_in
 from ropsim.language.questions.parts import checked_part as checked_part
 from ropsim.language.questions.parts import mentions as mentions
 from ropsim.language.questions.parts import points as points
 from ropsim.language.questions.parts import variables_of as variables_of
+from ropsim.language.questions.parts import walked_in as walked_in
 from ropsim.language.questions.parts import walked_part as walked_part
 from ropsim.language.questions.told import inferred as inferred

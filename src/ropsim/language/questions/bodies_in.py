@@ -11,7 +11,7 @@ from ropsim.language.questions.headers import header
 from ropsim.language.questions.inference import types, words
 from ropsim.language.task_form import TaskForm
 from ropsim.program import SignalUse, Task
-from ropsim.query import Database
+from ropsim.query import Database, always_new
 
 
 @frozen_dataclass
@@ -52,6 +52,7 @@ def found_in_signatures(db: Database, group: Group) -> tuple[Diagnostic, ...]:
     return tuple(chain.from_iterable(one.found for one in called if one is not None))
 
 
+@always_new
 def bodies_in(db: Database, group: Group) -> Bodies:
     """Return the tasks, checked."""
     found = [db.ask(checked, name) for name in group]
@@ -66,12 +67,14 @@ def bodies_in(db: Database, group: Group) -> Bodies:
     )
 
 
+@always_new
 def tasks_in(db: Database, group: Group) -> tuple[Task, ...]:
     """Return those of the tasks that can be called."""
     found = (db.ask(checked, name).task for name in group)
     return tuple(one for one in found if one is not None)
 
 
+@always_new
 def own_tasks(db: Database) -> tuple[Task, ...]:
     """Return the tasks of the text that can be called, in its order."""
     return tuple(chain.from_iterable(db.ask(tasks_in, group) for group in db.ask(text_groups)))

@@ -7,7 +7,7 @@ and no other.
 from collections.abc import Iterable
 from zlib import crc32
 
-from ropsim.language.questions.inputs import ORDER, TASKS
+from ropsim.language.questions.inputs import ORDER, PARTS, TASKS
 from ropsim.query import Database
 
 Group = tuple[str, ...]
@@ -39,3 +39,8 @@ def groups(db: Database) -> tuple[Group, ...]:
 def text_groups(db: Database) -> tuple[Group, ...]:
     """Return the tasks of the text in groups, in the order of the text."""
     return grouped(db.read(TASKS))
+
+
+def part_groups(db: Database) -> tuple[Group, ...]:
+    """Return the parts of the control statements in groups."""
+    return grouped(db.read(PARTS))

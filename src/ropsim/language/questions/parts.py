@@ -11,7 +11,9 @@ from ropsim.language.check.sight import Seen, Sight
 from ropsim.language.check.types import Type
 from ropsim.language.questions.bodies import final_world
 from ropsim.language.questions.declarations import statements_of
+from ropsim.language.questions.groups import Group
 from ropsim.language.questions.inputs import BEFORE_CHECK, BEFORE_WALK, BLOCK, TYPES
+from ropsim.language.questions.told import inferred
 from ropsim.language.questions.walks import own_signature
 from ropsim.language.questions.worlds import world_of
 from ropsim.language.units import Part, lines_of
@@ -79,6 +81,20 @@ def checked_part(db: Database, unit: str, around: tuple[str, ...] | None) -> Che
     types: tuple[tuple[str, Type | None], ...] = db.read((TYPES, unit))
     known = {name: kind for name, kind in types if kind is not None}
     return one_part.checked_part(final_world(db), _part(db, unit), sight, known)
+
+
+def walked_in(db: Database, group: Group) -> int:
+    """Look at a group of parts silently; return how many there are."""
+    return len([db.ask(walked_part, unit) for unit in group])
+
+
+def checked_in(db: Database, group: Group) -> int:
+    """Check a group of parts that need no names of variables around them; return how many there are."""
+    makes = variables_of if inferred(db) is None else mentions
+    for unit in group:
+        db.ask(makes, unit)
+        db.ask(checked_part, unit, None)
+    return len(group)
 
 
 def points(

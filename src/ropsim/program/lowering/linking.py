@@ -11,7 +11,7 @@ from ropsim.program.lowering.expressions import zero_of
 from ropsim.program.lowering.procedure import Lowered
 from ropsim.program.lowering.shifting import shifted
 from ropsim.program.lowering.usage import Usage
-from ropsim.program.program import Program
+from ropsim.program.program import Local, Program
 from ropsim.program.source_map import SourceMap
 from ropsim.spatial import PoseTuple, quaternion
 
@@ -98,11 +98,17 @@ def axes_with_starts(axes: int | None, made: Iterable[tuple[Lowered, icr.Procedu
     return 1 if any(_is_joints(step) for start in starts for step in start) else None
 
 
+def declared_of(variables: Iterable[Local]) -> tuple[icr.Variable, ...]:
+    """Return global variables as code declares them."""
+    return tuple(icr.Variable(one.name, one.type) for one in variables)
+
+
 def linked(
     program: Program,
     usage: Usage,
     procedures: tuple[icr.Procedure, ...],
     axes: int | None,
+    variables: tuple[icr.Variable, ...],
     source: str,
     libraries: tuple[icr.LibraryText, ...] = (),
 ) -> icr.Program:
@@ -113,6 +119,7 @@ def linked(
         usage: what its procedures use.
         procedures: `main` first.
         axes: how many joint coordinates its values have.
+        variables: its global ones.
         source: name of the text to which source lines refer.
         libraries: texts of the procedures that come from elsewhere.
     """
@@ -121,7 +128,7 @@ def linked(
         procedures,
         capabilities=usage.capabilities,
         axes=axes,
-        variables=tuple(icr.Variable(one.name, one.type) for one in program.main_locals),
+        variables=variables,
         channels=usage.channels,
         frames=tuple(icr.FrameDefinition(name, _canonical(program.frames[name])) for name in usage.frames),
         tools=tuple(icr.ToolDefinition(name, _tool_pose(program, name)) for name in usage.tools),

@@ -9,6 +9,7 @@ from ropsim.program.calls import recursion
 from ropsim.program.lowering.linking import (
     axes_of,
     axes_with_starts,
+    declared_of,
     draft_of,
     findings_of,
     linked,
@@ -59,7 +60,8 @@ def lower_with_findings(program: Program, source: str) -> tuple[icr.Program, tup
         procedure = started(drafts[name], missing, known.globals, axes)
         made.append(replace(procedure, lines=placed_lines(one, procedure, places)))
     axes = axes_with_starts(axes, zip(lowered.values(), made, strict=True))
-    return linked(program, joint_usage(lowered.values()), tuple(made), axes, source), findings
+    usage, variables = joint_usage(lowered.values()), declared_of(program.main_locals)
+    return linked(program, usage, tuple(made), axes, variables, source), findings
 
 
 def _lowered(program: Program, known: Known) -> dict[str, Lowered]:

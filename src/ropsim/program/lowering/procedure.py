@@ -1,6 +1,6 @@
 """A task, or the control statements, to the code of one procedure."""
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import field, replace
 from itertools import chain
 
@@ -76,7 +76,8 @@ def lower_control(known: Known, block: st.Block, frame: str, tool: str) -> Lower
     """
     part = lower_part(known, block)
     parts = (lower_start(known, frame, tool), part, *((lower_end(known),) if part.goes_on else ()))
-    return joined((one, one.code, one.lines) for one in placed_in_turn(parts))
+    code = chain.from_iterable(one.code for one in placed_in_turn(parts))
+    return joined(parts, tuple(code), tuple(chain.from_iterable(one.lines for one in parts)))
 
 
 def placed_in_turn(parts: Iterable[Lowered]) -> Iterator[Lowered]:
@@ -118,32 +119,34 @@ def lower_end(known: Known) -> Lowered:
     return _lowered(scope, MAIN)
 
 
-def joined(parts: Iterable[tuple[Lowered, tuple[Step, ...], tuple[int, ...]]], unit: str = "") -> Lowered:
+def joined(
+    parts: Sequence[Lowered], code: tuple[Step, ...], lines: tuple[int, ...], unit: str = ""
+) -> Lowered:
     """Return the procedure `main` of parts that follow each other.
 
     Args:
-        parts: each with its code, in which jumps lead to where it stands, and the lines of that.
+        parts: those.
+        code: of all of them, in which jumps lead to where it stands.
+        lines: of that.
         unit: what spans name whose lines these are, empty for that of the parts.
     """
-    every = list(parts)
-    lowered = [one for one, _, _ in every]
     return Lowered(
         MAIN,
         "",
         (),
         (),
-        tuple(one for part in lowered for one in part.hidden),
+        tuple(one for part in parts for one in part.hidden),
         (),
-        tuple(chain.from_iterable(code for _, code, _ in every)),
-        tuple(chain.from_iterable(lines for _, _, lines in every)),
-        unit or next((one.unit for one in lowered if one.unit), ""),
-        tuple(dict.fromkeys(one for part in lowered for one in part.callees)),
-        tuple({one.name: one for part in lowered for one in part.channels}.values()),
-        tuple(dict.fromkeys(one for part in lowered for one in part.tools)),
-        tuple(dict.fromkeys(one for part in lowered for one in part.frames)),
-        next((one.axes for one in lowered if one.axes is not None), None),
-        any(one.has_guessed_axes for one in lowered),
-        tuple(sorted({one for part in lowered for one in part.capabilities})),
+        code,
+        lines,
+        unit or next((one.unit for one in parts if one.unit), ""),
+        tuple(dict.fromkeys(one for part in parts for one in part.callees)),
+        tuple({one.name: one for part in parts for one in part.channels}.values()),
+        tuple(dict.fromkeys(one for part in parts for one in part.tools)),
+        tuple(dict.fromkeys(one for part in parts for one in part.frames)),
+        next((one.axes for one in parts if one.axes is not None), None),
+        any(one.has_guessed_axes for one in parts),
+        tuple(sorted({one for part in parts for one in part.capabilities})),
     )
 
 
