@@ -87,7 +87,8 @@ def _are_alike(one: CheckedParts, other: CheckedParts) -> bool:
     """Return whether two groups tell the same of variables."""
     if one is other:
         return True
-    return one.locals == other.locals and one.read == other.read and one.made.keys() == other.made.keys()
+    are_locals = [*one.locals.values()] == [*other.locals.values()]  # in their order, too
+    return are_locals and one.read == other.read and one.made.keys() == other.made.keys()
 
 
 def late(parts: Iterable[CheckedPart]) -> Iterator[tuple[Span, Span]]:
