@@ -103,7 +103,8 @@ def test_a_change_in_protocol_positions_is_the_change_in_characters(
     text: str, start: int, end: int, inserted: str
 ) -> None:
     document = Document(URI, 1, text)
-    ends = {k for line in range(len(document.ends)) for k in (document.starts[line], document.ends[line])}
+    lines = range(len(document.starts))
+    ends = {k for line in lines for k in (document.starts[line], document.end(line))}
     start, end = sorted((min(start, len(text)), min(end, len(text))))
     if text[start - 1 : start + 1] == "\r\n" or text[end - 1 : end + 1] == "\r\n":
         return  # no position stands between the two characters of one line end
@@ -111,6 +112,7 @@ def test_a_change_in_protocol_positions_is_the_change_in_characters(
     first, last = (position(document, offset) for offset in (start, end))
     after = document.changed([ContentChange(inserted, Range(first, last))], 2)
     assert after.text == text[:start] + inserted + text[end:]
+    assert after.starts == Document(URI, 2, after.text).starts
 
 
 @settings(max_examples=80)

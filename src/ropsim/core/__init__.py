@@ -7,6 +7,8 @@ from ropsim.core.diagnostic import Diagnostic as Diagnostic
 from ropsim.core.diagnostic import Label as Label
 from ropsim.core.diagnostic import Severity as Severity
 from ropsim.core.diagnostic import TextEdit as TextEdit
+from ropsim.core.edited_lines import EditedLines as EditedLines
+from ropsim.core.edited_lines import edited_lines as edited_lines
 from ropsim.core.errors import RopsimError as RopsimError
 from ropsim.core.files import cache_folder as cache_folder
 from ropsim.core.files import read_bytes as read_bytes

@@ -23,13 +23,12 @@ class SourceText:
     def lines(self) -> tuple[str, ...]:
         """Return the text cut into lines, without line ends; it is cut when somebody asks first."""
         if self._lines is None:
-            object.__setattr__(self, "_lines", tuple(self.plain.split("\n")))
+            object.__setattr__(self, "_lines", tuple(self.with_line_feeds().split("\n")))
         found = self._lines
         assert found is not None
         return found
 
-    @property
-    def plain(self) -> str:
+    def with_line_feeds(self) -> str:
         """Return the characters with a line feed as the only kind of line end."""
         text = self.text
         return text.replace("\r\n", "\n").replace("\r", "\n") if "\r" in text else text

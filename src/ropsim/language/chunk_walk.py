@@ -119,7 +119,7 @@ def walk_chunks(source: SourceText, environment: Environment, db: Database) -> l
     Those that are read as they were the last time, on both sides of an edit, are the same objects.
     """
     trail = _trail(db)
-    cut = recut(source.plain, trail.cut)
+    cut = recut(source.with_line_feeds(), trail.cut)
     remains = _Remains(cut.above, cut.below)
     found = _parsed(cut.chunks, remains, trail.found, db)
     is_whole = len(found) == len(cut.chunks)

@@ -151,7 +151,7 @@ def _checked(
 ) -> tuple[checker.Checked | None, SourceMap]:
     """Run the phases; None where the text holds more wrong lines than are worth looking at."""
     nowhere = SourceMap(source.name)
-    size = source.plain.count("\n") + 1
+    size = source.with_line_feeds().count("\n") + 1
     if size > texts.MAX_LINES:
         message = f"the text has {size} lines; at most {texts.MAX_LINES} are allowed"
         report.line(kinds.LINE_LENGTH, Line.empty(), message, "split it")

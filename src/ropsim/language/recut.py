@@ -5,9 +5,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from itertools import accumulate, chain, compress, count
 
+from ropsim.core import EditedLines, edited_lines
 from ropsim.language.chunks import Bounds, Chunk, Stretch, bounds, pieces, stretch
 from ropsim.language.cuts import REACH, cuts, has_blocks
-from ropsim.language.edited_lines import EditedLines, edited_lines
 from ropsim.language.line_kinds import kinds_of
 
 

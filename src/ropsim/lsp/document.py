@@ -2,6 +2,7 @@
 
 import re
 import sys
+from bisect import bisect_right
 from collections.abc import Iterable
 from dataclasses import field, replace
 from itertools import accumulate
@@ -29,21 +30,18 @@ class Document:
         version: as the editor counts.
         text: all characters, line ends included.
         encoding: in which units positions of the protocol count, one of `ENCODINGS`.
-        starts: offset of the first character of each line.
-        ends: offset after the last character of each line, without its line end.
+        starts: offset of the first character of each line; found where nobody gives it.
     """
 
     uri: str
     version: int
     text: str
     encoding: str = "utf-16"
-    starts: tuple[int, ...] = field(init=False, repr=False, compare=False)
-    ends: tuple[int, ...] = field(init=False, repr=False, compare=False)
+    starts: tuple[int, ...] = field(default=(), repr=False, compare=False)
 
     def __post_init__(self) -> None:
-        starts, ends = _bounds(self.text)
-        object.__setattr__(self, "starts", starts)
-        object.__setattr__(self, "ends", ends)
+        if not self.starts:
+            object.__setattr__(self, "starts", _starts(self.text))
 
     @property
     def path(self) -> Path | None:
@@ -78,7 +76,14 @@ class Document:
         """Return line `number` (from 0), empty beyond the end."""
         if not 0 <= number < len(self.starts):
             return ""
-        return self.text[self.starts[number] : self.ends[number]]
+        return self.text[self.starts[number] : self.end(number)]
+
+    def end(self, number: int) -> int:
+        """Return the offset after the last character of line `number` (from 0), without its line end."""
+        if number + 1 == len(self.starts):
+            return len(self.text)
+        start, end = self.starts[number], self.starts[number + 1] - 1
+        return end - 1 if start < end and self.text[end - 1 : end + 1] == "\r\n" else end
 
     def offset(self, position: Position) -> int:
         """Return the offset of a position; one beyond a line or the text is its end."""
@@ -108,7 +113,7 @@ class Document:
 
     def units(self, line: int, first: int, last: int) -> int:
         """Return how many units of the protocol stand between two characters of a line, counted from 0."""
-        begin, end = self.starts[line], self.ends[line]
+        begin, end = self.starts[line], self.end(line)
         return _units(self.text[min(begin + first, end) : min(begin + last, end)], self.encoding)
 
     def range_of(self, span: Span | None) -> Json:
@@ -130,26 +135,32 @@ class Document:
         """Return the document after changes, each of which refers to the state that the one before left."""
         after = self
         for change in changes:
-            text = change.text
-            if change.range is not None:
-                start = after.offset(change.range.start)
-                end = max(after.offset(change.range.end), start)
-                text = after.text[:start] + change.text + after.text[end:]
-            after = replace(after, text=text, version=version)
+            if change.range is None:
+                after = replace(after, text=change.text, version=version, starts=())
+            else:
+                after = after._edited(change.range.start, change.range.end, change.text, version)
         return after if after.version == version else replace(after, version=version)
 
+    def _edited(self, begin: Position, behind: Position, new: str, version: int) -> "Document":
+        """Return the document with another text between two positions; the lines elsewhere are known."""
+        start = self.offset(begin)
+        end = max(self.offset(behind), start)
+        text = self.text[:start] + new + self.text[end:]
+        starts: tuple[int, ...] = ()
+        if "\r" not in text and "\r" not in self.text:
+            above, below = bisect_right(self.starts, start), bisect_right(self.starts, end)
+            between = (match.end() + start for match in _LINE_END.finditer(new))
+            moved = (len(text) - len(self.text)).__add__
+            starts = (*self.starts[:above], *between, *map(moved, self.starts[below:]))
+        return replace(self, text=text, version=version, starts=starts)
 
-def _bounds(text: str) -> tuple[tuple[int, ...], tuple[int, ...]]:
-    """Return the offsets of the first character of each line, and those after its last one."""
+
+def _starts(text: str) -> tuple[int, ...]:
+    """Return the offsets of the first character of each line."""
     if text.count("\r") != text.count("\r\n"):
-        found = [match.span() for match in _LINE_END.finditer(text)]
-        return (0, *(end for _, end in found)), (*(start for start, _ in found), len(text))
+        return (0, *(match.end() for match in _LINE_END.finditer(text)))
     lines = text.split("\n")
-    after = tuple(accumulate(map(len, lines), lambda end, length: end + 1 + length))
-    starts = (0, *(end + 1 for end in after[:-1]))
-    if "\r" in text:
-        after = tuple(end - line.endswith("\r") for end, line in zip(after, lines, strict=True))
-    return starts, after
+    return (0, *accumulate(len(line) + 1 for line in lines[:-1]))
 
 
 def _units(text: str, encoding: str) -> int:

@@ -37,7 +37,7 @@ def applied(document: Document, changes: Iterable[Change]) -> str:
 
 def action(title: str, kind: str, document: Document, changes: Sequence[Change]) -> Json:
     """Return changes as something that an editor offers, with the line ends that the document has."""
-    line_end = "\r\n" if document.text[document.ends[0] :].startswith("\r\n") else "\n"
+    line_end = "\r\n" if document.text[document.end(0) :].startswith("\r\n") else "\n"
     edits = [
         {
             "range": {
@@ -59,4 +59,4 @@ def refused(title: str, kind: str, reason: str) -> Json:
 def _offset(document: Document, line: int, column: int) -> int:
     if line >= len(document.starts):
         return len(document.text)
-    return min(document.starts[line] + column, document.ends[line])
+    return min(document.starts[line] + column, document.end(line))

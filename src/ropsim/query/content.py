@@ -16,7 +16,8 @@ def is_same(one: object, other: object) -> bool:
     """Return whether no reader can tell two values apart.
 
     `1`, `1.0` and `True` are three values, `0.0` and `-0.0` are two; the order of a mapping counts, since
-    whoever goes through it sees it. Records are compared field by field, also fields that `==` leaves out.
+    whoever goes through it sees it. Records are compared by all that they are made of, also by what `==`
+    leaves out; not by what they find of that themselves, maybe later.
     """
     if one is other:
         return True
@@ -47,7 +48,7 @@ def _comparison(kind: type[Any]) -> Callable[[Any, Any], bool]:
     if hasattr(kind, "tobytes"):  # arrays: their numbers, and how they lie
         return lambda one, other: _array(one) == _array(other)
     if is_dataclass(kind):
-        names = tuple(field.name for field in fields(kind))
+        names = tuple(field.name for field in fields(kind) if field.init)
         if not names:
             return lambda _one, _other: True
         values = attrgetter(*names)

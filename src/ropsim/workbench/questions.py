@@ -24,10 +24,11 @@ from ropsim.workbench.checked_text import CheckedText
 from ropsim.workbench.compiled_project import CompiledProgram
 from ropsim.workbench.compiler_version import compiler_version
 from ropsim.workbench.environment import environment_of
+from ropsim.workbench.mentions import Mentions
 from ropsim.workbench.resolved import Resolved, targets_by_line
 from ropsim.workbench.task_engine import TaskEngine
 from ropsim.workbench.task_texts import NO_TASKS, TaskTexts
-from ropsim.workbench.told_tasks import mentioned, told_tasks
+from ropsim.workbench.told_tasks import told_tasks
 
 if TYPE_CHECKING:  # with its engine it takes a tenth of a start, so it is loaded when a program calls a task
     from ropsim.tasks import Library
@@ -38,6 +39,8 @@ KEPT = "kept answers"
 """Input: answers of earlier processes, None for none; they are what would be answered now."""
 ENGINE = "engine of tasks"
 """Input: what reads knowledge bases; it changes no answer."""
+MENTIONS = "mentions of tasks"
+"""Input: remembers of which names texts are made up; it changes no answer."""
 NO_ROBOTS: Mapping[str, ReadRobot] = MappingProxyType({})
 """A cell file names no files of robots."""
 LEAST_LINES = 100
@@ -105,7 +108,8 @@ def own_tasks(db: Database, cell: str) -> tuple[str, ...]:
 def called_tasks(db: Database, name: str, cell: str) -> tuple[tuple[str, ...], tuple[str, ...]]:
     """Return the tasks of knowledge bases that a program names, and those whose names its own tasks have."""
     listed = db.ask(listed_tasks, cell)
-    found = mentioned(_text(db, name).text, listed)
+    mentions: Mentions = db.read(MENTIONS)
+    found = mentions.mentioned(name, _text(db, name).text, listed)
     if not found:
         return (), ()
     own = frozenset(one.definition.name for one in db.ask(outline, name).tasks)
@@ -173,14 +177,21 @@ ANSWERS: Mapping[Question, Callable[[Database, str, AtStation], object]] = Mappi
 """The functions whose answers are kept."""
 
 
+def content_around(db: Database, at: AtStation) -> bytes:
+    """Return what answers at a station are made of besides the texts; empty where that has no form."""
+    try:
+        return written((*compiler_version(), db.ask(environment, at)))
+    except UnknownFormError:
+        return b""
+
+
 def content_of(db: Database, name: str, at: AtStation) -> str:
     """Return what a program is made of as 64 digits; empty where it is quicker made than kept."""
     text = _text(db, name)
-    if len(text.lines) < LEAST_LINES:
+    if text.with_line_feeds().count("\n") + 1 < LEAST_LINES:
         return ""
-    try:
-        surroundings = written((*compiler_version(), db.ask(environment, at)))
-    except UnknownFormError:
+    surroundings = db.ask(content_around, at)
+    if not surroundings:
         return ""
     names, _ = db.ask(called_tasks, name, at.cell)
     if (

@@ -12,9 +12,6 @@ from pathlib import Path
 from ropsim.core import SourceText, Span, frozen_dataclass, read_bytes
 from ropsim.workbench.prolog_glance import behind_layout, unquoted
 
-FEW = 64
-"""So many names are looked for one by one in a text."""
-
 _TASK = re.compile(r"(?:\btask|'task'|'([^'\\]{0,3}\\(?:[^'\\]|\\.){0,60}+)')\(", re.DOTALL)
 """The word, bare, in quotes, or with escapes as the group."""
 _NAME = re.compile(r"[^\W\d]\w*|'((?:[^'\\]|\\.|'')*+)'", re.DOTALL)
@@ -98,12 +95,3 @@ def library_texts() -> tuple[SourceText, ...]:
     """Return the texts that come with ropsim, under the names of their files; nothing reads them."""
     folder = Path(__file__).parent.parent / "tasks" / "library"
     return tuple(SourceText(str(one), read_bytes(one).decode()) for one in sorted(folder.glob("*.pl")))
-
-
-def mentioned(text: str, names: Iterable[str]) -> tuple[str, ...]:
-    """Return which names are words of a text, in their order."""
-    wanted = tuple(names)
-    if len(wanted) > FEW:
-        words = frozenset(_WORD.findall(text))
-        return tuple(one for one in wanted if one in words)
-    return tuple(one for one in wanted if one in text and re.search(rf"\b{one}\b", text))

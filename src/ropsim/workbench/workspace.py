@@ -15,6 +15,7 @@ from ropsim.workbench.answer_form import UnknownFormError, written
 from ropsim.workbench.at_station import NOWHERE, AtStation
 from ropsim.workbench.checked_text import CheckedText, at_stations
 from ropsim.workbench.compiled_project import CompiledProgram
+from ropsim.workbench.mentions import Mentions
 from ropsim.workbench.questions import Question, ReadCell
 from ropsim.workbench.resolved import Resolved
 from ropsim.workbench.task_engine import TaskEngine
@@ -44,6 +45,7 @@ class Workspace:
         self._db = Database(MAX_KEPT)
         self._engine = TaskEngine()
         self._db.give({questions.LINES: self.lines, questions.KEPT: kept, questions.ENGINE: self._engine})
+        self._db.give({questions.MENTIONS: Mentions()})
 
     @property
     def events(self) -> list[Event] | None:

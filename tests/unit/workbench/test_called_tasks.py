@@ -1,6 +1,7 @@
 """Programs call tasks of knowledge bases by name: those of the project, of the user and of the library."""
 
 import json
+import random
 from functools import cache
 from pathlib import Path
 
@@ -14,8 +15,9 @@ from ropsim.query import Outcome
 from ropsim.records import read_recording
 from ropsim.spatial import Pose
 from ropsim.workbench import AtStation, CompiledProgram, Workspace, new_project, open_overlaid
+from ropsim.workbench.mentions import Mentions
 from ropsim.workbench.task_texts import NO_TASKS, TaskTexts, read_task_texts
-from ropsim.workbench.told_tasks import mentioned, told_tasks
+from ropsim.workbench.told_tasks import told_tasks
 
 CELL = SourceText(
     "cell.toml",
@@ -184,9 +186,24 @@ def test_code_names_the_text_of_each_task_and_its_version_and_keeps_its_identity
 
 
 def test_names_are_looked_for_as_whole_words() -> None:
-    assert mentioned("wave_ bin\nxwave b", ("wave", "bin")) == ("bin",)
     many = (*(f"task{k}" for k in range(100)), "bin")
-    assert mentioned("wave_ bin\ncall task7", many) == ("task7", "bin")
+    mentions = Mentions()
+    assert mentions.mentioned("t", "wave_ bin\nxwave b", ("wave", "bin")) == ("bin",)
+    assert mentions.mentioned("t", "wave_ bin\ncall task7", many) == ("task7", "bin")
+
+
+def test_names_are_found_in_an_edited_text_as_in_one_that_is_new() -> None:
+    chance = random.Random(4)
+    pieces = ("wave", "bin", "wave bin", "xwave", "", "# bin", "task7 wave", "3bin", "\r", "bin\rwave")
+    few, many = ("wave", "bin"), (*(f"task{k}" for k in range(100)), "bin")
+    for names in (few, many):
+        mentions, lines = Mentions(), list(pieces)
+        for _ in range(200):
+            at = chance.randrange(len(lines))
+            lines[at : at + chance.randrange(3)] = chance.choices(pieces, k=chance.randrange(3))
+            lines = lines or [""]
+            text = "\n".join(lines)
+            assert mentions.mentioned("t", text, names) == Mentions().mentioned("t", text, names)
 
 
 def test_texts_tell_at_a_glance_what_prolog_reads_in_them() -> None:

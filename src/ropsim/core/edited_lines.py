@@ -1,6 +1,6 @@
 """Which lines of a text are others than before: found by its characters, so that nobody cuts the text."""
 
-from ropsim.core import frozen_dataclass
+from ropsim.core.frozen_dataclass import frozen_dataclass
 
 _STEP = 65_536
 """Characters that are compared at a time."""
@@ -14,11 +14,17 @@ class EditedLines:
         above: how many lines above are what they were.
         below: how many lines below are what they were.
         between: the lines between them, at least one.
+        begin: where these begin in both texts.
+        end: where they end.
+        end_before: where those end that stood there before.
     """
 
     above: int
     below: int
     between: list[str]
+    begin: int
+    end: int
+    end_before: int
 
 
 def edited_lines(before: str, now: str) -> EditedLines:
@@ -28,7 +34,8 @@ def edited_lines(before: str, now: str) -> EditedLines:
     below = now.count("\n", last)
     end = now.find("\n", last) if below else len(now)
     begin = now.rfind("\n", 0, first) + 1
-    return EditedLines(now.count("\n", 0, begin), below, now[begin:end].split("\n"))
+    between = now[begin:end].split("\n")
+    return EditedLines(now.count("\n", 0, begin), below, between, begin, end, end - len(now) + len(before))
 
 
 def _alike(one: str, other: str) -> int:
