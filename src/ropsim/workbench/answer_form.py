@@ -105,19 +105,19 @@ def read(content: bytes) -> object:
 
 
 def _made(row: list[int], known: list[Any]) -> object:
-    kind, *parts = row
     if min(row) < 0:
         raise UnknownFormError
-    values = [known[part] for part in parts]
-    match kind:
-        case 0:
-            return tuple(values)
-        case 1:
-            return dict(zip(_texts(values[::2]), values[1::2], strict=True))
-        case 2:
-            return frozenset(_texts(values))
-    make: Callable[..., object] = _KINDS[kind - _SET - 1]
-    return make(*values)
+    kind = row[0]
+    values = map(known.__getitem__, row[1:])
+    if kind == _TUPLE:
+        return tuple(values)
+    if kind > _SET:
+        make: Callable[..., object] = _KINDS[kind - _SET - 1]
+        return make(*values)
+    every = [*values]
+    if kind == _SET:
+        return frozenset(_texts(every))
+    return dict(zip(_texts(every[::2]), every[1::2], strict=True))
 
 
 def _texts(values: list[Any]) -> list[str]:
