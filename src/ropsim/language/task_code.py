@@ -11,7 +11,7 @@ from ropsim.language.check.types import known
 from ropsim.language.check.world import Variable
 from ropsim.language.environment import Environment
 from ropsim.program import Known, Lowered, Places, SignalUse, SourceMap, Task, draft_of, lower_task, started
-from ropsim.query import Database
+from ropsim.query import Database, always_new
 
 GIVEN = "given at once"
 """Input: the global variables that have a value before any task is called."""
@@ -101,6 +101,7 @@ def ready(db: Database, name: str, guess: int | None, axes: int | None) -> icr.P
     return started(db.ask(draft, name, guess), needs, types, axes)
 
 
+@always_new
 def procedure(db: Database, name: str, guess: int | None, axes: int | None) -> icr.Procedure:
     """Return a procedure with its source lines."""
     one, done = db.ask(lowered, name, guess), db.ask(ready, name, guess, axes)

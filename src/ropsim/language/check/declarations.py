@@ -35,6 +35,11 @@ class Declared:
     name: str = "main"
 
 
+_TABLES = ("frame", "tool")
+_SYMBOLS = ("loc", "signal", "const", "var", "pattern")
+"""Words with which declarations begin, by what they enter something into."""
+
+
 @frozen_dataclass
 class _Tables:
     """What becomes symbols and tools of the world while it is read."""
@@ -47,8 +52,8 @@ def world(parts: tuple[Part, ...], environment: Environment, report: Report) -> 
     """Return what a text and its environment declare; wrong declarations are reported.
 
     Args:
-        parts: of the control statements; of each what may declare something is enough, and all up to the
-            first item that does not.
+        parts: of the control statements; what may declare something is enough, and all up to the first item
+            of the text that does not.
         environment: cell and library.
         report: takes findings.
     """
@@ -102,7 +107,10 @@ def may_stand_above(item: Line | Block) -> bool:
 
 def may_declare(item: Line | Block) -> bool:
     """Return whether an item declares something, or was meant to."""
-    return isinstance(item, Line) and isinstance(item.statement, (*syntax.DECLARATIONS, syntax.Broken))
+    node = item.statement if isinstance(item, Line) else None
+    return isinstance(node, syntax.DECLARATIONS) or (
+        isinstance(node, syntax.Broken) and node.head in (*_TABLES, *_SYMBOLS)
+    )
 
 
 def _location(moving: str, X_KB: PoseTuple, pose: Location, X_KF: PoseTuple) -> Value:
@@ -244,7 +252,7 @@ def _poison(tables: _Tables, node: syntax.Broken) -> None:
     """Enter the name that a wrong line would have declared, so that its uses are not reported as well."""
     if node.head == "tool" and node.name:
         tables.tools.setdefault(node.name, fold.IDENTITY)
-    elif node.head in ("loc", "signal", "const", "var", "pattern") and node.name:
+    elif node.head in _SYMBOLS and node.name:
         tables.symbols.setdefault(node.name, Poison())
 
 

@@ -1,5 +1,6 @@
 """What the text declares outside of tasks, name by name."""
 
+from collections.abc import Iterator
 from dataclasses import replace
 
 from ropsim.language.check import declarations, fold
@@ -22,19 +23,37 @@ def declared(db: Database) -> Declared:
     environment: Environment = db.read(ENVIRONMENT)
     report = Report(CONTROL)
     try:
-        return declarations.world(
-            tuple(Part(unit, db.ask(declaring, unit)) for unit in db.read(PARTS)), environment, report
-        )
+        return declarations.world(tuple(_declaring_parts(db)), environment, report)
     except TooManyFindingsError:
         return Declared(_nothing(environment), tuple(report.log))
 
 
+def _declaring_parts(db: Database) -> Iterator[Part]:
+    """Yield what may declare something, and all up to the first item of the text that does not."""
+    is_above = True
+    for unit in db.read(PARTS):
+        items = db.ask(declaring_above if is_above else declaring, unit)
+        is_above = is_above and db.ask(stands_above, unit)
+        if items:
+            yield Part(unit, items)
+
+
 def declaring(db: Database, unit: str) -> Items:
+    """Return the items of a part that may declare something."""
+    return tuple(item for item in db.read((PART, unit)) if declarations.may_declare(item))
+
+
+def declaring_above(db: Database, unit: str) -> Items:
     """Return the items of a part that may declare something, and all up to the first one that does not."""
     items: Items = db.read((PART, unit))
     first = next((k for k, item in enumerate(items) if not declarations.may_stand_above(item)), len(items))
     rest = (item for item in items[first + 1 :] if declarations.may_declare(item))
     return (*items[: first + 1], *rest)
+
+
+def stands_above(db: Database, unit: str) -> bool:
+    """Return whether all items of a part may stand above the choice of the work frame."""
+    return all(map(declarations.may_stand_above, db.read((PART, unit))))
 
 
 def _nothing(environment: Environment) -> World:
