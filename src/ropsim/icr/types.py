@@ -26,6 +26,9 @@ class Type(Enum):
     POSE = "POSE"
     JOINTS = "JOINTS"
 
+    __hash__ = object.__hash__
+    """Each type is one object; that of `Enum` is a call of Python at every look into a table."""
+
 
 WIDTHS = {Type.VEC: 3, Type.ORI: 4, Type.POSE: 7}
 """How many REALs a constant of a composite type has; a POSE may carry values of external axes behind them."""

@@ -30,7 +30,15 @@ class Settings:
     @property
     def is_empty(self) -> bool:
         """Return whether nothing is set."""
-        return self == Settings()
+        return (
+            self.tool is None
+            and self.path_speed is None
+            and self.ptp_speed is None
+            and self.orientation_speed is None
+            and self.path_acceleration is None
+            and self.ptp_acceleration is None
+            and self.zone is None
+        )
 
 
 @frozen_dataclass

@@ -76,8 +76,9 @@ class _Types:
     def __contains__(self, name: str) -> bool:
         return name in self.own or name in self.globals
 
-    def __getitem__(self, name: str) -> Type:
-        return self.own[name] if name in self.own else self.globals[name]
+    def find(self, name: str) -> Type | None:
+        """Return the type of a variable, None where there is none of that name."""
+        return self.own.get(name) or self.globals.get(name)
 
 
 def no_number(_: str) -> int:
@@ -135,9 +136,10 @@ class Scope:
         Raises:
             LoweringError: there is no such variable.
         """
-        if name not in self.types:
+        kind = self.types.find(name)
+        if kind is None:
             raise unsound(f"variable `{name}` is not declared")
-        return self.types[name]
+        return kind
 
     def hide(self, purpose: str, kind: Type) -> str:
         """Return a new local whose name no variable of the program has."""

@@ -1,6 +1,6 @@
 """Rule V7: a value in every variable before it is read."""
 
-from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -10,11 +10,27 @@ from ropsim.icr.opcodes import ENDS_FLOW
 from ropsim.icr.program import Procedure, Program, text_place
 from ropsim.icr.rules.calls import callees_first
 from ropsim.icr.rules.flow import JUMPS, successors
-from ropsim.icr.rules.held import Held, Slot, Slots, Ways, common, held_before, missing, ways
+from ropsim.icr.rules.held import Held, Slot, Slots, common, held_before, missing, ways
 
 _NONE: Slots = frozenset()
-_NOTABLE = ENDS_FLOW | JUMPS | {"CALL", "LOAD", "STORE"}
-"""What ways lead to: other instructions are passed on the way, and do nothing with variables."""
+_LEAVES = ENDS_FLOW | JUMPS
+"""Behind these control may go on elsewhere, or nowhere."""
+
+
+class _Block(NamedTuple):
+    """Instructions that are carried out one after the other from the first one on.
+
+    Attributes:
+        reads: variables that it reads before it gives them a value, and where it does so first.
+        gives: variables that have a value behind it.
+        following: the first instructions of the blocks to which it leads.
+        is_return: whether its last instruction returns.
+    """
+
+    reads: Mapping[Slot, int]
+    gives: Slots
+    following: tuple[int, ...]
+    is_return: bool
 
 
 class Need(NamedTuple):
@@ -157,17 +173,17 @@ def summary(procedure: Procedure, known: Mapping[str, Summary], given: Slots) ->
         given: global variables that have a value before it is called.
     """
     start = frozenset(Slot(variable.name, is_global=False) for variable in procedure.parameters)
-    way, before, found = _followed(procedure, known, start, -1)
+    blocks, before, found = _followed(procedure, known, start, -1)
     needs = {slot: need for slot, need in found.items() if slot not in given}
-    ends = [before[index] for index in way.order if procedure.code[index].mnemonic == "RET"]
+    ends = [held.with_also(blocks[index].gives) for index, held in before.items() if blocks[index].is_return]
     assigns = _global(common(ends).all()) - given if ends else None
     return Summary(tuple(needs.values()), _global(needs), assigns)
 
 
 def _followed(
     procedure: Procedure, known: Mapping[str, Summary], start: Slots, end: int
-) -> tuple[Ways, dict[int, Held], dict[Slot, Need]]:
-    """Return the ways through code, what holds a value before each notable instruction, and what is missing.
+) -> tuple[dict[int, _Block], dict[int, Held], dict[Slot, Need]]:
+    """Return the blocks of code, what holds a value before each that is reached, and what is missing.
 
     Args:
         procedure: the code.
@@ -175,50 +191,57 @@ def _followed(
         start: what holds a value at its start.
         end: the instruction behind which nothing follows, -1 where the code says so itself.
     """
-    own = procedure.numbers
-    gives: dict[int, Slots] = {}
-    reads: dict[int, Slots] = {}
-    lost: set[int] = {end}
-    stops = {0, end} if end >= 0 else {0}
-    for index, step in enumerate(procedure.code):
-        mnemonic = step.mnemonic
-        if mnemonic not in _NOTABLE:
-            continue
-        stops.add(index)
-        if mnemonic == "CALL":
-            called = known[str(step.operands[0])]
-            reads[index], gives[index] = called.needed, called.assigns or _NONE
-            if called.assigns is None:
-                lost.add(index)
-        elif mnemonic in {"LOAD", "STORE"}:
-            name = str(step.operands[0])
-            touched = frozenset({Slot(name, is_global=name not in own)})
-            (reads if mnemonic == "LOAD" else gives)[index] = touched
-        elif mnemonic in JUMPS and isinstance(step.operands[0], int):
-            stops.add(step.operands[0])
-    way = ways(_between(procedure, sorted(stops), lost))
-    before = held_before(way, start, lambda index: gives.get(index, _NONE))
+    blocks = _blocks(procedure, known)
+    if end >= 0:
+        blocks[end] = _Block({}, _NONE, (), is_return=False)
+    before = held_before(
+        ways(lambda index: blocks[index].following), start, lambda index: blocks[index].gives
+    )
+    reads = {index: one.reads for index, one in blocks.items() if one.reads}
     needs: dict[Slot, Need] = {}
-    for index, slot in missing(before, reads):
-        needs.setdefault(slot, Need(slot, index))
-    return way, before, needs
+    for at, slot in sorted((blocks[index].reads[slot], slot) for index, slot in missing(before, reads)):
+        needs.setdefault(slot, Need(slot, at))
+    return blocks, before, needs
 
 
-def _between(
-    procedure: Procedure, stops: Sequence[int], lost: Container[int]
-) -> Callable[[int], tuple[int, ...]]:
-    """Return what tells to which stops one leads; behind those lost nothing follows.
+def _blocks(procedure: Procedure, known: Mapping[str, Summary]) -> dict[int, _Block]:
+    """Return the blocks of code by their first instructions."""
+    code = procedure.code
+    starts = {0, len(code)}
+    calls: dict[int, Summary] = {}
+    for index, (mnemonic, operands) in enumerate(code):
+        if mnemonic in _LEAVES:
+            starts.add(index + 1)
+            if mnemonic in JUMPS and isinstance(operands[0], int):
+                starts.add(operands[0])
+        elif mnemonic == "CALL":
+            calls[index] = called = known[str(operands[0])]
+            if called.assigns is None:
+                starts.add(index + 1)
+    return {first: _block(procedure, calls, first, last) for first, last in pairwise(sorted(starts))}
 
-    What lies between two stops is no jump, no target of one, and does nothing with variables.
-    """
-    behind = dict(pairwise(stops))
 
-    def following(index: int) -> tuple[int, ...]:
-        if index in lost:
-            return ()
-        return tuple(behind[index] if one == index + 1 else one for one in successors(procedure, index))
-
-    return following
+def _block(procedure: Procedure, calls: Mapping[int, Summary], first: int, last: int) -> _Block:
+    """Return the block from an instruction up to another one."""
+    code, own = procedure.code, procedure.numbers
+    reads: dict[Slot, int] = {}
+    gives: set[Slot] = set()
+    for index in range(first, last):
+        mnemonic, operands = code[index]
+        if mnemonic in {"LOAD", "STORE"}:
+            name = str(operands[0])
+            slot = Slot(name, name not in own)
+            if mnemonic == "STORE":
+                gives.add(slot)
+            elif slot not in gives:
+                reads.setdefault(slot, index)
+        elif mnemonic == "CALL":
+            for slot in calls[index].needed - gives:
+                reads.setdefault(slot, index)
+            gives |= calls[index].assigns or _NONE
+    never_returns = last - 1 in calls and calls[last - 1].assigns is None
+    following = () if never_returns else successors(procedure, last - 1)
+    return _Block(reads, frozenset(gives), following, is_return=code[last - 1].mnemonic == "RET")
 
 
 def _global(slots: Iterable[Slot]) -> Slots:

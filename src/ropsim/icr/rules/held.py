@@ -119,8 +119,8 @@ def common(sets: list[Held]) -> Held:
     return _both(sets[0], reduce(_both, deepest_first))
 
 
-def missing(before: Mapping[int, Held], read: Mapping[int, Slots]) -> list[tuple[int, Slot]]:
-    """Return the variables that an instruction reads and that hold no value before it, in order."""
+def missing(before: Mapping[int, Held], read: Mapping[int, Iterable[Slot]]) -> list[tuple[int, Slot]]:
+    """Return the variables that an instruction reads and that hold no value before it, in no order."""
     asked: dict[Held, list[int]] = {}
     for index in read:
         if index in before:
@@ -138,7 +138,7 @@ def missing(before: Mapping[int, Held], read: Mapping[int, Slots]) -> list[tuple
                 found += [(index, slot) for slot in read[index] if not count.get(slot, 0)]
             work.append((link, -1))
             work += [(one, 1) for one in further.get(link, ())]
-    return sorted(found)
+    return found
 
 
 def _tree(links: Iterable[Held]) -> dict[Held | None, list[Held]]:

@@ -1,5 +1,7 @@
 """Arithmetic and comparisons: dimensions of sums and products, whole and bare numbers."""
 
+from functools import lru_cache
+
 from ropsim.language.check import convert, fold, units
 from ropsim.language.check.body import Body
 from ropsim.language.check.readings import check_reading
@@ -9,14 +11,14 @@ from ropsim.language.syntax import nodes
 from ropsim.program import Expression, SignalValue, ValueType
 
 _NAMES = {"+": "add", "-": "sub", "*": "mul", "/": "div", "mod": "mod"}
+_REAL, _INT, _BOOL = ValueType.REAL, ValueType.INT, ValueType.BOOL
 _COMPARE = {"=": "eq", "==": "eq", "<>": "ne", "<": "lt", "<=": "le", ">": "gt", ">=": "ge"}
 
 
 def negative(body: Body, value: Value, node: nodes.Unary) -> Value:
     """Return minus a number."""
     kind = _number(body, value, node.operand, "-")
-    kind_of = kind.value if isinstance(kind, Type) else ValueType.REAL
-    return Value(fold.unary("neg", value.expression, kind_of), kind, value.is_bare)
+    return Value(fold.unary("neg", value.expression, _value(kind)), kind, value.is_bare)
 
 
 def binary(body: Body, node: nodes.Binary, left: Value, right: Value) -> Value:
@@ -42,7 +44,7 @@ def comparison(body: Body, node: nodes.Binary, left: Value, right: Value) -> Val
     if node.op in ("=", "==", "<>") and BOOL in (known(left.type), known(right.type)):
         a = convert.to(body, left, BOOL, node.left, f"the left side of `{node.op}`")
         b = convert.to(body, right, BOOL, node.right, f"the right side of `{node.op}`")
-        return Value(fold.binary(_COMPARE[node.op], a, b, ValueType.BOOL), BOOL)
+        return Value(fold.binary(_COMPARE[node.op], a, b, _BOOL), BOOL)
     _number(body, left, node.left, node.op)
     _number(body, right, node.right, node.op)
     for signal, other, place in ((left, right, node.right), (right, left, node.left)):
@@ -52,13 +54,13 @@ def comparison(body: Body, node: nodes.Binary, left: Value, right: Value) -> Val
         a, b = convert.real(left), convert.real(right)
     else:
         a, b, _ = alike(body, node.op, left, right, node)
-    return Value(fold.binary(_COMPARE[node.op], a, b, ValueType.BOOL), BOOL)
+    return Value(fold.binary(_COMPARE[node.op], a, b, _BOOL), BOOL)
 
 
 def _is_measured(signal: Value, quantity: Value) -> bool:
     """Return whether an analog signal is compared with a quantity: it has no unit, so SI units count."""
     kind = known(quantity.type)
-    is_quantity = isinstance(kind, Type) and kind.value is ValueType.REAL and not quantity.is_bare
+    is_quantity = isinstance(kind, Type) and kind.value is _REAL and not quantity.is_bare
     return isinstance(signal.expression, SignalValue) and is_quantity
 
 
@@ -94,10 +96,10 @@ def _product(node: nodes.Binary, left: Value, right: Value) -> Value:
     a, b = known(left.type), known(right.type)
     is_bare = left.is_bare and right.is_bare
     if node.op == "*" and a == INT and b == INT:
-        return Value(fold.binary("mul", left.expression, right.expression, ValueType.INT), INT, is_bare)
+        return Value(fold.binary("mul", left.expression, right.expression, _INT), INT, is_bare)
     x, y = convert.real(left), convert.real(right)
     kind = _product_type(node.op, left, right)
-    return Value(fold.binary(_NAMES[node.op], x, y, ValueType.REAL), kind, is_bare)
+    return Value(fold.binary(_NAMES[node.op], x, y, _REAL), kind, is_bare)
 
 
 def _product_type(op: str, left: Value, right: Value) -> AnyType:
@@ -111,10 +113,14 @@ def _product_type(op: str, left: Value, right: Value) -> AnyType:
     for kind in (a, b):
         if isinstance(kind, Unknown) and kind.bound is None:
             bind(kind, NUMBER)
-    first = a.dimension if isinstance(a, Type) and a.value is ValueType.REAL else units.NUMBER
-    second = b.dimension if isinstance(b, Type) and b.value is ValueType.REAL else units.NUMBER
-    combined = units.product(first, second) if op == "*" else units.quotient(first, second)
-    return Type(ValueType.REAL, combined)
+    first = a.dimension if isinstance(a, Type) and a.value is _REAL else units.NUMBER
+    second = b.dimension if isinstance(b, Type) and b.value is _REAL else units.NUMBER
+    return _combined(op, first, second)
+
+
+@lru_cache(maxsize=1024)
+def _combined(op: str, first: units.Dimension, second: units.Dimension) -> Type:
+    return Type(_REAL, units.product(first, second) if op == "*" else units.quotient(first, second))
 
 
 def _number(body: Body, value: Value, node: nodes.Node, op: str) -> AnyType:
@@ -132,4 +138,4 @@ def _number(body: Body, value: Value, node: nodes.Node, op: str) -> AnyType:
 
 
 def _value(kind: AnyType) -> ValueType:
-    return kind.value if isinstance(kind, Type) else ValueType.REAL
+    return kind.value if isinstance(kind, Type) else _REAL

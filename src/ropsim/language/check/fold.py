@@ -24,6 +24,8 @@ from ropsim.program import (
 )
 from ropsim.spatial import PoseTuple, quaternion
 
+_REAL, _INT = ValueType.REAL, ValueType.INT
+
 IDENTITY: PoseTuple = (0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0)
 
 TRUE = Constant(True, ValueType.BOOL)  # noqa: FBT003 - the value is the datum
@@ -81,12 +83,12 @@ def boolean(value: object) -> Constant:
 
 def real(value: float) -> Constant:
     """Return a REAL."""
-    return Constant(float(value), ValueType.REAL)
+    return Constant(float(value), _REAL)
 
 
 def whole(value: int) -> Constant:
     """Return an INT."""
-    return Constant(int(value), ValueType.INT)
+    return Constant(int(value), _INT)
 
 
 def pose(value: Location) -> Constant:
@@ -96,9 +98,9 @@ def pose(value: Location) -> Constant:
 
 def number_of(expression: Expression) -> float | None:
     """Return the value of a constant number, else None."""
-    if isinstance(expression, Constant):
+    if type(expression) is Constant:
         kind = expression.type
-        if kind is ValueType.REAL or kind is ValueType.INT:
+        if kind is _REAL or kind is _INT:
             value = expression.value
             return value if isinstance(value, _NUMBERS) else None
     return None
@@ -144,11 +146,11 @@ def binary(op: str, left: Expression, right: Expression, kind: ValueType) -> Exp
     if b == 0 and op in ("div", "mod"):
         raise ZeroDivisionError("division by zero")
     if a is not None and b is not None and op in _BINARY:
-        if kind is ValueType.REAL and op in _PLAIN:
+        if kind is _REAL and op in _PLAIN:
             result = _PLAIN[op](float(a), float(b))
             if isfinite(result):
                 return real(result)
-        of = left.type if left.type is ValueType.REAL else right.type
+        of = left.type if left.type is _REAL else right.type
         return _computed(op, _BINARY[op], kind, of, a, b)
     if op in ("eq", "ne") and isinstance(left, Constant) and isinstance(right, Constant):
         return boolean((bool(left.value) == bool(right.value)) is (op == "eq"))
@@ -164,7 +166,7 @@ def scaled(operand: Expression, factor: float) -> Expression:
     number = number_of(operand)
     if number is not None and isfinite(result := float(number) * factor):
         return real(result)
-    return binary("mul", operand, real(factor), ValueType.REAL)
+    return binary("mul", operand, real(factor), _REAL)
 
 
 def _computed(op: str, instruction: str, kind: ValueType, of: ValueType, *numbers: float) -> Expression:
@@ -195,7 +197,7 @@ def _simplified(
     That is x * 1 and x / 1, and of whole numbers x + 0 and x - 0. It is not x + 0.0, which makes 0.0 of
     -0.0, and not x * 0, which would hide a division by zero in x.
     """
-    is_whole = left.type is right.type is ValueType.INT
+    is_whole = left.type is right.type is _INT
     if op == "add" and a == 0 and is_whole:
         return right
     if op in ("add", "sub") and b == 0 and is_whole:
@@ -217,15 +219,18 @@ def conjunction(op: str, left: Expression, right: Expression) -> Expression:
 
 def vector(x: Expression, y: Expression, z: Expression) -> Expression:
     """Return the VEC of three REALs."""
-    values = [number_of(e) for e in (x, y, z)]
-    known = tuple(float(v) for v in values if v is not None)
-    return Constant(known, ValueType.VEC) if len(known) == 3 else MakeVector(x, y, z)
+    a, b, c = number_of(x), number_of(y), number_of(z)
+    if a is None or b is None or c is None:
+        return MakeVector(x, y, z)
+    return Constant((float(a), float(b), float(c)), ValueType.VEC)
 
 
 def zyx(c: Expression, b: Expression, a: Expression) -> Expression:
     """Return the ORI Rz(c)·Ry(b)·Rx(a)."""
-    known = [float(v) for v in map(number_of, (c, b, a)) if v is not None]
-    return Constant(quaternion.from_zyx(*known), ValueType.ORI) if len(known) == 3 else MakeZyx(c, b, a)
+    r, p, y = number_of(a), number_of(b), number_of(c)
+    if r is None or p is None or y is None:
+        return MakeZyx(c, b, a)
+    return Constant(quaternion.from_zyx(float(y), float(p), float(r)), ValueType.ORI)
 
 
 def make_pose(position: Expression, orientation: Expression) -> Expression:
@@ -282,6 +287,8 @@ def compose(left: Expression, right: Expression) -> Expression:
 
     Where `right` is numbers alone, whatever frame they were given in, the frame of `left` stays.
     """
+    if type(left) is type(right) is Constant:
+        return _composed(left, right)
     if isinstance(left, InFrame):
         return InFrame(compose(left.operand, without_frame(right)), left.frame)
     if isinstance(right, InFrame) and right.frame:
@@ -291,6 +298,10 @@ def compose(left: Expression, right: Expression) -> Expression:
         return InPosture(compose(left.operand, step), left.request)
     if isinstance(right, InPosture):
         return InPosture(compose(left, right.operand), right.request)
+    return _composed(left, right)
+
+
+def _composed(left: Expression, right: Expression) -> Expression:
     a, b = location_of(left), location_of(right)
     if a == IDENTITY:
         return right

@@ -10,6 +10,8 @@ from ropsim.language.syntax.lexer import LARGEST
 from ropsim.program import CommandPose, Constant, Expression, ValueType
 from ropsim.spatial import quaternion
 
+_DOWN = Constant(components.DOWN, ValueType.ORI)
+
 
 def location(body: Body, node: nodes.Tuple) -> Value:
     """Return the location of a tuple, read in the frame in force and given in the work frame.
@@ -23,8 +25,8 @@ def location(body: Body, node: nodes.Tuple) -> Value:
     Raises:
         RejectedError: the tuple is not a location.
     """
-    X_CT = _pose(body, node, Constant(components.DOWN, ValueType.ORI))
-    X_KT = fold.compose(fold.pose(body.X_KC), X_CT)
+    X_CT = _pose(body, node, _DOWN)
+    X_KT = X_CT if body.X_KC == fold.IDENTITY else fold.compose(fold.pose(body.X_KC), X_CT)
     if node.posture is not None:
         X_KT = fold.in_posture(X_KT, postures.request(body, node.posture))
     return Value(fold.in_frame(X_KT, body.moving) if body.moving else X_KT, POSE, X_KF=body.X_KC)
@@ -182,10 +184,10 @@ def _pose(body: Body, node: nodes.Tuple, default: Expression) -> Expression:
 
 
 def _position(body: Body, node: nodes.Tuple) -> Expression:
-    x, y, z = (
-        _length(body, item.value, f"`{axis}` of a location")
-        for axis, item in zip("xyz", node.items[:3], strict=True)
-    )
+    items = node.items
+    x = _length(body, items[0].value, "`x` of a location")
+    y = _length(body, items[1].value, "`y` of a location")
+    z = _length(body, items[2].value, "`z` of a location")
     return fold.vector(x, y, z)
 
 

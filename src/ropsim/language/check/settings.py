@@ -1,6 +1,6 @@
 """Speeds, accelerations, blends and tools: settings of one move, of a block, or until further notice."""
 
-from collections.abc import Callable
+from typing import Any
 
 from ropsim.language.check import convert, fold, plausible, units, values
 from ropsim.language.check.body import Body
@@ -10,14 +10,17 @@ from ropsim.language.syntax.statements import Motion, Setting
 from ropsim.program import Expression, Settings, ValueType
 
 _REAL = ValueType.REAL
-_FIELDS: dict[tuple[str, units.Dimension], Callable[[Expression], Settings]] = {
-    ("speed", units.SPEED): lambda e: Settings(path_speed=e),
-    ("speed", units.SHARE): lambda e: Settings(ptp_speed=e),
-    ("speed", units.ANGULAR_SPEED): lambda e: Settings(orientation_speed=e),
-    ("acc", units.ACCELERATION): lambda e: Settings(path_acceleration=e),
-    ("acc", units.SHARE): lambda e: Settings(ptp_acceleration=e),
+_FIELDS = {
+    ("speed", units.SPEED): "path_speed",
+    ("speed", units.SHARE): "ptp_speed",
+    ("speed", units.ANGULAR_SPEED): "orientation_speed",
+    ("acc", units.ACCELERATION): "path_acceleration",
+    ("acc", units.SHARE): "ptp_acceleration",
 }
-_BARE = {"speed": units.SPEED, "acc": units.ACCELERATION}
+"""Which value of a move a setting is, by its word and dimension."""
+_BARE = {"speed": Type(_REAL, units.SPEED), "acc": Type(_REAL, units.ACCELERATION)}
+_WHAT = {"speed": "the value of `speed`", "acc": "the value of `acc`"}
+_NOTHING = Settings()
 _ALLOWED = {"speed": "a speed (mm/s, deg/s) or a share (%)", "acc": "an acceleration (mm/s2) or a share (%)"}
 
 
@@ -27,19 +30,22 @@ def gather(body: Body, settings: tuple[Setting, ...]) -> Settings:
     Raises:
         RejectedError: a value has the wrong dimension or is out of range.
     """
-    result = Settings()
+    if not settings:
+        return _NOTHING
+    chosen: dict[str, Any] = {}
     for setting in settings:
         if setting.word != "frame":
-            one = _one(body, setting)
-            for name in one.__dataclass_fields__:
-                if getattr(one, name) is not None and getattr(result, name) is not None:
-                    body.fail(kinds.ARGUMENTS, setting, f"`{setting.word}` is given twice")
-            result = _joined(result, one)
-    return result
+            name, value = _one(body, setting)
+            if name in chosen:
+                body.fail(kinds.ARGUMENTS, setting, f"`{setting.word}` is given twice")
+            chosen[name] = value
+    return Settings(**chosen)
 
 
 def check_effect(body: Body, motion: Motion, settings: Settings) -> None:
     """Warn about modifiers that the motion does not use."""
+    if not motion.modifiers:
+        return
     if motion.word == "mov":
         idle = {"speed": settings.path_speed or settings.orientation_speed, "acc": settings.path_acceleration}
         hint = "give it in %"
@@ -52,40 +58,33 @@ def check_effect(body: Body, motion: Motion, settings: Settings) -> None:
             body.warn(kinds.NO_EFFECT, modifier, message, hint)
 
 
-def _joined(a: Settings, b: Settings) -> Settings:
-    return Settings(
-        a.tool or b.tool,
-        a.path_speed or b.path_speed,
-        a.ptp_speed or b.ptp_speed,
-        a.orientation_speed or b.orientation_speed,
-        a.path_acceleration or b.path_acceleration,
-        a.ptp_acceleration or b.ptp_acceleration,
-        a.zone or b.zone,
-    )
-
-
-def _one(body: Body, setting: Setting) -> Settings:
+def _one(body: Body, setting: Setting) -> tuple[str, Expression | str]:
+    """Return which value of a move a setting is, and the value."""
     if setting.word == "tool":
         assert setting.name is not None
-        return Settings(tool=body.tool(setting.name))
+        return "tool", body.tool(setting.name)
     if setting.word == "fine":
-        return Settings(zone=fold.real(0.0))
+        return "zone", fold.real(0.0)
     assert setting.value is not None
     if setting.word == "blend":
         zone = values.expect(body, setting.value, LENGTH, "the distance of `blend`")
         _check_range(body, setting, zone, units.LENGTH)
-        return Settings(zone=zone)
+        return "zone", zone
     value = values.check(body, setting.value)
-    dimension = _dimension(body, setting, value)
-    expression = convert.to(
-        body, value, Type(_REAL, dimension), setting.value, f"the value of `{setting.word}`"
-    )
+    wanted = _wanted(body, setting, value)
+    dimension = wanted.dimension
+    expression = convert.to(body, value, wanted, setting.value, _WHAT[setting.word])
     _check_range(body, setting, expression, dimension)
     plausible.check_rate(body, setting.word, value, expression, dimension, setting.value)
-    return _FIELDS[setting.word, dimension](expression)
+    return _FIELDS[setting.word, dimension], expression
 
 
-def _dimension(body: Body, setting: Setting, value: Value) -> units.Dimension:
+def _wanted(body: Body, setting: Setting, value: Value) -> Type:
+    """Return the type that the value of a setting is taken for.
+
+    Raises:
+        RejectedError: there is no such setting.
+    """
     assert setting.value is not None
     kind = known(value.type)
     if value.is_bare or not isinstance(kind, Type):
@@ -96,22 +95,27 @@ def _dimension(body: Body, setting: Setting, value: Value) -> units.Dimension:
         if kind.dimension != units.NUMBER:
             hint = "its unit is of another sort: write one of those in parentheses"
         body.fail(kinds.WRONG_DIMENSION, setting.value, message, hint)
-    return kind.dimension
+    return kind
 
 
 def _check_range(body: Body, setting: Setting, value: Expression, dimension: units.Dimension) -> None:
     number = fold.number_of(value)
     if number is None:
         return
-    found = f"found {number * 100:g} %" if dimension == units.SHARE else f"found {number:g} {_SI[dimension]}"
     if setting.word == "blend":
         if number < 0.0:
-            body.fail(kinds.OUT_OF_RANGE, setting, f"`blend` must not be negative, {found}")
+            message = f"`blend` must not be negative, {_found(number, dimension)}"
+            body.fail(kinds.OUT_OF_RANGE, setting, message)
     elif number <= 0.0:
-        body.fail(kinds.OUT_OF_RANGE, setting, f"`{setting.word}` must be greater than zero, {found}")
+        message = f"`{setting.word}` must be greater than zero, {_found(number, dimension)}"
+        body.fail(kinds.OUT_OF_RANGE, setting, message)
     elif dimension == units.SHARE and number > 1.0:
         message = f"`{setting.word}` is {number * 100:g} %, at most 100 % is allowed"
         body.fail(kinds.OUT_OF_RANGE, setting, message, "the share counts from the limits of the joints")
+
+
+def _found(number: float, dimension: units.Dimension) -> str:
+    return f"found {number * 100:g} %" if dimension == units.SHARE else f"found {number:g} {_SI[dimension]}"
 
 
 _SI = {

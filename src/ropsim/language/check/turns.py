@@ -11,6 +11,8 @@ from ropsim.program import Constant, Expression, ValueType
 from ropsim.spatial import quaternion
 
 _ORIGIN = Constant((0.0, 0.0, 0.0), ValueType.VEC)
+_UNTURNED = fold.pose(fold.IDENTITY)
+_ZERO = fold.real(0.0)
 _POLAR = ("pitch", "roll", "yaw")
 _STRAIGHT_DOWN = math.pi / 2.0
 
@@ -36,7 +38,7 @@ def oriented(body: Body, position: Expression, terms: tuple[nodes.Turn, ...]) ->
         angles = {t.word: _angle(body, t, 0) for t in polar}
         pitch = angles.get("pitch", fold.real(_STRAIGHT_DOWN))
         return components.polar(body, position, pitch, angles.get("roll", fold.real(0.0)), angles.get("yaw"))
-    rotation: Expression = fold.pose(fold.IDENTITY)
+    rotation: Expression = _UNTURNED
     for term in terms:
         rotation = fold.compose(_rotation(body, term), rotation)
     return fold.make_pose(position, components.orientation_of(rotation))
@@ -44,18 +46,17 @@ def oriented(body: Body, position: Expression, terms: tuple[nodes.Turn, ...]) ->
 
 def _rotation(body: Body, term: nodes.Turn) -> Expression:
     """Return a pose without translation."""
-    zero = fold.real(0.0)
     match term.word:
         case "down":
             return fold.pose((0.0, 0.0, 0.0, *components.DOWN))
         case "rpy":
             return _turned(_angle(body, term, 2), _angle(body, term, 1), _angle(body, term, 0))
         case "rx":
-            return _turned(zero, zero, _angle(body, term, 0))
+            return _turned(_ZERO, _ZERO, _angle(body, term, 0))
         case "ry":
-            return _turned(zero, _angle(body, term, 0), zero)
+            return _turned(_ZERO, _angle(body, term, 0), _ZERO)
         case "rz":
-            return _turned(_angle(body, term, 0), zero, zero)
+            return _turned(_angle(body, term, 0), _ZERO, _ZERO)
         case "euler":
             return _euler(body, term)
         case "quat":
@@ -71,11 +72,10 @@ def _turned(c: Expression, b: Expression, a: Expression) -> Expression:
 
 def _euler(body: Body, term: nodes.Turn) -> Expression:
     """Return the rotation about moving axes: `euler ZYX c b a` is Rz(c)·Ry(b)·Rx(a)."""
-    zero = fold.real(0.0)
-    rotation: Expression = fold.pose(fold.IDENTITY)
+    rotation: Expression = _UNTURNED
     for k, axis in enumerate(term.axes):
         angle = _angle(body, term, k)
-        one = _turned(*(angle if axis == letter else zero for letter in "ZYX"))
+        one = _turned(*(angle if axis == letter else _ZERO for letter in "ZYX"))
         rotation = fold.compose(rotation, one)
     return rotation
 

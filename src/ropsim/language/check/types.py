@@ -6,6 +6,8 @@ from ropsim.language.check.units import Dimension
 from ropsim.program import Expression, ValueType
 from ropsim.spatial import PoseTuple
 
+_OF_NUMBERS = (ValueType.INT, ValueType.REAL)
+
 
 @frozen_dataclass
 class Type:
@@ -22,7 +24,7 @@ class Type:
     @property
     def is_number(self) -> bool:
         """Return whether arithmetic makes sense."""
-        return self.value in (ValueType.INT, ValueType.REAL)
+        return self.value in _OF_NUMBERS
 
 
 _WORDS = {

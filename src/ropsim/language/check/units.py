@@ -94,8 +94,11 @@ class UnitSystem:
 
         Speeds and accelerations follow from length, angle and time; everything else is SI.
         """
-        if not self.others and dimension == LENGTH:
-            return float(self.length)
+        if not self.others:
+            if dimension == LENGTH:
+                return float(self.length)
+            if dimension == ANGLE:
+                return float(self.angle)
         for known, factor in self.others:
             if known == dimension:
                 return factor

@@ -1,6 +1,6 @@
 """The value of an expression, of a wanted type or any; the values of names."""
 
-from ropsim.language.check import convert
+from ropsim.language.check import convert, numerals
 from ropsim.language.check.body import Body, RejectedError
 from ropsim.language.check.types import (
     ANGLE,
@@ -42,6 +42,10 @@ def expect(body: Body, node: nodes.Node, wanted: AnyType, what: str) -> Expressi
     Raises:
         RejectedError: the node is wrong or does not fit.
     """
+    if type(node) is nodes.Number and type(wanted) is Type:
+        found = numerals.fitting(body, node, wanted)
+        if found is not None:
+            return found
     return convert.to(body, check(body, node), wanted, node, what)
 
 

@@ -25,38 +25,33 @@ class Cursor:
 
     Attributes:
         arguments_at: place of the parenthesis of the arguments of a call, whose members may have names.
+        token: the token that comes next; its kind is `end` after the last one.
+        word: its lower-case word or sign, empty for numbers, texts and the end.
+        index: its place.
     """
 
-    __slots__ = ("arguments_at", "depth", "index", "length", "line", "operators", "tokens")
+    __slots__ = ("arguments_at", "depth", "index", "length", "line", "operators", "token", "tokens", "word")
 
     def __init__(self, tokens: list[Token], line: str) -> None:
-        self.tokens = tokens
+        self.tokens = [*tokens, _END]
         self.line = line
-        self.index = 0
         self.length = len(tokens)
         self.operators = 0
         self.depth = 0
         self.arguments_at = -1
-
-    @property
-    def token(self) -> Token:
-        """Return the token that comes next; its kind is `end` after the last one."""
-        return self.tokens[self.index] if self.index < self.length else _END
-
-    @property
-    def word(self) -> str:
-        """Return the lower-case word or the sign that comes next, empty for numbers, texts and the end."""
-        return self.tokens[self.index].word if self.index < self.length else ""
+        self.index = 0
+        self.token = self.tokens[0]
+        self.word = self.token[1]
 
     @property
     def at_end(self) -> bool:
         """Return whether the line has been read completely."""
-        return self.index >= self.length
+        return self.token is _END
 
     @property
     def start(self) -> int:
         """Return the offset of the next token, or of the end of the line."""
-        return self.tokens[self.index].start if self.index < self.length else self.end
+        return self.end if self.token is _END else self.token.start
 
     @property
     def end(self) -> int:
@@ -68,18 +63,26 @@ class Cursor:
         place = self.index + ahead
         return self.tokens[place] if place < self.length else _END
 
+    def go(self, ahead: int) -> None:
+        """Step over tokens, or back over them."""
+        self.index += ahead
+        self.token = self.tokens[self.index]
+        self.word = self.token[1]
+
     def advance(self) -> Token:
         """Return the next token and step over it."""
         token = self.token
-        if token.kind == "end":
+        if token is _END:
             self.fail("more words")
-        self.index += 1
+        self.index = index = self.index + 1
+        self.token = following = self.tokens[index]
+        self.word = following[1]
         return token
 
     def accept(self, word: str) -> bool:
         """Step over `word` if it comes next."""
-        if self.index < self.length and self.tokens[self.index].word == word:
-            self.index += 1
+        if self.word == word:
+            self.go(1)
             return True
         return False
 
@@ -100,7 +103,7 @@ class Cursor:
             self.fail(what)
         if token.word in RESERVED:
             self.fail(what, f"`{token.text}` is a word of the language and cannot be a name")
-        self.index += 1
+        self.go(1)
         return Name(token.text, token.start, token.end)
 
     def count_operator(self) -> None:
@@ -182,7 +185,7 @@ class Cursor:
         if not hint and token.kind == "word":
             hint = did_you_mean(token.text, " ".join(expected.split("`")[1::2]).split())
         if token.kind == "end":
-            place = self.tokens[-1].end if self.tokens else 0
+            place = self.tokens[self.length - 1].end if self.length else 0
             self.fault(
                 kinds.UNEXPECTED, place, place + 1, f"expected {expected}, found the end of the line", hint
             )

@@ -6,7 +6,7 @@ from dataclasses import replace
 from ropsim.core import did_you_mean
 from ropsim.language.findings import syntax as kinds
 from ropsim.language.syntax.cursor import Cursor
-from ropsim.language.syntax.lexer import LARGEST, number_parts, text_value
+from ropsim.language.syntax.lexer import LARGEST, number_parts, number_value, text_value
 from ropsim.language.syntax.nodes import (
     Binary,
     External,
@@ -46,23 +46,34 @@ _TURN_COUNTS = {
     "rz": 1,
     "down": 0,
 }
-_AFTER_VALUES = frozenset(",);")
+_OPERATORS = frozenset(
+    (*_COMPARISONS, *_SUMS, *_TERMS, "in", "@", EXTERNAL, "is", "rising", "falling", "and", "or")
+)
+"""Words and signs by which an expression goes on behind a value."""
 _OF_NAMES = frozenset(".[")
 _AXES = frozenset(a + b + c for a in "XYZ" for b in "XYZ" for c in "XYZ" if a != b != c)
 
 
 def expression(cursor: Cursor) -> Node:
     """Read `and {or and}`."""
-    if cursor.token.kind == "number" and cursor.look(1).word in _AFTER_VALUES:  # most values are such
-        return number(cursor)
-    left = _conjunction(cursor)
+    if cursor.word == "not":
+        left = _negation(cursor)
+    else:
+        left = unary(cursor)
+        if cursor.word not in _OPERATORS:  # most values stand alone
+            return left
+        left = _compared(cursor, _summed(cursor, _multiplied(cursor, left)))
+    left = _joined(cursor, left)
     while cursor.word == "or":
         left = _binary(cursor, left, "or", _conjunction)
     return left
 
 
 def _conjunction(cursor: Cursor) -> Node:
-    left = _negation(cursor)
+    return _joined(cursor, _negation(cursor))
+
+
+def _joined(cursor: Cursor, left: Node) -> Node:
     while cursor.word == "and":
         left = _binary(cursor, left, "and", _negation)
     return left
@@ -74,12 +85,12 @@ def _negation(cursor: Cursor) -> Node:
     while cursor.accept("not"):
         cursor.count_operator()
         count += 1
-    operand = _comparison(cursor)
+    operand = _compared(cursor, total(cursor))
     return Unary("not", operand, start, operand.end) if count % 2 else operand
 
 
-def _comparison(cursor: Cursor) -> Node:
-    left = total(cursor)
+def _compared(cursor: Cursor, left: Node) -> Node:
+    """Read what compares a value, if anything does."""
     word = cursor.word
     if word in _COMPARISONS:
         return _binary(cursor, left, _COMPARISONS[word], total)
@@ -100,7 +111,12 @@ def _comparison(cursor: Cursor) -> Node:
 
 def total(cursor: Cursor) -> Node:
     """Read sums and the pose operators, all of one precedence, from left to right."""
-    left = _term(cursor)
+    left = unary(cursor)
+    return _summed(cursor, _multiplied(cursor, left)) if cursor.word in _OPERATORS else left
+
+
+def _summed(cursor: Cursor, left: Node) -> Node:
+    """Read the rest of a sum behind its first term."""
     while True:
         word = cursor.word
         if word in _SUMS:
@@ -117,7 +133,11 @@ def total(cursor: Cursor) -> Node:
 
 
 def _term(cursor: Cursor) -> Node:
-    left = unary(cursor)
+    return _multiplied(cursor, unary(cursor))
+
+
+def _multiplied(cursor: Cursor, left: Node) -> Node:
+    """Read the rest of a product behind its first factor."""
     while cursor.word in _TERMS:
         left = _binary(cursor, left, cursor.word, unary)
     return left
@@ -125,8 +145,8 @@ def _term(cursor: Cursor) -> Node:
 
 def unary(cursor: Cursor) -> Node:
     """Read a value with any number of minus signs."""
-    if cursor.token.kind == "number" and cursor.look(1).word not in _OF_NAMES:
-        return number(cursor)
+    if cursor.word != "-":
+        return postfix(cursor)
     start = cursor.start
     count = 0
     while cursor.accept("-"):
@@ -139,16 +159,17 @@ def unary(cursor: Cursor) -> Node:
 def postfix(cursor: Cursor) -> Node:
     """Read a primary with its members: `slot.row`."""
     node = _primary(cursor)
-    while True:
-        if cursor.word == "." and cursor.look(1).kind == "word":
+    while cursor.word in _OF_NAMES:
+        if cursor.word == ".":
+            if cursor.look(1).kind != "word":
+                return node
             cursor.advance()
             cursor.count_operator()
             token = cursor.advance()
             node = Member(node, Name(token.text, token.start, token.end), node.start, token.end)
-        elif cursor.word == "[":
-            cursor.not_yet(cursor.token, "name[index]")
         else:
-            return node
+            cursor.not_yet(cursor.token, "name[index]")
+    return node
 
 
 def _primary(cursor: Cursor) -> Node:
@@ -183,13 +204,13 @@ def _primary(cursor: Cursor) -> Node:
 def number(cursor: Cursor) -> Number:
     """Read a number with its unit."""
     token = cursor.advance()
-    digits, unit = number_parts(token.text)
-    value = float(digits)
+    value, is_whole, unit = number_value(token.text)
     if value > LARGEST:
+        digits = number_parts(token.text)[0]
         shown = digits if len(digits) <= 20 else digits[:17] + "…"
         message = f"number `{shown}` is too large; at most {LARGEST:g} is allowed"
         cursor.fault(kinds.NUMBER_SIZE, token.start, token.end, message, "check the digits and the exponent")
-    return Number(value, digits.isdigit(), unit, token.start, token.end)
+    return Number(value, is_whole, unit, token.start, token.end)
 
 
 def listed(cursor: Cursor) -> tuple[Node, ...]:
@@ -262,7 +283,7 @@ def item(cursor: Cursor) -> Item:
     """Read `[name =] value`."""
     token = cursor.token
     if token.kind == "word" and cursor.look(1).word == "=" and token.word not in RESERVED:
-        cursor.index += 2
+        cursor.go(2)
         return Item(Name(token.text, token.start, token.end), expression(cursor))
     return Item(None, expression(cursor))
 

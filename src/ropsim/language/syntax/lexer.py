@@ -1,6 +1,7 @@
 """Tokens of one logical line."""
 
 import re
+from functools import lru_cache
 from typing import NamedTuple
 
 from ropsim.language.findings import syntax as kinds
@@ -14,20 +15,20 @@ UNITS = (
 
 LARGEST = 1e12
 
-_TOKEN = re.compile(
+_TOKENS = re.compile(
     r"""
-    (?:[ \t\n]++|(?:\#|//)[^\n]*+)*+
+    ((?:[ \t\n]++|(?:\#|//)[^\n]*+)*+)              # what stands between
   (?:
-    (?P<word>[A-Za-z_][A-Za-z_0-9]*)
-  | (?P<number>(\d+(?:\.\d+)?(?:[eE][+-]?\d+)?)(?:[ \t]*(UNIT)(?![A-Za-z_0-9]))?)
-  | (?P<sign>:=|<>|!=|<=|>=|==|->|[-+*/=<>(),;:.@\[\]%])
-  | (?P<text>"(?:[^"\\\n]|\\.)*")
-  | (?P<end>\Z)
-  | (?P<bad>.)
+    ([A-Za-z_][A-Za-z_0-9]*)                        # a word
+  | (:=|<>|!=|<=|>=|==|->|[-+*=<>(),;:.@\[\]%]|/)   # a sign
+  | (\d+(?:\.\d+)?(?:[eE][+-]?\d+)?(?:[ \t]*(?:UNIT)(?![A-Za-z_0-9]))?)
+  | ("(?:[^"\\\n]|\\.)*")                           # a text
+  | \Z
+  | (.)                                             # anything else is wrong
   )
     """.replace("UNIT", "|".join(UNITS)),
     re.VERBOSE | re.ASCII,
-)
+).findall
 _NUMBER_PARTS = re.compile(r"(\d+(?:\.\d+)?(?:[eE][+-]?\d+)?)[ \t]*(.*)", re.ASCII)
 _ESCAPES = {"n": "\n", "t": "\t"}
 
@@ -62,19 +63,23 @@ def tokens(line: str) -> list[Token]:
         LineFaultError: a character or text that the language does not have.
     """
     found: list[Token] = []
-    for match in _TOKEN.finditer(line):
-        kind = match.lastgroup
-        assert kind is not None
-        text, (start, end) = match[kind], match.span(kind)
-        if kind == "word":
-            found.append(_new(Token, (kind, text.lower(), text, start, end)))
-        elif kind == "sign":
-            found.append(_new(Token, (kind, text, text, start, end)))
-        elif kind in ("number", "text"):
-            found.append(_new(Token, (kind, "", text, start, end)))
-        elif kind == "end":
-            break
-        else:
+    add = found.append
+    end = 0
+    for between, word, sign, number, text, bad in _TOKENS(line):
+        start = end + len(between)
+        if word:
+            end = start + len(word)
+            add(_new(Token, ("word", word.lower(), word, start, end)))
+        elif sign:
+            end = start + len(sign)
+            add(_new(Token, ("sign", sign, sign, start, end)))
+        elif number:
+            end = start + len(number)
+            add(_new(Token, ("number", "", number, start, end)))
+        elif text:
+            end = start + len(text)
+            add(_new(Token, ("text", "", text, start, end)))
+        elif bad:
             raise LineFaultError(_bad(line, start))
     return found
 
@@ -85,6 +90,13 @@ def number_parts(text: str) -> tuple[str, str]:
         return text, ""
     match = _NUMBER_PARTS.match(text)
     return (match.group(1), match.group(2)) if match else (text, "")
+
+
+@lru_cache(maxsize=65_536)
+def number_value(text: str) -> tuple[float, bool, str]:
+    """Return the value of a number token, whether only digits tell it, and its unit."""
+    digits, unit = number_parts(text)
+    return float(digits), digits.isdigit(), unit
 
 
 def text_value(text: str) -> str:

@@ -171,7 +171,7 @@ def load(cursor: Cursor, head: Token) -> Statement:
     closing = cursor.token
     cursor.expect(")")
     if len(names) not in (3, 5, 6):
-        cursor.index -= 1
+        cursor.go(-1)
         cursor.fail("3, 5 or 6 names", f"{len(names)} given up to `{closing.text}`")
     cursor.expect(",")
     return Load(tuple(names), expression(cursor), head.start, cursor.end)

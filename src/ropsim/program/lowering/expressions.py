@@ -1,11 +1,17 @@
 """Expressions -> stack code."""
 
+from collections.abc import Callable
+from typing import Any, NoReturn
+
 from ropsim.icr import Constant as IcrConstant
 from ropsim.icr import Type, Value
 from ropsim.program import expressions as sir
 from ropsim.program.diagnostics import unsound
 from ropsim.program.scope import Scope
 from ropsim.spatial import quaternion
+
+_BOOL, _INT, _REAL = Type.BOOL, Type.INT, Type.REAL
+_VEC, _ORI, _POSE = Type.VEC, Type.ORI, Type.POSE
 
 _ARITHMETIC = {"add", "sub", "mul", "div", "mod", "min", "max"}
 _COMPARISON = {"eq", "ne", "lt", "le", "gt", "ge"}
@@ -35,11 +41,14 @@ def evaluate(scope: Scope, expression: sir.Expression, want: Type) -> None:
     Raises:
         LoweringError: the expression contradicts itself.
     """
-    if isinstance(expression, sir.Constant) and want is Type.REAL and isinstance(expression.value, int):
-        push(scope, Type.REAL, float(expression.value))
-        return
-    found = _emit(scope, expression)
-    if found is Type.INT and want is Type.REAL:
+    if type(expression) is sir.Constant:
+        if want is _REAL and isinstance(expression.value, int):
+            push(scope, _REAL, float(expression.value))
+            return
+        found = _constant(scope, expression)
+    else:
+        found = _EMITTED[type(expression)](scope, expression)
+    if found is _INT and want is _REAL:
         scope.emitter.emit("I2R")
     elif found is not want:
         raise unsound(f"a value of type {found.value} stands where {want.value} is needed")
@@ -56,7 +65,7 @@ def static_type(scope: Scope, expression: sir.Expression) -> Type:
 
 def push(scope: Scope, kind: Type, value: Value) -> None:
     """Emit a PUSH."""
-    scope.emitter.push(IcrConstant(kind, value))
+    scope.emitter.emit("PUSH", IcrConstant(kind, value))
 
 
 def zero(scope: Scope, kind: Type) -> IcrConstant:
@@ -82,57 +91,62 @@ def zero_of(kind: Type, axes: int) -> IcrConstant:
     return IcrConstant(kind, values[kind])
 
 
-def _emit(scope: Scope, expression: sir.Expression) -> Type:
-    emit = scope.emitter.emit
-    match expression:
-        case sir.Constant():
-            return _constant(scope, expression)
-        case sir.Variable(name=name):
-            emit("LOAD", name)
-        case sir.SignalValue(name=name):
-            emit("IN", scope.channel(name).name)
-        case sir.Unary():
-            return _unary(scope, expression)
-        case sir.Binary():
-            return _binary(scope, expression)
-        case sir.Component(operand=operand, index=index):
-            evaluate(scope, operand, static_type(scope, operand))
-            emit("GETC", index)
-        case sir.MakeVector() | sir.MakeZyx() | sir.MakePose() | sir.MakeExternal() | sir.MakeJoints():
-            _make(scope, expression)
-        case sir.CommandPose():
-            emit("CURPOSE")
-        case sir.InPosture():
-            _posture(scope, expression)
-        case sir.InFrame(operand=operand, frame=frame):
-            evaluate(scope, operand, Type.POSE)
-            emit("INFRAME", scope.frame(frame) if frame else "")
-        case sir.InAxes() | sir.Offset():
-            _axes(scope, expression)
-        case sir.Keeping() | sir.Kept():
-            _kept(scope, expression)
-        case sir.Home():
-            raise unsound("the home position is a target of PTP moves only")
-    return static_type(scope, expression)
+def _variable(scope: Scope, expression: sir.Variable) -> Type:
+    scope.emitter.emit("LOAD", expression.name)
+    return scope.type_of(expression.name)
 
 
-def _axes(scope: Scope, expression: sir.InAxes | sir.Offset) -> None:
-    """Emit a location that keeps its axes, or one that is shifted along them."""
-    evaluate(scope, expression.operand, Type.POSE)
-    if isinstance(expression, sir.InAxes):
-        push(scope, Type.ORI, quaternion.unit(expression.axes))
-        scope.emitter.emit("AXES")
-    else:
-        evaluate(scope, expression.way, Type.VEC)
-        scope.emitter.emit("OFFSET")
+def _signal(scope: Scope, expression: sir.SignalValue) -> Type:
+    channel = scope.channel(expression.name)
+    scope.emitter.emit("IN", channel.name)
+    return channel.type
 
 
-def _kept(scope: Scope, expression: sir.Keeping | sir.Kept) -> None:
-    if isinstance(expression, sir.Kept):
-        if not scope.kept:
-            raise unsound("no value is kept where one is taken")
-        scope.emitter.emit("LOAD", scope.kept[-1])
-        return
+def _component(scope: Scope, expression: sir.Component) -> Type:
+    evaluate(scope, expression.operand, static_type(scope, expression.operand))
+    scope.emitter.emit("GETC", expression.index)
+    return expression.type
+
+
+def _command_pose(scope: Scope, expression: sir.CommandPose) -> Type:
+    scope.emitter.emit("CURPOSE")
+    return expression.type
+
+
+def _in_frame(scope: Scope, expression: sir.InFrame) -> Type:
+    evaluate(scope, expression.operand, _POSE)
+    scope.emitter.emit("INFRAME", scope.frame(expression.frame) if expression.frame else "")
+    return expression.type
+
+
+def _home(_: Scope, __: sir.Home) -> NoReturn:
+    raise unsound("the home position is a target of PTP moves only")
+
+
+def _in_axes(scope: Scope, expression: sir.InAxes) -> Type:
+    """Emit a location that keeps its axes."""
+    evaluate(scope, expression.operand, _POSE)
+    push(scope, _ORI, quaternion.unit(expression.axes))
+    scope.emitter.emit("AXES")
+    return expression.type
+
+
+def _offset(scope: Scope, expression: sir.Offset) -> Type:
+    """Emit a location that is shifted along its axes."""
+    evaluate(scope, expression.operand, _POSE)
+    evaluate(scope, expression.way, _VEC)
+    scope.emitter.emit("OFFSET")
+    return expression.type
+
+
+def _kept(scope: Scope, expression: sir.Kept) -> Type:
+    if not scope.kept:
+        raise unsound("no value is kept where one is taken")
+    scope.emitter.emit("LOAD", scope.kept[-1])
+    return expression.type
+
+
+def _keeping(scope: Scope, expression: sir.Keeping) -> Type:
     kind = static_type(scope, expression.value)
     evaluate(scope, expression.value, kind)
     name = scope.hide("kept", kind)
@@ -140,58 +154,68 @@ def _kept(scope: Scope, expression: sir.Keeping | sir.Kept) -> None:
     scope.kept.append(name)
     evaluate(scope, expression.result, expression.type)
     scope.kept.pop()
+    return expression.type
 
 
-def _posture(scope: Scope, expression: sir.InPosture) -> None:
-    evaluate(scope, expression.operand, Type.POSE)
+def _posture(scope: Scope, expression: sir.InPosture) -> Type:
+    evaluate(scope, expression.operand, _POSE)
     words, turns = expression.request.words, expression.request.turns
     if words:
         scope.emitter.emit("POSTURE", "-".join(words))
     for turn in turns:
-        push(scope, Type.INT, turn)
+        push(scope, _INT, turn)
     if turns:
         scope.emitter.emit("TURNS", len(turns))
+    return expression.type
 
 
-def _make(
-    scope: Scope,
-    expression: sir.MakeVector | sir.MakeZyx | sir.MakePose | sir.MakeExternal | sir.MakeJoints,
-) -> None:
-    match expression:
-        case sir.MakeVector(x=x, y=y, z=z):
-            _all(scope, (x, y, z), "MKVEC")
-        case sir.MakeZyx(c=c, b=b, a=a):
-            _all(scope, (c, b, a), "MKORI.ZYX")
-        case sir.MakePose(position=position, orientation=orientation):
-            evaluate(scope, position, Type.VEC)
-            evaluate(scope, orientation, Type.ORI)
-            scope.emitter.emit("MKPOSE")
-        case sir.MakeExternal(pose=pose, values=values):
-            evaluate(scope, pose, Type.POSE)
-            _all(scope, values, "MKEXT", len(values))
-        case sir.MakeJoints(values=values):
-            scope.used.axes = scope.used.axes or len(values)
-            _all(scope, values, "MKJ", len(values))
+def _vector(scope: Scope, expression: sir.MakeVector) -> Type:
+    _all(scope, (expression.x, expression.y, expression.z), "MKVEC")
+    return expression.type
+
+
+def _zyx(scope: Scope, expression: sir.MakeZyx) -> Type:
+    _all(scope, (expression.c, expression.b, expression.a), "MKORI.ZYX")
+    return expression.type
+
+
+def _pose(scope: Scope, expression: sir.MakePose) -> Type:
+    evaluate(scope, expression.position, _VEC)
+    evaluate(scope, expression.orientation, _ORI)
+    scope.emitter.emit("MKPOSE")
+    return expression.type
+
+
+def _external(scope: Scope, expression: sir.MakeExternal) -> Type:
+    evaluate(scope, expression.pose, _POSE)
+    _all(scope, expression.values, "MKEXT", len(expression.values))
+    return expression.type
+
+
+def _joints(scope: Scope, expression: sir.MakeJoints) -> Type:
+    scope.used.axes = scope.used.axes or len(expression.values)
+    _all(scope, expression.values, "MKJ", len(expression.values))
+    return expression.type
 
 
 def _all(scope: Scope, values: tuple[sir.Expression, ...], mnemonic: str, *operands: int) -> None:
     for value in values:
-        evaluate(scope, value, Type.REAL)
+        evaluate(scope, value, _REAL)
     scope.emitter.emit(mnemonic, *operands)
 
 
 def _constant(scope: Scope, constant: sir.Constant) -> Type:
     kind, value = constant.type, constant.value
     if isinstance(value, tuple):
-        numbers = tuple(float(number) for number in value)
-        if kind is Type.ORI or kind is Type.POSE:
-            at = 3 if kind is Type.POSE else 0
+        numbers = tuple(map(float, value))
+        if kind is _ORI or kind is _POSE:
+            at = 3 if kind is _POSE else 0
             w, x, y, z = numbers[at : at + 4]
             numbers = (*numbers[:at], *quaternion.unit((w, x, y, z)), *numbers[at + 4 :])
         if kind is Type.JOINTS:
             scope.used.axes = scope.used.axes or len(numbers)
         value = numbers
-    elif kind is Type.REAL:
+    elif kind is _REAL:
         value = float(value)
     push(scope, kind, value)
     return kind
@@ -226,8 +250,8 @@ def _unary(scope: Scope, expression: sir.Unary) -> Type:
 def _binary(scope: Scope, expression: sir.Binary) -> Type:
     operation, left, right = expression.op, expression.left, expression.right
     result = expression.type
-    kinds = {static_type(scope, left), static_type(scope, right)}
-    need = Type.REAL if Type.REAL in kinds or result is Type.REAL else static_type(scope, left)
+    of_left, of_right = static_type(scope, left), static_type(scope, right)
+    need = _REAL if result is _REAL or of_left is _REAL or of_right is _REAL else of_left
     if operation in _PLAIN:
         mnemonic, need = _PLAIN[operation]
     elif operation in _OPERATIONS.get(need, set()):
@@ -246,3 +270,27 @@ def _binary(scope: Scope, expression: sir.Binary) -> Type:
     if operation in {"pow", "atan2"} and result is Type.INT:
         scope.emitter.emit("ROUND")
     return result
+
+
+_EMITTED: dict[type, Callable[[Scope, Any], Type]] = {
+    sir.Constant: _constant,
+    sir.Variable: _variable,
+    sir.SignalValue: _signal,
+    sir.Unary: _unary,
+    sir.Binary: _binary,
+    sir.Component: _component,
+    sir.MakeVector: _vector,
+    sir.MakeZyx: _zyx,
+    sir.MakePose: _pose,
+    sir.MakeExternal: _external,
+    sir.MakeJoints: _joints,
+    sir.CommandPose: _command_pose,
+    sir.InPosture: _posture,
+    sir.InFrame: _in_frame,
+    sir.InAxes: _in_axes,
+    sir.Offset: _offset,
+    sir.Keeping: _keeping,
+    sir.Kept: _kept,
+    sir.Home: _home,
+}
+"""How the value of each kind of expression comes onto the stack; each returns its type."""

@@ -15,7 +15,7 @@ _Prefix = tuple[str, str, str]
 """Mnemonic and operands of an instruction that belongs to the next move."""
 
 _SIDES = {Side.BEFORE_END: "before", Side.AFTER_START: "after"}
-_SINGLE = (MotionKind.PTP, MotionKind.LIN)
+_SINGLE = {MotionKind.PTP: "MOVE.PTP", MotionKind.LIN: "MOVE.LIN"}
 
 
 def lower_move(scope: Scope, move: Move) -> None:
@@ -139,7 +139,7 @@ def _single(scope: Scope, move: Move, point: sir.Expression) -> None:
     if isinstance(point, sir.Home):
         scope.emitter.emit("HOME")
     elif static_type(scope, point) is Type.POSE:
-        scope.emitter.emit(f"MOVE.{move.kind}")
+        scope.emitter.emit(_SINGLE[move.kind])
     else:
         scope.emitter.emit("MOVE.PTP.J")
 
