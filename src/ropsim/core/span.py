@@ -1,9 +1,12 @@
 """Where something stands in a source text."""
 
-from dataclasses import dataclass
+from functools import total_ordering
+
+from ropsim.core.frozen_dataclass import frozen_dataclass
 
 
-@dataclass(frozen=True, slots=True, order=True)
+@total_ordering
+@frozen_dataclass
 class Span:
     """A stretch of a source text; lines and columns count from 1, the end column is exclusive.
 
@@ -42,5 +45,12 @@ class Span:
         """Return the span from the start of this one to the end of `other`."""
         return Span(self.source, self.line, self.column, other.end_line, other.end_column)
 
+    def __lt__(self, other: object) -> bool:
+        return _place(self) < _place(other) if isinstance(other, Span) else NotImplemented
+
     def __str__(self) -> str:
         return f"{self.source}:{self.line}:{self.column}"
+
+
+def _place(span: Span) -> tuple[str, int, int, int, int]:
+    return span.source, span.line, span.column, span.end_line, span.end_column
