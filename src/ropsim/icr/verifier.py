@@ -38,11 +38,14 @@ def verify(program: Program) -> tuple[Diagnostic, ...]:
 
 def capabilities(procedures: Iterable[Procedure]) -> tuple[str, ...]:
     """Return what a robot must offer for these procedures, sorted."""
-    steps = [step for procedure in procedures for step in procedure.code]
-    used = {step.mnemonic for step in steps}
+    used: set[str] = set()
+    for procedure in procedures:
+        for mnemonic, operands in procedure.code:
+            used.add(mnemonic)
+            for operand in operands:
+                if _carries_external(operand):
+                    used.add("MKEXT")
     offers = {OPCODES[mnemonic].capability for mnemonic in used if mnemonic in OPCODES}
-    if any(_carries_external(operand) for step in steps for operand in step.operands):
-        offers.add(OPCODES["MKEXT"].capability)
     return tuple(sorted(offers - {""}))
 
 

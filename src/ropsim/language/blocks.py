@@ -30,6 +30,15 @@ ANY = "block"
 """What `end` closes: the innermost block, whichever it is."""
 
 _CLOSES: dict[str, str] = {word: opener for opener, words in OPENERS.items() for word in words}
+_OPENS: dict[type, str] = {
+    TaskHeader: "task",
+    Repeat: "repeat",
+    If: "if",
+    While: "while",
+    For: "for",
+    ForEach: "for",
+    With: "with",
+}
 _MIDDLE = {"else": ("if", "try"), "elseif": ("if",), "catch": ("try",)}
 _ASSIGNED = re.compile(r"\s*\w+\s*:?=")
 _ONE_LINE_IF = re.compile(r"\bthen\s+[^\s#/]", re.IGNORECASE)
@@ -218,22 +227,14 @@ def _pop(stack: list[_Open], closer: Line | None) -> None:
 
 def opened(line: Line) -> str:
     """Return the word of the block that a line opens, empty for none."""
-    match line.statement:
-        case TaskHeader():
-            return "task"
-        case Repeat():
-            return "repeat"
-        case If(body=None):
-            return "if"
-        case While():
-            return "while"
-        case For() | ForEach():
-            return "for"
-        case With():
-            return "with"
-        case Broken(head=head) if head in OPENERS:
-            return "" if head == "if" and _ONE_LINE_IF.search(line.logical.text) else head
-    return ""
+    statement = line.statement
+    word = _OPENS.get(type(statement), "")
+    if isinstance(statement, If):
+        return word if statement.body is None else ""
+    if isinstance(statement, Broken) and statement.head in OPENERS:
+        head = statement.head
+        return "" if head == "if" and _ONE_LINE_IF.search(line.logical.text) else head
+    return word
 
 
 def closed(line: Line) -> str:

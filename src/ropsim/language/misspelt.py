@@ -23,10 +23,12 @@ _SECOND = re.compile(r"\s*\w+\s+\"?([A-Za-z_]\w*)", re.ASCII)
 
 def ends_of(lines: Iterable[Line]) -> Counter[str]:
     """Return how many more ends than beginnings of blocks there are, by the word that opens them."""
-    read = list(lines)
-    ends = Counter(closed(line) for line in read)
-    ends.subtract(opened(line) for line in read)
-    del ends[""]
+    ends: Counter[str] = Counter()
+    for line in lines:
+        if word := closed(line):
+            ends[word] += 1
+        if word := opened(line):
+            ends[word] -= 1
     return ends
 
 

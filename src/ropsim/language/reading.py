@@ -3,7 +3,7 @@
 from collections import Counter
 from collections.abc import Iterator
 
-from ropsim.core import Diagnostic, SourceText, frozen_dataclass
+from ropsim.core import Diagnostic, frozen_dataclass
 from ropsim.language import blocks, misspelt, prose, units
 from ropsim.language import text as texts
 from ropsim.language.blocks import Block
@@ -86,8 +86,7 @@ class Read:
 
 def parsed(db: Database, lines: tuple[str, ...]) -> Parsed:
     """Return the lines of a chunk."""
-    source = SourceText("", "\n".join(lines))
-    read = tuple(line for line in texts.read(source, db.read(PARSER)) if line.statement is not None)
+    read = tuple(line for line in texts.read_lines(lines, db.read(PARSER)) if line.statement is not None)
     ends = misspelt.ends_of(read)
     return Parsed(
         read,

@@ -1,12 +1,12 @@
 """A text read line by line: the green layer of the tree, independent of where a line stands."""
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Protocol
 
 from ropsim.core import SourceText, frozen_dataclass
 from ropsim.language.syntax.fault import Fault
-from ropsim.language.syntax.lines import LogicalLine, logical_lines
+from ropsim.language.syntax.lines import LogicalLine, joined_lines
 from ropsim.language.syntax.statements import Broken, Closer, Statement
 
 MAX_LINES = 200_000
@@ -63,5 +63,12 @@ class Parser(Protocol):
 
 def read(source: SourceText, cache: Parser) -> Iterator[Line]:
     """Yield the lines of a text; `cache` may keep what they were parsed to."""
-    for logical in logical_lines(source):
-        yield Line(logical, *cache.parsed(logical.text))
+    return read_lines(source.lines, cache)
+
+
+def read_lines(lines: Sequence[str], cache: Parser) -> Iterator[Line]:
+    """Yield the lines of a part of a text, counted from its first one."""
+    parsed = cache.parsed
+    for logical in joined_lines(lines):
+        statement, fault = parsed(logical.text)
+        yield Line(logical, statement, fault)

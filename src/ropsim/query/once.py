@@ -1,7 +1,7 @@
 """The same questions where inputs never change: answers are kept, and nothing else."""
 
 from collections.abc import Callable, Hashable, Mapping
-from typing import Any, Concatenate, ParamSpec, TypeVar, cast
+from typing import Any, Concatenate, ParamSpec, TypeVar
 
 from ropsim.query.database import Database
 
@@ -9,7 +9,6 @@ P = ParamSpec("P")
 T = TypeVar("T")
 
 _MISSING = object()
-_Function = Callable[..., object]
 
 
 class Once(Database):
@@ -38,7 +37,7 @@ class Once(Database):
         key = (function, *given)
         found = self._known.get(key, _MISSING)
         if found is _MISSING:
-            called = cast(_Function, function)
+            called: Any = function
             found = self._known[key] = called(self, *arguments)
         value: T = found
         return value

@@ -5,7 +5,19 @@ from functools import lru_cache
 from ropsim.language.check import convert, fold, units
 from ropsim.language.check.body import Body
 from ropsim.language.check.readings import check_reading
-from ropsim.language.check.types import BOOL, INT, NUMBER, AnyType, Type, Unknown, Value, article, bind, known
+from ropsim.language.check.types import (
+    BOOL,
+    INT,
+    NUMBER,
+    AnyType,
+    Type,
+    Unknown,
+    Value,
+    article,
+    bind,
+    known,
+    real,
+)
 from ropsim.language.findings import types as kinds
 from ropsim.language.syntax import nodes
 from ropsim.program import Expression, SignalValue, ValueType
@@ -27,10 +39,10 @@ def binary(body: Body, node: nodes.Binary, left: Value, right: Value) -> Value:
     Raises:
         RejectedError: the operands do not go together.
     """
-    _number(body, left, node.left, node.op)
-    _number(body, right, node.right, node.op)
+    first = _number(body, left, node.left, node.op)
+    second = _number(body, right, node.right, node.op)
     if node.op in ("*", "/"):
-        return _product(node, left, right)
+        return _product(node, left, right, first, second)
     a, b, kind = alike(body, node.op, left, right, node)
     return Value(fold.binary(_NAMES[node.op], a, b, _value(kind)), kind, left.is_bare and right.is_bare)
 
@@ -92,35 +104,38 @@ def alike(
     return (converted, right.expression, wanted) if other is left else (left.expression, converted, wanted)
 
 
-def _product(node: nodes.Binary, left: Value, right: Value) -> Value:
-    a, b = known(left.type), known(right.type)
+def _product(node: nodes.Binary, left: Value, right: Value, a: AnyType, b: AnyType) -> Value:
+    """Return a product or quotient of numbers whose types are these."""
     is_bare = left.is_bare and right.is_bare
     if node.op == "*" and a == INT and b == INT:
         return Value(fold.binary("mul", left.expression, right.expression, _INT), INT, is_bare)
     x, y = convert.real(left), convert.real(right)
-    kind = _product_type(node.op, left, right)
+    kind = _product_type(node.op, left, right, a, b)
     return Value(fold.binary(_NAMES[node.op], x, y, _REAL), kind, is_bare)
 
 
-def _product_type(op: str, left: Value, right: Value) -> AnyType:
+def _product_type(op: str, left: Value, right: Value, a: AnyType, b: AnyType) -> AnyType:
     """Return the type of a product; an unknown factor beside a known quantity counts as a plain number."""
-    a, b = known(left.type), known(right.type)
     if isinstance(a, Unknown) and right.is_bare:
         a.has_fraction = a.has_fraction or op == "/"
         return a
     if isinstance(b, Unknown) and left.is_bare and op == "*":
         return b
-    for kind in (a, b):
-        if isinstance(kind, Unknown) and kind.bound is None:
-            bind(kind, NUMBER)
-    first = a.dimension if isinstance(a, Type) and a.value is _REAL else units.NUMBER
-    second = b.dimension if isinstance(b, Type) and b.value is _REAL else units.NUMBER
-    return _combined(op, first, second)
+    return _combined(op, _dimension(a), _dimension(b))
+
+
+def _dimension(kind: AnyType) -> units.Dimension:
+    """Return the dimension of a factor; use tells one whose type is open that it is a plain number."""
+    if isinstance(kind, Type):
+        return kind.dimension if kind.value is _REAL else units.NUMBER
+    if kind.bound is None:
+        bind(kind, NUMBER)
+    return units.NUMBER
 
 
 @lru_cache(maxsize=1024)
 def _combined(op: str, first: units.Dimension, second: units.Dimension) -> Type:
-    return Type(_REAL, units.product(first, second) if op == "*" else units.quotient(first, second))
+    return real(units.product(first, second) if op == "*" else units.quotient(first, second))
 
 
 def _number(body: Body, value: Value, node: nodes.Node, op: str) -> AnyType:

@@ -54,7 +54,7 @@ def real(value: Value) -> Expression:
     """Return a number as REAL, whatever its dimension."""
     found = known(value.type)
     if isinstance(found, Type) and found.value is _INT:
-        return fold.unary("to_real", value.expression, _REAL)
+        return fold.to_real(value.expression)
     return value.expression
 
 

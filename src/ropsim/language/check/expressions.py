@@ -1,5 +1,7 @@
 """Every kind of expression: syntax to a typed value in SI units."""
 
+from functools import lru_cache
+
 from ropsim.icr import MAX_AXES
 from ropsim.language.check import arithmetic, components, convert, fold, functions, plausible, poses, values
 from ropsim.language.check.body import Body, Expressions
@@ -12,12 +14,12 @@ from ropsim.language.check.types import (
     NUMBER,
     POSE,
     STR,
-    Type,
     Unknown,
     Value,
     article,
     bind,
     known,
+    real,
 )
 from ropsim.language.check.units import UNITS
 from ropsim.language.check.world import Variable
@@ -27,16 +29,22 @@ from ropsim.language.syntax import nodes
 from ropsim.program import Constant, Expression, MakeJoints, ValueType
 from ropsim.program import Variable as VariableExpression
 
-_MEASURED = {unit: Type(ValueType.REAL, dimension) for unit, (dimension, _) in UNITS.items()}
+_MEASURED = {unit: real(dimension) for unit, (dimension, _) in UNITS.items()}
 _COUNTERS = ("row", "col", "layer")
 
 
 def _number(_: Body, node: nodes.Number) -> Value:
-    if node.unit:
-        return Value(fold.real(node.value * UNITS[node.unit][1]), _MEASURED[node.unit])
-    if node.is_whole:
-        return Value(fold.whole(int(node.value)), INT, is_bare=True)
-    return Value(fold.real(node.value), NUMBER, is_bare=True)
+    return _number_value(node.value, node.unit, node.is_whole)
+
+
+@lru_cache(maxsize=4096)
+def _number_value(number: float, unit: str, is_whole: bool) -> Value:  # noqa: FBT001 - as in the node
+    """Return the value of a number: most texts say the same ones again and again."""
+    if unit:
+        return Value(fold.real(number * UNITS[unit][1]), _MEASURED[unit])
+    if is_whole:
+        return Value(fold.whole(int(number)), INT, is_bare=True)
+    return Value(fold.real(number), NUMBER, is_bare=True)
 
 
 def _literal(body: Body, node: nodes.Literal) -> Value:

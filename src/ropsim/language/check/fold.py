@@ -70,6 +70,7 @@ _PLAIN: dict[str, Callable[[float, float], float]] = {
     "add": operator.add,
     "sub": operator.sub,
     "mul": operator.mul,
+    "div": operator.truediv,
 }
 """What the machine computes of REALs by the same operation of Python, where the result is finite."""
 
@@ -129,11 +130,17 @@ def unary(op: str, operand: Expression, kind: ValueType) -> Expression:
         if op == "not":
             return boolean(not operand.value)
         number = number_of(operand)
-        if number is not None and op == "to_real":
-            return real(number)
+        if op == "neg" and operand.type is kind is _REAL and isinstance(number, float):
+            return real(-number)
         if number is not None and op in _UNARY:
             return _computed(op, _UNARY[op], kind, operand.type, number)
     return Unary(op, operand, kind)
+
+
+def to_real(operand: Expression) -> Expression:
+    """Return a number as REAL."""
+    number = number_of(operand)
+    return Unary("to_real", operand, _REAL) if number is None else real(number)
 
 
 def binary(op: str, left: Expression, right: Expression, kind: ValueType) -> Expression:

@@ -69,7 +69,7 @@ def _atan2(body: Body, node: nodes.Function) -> Value:
     y, x = (values.check(body, n) for n in node.arguments)
     a, b, kind = arithmetic.alike(body, "atan2", y, x, node)
     if kind == INT:
-        a, b = fold.unary("to_real", a, _REAL), fold.unary("to_real", b, _REAL)
+        a, b = fold.to_real(a), fold.to_real(b)
     return Value(fold.binary("atan2", a, b, _REAL), ANGLE)
 
 

@@ -179,7 +179,7 @@ class _Nest:
         """Return the location: origin + (col-1)·v1 + (row-1)·v2 + (layer-1)·v3 in the work frame."""
         axes: list[Expression] = [fold.real(c) for c in self.pattern.origin[:3]]
         for counter, step in zip(("col", "row", "layer"), self.pattern.steps, strict=False):
-            index = fold.unary("to_real", fold.binary("sub", self._int(counter), fold.whole(1), _INT), _REAL)
+            index = fold.to_real(fold.binary("sub", self._int(counter), fold.whole(1), _INT))
             for k in range(3):
                 if step[k]:
                     way = fold.binary("mul", index, fold.real(step[k]), _REAL)

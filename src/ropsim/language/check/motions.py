@@ -59,21 +59,25 @@ _OWN = (
 def motion(body: Body, node: syntax.Motion) -> Block:
     """Return a move."""
     target = _point(body, node, node.target, f"the target of `{node.word}`")
-    via = tuple(_point(body, node, one, f"a via point of `{node.word}`") for one in node.via)
+    via: tuple[Expression, ...] = ()
+    if node.via:
+        via = tuple(_point(body, node, one, f"a via point of `{node.word}`") for one in node.via)
     if node.word in _CURVED:
         for point, expression in zip(node.via, via, strict=True):
             _refuse_own(body, node, point, expression, target)
-    chosen = settings.gather(body, tuple(one for one in node.modifiers if one.word != "angle"))
+    chosen = settings.gather(body, node.modifiers)
     settings.check_effect(body, node, chosen)
-    triggers = tuple(_trigger(body, one) for one in node.triggers)
+    triggers = tuple(_trigger(body, one) for one in node.triggers) if node.triggers else ()
     angle = _angle(body, node)
     ends, corrected = guards.guard(body, node), trackings.tracking(body, node)
     store = _store(body, node.store) if node.store is not None else ""
     span = body.statement_span
     move = Move(_KINDS[node.word], target, chosen, span, via, angle, triggers, ends, corrected, store)
+    if not store:
+        return (move,)
     attained = Variable(store, POSE.value)
     seen = poses.kept(Value(attained, POSE, X_KF=body.X_KC), attained)
-    return (move, Assign(store, seen, span)) if store and seen is not attained else (move,)
+    return (move,) if seen is attained else (move, Assign(store, seen, span))
 
 
 def _store(body: Body, name: Name) -> str:
@@ -164,7 +168,7 @@ def _angle(body: Body, node: syntax.Motion) -> Expression | None:
     Raises:
         RejectedError: it is given twice, to another motion, or is not greater than zero.
     """
-    given = [one for one in node.modifiers if one.word == "angle"]
+    given = [one for one in node.modifiers if one.word == "angle"] if node.modifiers else []
     if not given:
         return None
     if len(given) > 1:

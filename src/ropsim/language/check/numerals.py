@@ -5,22 +5,33 @@ from math import isfinite
 from ropsim.language.check import fold, units
 from ropsim.language.check.body import Body
 from ropsim.language.check.types import Type
-from ropsim.language.syntax.nodes import Number
+from ropsim.language.syntax.nodes import Node, Number, Unary
 from ropsim.program import Constant, ValueType
 
 _REAL, _INT = ValueType.REAL, ValueType.INT
 
 
-def fitting(body: Body, node: Number, wanted: Type) -> Constant | None:
-    """Return what `convert.to` makes of a number alone; None where there is something to say about it."""
+def fitting(body: Body, node: Node, wanted: Type) -> Constant | None:
+    """Return what `convert.to` makes of a number alone; None where there is more to do or to say."""
     if wanted.value is _REAL:
-        number = _fitting_real(body, node, wanted.dimension)
+        number = fitting_real(body, node, wanted.dimension)
         return None if number is None else Constant(number, _REAL)
-    is_bare = wanted.value is _INT and node.is_whole and not node.unit
-    return fold.whole(int(node.value)) if is_bare else None
+    if wanted.value is _INT and isinstance(node, Number) and node.is_whole and not node.unit:
+        return fold.whole(int(node.value))
+    return None
 
 
-def _fitting_real(body: Body, node: Number, wanted: units.Dimension) -> float | None:
+def fitting_real(body: Body, node: Node, wanted: units.Dimension) -> float | None:
+    """Return the same number of a REAL, in SI units; it may have a minus."""
+    if isinstance(node, Number):
+        return _in_units(body, node, wanted)
+    if not isinstance(node, Unary) or not isinstance(node.operand, Number) or node.op != "neg":
+        return None
+    number = _in_units(body, node.operand, wanted)
+    return -number if number else None  # whether 0 has a sign depends on its type
+
+
+def _in_units(body: Body, node: Number, wanted: units.Dimension) -> float | None:
     if node.unit:
         dimension, factor = units.UNITS[node.unit]
         return node.value * factor if dimension == wanted else None

@@ -1,7 +1,7 @@
 """Locations: tuples with their orientations, and the operators that move and re-base them."""
 
 from ropsim.icr import MAX_EXTERNAL
-from ropsim.language.check import components, convert, fold, postures, turns, values
+from ropsim.language.check import components, convert, fold, numerals, postures, turns, units, values
 from ropsim.language.check.body import Body
 from ropsim.language.check.types import ANGLE, JOINTS, LENGTH, POSE, Type, Value, article, known
 from ropsim.language.findings import types as kinds
@@ -185,6 +185,10 @@ def _pose(body: Body, node: nodes.Tuple, default: Expression) -> Expression:
 
 def _position(body: Body, node: nodes.Tuple) -> Expression:
     items = node.items
+    numbers = [numerals.fitting_real(body, item.value, units.LENGTH) for item in items[:3]]
+    known = tuple(number for number in numbers if number is not None and abs(number) <= LARGEST)
+    if len(known) == 3:
+        return Constant(known, ValueType.VEC)
     x = _length(body, items[0].value, "`x` of a location")
     y = _length(body, items[1].value, "`y` of a location")
     z = _length(body, items[2].value, "`z` of a location")

@@ -7,17 +7,27 @@ from ropsim.core import Diagnostic, Span
 from ropsim.language.findings import names as name_kinds
 from ropsim.language.findings import types as kinds
 from ropsim.program import (
+    Assign,
+    AssignComponent,
     Block,
     Break,
+    Call,
     Constant,
     Continue,
     For,
+    Grip,
     If,
+    Message,
+    Move,
+    Output,
     Repeat,
     Return,
+    Set,
     Statement,
     Stop,
     Task,
+    Wait,
+    WaitUntil,
     While,
     With,
 )
@@ -83,6 +93,10 @@ def _blocks(statement: Statement) -> tuple[Block, ...]:
     return ()
 
 
+_GOING_ON = frozenset({Move, Assign, AssignComponent, Call, Set, Grip, Output, Wait, WaitUntil, Message, For})
+"""Statements behind which control goes on, whatever stands in them."""
+
+
 def goes_on(statement: Statement) -> bool:
     """Return whether what stands behind a statement may be reached."""
     return not _ends(statement)
@@ -90,6 +104,8 @@ def goes_on(statement: Statement) -> bool:
 
 def _ends(statement: Statement) -> bool:
     """Return whether nothing behind a statement is reached."""
+    if type(statement) in _GOING_ON:
+        return False
     match statement:
         case Return() | Stop() | Break() | Continue():
             return True

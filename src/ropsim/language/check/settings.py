@@ -4,7 +4,7 @@ from typing import Any
 
 from ropsim.language.check import convert, fold, plausible, units, values
 from ropsim.language.check.body import Body
-from ropsim.language.check.types import LENGTH, Type, Value, article, known
+from ropsim.language.check.types import LENGTH, Type, Value, article, known, real
 from ropsim.language.findings import types as kinds
 from ropsim.language.syntax.statements import Motion, Setting
 from ropsim.program import Expression, Settings, ValueType
@@ -18,14 +18,16 @@ _FIELDS = {
     ("acc", units.SHARE): "ptp_acceleration",
 }
 """Which value of a move a setting is, by its word and dimension."""
-_BARE = {"speed": Type(_REAL, units.SPEED), "acc": Type(_REAL, units.ACCELERATION)}
+_BARE = {"speed": real(units.SPEED), "acc": real(units.ACCELERATION)}
 _WHAT = {"speed": "the value of `speed`", "acc": "the value of `acc`"}
+_ELSEWHERE = ("frame", "angle")
+"""Words of settings that are no value of a move."""
 _NOTHING = Settings()
 _ALLOWED = {"speed": "a speed (mm/s, deg/s) or a share (%)", "acc": "an acceleration (mm/s2) or a share (%)"}
 
 
 def gather(body: Body, settings: tuple[Setting, ...]) -> Settings:
-    """Return the record of several settings, without `frame`.
+    """Return the record of several settings, without `frame` and `angle`.
 
     Raises:
         RejectedError: a value has the wrong dimension or is out of range.
@@ -34,7 +36,7 @@ def gather(body: Body, settings: tuple[Setting, ...]) -> Settings:
         return _NOTHING
     chosen: dict[str, Any] = {}
     for setting in settings:
-        if setting.word != "frame":
+        if setting.word not in _ELSEWHERE:
             name, value = _one(body, setting)
             if name in chosen:
                 body.fail(kinds.ARGUMENTS, setting, f"`{setting.word}` is given twice")

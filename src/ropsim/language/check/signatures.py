@@ -179,4 +179,8 @@ def form_of(signature: Signature, units: UnitSystem) -> TaskForm:
 
 def word_of(kind: Type) -> str:
     """Return a type in a word of the language."""
-    return next((word for word, known in NAMED.items() if known == kind), str(kind))
+    return _WORDS.get((kind.value, kind.dimension)) or str(kind)
+
+
+_WORDS = {(kind.value, kind.dimension): word for word, kind in reversed(NAMED.items())}
+"""Words of types; of two for one the first counts."""

@@ -1,6 +1,7 @@
 """What the walk that finds types passes by: statements that can tell it nothing."""
 
 import re
+from functools import lru_cache
 
 from ropsim.language.check.body import Body
 from ropsim.language.check.types import Type, known
@@ -19,6 +20,12 @@ def tells_nothing(body: Body, line: Line) -> bool:
     Whatever else is wrong with it is found by the walk that reports it.
     """
     return _makes_nothing(body, line.statement) and not _has_open(body, line.logical.text)
+
+
+@lru_cache(maxsize=2048)
+def words_of(text: str) -> tuple[str, ...]:
+    """Return the words of a line; whoever asks for those of a part asks again soon."""
+    return tuple(_WORD.findall(text))
 
 
 def _makes_nothing(body: Body, node: syntax.Statement | None) -> bool:
@@ -45,7 +52,7 @@ def _makes_nothing(body: Body, node: syntax.Statement | None) -> bool:
 def _has_open(body: Body, text: str) -> bool:
     """Return whether a line may name something of a type that use tells, or tell the count of `joints(…)`."""
     names, untyped = body.names, body.world.untyped
-    for word in _WORD.findall(text):
+    for word in words_of(text):
         symbol = names.get(word)
         if symbol is None:
             if word in untyped:

@@ -38,6 +38,11 @@ def oriented(body: Body, position: Expression, terms: tuple[nodes.Turn, ...]) ->
         angles = {t.word: _angle(body, t, 0) for t in polar}
         pitch = angles.get("pitch", fold.real(_STRAIGHT_DOWN))
         return components.polar(body, position, pitch, angles.get("roll", fold.real(0.0)), angles.get("yaw"))
+    if len(terms) == 1 and terms[0].word == "rpy":
+        orientation = fold.zyx(*(_angle(body, terms[0], k) for k in (2, 1, 0)))
+        if isinstance(orientation, Constant):
+            return fold.make_pose(position, orientation)
+        return fold.make_pose(position, components.orientation_of(fold.make_pose(_ORIGIN, orientation)))
     rotation: Expression = _UNTURNED
     for term in terms:
         rotation = fold.compose(_rotation(body, term), rotation)

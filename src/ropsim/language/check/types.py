@@ -1,5 +1,7 @@
 """Types of values: kind and dimension; unknown types are found by use."""
 
+from functools import lru_cache
+
 from ropsim.core import frozen_dataclass
 from ropsim.language.check import units
 from ropsim.language.check.units import Dimension
@@ -37,12 +39,19 @@ _WORDS = {
     ValueType.JOINTS: "joint target",
 }
 
+
+@lru_cache(maxsize=1024)
+def real(dimension: Dimension) -> Type:
+    """Return the type of REALs of a dimension: the same one each time, so that it is soon recognised."""
+    return Type(ValueType.REAL, dimension)
+
+
 BOOL = Type(ValueType.BOOL)
 INT = Type(ValueType.INT)
-NUMBER = Type(ValueType.REAL)
-LENGTH = Type(ValueType.REAL, units.LENGTH)
-ANGLE = Type(ValueType.REAL, units.ANGLE)
-TIME = Type(ValueType.REAL, units.TIME)
+NUMBER = real(units.NUMBER)
+LENGTH = real(units.LENGTH)
+ANGLE = real(units.ANGLE)
+TIME = real(units.TIME)
 STR = Type(ValueType.STR)
 POSE = Type(ValueType.POSE)
 JOINTS = Type(ValueType.JOINTS)
@@ -55,9 +64,9 @@ NAMED: dict[str, Type] = {
     "length": LENGTH,
     "angle": ANGLE,
     "time": TIME,
-    "speed": Type(ValueType.REAL, units.SPEED),
-    "accel": Type(ValueType.REAL, units.ACCELERATION),
-    "force": Type(ValueType.REAL, units.FORCE),
+    "speed": real(units.SPEED),
+    "accel": real(units.ACCELERATION),
+    "force": real(units.FORCE),
     "loc": POSE,
     "joints": JOINTS,
 }

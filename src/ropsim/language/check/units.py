@@ -73,6 +73,13 @@ UNITS: dict[str, tuple[Dimension, float]] = {
 """Dimension and SI factor of every unit; exact by definition (inch: 25.4 mm)."""
 
 
+_UNITS_OF = {
+    dimension: tuple(unit for unit, (other, _) in UNITS.items() if other == dimension)
+    for dimension, _ in UNITS.values()
+}
+"""The units of each dimension, in order."""
+
+
 @frozen_dataclass
 class UnitSystem:
     """The units of bare numbers.
@@ -109,9 +116,10 @@ class UnitSystem:
 
     def name(self, dimension: Dimension) -> str:
         """Return the unit that a bare number of `dimension` counts, empty where it has no name."""
+        if dimension not in _UNITS_OF:
+            return ""
         factor = self.factor(dimension)
-        near = (unit for unit, known in UNITS.items() if known[0] == dimension != NUMBER)
-        return next((unit for unit in near if math.isclose(UNITS[unit][1], factor)), "")
+        return next((unit for unit in _UNITS_OF[dimension] if math.isclose(UNITS[unit][1], factor)), "")
 
     def using(self, unit: str) -> "UnitSystem":
         """Return this system with `unit` for its dimension."""

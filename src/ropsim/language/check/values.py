@@ -42,11 +42,21 @@ def expect(body: Body, node: nodes.Node, wanted: AnyType, what: str) -> Expressi
     Raises:
         RejectedError: the node is wrong or does not fit.
     """
-    if type(node) is nodes.Number and type(wanted) is Type:
-        found = numerals.fitting(body, node, wanted)
+    if isinstance(wanted, Type):
+        alone = _variable if isinstance(node, nodes.Name) else numerals.fitting
+        found: Expression | None = alone(body, node, wanted)
         if found is not None:
             return found
     return convert.to(body, check(body, node), wanted, node, what)
+
+
+def _variable(body: Body, node: nodes.Node, wanted: Type) -> VariableExpression | None:
+    """Return a name that means a variable of the wanted type, None for any other."""
+    symbol = body.find(node.text) if isinstance(node, nodes.Name) else None
+    if not isinstance(symbol, Variable) or symbol.type is not wanted:
+        return None
+    body.read.add(symbol.name)
+    return VariableExpression(symbol.name, wanted.value)
 
 
 def check(body: Body, node: nodes.Node) -> Value:

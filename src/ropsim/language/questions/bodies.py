@@ -35,11 +35,22 @@ def calls_of(db: Database, name: str) -> tuple[tuple[str, Span], ...]:
 
 def final_world(db: Database) -> World:
     """Return the world as a body sees it when all types are known."""
-    return replace(
-        world_of(db, lambda name: _signature(db, name)),
-        symbols=Table(lambda name: db.ask(symbol, name), lambda: db.ask(names_in, "symbols")),
-        without_result=Marked(lambda name: db.ask(lacks_result, name)),
-        joint_count=db.read(JOINT_COUNT),
+    text = world_of(db, lambda name: _signature(db, name))
+    return World(  # for each body: field by field, as `replace` takes several times as long
+        text.environment,
+        text.units,
+        text.is_strict,
+        text.is_classic,
+        text.frame,
+        text.X_BK,
+        text.frames,
+        text.tools,
+        Table(lambda name: db.ask(symbol, name), lambda: db.ask(names_in, "symbols")),
+        text.has_axes,
+        text.signatures,
+        Marked(lambda name: db.ask(lacks_result, name)),
+        db.read(JOINT_COUNT),
+        text.untyped,
     )
 
 

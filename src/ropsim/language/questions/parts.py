@@ -1,6 +1,5 @@
 """What is found in each part of the control statements."""
 
-import re
 from functools import partial
 
 from ropsim.core import Diagnostic, frozen_dataclass
@@ -8,6 +7,7 @@ from ropsim.language.check import one_part
 from ropsim.language.check.fold import IDENTITY
 from ropsim.language.check.one_part import AnyState, CheckedPart, WalkedPart
 from ropsim.language.check.sight import Seen, Sight
+from ropsim.language.check.silent import words_of
 from ropsim.language.check.types import Type
 from ropsim.language.questions.bodies import final_world
 from ropsim.language.questions.declarations import statements_of
@@ -20,8 +20,6 @@ from ropsim.language.units import Part, lines_of
 from ropsim.program import Block, KnownPlace, points_from
 from ropsim.query import Database
 from ropsim.spatial import PoseTuple
-
-_WORD = re.compile(r"[^\W\d]\w*")
 
 
 @frozen_dataclass
@@ -51,7 +49,7 @@ def mentions(db: Database, unit: str) -> tuple[str, ...]:
     """Return all words of a part, among them each name that it mentions."""
     found: dict[str, None] = {}
     for line in lines_of(db.ask(statements_of, unit)):
-        for word in _WORD.findall(line.logical.text):
+        for word in words_of(line.logical.text):
             found[word] = None
             found[word.lower()] = None
     return tuple(found)

@@ -32,6 +32,8 @@ _COMPARISONS = {"=": "=", "==": "==", "<>": "<>", "!=": "<>", "<": "<", ">": ">"
 _SUMS = frozenset(("+", "-", "above", "offset", "rel"))
 _TERMS = frozenset(("*", "/", "mod"))
 _LITERALS = frozenset(("true", "false", "on", "off", "here", "home"))
+_MEANINGFUL = RESERVED | _LITERALS | {"p", "joints", "gripper"}
+"""Words that may be something else than a name where a value is meant."""
 _STATES = frozenset(("on", "off", "true", "false"))
 _TURN_COUNTS = {
     "rpy": 3,
@@ -146,7 +148,10 @@ def _multiplied(cursor: Cursor, left: Node) -> Node:
 def unary(cursor: Cursor) -> Node:
     """Read a value with any number of minus signs."""
     if cursor.word != "-":
-        return postfix(cursor)
+        if cursor.token.kind != "number":
+            return postfix(cursor)
+        value = number(cursor)
+        return _members(cursor, value) if cursor.word in _OF_NAMES else value
     start = cursor.start
     count = 0
     while cursor.accept("-"):
@@ -158,7 +163,10 @@ def unary(cursor: Cursor) -> Node:
 
 def postfix(cursor: Cursor) -> Node:
     """Read a primary with its members: `slot.row`."""
-    node = _primary(cursor)
+    return _members(cursor, _primary(cursor))
+
+
+def _members(cursor: Cursor, node: Node) -> Node:
     while cursor.word in _OF_NAMES:
         if cursor.word == ".":
             if cursor.look(1).kind != "word":
@@ -175,6 +183,10 @@ def postfix(cursor: Cursor) -> Node:
 def _primary(cursor: Cursor) -> Node:
     token = cursor.token
     word = token.word
+    if token.kind == "word" and word not in _MEANINGFUL:
+        cursor.advance()
+        name = Name(token.text, token.start, token.end)
+        return _function(cursor, name) if cursor.word == "(" else name
     if token.kind == "number":
         return number(cursor)
     if token.kind == "text":

@@ -17,7 +17,7 @@ LARGEST = 1e12
 
 _TOKENS = re.compile(
     r"""
-    ((?:[ \t\n]++|(?:\#|//)[^\n]*+)*+)              # what stands between
+    ([ \t\n]*+(?:(?:\#|//)[^\n]*+[ \t\n]*+)*+)      # what stands between
   (?:
     ([A-Za-z_][A-Za-z_0-9]*)                        # a word
   | (:=|<>|!=|<=|>=|==|->|[-+*=<>(),;:.@\[\]%]|/)   # a sign

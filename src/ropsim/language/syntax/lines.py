@@ -1,7 +1,7 @@
 """Logical lines: physical lines joined after an open parenthesis or a final backslash."""
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from ropsim.core import SourceText, Span, frozen_dataclass
 from ropsim.language.syntax.words import HEADS
@@ -29,10 +29,10 @@ class LogicalLine:
 
     def span(self, source: str, start: int, end: int) -> Span:
         """Return the span of the characters from offset `start` to `end` (exclusive)."""
+        if start < end <= len(self.text) and "\n" not in self.text:
+            return Span(source, self.number, start + 1, self.number, end + 1)
         first = min(start, max(len(self.text) - 1, 0))
         last = max(first, min(end, len(self.text)) - 1)
-        if "\n" not in self.text:
-            return Span(source, self.number, first + 1, self.number, last + 2)
         line, column = self._place(first)
         end_line, end_column = self._place(last)
         return Span(source, line, column, end_line, end_column + 1)
@@ -45,12 +45,16 @@ class LogicalLine:
 
 
 def logical_lines(source: SourceText) -> Iterator[LogicalLine]:
+    """Yield all logical lines of a text; see `joined_lines`."""
+    return joined_lines(source.lines)
+
+
+def joined_lines(lines: Sequence[str]) -> Iterator[LogicalLine]:
     """Yield all logical lines, empty ones included.
 
     A line with an open parenthesis goes on in the next ones, but never into a line that starts with a
     statement word or is `end` alone: a forgotten parenthesis spoils its own line and no other.
     """
-    lines = source.lines
     number = 0
     while number < len(lines):
         text = lines[number].replace("\ufeff", " ", 1) if number == 0 else lines[number]

@@ -97,6 +97,8 @@ def _operands(
     Returns:
         The instructions that take it from there.
     """
+    if not triggers and guard is None and tracking is None:
+        return ()
     found = []
     if tracking is not None:
         evaluate(scope, tracking.value, Type.REAL)

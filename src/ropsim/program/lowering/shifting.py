@@ -9,8 +9,8 @@ def jumps_in(code: tuple[Step, ...]) -> tuple[int, ...]:
     """Return which instructions of some code are jumps to others of it."""
     return tuple(
         index
-        for index, step in enumerate(code)
-        if step.mnemonic in _JUMPS and isinstance(step.operands[0], int)
+        for index, (mnemonic, operands) in enumerate(code)
+        if mnemonic in _JUMPS and isinstance(operands[0], int)
     )
 
 
