@@ -39,6 +39,8 @@ _OPENS: dict[type, str] = {
     ForEach: "for",
     With: "with",
 }
+STEERING = frozenset({*_OPENS, Broken, Closer, Until, Else, ElseIf})
+"""Statements that may open, close or divide a block."""
 _MIDDLE = {"else": ("if", "try"), "elseif": ("if",), "catch": ("try",)}
 _ASSIGNED = re.compile(r"\s*\w+\s*:?=")
 _ONE_LINE_IF = re.compile(r"\bthen\s+[^\s#/]", re.IGNORECASE)
@@ -110,6 +112,9 @@ def build(lines: Iterable[Line], report: Report, cut: tuple[str, ...] = ()) -> T
     top = _Open("", Line.empty(), cut=list(cut))
     stack = [top]
     for line in lines:
+        if type(line.statement) not in STEERING:
+            stack[-1].body.append(line)
+            continue
         opener = opened(line)
         closes = closed(line)
         if opener == "task":

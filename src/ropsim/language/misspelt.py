@@ -5,7 +5,7 @@ from collections import Counter
 from collections.abc import Container, Iterable, Iterator, Sequence
 from dataclasses import replace
 
-from ropsim.language.blocks import ANY, closed, opened
+from ropsim.language.blocks import ANY, STEERING, closed, opened
 from ropsim.language.findings import names as kinds
 from ropsim.language.prose import edit_distance
 from ropsim.language.syntax.fault import Fault
@@ -14,6 +14,8 @@ from ropsim.language.syntax.statements import Broken, Call
 from ropsim.language.syntax.words import END, HEADS, OPENERS
 from ropsim.language.text import Line
 
+_DOUBTFUL = frozenset({Call, Broken})
+"""Statements whose first word may be one that nobody knows."""
 _CLOSES = {word: opener for opener, words in OPENERS.items() for word in words}
 _DECLARATIONS = ("frame", "loc", "tool", "signal", "const", "var", "pattern")
 _DECLARED = re.compile(r"\s*\w+\s+([A-Za-z_]\w*)\s*(?::\s*\w+\s*)?:?=(?!=)", re.ASCII)
@@ -25,6 +27,8 @@ def ends_of(lines: Iterable[Line]) -> Counter[str]:
     """Return how many more ends than beginnings of blocks there are, by the word that opens them."""
     ends: Counter[str] = Counter()
     for line in lines:
+        if type(line.statement) not in STEERING:
+            continue
         if word := closed(line):
             ends[word] += 1
         if word := opened(line):
@@ -34,7 +38,7 @@ def ends_of(lines: Iterable[Line]) -> Counter[str]:
 
 def foreign(lines: Iterable[Line], task_names: Container[str]) -> bool:
     """Return whether some line begins with a word that is no statement and no task that can be called."""
-    return any(_foreign(line, task_names) for line in lines)
+    return any(_foreign(line, task_names) for line in lines if type(line.statement) in _DOUBTFUL)
 
 
 def mended(lines: Sequence[Line], task_names: Container[str], ends: Counter[str]) -> Iterator[Line]:

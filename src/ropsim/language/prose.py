@@ -3,6 +3,7 @@
 import re
 from collections.abc import Collection, Iterable, Iterator
 from dataclasses import replace
+from types import NoneType
 
 from ropsim.core import frozen_dataclass
 from ropsim.language.findings import syntax as kinds
@@ -23,6 +24,8 @@ from ropsim.language.syntax.statements import (
 from ropsim.language.syntax.words import END, HEADS, VERBS
 from ropsim.language.text import Line
 
+_DOUBTFUL = frozenset({ContractClause, Broken, NoneType})
+"""What a line that is prose, goes on in prose or is told to be none has for its statement."""
 _COMMENT = re.compile(r"#|//")
 _INSIDE = re.compile(r"\b(speed|acc|blend|fine|above|offset|rel|external|until|via|to|then)\b|[(=]")
 """Words and signs inside of statements."""
@@ -50,7 +53,8 @@ def absorb(
     read = list(lines)
     heads = [line.statement for line in read if isinstance(line.statement, TaskHeader)]
     runs_on = _runs_on(heads[-1], manner) if heads else manner.runs_on
-    absorbed = tuple(_absorbed(read, task_names, report, manner))
+    is_doubtful = any(type(line.statement) in _DOUBTFUL for line in read)
+    absorbed = tuple(_absorbed(read, task_names, report, manner) if is_doubtful else read)
     return absorbed, manner if manner.runs_on is runs_on else replace(manner, runs_on=runs_on)
 
 

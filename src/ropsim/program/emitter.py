@@ -34,11 +34,17 @@ class Emitter:
     _jumps: list[tuple[int, Label]] = field(default_factory=list)
 
     def emit(self, mnemonic: str, *operands: Operand) -> None:
-        """Add one instruction."""
+        """Add an instruction of this form."""
         if self.is_live:
             self._steps.append(_new(Step, (mnemonic, operands)) if operands else _ALONE[mnemonic])
             self._lines.append(self.line)
             self.is_live = mnemonic not in ENDS_FLOW
+
+    def add(self, step: Step) -> None:
+        """Add an instruction behind which control goes on."""
+        if self.is_live:
+            self._steps.append(step)
+            self._lines.append(self.line)
 
     def push(self, constant: Constant) -> None:
         """Add a PUSH."""

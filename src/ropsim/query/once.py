@@ -1,5 +1,6 @@
 """The same questions where inputs never change: answers are kept, and nothing else."""
 
+from collections import defaultdict
 from collections.abc import Callable, Hashable, Mapping
 from typing import Any, Concatenate, ParamSpec, TypeVar
 
@@ -17,11 +18,11 @@ class Once(Database):
     def __init__(self) -> None:
         super().__init__()
         self._given: dict[Hashable, object] = {}
-        self._known: dict[tuple[Hashable, ...], Any] = {}
+        self._known: defaultdict[Callable[..., object], dict[tuple[Hashable, ...], Any]] = defaultdict(dict)
 
     def __len__(self) -> int:
         """Return how many answers are kept."""
-        return len(self._known)
+        return sum(map(len, self._known.values()))
 
     def give(self, values: Mapping[Hashable, object]) -> None:
         """Give inputs."""
@@ -33,12 +34,12 @@ class Once(Database):
 
     def ask(self, function: Callable[Concatenate[Database, P], T], *arguments: P.args, **_: P.kwargs) -> T:
         """Return what a function gives for its arguments."""
+        known = self._known[function]
         given: Any = arguments
-        key = (function, *given)
-        found = self._known.get(key, _MISSING)
+        found = known.get(given, _MISSING)
         if found is _MISSING:
             called: Any = function
-            found = self._known[key] = called(self, *arguments)
+            found = known[given] = called(self, *arguments)
         value: T = found
         return value
 
@@ -47,5 +48,5 @@ class Once(Database):
     ) -> T | None:
         """Return an answer, without asking for it; None where nobody has."""
         given: Any = arguments
-        value: T | None = self._known.get((function, *given))
+        value: T | None = self._known[function].get(given)
         return value

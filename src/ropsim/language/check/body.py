@@ -120,7 +120,9 @@ class Body:
     @property
     def statement_span(self) -> Span:
         """Return where the statement in hand stands."""
-        return self.line.logical.span(self.report.source, self.line.start, self.line.end)
+        line = self.line
+        place = line.statement or line
+        return line.logical.span(self.report.source, place.start, place.end)
 
     def warn(self, kind: Kind, place: Placed, message: str, hint: str = "") -> None:
         """Report a finding and go on."""

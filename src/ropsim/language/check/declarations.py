@@ -101,16 +101,15 @@ def world(parts: tuple[Part, ...], environment: Environment, report: Report) -> 
 
 def may_stand_above(item: Line | Block) -> bool:
     """Return whether the work frame may be set below an item, as only declarations and settings may be."""
-    node = item.statement if isinstance(item, Line) else None
-    return isinstance(item, Line) and isinstance(node, (*syntax.DECLARATIONS, syntax.SetMode, NoneType))
+    return isinstance(item, Line) and type(item.statement) in _ABOVE
 
 
 def may_declare(item: Line | Block) -> bool:
     """Return whether an item declares something, or was meant to."""
     node = item.statement if isinstance(item, Line) else None
-    return isinstance(node, syntax.DECLARATIONS) or (
-        isinstance(node, syntax.Broken) and node.head in (*_TABLES, *_SYMBOLS)
-    )
+    if isinstance(node, syntax.Broken):
+        return node.head in _DECLARING
+    return type(node) in _DECLARATIONS
 
 
 def _location(moving: str, X_KB: PoseTuple, pose: Location, X_KF: PoseTuple) -> Value:
@@ -256,8 +255,11 @@ def _poison(tables: _Tables, node: syntax.Broken) -> None:
         tables.symbols.setdefault(node.name, Poison())
 
 
-WITHOUT_CODE = tuple(one for one in syntax.DECLARATIONS if one is not syntax.VariableDeclaration)
+WITHOUT_CODE = frozenset(syntax.DECLARATIONS) - {syntax.VariableDeclaration}
 """Statements that tell something and do nothing."""
+_ABOVE = frozenset({*syntax.DECLARATIONS, syntax.SetMode, NoneType})
+_DECLARATIONS = frozenset(syntax.DECLARATIONS)
+_DECLARING = frozenset({*_TABLES, *_SYMBOLS})
 _SymbolNode = (
     syntax.LocationDeclaration
     | syntax.SignalDeclaration

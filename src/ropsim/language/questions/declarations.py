@@ -126,5 +126,5 @@ def statements_of(db: Database, unit: str) -> Items:
     return tuple(
         item
         for item in db.read((PART, unit))
-        if not isinstance(item, Line) or not isinstance(item.statement, declarations.WITHOUT_CODE)
+        if not isinstance(item, Line) or type(item.statement) not in declarations.WITHOUT_CODE
     )

@@ -1,10 +1,11 @@
 """Expressions -> stack code."""
 
 from collections.abc import Callable
+from functools import lru_cache
 from typing import Any, NoReturn
 
 from ropsim.icr import Constant as IcrConstant
-from ropsim.icr import Type, Value
+from ropsim.icr import Step, Type, Value
 from ropsim.program import expressions as sir
 from ropsim.program.diagnostics import unsound
 from ropsim.program.scope import Scope
@@ -65,7 +66,16 @@ def static_type(scope: Scope, expression: sir.Expression) -> Type:
 
 def push(scope: Scope, kind: Type, value: Value) -> None:
     """Emit a PUSH."""
-    scope.emitter.emit("PUSH", IcrConstant(kind, value))
+    if value and (kind is _REAL or kind is _INT):  # of zeros there are two, which are equal
+        scope.emitter.add(_pushed(kind, value))
+    else:
+        scope.emitter.emit("PUSH", IcrConstant(kind, value))
+
+
+@lru_cache(maxsize=4096)
+def _pushed(kind: Type, number: Value) -> Step:
+    """Return the PUSH of a number: most programs push the same ones again and again."""
+    return Step("PUSH", (IcrConstant(kind, number),))
 
 
 def zero(scope: Scope, kind: Type) -> IcrConstant:
