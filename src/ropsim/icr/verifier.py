@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator
 from ropsim.core import Diagnostic, Span
 from ropsim.icr import diagnostics as kinds
 from ropsim.icr.opcodes import OPCODES
-from ropsim.icr.program import VERSION, Operand, Procedure, Program, channel_fault, text_place
+from ropsim.icr.program import VERSION, Procedure, Program, channel_fault, text_place
 from ropsim.icr.rules.assignment import check_assignment
 from ropsim.icr.rules.calls import check_calls
 from ropsim.icr.rules.flow import check_reachability, check_stack
@@ -40,19 +40,17 @@ def capabilities(procedures: Iterable[Procedure]) -> tuple[str, ...]:
     """Return what a robot must offer for these procedures, sorted."""
     used: set[str] = set()
     for procedure in procedures:
-        for mnemonic, operands in procedure.code:
-            used.add(mnemonic)
-            for operand in operands:
-                if _carries_external(operand):
-                    used.add("MKEXT")
+        used.update([mnemonic for mnemonic, _ in procedure.code])
+        constants = [one for _, operands in procedure.code for one in operands if isinstance(one, Constant)]
+        if any(map(_carries_external, constants)):
+            used.add("MKEXT")
     offers = {OPCODES[mnemonic].capability for mnemonic in used if mnemonic in OPCODES}
     return tuple(sorted(offers - {""}))
 
 
-def _carries_external(operand: Operand) -> bool:
-    if not isinstance(operand, Constant) or not isinstance(operand.value, tuple):
-        return False
-    return operand.type is Type.POSE and len(operand.value) > WIDTHS[Type.POSE]
+def _carries_external(constant: Constant) -> bool:
+    value = constant.value
+    return constant.type is Type.POSE and isinstance(value, tuple) and len(value) > WIDTHS[Type.POSE]
 
 
 def _header(program: Program) -> Iterator[Diagnostic]:

@@ -29,10 +29,10 @@ class Line:
     statement: Statement | None
     fault: Fault | None = None
 
-    @classmethod
-    def empty(cls) -> "Line":
-        """Return a line that stands for the head of the whole text."""
-        return cls(LogicalLine(1, ""), None)
+    @staticmethod
+    def empty() -> "Line":
+        """Return the line that stands for the head of the whole text."""
+        return _EMPTY
 
     @property
     def start(self) -> int:
@@ -51,6 +51,9 @@ class Line:
             return self.statement.head if isinstance(self.statement, Broken) else self.statement.word
         word = _WORD.match(self.logical.text, self.start)
         return word[0].lower() if word else ""
+
+
+_EMPTY = Line(LogicalLine(1, ""), None)
 
 
 class Parser(Protocol):

@@ -140,7 +140,7 @@ def _combined(op: str, first: units.Dimension, second: units.Dimension) -> Type:
 
 def _number(body: Body, value: Value, node: nodes.Node, op: str) -> AnyType:
     kind = known(value.type)
-    if isinstance(kind, Type) and not kind.is_number:
+    if isinstance(kind, Type) and kind.value is not _REAL and kind.value is not _INT:
         hint = ""
         if kind.value is ValueType.POSE:
             hint = (

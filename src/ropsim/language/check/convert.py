@@ -36,6 +36,8 @@ def to(body: Body, value: Value, wanted: AnyType, place: Placed, what: str) -> E
     if isinstance(found, Unknown):
         bind(found, wanted)
         return value.expression
+    if wanted.value is found.value is _REAL and wanted.dimension == found.dimension:
+        return value.expression
     if wanted.value is _REAL and found.is_number:
         return _real(body, value, wanted, place, what)
     if wanted.value is _INT and found.is_number:

@@ -1,11 +1,13 @@
 """Speeds, accelerations, blends and tools: settings of one move, of a block, or until further notice."""
 
+from functools import lru_cache
 from typing import Any
 
 from ropsim.language.check import convert, fold, plausible, units, values
 from ropsim.language.check.body import Body
 from ropsim.language.check.types import LENGTH, Type, Value, article, known, real
 from ropsim.language.findings import types as kinds
+from ropsim.language.syntax.nodes import Number
 from ropsim.language.syntax.statements import Motion, Setting
 from ropsim.program import Expression, Settings, ValueType
 
@@ -68,6 +70,10 @@ def _one(body: Body, setting: Setting) -> tuple[str, Expression | str]:
     if setting.word == "fine":
         return "zone", fold.real(0.0)
     assert setting.value is not None
+    if isinstance(setting.value, Number) and setting.value.unit:
+        known = _measured(setting.word, setting.value.value, setting.value.unit)
+        if known is not None:
+            return known
     if setting.word == "blend":
         zone = values.expect(body, setting.value, LENGTH, "the distance of `blend`")
         _check_range(body, setting, zone, units.LENGTH)
@@ -79,6 +85,15 @@ def _one(body: Body, setting: Setting) -> tuple[str, Expression | str]:
     _check_range(body, setting, expression, dimension)
     plausible.check_rate(body, setting.word, value, expression, dimension, setting.value)
     return _FIELDS[setting.word, dimension], expression
+
+
+@lru_cache(maxsize=1024)
+def _measured(word: str, number: float, unit: str) -> tuple[str, Expression] | None:
+    """Return the same of a number in its unit; None where there is something to say about it."""
+    dimension, factor = units.UNITS[unit]
+    name, value = _FIELDS.get((word, dimension)), number * factor
+    most = 1.0 if dimension == units.SHARE else plausible.FASTEST
+    return (name, fold.real(value)) if name is not None and 0.0 < value <= most else None
 
 
 def _wanted(body: Body, setting: Setting, value: Value) -> Type:

@@ -13,7 +13,7 @@ from ropsim.language.questions.declarations import names_in, symbol
 from ropsim.language.questions.headers import header
 from ropsim.language.questions.inference import types
 from ropsim.language.questions.inputs import JOINT_COUNT
-from ropsim.language.questions.worlds import world_of
+from ropsim.language.questions.worlds import world_with
 from ropsim.query import Database
 
 
@@ -35,22 +35,12 @@ def calls_of(db: Database, name: str) -> tuple[tuple[str, Span], ...]:
 
 def final_world(db: Database) -> World:
     """Return the world as a body sees it when all types are known."""
-    text = world_of(db, lambda name: _signature(db, name))
-    return World(  # for each body: field by field, as `replace` takes several times as long
-        text.environment,
-        text.units,
-        text.is_strict,
-        text.is_classic,
-        text.frame,
-        text.X_BK,
-        text.frames,
-        text.tools,
+    return world_with(
+        db,
+        lambda name: _signature(db, name),
         Table(lambda name: db.ask(symbol, name), lambda: db.ask(names_in, "symbols")),
-        text.has_axes,
-        text.signatures,
         Marked(lambda name: db.ask(lacks_result, name)),
         db.read(JOINT_COUNT),
-        text.untyped,
     )
 
 

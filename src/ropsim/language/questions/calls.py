@@ -14,7 +14,7 @@ from ropsim.language.questions.headers import header, with_types
 from ropsim.language.questions.inference import types
 from ropsim.language.questions.inputs import JOINT_COUNT
 from ropsim.language.questions.walks import untold_of
-from ropsim.language.questions.worlds import world_of
+from ropsim.language.questions.worlds import open_symbols, world_with
 from ropsim.language.report import Report, TooManyFindingsError
 from ropsim.language.task_form import TaskForm
 from ropsim.language.units import of_task
@@ -36,7 +36,7 @@ def signature(db: Database, name: str) -> Called | None:
         of_library = db.ask(library, name)
         return Called(of_library, ()) if of_library is not None else None
     report = Report(of_task(name))
-    world = replace(world_of(db, lambda _: None), joint_count=db.read(JOINT_COUNT))
+    world = world_with(db, lambda _: None, open_symbols(db), frozenset(), db.read(JOINT_COUNT))
     body = Body(world, report, EXPRESSIONS, None, name)
     start = db.ask(header, name).signature
     kinds = db.ask(types, name).formals

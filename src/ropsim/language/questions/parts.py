@@ -50,8 +50,9 @@ def mentions(db: Database, unit: str) -> tuple[str, ...]:
     found: dict[str, None] = {}
     for line in lines_of(db.ask(statements_of, unit)):
         for word in words_of(line.logical.text):
-            found[word] = None
-            found[word.lower()] = None
+            if word not in found:
+                found[word] = None
+                found[word.lower()] = None
     return tuple(found)
 
 

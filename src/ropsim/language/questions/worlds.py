@@ -1,6 +1,6 @@
 """What a body sees while types are not known."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Container
 from dataclasses import replace
 
 from ropsim.language.check.table import Table
@@ -13,11 +13,27 @@ from ropsim.query import Database
 
 def world_of(db: Database, called: Callable[[str], Signature | None]) -> World:
     """Return the world as a body sees it while types are not known."""
+    return world_with(db, called, open_symbols(db), frozenset(), db.ask(basics).joint_count)
+
+
+def open_symbols(db: Database) -> Table[Symbol]:
+    """Return what names mean everywhere, variables of open type with cells of their own."""
 
     def symbol_of(name: str) -> Symbol | None:
         found = db.ask(declared_symbol, name)
         return of_body(found) if found is not None else None
 
+    return Table(symbol_of, lambda: db.ask(names_in, "symbols"))
+
+
+def world_with(
+    db: Database,
+    called: Callable[[str], Signature | None],
+    symbols: Table[Symbol],
+    without_result: Container[str],
+    joint_count: int,
+) -> World:
+    """Return the world as a body sees it that is told these things."""
     text = db.ask(basics)
     return World(  # thousands of times in a text: field by field, as `replace` takes three times as long
         text.environment,
@@ -28,11 +44,11 @@ def world_of(db: Database, called: Callable[[str], Signature | None]) -> World:
         text.X_BK,
         Table(lambda name: db.ask(frame, name), lambda: db.ask(names_in, "frames")),
         Table(lambda name: db.ask(tool, name), lambda: db.ask(names_in, "tools")),
-        Table(symbol_of, lambda: db.ask(names_in, "symbols")),
+        symbols,
         text.has_axes,
         Table(called, lambda: all_tasks(db)),
-        text.without_result,
-        text.joint_count,
+        without_result,
+        joint_count,
         db.ask(untyped),
     )
 

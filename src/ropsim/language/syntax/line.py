@@ -11,9 +11,10 @@ from ropsim.language.syntax.statements import Broken, ContractClause, Statement
 
 MAX_LENGTH = 2000
 
-_CONTRACT = re.compile(r"\s*(needs|assumes)\b", re.IGNORECASE)
 ORDINAL = re.compile(r"\s*\d+\.\s+(?=task\b)", re.IGNORECASE)
 """The number before a task in listing style."""
+_SPECIAL = re.compile(r"\s*(needs|assumes)\b|" + ORDINAL.pattern, re.IGNORECASE)
+"""What a line begins with that is a contract, or a task in listing style."""
 _HEAD = re.compile(
     r"\s*(?:\d+\.\s+)?([A-Za-z_]\w*)\s*(?:each\s+)?\"?([A-Za-z_]\w*)?", re.ASCII | re.IGNORECASE
 )
@@ -33,11 +34,11 @@ def parse_line(line: str) -> tuple[Statement | None, Fault | None]:
     if len(line) > MAX_LENGTH:
         shown = f"the line has {len(line)} characters; at most {MAX_LENGTH} are allowed"
         return Broken("", "", 0, 1), Fault(kinds.LINE_LENGTH, 0, 1, shown, "split it")
-    contract = _CONTRACT.match(line)
-    if contract:
-        return _contract(line, contract.start(1)), None
+    special = _SPECIAL.match(line)
+    if special and special[1]:
+        return _contract(line, special.start(1)), None
     try:
-        return _read(line), None
+        return _read(line, special.end() if special else 0), None
     except LineFaultError as error:
         head = _HEAD.match(line)
         word, name = (head.group(1).lower(), head.group(2) or "") if head else ("", "")
@@ -47,9 +48,9 @@ def parse_line(line: str) -> tuple[Statement | None, Fault | None]:
         return Broken(word, name, start, len(line.rstrip())), error.fault
 
 
-def _read(line: str) -> Statement | None:
-    ordinal = ORDINAL.match(line)
-    found = tokens(" " * ordinal.end() + line[ordinal.end() :] if ordinal else line)
+def _read(line: str, start: int) -> Statement | None:
+    """Return the statement of a line that begins at an offset."""
+    found = tokens(" " * start + line[start:] if start else line)
     if found and found[-1].word == ".":
         found.pop()
     if not found:

@@ -82,6 +82,8 @@ def _goes_on(joined: list[str], following: str) -> bool:
 
 def bracket_depth(text: str) -> int:
     """Return how many more brackets a line opens than it closes."""
+    if '"' not in text and "#" not in text and "//" not in text:
+        return text.count("(") + text.count("[") - text.count(")") - text.count("]")
     depth = 0
     for mark in _BRACKETS.findall(text):
         depth += (mark in "([") - (mark in ")]")

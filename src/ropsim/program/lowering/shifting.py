@@ -7,11 +7,8 @@ _JUMPS = frozenset(("JMP", "JF", "JT"))
 
 def jumps_in(code: tuple[Step, ...]) -> tuple[int, ...]:
     """Return which instructions of some code are jumps to others of it."""
-    return tuple(
-        index
-        for index, (mnemonic, operands) in enumerate(code)
-        if mnemonic in _JUMPS and isinstance(operands[0], int)
-    )
+    jumps = [index for index, step in enumerate(code) if step[0] in _JUMPS]
+    return tuple(index for index in jumps if isinstance(code[index].operands[0], int))
 
 
 def shifted(code: tuple[Step, ...], by: int, jumps: tuple[int, ...] | None = None) -> tuple[Step, ...]:
