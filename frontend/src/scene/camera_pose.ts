@@ -116,17 +116,22 @@ export function fitted(
   // In perspective the middle of the picture is not that of the points: both are found by turns.
   const target = new Vector3()
   let distance = NEAREST
+  const arm = new Vector3()
   for (let turn = 0; turn < 6; turn++) {
-    const arms = corners.map(corner => corner.clone().sub(target))
+    const arms = corners.map(corner => {
+      arm.subVectors(corner, target)
+      return { right: arm.dot(right), up: arm.dot(up), nearer: near * arm.dot(back) }
+    })
     distance = NEAREST
-    for (const arm of arms) {
-      const half = Math.max(Math.abs(arm.dot(up)) / (1 - covered), Math.abs(arm.dot(right)) / aspect)
-      distance = Math.max(distance, half / (HALF_HEIGHT * FILLED) + near * arm.dot(back))
+    for (const one of arms) {
+      const half = Math.max(Math.abs(one.up) / (1 - covered), Math.abs(one.right) / aspect)
+      distance = Math.max(distance, half / (HALF_HEIGHT * FILLED) + one.nearer)
     }
-    for (const axis of [right, up]) {
-      const places = arms.map(arm => arm.dot(axis) / (distance - near * arm.dot(back)))
-      target.addScaledVector(axis, 0.5 * distance * (Math.min(...places) + Math.max(...places)))
+    const middle = (along: 'right' | 'up') => {
+      const places = arms.map(one => one[along] / (distance - one.nearer))
+      return 0.5 * distance * (Math.min(...places) + Math.max(...places))
     }
+    target.addScaledVector(right, middle('right')).addScaledVector(up, middle('up'))
   }
   target.addScaledVector(up, covered * HALF_HEIGHT * distance)
   return { ...pose, target: centre.add(target).toArray(), distance: Math.min(distance, FARTHEST) }

@@ -9,23 +9,32 @@ const DIRECTIONS = [-1, 0, 1].flatMap(x =>
 /** The points of geometries that lie farthest in each of 26 directions, each once. */
 export function outlineOf(geometries: Iterable<BufferGeometry>): Vector3[] {
   const far = DIRECTIONS.map(() => ({ reach: Number.NEGATIVE_INFINITY, point: new Vector3() }))
-  const point = new Vector3()
-  for (const geometry of geometries) {
+  for (const geometry of new Set(geometries)) {
     const positions = geometry.getAttribute('position')
-    for (let k = 0; k < positions.count; k++) {
-      point.fromBufferAttribute(positions, k)
-      DIRECTIONS.forEach((direction, d) => {
-        const best = far[d]
-        const reach = direction.dot(point)
-        if (!best || reach <= best.reach) return
-        best.reach = reach
-        best.point.copy(point)
-      })
-    }
+    DIRECTIONS.forEach((direction, d) => {
+      const best = far[d]
+      const farthest = farthestAlong(direction, positions.array)
+      if (best && farthest.reach > best.reach) {
+        best.reach = farthest.reach
+        best.point.fromArray(positions.array, farthest.at)
+      }
+    })
   }
   const found = new Map<string, Vector3>()
   for (const { reach, point: one } of far) {
     if (reach > Number.NEGATIVE_INFINITY) found.set(one.toArray().join(), one)
   }
   return [...found.values()]
+}
+
+/** How far points reach in a direction, and where the numbers of the first one begin that reaches so far. */
+function farthestAlong({ x, y, z }: Vector3, points: ArrayLike<number>): { reach: number; at: number } {
+  let [reach, at] = [Number.NEGATIVE_INFINITY, 0]
+  for (let k = 0; k < points.length; k += 3) {
+    const own = x * (points[k] ?? 0) + y * (points[k + 1] ?? 0) + z * (points[k + 2] ?? 0)
+    if (own <= reach) continue
+    reach = own
+    at = k
+  }
+  return { reach, at }
 }
