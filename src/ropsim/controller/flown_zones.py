@@ -6,7 +6,6 @@ from itertools import pairwise
 import numpy as np
 
 from ropsim.controller.corners import Corner
-from ropsim.controller.course import Course
 from ropsim.controller.leg import Leg
 from ropsim.controller.stretch_motion import StretchMotion
 from ropsim.kinematics import forward_batch
@@ -14,7 +13,7 @@ from ropsim.model import RobotModel
 
 
 def flown_zones(
-    robot: RobotModel, legs: Sequence[Leg], corners: Sequence[Corner | None], course: Course
+    robot: RobotModel, legs: Sequence[Leg], corners: Sequence[Corner | None], motion: StretchMotion
 ) -> list[float]:
     """Return the distance from the target of each move at which the path leaves it [m]; 0 where it stops.
 
@@ -26,11 +25,10 @@ def flown_zones(
         robot: the arm with its external axes.
         legs: the moves.
         corners: between each two of them; None where the arm stops.
-        course: how they are walked.
+        motion: how they are walked.
     """
     zones = [one.zone if one else 0.0 for one in corners] + [0.0]
-    motion = StretchMotion(course)
-    for before, behind in pairwise(course.runs):
+    for before, behind in pairwise(motion.course.runs):
         if before.part.over is None:
             continue
         number = before.pieces[-1].leg

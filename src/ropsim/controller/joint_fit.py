@@ -1,16 +1,15 @@
 """Time laws that joints can follow: where they cannot, a path of the tool is planned with less."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from dataclasses import replace
 
 import numpy as np
 import numpy.typing as npt
 
 from ropsim.controller.bands import Bands, bands_of
-from ropsim.controller.course import Course, Run, course_of
+from ropsim.controller.course import Course, course_of
 from ropsim.controller.joint_caps import Walked, joint_caps
 from ropsim.controller.kept_limits import ArmBounds
-from ropsim.controller.parts import Part
 from ropsim.controller.slowed_bands import slowed_in
 from ropsim.controller.stretch_motion import StretchMotion
 from ropsim.motion import (
@@ -60,16 +59,14 @@ class Fit:
         return self.motion.course
 
 
-def as_bounds_allow(parts: Sequence[Part], legs: int, arm: ArmBounds, period: float) -> Fit:
-    """Return the course through parts of a stretch, whatever joints say to it.
+def as_bounds_allow(motion: StretchMotion, arm: ArmBounds, period: float) -> Fit:
+    """Return a motion with what it takes of the joints, whatever they say to it.
 
     Args:
-        parts: of the stretch.
-        legs: number of its moves.
+        motion: of the stretch.
         arm: limits of the joints.
         period: of the control ticks [s].
     """
-    motion = StretchMotion(course_of(parts, legs))
     return Fit(motion, as_planned(motion, arm.joints, arm.effort, period), ())
 
 
@@ -106,7 +103,7 @@ def fitted(planned: Fit, legs: int, arm: ArmBounds, period: float, look_ahead: i
         for number, found in ticks.items():
             if attempt < _ATTEMPTS:
                 used = 1.0 - _LESS * (1 + attempt)
-                walked = _walked(now, now.course.runs[number], found)
+                walked = _walked(now, number, found)
                 bands[number] = bands[number].lowered(joint_caps(walked, looked_at, period, used))
             else:
                 bands[number] = bands[number].slower(1.0 / (now.reference.strain.factor * (1.0 + _LESS)))
@@ -116,9 +113,10 @@ def fitted(planned: Fit, legs: int, arm: ArmBounds, period: float, look_ahead: i
             bands[number].replanned(look_ahead) if number in ticks else run.part
             for number, run in enumerate(now.course.runs)
         ]
-        if course_of(changed, legs).duration - planned.course.duration > LONGEST_DELAY:
+        course = course_of(changed, legs)
+        if course.duration - planned.course.duration > LONGEST_DELAY:
             return planned
-        now = as_bounds_allow(changed, legs, looked_at, period)
+        now = as_bounds_allow(now.motion.timed(course), looked_at, period)
     return planned
 
 
@@ -149,19 +147,20 @@ def _exceeding(fit: Fit, numbers: Iterable[int]) -> dict[int, Indices]:
     return found
 
 
-def _walked(fit: Fit, run: Run, ticks: Indices) -> Walked:
-    reference, pairs = fit.reference, np.stack((ticks - 1, ticks))
-    rows, n = reference.rows, reference.rows.q.shape[1]
-    law = run.law.at((reference.phi[pairs] - run.start).ravel())
-    d = np.empty((2, len(law.places), n))
-    for number in range(int(law.pieces.min()), int(law.pieces.max()) + 1):
-        here = np.flatnonzero(law.pieces == number)
-        if len(here):
-            points = run.pieces[number].joints.joints(law.places[here])
-            d[0, here], d[1, here] = points.d1, points.d2
-    d1, d2 = d.reshape(2, 2, len(ticks), n)
-    places = run.part.borders[law.pieces] + law.places
-    places, speeds, accelerations = (each.reshape(2, -1) for each in (places, law.speeds, law.accelerations))
-    torque = None if reference.torque is None else reference.torque[ticks]
-    at_ticks = rows.q[ticks], rows.d1[ticks], rows.d2[pairs]
-    return Walked(places, speeds, accelerations, d1, d2, *at_ticks, torque)
+def _walked(fit: Fit, number: int, ticks: Indices) -> Walked:
+    """Return the path of a run at control ticks and at those before them."""
+    run, reference, pairs = fit.course.runs[number], fit.reference, (ticks - 1, ticks)
+    laws = [run.law.at(reference.phi[row] - run.start) for row in pairs]
+    points = [fit.motion.on_run(number, law) for law in laws]
+    borders, rows = run.part.borders, reference.rows
+    return Walked(
+        np.array([borders[law.pieces] + law.places for law in laws]),
+        np.array([law.speeds for law in laws]),
+        np.array([law.accelerations for law in laws]),
+        np.array([one.d1 for one in points]),
+        np.array([one.d2 for one in points]),
+        rows.q[ticks],
+        rows.d1[ticks],
+        rows.d2[np.stack(pairs)],
+        None if reference.torque is None else reference.torque[ticks],
+    )

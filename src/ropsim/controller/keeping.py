@@ -2,10 +2,11 @@
 
 from collections.abc import Sequence
 
-from ropsim.controller.course import Course
+from ropsim.controller.course import Course, course_of
 from ropsim.controller.joint_fit import Fit, as_bounds_allow, fitted
 from ropsim.controller.kept_limits import ArmBounds
 from ropsim.controller.parts import Part
+from ropsim.controller.stretch_motion import StretchMotion
 from ropsim.motion import Beyond, Kept, Slowed, kept_from
 from ropsim.spatial import record
 
@@ -15,17 +16,22 @@ _LONGER = 1.03
 
 @record
 class Keeping:
-    """A course, and its motion within all limits.
+    """A motion, and how it goes within all limits.
 
     Attributes:
-        course: of the stretch.
-        kept: its motion; Beyond where no speed can do.
+        motion: of the stretch by its course, before motion time goes slower.
+        kept: how it goes; Beyond where no speed can do.
         slowed: where it is slower than it was planned.
     """
 
-    course: Course
+    motion: StretchMotion
     kept: Kept | Beyond
     slowed: tuple[Slowed, ...]
+
+    @property
+    def course(self) -> Course:
+        """Return the course of the stretch."""
+        return self.motion.course
 
     @property
     def duration(self) -> float:
@@ -54,7 +60,7 @@ def keeping_of(parts: Sequence[Part], legs: int, arm: ArmBounds, period: float, 
         period: of the control ticks [s].
         look_ahead: how many moves beyond the present one are known.
     """
-    planned = as_bounds_allow(parts, legs, arm, period)
+    planned = as_bounds_allow(StretchMotion.on(course_of(parts, legs)), arm, period)
     fit = fitted(planned, legs, arm, period, look_ahead)
     quick = _keeping(fit, arm, period)
     if fit is planned or quick.duration <= _LONGER * planned.course.duration:
@@ -64,4 +70,4 @@ def keeping_of(parts: Sequence[Part], legs: int, arm: ArmBounds, period: float, 
 
 def _keeping(fit: Fit, arm: ArmBounds, period: float) -> Keeping:
     kept = kept_from(fit.reference, fit.motion, arm.joints, arm.effort, period)
-    return Keeping(fit.course, kept, fit.slowed + (kept.slowed if isinstance(kept, Kept) else ()))
+    return Keeping(fit.motion, kept, fit.slowed + (kept.slowed if isinstance(kept, Kept) else ()))

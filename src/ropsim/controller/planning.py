@@ -119,7 +119,7 @@ def _planned(
     if late := _late(legs, kept.clock.times_of(course.ends)):
         return _Hurdle(late[0], Refusal(check_duration(legs[late[0]].move, late[1])))
     findings += slowed_findings(legs, course.ends, flown.keeping.slowed, chain.robot)
-    zones = flown_zones(chain.robot, legs, flown.corners, course)
+    zones = flown_zones(chain.robot, legs, flown.corners, flown.keeping.motion)
     return in_ticks(chain, legs, zones, course, kept, findings)
 
 

@@ -121,6 +121,33 @@ def walk_runs(
         before = until
 
 
+@kernel("void(i8, f8[:,::1], f8[:,::1], f8[:,:,::1], f8[::1], f8[::1], f8[:,:,::1])")
+def points_on(
+    first: int, pieces: Array, rows: Array, slopes: Array, numbers: Array, places: Array, points: Array
+) -> None:
+    """Write the joints and their derivatives by the place at places of the pieces of a run.
+
+    Args:
+        first: piece with which the run begins.
+        pieces: of all runs, as for `walk_runs`, and so are rows and slopes.
+        rows: see there.
+        slopes: see there.
+        numbers: of the pieces of the run at which the places are, rising, shape (k,).
+        places: on these pieces; becomes those on their paths, shape (k,).
+        points: where all goes, shape (3, k, n).
+    """
+    begin = first - first
+    while begin < places.shape[0]:
+        end = begin + 1
+        while end < places.shape[0] and numbers[end] == numbers[begin]:
+            end += 1
+        piece = pieces[first + int(numbers[begin])]
+        for k in range(begin, end):
+            places[k] += piece[BEGIN]
+        _points(piece, rows, slopes, places[begin:end], points[:, begin:end])
+        begin = end
+
+
 def _points(piece: Array, rows: Array, slopes: Array, places: Array, points: Array) -> None:
     """Write the joints and their derivatives at places of a path."""
     first, count, kind = int(piece[FIRST_ROW]), int(piece[ROWS]), int(piece[KIND])

@@ -1,11 +1,9 @@
 """The nominal motion of a stretch: its runs, walked by their time laws, added where they overlap."""
 
-from dataclasses import field
-
 import numpy as np
 
 from ropsim.controller.course import Course, Run
-from ropsim.controller.stretch_kernel import add_in_time, walk_runs
+from ropsim.controller.stretch_kernel import FIRST_PIECE, add_in_time, points_on, walk_runs
 from ropsim.controller.walk_table import WalkTable, walk_table
 from ropsim.motion import JointPoints, LawRows, Ways
 from ropsim.spatial import Array, frozen, record
@@ -21,15 +19,22 @@ class StretchMotion:
     Attributes:
         course: the runs.
         corners: joint coordinates where one run ends and the next one has begun [rad | m], shape (r - 1, n).
+        table: the runs as numbers; None where one has a path that compiled loops do not know.
     """
 
     course: Course
-    corners: Array = field(init=False, repr=False)
-    _table: WalkTable | None = field(init=False, repr=False)
+    corners: Array
+    table: WalkTable | None
 
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "corners", frozen([_end(run) for run in self.course.runs[:-1]]))
-        object.__setattr__(self, "_table", walk_table(self.course.runs))
+    @classmethod
+    def on(cls, course: Course) -> "StretchMotion":
+        """Return the motion on a course."""
+        corners = frozen([_end(run) for run in course.runs[:-1]])
+        return cls(course, corners, walk_table(course.runs))
+
+    def timed(self, course: Course) -> "StretchMotion":
+        """Return the motion on a course that has the same pieces and other times."""
+        return StretchMotion(course, self.corners, self.table.timed(course.runs) if self.table else None)
 
     @property
     def duration(self) -> float:
@@ -45,7 +50,7 @@ class StretchMotion:
         runs = self.course.runs
         corners = self.corners if len(self.corners) else _end(runs[0])[None]
         total, before = np.empty((3, len(phi), corners.shape[1])), 0
-        if table := self._table:
+        if table := self.table:
             numbers = table.runs, table.segments, table.pieces, table.rows, table.slopes
             asked = np.ascontiguousarray(phi, dtype=np.float64)
             walk_runs(*numbers, corners, asked, np.empty((5, len(phi))), np.empty_like(total), total)
@@ -58,6 +63,26 @@ class StretchMotion:
                 _walk(run, phi[first:until] - run.start, first, before, corner, total)
             before = until
         return JointPoints(*total)
+
+    def on_run(self, number: int, rows: LawRows) -> JointPoints:
+        """Return coordinates and their derivatives by the place where the time law of a run is.
+
+        Args:
+            number: of the run.
+            rows: of its time law, in rising order, k of them.
+        """
+        pieces = self.course.runs[number].pieces
+        out = np.empty((3, len(rows.places), len(_end(self.course.runs[number]))))
+        if table := self.table:
+            numbers, places = rows.pieces.astype(np.float64), rows.places.copy()
+            first = int(table.runs[number, FIRST_PIECE])
+            points_on(first, table.pieces, table.rows, table.slopes, numbers, places, out)
+            return JointPoints(out[0], out[1], out[2])
+        for piece in np.unique(rows.pieces).tolist():
+            here = np.flatnonzero(rows.pieces == piece)
+            points = pieces[piece].joints.joints(rows.places[here])
+            out[:, here] = points.q, points.d1, points.d2
+        return JointPoints(out[0], out[1], out[2])
 
     def ways(self, phi: Array) -> Ways:
         """Return how paths of the tool are walked; where runs overlap, nobody has said how the tool goes.

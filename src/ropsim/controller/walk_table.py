@@ -28,6 +28,10 @@ class WalkTable:
     rows: Array
     slopes: Array
 
+    def timed(self, runs: Sequence[Run]) -> "WalkTable":
+        """Return the table of runs with the same pieces and other times."""
+        return WalkTable(*_times(runs), self.pieces, self.rows, self.slopes)
+
 
 def walk_table(runs: Sequence[Run]) -> WalkTable | None:
     """Return the table of runs; None where one has a path that compiled loops do not know.
@@ -41,20 +45,21 @@ def walk_table(runs: Sequence[Run]) -> WalkTable | None:
         return None
     rows = [path.rows for path in known]
     firsts = np.cumsum([0, *(len(each) for each in rows)])[:-1].tolist()
-    slopes = np.cumsum([0, *(path.slopes.shape[1] for path in known)])[:-1].tolist()
+    slope_rows = np.cumsum([0, *(path.slopes.shape[1] for path in known)])[:-1].tolist()
     pieces = [
         (path.kind, path.begin, path.length, first, len(path.rows), slope)
-        for path, first, slope in zip(known, firsts, slopes, strict=True)
+        for path, first, slope in zip(known, firsts, slope_rows, strict=True)
     ]
+    slopes = np.concatenate([path.slopes for path in known], axis=1)
+    return WalkTable(*_times(runs), np.array(pieces, dtype=np.float64), np.concatenate(rows), slopes)
+
+
+def _times(runs: Sequence[Run]) -> tuple[Array, Array]:
+    """Return the rows of runs, and the segments of their time laws."""
     table, segment, piece = [], 0, 0
     for run in runs:
         count = run.law.segments.shape[1]
         table.append((run.start, run.end, run.law.duration, segment, count, piece))
         segment, piece = segment + count, piece + len(run.pieces)
-    return WalkTable(
-        np.array(table, dtype=np.float64),
-        np.concatenate([run.law.segments for run in runs], axis=1),
-        np.array(pieces, dtype=np.float64),
-        np.concatenate(rows),
-        np.concatenate([path.slopes for path in known], axis=1),
-    )
+    segments = np.concatenate([run.law.segments for run in runs], axis=1)
+    return np.array(table, dtype=np.float64), segments

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from ropsim.controller.course import course_of
 from ropsim.controller.joint_fit import Fit, as_bounds_allow, fitted
 from ropsim.controller.keeping import keeping_of
 from ropsim.controller.kept_limits import ArmBounds
@@ -35,7 +36,7 @@ def arm(speed: float, acceleration: float, jerk: float, effort: Effort | None = 
 
 def fit(parts: tuple[Part, ...], bounds: ArmBounds) -> tuple[Fit, Fit]:
     """Return a course as its bounds allow it, and as joints can follow it."""
-    planned = as_bounds_allow(parts, 1, bounds, TICK)
+    planned = as_bounds_allow(StretchMotion.on(course_of(parts, 1)), bounds, TICK)
     return planned, fitted(planned, 1, bounds, TICK, AHEAD)
 
 
@@ -77,7 +78,7 @@ def test_of_both_ways_to_keep_the_limits_the_quicker_one_counts(
 ) -> None:
     parts, bounds = line(way, speed), arm(*shares)
     planned, lower = fit(parts, bounds)
-    slower = keep_limits(StretchMotion(planned.course), bounds.joints, None, TICK)
+    slower = keep_limits(planned.motion, bounds.joints, None, TICK)
     assert isinstance(slower, Kept)
     durations = lower.course.duration, slower.clock.duration
     assert min(durations) < 0.95 * max(durations)

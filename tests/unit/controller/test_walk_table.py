@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from ropsim import robots
+from ropsim.controller.bands import bands_of
 from ropsim.controller.corners import Stop, corner_between
 from ropsim.controller.course import Course, course_of
 from ropsim.controller.leg import Leg, leg_of
@@ -75,6 +76,31 @@ def test_all_runs_in_one_loop_are_bit_by_bit_what_their_paths_tell(mode: Synchro
     apart = one_by_one(whole)
     assert walk_table(apart.runs) is None
     times = np.linspace(0.0, whole.duration, 400)
-    together, each = StretchMotion(whole).at(times), StretchMotion(apart).at(times)
+    together, each = StretchMotion.on(whole).at(times), StretchMotion.on(apart).at(times)
     for name in ("q", "d1", "d2"):
         assert getattr(together, name).tolist() == getattr(each, name).tolist()
+
+
+def test_paths_at_places_of_a_run_are_bit_by_bit_what_they_tell_themselves() -> None:
+    first, second, third = GOALS
+    whole = course([lin(first, ZONE), lin(second, ZONE), ptp(third)], Synchronisation.PHASE)
+    together, each = StretchMotion.on(whole), StretchMotion.on(one_by_one(whole))
+    for number, run in enumerate(whole.runs):
+        rows = run.law.at(np.linspace(0.0, run.law.duration, 50))
+        assert len(set(rows.pieces.tolist())) == len(run.pieces)
+        for name in ("q", "d1", "d2"):
+            one, other = (getattr(motion.on_run(number, rows), name) for motion in (together, each))
+            assert one.tolist() == other.tolist()
+
+
+def test_a_motion_on_the_same_pieces_at_other_times_is_that_of_the_other_course() -> None:
+    first, second, third = GOALS
+    moves = [lin(first, ZONE), lin(second, ZONE), ptp(third, ZONE), ptp(HERE)]
+    whole = course(moves, Synchronisation.PHASE)
+    (part, *others) = (run.part for run in whole.runs)
+    bands = bands_of(part, np.linspace(0.0, part.law.duration, 20))
+    slower = course_of([bands.slower(0.5).replanned(10), *others], len(moves))
+    times = np.linspace(0.0, slower.duration, 300)
+    timed, anew = StretchMotion.on(whole).timed(slower), StretchMotion.on(slower)
+    assert slower.duration > 1.2 * whole.duration
+    assert timed.at(times).q.tolist() == anew.at(times).q.tolist()
