@@ -34,6 +34,8 @@ ROUNDS = 100
 """More steps than any search here needs, were it by halves alone."""
 NARROWINGS = 16
 """Steps that bring two times together, at most, before halves do the rest."""
+NEWTON = 1e-9
+"""Relative; after a step of Newton no greater than this what remains is its square, which is rounding."""
 SIXTH = 1.0 / 6.0
 
 
@@ -184,7 +186,7 @@ def _reached(speed: float, length: float, acceleration: float, jerk: float) -> f
     for _ in range(ROUNDS):
         step = (w * (w * w + 2.0 * speed) - q) / (3.0 * w * w + 2.0 * speed)
         w -= step
-        if not step > 1e-16 * w:
+        if not step > NEWTON * w:
             break
     return speed + w * w
 
@@ -208,7 +210,7 @@ def _crossing(way: float, v: float, a: float, j: float) -> float:
     for _ in range(ROUNDS):
         step = (t * (v + t * (0.5 * a + t * (j * SIXTH))) - way) / (v + t * (a + 0.5 * t * j))
         t -= step
-        if not step > 1e-16 * t:
+        if not step > NEWTON * t:
             break
     return t
 
