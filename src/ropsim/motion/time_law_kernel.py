@@ -32,6 +32,8 @@ LEAST, MOST = 1e-50, 1e50
 """Between them lie the numbers of a piece; what is computed from them is then finite."""
 ROUNDS = 100
 """More steps than any search here needs, were it by halves alone."""
+NEAREST = 4e-16
+"""Relative; places nearer to each other are not told apart."""
 NARROWINGS = 16
 """Steps that bring two times together, at most, before halves do the rest."""
 NEWTON = 1e-9
@@ -618,13 +620,14 @@ def _summit(way: Array, course: Array, start: int, top: float) -> tuple[int, flo
 def _join(ways: Array, courses: Array, first: int, last: int, rows: Array, n: int) -> int:
     """Write a rise from one boundary and a fall to another; return the number of all segments.
 
-    The highest speed at which a rise is levelled off before a fall is found by the Illinois rule.
+    The highest speed at which a rise is levelled off before a fall is looked for by `_share`.
     """
     there, back, gone, p = ways[0], ways[1], ways[2, 1], ways.shape[2] - 1
     low = max(there[4, first], there[4, last])
-    top = high = max(min(there[8, first], back[8, p - last]), low)
-    under, over, ended = -1.0, 0.0, False
-    row, t, k, x, side = int(there[6, first]), 0.0, first, 0.0, 0
+    top = max(min(there[8, first], back[8, p - last]), low)
+    here, seen, ended = 0.0, 0.0, False
+    other_end, other_room, before, before_room = low, 0.0, low, 0.0
+    row, t, k, x = int(there[6, first]), 0.0, first, 0.0
     other, u, i, y = int(back[6, p - last]), 0.0, last, 0.0
     for step in range(ROUNDS):
         row, t, k, x = _summit(there, courses[0], first, top)
@@ -638,20 +641,22 @@ def _join(ways: Array, courses: Array, first: int, last: int, rows: Array, n: in
             room = (y - there[0, i]) - (gone[k] - gone[i + 1]) - x
         if ended or (step == 0 and room >= 0.0) or 0.0 <= room <= ROUNDING * there[0, first]:
             break
+        if step == 1:
+            room = max(room, 0.0)
+        if step > 0 and (room >= 0.0) == (seen >= 0.0):
+            before, before_room = here, seen
+        elif step > 0:
+            before, before_room = other_end, other_room
+            other_end, other_room = here, seen
+        here, seen = top, room
         if step == 0:
-            over, top = room, low
-        else:
-            if room >= 0.0 or step == 1:
-                low, under, over = top, max(room, 0.0), 0.5 * over if side < 0 else over
-                side = -1
-            else:
-                high, over, under = top, room, 0.5 * under if side > 0 else under
-                side = 1
-            top = 0.5 * (low + high)
-            if step % 4 > 0 and low < low + under * (high - low) / (under - over) < high:
-                top = low + under * (high - low) / (under - over)
-            if not low < top < high or step == ROUNDS - 2:
-                top, ended = low, True
+            top = low
+            continue
+        share = 0.5 if step == 1 else _share(here, seen, other_end, other_room, before, before_room)
+        least = abs(here) * NEAREST / abs(other_end - here)
+        top = here + min(max(share, least), 1.0 - least) * (other_end - here)
+        if not min(here, other_end) < top < max(here, other_end) or step == ROUNDS - 2:
+            top, ended = here if seen >= 0.0 else other_end, True
     n, k, x = _copy(there, courses[0], first, row, t, rows, n)
     m, i, y = _copy(back, courses[1], p - last, other, u, courses[2], int(gone[0]))
     i = p - 1 - i
@@ -669,6 +674,30 @@ def _join(ways: Array, courses: Array, first: int, last: int, rows: Array, n: in
         _add_row(rows, n, i, x, v + h * (a + 0.5 * h * j), -(a + h * j), j, h)
         n += 1
     return n
+
+
+def _share(x1: float, f1: float, x2: float, f2: float, x3: float, f3: float) -> float:
+    """Return where a root lies between two places, as a share of the way from the first to the second.
+
+    By inverse quadratic interpolation where that is known to serve, else in the middle (Chandrupatla 1997, A
+    new hybrid quadratic/bisection algorithm for finding the zero of a nonlinear function without using
+    derivatives, Advances in Engineering Software 28(3)).
+
+    Args:
+        x1: looked at last.
+        f1: what was found there.
+        x2: on the other side of the root.
+        f2: what was found there.
+        x3: looked at before.
+        f3: what was found there.
+    """
+    if f2 == f3 or x2 == x3:
+        return 0.5
+    share, level = (x1 - x2) / (x3 - x2), (f1 - f2) / (f3 - f2)
+    if not (level * level < share and (1.0 - level) * (1.0 - level) < 1.0 - share):
+        return 0.5
+    bend = (x3 - x1) / (x2 - x1) * f1 / (f3 - f1) * f2 / (f3 - f2)
+    return f1 / (f2 - f1) * f3 / (f2 - f3) + bend
 
 
 def _copy(
