@@ -12,7 +12,7 @@ from pathlib import Path
 ROOT = Path(__file__).parent.parent
 sys.path.insert(0, str(ROOT / "tests"))
 
-from support.fuzzing.guard import Result, fuzz  # noqa: E402  # the path above is needed first
+from support.fuzzing.guard import Result, fuzz, nursery  # noqa: E402  # the path above is needed first
 from support.fuzzing.targets import NAMES, target_of  # noqa: E402  # as above
 
 
@@ -30,11 +30,13 @@ def main() -> int:
         sys.stdout.buffer.write(target_of(names[0]).case(options.seed, options.show))
         return 0
     faults = 0
-    for name in names:
-        start = time.perf_counter()
-        result = fuzz(name, options.seed, range(options.first, options.first + options.cases))
-        _tell(result, time.perf_counter() - start)
-        faults += len(result.faults)
+    cases = range(options.first, options.first + options.cases)
+    with nursery() as copies:
+        for name in names:
+            start = time.perf_counter()
+            result = fuzz(copies, name, options.seed, cases)
+            _tell(result, time.perf_counter() - start)
+            faults += len(result.faults)
     return 1 if faults else 0
 
 

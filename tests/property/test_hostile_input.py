@@ -4,11 +4,13 @@
 """
 
 import sys
+from collections.abc import Iterator
 
 import pytest
 
-from support.fuzzing.guard import fuzz
+from support.fuzzing.guard import fuzz, nursery
 from support.fuzzing.targets import MODULES, NAMES, targets_of
+from support.nursery import Nursery
 
 CASES = 100
 SEED = 7
@@ -25,9 +27,16 @@ WORDS = {
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="the guard needs limits of POSIX")
 
 
+@pytest.fixture(scope="module")
+def copies() -> Iterator[Nursery]:
+    """Return what makes the processes that read."""
+    with nursery() as running:
+        yield running
+
+
 @pytest.mark.parametrize("name", NAMES)
-def test_hostile_input_is_answered(name: str) -> None:
-    result = fuzz(name, SEED, range(CASES))
+def test_hostile_input_is_answered(name: str, copies: Nursery) -> None:
+    result = fuzz(copies, name, SEED, range(CASES))
     assert result.faults == {}
     assert result.cases == CASES
     assert result.answers["read"] > 0  # some of it is still right
@@ -39,8 +48,8 @@ def test_every_target_of_a_module_is_listed(module: str) -> None:
     assert tuple(one.name for one in targets_of(module)) == MODULES[module]
 
 
-def test_the_guard_sees_what_it_is_for() -> None:
+def test_the_guard_sees_what_it_is_for(copies: Nursery) -> None:
     """Six faulty cases among right ones; a case that ends its process costs no other case."""
-    found = fuzz("fault", SEED, range(10), hang=0.5)
+    found = fuzz(copies, "fault", SEED, range(10), hang=0.5)
     assert found.cases == 10
     assert {number: fault[: len(WORDS[number])] for number, fault in found.faults.items()} == WORDS

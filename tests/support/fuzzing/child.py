@@ -1,6 +1,6 @@
 """The process that reads hostile input: it may be lost, and says before each case which one it is.
 
-python -m support.fuzzing.child NOTES TARGET SEED FIRST END HANG
+Arguments: NOTES TARGET SEED FIRST END HANG. It is a copy of a process that has loaded all targets.
 """
 
 import contextlib
@@ -133,7 +133,3 @@ def main() -> None:
     os.chdir(Path(place).parent)
     with Path(place).open("w", encoding="utf-8") as notes:
         _read(_target(name), int(seed), range(int(first), int(end)), float(hang), notes)
-
-
-if __name__ == "__main__":
-    main()

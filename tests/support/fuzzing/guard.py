@@ -1,16 +1,16 @@
 """Cases read in child processes that may hang, die or eat memory; what was wrong is kept."""
 
 import json
-import os
 import signal
-import subprocess
-import sys
 from collections import Counter
 from dataclasses import dataclass, field
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-_TESTS = Path(__file__).parents[2]
+from support.fuzzing.targets import MODULES
+from support.nursery import Ended, Nursery
+
+CHILD = "support.fuzzing.child"
 HANG = 20.0
 """Processor time that a case may take [s]."""
 _MOST_FAULTS = 50
@@ -37,10 +37,16 @@ class Result:
     seconds: float = 0.0
 
 
-def fuzz(target: str, seed: int, cases: range, hang: float = HANG) -> Result:
+def nursery() -> Nursery:
+    """Return a process that has loaded all targets, of which the children are copies."""
+    return Nursery([CHILD, *(f"support.fuzzing.{module}" for module in MODULES)])
+
+
+def fuzz(copies: Nursery, target: str, seed: int, cases: range, hang: float = HANG) -> Result:
     """Read cases of a target in child processes; one that dies is followed by another.
 
     Args:
+        copies: makes the children.
         target: name.
         seed: of the inputs.
         cases: numbers of the inputs.
@@ -49,28 +55,16 @@ def fuzz(target: str, seed: int, cases: range, hang: float = HANG) -> Result:
     result = Result(target)
     first = cases.start
     while first < cases.stop and len(result.faults) < _MOST_FAULTS:
-        first = _batch(result, seed, range(first, cases.stop), hang)
+        first = _batch(copies, result, seed, range(first, cases.stop), hang)
     return result
 
 
-def _batch(result: Result, seed: int, cases: range, hang: float) -> int:
+def _batch(copies: Nursery, result: Result, seed: int, cases: range, hang: float) -> int:
     """Run one child and return the case that is next."""
     with TemporaryDirectory(prefix="ropsim-fuzz-") as folder:
         notes = Path(folder) / "notes"
-        path = os.pathsep.join([str(_TESTS), *sys.path])
-        words = ["support.fuzzing.child", notes, result.target, seed, cases.start, cases.stop, hang]
-        done = subprocess.run(
-            [sys.executable, "-m", *map(str, words)],
-            env={
-                **os.environ,
-                "PYTHONPATH": path,
-                "TMPDIR": folder,
-                "HOME": folder,
-            },
-            stdin=subprocess.DEVNULL,
-            capture_output=True,
-            check=False,
-        )
+        words = [notes, result.target, seed, cases.start, cases.stop, hang]
+        done = copies.run(CHILD, [str(word) for word in words], {"TMPDIR": folder, "HOME": folder})
         lines = notes.read_text("utf-8").splitlines() if notes.exists() else []
     reached = cases.start - 1
     for line in lines:
@@ -84,15 +78,15 @@ def _batch(result: Result, seed: int, cases: range, hang: float) -> int:
             result.peak = max(result.peak, entry["peak"])
             result.seconds += entry["seconds"]
     result.cases += reached + 1 - cases.start
-    if done.returncode == 0:
+    if done.code == 0:
         return cases.stop
     if reached < cases.start:
-        raise RuntimeError(f"the child could not begin: {done.stderr.decode('utf-8', 'replace')[-2000:]}")
-    result.faults[reached] = _death(done.returncode, done.stderr)
+        raise RuntimeError(f"the child could not begin: {done.complained[-2000:]}")
+    result.faults[reached] = _death(done)
     return reached + 1
 
 
-def _death(code: int, said: bytes) -> str:
-    if code == -signal.SIGPROF:
+def _death(done: Ended) -> str:
+    if done.code == -signal.SIGPROF:
         return "hang: took more processor time than a case may"
-    return f"died with {code}: {said.decode('utf-8', 'replace')[-300:]}"
+    return f"died with {done.code}: {done.complained[-300:]}"

@@ -1,4 +1,4 @@
-"""All targets by name; what one reads is loaded when it is asked for: each has processes of its own."""
+"""All targets by name; what one reads is loaded when it is asked for."""
 
 from collections.abc import Mapping
 from importlib import import_module
