@@ -5,12 +5,13 @@ docs/explanation/robustness.md tells how and what was found.
 
 import argparse
 import sys
+from itertools import product
 from pathlib import Path
 
 ROOT = Path(__file__).parent.parent
 sys.path.insert(0, str(ROOT / "tests"))
 
-from support.kills.family import killed_job  # noqa: E402  # the path above is needed first
+from support.kills.family import killed_job, nursery  # noqa: E402  # the path above is needed first
 from support.kills.jobs import JOBS  # noqa: E402
 
 
@@ -21,9 +22,10 @@ def main() -> int:
     parser.add_argument("--seed", type=int, default=1, metavar="S", help="another seed, other moments")
     options = parser.parse_args()
     faults = 0
-    for job in JOBS:
-        for how in ((), ("timed",)):
-            found = killed_job(job, options.kills, options.seed, *how)
+    ways: tuple[tuple[str, ...], ...] = ((), ("timed",))
+    with nursery() as copies:
+        for job, how in product(JOBS, ways):
+            found = killed_job(copies, job, options.kills, options.seed, *how)
             way = "at random times" if how else f"at {found.moments} counted moments"
             print(f"{job:10} killed {found.killed:4} times {way}  {len(found.faults)} faults")
             for fault in found.faults:

@@ -1,13 +1,11 @@
 """Kills of a job, in a process of their own."""
 
 import json
-import os
-import subprocess
-import sys
 from dataclasses import dataclass
-from pathlib import Path
 
-_TESTS = Path(__file__).parents[2]
+from support.nursery import Nursery
+
+KILLING = "support.kills.killing"
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,17 +23,15 @@ class Killed:
     faults: list[str]
 
 
-def killed_job(job: str, kills: int, seed: int, *how: str) -> Killed:
+def nursery() -> Nursery:
+    """Return a process that has loaded all jobs, and numba; in its copies they are killed."""
+    return Nursery([KILLING, "numba"])
+
+
+def killed_job(copies: Nursery, job: str, kills: int, seed: int, *how: str) -> Killed:
     """Kill a job at random moments; `timed` kills at random times instead."""
-    done = subprocess.run(
-        [sys.executable, "-m", "support.kills.killing", job, str(kills), str(seed), *how],
-        env={**os.environ, "PYTHONPATH": os.pathsep.join([str(_TESTS), *sys.path])},
-        stdin=subprocess.DEVNULL,
-        capture_output=True,
-        text=True,
-        check=False,
-    )
-    if done.returncode:
-        raise RuntimeError(done.stderr[-2000:])
-    found = json.loads(done.stdout)
+    done = copies.run(KILLING, [job, str(kills), str(seed), *how], {})
+    if done.code:
+        raise RuntimeError(done.complained[-2000:])
+    found = json.loads(done.printed)
     return Killed(found["moments"], found["killed"], found["faults"])

@@ -1,6 +1,6 @@
 """Do a job again and again, each time killed at another moment, and look what the next start finds.
 
-python -m support.kills.killing JOB KILLS SEED [timed]
+Arguments: JOB KILLS SEED [timed]
 
 Every act and every check is a process of its own, forked from this one, which has no threads. With `timed`
 the parent kills at a random time instead of the child at a counted moment.
@@ -109,7 +109,3 @@ def main() -> None:
         killed += ended
         faults += [fault] if fault else []
     sys.stdout.write(json.dumps({"job": name, "moments": moments, "killed": killed, "faults": faults}))
-
-
-if __name__ == "__main__":
-    main()
