@@ -11,6 +11,8 @@ import pytest
 
 from ropsim import language
 from ropsim.icr import disassemble, program_id
+from ropsim.program import check_contracts
+from ropsim.program.diagnostics import GRIPPER_STATE
 from support.tasks import CELL
 
 EDITS = int(os.environ.get("ROPSIM_EDITS", "300"))
@@ -84,6 +86,10 @@ PIECES = [
     "program other",
     "needs the gripper to be open and the",
     "assumes gripper open at start.",
+    "assumes gripper open",
+    "needs gripper closed",
+    "open",
+    "close",
     "lin (1,",
     "x = 1 \\",
     "return 3",
@@ -159,6 +165,10 @@ def test_earlier_versions_change_no_answer(seed: int) -> None:
         text = typist.edit()
         name = typist.random.choice(["t.task", "t.task", "u.task"])
         kept = told(language.compile(text, CELL, name, cache))
-        fresh = told(language.compile(text, CELL, name))
+        alone = language.compile(text, CELL, name)
+        fresh = told(alone)
         for part in fresh:
             assert kept[part] == fresh[part], f"{part} of\n{text}"
+        if alone.icr is not None and alone.program is not None:
+            contracts = [one for one in alone.diagnostics if one.code == GRIPPER_STATE.code]
+            assert contracts == [*dict.fromkeys(check_contracts(alone.program, alone.places))]

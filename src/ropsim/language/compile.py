@@ -13,6 +13,7 @@ from ropsim.language.check.outcome import Outcome
 from ropsim.language.check.reached import never_called, unreached
 from ropsim.language.check.signatures import for_library
 from ropsim.language.codes import code_of
+from ropsim.language.contract_checks import broken_contracts
 from ropsim.language.division import divided
 from ropsim.language.environment import NO_SIGNATURES, Environment, TaskSignature
 from ropsim.language.findings import syntax as kinds
@@ -21,7 +22,7 @@ from ropsim.language.places import at_names
 from ropsim.language.report import Report, TooManyFindingsError
 from ropsim.language.task_form import TaskForm
 from ropsim.language.text import Line
-from ropsim.program import Program, SourceMap, check_contracts, recursion
+from ropsim.program import Program, SourceMap, has_gripper_contract, in_order, recursion
 from ropsim.query import Database
 
 OF_UNITS = (*questions.OF_PARTS, HIDDEN)
@@ -125,8 +126,9 @@ def _lowered(
     report.extend(map(places.finding, _circles(program, db)))
     if report.has_errors:
         return None
-    if any(one.has_contracts for one in bodies) or len(program.tasks) > len(db.ask(questions.own_tasks)):
-        report.extend(check_contracts(program, places))
+    library = program.tasks[len(db.ask(questions.own_tasks)) :]
+    if any(one.has_contracts for one in bodies) or any(map(has_gripper_contract, library)):
+        report.extend(in_order(broken_contracts(db), places))
     every: tuple[Outcome | questions.Bodies, ...] = (control, *bodies)
     report.extend(places.finding(found) for one in every for found in one.impossible)
     report.extend(unreached((places.span(one), places.span(end)) for body in every for one, end in body.late))

@@ -1,8 +1,17 @@
 """The structured program (SIR): typed statements in SI units, and its lowering to ICR."""
 
+from ropsim.program.calls import callees_first as callees_first
 from ropsim.program.calls import circles as circles
 from ropsim.program.calls import recursion as recursion
+from ropsim.program.contract import Gripper as Gripper
+from ropsim.program.contract import GripperCalls as GripperCalls
+from ropsim.program.contract import GripperPassage as GripperPassage
 from ropsim.program.contract import check_contracts as check_contracts
+from ropsim.program.contract import contract_findings as contract_findings
+from ropsim.program.contract import has_gripper_contract as has_gripper_contract
+from ropsim.program.contract import has_several_tools as has_several_tools
+from ropsim.program.contract import in_order as in_order
+from ropsim.program.contract import tools_in as tools_in
 from ropsim.program.diagnostics import LoweringError as LoweringError
 from ropsim.program.expressions import Binary as Binary
 from ropsim.program.expressions import CommandPose as CommandPose

@@ -5,7 +5,7 @@ loops are followed to a fixpoint, calls are followed with the state at the call 
 "Abstract interpretation", POPL 1977).
 """
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from enum import Enum
 
@@ -21,28 +21,71 @@ from ropsim.program.source_map import SourceMap
 from ropsim.program.walk import walk
 
 
-class _Gripper(Enum):
+class Gripper(Enum):
+    """What is known of the gripper at a place of a program."""
+
     OPEN = "open"
     CLOSED = "closed"
     UNKNOWN = "unknown"
 
 
-_State = _Gripper | None
-_Entry = tuple[str, _Gripper]
+State = Gripper | None
+"""None where control never is."""
+_Entry = tuple[str, Gripper]
 """A task and the state in which it begins."""
 _Place = tuple[str, int, int, str]
 """Source, line and column of a call, and the task."""
-_AFTER = {GripAction.OPEN: _Gripper.OPEN, GripAction.CLOSE: _Gripper.CLOSED}
+_AFTER = {GripAction.OPEN: Gripper.OPEN, GripAction.CLOSE: Gripper.CLOSED}
+
+
+@frozen_dataclass
+class GripperPassage:
+    """A block followed from one state.
+
+    Attributes:
+        now: state behind its last statement.
+        end: state behind it, also where it returns.
+        found: what is wrong in it, by the place of the call.
+        entered: tasks that it calls, with the states in which they begin.
+    """
+
+    now: State
+    end: State
+    found: Mapping[_Place, Diagnostic]
+    entered: frozenset[_Entry]
+
+
+@frozen_dataclass
+class GripperCalls:
+    """What a block needs to know of tasks.
+
+    Attributes:
+        contracts: of a task, by its name; None for no task.
+        passage: a task followed from a state; None for one that calls itself.
+        has_tools: whether the program has several tools.
+    """
+
+    contracts: Callable[[str], tuple[Contract, ...] | None]
+    passage: Callable[[str, Gripper], GripperPassage | None]
+    has_tools: bool
+
+    def followed(self, block: st.Block, state: State) -> GripperPassage:
+        """Follow a block from a state."""
+        following = _Walk(self)
+        flow = _Flow(state)
+        following.block(block, flow)
+        end = _join(flow.now, flow.returned)
+        return GripperPassage(flow.now, end, following.found, frozenset(following.entered))
 
 
 @dataclass(slots=True)
 class _Flow:
     """The state where control is, and the states that leave by break, continue and return."""
 
-    now: _State
-    broken: _State = None
-    continued: _State = None
-    returned: _State = None
+    now: State
+    broken: State = None
+    continued: State = None
+    returned: State = None
 
 
 def check_contracts(program: Program, places: SourceMap | None = None) -> tuple[Diagnostic, ...]:
@@ -52,22 +95,50 @@ def check_contracts(program: Program, places: SourceMap | None = None) -> tuple[
     unknown. Each task is followed once from each state, callees first; of that counts what control reaches.
     """
     tasks = {task.name: task for task in program.tasks}
-    if not any(contract.gripper for task in tasks.values() for contract in task.contracts):
+    if not any(has_gripper_contract(task) for task in tasks.values()):
         return ()
-    check = _Check(tasks, len(_tools(program)) > 1)
+    passed: dict[_Entry, GripperPassage] = {}
+    blocks = (program.main, *(task.body for task in program.tasks))
+    calls = GripperCalls(
+        lambda name: tasks[name].contracts if name in tasks else None,
+        lambda name, state: passed.get((name, state)),
+        has_several_tools((program.tool, *(tool for block in blocks for tool in tools_in(block)))),
+    )
     for name in callees_first(tasks):
-        for state in _Gripper:
-            check.passed[name, state] = check.passage(tasks[name].body, state)
+        for state in Gripper:
+            passed[name, state] = calls.followed(tasks[name].body, state)
+    main = calls.followed(program.main, Gripper.UNKNOWN)
+    return in_order(contract_findings(main, lambda name, state: passed[name, state]), places or SourceMap(""))
+
+
+def has_gripper_contract(task: Task) -> bool:
+    """Return whether a task says in which state the gripper must be."""
+    return any(contract.gripper for contract in task.contracts)
+
+
+def contract_findings(
+    main: GripperPassage, passage: Callable[[str, Gripper], GripperPassage]
+) -> tuple[Diagnostic, ...]:
+    """Return what is wrong where control comes, places as in the statements.
+
+    Args:
+        main: the control statements, followed.
+        passage: a task followed from a state.
+    """
     found: dict[_Place, Diagnostic] = {}
-    work = [check.passage(program.main, _Gripper.UNKNOWN)]
+    work = [main]
     reached: set[_Entry] = set()
     while work:
-        passage = work.pop()
-        found |= {place: one for place, one in passage.found.items() if place not in found}
-        work += [check.passed[entry] for entry in passage.entered if entry not in reached]
-        reached |= passage.entered
-    at = (places or SourceMap("")).finding
-    return tuple(sorted(map(at, found.values()), key=_order))
+        one = work.pop()
+        found |= {place: wrong for place, wrong in one.found.items() if place not in found}
+        work += [passage(*entry) for entry in one.entered if entry not in reached]
+        reached |= one.entered
+    return tuple(found.values())
+
+
+def in_order(findings: Iterable[Diagnostic], places: SourceMap) -> tuple[Diagnostic, ...]:
+    """Return findings where they lie in the text, in order of their places."""
+    return tuple(sorted(map(places.finding, findings), key=_order))
 
 
 def _order(finding: Diagnostic) -> tuple[str, int, int, str]:
@@ -75,43 +146,25 @@ def _order(finding: Diagnostic) -> tuple[str, int, int, str]:
     return (span.source, span.line, span.column, finding.message) if span is not None else ("", 0, 0, "")
 
 
-def _tools(program: Program) -> set[str]:
-    blocks = (program.main, *(task.body for task in program.tasks))
-    statements = [statement for block in blocks for statement in walk(block)]
-    named = {program.tool} | {one.tool for one in statements if isinstance(one, st.Grip)}
+def has_several_tools(named: Iterable[str]) -> bool:
+    """Return whether there are several tools among names, of which empty ones are none."""
+    return len({*named} - {""}) > 1
+
+
+def tools_in(block: st.Block) -> frozenset[str]:
+    """Return the tools that a block names; the empty name where it names none."""
+    statements = [*walk(block)]
+    named = {one.tool for one in statements if isinstance(one, st.Grip)}
     changed = {one.settings.tool or "" for one in statements if isinstance(one, st.Set | st.With | Move)}
-    return (named | changed) - {""}
-
-
-@frozen_dataclass
-class _Passage:
-    """A block followed from one state: how it ends, what is found in it, and which tasks it enters how."""
-
-    end: _State
-    found: dict[_Place, Diagnostic]
-    entered: set[_Entry]
-
-
-@dataclass(slots=True)
-class _Check:
-    tasks: dict[str, Task]
-    has_tools: bool
-    passed: dict[_Entry, _Passage] = field(default_factory=dict)
-
-    def passage(self, block: st.Block, state: _State) -> _Passage:
-        """Follow a block from a state."""
-        following = _Walk(self)
-        flow = _Flow(state)
-        following.block(block, flow)
-        return _Passage(_join(flow.now, flow.returned), following.found, following.entered)
+    return frozenset(named | changed)
 
 
 @dataclass(slots=True)
 class _Walk:
-    check: _Check
+    calls: GripperCalls
     found: dict[_Place, Diagnostic] = field(default_factory=dict)
     entered: set[_Entry] = field(default_factory=set)
-    loops: dict[tuple[int, _State], _Flow] = field(default_factory=dict)
+    loops: dict[tuple[int, State], _Flow] = field(default_factory=dict)
 
     def block(self, block: st.Block, flow: _Flow) -> None:
         """Carry the state through a block; what follows a way out is not looked at."""
@@ -151,7 +204,7 @@ class _Walk:
                 pass
 
     def branches(self, blocks: list[st.Block], flow: _Flow) -> None:
-        end: _State = None
+        end: State = None
         start = flow.now
         for block in blocks:
             flow.now = start
@@ -175,30 +228,30 @@ class _Walk:
         after = self.loops[key]
         flow.now, flow.returned = after.now, _join(flow.returned, after.returned)
 
-    def round(self, statement: st.While | st.For | st.Repeat, head: _State) -> _Flow:
+    def round(self, statement: st.While | st.For | st.Repeat, head: State) -> _Flow:
         inner = _Flow(head)
         self.block(statement.body, inner)
         return inner
 
     def tool(self, settings: Settings, flow: _Flow) -> None:
-        if settings.tool is not None and self.check.has_tools and flow.now is not None:
-            flow.now = _Gripper.UNKNOWN
+        if settings.tool is not None and self.calls.has_tools and flow.now is not None:
+            flow.now = Gripper.UNKNOWN
 
-    def call(self, call: st.Call, state: _State) -> _State:
-        task = self.check.tasks.get(call.task)
-        if task is None or state is None:
-            return _Gripper.UNKNOWN
-        for contract, wanted in _wanted(task):
+    def call(self, call: st.Call, state: State) -> State:
+        contracts = self.calls.contracts(call.task)
+        if contracts is None or state is None:
+            return Gripper.UNKNOWN
+        for contract, wanted in _wanted(contracts):
             if state in _AFTER.values() and state is not wanted:
                 self.report(call, contract, state)
             state = wanted
-        passed = self.check.passed.get((task.name, state))
+        passed = self.calls.passage(call.task, state)
         if passed is None:  # a task that calls itself
-            return _Gripper.UNKNOWN
-        self.entered.add((task.name, state))
+            return Gripper.UNKNOWN
+        self.entered.add((call.task, state))
         return passed.end
 
-    def report(self, call: st.Call, contract: Contract, state: _Gripper) -> None:
+    def report(self, call: st.Call, contract: Contract, state: Gripper) -> None:
         wanted = _AFTER[contract.gripper].value if contract.gripper else ""
         message = f"task `{call.task}` assumes the gripper {wanted}, it is {state.value} at this call"
         verb = contract.gripper.value if contract.gripper else ""
@@ -214,16 +267,16 @@ class _Walk:
         )
 
 
-def _wanted(task: Task) -> Iterator[tuple[Contract, _Gripper]]:
-    for contract in task.contracts:
+def _wanted(contracts: tuple[Contract, ...]) -> Iterator[tuple[Contract, Gripper]]:
+    for contract in contracts:
         if contract.gripper is not None:
             yield contract, _AFTER[contract.gripper]
 
 
-def _join(one: _State, other: _State) -> _State:
+def _join(one: State, other: State) -> State:
     if one is None or other is None or one is other:
         return other if one is None else one
-    return _Gripper.UNKNOWN
+    return Gripper.UNKNOWN
 
 
 def _runs_at_least_once(statement: st.While | st.For | st.Repeat) -> bool:

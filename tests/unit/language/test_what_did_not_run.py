@@ -242,3 +242,11 @@ def test_a_text_with_more_answers_than_are_kept_is_worked_out_once(monkeypatch: 
     editor.edited(FLAT.replace("lin (400, 30, 300)", "lin (400, 30, 310)"))
     assert len(editor.ran("checked_part")) == 1
     assert len(editor.ran("parsed")) == 1
+
+
+def test_contracts_are_followed_again_in_the_task_of_an_edit_alone() -> None:
+    editor = Editor(TEXT.replace("length = 60 mm)\n", "length = 60 mm)\n  needs gripper open\n"))
+    assert editor.ran("task_passage") == {"Pick", "Count", "Fetch"}
+    editor.edited(TEXT.replace("length = 60 mm)\n", "length = 60 mm)\n  needs gripper open\n  open\n"))
+    assert editor.ran("task_passage") == {"Pick"}
+    assert editor.ran("part_passage") == set()
