@@ -82,7 +82,14 @@ class _Check:
 
     def move(self, move: Move, start: KnownPlace | None) -> KnownPlace | None:
         is_other = move.settings.tool is not None
-        places = [None if is_other else start, *map(_place, (*move.via, move.target))]
+        if move.via:
+            self.through(move, None if is_other else start)
+        ends_there = move.angle is None and move.guard is None and move.tracking is None
+        return _place(move.target) if ends_there and not is_other else None
+
+    def through(self, move: Move, start: KnownPlace | None) -> None:
+        """Note what is wrong with the points of an arc or a curve."""
+        places = [start, *map(_place, (*move.via, move.target))]
         if move.kind == MotionKind.CIRC and len(places) == 3:
             fault = _arc_fault(places)
         elif move.kind == MotionKind.SPLINE:
@@ -91,8 +98,6 @@ class _Check:
             fault = None
         if fault is not None:
             self.found.append(IMPOSSIBLE_PATH.at(move.span, fault[0], hint=fault[1]))
-        ends_elsewhere = any(one is not None for one in (move.angle, move.guard, move.tracking))
-        return None if is_other or ends_elsewhere else places[-1]
 
 
 def _place(location: Expression) -> KnownPlace | None:

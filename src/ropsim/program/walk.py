@@ -6,6 +6,9 @@ from dataclasses import fields, is_dataclass
 from ropsim.program.expressions import Expression, SignalValue
 from ropsim.program.statements import Block, For, If, Repeat, Statement, WaitUntil, While, With
 
+_HOLDING = frozenset({If, While, Repeat, For, With, WaitUntil})
+"""Statements with blocks inside."""
+
 
 def parts(statement: Statement) -> tuple[Block, ...]:
     """Return the blocks inside a statement."""
@@ -26,8 +29,9 @@ def walk(block: Block) -> Iterator[Statement]:
     while work:
         statement = work.pop()
         yield statement
-        for part in reversed(parts(statement)):
-            work += reversed(part)
+        if type(statement) in _HOLDING:
+            for part in reversed(parts(statement)):
+                work += reversed(part)
 
 
 def signals_of(expression: Expression) -> Iterator[str]:

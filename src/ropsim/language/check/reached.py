@@ -80,6 +80,8 @@ def late(block: Block) -> Iterator[tuple[Span, Span]]:
 
 
 def _inside(statement: Statement) -> Iterator[tuple[Span, Span]]:
+    if type(statement) in _PLAIN:
+        return
     for block in _blocks(statement):
         yield from late(block)
 
@@ -93,7 +95,9 @@ def _blocks(statement: Statement) -> tuple[Block, ...]:
     return ()
 
 
-_GOING_ON = frozenset({Move, Assign, AssignComponent, Call, Set, Grip, Output, Wait, WaitUntil, Message, For})
+_PLAIN = frozenset({Move, Assign, AssignComponent, Call, Set, Grip, Output, Wait, Message})
+"""Statements without blocks, none of which is a way out."""
+_GOING_ON = _PLAIN | {WaitUntil, For}
 """Statements behind which control goes on, whatever stands in them."""
 
 

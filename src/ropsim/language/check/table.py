@@ -1,7 +1,7 @@
 """A table of names of which is noted what is looked up, so that only that is depended on."""
 
 from collections.abc import Callable, Container, Iterable, Iterator, Mapping
-from typing import TypeVar
+from typing import Any, TypeVar
 
 T = TypeVar("T")
 
@@ -26,6 +26,11 @@ class Table(Mapping[str, T]):
         if found is None:
             raise KeyError(name)
         return found
+
+    def get(self, name: str, default: Any = None, /) -> Any:  # noqa: ANN401 - as of any mapping
+        """Return what a name means; raising and catching nothing, as most names mean nothing here."""
+        found = self._look_up(name)
+        return default if found is None else found
 
     def __contains__(self, name: object) -> bool:
         return self._look_up(str(name)) is not None
