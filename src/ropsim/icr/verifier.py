@@ -38,11 +38,11 @@ def verify(program: Program) -> tuple[Diagnostic, ...]:
 
 def capabilities(procedures: Iterable[Procedure]) -> tuple[str, ...]:
     """Return what a robot must offer for these procedures, sorted."""
-    used: set[str] = set()
+    pose, used = Type.POSE, set[str]()
     for procedure in procedures:
         used.update([mnemonic for mnemonic, _ in procedure.code])
         constants = [one for _, operands in procedure.code for one in operands if isinstance(one, Constant)]
-        if any(map(_carries_external, constants)):
+        if any([one.type is pose and _carries_external(one) for one in constants]):
             used.add("MKEXT")
     offers = {OPCODES[mnemonic].capability for mnemonic in used if mnemonic in OPCODES}
     return tuple(sorted(offers - {""}))
@@ -50,7 +50,7 @@ def capabilities(procedures: Iterable[Procedure]) -> tuple[str, ...]:
 
 def _carries_external(constant: Constant) -> bool:
     value = constant.value
-    return constant.type is Type.POSE and isinstance(value, tuple) and len(value) > WIDTHS[Type.POSE]
+    return isinstance(value, tuple) and len(value) > WIDTHS[Type.POSE]
 
 
 def _header(program: Program) -> Iterator[Diagnostic]:

@@ -4,7 +4,7 @@ import re
 from collections.abc import Iterator, Sequence
 from typing import Protocol
 
-from ropsim.core import SourceText, frozen_dataclass
+from ropsim.core import SourceText, frozen_dataclass, maker
 from ropsim.language.syntax.fault import Fault
 from ropsim.language.syntax.lines import LogicalLine, joined_lines
 from ropsim.language.syntax.statements import Broken, Closer, Statement
@@ -53,6 +53,7 @@ class Line:
         return word[0].lower() if word else ""
 
 
+_line = maker(Line)
 _EMPTY = Line(LogicalLine(1, ""), None)
 
 
@@ -74,4 +75,4 @@ def read_lines(lines: Sequence[str], cache: Parser) -> Iterator[Line]:
     parsed = cache.parsed
     for logical in joined_lines(lines):
         statement, fault = parsed(logical.text)
-        yield Line(logical, statement, fault)
+        yield _line(logical, statement, fault)

@@ -9,7 +9,7 @@ from weakref import ref
 
 import pytest
 
-from ropsim.core import frozen_dataclass, frozen_without_equality
+from ropsim.core import frozen_dataclass, frozen_without_equality, maker
 
 
 @frozen_dataclass
@@ -243,3 +243,26 @@ def test_a_class_that_asks_its_parent_keeps_its_own_answer() -> None:
 def test_deleting_is_told_as_such() -> None:
     with pytest.raises(FrozenInstanceError, match="cannot delete field 'x'"):
         del Ours(1.0).x
+
+
+class Child(Longer):
+    """A class of its own that is no dataclass of the house."""
+
+    __slots__ = ()
+
+
+def test_an_object_of_many_fields_is_of_its_own_class_and_frozen() -> None:
+    for one in (Longer(1.5, z=2.0), Child(1.5, z=2.0)):
+        assert (one.x, one.y, one.z, one.made, one.unit) == (1.5, 2.0, 2.0, 1, "mm")
+        with pytest.raises(FrozenInstanceError):
+            one.x = 2.0  # type: ignore[misc]  # what is tested
+    assert type(Longer(1.5)) is Longer
+    assert type(Child(1.5)) is Child
+
+
+def test_a_maker_makes_what_a_call_of_the_class_makes() -> None:
+    made = maker(Angle)(30)
+    assert type(made) is Angle
+    assert made.degrees == 30
+    with pytest.raises(FrozenInstanceError):
+        made.degrees = 2  # type: ignore[misc]  # what is tested

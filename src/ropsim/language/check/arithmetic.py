@@ -17,6 +17,7 @@ from ropsim.language.check.types import (
     bind,
     known,
     real,
+    valued,
 )
 from ropsim.language.findings import types as kinds
 from ropsim.language.syntax import nodes
@@ -44,7 +45,8 @@ def binary(body: Body, node: nodes.Binary, left: Value, right: Value) -> Value:
     if node.op in ("*", "/"):
         return _product(node, left, right, first, second)
     a, b, kind = alike(body, node.op, left, right, node)
-    return Value(fold.binary(_NAMES[node.op], a, b, _value(kind)), kind, left.is_bare and right.is_bare)
+    result = fold.binary(_NAMES[node.op], a, b, _value(kind))
+    return valued(result, kind, left.is_bare and right.is_bare, None)
 
 
 def comparison(body: Body, node: nodes.Binary, left: Value, right: Value) -> Value:
@@ -66,7 +68,7 @@ def comparison(body: Body, node: nodes.Binary, left: Value, right: Value) -> Val
         a, b = convert.real(left), convert.real(right)
     else:
         a, b, _ = alike(body, node.op, left, right, node)
-    return Value(fold.binary(_COMPARE[node.op], a, b, _BOOL), BOOL)
+    return valued(fold.binary(_COMPARE[node.op], a, b, _BOOL), BOOL, False, None)  # noqa: FBT003 - a field
 
 
 def _is_measured(signal: Value, quantity: Value) -> bool:
@@ -111,7 +113,7 @@ def _product(node: nodes.Binary, left: Value, right: Value, a: AnyType, b: AnyTy
         return Value(fold.binary("mul", left.expression, right.expression, _INT), INT, is_bare)
     x, y = convert.real(left), convert.real(right)
     kind = _product_type(node.op, left, right, a, b)
-    return Value(fold.binary(_NAMES[node.op], x, y, _REAL), kind, is_bare)
+    return valued(fold.binary(_NAMES[node.op], x, y, _REAL), kind, is_bare, None)
 
 
 def _product_type(op: str, left: Value, right: Value, a: AnyType, b: AnyType) -> AnyType:
@@ -121,7 +123,10 @@ def _product_type(op: str, left: Value, right: Value, a: AnyType, b: AnyType) ->
         return a
     if isinstance(b, Unknown) and left.is_bare and op == "*":
         return b
-    return _combined(op, _dimension(a), _dimension(b))
+    first, second = _dimension(a), _dimension(b)
+    if second is units.NUMBER and isinstance(a, Type) and a.value is _REAL:
+        return a
+    return _combined(op, first, second)
 
 
 def _dimension(kind: AnyType) -> units.Dimension:

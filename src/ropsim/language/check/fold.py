@@ -4,6 +4,7 @@ import operator
 from collections.abc import Callable
 from math import isfinite
 
+from ropsim.core import maker
 from ropsim.flow import PostureRequest
 from ropsim.icr import INT_MAX, INT_MIN, Location, composed, computed, pose_part
 from ropsim.program import (
@@ -28,6 +29,7 @@ _REAL, _INT = ValueType.REAL, ValueType.INT
 
 IDENTITY: PoseTuple = (0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0)
 
+constant = maker(Constant)
 TRUE = Constant(True, ValueType.BOOL)  # noqa: FBT003 - the value is the datum
 FALSE = Constant(False, ValueType.BOOL)  # noqa: FBT003 - the value is the datum
 
@@ -84,12 +86,12 @@ def boolean(value: object) -> Constant:
 
 def real(value: float) -> Constant:
     """Return a REAL."""
-    return Constant(float(value), _REAL)
+    return constant(float(value), _REAL)
 
 
 def whole(value: int) -> Constant:
     """Return an INT."""
-    return Constant(int(value), _INT)
+    return constant(int(value), _INT)
 
 
 def pose(value: Location) -> Constant:

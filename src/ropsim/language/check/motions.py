@@ -1,5 +1,6 @@
 """Motions: the target, the points on the way, and what holds for this motion only."""
 
+from ropsim.core import maker
 from ropsim.flow import MotionKind, PostureRequest, Side
 from ropsim.icr import external_part
 from ropsim.language.check import (
@@ -49,6 +50,7 @@ _KINDS = {
     "circ": MotionKind.CIRC,
     "spline": MotionKind.SPLINE,
 }
+_move = maker(Move)
 _CURVED = ("circ", "spline")
 _OWN = (
     ("values of external axes", "they are those of the whole path"),
@@ -72,7 +74,7 @@ def motion(body: Body, node: syntax.Motion) -> Block:
     ends, corrected = guards.guard(body, node), trackings.tracking(body, node)
     store = _store(body, node.store) if node.store is not None else ""
     span = body.statement_span
-    move = Move(_KINDS[node.word], target, chosen, span, via, angle, triggers, ends, corrected, store)
+    move = _move(_KINDS[node.word], target, chosen, span, via, angle, triggers, ends, corrected, store)
     if not store:
         return (move,)
     attained = Variable(store, POSE.value)

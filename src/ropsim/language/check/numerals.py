@@ -15,7 +15,7 @@ def fitting(body: Body, node: Node, wanted: Type) -> Constant | None:
     """Return what `convert.to` makes of a number alone; None where there is more to do or to say."""
     if wanted.value is _REAL:
         number = fitting_real(body, node, wanted.dimension)
-        return None if number is None else Constant(number, _REAL)
+        return None if number is None else fold.constant(number, _REAL)
     if wanted.value is _INT and isinstance(node, Number) and node.is_whole and not node.unit:
         return fold.whole(int(node.value))
     return None

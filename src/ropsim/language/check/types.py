@@ -2,7 +2,7 @@
 
 from functools import lru_cache
 
-from ropsim.core import frozen_dataclass
+from ropsim.core import frozen_dataclass, maker
 from ropsim.language.check import units
 from ropsim.language.check.units import Dimension
 from ropsim.program import Expression, ValueType
@@ -175,3 +175,7 @@ class Value:
     type: AnyType
     is_bare: bool = False
     X_KF: PoseTuple | None = None
+
+
+valued = maker(Value)
+"""Makes a value of all its fields."""

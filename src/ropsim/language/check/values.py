@@ -1,5 +1,6 @@
 """The value of an expression, of a wanted type or any; the values of names."""
 
+from ropsim.core import maker
 from ropsim.language.check import convert, numerals
 from ropsim.language.check.body import Body, RejectedError
 from ropsim.language.check.types import (
@@ -12,6 +13,7 @@ from ropsim.language.check.types import (
     Type,
     Value,
     known,
+    valued,
 )
 from ropsim.language.check.world import Pattern, Poison, Variable
 from ropsim.language.findings import names as name_kinds
@@ -35,6 +37,8 @@ _MEMBERS = {
     "rz": (5, ANGLE),
 }
 
+_expression = maker(VariableExpression)
+
 
 def expect(body: Body, node: nodes.Node, wanted: AnyType, what: str) -> Expression:
     """Return the expression of a node as a value of a type.
@@ -56,7 +60,7 @@ def _variable(body: Body, node: nodes.Node, wanted: Type) -> VariableExpression 
     if not isinstance(symbol, Variable) or symbol.type is not wanted:
         return None
     body.read.add(symbol.name)
-    return VariableExpression(symbol.name, wanted.value)
+    return _expression(symbol.name, wanted.value)
 
 
 def check(body: Body, node: nodes.Node) -> Value:
@@ -82,10 +86,8 @@ def name(body: Body, node: nodes.Name) -> Value:
         case Variable():
             body.read.add(symbol.name)
             kind = known(symbol.type)
-            expression = VariableExpression(
-                symbol.name, kind.value if isinstance(kind, Type) else ValueType.REAL
-            )
-            return Value(expression, kind, is_bare=kind == INT)
+            expression = _expression(symbol.name, kind.value if isinstance(kind, Type) else ValueType.REAL)
+            return valued(expression, kind, kind == INT, None)
         case Value():
             return symbol
         case SignalUse():

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from dataclasses import replace
 
-from ropsim.core import did_you_mean
+from ropsim.core import did_you_mean, maker
 from ropsim.language.findings import syntax as kinds
 from ropsim.language.syntax.cursor import Cursor
 from ropsim.language.syntax.lexer import LARGEST, number_parts, number_value, text_value
@@ -54,6 +54,9 @@ _OPERATORS = frozenset(
 """Words and signs by which an expression goes on behind a value."""
 _OF_NAMES = frozenset(".[")
 _AXES = frozenset(a + b + c for a in "XYZ" for b in "XYZ" for c in "XYZ" if a != b != c)
+
+_number, _name, _item = maker(Number), maker(Name), maker(Item)
+_operation, _tuple = maker(Binary), maker(Tuple)
 
 
 def expression(cursor: Cursor) -> Node:
@@ -185,7 +188,7 @@ def _primary(cursor: Cursor) -> Node:
     word = token.word
     if token.kind == "word" and word not in _MEANINGFUL:
         cursor.advance()
-        name = Name(token.text, token.start, token.end)
+        name = _name(token.text, token.start, token.end)
         return _function(cursor, name) if cursor.word == "(" else name
     if token.kind == "number":
         return number(cursor)
@@ -222,7 +225,7 @@ def number(cursor: Cursor) -> Number:
         shown = digits if len(digits) <= 20 else digits[:17] + "…"
         message = f"number `{shown}` is too large; at most {LARGEST:g} is allowed"
         cursor.fault(kinds.NUMBER_SIZE, token.start, token.end, message, "check the digits and the exponent")
-    return Number(value, is_whole, unit, token.start, token.end)
+    return _number(value, is_whole, unit, token.start, token.end)
 
 
 def listed(cursor: Cursor) -> tuple[Node, ...]:
@@ -237,7 +240,7 @@ def _binary(cursor: Cursor, left: Node, op: str, operand: Callable[[Cursor], Nod
     cursor.advance()
     cursor.count_operator()
     right = operand(cursor)
-    return Binary(op, left, right, left.start, right.end)
+    return _operation(op, left, right, left.start, right.end)
 
 
 def _function(cursor: Cursor, name: Name) -> Function:
@@ -288,7 +291,7 @@ def parenthesis(cursor: Cursor) -> Node:
     if len(items) == 1 and not turns and posture is None and items[0].name is None:
         only = items[0].value
         return replace(only, op="==") if isinstance(only, Binary) and only.op == "=" else only
-    return Tuple(tuple(items), turns, posture, start, cursor.end)
+    return _tuple(tuple(items), turns, posture, start, cursor.end)
 
 
 def item(cursor: Cursor) -> Item:
@@ -301,7 +304,7 @@ def item(cursor: Cursor) -> Item:
 
 
 def _unnamed(cursor: Cursor) -> Item:
-    return Item(None, expression(cursor))
+    return _item(None, expression(cursor))
 
 
 def _terms(cursor: Cursor) -> tuple[tuple[Turn, ...], Posture | None]:

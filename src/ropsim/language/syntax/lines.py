@@ -3,7 +3,7 @@
 import re
 from collections.abc import Iterator, Sequence
 
-from ropsim.core import SourceText, Span, frozen_dataclass
+from ropsim.core import SourceText, Span, frozen_dataclass, maker
 from ropsim.language.syntax.words import HEADS
 
 MAX_JOINED = 20
@@ -30,7 +30,7 @@ class LogicalLine:
     def span(self, source: str, start: int, end: int) -> Span:
         """Return the span of the characters from offset `start` to `end` (exclusive)."""
         if start < end <= len(self.text) and "\n" not in self.text:
-            return Span(source, self.number, start + 1, self.number, end + 1)
+            return _span(source, self.number, start + 1, self.number, end + 1)
         first = min(start, max(len(self.text) - 1, 0))
         last = max(first, min(end, len(self.text)) - 1)
         line, column = self._place(first)
@@ -42,6 +42,9 @@ class LogicalLine:
         if not before:
             return self.number, offset + 1
         return self.number + before, offset - self.text.rindex("\n", 0, offset)
+
+
+_logical_line, _span = maker(LogicalLine), maker(Span)
 
 
 def logical_lines(source: SourceText) -> Iterator[LogicalLine]:
@@ -68,7 +71,7 @@ def joined_lines(lines: Sequence[str]) -> Iterator[LogicalLine]:
                 joined.append(lines[number])
                 number += 1
             text = "\n".join(joined)
-        yield LogicalLine(first, text)
+        yield _logical_line(first, text)
 
 
 def _goes_on(joined: list[str], following: str) -> bool:

@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 
+from ropsim.core import maker
 from ropsim.language.findings import syntax as kinds
 from ropsim.language.syntax.cursor import Cursor
 from ropsim.language.syntax.expressions import expression, listed, total
@@ -25,6 +26,8 @@ _MODIFIERS = (*QUANTITIES, "fine", "tool")
 _ENDINGS = ("until", "timeout", "store")
 _ENDS = {"after": "start", "before": "end"}
 _CANONICAL = {"movj": "mov", "movl": "lin", "movc": "circ"}
+
+_made = maker(Motion)
 
 
 def motion(cursor: Cursor, head: Token) -> Statement:
@@ -95,7 +98,7 @@ def _motion(cursor: Cursor, head: Token, via: tuple[Node, ...]) -> Motion:
     word = _CANONICAL.get(head.word, head.word)
     ends = ending.condition, ending.timeout, ending.store
     settings, outputs = tuple(modifiers), tuple(triggers)
-    return Motion(word, via, target, settings, outputs, *ends, corrected, head.start, cursor.end)
+    return _made(word, via, target, settings, outputs, *ends, corrected, head.start, cursor.end)
 
 
 def _tracking(cursor: Cursor, given: Tracking | None) -> Tracking:

@@ -1,6 +1,6 @@
 """Lines that change how the next moves are made, and lines that set outputs."""
 
-from ropsim.core import did_you_mean
+from ropsim.core import did_you_mean, maker
 from ropsim.language.syntax.cursor import Cursor
 from ropsim.language.syntax.expressions import expression, total
 from ropsim.language.syntax.lexer import Token
@@ -13,6 +13,8 @@ QUANTITIES = ("speed", "acc", "blend")
 
 
 _SETTINGS = (*QUANTITIES, "frame", "tool", "fine")
+
+_setting = maker(Setting)
 
 
 def set_statement(cursor: Cursor, head: Token) -> Statement:
@@ -43,7 +45,7 @@ def quantity(cursor: Cursor) -> Setting:
     """Read `word value`."""
     token = cursor.advance()
     value = total(cursor)
-    return Setting(token.word, value, None, token.start, cursor.end)
+    return _setting(token.word, value, None, token.start, cursor.end)
 
 
 def setting(cursor: Cursor) -> Setting:
