@@ -1,5 +1,6 @@
 """Help inside the studio: the sheet of keys, and pages of the manual that can be searched and followed."""
 
+from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 import pytest
@@ -22,12 +23,14 @@ def turn_to(tab: StudioPage, topic: str) -> None:
 
 
 @pytest.fixture
-def panel(tab: StudioPage) -> "Locator":
-    """Return the panel of the help, its search empty."""
+def panel(tab: StudioPage) -> "Iterator[Locator]":
+    """Return the panel of the help, its search empty; it is closed afterwards."""
     panel = tab.page.locator(".panel-help")
     turn_to(tab, "keys")
     panel.get_by_role("searchbox", name="Search").fill("")
-    return panel
+    yield panel
+    tab.page.evaluate("() => __ropsim.command('view.panel.help')")
+    panel.wait_for(state="detached")
 
 
 def test_every_command_with_a_key_is_on_the_sheet(tab: StudioPage, panel: "Locator") -> None:
