@@ -5,6 +5,7 @@
 
 import os
 import random
+from importlib import import_module
 from pathlib import Path
 
 import pytest
@@ -159,8 +160,9 @@ def told(result: language.Compiled) -> dict[str, object]:
 
 @pytest.mark.parametrize("seed", range(4))
 def test_earlier_versions_change_no_answer(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("ropsim.language.questions.groups.USUAL", 3)  # so that short texts have many groups
-    monkeypatch.setattr("ropsim.language.questions.groups.MOST", 5)
+    groups = import_module("ropsim.language.questions.groups")  # short texts are to have many of them
+    monkeypatch.setattr(groups, "USUAL", 3)
+    monkeypatch.setattr(groups, "MOST", 5)
     typist = Typist(seed)
     cache = language.LineCache()
     for _ in range(EDITS // 4):

@@ -26,7 +26,6 @@ class CheckedParts:
         calls: tasks that they call, and where.
         impossible: arcs and curves of them whose points make none.
         may_end: whether something in one of them is not reached, or nothing behind one of its statements.
-        looked_around: whether the names of all variables before one of them would be worth telling to it.
     """
 
     block: Block
@@ -38,7 +37,6 @@ class CheckedParts:
     calls: tuple[tuple[str, Span], ...]
     impossible: tuple[Diagnostic, ...]
     may_end: bool
-    looked_around: bool
 
 
 def joined(parts: Sequence[CheckedPart], impossible: Iterable[tuple[Diagnostic, ...]]) -> CheckedParts:
@@ -53,7 +51,6 @@ def joined(parts: Sequence[CheckedPart], impossible: Iterable[tuple[Diagnostic, 
         tuple(chain.from_iterable(one.calls for one in parts)),
         tuple(chain.from_iterable(impossible)),
         any(one.late or one.end is not None for one in parts),
-        any(one.looked_around for one in parts),
     )
 
 

@@ -39,6 +39,7 @@ class _Step:
         impossible: arcs and curves of it whose points make none.
         start: where the arm is before it, if that is known.
         end: the same behind it.
+        looked_around: whether it was told the names of all variables before it.
     """
 
     unit: str
@@ -49,6 +50,7 @@ class _Step:
     impossible: tuple[Diagnostic, ...]
     start: KnownPlace | None
     end: KnownPlace | None
+    looked_around: bool
 
     @property
     def left(self) -> Left:
@@ -68,6 +70,7 @@ class _Stage:
         left: what they leave to those behind them.
         start: where the arm is before them, if that is known.
         end: the same behind them.
+        looked_around: whether one was told the names of all variables before it.
         found: what was told of them.
     """
 
@@ -78,6 +81,7 @@ class _Stage:
     left: Left
     start: KnownPlace | None
     end: KnownPlace | None
+    looked_around: bool
     found: CheckedParts
 
 
@@ -105,7 +109,7 @@ class _Check(Stages[_Step, _Stage]):
         """Return whether all parts of a group that sees what it saw told what they would tell now."""
         return (
             stage.start == self._place
-            and not stage.found.looked_around
+            and not stage.looked_around
             and self._new_types.isdisjoint(stage.makes)
             and self._db.known(questions.checked_in, stage.group) is not None
         )
@@ -132,13 +136,15 @@ class _Check(Stages[_Step, _Stage]):
         if known is None or is_new or known.makes is not makes or not self._new_types.isdisjoint(makes):
             give_equal(db, (questions.TYPES, unit), self._types_of(makes))
         found = db.ask(questions.checked_part, unit, None)
-        if found.looked_around:
+        looked_around = found.looked_around
+        if looked_around:
             names = self.catch_up().names
             around = tuple(name for name, one in names.items() if not isinstance(one.symbol, Poison | None))
             found = db.ask(questions.checked_part, unit, around)
         db.give({(questions.BLOCK, unit): found.block})
         impossible, self._place = db.ask(questions.points, unit, start)
-        return _Step(unit, mentions, makes, db.read(key), found, impossible, start, self._place)
+        before, end = db.read(key), self._place
+        return _Step(unit, mentions, makes, before, found, impossible, start, end, looked_around)
 
     def pass_by(self, one: _Step | _Stage) -> None:
         """Take a part, or a group of them, as it was."""
@@ -160,6 +166,7 @@ class _Check(Stages[_Step, _Stage]):
             left_by(one.left for one in steps),
             steps[0].start,
             steps[-1].end,
+            any(one.looked_around for one in steps),
             joined([one.found for one in steps], [one.impossible for one in steps]),
         )
 

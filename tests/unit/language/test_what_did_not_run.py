@@ -1,6 +1,7 @@
 """What an edit reaches: a task is checked again only where its text, or what it names, has changed."""
 
 from functools import partial
+from importlib import import_module
 
 import pytest
 
@@ -250,3 +251,13 @@ def test_contracts_are_followed_again_in_the_task_of_an_edit_alone() -> None:
     editor.edited(TEXT.replace("length = 60 mm)\n", "length = 60 mm)\n  needs gripper open\n  open\n"))
     assert editor.ran("task_passage") == {"Pick"}
     assert editor.ran("part_passage") == set()
+
+
+def test_names_to_choose_from_are_told_anew_where_a_variable_came_far_above(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(import_module("ropsim.language.questions.groups"), "MOST", 2)
+    editor = Editor(FLAT)
+    wrong = FLAT.replace("mov (300, 0, x50)", "mov (300, 0, way)")
+    assert [one.code for one in editor.edited(wrong).diagnostics] == ["N202"]
+    editor.edited(wrong.replace("high = 50 mm", "high = 50 mm\nd = 1 mm"))  # as one that is compiled alone
