@@ -131,3 +131,12 @@ def test_a_posture_behind_a_location_is_told_where_it_belongs(before: str, word:
     assert found.message == f"`{name}` stands in a location, behind its `;`"
     assert found.hint == f"write `(x, y, z; {word})`"
     assert codes(UNITS + f"mov {found.hint.split('`')[1]}".replace("x, y, z", "300, -250, 40"), ARM) == []
+
+
+def test_where_no_arm_is_known_words_in_capitals_are_no_postures() -> None:
+    """ICR has them in small letters: compiled, they would be refused by its verifier."""
+    found = only(UNITS + "mov (1, 2, 3; config (left, UP))", replace(ARM, postures=None))
+    assert found.code == "N216"
+    assert found.fix is not None
+    assert found.fix.replacement == "up"
+    assert codes(UNITS + "mov (1, 2, 3; config (left, up))", replace(ARM, postures=None)) == []

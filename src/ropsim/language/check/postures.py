@@ -1,5 +1,7 @@
 """Postures and turns of a location: `; config (left, up), turns (0, -1)`."""
 
+import re
+
 from ropsim.flow import PostureRequest
 from ropsim.language.check import convert, fold, values
 from ropsim.language.check.body import Body
@@ -8,6 +10,7 @@ from ropsim.language.findings import names as name_kinds
 from ropsim.language.findings import types as kinds
 from ropsim.language.syntax import nodes
 
+_POSTURE = re.compile("[a-z][a-z0-9_]*")
 LARGEST = 100
 """Turns beyond this are a mistake of writing."""
 
@@ -26,6 +29,8 @@ def _words(body: Body, node: nodes.Posture) -> tuple[str, ...]:
     seen: dict[int, str] = {}
     for place, word in enumerate(node.words):
         part = place
+        if known is None and not _POSTURE.fullmatch(word.text):  # those of all arms are in small letters
+            body.unknown(name_kinds.UNKNOWN_POSTURE, word, "posture", [word.text.lower()])
         if known is not None:
             part = next((k for k, allowed in enumerate(known) if word.text in allowed), -1)
         if part < 0:
