@@ -1,12 +1,13 @@
 """A program as it stands between two calls; another one of the same code goes on from there."""
 
-import json
+import struct
 import zlib
 from collections.abc import Mapping
 
 from ropsim.core import frozen_dataclass
 from ropsim.prolog.wasm.memory import PAGE
 
+_HEAD, _OPENED = "<QQII", "<iiq"
 Opened = tuple[int, str, int, int]
 """Something that is open: its number, its path, how it was opened, and how far it has been read."""
 
@@ -32,8 +33,13 @@ class Image:
     def packed(self) -> bytes:
         """Return the image as bytes."""
         numbers = sorted(self.pages)
-        head = json.dumps([self.size, self.elapsed_ns, self.folder, self.opened, numbers]).encode()
-        return zlib.compress(head + b"\n" + b"".join(self.pages[number] for number in numbers), 1)
+        texts = [self.folder.encode(), *(path.encode() for _, path, _, _ in self.opened)]
+        parts = [struct.pack(_HEAD, self.size, self.elapsed_ns, len(numbers), len(self.opened))]
+        parts += [struct.pack(_OPENED, number, flags, place) for number, _, flags, place in self.opened]
+        parts += [struct.pack("<I", number) for number in numbers]
+        parts += [struct.pack("<I", len(text)) + text for text in texts]
+        parts += [self.pages[number] for number in numbers]
+        return zlib.compress(b"".join(parts), 1)
 
 
 def unpacked_image(content: bytes) -> Image:
@@ -43,13 +49,32 @@ def unpacked_image(content: bytes) -> Image:
         ValueError: these are no such bytes.
     """
     try:
-        head, _, pages = zlib.decompress(content).partition(b"\n")
-        size, elapsed_ns, folder, opened, numbers = json.loads(head)
-        parts = {number: pages[PAGE * k : PAGE * (k + 1)] for k, number in enumerate(numbers)}
-        is_whole = len(pages) == PAGE * len(numbers)
-        still_open = tuple((number, path, flags, place) for number, path, flags, place in opened)
-    except (zlib.error, ValueError, TypeError, RecursionError) as error:
+        rest = _Rest(zlib.decompress(content))
+        size, elapsed_ns, page_count, open_count = rest.numbers(_HEAD)
+        opened = [rest.numbers(_OPENED) for _ in range(open_count)]
+        numbers = [rest.numbers("<I")[0] for _ in range(page_count)]
+        folder, *paths = (rest.bytes(rest.numbers("<I")[0]).decode() for _ in range(1 + open_count))
+        pages = {number: rest.bytes(PAGE) for number in numbers}
+    except (zlib.error, struct.error, ValueError) as error:
         raise ValueError(f"no image of a program: {error}") from error
-    if not is_whole:
-        raise ValueError("no image of a program: it is cut off")
-    return Image(size, parts, elapsed_ns, folder, still_open)
+    still_open = tuple(
+        (number, path, flags, place) for (number, flags, place), path in zip(opened, paths, strict=True)
+    )
+    return Image(size, pages, elapsed_ns, folder, still_open)
+
+
+class _Rest:
+    """What has not been read yet of some bytes."""
+
+    def __init__(self, content: bytes) -> None:
+        self._content = content
+        self._place = 0
+
+    def numbers(self, form: str) -> tuple[int, ...]:
+        return struct.unpack(form, self.bytes(struct.calcsize(form)))
+
+    def bytes(self, count: int) -> bytes:
+        self._place += count
+        if self._place > len(self._content):
+            raise ValueError("it is cut off")
+        return self._content[self._place - count : self._place]
