@@ -12,6 +12,7 @@ from ropsim.motion import Stages, SynchronisedJoints, TimeLaw, plan_stages
 from ropsim.spatial import Array, record
 
 Counts = npt.NDArray[np.intp]
+_NOTHING = np.zeros(1, dtype=np.intp)
 
 
 @record
@@ -67,11 +68,11 @@ def part_of(pieces: Sequence[Piece], over: Overlap | None, look_ahead: int) -> P
         over: how they go over into the next ones; None where they stop.
         look_ahead: how many moves beyond the present one are known.
     """
-    counts, alone = np.array([len(piece.stages) for piece in pieces]), pieces[0].joints
-    rows = [piece.stages.rows for piece in pieces]
-    stages = Stages(np.concatenate(rows)) if len(rows) > 1 else pieces[0].stages
+    alone = pieces[0].joints
     if isinstance(alone, SynchronisedJoints):
-        return Part(tuple(pieces), stages, counts, alone.law, over)
+        return Part(tuple(pieces), pieces[0].stages, _NOTHING, alone.law, over)
+    counts, rows = np.array([len(piece.stages) for piece in pieces]), [piece.stages.rows for piece in pieces]
+    stages = Stages(np.concatenate(rows)) if len(rows) > 1 else pieces[0].stages
     return planned_part(pieces, stages, counts, over, look_ahead)
 
 
