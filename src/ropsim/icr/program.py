@@ -126,10 +126,7 @@ class Procedure:
     @property
     def numbers(self) -> dict[str, int]:
         """Return the place of each variable, parameters first, by its name; found when first asked for."""
-        if self._numbers is None:
-            object.__setattr__(self, "_numbers", _places(self.variables))
-        assert self._numbers is not None
-        return self._numbers
+        return _known_places(self, "_numbers", self.variables)
 
     @property
     def variables(self) -> tuple[Variable, ...]:
@@ -176,18 +173,12 @@ class Program:
     @property
     def numbers(self) -> dict[str, int]:
         """Return the place of each global variable, by its name; found when first asked for."""
-        if self._numbers is None:
-            object.__setattr__(self, "_numbers", _places(self.variables))
-        assert self._numbers is not None
-        return self._numbers
+        return _known_places(self, "_numbers", self.variables)
 
     @property
     def procedure_numbers(self) -> dict[str, int]:
         """Return the place of each procedure, by its name; found when first asked for."""
-        if self._procedure_numbers is None:
-            object.__setattr__(self, "_procedure_numbers", _places(self.procedures))
-        assert self._procedure_numbers is not None
-        return self._procedure_numbers
+        return _known_places(self, "_procedure_numbers", self.procedures)
 
     def procedure(self, name: str) -> Procedure | None:
         """Return the first procedure of that name, or None."""
@@ -196,16 +187,19 @@ class Program:
 
     def channel(self, name: str) -> IoChannel | None:
         """Return the first channel of that name, or None."""
-        if self._channel_numbers is None:
-            object.__setattr__(self, "_channel_numbers", _places(self.channels))
-        assert self._channel_numbers is not None
-        number = self._channel_numbers.get(name)
+        number = _known_places(self, "_channel_numbers", self.channels).get(name)
         return None if number is None else self.channels[number]
 
 
-def _places(named: Sequence[Variable] | Sequence[Procedure] | Sequence[IoChannel]) -> dict[str, int]:
-    """Return the place of each name; of two equal ones the first counts."""
-    return dict(zip(map(_NAME, reversed(named)), range(len(named) - 1, -1, -1), strict=True))
+def _known_places(
+    owner: Procedure | Program, field_name: str, named: Sequence[Variable | Procedure | IoChannel]
+) -> dict[str, int]:
+    """Return the place of each name, of two equal ones the first; a field of the owner remembers them."""
+    known: dict[str, int] | None = getattr(owner, field_name)
+    if known is None:
+        known = dict(zip(map(_NAME, reversed(named)), range(len(named) - 1, -1, -1), strict=True))
+        object.__setattr__(owner, field_name, known)
+    return known
 
 
 def text_place(program: Program, procedure: Procedure, index: int) -> Span | None:

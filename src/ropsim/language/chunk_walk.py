@@ -118,7 +118,7 @@ def walk_chunks(source: SourceText, environment: Environment, db: Database) -> l
 
     Those that are read as they were the last time, on both sides of an edit, are the same objects.
     """
-    trail = _trail(db)
+    trail = db.beside(_TRAIL, _Trail)
     cut = recut(source.with_line_feeds(), trail.cut)
     remains = _Remains(cut.above, cut.below)
     found = _parsed(cut.chunks, remains, trail.found, db)
@@ -227,12 +227,3 @@ def _behind(step: Step) -> Left:
     if cut == left.cut and read.manner == left.manner:
         return left
     return Left(read.manner, cut)
-
-
-def _trail(db: Database) -> _Trail:
-    """Return the one trail of a text; no answer is made of it."""
-    found: _Trail | None = db.read(_TRAIL)
-    if found is None:
-        found = _Trail()
-        db.give({_TRAIL: found})
-    return found

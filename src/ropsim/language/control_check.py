@@ -173,7 +173,7 @@ class _Check(Stages[_Step, _Stage]):
 
 def check_control(db: Database, types: Mapping[str, Type]) -> Outcome:
     """Return the control statements, checked; `types` are those of all their variables."""
-    trail = _trail(db)
+    trail = db.beside(_TRAIL, _Trail)
     is_inferred = questions.inferred(db) is not None
     is_known = trail.types is types or (trail.types is not None and not is_inferred)
     new_types = _other(trail.types, types) if trail.types is not None and trail.types is not types else ()
@@ -188,15 +188,6 @@ def _other(before: Mapping[str, Type], now: Mapping[str, Type]) -> set[str]:
     """Return the variables whose types are not what they were."""
     changed = {name for name, kind in now.items() if before.get(name) is not kind}
     return changed | (before.keys() - now.keys())
-
-
-def _trail(db: Database) -> _Trail:
-    """Return the one trail of a text; no answer is made of it."""
-    found: _Trail | None = db.read(_TRAIL)
-    if found is None:
-        found = _Trail()
-        db.give({_TRAIL: found})
-    return found
 
 
 _TypesOf = Callable[[tuple[str, ...]], tuple[tuple[str, Type | None], ...]]

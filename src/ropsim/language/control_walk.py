@@ -198,7 +198,7 @@ class _Walk(Stages[_Step, _Stage]):
 
 def walk_control(db: Database) -> Walked:
     """Return what the control statements tell of their own types."""
-    trail = _trail(db)
+    trail = db.beside(_TRAIL, _Trail)
     stages = _Walk(db).go_through(db.ask(questions.part_groups), trail.stages)
     if trail.result is None or not _is_same(stages, trail.stages):
         telling = _Telling()
@@ -218,15 +218,6 @@ def _is_same(stages: Sequence[_Stage], before: Sequence[_Stage]) -> bool:
         one is other or [id(step.found) for step in one.steps] == [id(step.found) for step in other.steps]
         for one, other in zip(stages, before, strict=True)
     )
-
-
-def _trail(db: Database) -> _Trail:
-    """Return the one trail of a text; no answer is made of it."""
-    found: _Trail | None = db.read(_TRAIL)
-    if found is None:
-        found = _Trail()
-        db.give({_TRAIL: found})
-    return found
 
 
 def _is_open(seen: Seen) -> bool:

@@ -53,10 +53,7 @@ def divided(source: SourceText, environment: Environment, report: Report, db: Da
         TooManyFindingsError: the list is full.
     """
     steps = walk_chunks(source, environment, db)
-    trail: Trail | None = db.read(_TRAIL)
-    if trail is None:
-        trail = Trail()
-        db.give({_TRAIL: trail})
+    trail = db.beside(_TRAIL, Trail)
     above, below = _remaining(steps, trail.steps)
     firsts = _firsts(steps, trail.firsts, above, below)
     found = _spliced(trail.found, above, [one.found for one in steps[above : len(steps) - below]], below)

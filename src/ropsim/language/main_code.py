@@ -45,7 +45,7 @@ class _Trail:
 def lowered_groups(db: Database, guess: int | None) -> dict[Group, Lowered]:
     """Return the groups of parts of the control statements that are reached, each lowered as one."""
     found: dict[Group, Lowered] = {(START,): db.ask(lowered_in, (START,), guess)}
-    trail = _trail(db)
+    trail = db.beside(_TRAIL, _Trail)
     before: dict[Group, dict[str, int]] = {}
     numbers: dict[str, int] = {}
     for group in (*db.ask(part_groups), (END,)):
@@ -72,15 +72,6 @@ def _give_numbers(db: Database, group: Group, guess: int | None, before: Mapping
         numbers |= one.numbers
         if not one.goes_on:
             return
-
-
-def _trail(db: Database) -> _Trail:
-    """Return the one trail of a text; no answer is made of it."""
-    found: _Trail | None = db.read(_TRAIL)
-    if found is None:
-        found = _Trail()
-        db.give({_TRAIL: found})
-    return found
 
 
 def joined_at(

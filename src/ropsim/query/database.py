@@ -148,6 +148,14 @@ class Database:
             self._running[-1].inputs[found] = None
         return found.value if found is not None else None
 
+    def beside(self, name: Hashable, make: Callable[[], T]) -> T:
+        """Return what somebody keeps beside all answers, none of which is made of it; made the first time."""
+        found: T | None = self.read(name)
+        if found is None:
+            found = make()
+            self.give({name: found})
+        return found
+
     def ask(self, function: Callable[Concatenate["Database", P], T], *arguments: P.args, **_: P.kwargs) -> T:
         """Return what a function gives for its arguments, the same as if it were called now."""
         given: Any = arguments  # nothing is called here that need not be: there are thousands of questions

@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from ropsim.core import SourceText, cache_folder
-from ropsim.prolog import Engine, Preparation, Sort, Struct, question
+from ropsim.prolog import Engine, Preparation, Sort, Struct, Term, question
 from ropsim.prolog.running import RunningProlog
 from ropsim.prolog.wasm.image import Image, unpacked_image
 from ropsim.prolog.wasm.memory import PAGE
@@ -112,9 +112,9 @@ def test_what_an_engine_is_prepared_with_is_loaded_once(cache: Path, monkeypatch
     requests: list[str] = []
     once = RunningProlog.once
 
-    def counted(running: RunningProlog, name: str, *rest: object) -> object:
+    def counted(running: RunningProlog, name: str, request: Term, seconds: float) -> Term:
         requests.append(name)
-        return once(running, name, *rest)  # type: ignore[arg-type]  # only counted
+        return once(running, name, request, seconds)
 
     monkeypatch.setattr(RunningProlog, "once", counted)
     goal = "facts:tall(T), asked(T, 30)"
