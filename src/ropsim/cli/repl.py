@@ -3,7 +3,6 @@
 import argparse
 import sys
 from collections.abc import Iterator
-from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from ropsim.cli.line_editor import LineEditor
@@ -73,13 +72,13 @@ class _Talk:
 
 def repl(options: argparse.Namespace, output: Output) -> int:
     """Carry out commands until the end of the input and return the exit code."""
-    from ropsim.simulation import Fidelity, KeptPlans, RunOptions
+    from ropsim.simulation import Fidelity, KeptRuns, RunOptions
 
     fidelity = Fidelity.KINEMATIC if options.kinematic else Fidelity.DYNAMIC
     project = open_project(options.path)
     chosen = RunOptions(fidelity=fidelity)
     if project.cell is not None:
-        chosen = replace(chosen, plan=KeptPlans(project.cell).plan)
+        chosen = KeptRuns(project.cell).used_in(chosen)
     begun = begin_session(project, chosen)
     talk = _Talk(begun, chosen, output)
     place = begun.project.folder / "programs" / "session.task"

@@ -4,10 +4,11 @@ from ropsim.flow import Fidelity as Fidelity
 from ropsim.flow import InputChange as InputChange
 from ropsim.simulation.adapting import Adaptation as Adaptation
 from ropsim.simulation.kept_plans import KeptPlans as KeptPlans
-from ropsim.simulation.kept_plans import Planning as Planning
-from ropsim.simulation.kept_plans import planned_anew as planned_anew
+from ropsim.simulation.kept_runs import KeptRuns as KeptRuns
 from ropsim.simulation.live_sample import live_sample as live_sample
 from ropsim.simulation.move_span import MoveSpan as MoveSpan
+from ropsim.simulation.planned_stretch import Planning as Planning
+from ropsim.simulation.planned_stretch import planned_anew as planned_anew
 from ropsim.simulation.run import run as run
 from ropsim.simulation.run_options import RunOptions as RunOptions
 from ropsim.simulation.servo.diagnostics import DivergedError as DivergedError

@@ -13,10 +13,10 @@ from ropsim.model import Cell, Part, Tool
 from ropsim.simulation.clasp import Clasp
 from ropsim.simulation.devices.device_run import NEVER, DeviceRun
 from ropsim.simulation.inputs import signal_track
-from ropsim.simulation.kept_plans import Planning
 from ropsim.simulation.moment import Moment
 from ropsim.simulation.parts import payload
 from ropsim.simulation.placements import Placements, changes
+from ropsim.simulation.planned_stretch import Planning
 from ropsim.simulation.scenery import Scenery
 from ropsim.simulation.station_run import StationRun
 from ropsim.simulation.track import Track

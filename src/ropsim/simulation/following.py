@@ -7,14 +7,13 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from ropsim.controller import PLANNED_ACCELERATION, ClockLimits, ClockState, MotionPlan, advance
+from ropsim.controller import ClockLimits, ClockState, MotionPlan, advance
 from ropsim.core import frozen_dataclass
 from ropsim.flow import JointReference
 from ropsim.simulation.cell_run import CellRun
 from ropsim.simulation.correcting import Correcting
 from ropsim.simulation.guarding import Lookout
 from ropsim.simulation.station_run import StationRun
-from ropsim.spatial import Array
 
 
 @frozen_dataclass
@@ -41,14 +40,6 @@ class PlanRows:
         )
 
 
-_LEAST_SPEED = 1e-3
-"""Share of the greatest speed of a joint below which its own one says nothing of how it brakes."""
-
-_SPEED_WITH_CORRECTION = 0.5
-"""Least share of the greatest speeds by which a corrected motion is braked: so what the correction adds, at
-the most a tenth of them, takes less than a sixth of the accelerations."""
-
-
 @dataclass(slots=True)
 class Follower:
     """Follows one plan.
@@ -57,8 +48,8 @@ class Follower:
         run: the cell.
         at: the station.
         plan: its motion.
-        clock: where it is.
         limits: how quickly the override may act.
+        clock: where it is.
         correcting: corrects the path of the move that is made by a sensor; None where nothing does.
         lookout: looks at the condition of the move that is made; None where it has none.
         ended: whether a condition has ended the move, or a correction that the joints cannot keep; it brakes.
@@ -68,22 +59,14 @@ class Follower:
     run: CellRun
     at: StationRun
     plan: MotionPlan
+    limits: ClockLimits
     clock: ClockState = field(default_factory=ClockState)
-    limits: ClockLimits = field(init=False)
     correcting: Correcting | None = None
     lookout: Lookout | None = None
     ended: bool = False
     passed: list[tuple[float, int]] = field(default_factory=list)
 
     def __post_init__(self) -> None:
-        robot = self.at.station.robot
-        top = np.abs(np.ascontiguousarray(self.plan.reference.qd.T)).max(axis=1, initial=0.0)
-        speeds = np.maximum(top, _LEAST_SPEED * robot.max_speeds)
-        accelerations = robot.max_accelerations
-        if self.plan.is_corrected:  # what a sensor adds is braked with it
-            speeds = np.maximum(speeds, _SPEED_WITH_CORRECTION * robot.max_speeds)
-            accelerations = accelerations * PLANNED_ACCELERATION
-        self.limits = clock_limits(speeds, accelerations, robot.max_jerks)
         self.clock = ClockState(0.0, self.run.override(self.at.due), 0.0)
         self.passed.append((0.0, self.at.tick))
 
@@ -172,17 +155,3 @@ class Follower:
         period, place = self.plan.period, self.clock.place
         walked, left = (place - before) * period, (self.plan.ticks - place) * period
         return self.correcting.corrected(reference, walked, left, self.clock.rate)
-
-
-def clock_limits(speeds: Array, accelerations: Array, jerks: Array) -> ClockLimits:
-    """Return how quickly the rate of the motion clock may change.
-
-    A joint at its largest speed is braked with its full acceleration, built up with its full jerk; the joint
-    that takes longest decides.
-
-    Args:
-        speeds: largest ones of the joints on the motion [rad/s | m/s], shape (n,).
-        accelerations: [rad/s² | m/s²], shape (n,).
-        jerks: [rad/s³ | m/s³], shape (n,).
-    """
-    return ClockLimits(float((accelerations / speeds).min()), float((jerks / speeds).min()), accelerations)

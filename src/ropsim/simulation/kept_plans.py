@@ -1,17 +1,14 @@
 """Plans that are kept by the content of their stretches: what was planned before is not planned again."""
 
-from collections.abc import Callable, Sequence
-from typing import TypeAlias
+from collections.abc import Sequence
 
-from ropsim.controller import MotionChain, MotionPlan, MotionState, Refusal, plan
-from ropsim.core import frozen_dataclass
+from ropsim.controller import MotionChain, MotionState
 from ropsim.flow import MoveInstruction
 from ropsim.model import Cell, Payload
-from ropsim.spatial import fingerprint
-
-Planned: TypeAlias = tuple[MotionPlan | None, Refusal | None]
-Planning: TypeAlias = Callable[[str, MotionChain, Sequence[MoveInstruction], MotionState, Payload], Planned]
-"""Plans a stretch of the station of a name; see `ropsim.controller.plan`."""
+from ropsim.simulation.kept import Kept
+from ropsim.simulation.planned_stretch import PlannedStretch, planned_anew
+from ropsim.simulation.replaced_lines import on_lines_of
+from ropsim.spatial import bits_without, fingerprint
 
 MOST_BYTES = 200_000_000
 """So much of references is kept: 20 minutes of motion of six axes at a control rate of 1 kHz."""
@@ -19,34 +16,15 @@ MOST_BYTES = 200_000_000
 _OF_A_MOVE = 10_000
 """What a move takes beside its reference rows, about [bytes]."""
 
-
-def planned_anew(
-    station: str,
-    chain: MotionChain,
-    stretch: Sequence[MoveInstruction],
-    state: MotionState,
-    payload: Payload,
-) -> Planned:
-    """Plan a stretch, whatever was planned before."""
-    del station
-    return plan(chain, stretch, state, payload)
-
-
-@frozen_dataclass
-class _Kept:
-    """A plan, how much room it takes [bytes], and the newest run that has asked for it."""
-
-    planned: Planned
-    size: int
-    run: int
+_content = bits_without(MoveInstruction, "origin")
 
 
 class KeptPlans:
     """Plans of the stations of a cell, each with the standard entities of its controller.
 
-    A plan depends on the moves of its stretch, with the lines that they have in their text, on where the arm
-    stands before it and on its payload; on nothing else, so that one that is kept is the one that would be
-    made. When there is no room, plans go that neither this run nor the one before it has asked for.
+    A plan depends on the moves of its stretch and on how often they have been made, on where the arm stands
+    before it and on its payload; on nothing else, so that one that is kept is the one that would be made.
+    Where the lines of its moves have moved in their text, so have those of its findings.
 
     Args:
         cell: whose stations are planned for.
@@ -59,19 +37,16 @@ class KeptPlans:
     def __init__(self, cell: Cell, most: int = MOST_BYTES) -> None:
         self.cell = cell
         self.anew: list[tuple[MoveInstruction, ...]] = []
-        self._most = most
-        self._room = most
-        self._run = 0
-        self._kept: dict[tuple[str, bytes, str], _Kept] = {}
+        self._kept: Kept[tuple[tuple[MoveInstruction, ...], PlannedStretch]] = Kept(most)
 
     @property
     def used(self) -> int:
         """Return how much room is taken, about [bytes]."""
-        return self._most - self._room
+        return self._kept.used
 
     def begin(self) -> None:
         """Take notice that another run begins."""
-        self._run += 1
+        self._kept.begin()
         self.anew = []
 
     def plan(
@@ -81,7 +56,7 @@ class KeptPlans:
         stretch: Sequence[MoveInstruction],
         state: MotionState,
         payload: Payload,
-    ) -> Planned:
+    ) -> PlannedStretch:
         """Return the plan of a stretch, made now or before.
 
         Args:
@@ -92,31 +67,21 @@ class KeptPlans:
             payload: tool and part as one body.
         """
         moves = tuple(stretch)
-        key = (station, state.q.tobytes(), fingerprint((moves, payload)))
+        asked = tuple([(_content(move), move.origin.visit) for move in moves])
+        key = (station, state.q.tobytes(), fingerprint(payload), asked)
         kept = self._kept.get(key)
-        if kept is None:
+        found = on_lines_of(moves, *kept) if kept else None
+        if found is None:
             self.anew.append(moves)
-            planned = plan(chain, moves, state, payload)
-            kept = _Kept(planned, _size(planned), self._run)
-            if not self._has_room(kept.size):
-                return planned
-            self._room -= kept.size
-        self._kept[key] = _Kept(kept.planned, kept.size, self._run)
-        return kept.planned
-
-    def _has_room(self, size: int) -> bool:
-        """Return whether there is room for a plan [bytes], made by what is not asked for any more."""
-        if size > self._room:
-            self._kept = {key: one for key, one in self._kept.items() if one.run >= self._run - 1}
-            self._room = self._most - sum(one.size for one in self._kept.values())
-        return size <= self._room
+            found = planned_anew(station, chain, moves, state, payload)
+            self._kept.put(key, (moves, found), _size(found))
+        return found
 
 
-def _size(planned: Planned) -> int:
+def _size(planned: PlannedStretch) -> int:
     """Return how much room a plan takes, about [bytes]."""
-    made = planned[0]
-    if made is None:
+    if planned.motion is None:
         return _OF_A_MOVE
-    reference = made.reference
+    reference = planned.motion.plan.reference
     rows = sum(one.nbytes for one in (reference.q, reference.qd, reference.qdd))
-    return rows + _OF_A_MOVE * len(made.moves)
+    return rows + _OF_A_MOVE * len(planned.motion.plan.moves)

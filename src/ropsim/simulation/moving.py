@@ -2,14 +2,11 @@
 
 from collections.abc import Iterator, Sequence
 
-import numpy as np
-
 from ropsim.controller import (
     MotionPlan,
     MotionState,
     PlannedMove,
     StretchOrder,
-    critical_limits,
     stopped_by,
 )
 from ropsim.core import Diagnostic
@@ -21,13 +18,14 @@ from ropsim.flow import (
     OutputEvent,
     SkipEvent,
 )
-from ropsim.kinematics import forward, forward_batch
+from ropsim.kinematics import forward
 from ropsim.simulation.cell_run import CellRun
 from ropsim.simulation.correcting import Correcting
 from ropsim.simulation.following import Follower
 from ropsim.simulation.guarding import Lookout
 from ropsim.simulation.in_force import put_in_force
 from ropsim.simulation.move_span import MoveSpan, PathSpan
+from ropsim.simulation.planned_stretch import PlannedMotion
 from ropsim.simulation.settle import settle
 from ropsim.simulation.station_run import StationRun
 from ropsim.simulation.stretch import Stretch, why_it_ends
@@ -45,12 +43,12 @@ def move(run: CellRun, at: StationRun, stretch: Stretch, world: SimulatedWorld) 
     while done < len(moves) and not at.is_over:
         run.ordered(at.station.name, StretchOrder(moves[done:], at.q_command, at.payload))
         state = MotionState.at_rest(at.q_command)
-        planned, refusal = run.plan(at.station.name, at.chain, moves[done:], state, at.payload)
-        if planned is not None:
-            texts = [stretch.said_before(done + number) for number in range(len(planned.moves))]
-            yield from _follow(run, at, planned, texts, world)
-            done += len(planned.moves)
-        if refusal is not None and not at.cut_short:
+        planned = run.plan(at.station.name, at.chain, moves[done:], state, at.payload)
+        if motion := planned.motion:
+            texts = [stretch.said_before(done + number) for number in range(len(motion.plan.moves))]
+            yield from _follow(run, at, motion, texts, world)
+            done += len(motion.plan.moves)
+        if (refusal := planned.refusal) and not at.cut_short:
             _say(run, at, stretch.said_before(done))
             world.q_met = None
             _skip(run, at, moves[done], refusal.diagnostics)
@@ -73,14 +71,14 @@ def _skip(run: CellRun, at: StationRun, move: MoveInstruction, why: tuple[Diagno
 def _follow(
     run: CellRun,
     at: StationRun,
-    planned: MotionPlan,
+    motion: PlannedMotion,
     texts: Sequence[Sequence[MessageInstruction]],
     world: SimulatedWorld,
 ) -> Iterator[None]:
     """Follow a plan move by move and piece by piece, and settle at its end."""
+    planned = motion.plan
     run.findings.extend(planned.findings)
-    follower = Follower(run, at, planned)
-    critical, places = critical_limits(planned, at.chain.robot, at.payload), _places(at, planned)
+    follower = Follower(run, at, planned, motion.limits)
     for number, one in enumerate(planned.moves):
         _say(run, at, texts[number])
         put_in_force(run, at, one.move)
@@ -109,21 +107,14 @@ def _follow(
             zone=float(one.move.modal.zone),
             flown=one.zone,
             blending=follower.blended(since, end) / at.hz,
-            critical=critical[number],
-            target=_commanded(at, one.X_MT) if tracking else places[number],
+            critical=motion.critical[number],
+            target=_commanded(at, one.X_MT) if tracking else motion.places[number],
         )
         run.note(at, since, done)
         run.progress(f"move {sum(len(one.moves) for one in run.stations.values())}")
         if at.cut_short:
             break
     _enter_paths(at, planned, follower)
-
-
-def _places(at: StationRun, planned: MotionPlan) -> list[tuple[float, ...]]:
-    """Return where the TCP is at the end of each move of a plan, in the base frame [m]."""
-    X_BM = forward_batch(at.station.robot, np.array([one.q_end for one in planned.moves]))
-    X_BT = X_BM @ np.array([one.X_MT.matrix() for one in planned.moves])
-    return [tuple(place) for place in X_BT[:, :3, 3].tolist()]
 
 
 def _commanded(at: StationRun, X_MT: Pose) -> tuple[float, ...]:

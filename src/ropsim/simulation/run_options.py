@@ -7,8 +7,9 @@ from ropsim.controller import CompiledLaw, MotionChain, PythonLaw, SensorInterfa
 from ropsim.core import frozen_dataclass
 from ropsim.flow import Fidelity, InputChange, OverrideChange
 from ropsim.simulation.adapting import Adaptation, as_programmed
-from ropsim.simulation.kept_plans import Planning, planned_anew
+from ropsim.simulation.planned_stretch import Planning, planned_anew
 from ropsim.simulation.row_log import MOST_ROWS
+from ropsim.simulation.servo.kept_drives import Driving, driven_anew
 from ropsim.simulation.watch import NobodyWatches, Watch
 
 
@@ -33,6 +34,7 @@ class RunOptions:
         progress: is told after every move what was done.
         ordered: is told of every stretch before it is planned, with the name of its station.
         plan: plans a stretch; one that keeps plans takes the standard entities for granted.
+        drive: lets an arm under the joint controller of its model follow a reference.
         chains: other entities between instruction and joint controller, by station; the others take the
             standard ones.
         laws: other joint controllers than those of the cell, by station.
@@ -52,6 +54,7 @@ class RunOptions:
     progress: Callable[[str], None] = silent
     ordered: Callable[[str, StretchOrder], None] = unheard
     plan: Planning = planned_anew
+    drive: Driving = driven_anew
     chains: Mapping[str, MotionChain] = field(default_factory=dict)
     laws: Mapping[str, CompiledLaw | PythonLaw] = field(default_factory=dict)
     sensors: SensorInterface | None = None

@@ -20,7 +20,7 @@ from ropsim.simulation.run_options import RunOptions
 from ropsim.simulation.scenery import Scenery, scenery_of
 from ropsim.simulation.sensing import Senses
 from ropsim.simulation.servo.checks import check_option, check_time
-from ropsim.simulation.servo.plant import ServoPlant
+from ropsim.simulation.servo_plant import ServoPlant
 from ropsim.simulation.standing import stood
 from ropsim.simulation.station_run import StationRun
 from ropsim.simulation.tool_frames import ToolFrames

@@ -41,6 +41,27 @@ class Tally:
         place = self._fields[name].place
         return self._table[2, place], self._table[3, place]
 
+    def empty(self) -> "Tally":
+        """Return a tally of the same quantities with nothing in it."""
+        return Tally(tuple(self._fields.values()), self._table.shape[1])
+
+    def since(self, tick: int) -> Array:
+        """Return the table with ticks counted from a tick on, shape (4, width)."""
+        return np.asarray(self._table - np.array([[0.0], [tick], [0.0], [tick]]))
+
+    def merge(self, tick: int, table: Array) -> None:
+        """Enter another tally, of ticks behind those that have been entered.
+
+        Args:
+            tick: from which the ticks of the other one are counted.
+            table: of the other one, see `since`, shape (4, width).
+        """
+        grown = table[0] > self._table[0]
+        self._table[0, grown], self._table[1, grown] = table[0, grown], tick + table[1, grown]
+        full = table[2] > 0.0
+        self._table[2] += table[2]
+        self._table[3, full] = tick + table[3, full]
+
     def enter(self, tick: int, rows: Array, full: Array | None = None) -> None:
         """Enter the rows of the ticks from `tick` on.
 

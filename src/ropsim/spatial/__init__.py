@@ -2,6 +2,8 @@
 
 from ropsim.spatial import quaternion as quaternion
 from ropsim.spatial.angles import roll_pitch_yaw as roll_pitch_yaw
+from ropsim.spatial.bits import bits_of as bits_of
+from ropsim.spatial.bits import bits_without as bits_without
 from ropsim.spatial.diagnostics import PoseError as PoseError
 from ropsim.spatial.numbers import real_numbers as real_numbers
 from ropsim.spatial.pose import Array as Array

@@ -70,10 +70,9 @@ def test_a_program_that_says_the_same_is_not_planned_again(workspace: Workspace,
 @pytest.mark.parametrize(
     ("number", "line", "expected"),
     [
-        # the next one begins elsewhere; a line that began elsewhere ends the same but for rounding, a `mov`
-        # exactly the same
-        (1, "lin (500, 110, 600; rpy 180 0 0)", [[1], [2, 3], [4]]),
-        (2, "lin (550, 110, 650; rpy 180 0 0) blend 20", [[2, 3], [4]]),
+        # the next one begins elsewhere, and ends where it ended
+        (1, "lin (500, 110, 600; rpy 180 0 0)", [[1], [2, 3]]),
+        (2, "lin (550, 110, 650; rpy 180 0 0) blend 20", [[2, 3]]),
         (3, "lin (550, 210, 650; rpy 180 0 0)", [[2, 3], [4]]),
         (5, "mov home speed 50 %", [[5]]),
     ],
@@ -140,3 +139,29 @@ def test_room_is_made_by_what_two_runs_have_not_asked_for(workspace: Workspace) 
     for _ in range(3):
         run(other, plans)
     assert planned(plans) == []
+
+
+def test_lines_that_move_are_not_planned_again_and_their_findings_move_with_them(
+    workspace: Workspace, plans: KeptPlans
+) -> None:
+    lines = (
+        LINES[0],
+        "lin (2000, 0, 600; rpy 180 0 0)",
+        "lin (500, 150, 600; rpy 180 0 0) speed 5 m/s",
+        *LINES[2:],
+    )
+    run(opened(lines, workspace), plans)
+    moved = opened(("# what comes next", "", *lines), workspace)
+    found = run(moved, plans)
+    assert planned(plans) == []
+    clean = moved.simulate(options=KINEMATIC)
+    assert found == clean
+    assert {one.span.line for one in found.findings if one.span} >= {FIRST + 3}
+
+
+def test_a_move_on_the_line_of_another_one_is_told_there(workspace: Workspace, plans: KeptPlans) -> None:
+    """Two lines that change places have the moves of each other, each with its own finding."""
+    far, near = "mov (2000, 0, 600; rpy 180 0 0)", "mov (500, 0, 600; rpy 180 0 0)"
+    run(opened((near, far, near, far), workspace), plans)
+    swapped = opened((far, near, far, near), workspace)
+    assert run(swapped, plans) == swapped.simulate(options=KINEMATIC)

@@ -14,6 +14,8 @@ from ropsim.spatial import Array, Pose, frozen, record
 class Line:
     """X(s): position (1 - r)·p_start + r·p_end, orientation R_start·turn(r), with r = s / length.
 
+    At its end it is X_end to the bit, wherever it began: so what comes behind it need not know that.
+
     Attributes:
         X_start: at place 0 in the reference frame.
         X_end: at the end.
@@ -51,6 +53,7 @@ class Line:
         turned = self.turn.at(r)
         matrices = np.zeros((len(s), 4, 4))
         matrices[:, :3, :3] = turned.rotations
+        matrices[r == 1.0, :3, :3] = self.X_end.rotation()
         matrices[:, :3, 3] = self._between(r)
         matrices[:, 3, 3] = 1.0
         d1, d2 = np.empty((len(s), 6)), np.zeros((len(s), 6))

@@ -8,6 +8,7 @@ from ropsim.simulation.row_log import MOST_ROWS, RowLog
 from ropsim.simulation.servo.judged import judged
 from ropsim.simulation.servo.log import LogLayout
 from ropsim.simulation.servo.plant_code import observe
+from ropsim.simulation.servo.slice_log import SliceLog
 from ropsim.simulation.servo.state import ServoState
 from ropsim.simulation.tally import Tally
 from ropsim.spatial import Array
@@ -74,6 +75,21 @@ class Recorder:
     def take(self) -> None:
         """Take notice that the rows claimed have been written."""
 
+    def slice_log(self) -> SliceLog:
+        """Return a log for a slice by itself, of the same width."""
+        return SliceLog(self._tally.empty(), self._layout.width)
+
+    def enter(self, tick: int, rows: Array, tally: Array) -> None:
+        """Enter a slice that was written before: of its rows those that are due.
+
+        Args:
+            tick: tick at which it starts.
+            rows: at every control tick, shape (ticks, w).
+            tally: of the slice, with ticks counted from its beginning, shape (4, w).
+        """
+        self._keep(tick, rows)
+        self._tally.merge(tick, tally)
+
     def q_at(self, tick: float) -> Array:
         """Return the attained joint coordinates at a tick, linear between two rows; shape (n,)."""
         return self.at(tick)["q"]
@@ -92,6 +108,12 @@ class Recorder:
     def at(self, tick: float) -> dict[str, Array]:
         """Return what `channels` holds at a tick, linear between two rows: one number for each column."""
         return {name: values[0] for name, values in self._named(self._log.at(tick)[np.newaxis]).items()}
+
+    def _keep(self, tick: int, rows: Array) -> None:
+        """Keep what is due of the rows of the ticks behind `tick`, shape (ticks, w)."""
+        table, begin = self._log.claim(tick, len(rows))
+        decimation = self._log.decimation
+        table[begin : self._log.rows] = rows[-(tick + 1) % decimation :: decimation]
 
     def _named(self, table: Array) -> dict[str, Array]:
         return {field.name: table[:, field.place] for field in self._layout.fields}

@@ -34,6 +34,7 @@ from ropsim.simulation.servo.divergence import diverged, first_fault
 from ropsim.simulation.servo.judged import full_values
 from ropsim.simulation.servo.plant_code import efforts, plant_code
 from ropsim.simulation.servo.recorder import Recorder
+from ropsim.simulation.servo.slice_log import Log
 from ropsim.simulation.servo.source import servo_functions
 from ropsim.simulation.servo.state import ServoState, StateLayout
 from ropsim.spatial import Array
@@ -162,7 +163,7 @@ class Servo:
         state: ServoState,
         reference: JointReference,
         payload: Payload,
-        recorder: Recorder,
+        recorder: Log,
         aux: Array | None = None,
     ) -> ServoState:
         """Follow a reference and return the state after its last tick.
@@ -193,7 +194,7 @@ class Servo:
         return ServoState(state.tick + ticks, self.bench.values.copy(), self.layout)
 
     def _advance(
-        self, state: ServoState, reference: "_Rows", signals: Array, payload: Payload, recorder: Recorder
+        self, state: ServoState, reference: "_Rows", signals: Array, payload: Payload, recorder: Log
     ) -> None:
         """Run one slice from a state on, which the bench holds."""
         log, log_row = recorder.claim(state.tick, len(signals))
@@ -208,7 +209,7 @@ class Servo:
             raise self._diverged(state, reference, signals, call, recorder)
 
     def _diverged(
-        self, state: ServoState, reference: "_Rows", signals: Array, call: Compiled, recorder: Recorder
+        self, state: ServoState, reference: "_Rows", signals: Array, call: Compiled, recorder: Log
     ) -> DivergedError:
         """Return the error of a slice at whose end the state was not finite: at the tick where that began."""
         values, no_log, no_tally = self.bench.values, np.empty((1, 1)), np.zeros_like(recorder.tally.table)
@@ -236,7 +237,7 @@ class Servo:
         reference: "_Rows",
         signals: Array,
         payload: Payload,
-        recorder: Recorder,
+        recorder: Log,
     ) -> None:
         """Run one tick per slice, each with the output of the law in Python as its only parameter."""
         n, memory = self.robot.n, self.layout.memory(self.bench.values)

@@ -56,7 +56,9 @@ class TickRecorder(Recorder):
             return
         tick, rows = self._written[0][0], np.concatenate([rows for _, rows in self._written])
         self._written.clear()
+        self._keep(tick, rows)
+
+    def _keep(self, tick: int, rows: Array) -> None:
+        """Keep what is due of rows, and all coordinates for a while."""
         self._past.enter(tick + 1, rows[:, self._layout.field("q").place].copy())
-        table, begin = self._log.claim(tick, len(rows))
-        kept = (tick + 1 + np.arange(len(rows))) % self._log.decimation == 0
-        table[begin : self._log.rows] = rows[kept]
+        super()._keep(tick, rows)

@@ -1,7 +1,6 @@
 """A simulated robot that carries out commands one by one: what the command line of a page asks of it."""
 
 import time
-from dataclasses import replace
 from pathlib import Path
 
 from ropsim.core import RopsimError
@@ -59,7 +58,7 @@ class ToldRobot:
             project = open_overlaid(Path(job.folder), job.texts, self._workspace)
             options = RunOptions(most_rows=MOST_ROWS, watch=_Listener(line))
             if project.cell is not None:
-                options = replace(options, plan=self._shelf.plans_of(project.cell).plan)
+                options = self._shelf.known_in(project.cell).used_in(options)
             session = self._so_far(project, _to_repeat(job), options)
         except RopsimError as error:
             return ToldReply(job.commands, "refused", (), plain_findings([error.diagnostic]), first)

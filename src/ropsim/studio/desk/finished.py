@@ -8,7 +8,7 @@ from ropsim.core import frozen_dataclass
 from ropsim.flow import Recording
 from ropsim.model import Cell
 from ropsim.records import inputs_of, inputs_text, recording_bytes
-from ropsim.simulation import KeptPlans
+from ropsim.simulation import KeptRuns
 from ropsim.studio.desk.content import moved_lines, on_lines
 from ropsim.studio.desk.runnable import Runnable
 from ropsim.studio.jobs import Cause, RunForm, SavedRun
@@ -78,19 +78,19 @@ class FinishedRun:
 
 @dataclass(slots=True)
 class Shelf:
-    """Where the newest finished run is kept, and what was planned for it.
+    """Where the newest finished run is kept, and what was worked out for it.
 
     Attributes:
         run: None before the first.
-        plans: of the newest cell, None before the first.
+        known: of runs in the newest cell, None before the first.
     """
 
     run: FinishedRun | None = None
-    plans: KeptPlans | None = None
+    known: KeptRuns | None = None
 
-    def plans_of(self, cell: Cell) -> KeptPlans:
-        """Return the plans that were made in a cell, for a run that begins."""
-        if self.plans is None or self.plans.cell != cell:
-            self.plans = KeptPlans(cell)
-        self.plans.begin()
-        return self.plans
+    def known_in(self, cell: Cell) -> KeptRuns:
+        """Return what is known of runs in a cell, for one that begins."""
+        if self.known is None or self.known.cell != cell:
+            self.known = KeptRuns(cell)
+        self.known.begin()
+        return self.known

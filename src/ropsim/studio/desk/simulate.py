@@ -7,7 +7,7 @@ from enum import Enum
 from ropsim.core import RopsimError
 from ropsim.flow import Interventions, Recording
 from ropsim.records import with_inputs
-from ropsim.simulation import Fidelity, InputChange, Planning, RunOptions, RunView
+from ropsim.simulation import Fidelity, InputChange, KeptRuns, RunOptions, RunView
 from ropsim.simulation import run as run_program
 from ropsim.studio.desk.content import content_of
 from ropsim.studio.desk.finished import FinishedRun, Shelf
@@ -51,11 +51,11 @@ def simulate(job: Simulate, line: Line, shelf: Shelf, workspace: Workspace) -> R
             return RunReply("done", ready.name, made="nothing")
         line.report(Progress("preparing the arm"))
         listener = Listener(line, content, ready)
-        planning = shelf.plans_of(ready.cell).plan
+        known = shelf.known_in(ready.cell)
         if job.fidelity == Fidelity.DYNAMIC.value:
-            planned = _carried_out(job, ready, listener, planning, Purpose.PLANNING)
+            planned = _carried_out(job, ready, listener, known, Purpose.PLANNING)
             line.report(Planned(plain_findings((*listener.ready.findings, *planned.findings))))
-        recording = _carried_out(job, ready, listener, planning, Purpose.RUN)
+        recording = _carried_out(job, ready, listener, known, Purpose.RUN)
         made = FinishedRun(line.number, content, ready, recording)
         shelf.run = made.shown_on(line.number, listener.ready)
         return listener.ready.finished(shelf.run.recording)
@@ -71,14 +71,14 @@ class Purpose(Enum):
 
 
 def _carried_out(
-    job: Simulate, ready: Runnable, listener: "Listener", planning: Planning, purpose: Purpose
+    job: Simulate, ready: Runnable, listener: "Listener", known: KeptRuns, purpose: Purpose
 ) -> Recording:
     inputs = tuple(InputChange(one.time, one.signal, one.value) for one in job.inputs)
     if purpose is Purpose.PLANNING:
         options = RunOptions(Fidelity.KINEMATIC, record_hz=PLANNING_ROWS)
     else:
         options = RunOptions(Fidelity(job.fidelity))
-    watched = replace(options, most_rows=MOST_ROWS, watch=listener, plan=planning)
+    watched = known.used_in(replace(options, most_rows=MOST_ROWS, watch=listener))
     return run_program(ready.cell, ready.codes, with_inputs(watched, Interventions(inputs)))
 
 

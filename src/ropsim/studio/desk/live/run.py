@@ -70,7 +70,7 @@ def run_live(
             longest_wait=LONGEST,
             most_rows=MOST_ROWS,
             watch=pace,
-            plan=shelf.plans_of(ready.cell).plan if shelf is not None else planned_anew,
+            plan=shelf.known_in(ready.cell).plans.plan if shelf is not None else planned_anew,
             overrides=(OverrideChange(0.0, 0.0),) if hand.is_held else (),
         )
         recording = run_program(ready.cell, ready.codes, options)

@@ -10,6 +10,7 @@ from ropsim.model import Cell, Payload, Station
 from ropsim.simulation.plant import constant
 from ropsim.simulation.run_options import RunOptions
 from ropsim.simulation.servo.checks import check_signals
+from ropsim.simulation.servo.kept_drives import driven_anew
 from ropsim.simulation.servo.recorder import Recorder
 from ropsim.simulation.servo.servo import Servo
 from ropsim.simulation.servo.tick_recorder import TickRecorder
@@ -40,7 +41,8 @@ class ServoPlant:
         read: Callable[[str, float], Sample],
     ) -> None:
         robot, law = station.robot, options.laws.get(station.name)
-        self._servo = Servo.build(robot, station.controller, law)
+        self._name, self._servo = station.name, Servo.build(robot, station.controller, law)
+        self._drive = driven_anew if law or self._servo.python_law else options.drive
         self._read = read
         if options.sensors is None:
             check_signals(self._servo.law, cell)
@@ -76,10 +78,11 @@ class ServoPlant:
         return self._recorder.tally
 
     def follow(self, reference: JointReference, payload: Payload) -> None:
-        """Advance by one control tick per row of `reference`, in one compiled call."""
+        """Advance by one control tick per row of `reference`, in one compiled call at the most."""
         aux = self._signals(reference.ticks)
-        self._state = self._servo.run(self._state, reference, payload, self._recorder, aux)
-        self._recorder.take()
+        self._state = self._drive(
+            self._name, self._servo, self._state, reference, payload, self._recorder, aux
+        )
 
     def hold(self, q: Array, ticks: int, payload: Payload) -> None:
         """Advance by `ticks` control ticks with a constant reference."""

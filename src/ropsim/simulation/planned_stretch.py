@@ -1,0 +1,112 @@
+"""A stretch as it is planned, with what a run needs to know of its motion."""
+
+from collections.abc import Callable, Sequence
+from typing import TypeAlias
+
+import numpy as np
+
+from ropsim.controller import (
+    PLANNED_ACCELERATION,
+    ClockLimits,
+    MotionChain,
+    MotionPlan,
+    MotionState,
+    Refusal,
+    critical_limits,
+    plan,
+)
+from ropsim.flow import CriticalLimit, MoveInstruction
+from ropsim.kinematics import forward_batch
+from ropsim.model import Payload, RobotModel
+from ropsim.spatial import Array, record
+
+_LEAST_SPEED = 1e-3
+"""Share of the greatest speed of a joint below which its own one says nothing of how it brakes."""
+
+_SPEED_WITH_CORRECTION = 0.5
+"""Least share of the greatest speeds by which a corrected motion is braked: so what the correction adds, at
+the most a tenth of them, takes less than a sixth of the accelerations."""
+
+
+@record
+class PlannedMotion:
+    """The plan of a stretch, and what follows from it.
+
+    Attributes:
+        plan: the motion.
+        critical: the limit that each move is at for longest, None where it reaches none.
+        places: where the TCP is at the end of each move, in the base frame [m].
+        limits: how quickly the override may act.
+    """
+
+    plan: MotionPlan
+    critical: tuple[CriticalLimit | None, ...]
+    places: tuple[tuple[float, ...], ...]
+    limits: ClockLimits
+
+
+@record
+class PlannedStretch:
+    """What came of planning a stretch.
+
+    Attributes:
+        motion: through the moves up to the first one that cannot be made, None where that is the first.
+        refusal: why that cannot be made, None where all can.
+    """
+
+    motion: PlannedMotion | None
+    refusal: Refusal | None
+
+
+Planning: TypeAlias = Callable[
+    [str, MotionChain, Sequence[MoveInstruction], MotionState, Payload], PlannedStretch
+]
+"""Plans a stretch of the station of a name; see `ropsim.controller.plan`."""
+
+
+def planned_anew(
+    station: str,
+    chain: MotionChain,
+    stretch: Sequence[MoveInstruction],
+    state: MotionState,
+    payload: Payload,
+) -> PlannedStretch:
+    """Plan a stretch, whatever was planned before."""
+    del station
+    planned, refusal = plan(chain, stretch, state, payload)
+    return PlannedStretch(_motion(planned, chain.robot, payload) if planned else None, refusal)
+
+
+def clock_limits(speeds: Array, accelerations: Array, jerks: Array) -> ClockLimits:
+    """Return how quickly the rate of the motion clock may change.
+
+    A joint at its largest speed is braked with its full acceleration, built up with its full jerk; the joint
+    that takes longest decides.
+
+    Args:
+        speeds: largest ones of the joints on the motion [rad/s | m/s], shape (n,).
+        accelerations: [rad/s² | m/s²], shape (n,).
+        jerks: [rad/s³ | m/s³], shape (n,).
+    """
+    return ClockLimits(float((accelerations / speeds).min()), float((jerks / speeds).min()), accelerations)
+
+
+def _motion(planned: MotionPlan, robot: RobotModel, payload: Payload) -> PlannedMotion:
+    critical = critical_limits(planned, robot, payload)
+    return PlannedMotion(planned, critical, _places(planned, robot), _limits(planned, robot))
+
+
+def _places(planned: MotionPlan, robot: RobotModel) -> tuple[tuple[float, ...], ...]:
+    X_BM = forward_batch(robot, np.array([one.q_end for one in planned.moves]))
+    X_BT = X_BM @ np.array([one.X_MT.matrix() for one in planned.moves])
+    return tuple(tuple(place) for place in X_BT[:, :3, 3].tolist())
+
+
+def _limits(planned: MotionPlan, robot: RobotModel) -> ClockLimits:
+    top = np.abs(np.ascontiguousarray(planned.reference.qd.T)).max(axis=1, initial=0.0)
+    speeds = np.maximum(top, _LEAST_SPEED * robot.max_speeds)
+    accelerations = robot.max_accelerations
+    if planned.is_corrected:  # what a sensor adds is braked with it
+        speeds = np.maximum(speeds, _SPEED_WITH_CORRECTION * robot.max_speeds)
+        accelerations = accelerations * PLANNED_ACCELERATION
+    return clock_limits(speeds, accelerations, robot.max_jerks)

@@ -1,0 +1,122 @@
+"""What drives and arm did, kept by the state in which they began, the reference and the payload.
+
+A servo-driven arm forgets: some seconds behind an edit its state is that of the run before, to the bit, and
+from there on nothing need be simulated that is known.
+"""
+
+from collections.abc import Callable
+from typing import TypeAlias
+
+import numpy as np
+
+from ropsim.flow import JointReference
+from ropsim.model import Payload
+from ropsim.simulation.kept import Kept
+from ropsim.simulation.servo.recorder import Recorder
+from ropsim.simulation.servo.servo import Servo
+from ropsim.simulation.servo.state import ServoState
+from ropsim.spatial import Array, fingerprint, record
+
+Driving: TypeAlias = Callable[[str, Servo, ServoState, JointReference, Payload, Recorder, Array], ServoState]
+"""Lets the servo of the station of a name follow a reference; see `Servo.run`."""
+
+MOST_BYTES = 200_000_000
+"""So much of rows is kept: 10 minutes of motion of six axes at a control rate of 1 kHz."""
+
+
+def driven_anew(
+    station: str,
+    servo: Servo,
+    state: ServoState,
+    reference: JointReference,
+    payload: Payload,
+    recorder: Recorder,
+    aux: Array,
+) -> ServoState:
+    """Follow a reference, whatever was followed before."""
+    del station
+    after = servo.run(state, reference, payload, recorder, aux)
+    recorder.take()
+    return after
+
+
+@record
+class _Driven:
+    """A slice.
+
+    Attributes:
+        reference: that was followed, shape (3, ticks, n).
+        aux: signals that the law read, shape (ticks, a).
+        rows: of the log, at every control tick, shape (ticks, w).
+        tally: what was judged, ticks counted from where it began, shape (4, w).
+        values: the state vector at its end.
+    """
+
+    reference: Array
+    aux: Array
+    rows: Array
+    tally: Array
+    values: Array
+
+
+class KeptDrives:
+    """Slices of the stations of a cell, each under the joint controller of its model.
+
+    Args:
+        most: room for rows [bytes].
+
+    Attributes:
+        anew: control ticks that were simulated, since the run began.
+    """
+
+    def __init__(self, most: int = MOST_BYTES) -> None:
+        self.anew = 0
+        self._kept: Kept[_Driven] = Kept(most)
+
+    @property
+    def used(self) -> int:
+        """Return how much room is taken, about [bytes]."""
+        return self._kept.used
+
+    def begin(self) -> None:
+        """Take notice that another run begins."""
+        self._kept.begin()
+        self.anew = 0
+
+    def drive(
+        self,
+        station: str,
+        servo: Servo,
+        state: ServoState,
+        reference: JointReference,
+        payload: Payload,
+        recorder: Recorder,
+        aux: Array,
+    ) -> ServoState:
+        """Follow a reference, or enter into the recording what came of that before.
+
+        Args:
+            station: name of the station in the cell.
+            servo: of it, under the joint controller of its model.
+            state: where to start.
+            reference: one row per control tick.
+            payload: body at the mechanical interface.
+            recorder: gets the rows of these ticks.
+            aux: values of the signals that the law reads, shape (ticks, a).
+        """
+        key = station, state.values.tobytes(), fingerprint(payload), reference.ticks
+        driven = self._kept.get(key)
+        asked = np.array((reference.q, reference.qd, reference.qdd))
+        if driven is None or not (_same(driven.reference, asked) and _same(driven.aux, aux)):
+            self.anew += reference.ticks
+            log = recorder.slice_log()
+            after = servo.run(state, reference, payload, log, aux)
+            driven = _Driven(asked, aux, log.rows, log.tally.since(state.tick), after.values)
+            self._kept.put(key, driven, log.rows.nbytes + asked.nbytes)
+        recorder.enter(state.tick, driven.rows, driven.tally)
+        return ServoState(state.tick + reference.ticks, driven.values, state.layout)
+
+
+def _same(one: Array, other: Array) -> bool:
+    """Return whether two arrays have the same bits."""
+    return one.shape == other.shape and np.array_equal(one.view(np.int64), other.view(np.int64))

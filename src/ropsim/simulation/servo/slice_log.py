@@ -1,0 +1,60 @@
+"""The rows of one slice at every control tick, and what is judged on it by itself."""
+
+from typing import Protocol
+
+import numpy as np
+
+from ropsim.simulation.tally import Tally
+from ropsim.spatial import Array
+
+
+class Log(Protocol):
+    """What a slice is written into."""
+
+    @property
+    def decimation(self) -> int:
+        """Return the control ticks between two rows that are to be written."""
+        ...
+
+    @property
+    def tally(self) -> Tally:
+        """Return the worst of all control ticks so far."""
+        ...
+
+    def claim(self, tick: int, ticks: int) -> tuple[Array, int]:
+        """Return a table and the row at which those of the next `ticks` ticks begin; they count from now on.
+
+        Args:
+            tick: tick at which they start.
+            ticks: how many.
+        """
+        ...
+
+
+class SliceLog:
+    """A log of a slice alone; whoever has a run of which it is a part may enter it there.
+
+    Args:
+        tally: with nothing in it.
+        width: numbers in a row.
+    """
+
+    def __init__(self, tally: Tally, width: int) -> None:
+        self.rows = np.empty((0, width))
+        self._tally = tally
+
+    @property
+    def decimation(self) -> int:
+        """Return 1: a row is written at every control tick."""
+        return 1
+
+    @property
+    def tally(self) -> Tally:
+        """Return the worst of the slice."""
+        return self._tally
+
+    def claim(self, tick: int, ticks: int) -> tuple[Array, int]:
+        """Return the table of the slice, and 0."""
+        del tick
+        self.rows = np.empty((ticks, self.rows.shape[1]))
+        return self.rows, 0
