@@ -62,8 +62,9 @@ class KinematicPlant:
         """Advance to the end of `reference`; the payload changes nothing here."""
         del payload
         table, row = self._log.claim(self._tick, reference.ticks)
-        kept = (self._tick + 1 + np.arange(reference.ticks)) % self._log.decimation == 0
-        table[row : self._log.rows] = np.hstack((reference.q[kept], reference.qd[kept]))
+        due, n = slice(-(self._tick + 1) % self._log.decimation, None, self._log.decimation), len(self._q)
+        table[row : self._log.rows, :n] = reference.q[due]
+        table[row : self._log.rows, n:] = reference.qd[due]
         self._judge(reference.q, reference.qd)
         self._past.enter(self._tick + 1, reference.q)
         self._q, self._qd = np.array(reference.q[-1]), np.array(reference.qd[-1])
@@ -85,8 +86,10 @@ class KinematicPlant:
 
     def _judge(self, q: Array, qd: Array) -> None:
         """Enter coordinates and speeds of the next ticks, shape (k, n) each, into the tally."""
-        beyond = np.maximum(np.maximum(q - self._upper, self._lower - q), 0.0)
-        self._tally.enter(self._tick + 1, np.hstack((beyond, qd)))
+        if (q > self._upper).any() or (q < self._lower).any():
+            beyond = np.maximum(np.maximum(q - self._upper, self._lower - q), 0.0)
+            self._tally.enter(self._tick + 1, beyond)
+        self._tally.enter(self._tick + 1, qd, first=q.shape[1])
 
     def q_at(self, tick: float) -> Array:
         """Return the joint coordinates at a tick that is not forgotten [rad | m], shape (n,)."""

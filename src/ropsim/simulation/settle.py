@@ -26,9 +26,10 @@ def settle(run: CellRun, at: StationRun, move: MoveInstruction) -> Iterator[None
     """
     controller = at.station.controller
     step = controller.rates.interpolation_ticks
+    if _is_there(at):
+        return
     start, limit = at.tick, round(controller.settle_timeout * at.hz)
-    needed = round(controller.settle_time * at.hz)
-    stood = needed if _is_there(at) else 0
+    needed, stood = round(controller.settle_time * at.hz), 0
     while stood < needed or not _is_in_position(at):
         if at.tick - start >= limit:
             run.findings.append(_not_in_position(at, move))

@@ -62,24 +62,26 @@ class Tally:
         self._table[2] += table[2]
         self._table[3, full] = tick + table[3, full]
 
-    def enter(self, tick: int, rows: Array, full: Array | None = None) -> None:
+    def enter(self, tick: int, rows: Array, full: Array | None = None, first: int = 0) -> None:
         """Enter the rows of the ticks from `tick` on.
 
         Args:
             tick: of the first row.
-            rows: values of the judged quantities, shape (ticks, width).
-            full: magnitudes from which on a value is at its limit, shape (width,); None for no limits.
+            rows: values of the judged quantities, shape (ticks, w).
+            full: magnitudes from which on a value is at its limit, shape (w,); None for no limits.
+            first: place of the first of these quantities.
         """
         if not len(rows):
             return
-        sizes, columns = np.abs(rows), np.arange(rows.shape[1])
-        at = sizes.argmax(axis=0)
-        largest = sizes[at, columns]
-        grown = largest > self._table[0]
-        self._table[0, grown], self._table[1, grown] = largest[grown], (tick + at)[grown]
+        table = self._table[:, first : first + rows.shape[1]]
+        sizes = np.abs(np.ascontiguousarray(rows.T))  # along rows without gaps it takes a quarter of the time
+        largest = sizes.max(axis=1)
+        grown = np.flatnonzero(largest > table[0])
+        if len(grown):
+            table[0, grown], table[1, grown] = largest[grown], tick + sizes[grown].argmax(axis=1)
         if full is not None:
-            there = sizes >= full
-            some = there.any(axis=0)
-            self._table[2] += there.sum(axis=0)
-            last = tick + len(rows) - 1 - there[::-1].argmax(axis=0)
-            self._table[3, some] = last[some]
+            there = sizes >= full[:, None]
+            some = there.any(axis=1)
+            table[2] += there.sum(axis=1)
+            last = tick + len(rows) - 1 - there[:, ::-1].argmax(axis=1)
+            table[3, some] = last[some]
