@@ -175,13 +175,43 @@ def _not_finite(name: str) -> Exception:
     return out_of_range(f"the result of `{name}` is not a finite number")
 
 
+def _equal(stack: list[Datum], _values: list[Datum], _operand: Datum) -> None:
+    right = stack.pop()
+    stack[-1] = stack[-1] == right
+
+
+def _unequal(stack: list[Datum], _values: list[Datum], _operand: Datum) -> None:
+    right = stack.pop()
+    stack[-1] = stack[-1] != right
+
+
+def _less(stack: list[Datum], _values: list[Datum], _operand: Datum) -> None:
+    right = stack.pop()
+    stack[-1] = stack[-1] < right
+
+
+def _at_most(stack: list[Datum], _values: list[Datum], _operand: Datum) -> None:
+    right = stack.pop()
+    stack[-1] = stack[-1] <= right
+
+
+def _greater(stack: list[Datum], _values: list[Datum], _operand: Datum) -> None:
+    right = stack.pop()
+    stack[-1] = stack[-1] > right
+
+
+def _at_least(stack: list[Datum], _values: list[Datum], _operand: Datum) -> None:
+    right = stack.pop()
+    stack[-1] = stack[-1] >= right
+
+
 _COMPARE = {
-    "EQ": operator.eq,
-    "NE": operator.ne,
-    "LT": operator.lt,
-    "LE": operator.le,
-    "GT": operator.gt,
-    "GE": operator.ge,
+    "EQ": _equal,
+    "NE": _unequal,
+    "LT": _less,
+    "LE": _at_most,
+    "GT": _greater,
+    "GE": _at_least,
 }
 
 HANDLERS: dict[str, Handler] = {
@@ -227,7 +257,7 @@ HANDLERS: dict[str, Handler] = {
     "OR": _binary(operator.or_),
     "XOR": _binary(operator.xor),
     "CAT": _binary(_joined),
-    **{f"{name}.{kind}": _binary(test) for kind in "IR" for name, test in _COMPARE.items()},
-    "EQ.B": _binary(operator.eq),
+    **{f"{name}.{kind}": test for kind in "IR" for name, test in _COMPARE.items()},
+    "EQ.B": _equal,
 }
 """Mnemonic -> handler; LOAD and STORE depend on where the variable lives."""

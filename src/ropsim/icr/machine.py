@@ -70,31 +70,40 @@ class Machine:
         return outcome
 
     def _run(self, registers: Registers) -> Instruction | Finished:
+        """Carry out instructions to the next one that the robot or the world has to do with.
+
+        Between two jumps instructions are counted by their indices: whether there were too many is looked at
+        behind the last of them. None of these has been told to anybody.
+        """
         procedures, world, budget = self._procedures, self._world, self._options.budget
         code, values, stack = procedures[registers.procedure].code, registers.values, registers.stack
         pc, steps = registers.pc, registers.steps
+        start = pc  # up to which `steps` counts
         try:
-            while steps < budget:
+            while True:
                 handler, operand = code[pc]
                 pc += 1
-                steps += 1
                 target = handler(stack, values, operand)
                 if target is None:
                     continue
+                if steps + pc - start > budget:
+                    break
+                steps += pc - start
                 if target >= 0:
-                    pc = target
+                    pc = start = target
                     continue
-                registers.pc, registers.steps = pc, steps
+                registers.pc, registers.steps, start = pc, steps, pc
                 outcome: Instruction | Finished | None = operand.run(registers, world, operand)
                 if outcome is not None:
                     return outcome
                 code, values = procedures[registers.procedure].code, registers.values
-                pc = registers.pc
+                pc = start = registers.pc
         except TrapError as trap:
-            return self._ended(registers, trap, pc - 1, steps)
-        message = f"{steps} instructions carried out, allowed are {budget}"
+            if (done := steps + pc - start) <= budget:
+                return self._ended(registers, trap, pc - 1, done)
+        message = f"{budget} instructions carried out, allowed are {budget}"
         spent = TrapError(kinds.BUDGET, message, "look for a loop without end near this line")
-        return self._ended(registers, spent, pc, steps)
+        return self._ended(registers, spent, start + budget - steps, budget)
 
     def _ended(self, registers: Registers, trap: TrapError, index: int, steps: int) -> Finished:
         registers.pc, registers.steps = index, steps

@@ -744,3 +744,41 @@ def test_a_command_pose_that_is_not_finite_in_another_frame_is_a_trap() -> None:
     trap = run(program).trap
     assert trap is not None
     assert (trap.code, "CURPOSE" in trap.message) == ("I461", True)
+
+
+COUNTING = """\
+ICR 1.0 loop
+VAR i INT
+PROC main
+  PUSH INT 0
+  STORE i
+L0:
+  LOAD i
+  PUSH INT 1
+  ADD.I
+  STORE i
+  PUSH INT 6
+  LOAD i
+  PUSH INT 3
+  SUB.I
+  DIV.I
+  POP
+  JMP L0
+END
+"""
+
+
+@pytest.mark.parametrize("budget", range(1, 34))
+def test_a_budget_ends_a_run_before_the_very_next_instruction(budget: int) -> None:
+    """Two instructions, then passes of eleven; the division of the third pass is by zero."""
+    machine = Machine(assemble(COUNTING), StillWorld(), MachineOptions(budget))
+    ended = machine.advance()
+    assert isinstance(ended, Finished)
+    assert ended.trap is not None
+    place = budget if budget < 2 else 2 + (budget - 2) % 11
+    division = 2 + 2 * 11 + 9
+    assert (ended.steps, ended.trap.slug, machine.snapshot().pc) == (
+        (budget, "instruction-budget-spent", place)
+        if budget < division
+        else (division, "division-by-zero", 10)
+    )
