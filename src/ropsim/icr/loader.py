@@ -21,6 +21,8 @@ from ropsim.icr.stack import Stack
 from ropsim.icr.types import Constant, Type, rotation
 from ropsim.spatial import Pose, quaternion
 
+_TYPED = frozenset(("GETC", "SETC", "FMT"))
+"""What they do depends on the types of the values that they find."""
 LEAVE = -1
 """What the handler of an operation returns: no index of an instruction."""
 
@@ -44,12 +46,13 @@ def load(program: Program, shared: list[Datum]) -> list[LoadedProcedure]:
 def _code(
     program: Program, procedure: Procedure, number: int, shared: list[Datum]
 ) -> list[tuple[Handler, Datum]]:
-    types = stacks(program, procedure)
+    needs_types = any(step.mnemonic in _TYPED for step in procedure.code)
+    types = stacks(program, procedure) if needs_types else ()
     code: list[tuple[Handler, Datum]] = []
     for index, step in enumerate(procedure.code):
         if step.mnemonic in {"LOAD", "STORE"}:
             code.append(_variable(program, procedure, step, shared))
-        elif step.mnemonic in {"GETC", "SETC", "FMT"}:
+        elif step.mnemonic in _TYPED:
             code.append(_typed(step, types[index]))
         elif step.mnemonic in OPERATIONS:
             place = source_place(program, procedure, index)
