@@ -1,14 +1,14 @@
 """How much work a text is, counted in calls of functions: in proportion to it, and little for an edit."""
 
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from types import FrameType
 from typing import Any
 
 import pytest
 
 from ropsim import language
-from ropsim.language.check import motions
+from ropsim.language.check import assignments, motions
 from ropsim.language.chunks import chunks
 
 MODERN = """\
@@ -115,11 +115,16 @@ def test_looking_where_to_cut_is_in_proportion_whatever_is_not_closed(head: str,
 
 def looked_at(text: str) -> tuple[int, int]:
     """Return how many motions a text has, and how often one is checked while it is compiled."""
+    return text.count("mov ") + text.count("lin "), checks(text, motions.motion)
+
+
+def checks(text: str, function: Callable[..., object]) -> int:
+    """Return how often a statement of one kind is checked while a text is compiled."""
     checked = 0
 
     def called(frame: FrameType, event: str, _: object) -> None:
         nonlocal checked
-        checked += event == "call" and frame.f_code is motions.motion.__code__
+        checked += event == "call" and frame.f_code is function.__code__
 
     before = sys.getprofile()
     sys.setprofile(called)
@@ -127,7 +132,7 @@ def looked_at(text: str) -> tuple[int, int]:
         language.compile(text)
     finally:
         sys.setprofile(before)
-    return text.count("mov ") + text.count("lin "), checked
+    return checked
 
 
 @pytest.mark.parametrize("unit", [MODERN, FLAT], ids=["modern", "flat"])
@@ -148,3 +153,21 @@ mov (400, 0, n)
 
 def test_a_motion_that_tells_a_type_is_looked_at_twice_and_no_other() -> None:
     assert looked_at(OPEN) == (2, 3)
+
+
+def test_an_assignment_that_tells_its_type_is_looked_at_once() -> None:
+    assert checks(text_of(FLAT, 20), assignments.assign) == 20
+
+
+@pytest.mark.parametrize("line", ["y = 1", "T 3", "total = 4", "n = total"])
+def test_an_assignment_beside_a_line_whose_types_are_told_elsewhere_is_looked_at_again(line: str) -> None:
+    text = f"program p\nunits mm, deg\nvar total\ntask T(k: int)\n  print k\nendp\nx = 3 mm\n{line}\n"
+    assert checks(text, assignments.assign) > 1 + (" = " in line)
+
+
+def test_a_part_before_the_first_joints_of_a_text_knows_how_many_they_are() -> None:
+    """Its types are found while nobody knows that yet; what is wrong in it is told all the same."""
+    lines = "\n".join(f"lin (400, {k}, 300)\na{k} = {k} mm" for k in range(60))
+    text = f"program p\nunits mm, deg\n{lines}\nmov joints(1, 2, 3)\n{lines}\nmov joints(1, 2)\n"
+    found = language.compile(text).diagnostics
+    assert [one.message for one in found] == ["`joints(…)` has 2 coordinates, 3 are needed"]

@@ -46,6 +46,9 @@ class Made:
 Expressions = Mapping[type, Callable[["Body", Any], Value]]
 """How each kind of expression node is checked."""
 
+Told = Callable[[str, AnyType | None], AnyType | None]
+"""The type of a new variable, by its name and what the line that makes it tells; None for one of its own."""
+
 
 class Body:
     """Names, frame and loops in force, and where findings go.
@@ -81,7 +84,7 @@ class Body:
         world: World,
         report: Report,
         expressions: Expressions,
-        settled: Mapping[str, Type] | None,
+        told: Told | None,
         task: str = "",
         sight: Sight = NOTHING_BEFORE,
     ) -> None:
@@ -109,7 +112,7 @@ class Body:
         self.used_signals: dict[str, SignalUse] = {}
         self.joint_count = sight.joint_count or world.joint_count
         self.lacks_result = False
-        self._settled = settled
+        self._told = told
 
     # --- findings
 
@@ -173,8 +176,8 @@ class Body:
         return self.variables.get(name) or self._made(name, kind)
 
     def _made(self, name: str, kind: AnyType | None) -> Variable:
-        if self._settled is not None:
-            kind = self._settled.get(name, kind)
+        if self._told is not None:
+            kind = self._told(name, kind)
         variable = self.variables[name] = Variable(name, kind if kind is not None else Unknown())
         return variable
 

@@ -4,7 +4,7 @@ from collections.abc import Iterator, Mapping
 from contextlib import suppress
 
 from ropsim.language.check import hidden, structures
-from ropsim.language.check.body import Body, settled
+from ropsim.language.check.body import Body, Told, settled
 from ropsim.language.check.expressions import EXPRESSIONS
 from ropsim.language.check.near_names import near_names, seen_variables, unread_variables
 from ropsim.language.check.outcome import Outcome
@@ -40,7 +40,7 @@ def walked_control(world: World, items: Items) -> Body:
 def checked_task(world: World, task: TaskText, signature: Signature, types: Mapping[str, Type]) -> Outcome:
     """Return a task; `types` is what the walk before has found."""
     report = Report(of_task(task.name))
-    body = _enter(world, task, signature, types, report)
+    body = _enter(world, task, signature, types.get, report)
     made: Task | None = None
     with suppress(TooManyFindingsError):  # the list of the whole text will be full as well
         made = _task(body, task, signature)
@@ -64,11 +64,9 @@ def _muted(unit: str) -> Report:
     return report
 
 
-def _enter(
-    world: World, task: TaskText, signature: Signature, types: Mapping[str, Type] | None, report: Report
-) -> Body:
+def _enter(world: World, task: TaskText, signature: Signature, told: Told | None, report: Report) -> Body:
     """Return the state at the start of a task: its parameters have values."""
-    body = Body(world, report, EXPRESSIONS, types, task.name)
+    body = Body(world, report, EXPRESSIONS, told, task.name)
     body.references = signature.references
     body.result = signature.result
     body.is_tolerant = not signature.is_known

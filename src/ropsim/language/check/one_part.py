@@ -6,11 +6,11 @@ from dataclasses import replace
 
 from ropsim.core import Diagnostic, Span, frozen_dataclass
 from ropsim.language.check import structures
-from ropsim.language.check.body import Body, Made
+from ropsim.language.check.body import Body, Made, settled
 from ropsim.language.check.expressions import EXPRESSIONS
 from ropsim.language.check.reached import goes_on, late
 from ropsim.language.check.sight import Seen, Sight
-from ropsim.language.check.types import OPEN, Type, Unknown, known
+from ropsim.language.check.types import OPEN, AnyType, Type, Unknown, known
 from ropsim.language.check.world import Symbol, Variable, World
 from ropsim.language.report import Report, TooManyFindingsError
 from ropsim.language.units import Part
@@ -104,6 +104,18 @@ class CheckedPart:
     looked_around: bool
 
 
+@frozen_dataclass
+class PartAlone:
+    """A part that depends on no type that is told elsewhere: one walk finds its types and what is wrong."""
+
+    walked: WalkedPart
+    checked: CheckedPart
+
+
+class ToldElsewhereError(Exception):
+    """A part has a type that it does not tell where it makes the variable."""
+
+
 def walked_part(world: World, part: Part, sight: Sight, states: Mapping[str, AnyState]) -> WalkedPart:
     """Return what a part tells of types.
 
@@ -130,8 +142,39 @@ def walked_part(world: World, part: Part, sight: Sight, states: Mapping[str, Any
 
 def checked_part(world: World, part: Part, sight: Sight, types: Mapping[str, Type]) -> CheckedPart:
     """Return a part, checked; `types` are those of the variables that it makes."""
-    report = Report(part.unit)
-    body = Body(world, report, EXPRESSIONS, types, sight=sight)
+    return _checked(Body(world, Report(part.unit), EXPRESSIONS, types.get, sight=sight), part)
+
+
+def part_alone(world: World, part: Part, sight: Sight) -> PartAlone | None:
+    """Return a part that tells all its types where it makes its variables; None for any other.
+
+    Args:
+        world: what the text declares; it raises `ToldElsewhereError` where that depends on other bodies.
+        part: of the control statements.
+        sight: what stands before it, without open types.
+    """
+    body = Body(world, Report(part.unit), EXPRESSIONS, _at_once, sight=sight)
+    try:
+        checked = _checked(body, part)
+    except ToldElsewhereError:
+        return None
+    types = {name: settled(one.type) for name, one in body.variables.items()}
+    return PartAlone(WalkedPart(checked.left, types, {}), checked)
+
+
+def _at_once(_: str, kind: AnyType | None) -> Type:
+    """Return the type with which a variable is made.
+
+    Raises:
+        ToldElsewhereError: only its use will tell it.
+    """
+    if isinstance(kind, Type):
+        return kind
+    raise ToldElsewhereError
+
+
+def _checked(body: Body, part: Part) -> CheckedPart:
+    report, sight = body.report, body.sight
     block: Block = ()
     with suppress(TooManyFindingsError):  # the list of the whole text will be full as well
         block = structures.walk_part(body, part.items)

@@ -1,7 +1,6 @@
 """What the walk that finds types passes by: statements that can tell it nothing."""
 
 import re
-from functools import lru_cache
 
 from ropsim.language.check.body import Body
 from ropsim.language.check.types import Type, known
@@ -22,10 +21,9 @@ def tells_nothing(body: Body, line: Line) -> bool:
     return _makes_nothing(body, line.statement) and not _has_open(body, line.logical.text)
 
 
-@lru_cache(maxsize=2048)
-def words_of(text: str) -> tuple[str, ...]:
-    """Return the words of a line; whoever asks for those of a part asks again soon."""
-    return tuple(_WORD.findall(text))
+def words_of(text: str) -> list[str]:
+    """Return the words of a text."""
+    return _WORD.findall(text)
 
 
 def _makes_nothing(body: Body, node: syntax.Statement | None) -> bool:

@@ -5,17 +5,17 @@ from functools import partial
 from ropsim.core import Diagnostic, frozen_dataclass
 from ropsim.language.check import one_part
 from ropsim.language.check.fold import IDENTITY
-from ropsim.language.check.one_part import AnyState, CheckedPart, WalkedPart
+from ropsim.language.check.one_part import AnyState, CheckedPart, PartAlone, WalkedPart
 from ropsim.language.check.sight import Seen, Sight
 from ropsim.language.check.silent import words_of
 from ropsim.language.check.types import Type
 from ropsim.language.questions.bodies import final_world
-from ropsim.language.questions.declarations import statements_of
+from ropsim.language.questions.declarations import basics, statements_of
 from ropsim.language.questions.groups import Group
-from ropsim.language.questions.inputs import BEFORE_CHECK, BEFORE_WALK, BLOCK, TYPES
+from ropsim.language.questions.inputs import BEFORE_CHECK, BEFORE_WALK, BLOCK, JOINT_COUNT, TYPES
 from ropsim.language.questions.told import inferred
 from ropsim.language.questions.walks import own_signature
-from ropsim.language.questions.worlds import world_of
+from ropsim.language.questions.worlds import world_alone, world_of
 from ropsim.language.units import Part, lines_of
 from ropsim.program import Block, KnownPlace, points_from
 from ropsim.query import Database
@@ -47,17 +47,24 @@ AT_FIRST = Before()
 
 def mentions(db: Database, unit: str) -> tuple[str, ...]:
     """Return all words of a part, among them each name that it mentions."""
-    found: dict[str, None] = {}
-    for line in lines_of(db.ask(statements_of, unit)):
-        for word in words_of(line.logical.text):
-            if word not in found:
-                found[word] = None
-                found[word.lower()] = None
-    return tuple(found)
+    lines = lines_of(db.ask(statements_of, unit))
+    words = dict.fromkeys(words_of("\n".join([line.logical.text for line in lines])))
+    return tuple(dict.fromkeys((*words, *map(str.lower, words))))
+
+
+def part_alone(db: Database, unit: str) -> PartAlone | None:
+    """Return a part that tells all its types where it makes its variables; None for any other."""
+    before: Before = db.read((BEFORE_WALK, unit))
+    if before.states:
+        return None
+    return one_part.part_alone(world_alone(db), _part(db, unit), _sight(db, unit, before, None))
 
 
 def walked_part(db: Database, unit: str) -> WalkedPart:
-    """Return what a part tells of types when it is looked at silently."""
+    """Return what a part tells of types."""
+    alone = db.ask(part_alone, unit)
+    if alone is not None:
+        return alone.walked
     before: Before = db.read((BEFORE_WALK, unit))
     world = world_of(db, partial(own_signature, db))
     return one_part.walked_part(world, _part(db, unit), _sight(db, unit, before, ()), dict(before.states))
@@ -76,10 +83,23 @@ def checked_part(db: Database, unit: str, around: tuple[str, ...] | None) -> Che
         unit: of the part.
         around: names of all variables before it; None where nobody has asked for them.
     """
-    sight = _sight(db, unit, db.read((BEFORE_CHECK, unit)), around)
+    before: Before = db.read((BEFORE_CHECK, unit))
+    if around is None and inferred(db) is None and _is_as_walked(db, unit, before):
+        alone = db.ask(part_alone, unit)
+        if alone is not None:
+            return alone.checked
+    sight = _sight(db, unit, before, around)
     types: tuple[tuple[str, Type | None], ...] = db.read((TYPES, unit))
     known = {name: kind for name, kind in types if kind is not None}
     return one_part.checked_part(final_world(db), _part(db, unit), sight, known)
+
+
+def _is_as_walked(db: Database, unit: str, before: Before) -> bool:
+    """Return whether a part sees before it what it saw on the walk that finds types."""
+    if not before.joint_count and db.read(JOINT_COUNT) != db.ask(basics).joint_count:
+        return False
+    on_walk: Before = db.read((BEFORE_WALK, unit))
+    return before == on_walk
 
 
 def walked_in(db: Database, group: Group) -> int:

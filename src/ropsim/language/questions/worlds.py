@@ -3,10 +3,11 @@
 from collections.abc import Callable, Container
 from dataclasses import replace
 
+from ropsim.language.check.one_part import ToldElsewhereError
 from ropsim.language.check.table import Table
-from ropsim.language.check.types import opened
+from ropsim.language.check.types import is_open, opened
 from ropsim.language.check.world import Signature, Symbol, Variable, World
-from ropsim.language.questions.callers import all_tasks
+from ropsim.language.questions.callers import all_tasks, is_own, library
 from ropsim.language.questions.declarations import basics, declared_symbol, frame, names_in, tool, untyped
 from ropsim.query import Database
 
@@ -14,6 +15,27 @@ from ropsim.query import Database
 def world_of(db: Database, called: Callable[[str], Signature | None]) -> World:
     """Return the world as a body sees it while types are not known."""
     return world_with(db, called, open_symbols(db), frozenset(), db.ask(basics).joint_count)
+
+
+def world_alone(db: Database) -> World:
+    """Return the world as a part sees it of whose types no other body tells any.
+
+    It raises `ToldElsewhereError` where the part looks at a task, or at a variable of open type.
+    """
+
+    def called(name: str) -> Signature | None:
+        if db.ask(is_own, name) or db.ask(library, name) is not None:
+            raise ToldElsewhereError
+        return None
+
+    def symbol_of(name: str) -> Symbol | None:
+        found = db.ask(declared_symbol, name)
+        if isinstance(found, Variable) and is_open(found.type):
+            raise ToldElsewhereError
+        return found
+
+    symbols: Table[Symbol] = Table(symbol_of, lambda: db.ask(names_in, "symbols"))
+    return world_with(db, called, symbols, frozenset(), db.ask(basics).joint_count)
 
 
 def open_symbols(db: Database) -> Table[Symbol]:
