@@ -3,13 +3,15 @@
 from ropsim.language.environment import Environment
 from ropsim.language.questions import ENVIRONMENT
 from ropsim.language.reading import PARSER
-from ropsim.language.syntax.line import parse_line
+from ropsim.language.syntax.shapes import Shapes
 from ropsim.language.text import Parsed
 from ropsim.query import Database, Once
 
 MAX_KEPT = 250_000
 MAX_TEXTS = 8
 """Texts with their surroundings for which answers are kept, those used last."""
+
+_SHAPES = Shapes()
 
 
 class LineCache:
@@ -31,7 +33,7 @@ class LineCache:
         if found is None:
             if len(self._parsed) >= MAX_KEPT:
                 self._parsed.clear()
-            found = self._parsed[text] = parse_line(text)
+            found = self._parsed[text] = _SHAPES.parsed(text)
         return found
 
     def database(self, environment: Environment, name: str = "") -> Database:

@@ -8,8 +8,8 @@ import pytest
 
 from ropsim import icr, language
 from ropsim.flow import Origin
-from ropsim.language import cache
 from ropsim.language.syntax.line import parse_line
+from ropsim.language.syntax.shapes import Shapes
 from ropsim.language.text import Parsed
 from ropsim.workbench import new_project
 from support.editors import Editor, applied, place, uri_of
@@ -111,11 +111,11 @@ def test_to_name_a_location_only_new_lines_are_read(monkeypatch: pytest.MonkeyPa
     about = {"range": {"start": place(9, 9), "end": place(9, 9)}, "context": {"diagnostics": []}}
     read: list[str] = []
 
-    def counted(line: str) -> Parsed:
+    def counted(_: Shapes, line: str) -> Parsed:
         read.append(line)
         return parse_line(line)
 
-    monkeypatch.setattr(cache, "parse_line", counted)
+    monkeypatch.setattr(Shapes, "parsed", counted)
     action = named(editor.ask("textDocument/codeAction", textDocument={"uri": BARE}, **about), "name this")
     assert "edit" in action
     assert read == ["loc place1 = (300, 7, 200)", "lin place1"]
