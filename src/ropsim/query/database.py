@@ -15,6 +15,7 @@ from typing import Any, Concatenate, ParamSpec, TypeVar, cast
 
 from ropsim.query.content import is_same
 from ropsim.query.event import Event, Outcome
+from ropsim.query.users import Key, Users, kept_users, with_user, without_user
 
 P = ParamSpec("P")
 T = TypeVar("T")
@@ -24,7 +25,6 @@ MAX_KEPT = 50_000
 KEPT_VERSIONS = 8
 """An answer that nobody asked for during so many versions of the inputs is of no use lately."""
 
-_Key = tuple[Hashable, ...]
 _Function = Callable[..., object]
 _ALWAYS_NEW: set[_Function] = set()
 
@@ -44,7 +44,7 @@ class _Input:
 
     value: object
     changed: int
-    users: set[_Key] = field(default_factory=set)
+    users: Users = ()
 
 
 @dataclass(slots=True, eq=False)
@@ -63,14 +63,14 @@ class _Answer:
         is_doubtful: whether an input has changed since on which it depends, maybe through others.
     """
 
-    key: _Key
+    key: Key
     value: Any
     changed: int
     verified: int
     asked: int
     inputs: tuple[_Input, ...] = ()
     answers: "tuple[_Answer, ...]" = ()
-    users: set[_Key] = field(default_factory=set)
+    users: Users = ()
     is_doubtful: bool = False
 
 
@@ -100,7 +100,7 @@ class Database:
         self._least = limit
         self._limit = limit
         self._inputs: dict[Hashable, _Input] = {}
-        self._answers: dict[_Key, _Answer] = {}
+        self._answers: dict[Key, _Answer] = {}
         self._running: list[_Running] = []
         self._version = 1
         self._is_in_version = False
@@ -159,7 +159,7 @@ class Database:
     def ask(self, function: Callable[Concatenate["Database", P], T], *arguments: P.args, **_: P.kwargs) -> T:
         """Return what a function gives for its arguments, the same as if it were called now."""
         given: Any = arguments  # nothing is called here that need not be: there are thousands of questions
-        key: _Key = (function, *given)
+        key: Key = (function, *given)
         found = self._answers.get(key)
         if found is None or found.is_doubtful:
             found = self._verified(key, found)
@@ -181,7 +181,7 @@ class Database:
         value: T = found.value
         return value
 
-    def _doubt(self, users: set[_Key]) -> None:
+    def _doubt(self, users: Users) -> None:
         """Let all that depends on something be looked at before it is used again."""
         work = [users]
         while work:
@@ -191,7 +191,7 @@ class Database:
                     one.is_doubtful = True
                     work.append(one.users)
 
-    def _verified(self, key: _Key, known: _Answer | None) -> _Answer:
+    def _verified(self, key: Key, known: _Answer | None) -> _Answer:
         if known is not None and self._holds(known):
             known.verified, known.is_doubtful = self.revision, False
             self._note(key, Outcome.REUSED)
@@ -217,15 +217,15 @@ class Database:
         key = found.key
         if found.inputs != inputs:
             for one in found.inputs:
-                one.users.discard(key)
+                one.users = without_user(one.users, key)
             for one in inputs:
-                one.users.add(key)
+                one.users = with_user(one.users, key)
             found.inputs = inputs
         if found.answers != answers:
             for asked in found.answers:
-                asked.users.discard(key)
+                asked.users = without_user(asked.users, key)
             for asked in answers:
-                asked.users.add(key)
+                asked.users = with_user(asked.users, key)
             found.answers = answers
 
     def _holds(self, known: _Answer) -> bool:
@@ -241,7 +241,7 @@ class Database:
                 return False
         return True
 
-    def _note(self, key: _Key, outcome: Outcome) -> None:
+    def _note(self, key: Key, outcome: Outcome) -> None:
         if self.events is not None:
             name = getattr(key[0], "__name__", str(key[0]))
             self.events.append(Event(name, key[1:], outcome))
@@ -255,7 +255,7 @@ class Database:
         """Give up answers of no use lately; what those in use are made of stays."""
         oldest = self._version - KEPT_VERSIONS
         work = [one for one in self._answers.values() if one.asked >= oldest]
-        kept: dict[_Key, _Answer] = {}
+        kept: dict[Key, _Answer] = {}
         while work:
             one = work.pop()
             if one.key not in kept:
@@ -263,8 +263,8 @@ class Database:
                 work += one.answers
         self._answers = kept
         for answer in kept.values():
-            answer.users &= kept.keys()
+            answer.users = kept_users(answer.users, kept)
         for given in self._inputs.values():
-            given.users &= kept.keys()
+            given.users = kept_users(given.users, kept)
         self._inputs = {name: one for name, one in self._inputs.items() if one.value is not None or one.users}
         self._limit = max(self._least, 2 * len(kept))
