@@ -4,7 +4,7 @@ import math
 from dataclasses import dataclass, field
 from itertools import pairwise
 
-from ropsim.core import Diagnostic, frozen_dataclass
+from ropsim.core import Diagnostic, frozen_dataclass, maker
 from ropsim.flow import MotionKind
 from ropsim.program import statements as st
 from ropsim.program.diagnostics import IMPOSSIBLE_PATH
@@ -25,6 +25,11 @@ class KnownPlace:
 
     frame: str
     point: _Point
+
+
+_known = maker(KnownPlace)
+_STILL = frozenset({st.Assign, st.AssignComponent, st.Message, st.Output, st.Wait, st.Grip})
+"""Statements that leave the TCP where it is."""
 
 
 def check_points(program: Program) -> tuple[Diagnostic, ...]:
@@ -60,6 +65,8 @@ class _Check:
 
     def statement(self, statement: st.Statement, place: KnownPlace | None) -> KnownPlace | None:
         """Return the place after a statement; what steers the flow leaves none that is known for certain."""
+        if type(statement) in _STILL:
+            return place
         match statement:
             case Move():
                 return self.move(statement, place)
@@ -108,7 +115,7 @@ def _place(location: Expression) -> KnownPlace | None:
         inner = inner.operand
     if isinstance(inner, Constant) and inner.type is ValueType.POSE and isinstance(inner.value, tuple):
         x, y, z = inner.value[:3]
-        return KnownPlace(frame, (x, y, z))
+        return _known(frame, (x, y, z))
     return None
 
 

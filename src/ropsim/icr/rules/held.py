@@ -8,11 +8,10 @@ and J. D. Ullman, "Global data flow analysis and iterative algorithms", J. ACM 1
 """
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass
 from functools import reduce
 from typing import NamedTuple
 
-from ropsim.core import frozen_dataclass
+from ropsim.core import frozen_dataclass, frozen_without_equality, maker
 
 
 class Slot(NamedTuple):
@@ -25,7 +24,7 @@ class Slot(NamedTuple):
 Slots = frozenset[Slot]
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@frozen_without_equality
 class Held:
     """A set of variables.
 
@@ -41,7 +40,7 @@ class Held:
 
     def with_also(self, slots: Slots) -> "Held":
         """Return a set that has these variables, too."""
-        return Held(slots, self, self.depth + 1) if slots else self
+        return _held(slots, self, self.depth + 1) if slots else self
 
     def all(self) -> Slots:
         """Return the variables of the whole chain."""
@@ -51,6 +50,9 @@ class Held:
             found.append(link.last)
             link = link.before
         return _union(found)
+
+
+_held = maker(Held)
 
 
 @frozen_dataclass

@@ -1,5 +1,6 @@
 """Statements that give variables values: `=`, `load`, `var` and calls with a result."""
 
+from ropsim.core import maker
 from ropsim.language.check import calls, components, convert, fold, poses, values
 from ropsim.language.check.body import Body, Made, RejectedError
 from ropsim.language.check.types import (
@@ -23,6 +24,8 @@ from ropsim.language.syntax import statements as syntax
 from ropsim.program import Assign, AssignComponent, Block, Constant, Expression, SignalUse
 from ropsim.program import Variable as VariableExpression
 
+_assign, _made = maker(Assign), maker(Made)
+
 
 def assign(body: Body, node: syntax.Assign) -> Block:
     """Return an assignment; the first one of a name declares it."""
@@ -33,7 +36,7 @@ def assign(body: Body, node: syntax.Assign) -> Block:
     value = values.check(body, node.value)
     variable = target(body, node.name, _type_of(value))
     expression = convert.to(body, value, variable.type, node.value, f"the value of `{node.name.text}`")
-    return (Assign(variable.name, poses.kept(value, expression), body.statement_span),)
+    return (_assign(variable.name, poses.kept(value, expression), body.statement_span),)
 
 
 def load(body: Body, node: syntax.Load) -> Block:
@@ -94,7 +97,7 @@ def target(body: Body, name: nodes.Name, kind: AnyType) -> Variable:
         if body.world.is_strict and symbol is None:
             hint = f"write `var {name.text}: type` outside the tasks, or make it a parameter"
             body.fail(kinds.UNDECLARED, name, f"`{name.text}` is not declared", hint)
-        body.made.setdefault(name.text, Made(body.report.source, body.line, name))
+        body.made.setdefault(name.text, _made(body.report.source, body.line, name))
         return body.declare(name.text, kind)
     body.fail(
         name_kinds.NOT_ASSIGNABLE,

@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from typing import Any, NoReturn
 
-from ropsim.core import Kind, Span, did_you_mean, frozen_dataclass
+from ropsim.core import Kind, Span, did_you_mean, frozen_dataclass, maker
 from ropsim.language.check.fold import IDENTITY
 from ropsim.language.check.sight import NOTHING_BEFORE, Sight
 from ropsim.language.check.types import AnyType, Type, Unknown, Value, known
@@ -15,6 +15,8 @@ from ropsim.language.syntax.nodes import Name
 from ropsim.language.text import Line
 from ropsim.program import Local, SignalUse
 from ropsim.spatial import PoseTuple, quaternion
+
+_variable, _local = maker(Variable), maker(Local)
 
 
 class RejectedError(Exception):
@@ -156,7 +158,7 @@ class Body:
 
     def enter(self, name: str, kind: AnyType) -> None:
         """Enter a parameter."""
-        self.names[name] = self.variables[name] = Variable(name, kind)
+        self.names[name] = self.variables[name] = _variable(name, kind, False, False)  # noqa: FBT003 - fields
 
     def declare(self, name: str, kind: AnyType | None = None) -> Variable:
         """Enter a variable of this body; without `kind` its type is what the first pass found."""
@@ -178,7 +180,8 @@ class Body:
     def _made(self, name: str, kind: AnyType | None) -> Variable:
         if self._told is not None:
             kind = self._told(name, kind)
-        variable = self.variables[name] = Variable(name, kind if kind is not None else Unknown())
+        kind = kind if kind is not None else Unknown()
+        variable = self.variables[name] = _variable(name, kind, False, False)  # noqa: FBT003 - fields
         return variable
 
     def _free(self, name: str) -> str:
@@ -286,7 +289,7 @@ class Body:
     def locals(self, parameters: tuple[str, ...]) -> tuple[Local, ...]:
         """Return the variables other than `parameters`, with final types, in the order they came to be."""
         return tuple(
-            Local(symbol.name, settled(symbol.type).value)
+            _local(symbol.name, settled(symbol.type).value)
             for symbol in self.variables.values()
             if symbol.name not in parameters
         )

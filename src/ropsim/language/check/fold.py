@@ -29,7 +29,8 @@ _REAL, _INT = ValueType.REAL, ValueType.INT
 
 IDENTITY: PoseTuple = (0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0)
 
-constant = maker(Constant)
+constant, _binary = maker(Constant), maker(Binary)
+_vector, _pose = maker(MakeVector), maker(MakePose)
 TRUE = Constant(True, ValueType.BOOL)  # noqa: FBT003 - the value is the datum
 FALSE = Constant(False, ValueType.BOOL)  # noqa: FBT003 - the value is the datum
 
@@ -163,7 +164,7 @@ def binary(op: str, left: Expression, right: Expression, kind: ValueType) -> Exp
         return _computed(op, _BINARY[op], kind, of, a, b)
     if op in ("eq", "ne") and isinstance(left, Constant) and isinstance(right, Constant):
         return boolean((bool(left.value) == bool(right.value)) is (op == "eq"))
-    return _simplified(op, a, b, left, right) or Binary(op, left, right, kind)
+    return _simplified(op, a, b, left, right) or _binary(op, left, right, kind)
 
 
 def scaled(operand: Expression, factor: float) -> Expression:
@@ -230,8 +231,8 @@ def vector(x: Expression, y: Expression, z: Expression) -> Expression:
     """Return the VEC of three REALs."""
     a, b, c = number_of(x), number_of(y), number_of(z)
     if a is None or b is None or c is None:
-        return MakeVector(x, y, z)
-    return Constant((float(a), float(b), float(c)), ValueType.VEC)
+        return _vector(x, y, z, ValueType.VEC)
+    return constant((float(a), float(b), float(c)), ValueType.VEC)
 
 
 def zyx(c: Expression, b: Expression, a: Expression) -> Expression:
@@ -239,7 +240,7 @@ def zyx(c: Expression, b: Expression, a: Expression) -> Expression:
     r, p, y = number_of(a), number_of(b), number_of(c)
     if r is None or p is None or y is None:
         return MakeZyx(c, b, a)
-    return Constant(quaternion.from_zyx(float(y), float(p), float(r)), ValueType.ORI)
+    return constant(quaternion.from_zyx(float(y), float(p), float(r)), ValueType.ORI)
 
 
 def make_pose(position: Expression, orientation: Expression) -> Expression:
@@ -247,8 +248,8 @@ def make_pose(position: Expression, orientation: Expression) -> Expression:
     p = position.value if isinstance(position, Constant) else None
     q = orientation.value if isinstance(orientation, Constant) else None
     if isinstance(p, tuple) and isinstance(q, tuple):
-        return Constant((*p, *q), ValueType.POSE)
-    return MakePose(position, orientation)
+        return constant((*p, *q), ValueType.POSE)
+    return _pose(position, orientation, ValueType.POSE)
 
 
 def in_frame(operand: Expression, frame: str) -> Expression:

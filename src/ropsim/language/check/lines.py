@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from typing import Any
 
+from ropsim.core import maker
 from ropsim.language.check import actions, assignments, calls, jumps, motions, values
 from ropsim.language.check.body import Body
 from ropsim.language.check.types import BOOL
@@ -16,6 +17,8 @@ _DECLARATIONS = (
     syntax.ProgramHeader, syntax.Units, syntax.Mode, syntax.FrameDeclaration, syntax.LocationDeclaration,
     syntax.ToolDeclaration, syntax.SignalDeclaration, syntax.ConstantDeclaration, syntax.PatternDeclaration,
 )  # fmt: skip
+
+_if = maker(If)
 
 
 def statement(body: Body, node: syntax.Statement | None) -> Block:
@@ -59,7 +62,7 @@ def _wait_until(body: Body, node: syntax.WaitCondition) -> Block:
 
 def _one_line_if(body: Body, node: syntax.If) -> Block:
     condition = values.expect(body, node.condition, BOOL, "the condition of `if`")
-    return (If(((condition, statement(body, node.body)),), (), body.statement_span),)
+    return (_if(((condition, statement(body, node.body)),), (), body.statement_span, ()),)
 
 
 def _variable(body: Body, node: syntax.VariableDeclaration) -> Block:

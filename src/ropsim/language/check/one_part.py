@@ -4,7 +4,7 @@ from collections.abc import Iterator, Mapping
 from contextlib import suppress
 from dataclasses import replace
 
-from ropsim.core import Diagnostic, Span, frozen_dataclass
+from ropsim.core import Diagnostic, Span, frozen_dataclass, maker
 from ropsim.language.check import structures
 from ropsim.language.check.body import Body, Made, settled
 from ropsim.language.check.expressions import EXPRESSIONS
@@ -39,6 +39,7 @@ class Open:
 
 
 AnyState = Type | Open
+_seen = maker(Seen)
 
 
 @frozen_dataclass
@@ -229,7 +230,7 @@ def _changed(body: Body, sight: Sight) -> Iterator[tuple[str, Seen]]:
             or before.number != number
             or before.is_past != is_past
         ):
-            yield name, Seen(_closed(symbol), number, is_past)
+            yield name, _seen(_closed(symbol), number, is_past)
 
 
 def _closed(symbol: Symbol | None) -> Symbol | None:

@@ -3,7 +3,7 @@
 from ropsim.icr import MAX_EXTERNAL
 from ropsim.language.check import components, convert, fold, numerals, postures, turns, units, values
 from ropsim.language.check.body import Body
-from ropsim.language.check.types import ANGLE, JOINTS, LENGTH, POSE, Type, Value, article, known
+from ropsim.language.check.types import ANGLE, JOINTS, LENGTH, POSE, Type, Value, article, known, valued
 from ropsim.language.findings import types as kinds
 from ropsim.language.syntax import nodes
 from ropsim.language.syntax.lexer import LARGEST
@@ -29,7 +29,8 @@ def location(body: Body, node: nodes.Tuple) -> Value:
     X_KT = X_CT if body.X_KC == fold.IDENTITY else fold.compose(fold.pose(body.X_KC), X_CT)
     if node.posture is not None:
         X_KT = fold.in_posture(X_KT, postures.request(body, node.posture))
-    return Value(fold.in_frame(X_KT, body.moving) if body.moving else X_KT, POSE, X_KF=body.X_KC)
+    placed = fold.in_frame(X_KT, body.moving) if body.moving else X_KT
+    return valued(placed, POSE, False, body.X_KC)  # noqa: FBT003 - a field
 
 
 def transform(body: Body, node: nodes.Node) -> Expression:
@@ -188,7 +189,7 @@ def _position(body: Body, node: nodes.Tuple) -> Expression:
     numbers = [numerals.fitting_real(body, item.value, units.LENGTH) for item in items[:3]]
     known = tuple(number for number in numbers if number is not None and abs(number) <= LARGEST)
     if len(known) == 3:
-        return Constant(known, ValueType.VEC)
+        return fold.constant(known, ValueType.VEC)
     x = _length(body, items[0].value, "`x` of a location")
     y = _length(body, items[1].value, "`y` of a location")
     z = _length(body, items[2].value, "`z` of a location")

@@ -1,7 +1,6 @@
 """Statements and tasks that no way through the program leads to."""
 
 from collections.abc import Iterable, Iterator, Mapping
-from itertools import pairwise
 
 from ropsim.core import Diagnostic, Span
 from ropsim.language.findings import names as name_kinds
@@ -69,21 +68,16 @@ def unreached(places: Iterable[tuple[Span, Span]]) -> Iterator[Diagnostic]:
 
 def late(block: Block) -> Iterator[tuple[Span, Span]]:
     """Yield where statements are not reached, each with that before it, which does not go on."""
-    for before, after in pairwise(block):
-        yield from _inside(before)
-        if _ends(before):
-            if after.span != before.span:
-                yield after.span, before.span
+    last = len(block) - 1
+    for number, statement in enumerate(block):
+        if type(statement) in _PLAIN:
+            continue
+        for inner in _blocks(statement):
+            yield from late(inner)
+        if number < last and _ends(statement):
+            if block[number + 1].span != statement.span:
+                yield block[number + 1].span, statement.span
             return
-    if block:
-        yield from _inside(block[-1])
-
-
-def _inside(statement: Statement) -> Iterator[tuple[Span, Span]]:
-    if type(statement) in _PLAIN:
-        return
-    for block in _blocks(statement):
-        yield from late(block)
 
 
 def _blocks(statement: Statement) -> tuple[Block, ...]:

@@ -1,9 +1,11 @@
 """What `print` shows of a value: quantities in the units of the text, with their names."""
 
+from functools import lru_cache
+
 from ropsim.language.check import components, fold, units
 from ropsim.language.check.body import Body
 from ropsim.language.check.types import ANGLE, LENGTH, POSE, Type, Value, known
-from ropsim.language.check.units import Dimension
+from ropsim.language.check.units import Dimension, UnitSystem
 from ropsim.program import Component, Constant, Expression, Keeping, Kept, MakeVector, ValueType
 
 _REAL = ValueType.REAL
@@ -21,7 +23,7 @@ def parts(body: Body, value: Value) -> tuple[Expression, ...]:
         return (value.expression,)
     if kind == POSE and not (environment.external or environment.moving):
         return _location(body, components.numbers_in_frame(body, value.expression))
-    factor, unit = _unit(body, kind.dimension) if kind.value is _REAL else (1.0, "")
+    factor, unit = _unit(body.world.units, kind.dimension) if kind.value is _REAL else (1.0, "")
     if not unit:
         return (value.expression,)
     return _scaled(value.expression, factor), _text(unit)
@@ -30,17 +32,18 @@ def parts(body: Body, value: Value) -> tuple[Expression, ...]:
 def _location(body: Body, numbers: Expression) -> tuple[Expression, ...]:
     shown: list[Expression] = []
     for first, dimension in ((0, LENGTH.dimension), (3, ANGLE.dimension)):
-        factor, unit = _unit(body, dimension)
+        factor, unit = _unit(body.world.units, dimension)
         x, y, z = (_scaled(Component(Kept(ValueType.POSE), k), factor) for k in range(first, first + 3))
         shown += (Keeping(numbers, MakeVector(x, y, z), ValueType.VEC), _text(unit))
     return tuple(shown)
 
 
-def _unit(body: Body, dimension: Dimension) -> tuple[float, str]:
+@lru_cache(maxsize=256)
+def _unit(of_text: UnitSystem, dimension: Dimension) -> tuple[float, str]:
     """Return factor and name of the unit in which a text has a dimension; no name where there is none."""
     if dimension == units.SHARE:
         return 0.01, "%"
-    system = body.world.units if body.world.units.name(dimension) else units.SI
+    system = of_text if of_text.name(dimension) else units.SI
     return system.factor(dimension), system.name(dimension)
 
 

@@ -4,6 +4,7 @@ from collections.abc import Callable
 from functools import lru_cache
 from typing import Any, NoReturn
 
+from ropsim.core import maker
 from ropsim.icr import Constant as IcrConstant
 from ropsim.icr import Step, Type, Value
 from ropsim.program import expressions as sir
@@ -11,6 +12,7 @@ from ropsim.program.diagnostics import unsound
 from ropsim.program.scope import Scope
 from ropsim.spatial import quaternion
 
+_made = maker(IcrConstant)
 _BOOL, _INT, _REAL = Type.BOOL, Type.INT, Type.REAL
 _VEC, _ORI, _POSE = Type.VEC, Type.ORI, Type.POSE
 
@@ -69,7 +71,7 @@ def push(scope: Scope, kind: Type, value: Value) -> None:
     if value and (kind is _REAL or kind is _INT):  # of zeros there are two, which are equal
         scope.emitter.add(_pushed(kind, value))
     else:
-        scope.emitter.emit("PUSH", IcrConstant(kind, value))
+        scope.emitter.emit("PUSH", _made(kind, value))
 
 
 @lru_cache(maxsize=4096)

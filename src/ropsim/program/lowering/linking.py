@@ -4,7 +4,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 
 from ropsim import icr
-from ropsim.core import Diagnostic
+from ropsim.core import Diagnostic, maker
 from ropsim.icr import Type
 from ropsim.program.diagnostics import without_value
 from ropsim.program.lowering.expressions import zero_of
@@ -14,6 +14,8 @@ from ropsim.program.lowering.usage import Usage
 from ropsim.program.program import Local, Program
 from ropsim.program.source_map import SourceMap
 from ropsim.spatial import PoseTuple, quaternion
+
+_variable = maker(icr.Variable)
 
 
 def draft_of(lowered: Lowered) -> icr.Procedure:
@@ -100,7 +102,7 @@ def axes_with_starts(axes: int | None, made: Iterable[tuple[Lowered, icr.Procedu
 
 def declared_of(variables: Iterable[Local]) -> tuple[icr.Variable, ...]:
     """Return global variables as code declares them."""
-    return tuple(icr.Variable(one.name, one.type) for one in variables)
+    return tuple([_variable(one.name, one.type) for one in variables])
 
 
 def linked(

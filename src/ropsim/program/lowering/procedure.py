@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import field, replace
 from itertools import chain
 
-from ropsim.core import frozen_dataclass
+from ropsim.core import frozen_dataclass, maker
 from ropsim.icr import IoChannel, Procedure, Step, Type, Variable, capabilities
 from ropsim.program import statements as st
 from ropsim.program.diagnostics import unsound
@@ -15,6 +15,8 @@ from ropsim.program.lowering.shifting import shifted
 from ropsim.program.move import Move
 from ropsim.program.program import Local, Task
 from ropsim.program.scope import Known, Scope, no_number
+
+_variable = maker(Variable)
 
 MAIN = "main"
 """Name of the procedure of the control statements."""
@@ -188,7 +190,7 @@ def _lowered(scope: Scope, name: str) -> Lowered:
 
 
 def _variables(variables: tuple[Local, ...]) -> tuple[Variable, ...]:
-    return tuple(Variable(one.name, one.type) for one in variables)
+    return tuple([_variable(one.name, one.type) for one in variables])
 
 
 def procedure_name(known: Known, task: str) -> str:
