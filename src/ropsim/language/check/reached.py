@@ -107,6 +107,8 @@ def _ends(statement: Statement) -> bool:
     match statement:
         case Return() | Stop() | Break() | Continue():
             return True
+        case If(otherwise=()):
+            return False
         case If(branches=branches, otherwise=otherwise):
             return all(_block_ends(block) for block in (*(one for _, one in branches), otherwise))
         case With(body=body):

@@ -9,7 +9,7 @@ from ropsim.language.syntax import nodes
 from ropsim.language.syntax import statements as syntax
 from ropsim.language.text import Line
 
-_WORD = re.compile(r"[^\W\d]\w*")
+_WORDS = re.compile(r"[A-Za-z_]\w*+", re.ASCII).findall
 _ACTING = frozenset({syntax.Gripper, syntax.SetSignal, syntax.WaitTime, syntax.Print, syntax.Stop})
 
 
@@ -22,8 +22,8 @@ def tells_nothing(body: Body, line: Line) -> bool:
 
 
 def words_of(text: str) -> list[str]:
-    """Return the words of a text."""
-    return _WORD.findall(text)
+    """Return the words of a text that can be names."""
+    return _WORDS(text)
 
 
 def _makes_nothing(body: Body, node: syntax.Statement | None) -> bool:
