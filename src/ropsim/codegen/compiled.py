@@ -7,21 +7,18 @@ from functools import cache
 from hashlib import sha256
 from importlib.util import find_spec
 from pathlib import Path
-from typing import Any
+from types import FunctionType
 
 from ropsim.codegen.caller import Compiled
 from ropsim.codegen.machine_code import MissingNameError, emit_object, host, keep, load, read
 from ropsim.codegen.signature import Signature
-from ropsim.core import cache_folder, read_bytes
+from ropsim.core import cache_folder, read_bytes, without_collection
 from ropsim.version import __version__
 
-_NATIVE = "cfunc."
-"""numba's word before the name of a function, for the one that C calls."""
+_Build = Callable[[], tuple[FunctionType, Callable[..., None]]]
 
 
-def compiled(
-    name: str, source: str, signature: Signature, build: Callable[[], tuple[Any, Compiled]]
-) -> Compiled:
+def compiled(name: str, source: str, signature: Signature, build: _Build) -> Compiled:
     """Return a compiled function; numba is imported only where the cache folder does not hold it.
 
     A cache that is damaged or cannot be written costs time only.
@@ -30,18 +27,26 @@ def compiled(
         name: Python identifier that tells what the function is about.
         source: the text that decides what the machine code is.
         signature: of the function.
-        build: imports numba and returns its callback object of `Signature.entry_text`, and the function as
-            numba calls it, for a system where the machine code does not stand alone.
+        build: imports numba and returns the function `entry` of `Signature.entry_text`, and the one that it
+            calls as `stages` makes it, for a system where the machine code does not stand alone.
     """
     path = cache_folder() / "generated" / f"{name}_{_digest(source)}.code"
     with contextlib.suppress(OSError, ValueError, MissingNameError):
         return signature.caller(load(read(path)))
+    with without_collection():
+        return _made(path, signature, build)
+
+
+def _made(path: Path, signature: Signature, build: _Build) -> Compiled:
+    """Return a function that has been compiled just now and is kept, if it stands alone."""
     entry, function = build()
+    from ropsim.codegen.stages import outside, written
+
     try:
-        code = emit_object(entry.inspect_llvm(), entry.native_name.removeprefix(_NATIVE))
+        code = emit_object(*written(entry))
         address = load(code)
     except (ValueError, MissingNameError):
-        return function
+        return outside(function)
     with contextlib.suppress(OSError):
         keep(code, path)
     return signature.caller(address)

@@ -12,8 +12,8 @@ from ropsim.codegen.caller import Compiled, bound
 from ropsim.codegen.signature import Signature
 
 F = TypeVar("F", bound=Callable[..., None])
-_INSIDE: dict[str, Any] = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
-"""Of functions that only compiled code calls."""
+_scopes: dict[str, dict[str, Any]] = {}
+"""What modules know where their functions are compiled, by all texts that decide what becomes of these."""
 
 
 def numba_available() -> bool:
@@ -67,15 +67,20 @@ class Kernel:
 
 
 def _compiled(function: FunctionType, signature: str) -> Compiled:
-    from inspect import getsource
-
     from ropsim.codegen.compiled import compiled
 
     takes = Signature.parse(signature)
     name = function.__name__
     entry = takes.entry_text(name)
-    texts = [f"{getsource(sys.modules[one.__module__])}\n{_numbers(one)}" for one in _reached(function)]
-    return compiled(name, "\n".join((*texts, entry)), takes, lambda: _build(function, entry))
+    return compiled(name, f"{_texts(function)}\n{entry}", takes, lambda: _build(function, entry))
+
+
+def _texts(function: FunctionType) -> str:
+    """Return the texts and numbers that decide what becomes of the functions of a module."""
+    from inspect import getsource
+
+    reached = _reached(function)
+    return "\n".join(f"{getsource(sys.modules[one.__module__])}\n{_numbers(one)}" for one in reached)
 
 
 def _reached(function: FunctionType) -> list[FunctionType]:
@@ -96,22 +101,31 @@ def _numbers(function: FunctionType) -> str:
     return " ".join(f"{name}={value!r}" for name, value in sorted(known) if isinstance(value, int | float))
 
 
-def _build(function: FunctionType, entry: str) -> tuple[object, Compiled]:
-    """Return numba's callback for a function and the function, compiled with the functions beside it.
+def _build(function: FunctionType, text: str) -> tuple[FunctionType, Callable[..., None]]:
+    """Return the function `entry` of a text that calls a kernel, and the kernel as it knows it."""
+    from ropsim.codegen.stages import array_at
 
-    Inside the callback nobody calls them from Python or C: what they would need for that is left out, which
-    takes an eighth off the time of compiling.
+    scope = _scope(function)
+    known = scope | {"array_at": array_at}
+    exec(compile(text, f"<entry of {function.__name__}>", "exec"), known)  # our own source
+    return known["entry"], scope[function.__name__]
+
+
+def _scope(function: FunctionType) -> dict[str, Any]:
+    """Return what the module of a function knows, with functions and kernels for callers in compiled code.
+
+    Kernels share it, for a function that several of them call is compiled once in a process.
     """
-    import numba
+    from ropsim.codegen.stages import inside
 
-    inside = numba.njit(error_model="numpy", **_INSIDE)
-    scopes: dict[str, dict[str, Any]] = {one.__module__: dict(one.__globals__) for one in _reached(function)}
-    for scope in scopes.values():
-        for name, one in tuple(scope.items()):
-            inner = getattr(one, "__wrapped__", one)
-            own = isinstance(inner, FunctionType) and inner.__module__ == scope["__name__"]
-            if own or isinstance(one, Kernel):
-                scope[name] = inside(FunctionType(inner.__code__, scopes[inner.__module__], name))
-    scope = scopes[function.__module__] | {"numba": numba}
-    exec(compile(entry, f"<entry of {function.__name__}>", "exec"), scope)  # our own source
-    return scope["entry"], numba.njit(error_model="numpy")(FunctionType(function.__code__, scope))
+    texts = _texts(function)
+    if texts in _scopes:
+        return _scopes[texts]
+    scope = dict(function.__globals__)
+    for name, one in tuple(scope.items()):
+        inner = getattr(one, "__wrapped__", one)
+        if isinstance(inner, FunctionType) and inner.__module__ == function.__module__:
+            scope[name] = inside(FunctionType(inner.__code__, scope, name))
+        elif isinstance(one, Kernel):
+            scope[name] = _scope(one._function)[one._function.__name__]
+    return _scopes.setdefault(texts, scope)

@@ -41,15 +41,10 @@ def _load(name: str, functions: tuple[SourceFunction, ...], engine: Engine) -> C
 
     def build() -> tuple[Any, Compiled]:
         scope = _run(source, name, {})
-        return scope["entry"], scope["compiled"]
+        return scope["entry"], scope["last"]
 
     return compiled(name, source, signature, build)
 
-
-_OPTIONS = {
-    Bounds.TRUSTED: 'error_model="numpy"',
-    Bounds.CHECKED: 'error_model="numpy", boundscheck=True',
-}
 
 _HEAD = """\
 import math
@@ -57,30 +52,30 @@ import math
 import numba
 import numpy as np
 
+from ropsim.codegen.stages import array_at, inside_as
 from ropsim.codegen.straight_line import straight_line
 """
-_INSIDE = ", no_cpython_wrapper=True, no_cfunc_wrapper=True"
-"""Of functions that only compiled code calls."""
 
 
 def compiled_source(functions: Sequence[SourceFunction]) -> str:
-    """Return the text of a module whose functions numba compiles when it is run; `entry` calls the last."""
+    """Return the text of a module that knows its functions as compiled ones do; `entry` calls `last`."""
     *inner, last = functions
     parts = [_HEAD, *(_inside(one) for one in inner)]
     if last.form is Form.STRAIGHT_LINE:
         parts.append(_inside(last))
         taken = ", ".join(f"a{k}" for k in range(len(Signature.parse(last.signature).arguments)))
         last = SourceFunction("last", last.signature, f"def last({taken}):\n    {last.name}({taken})\n")
-    parts.append(f'@numba.njit("{last.signature}", {_OPTIONS[last.bounds]})\n{last.text}')
+    parts.append(_inside(last))
     parts.append(Signature.parse(last.signature).entry_text(last.name))
-    return "\n\n".join((*parts, f"compiled = {last.name}\n"))
+    return "\n\n".join((*parts, f"last = {last.name}\n"))
 
 
 def _inside(function: SourceFunction) -> str:
     """Return the text of a function that only compiled code calls."""
     if function.form is Form.STRAIGHT_LINE:
         return f'{function.name} = straight_line("""\\\n{function.text}""")\n'
-    return f'@numba.njit("{function.signature}", {_OPTIONS[function.bounds]}{_INSIDE})\n{function.text}'
+    checked = function.bounds is Bounds.CHECKED
+    return f'@inside_as("{function.signature}", boundscheck={checked})\n{function.text}'
 
 
 def _run(source: str, name: str, scope: dict[str, Any]) -> dict[str, Any]:

@@ -16,6 +16,8 @@ from ropsim.core import frozen_dataclass, read_bytes, replace_file
 if TYPE_CHECKING:
     from llvmlite.binding import TargetMachine
 
+_COUNTER = "@NRT_decref"
+"""The name of numba's function that counts who uses an array."""
 _loaded: list[object] = []
 """Machine code stays in memory as long as the process."""
 
@@ -48,11 +50,16 @@ def emit_object(ir: str, symbol: str) -> MachineCode:
         if not one.is_declaration and one.name != symbol:
             one.linkage = "internal"
     machine = _machine()
+    tuning = llvm.create_pipeline_tuning_options(speed_level=3)
+    tuning.loop_vectorization, tuning.slp_vectorization = True, False  # as numba does
+    builder = llvm.create_pass_builder(machine, tuning)
     passes = llvm.create_new_module_pass_manager()
-    passes.add_ipsccp_pass()  # arrays of the caller have no counter: what would count is left out
+    passes.add_ipsccp_pass()  # arrays of the caller have no counter: what counts goes once that is seen
     passes.add_simplify_cfg_pass()
     passes.add_global_dead_code_eliminate_pass()
-    passes.run(module, llvm.create_pass_builder(machine, llvm.create_pipeline_tuning_options(speed_level=0)))
+    for _ in range(2 if _COUNTER in ir else 1):
+        passes.run(module, builder)
+        builder.getModulePassManager().run(module, builder)
     object_file = machine.emit_object(module)
     return MachineCode(symbol, names_from_elsewhere(object_file), object_file)
 

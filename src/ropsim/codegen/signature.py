@@ -46,7 +46,7 @@ class Signature:
             axes = _AXES.get(word)
             if axes is not None:
                 lengths = "".join(f"whole[{whole + 1 + axis}], " for axis in range(axes))
-                values.append(f"numba.carray(array_at(whole[{whole}]), ({lengths}))")
+                values.append(f"array_at(whole[{whole}], ({lengths}))")
                 whole += 1 + axes
             elif word == _WHOLE:
                 values.append(f"whole[{whole}]")
@@ -54,13 +54,7 @@ class Signature:
             else:
                 values.append(f"real[{real}]")
                 real += 1
-        return (
-            f"{_ARRAY_AT}\n\n"
-            '@numba.cfunc("void(CPointer(int64), CPointer(float64))", error_model="numpy")\n'
-            "def entry(first, second):\n"
-            f"    whole, real = numba.carray(first, ({whole},)), numba.carray(second, ({real},))\n"
-            f"    {name}({', '.join(values)})\n"
-        )
+        return f"def entry(whole, real):\n    {name}({', '.join(values)})\n"
 
     def caller(self, address: int) -> Compiled:
         """Return the Python function for the machine code at an address.
@@ -74,11 +68,3 @@ class Signature:
 
 
 _ENTRY = ctypes.CFUNCTYPE(ctypes.c_int32, *[ctypes.c_void_p] * 4)
-_ARRAY_AT = """\
-@numba.extending.intrinsic
-def array_at(typing, address):
-    def generate(context, builder, signature, arguments):
-        return builder.inttoptr(arguments[0], context.get_value_type(signature.return_type))
-
-    return numba.types.CPointer(numba.types.float64)(numba.types.int64), generate
-"""

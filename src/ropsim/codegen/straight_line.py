@@ -6,7 +6,7 @@ down directly it is compiled in a third of the time.
 
 import ast
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING, Protocol, cast
 
 from llvmlite import ir
 
@@ -59,7 +59,7 @@ def straight_line(text: str) -> Callable[..., None]:
     row = ", ".join(names)
     scope: dict[str, Callable[..., object]] = {"of": of}
     exec(f"def {function.name}(context_, {row}): return of(({row},))", scope)  # our own source
-    return intrinsic(scope[function.name])
+    return cast("Callable[..., None]", intrinsic(scope[function.name]))
 
 
 def _is_row(kind: "Type") -> bool:

@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 
 from ropsim.codegen import Engine, bound, default_engine, kernel, numba_available
+from ropsim.codegen.machine_code import MachineCode, MissingNameError
 from ropsim.spatial import Array
 
 THIRD = 1.0 / 3.0
@@ -59,6 +60,52 @@ def test_numbers_of_one_kind_keep_their_order_among_others() -> None:
     out = np.zeros(3)
     compiled_weighed(1.0, 4, 2.0, out, 2, 3.0)
     assert out.tolist() == [0.0, 0.0, 4321.0]
+
+
+def _placed(values: Array, place: int) -> float:
+    first: float = values[place]
+    return first
+
+
+def _first(values: Array, out: Array) -> None:
+    out[0] = _placed(values, 0) + 10.0 * _placed(values, 1)
+
+
+def _second(values: Array, out: Array) -> None:
+    out[0] = _placed(values, 2)
+
+
+FIRST, SECOND = (kernel("void(f8[::1], f8[::1])")(function) for function in (_first, _second))
+
+
+def test_what_several_kernels_call_is_compiled_once_whatever_numbers_they_call_it_with(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    if numba_available():
+        monkeypatch.setenv("ROPSIM_CACHE_DIR", str(tmp_path))
+        values, out = np.array([1.0, 2.0, 3.0]), np.empty(1)
+        found = []
+        for each in (FIRST, SECOND):
+            each(values, out)
+            found.append(out[0])
+        assert found == [21.0, 3.0]
+        scope = sys.modules["ropsim.codegen.kernel"]._scope(_first)
+        assert len(scope["_placed"].overloads) == 1
+
+
+def test_where_code_does_not_stand_alone_numba_calls_a_kernel(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def lacks(_code: MachineCode) -> int:
+        raise MissingNameError("sin")
+
+    if numba_available():
+        monkeypatch.setenv("ROPSIM_CACHE_DIR", str(tmp_path))
+        monkeypatch.setattr("ropsim.codegen.compiled.load", lacks)
+        out = np.empty(1)
+        kernel("void(f8[::1], f8[::1])")(_first)(np.array([1.0, 2.0]), out)
+        assert out[0] == 21.0
+        assert list(tmp_path.rglob("*.code")) == []
 
 
 @pytest.mark.parametrize(
