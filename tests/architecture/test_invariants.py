@@ -15,6 +15,7 @@ HIGH |= {"robotfile", "tomltext", "meshes"}
 """Packages that read and write files of users."""
 OWN_FILES = {
     "core/files.py",
+    "core/turns.py",
     "codegen/compiled.py",
     "codegen/machine_code.py",
     "prolog/native/program.py",

@@ -12,7 +12,7 @@ from types import FunctionType
 from ropsim.codegen.caller import Compiled
 from ropsim.codegen.machine_code import MissingNameError, emit_object, host, keep, load, read
 from ropsim.codegen.signature import Signature
-from ropsim.core import cache_folder, read_bytes, without_collection
+from ropsim.core import cache_folder, read_bytes, turn, without_collection
 from ropsim.version import __version__
 
 _Build = Callable[[], tuple[FunctionType, Callable[..., None]]]
@@ -30,10 +30,13 @@ def compiled(name: str, source: str, signature: Signature, build: _Build) -> Com
         build: imports numba and returns the function `entry` of `Signature.entry_text`, and the one that it
             calls as `stages` makes it, for a system where the machine code does not stand alone.
     """
-    path = cache_folder() / "generated" / f"{name}_{_digest(source)}.code"
+    folder, digest = cache_folder() / "generated", _digest(source)
+    path = folder / f"{name}_{digest}.code"
     with contextlib.suppress(OSError, ValueError, MissingNameError):
         return signature.caller(load(read(path)))
-    with without_collection():
+    with turn(folder / "turns", int(digest, 16)), without_collection():
+        with contextlib.suppress(OSError, ValueError, MissingNameError):
+            return signature.caller(load(read(path)))  # made by another process meanwhile
         return _made(path, signature, build)
 
 

@@ -58,6 +58,31 @@ def test_a_damaged_cache_is_seen_and_mended(filled: Path, tmp_path: Path) -> Non
     assert kept.read_bytes() == whole
 
 
+def test_what_another_process_has_made_meanwhile_is_not_made_again(
+    filled: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    looked: list[Path] = []
+
+    def late(path: Path) -> MachineCode:
+        looked.append(path)
+        if len(looked) == 1:
+            raise FileNotFoundError
+        return read(path)
+
+    def fails(*_anything: object) -> None:
+        raise AssertionError
+
+    monkeypatch.setenv("ROPSIM_CACHE_DIR", str(filled))
+    monkeypatch.setattr("ropsim.codegen.compiled.read", late)
+    monkeypatch.setattr("ropsim.codegen.compiled._made", fails)
+    out = np.empty(1)
+    text = "def double(x, out): out[0] = 2.0 * x[0]"
+    double = SourceFunction("double", "void(f8[::1], f8[::1])", text)
+    load("doubling", (double,), Engine.NUMBA)(np.array([21.0]), out)
+    assert out[0] == 42.0
+    assert len(looked) == 2
+
+
 def test_a_cache_that_cannot_be_written_costs_time_only(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
