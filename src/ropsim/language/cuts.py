@@ -25,7 +25,9 @@ from ropsim.language.syntax.lines import MAX_JOINED
 from ropsim.language.syntax.words import END, OPENERS
 
 MOST_LINES = 256
-"""Of a piece, where some place in it is one to cut at."""
+"""Of a piece with a block without end, where some place in it is one to cut at."""
+ENOUGH = 40
+"""Lines of another piece, where some place in it is one to cut at: an edit costs the piece in which it is."""
 REACH = 48
 """So many lines at least are of a block without end, where they are not indented, and stand in one piece
 above what closes nothing: the other end may be misspelt, and is mended where both stand in one piece."""
@@ -101,11 +103,11 @@ class _Unended:
         """Return whether a line is none of theirs."""
         if not kind & BEGINS or kind & CLOSES or indent_of(line) > self.indent:
             return False
-        return self.is_indented or (number >= self.until and _is_due(kind, size))
+        return self.is_indented or (number >= self.until and _is_due(kind, size, MOST_LINES))
 
 
-def _is_due(kind: int, size: int) -> bool:
-    return bool(kind & MARKED) or size >= MOST_LINES
+def _is_due(kind: int, size: int, most: int) -> bool:
+    return bool(kind & MARKED) or size >= most
 
 
 def _unended(lines: Sequence[str], number: int, around: _Unended | None) -> _Unended:
@@ -126,11 +128,11 @@ def _cuts(lines: Sequence[str], kinds: bytes, start: int, end: int, closed: dict
     number = start - 1
     while number + 1 < end:
         number += 1
-        if size < MOST_LINES and unended is None and not in_contract and number >= goes_on:  # mostly
+        if size < ENOUGH and unended is None and not in_contract and number >= goes_on:  # mostly
             match = _NOTABLE.search(kinds, number, end)
             until = match.start() if match is not None else end
             begun = kinds.count(BEGINS, number, until)
-            if size + begun <= MOST_LINES:
+            if size + begun <= ENOUGH:
                 size += begun
                 number = until
             if number == end:
@@ -143,7 +145,9 @@ def _cuts(lines: Sequence[str], kinds: bytes, start: int, end: int, closed: dict
             in_contract = in_contract and head_of(lines[number]) == END
         is_free = size and number > closes_at and number >= goes_on and not in_contract and not kind & DIVIDES
         if is_free and (
-            _is_due(kind, size) if unended is None else unended.ends_before(lines[number], number, kind, size)
+            _is_due(kind, size, ENOUGH)
+            if unended is None
+            else unended.ends_before(lines[number], number, kind, size)
         ):
             found.append(number)
             size, unended = 0, None

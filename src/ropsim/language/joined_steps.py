@@ -120,10 +120,10 @@ def joined_again(
     of_parts = slice(begun, sum(trail.part_counts[:last]) if end < len(steps) else len(trail.parts))
     begins = [begin for begin, _, _ in joining.parts]
     tasks = _named(trail.tasks, of_tasks, tuple(text.name for text, _ in joining.tasks))
-    parts = _units(trail, of_parts, begins)
-    if tasks is None or parts is None or not begun + len(begins) + len(trail.parts[of_parts.stop :]):
+    own_parts = _units(trail, of_parts, begins)
+    if tasks is None or own_parts is None or not begun + len(begins) + len(trail.parts[of_parts.stop :]):
         return None
-    own_tasks, own_parts = tuple(text.name for text, _ in joining.tasks), parts
+    own_tasks = tuple(text.name for text, _ in joining.tasks)
     moved = {}
     shift = firsts[end] - trail.firsts[last]
     if shift and end < len(steps):
@@ -138,8 +138,8 @@ def joined_again(
         del places[one]
     return Made(
         tasks,
-        (*trail.parts[: of_parts.start], *parts, *trail.parts[of_parts.stop :])
-        if parts != trail.parts[of_parts]
+        (*trail.parts[: of_parts.start], *own_parts, *trail.parts[of_parts.stop :])
+        if own_parts != trail.parts[of_parts]
         else trail.parts,
         [*trail.begins[: of_parts.start], *begins, *trail.begins[of_parts.stop :]],
         [*trail.task_counts[:first], *joining.task_counts, *trail.task_counts[last:]],

@@ -9,7 +9,7 @@ from ropsim.language.reading import alone_of, control_of
 from ropsim.program import Places
 from ropsim.query import Database
 
-MOST_ITEMS = 256
+MOST_ITEMS = 40
 """Of a part of the control statements, unless they are of one piece."""
 
 

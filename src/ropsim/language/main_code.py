@@ -2,7 +2,6 @@
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from itertools import chain
 
 from ropsim import icr
 from ropsim.icr import Need, Type
@@ -78,19 +77,22 @@ def joined_at(
     db: Database, groups: Mapping[Group, Lowered], guess: int | None, by: int, places: SourceMap
 ) -> Lowered:
     """Return the control statements as one procedure that begins with its instruction `by`."""
-    code = []
+    code: list[icr.Step] = []
     for group, one in groups.items():
-        code.append(db.ask(code_at, group, guess, by))
+        code += db.ask(code_at, group, guess, by)
         by += len(one.code)
     lines = db.ask(main_lines, guess)
-    return joined(tuple(groups.values()), tuple(chain.from_iterable(code)), lines, places.source)
+    return joined(tuple(groups.values()), tuple(code), lines, places.source)
 
 
 @always_new
 def main_lines(db: Database, guess: int | None) -> tuple[int, ...]:
     """Return the source lines of the code of the control statements."""
     groups: tuple[Group, ...] = db.read((REACHED, guess))
-    return tuple(chain.from_iterable(db.ask(lines_in, group, guess) for group in groups))
+    found: list[int] = []
+    for group in groups:
+        found += db.ask(lines_in, group, guess)
+    return tuple(found)
 
 
 def unbegun(main: Lowered) -> icr.Procedure:

@@ -10,6 +10,9 @@ from ropsim.language.chunks import Bounds, Chunk, Stretch, bounds, pieces, stret
 from ropsim.language.cuts import REACH, cuts, has_blocks
 from ropsim.language.line_kinds import kinds_of
 
+FURTHER = 8
+"""Of so many pieces below an edit one begins where one began before, or all are cut anew."""
+
 
 @dataclass(slots=True)
 class Cut:
@@ -113,15 +116,18 @@ def _again(one: Bounds, lines: Sequence[str], kinds: bytes, before: Cut, edit: E
         return None
     first = max(bisect_left(firsts, edit.above) - 1, 0)
     last = bisect_right(firsts, end)
-    if last >= len(known) or (first and lines[firsts[first] - 1].endswith("\\")):
+    if first and lines[firsts[first] - 1].endswith("\\"):
         return None
-    again = firsts[last] + shift
-    found, is_plain = cuts(lines, kinds, firsts[first], firsts[last + 1] + shift)
-    if not is_plain or again not in found:
+    until = min(last + FURTHER, len(known))
+    found, is_plain = cuts(lines, kinds, firsts[first], firsts[until] + shift)
+    starts = {*found}
+    kept = next((k for k in range(last, until) if firsts[k] + shift in starts), until)
+    if not is_plain or kept == until < len(known):
         return None
-    borders = (firsts[first], *found[: found.index(again)], again)
+    again = firsts[kept] + shift
+    borders = (firsts[first], *(start for start in found if start < again), again)
     return Stretch(
-        one.in_task, (*known[:first], *pieces(lines, borders, one.end), *known[last:]), is_plain=True
+        one.in_task, (*known[:first], *pieces(lines, borders, one.end), *known[kept:]), is_plain=True
     )
 
 

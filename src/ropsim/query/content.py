@@ -4,7 +4,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import fields, is_dataclass
 from itertools import compress, starmap
 from math import copysign, isnan
-from operator import attrgetter, eq, is_not
+from operator import eq, is_not
 from typing import Any
 
 _PLAIN = (str, int, bool, bytes, type(None))
@@ -48,14 +48,26 @@ def _comparison(kind: type[Any]) -> Callable[[Any, Any], bool]:
     if hasattr(kind, "tobytes"):  # arrays: their numbers, and how they lie
         return lambda one, other: _array(one) == _array(other)
     if is_dataclass(kind):
-        names = tuple(field.name for field in fields(kind) if field.init)
-        if not names:
-            return lambda _one, _other: True
-        values = attrgetter(*names)
-        if len(names) == 1:
-            return lambda one, other: is_same(values(one), values(other))
-        return lambda one, other: _are_same_rows(values(one), values(other))
+        return _of_record(tuple(field.name for field in fields(kind) if field.init))
     return lambda one, other: bool(one == other)
+
+
+def _of_record(names: tuple[str, ...]) -> Callable[[Any, Any], bool]:
+    """Return what compares two records of a type field by field: written for them, as there are so many."""
+    lines = (
+        line
+        for name in names
+        for line in (
+            f"a, b = one.{name}, other.{name}",
+            "if a is not b:",
+            " kind = type(a)",
+            " if kind is not type(b) or not by_type[kind](a, b): return False",
+        )
+    )
+    known: dict[str, Any] = {"by_type": _BY_TYPE}
+    exec("\n ".join(("def compare(one, other):", *lines, "return True")), known)
+    made: Callable[[Any, Any], bool] = known["compare"]
+    return made
 
 
 def _are_same_numbers(one: float, other: float) -> bool:
@@ -67,8 +79,10 @@ def _are_same_rows(one: Sequence[object], other: Sequence[object]) -> bool:
         return False
     if len(one) <= _FEW:
         for mine, yours in zip(one, other, strict=True):
-            if mine is not yours and not is_same(mine, yours):
-                return False
+            if mine is not yours:
+                kind = type(mine)
+                if kind is not type(yours) or not _BY_TYPE[kind](mine, yours):
+                    return False
         return True
     apart = compress(zip(one, other, strict=True), map(is_not, one, other))  # mostly few of many
     return all(starmap(is_same, apart))

@@ -7,7 +7,7 @@ import pytest
 
 from ropsim import language
 from ropsim.language.chunks import chunks
-from ropsim.language.cuts import MOST_LINES, REACH
+from ropsim.language.cuts import ENOUGH, MOST_LINES, REACH
 from ropsim.language.recut import Cut, recut
 from ropsim.query import Outcome
 from support.tasks import CELL
@@ -151,13 +151,20 @@ TYPED = [
 ]
 
 
-@pytest.mark.parametrize("text", [LINES, TASKS], ids=["flat", "of tasks"])
-def test_a_text_that_was_cut_before_is_cut_as_one_that_is_new(text: list[str]) -> None:
+PLAIN = [line for line in LINES if line.split()[0] not in ("repeat", "endr")]
+
+
+@pytest.mark.parametrize(
+    ("text", "typed"),
+    [(LINES, [*TYPED, *LINES]), (TASKS, [*TYPED, *TASKS]), (PLAIN, ["", "x = 1 \\", *PLAIN])],
+    ids=["flat", "of tasks", "without blocks"],
+)
+def test_a_text_that_was_cut_before_is_cut_as_one_that_is_new(text: list[str], typed: list[str]) -> None:
     chance = random.Random(len(text))
     lines, before = list(text), Cut()
     for _ in range(400):
         at = chance.randrange(len(lines))
-        lines[at : at + chance.randrange(3)] = chance.choices([*TYPED, *text], k=chance.randrange(3))
+        lines[at : at + chance.randrange(3)] = chance.choices(typed, k=chance.randrange(3))
         known = before
         before = recut("\n".join(lines), known)
         assert before.chunks == list(chunks(lines))
@@ -174,3 +181,15 @@ def test_an_edit_cuts_the_task_around_it_and_no_other() -> None:
     known = {id(chunk.lines) for chunk in before.chunks}
     new = [chunk for chunk in after.chunks if id(chunk.lines) not in known]
     assert 0 < sum(len(chunk.lines) for chunk in new) <= REACH + 12
+
+
+@pytest.mark.parametrize("at", [0, 200, len(PLAIN) - 1])
+@pytest.mark.parametrize("typed", [["open"], ["lin (1, 2, 3)", "close"], []])
+def test_an_edit_among_statements_cuts_the_pieces_around_it_and_no_other(at: int, typed: list[str]) -> None:
+    before = recut("\n".join(PLAIN), Cut())
+    after = recut("\n".join([*PLAIN[:at], *typed, *PLAIN[at + 1 :]]), before)
+    known = {id(chunk.lines) for chunk in before.chunks}
+    new = [chunk for chunk in after.chunks if id(chunk.lines) not in known]
+    assert 0 < len(new) <= 4
+    words = ("lin", "if", "mov", "open", "close")  # other lines may go on with the one above them
+    assert max(sum(line.startswith(words) for line in chunk.lines) for chunk in after.chunks) <= ENOUGH

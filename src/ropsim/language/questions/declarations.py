@@ -9,6 +9,7 @@ from ropsim.language.check.types import is_open
 from ropsim.language.check.units import UnitSystem
 from ropsim.language.check.world import Symbol, Variable, World
 from ropsim.language.environment import Environment
+from ropsim.language.questions.groups import Group, part_groups
 from ropsim.language.questions.inputs import DECLARED, ENVIRONMENT, PART, PARTS
 from ropsim.language.questions.told import inferred
 from ropsim.language.report import Report, TooManyFindingsError
@@ -31,11 +32,21 @@ def declared(db: Database) -> Declared:
 def _declaring_parts(db: Database) -> Iterator[Part]:
     """Yield what may declare something, and all up to the first item of the text that does not."""
     is_above = True
-    for unit in db.read(PARTS):
-        items = db.ask(declaring_above if is_above else declaring, unit)
-        is_above = is_above and db.ask(stands_above, unit)
-        if items:
-            yield Part(unit, items)
+    for group in db.ask(part_groups):
+        if not is_above:
+            yield from db.ask(declaring_in, group)
+            continue
+        for unit in group:
+            items = db.ask(declaring_above if is_above else declaring, unit)
+            is_above = is_above and db.ask(stands_above, unit)
+            if items:
+                yield Part(unit, items)
+
+
+def declaring_in(db: Database, group: Group) -> tuple[Part, ...]:
+    """Return what may declare something in a group of parts."""
+    found = ((unit, db.ask(declaring, unit)) for unit in group)
+    return tuple(Part(unit, items) for unit, items in found if items)
 
 
 def declaring(db: Database, unit: str) -> Items:

@@ -5,6 +5,7 @@ and no other.
 """
 
 from collections.abc import Iterable
+from functools import lru_cache
 from zlib import crc32
 
 from ropsim.language.questions.inputs import ORDER, PARTS, TASKS
@@ -15,8 +16,8 @@ Group = tuple[str, ...]
 
 USUAL = 32
 """Names of a group on average."""
-MOST = 4 * USUAL
-"""Names of a group at most."""
+MOST = 40
+"""Names of a group at most: an edit costs the rest of its group."""
 
 
 def grouped(names: Iterable[str]) -> tuple[Group, ...]:
@@ -25,10 +26,15 @@ def grouped(names: Iterable[str]) -> tuple[Group, ...]:
     group: list[str] = []
     for name in names:
         group.append(name)
-        if crc32(name.encode(errors="surrogatepass")) % USUAL == 0 or len(group) == MOST:
+        if _number(name) % USUAL == 0 or len(group) == MOST:
             found.append(tuple(group))
             group = []
     return (*found, tuple(group)) if group else tuple(found)
+
+
+@lru_cache(maxsize=65_536)
+def _number(name: str) -> int:
+    return crc32(name.encode(errors="surrogatepass"))
 
 
 def groups(db: Database) -> tuple[Group, ...]:
