@@ -8,13 +8,13 @@ from ropsim.core import Diagnostic
 from ropsim.language import questions
 from ropsim.language.checked import Checked
 from ropsim.language.environment import Environment
-from ropsim.language.main_code import begun, joined_at, lowered_groups, passage_in, unbegun
+from ropsim.language.main_code import begun, given_at_once, lowered_groups, passage_in, started_by
+from ropsim.language.placing import placed_main, placed_tasks
 from ropsim.language.task_code import GIVEN, lowered, procedure_name, ready
 from ropsim.language.task_codes import (
     FIRST,
     find_summaries,
     needs_in,
-    procedures_in,
     reached_groups,
     summary_groups,
     usage_in,
@@ -49,20 +49,20 @@ def code_of(checked: Checked, places: SourceMap, db: Database) -> tuple[icr.Prog
         guess = axes_of((usage,)) or 1
         parts, groups, usage = _lowered_all(db, guess)
     axes = axes_of((usage,))
-    main = joined_at(db, parts, guess, 0, places)
-    db.give({(GIVEN, guess): icr.given_at_once(unbegun(main)) if groups else frozenset()})
+    db.give({(GIVEN, guess): given_at_once(parts.values()) if groups else frozenset()})
     for group in db.ask(summary_groups, guess):
         db.ask(find_summaries, group, guess)
     passages = ((db.ask(passage_in, group, guess), len(one.code)) for group, one in parts.items())
     needs = icr.needs_of_passages(passages)
     missing = tuple(chain.from_iterable(db.ask(needs_in, group, guess) for group in groups))
     variables = {one.name: one.type for one in checked.program.main_locals} if needs or missing else {}
+    start = started_by(needs, parts.values(), variables, axes)
+    main = placed_main(db, parts, guess, len(start), places)
     findings = findings_of(main, needs, variables, places)
     for name, own in missing:
         findings += findings_of(db.ask(lowered, name, guess), own, variables, places)
-    main_procedure = begun(main, needs, variables, axes, lambda by: joined_at(db, parts, guess, by, places))
-    made = [db.ask(procedures_in, group, guess, axes) for group in groups]
-    procedures = (main_procedure, *chain.from_iterable(made))
+    main_procedure = begun(main, start)
+    procedures = (main_procedure, *placed_tasks(db, groups, guess, axes, places))
     begun_ones = ((db.ask(lowered, name, guess), db.ask(ready, name, guess, axes)) for name, _ in missing)
     every_axes = axes_with_starts(axes, ((main, main_procedure), *begun_ones))
     libraries = tuple(_libraries(chain.from_iterable(groups), guess, db))

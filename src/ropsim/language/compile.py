@@ -163,7 +163,6 @@ def _checked(
         left = [unit for unit, items in units.new_parts.items() if items is None]
         inputs: dict[Hashable, object] = {("task", name): task for name, task in units.new_tasks.items()}
         inputs |= {(what, unit): None for unit in left for what in OF_UNITS}
-        inputs |= {("places", unit): one for unit, one in units.new_places.items()}
         inputs |= {(questions.PART, unit): items for unit, items in units.new_parts.items()}
         inputs |= {questions.TASKS: units.tasks, questions.PARTS: units.parts}
         db.give(inputs)

@@ -1,18 +1,18 @@
 """The executable form of the control statements, part by part."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from itertools import chain
 
 from ropsim import icr
 from ropsim.icr import Need, Type
 from ropsim.language import questions
 from ropsim.language.environment import Environment
 from ropsim.language.questions import Group, part_groups
-from ropsim.language.task_code import known_names, placed_lines, procedure_name, summary
+from ropsim.language.task_code import known_names, procedure_name, summary
 from ropsim.program import (
     Block,
     Lowered,
-    SourceMap,
     draft_of,
     joined,
     jumps_in,
@@ -26,8 +26,6 @@ from ropsim.query import Database, always_new
 
 HIDDEN = "hidden names before a part"
 """Input with the unit of a part: number of the newest hidden name of each purpose that stands before it."""
-REACHED = "groups of parts that are reached"
-"""Input with what `lowered_part` is told of axes."""
 _TRAIL = "trail of the code of the control statements"
 """Input: what the last lowering has passed."""
 START, END = "start of the control statements", "end of the control statements"
@@ -57,7 +55,6 @@ def lowered_groups(db: Database, guess: int | None) -> dict[Group, Lowered]:
         if not one.goes_on:
             break
     trail.numbers = before
-    db.give({(REACHED, guess): tuple(found)})
     return found
 
 
@@ -73,48 +70,26 @@ def _give_numbers(db: Database, group: Group, guess: int | None, before: Mapping
             return
 
 
-def joined_at(
-    db: Database, groups: Mapping[Group, Lowered], guess: int | None, by: int, places: SourceMap
-) -> Lowered:
-    """Return the control statements as one procedure that begins with its instruction `by`."""
-    code: list[icr.Step] = []
-    for group, one in groups.items():
-        code += db.ask(code_at, group, guess, by)
-        by += len(one.code)
-    lines = db.ask(main_lines, guess)
-    return joined(tuple(groups.values()), tuple(code), lines, places.source)
+def given_at_once(groups: Iterable[Lowered]) -> frozenset[icr.Slot]:
+    """Return the global variables that have a value before any task is called."""
+    parts = [*groups]
+    hidden = {one.name for part in parts for one in part.hidden}
+    return icr.given_at_once(chain.from_iterable(part.code for part in parts), hidden)
 
 
-@always_new
-def main_lines(db: Database, guess: int | None) -> tuple[int, ...]:
-    """Return the source lines of the code of the control statements."""
-    groups: tuple[Group, ...] = db.read((REACHED, guess))
-    found: list[int] = []
-    for group in groups:
-        found += db.ask(lines_in, group, guess)
-    return tuple(found)
+def started_by(
+    needs: Sequence[Need], groups: Iterable[Lowered], variables: Mapping[str, Type], axes: int | None
+) -> tuple[icr.Step, ...]:
+    """Return what gives values to variables that would have none, at the start of the control statements."""
+    hidden = {one.name: one.type for part in groups for one in part.hidden} if needs else {}
+    return prologue(needs, {**variables, **hidden}, axes)
 
 
-def unbegun(main: Lowered) -> icr.Procedure:
-    """Return the control statements as a procedure in which variables may be read without a value."""
+def begun(main: Lowered, start: tuple[icr.Step, ...]) -> icr.Procedure:
+    """Return the control statements behind what gives values, for which they have room, as a procedure."""
     variables = main.locals + main.hidden
-    return icr.Procedure(main.name, main.parameters, variables, main.results, main.code, main.lines)
-
-
-def begun(
-    main: Lowered,
-    needs: Sequence[Need],
-    variables: Mapping[str, Type],
-    axes: int | None,
-    moved: Callable[[int], Lowered],
-) -> icr.Procedure:
-    """Return the control statements as a procedure with values at its start."""
-    if not needs:
-        return unbegun(main)
-    types = {**variables, **{one.name: one.type for one in main.hidden}}
-    start = prologue(needs, types, axes)
-    code, lines = (*start, *moved(len(start)).code), (0,) * len(start) + main.lines
-    return replace(unbegun(main), code=code, lines=lines)
+    code, lines = start + main.code if start else main.code, (0,) * len(start) + main.lines
+    return icr.Procedure(main.name, main.parameters, variables, main.results, code, lines)
 
 
 def lowered_start(db: Database, axes: int | None) -> Lowered:
@@ -134,7 +109,7 @@ def lowered_part(db: Database, unit: str, axes: int | None) -> Lowered:
 @always_new
 def lowered_in(db: Database, group: Group, axes: int | None) -> Lowered:
     """Return the parts of a group that are reached, as one part."""
-    found = _reached(db, group, axes)
+    found = reached_parts(db, group, axes)
     code: list[icr.Step] = []
     numbers: dict[str, int] = {}
     for unit, one in found:
@@ -144,7 +119,7 @@ def lowered_in(db: Database, group: Group, axes: int | None) -> Lowered:
     return replace(joined(parts, tuple(code), ()), numbers=numbers, goes_on=parts[-1].goes_on)
 
 
-def _reached(db: Database, group: Group, axes: int | None) -> list[tuple[str, Lowered]]:
+def reached_parts(db: Database, group: Group, axes: int | None) -> list[tuple[str, Lowered]]:
     """Return the parts of a group that are reached, with their units."""
     found = []
     for unit in group:
@@ -152,12 +127,6 @@ def _reached(db: Database, group: Group, axes: int | None) -> list[tuple[str, Lo
         if not found[-1][1].goes_on:
             break
     return found
-
-
-@always_new
-def code_at(db: Database, group: Group, axes: int | None, start: int) -> tuple[icr.Step, ...]:
-    """Return the code of a group of parts that begins at an instruction."""
-    return shifted(db.ask(lowered_in, group, axes).code, start, db.ask(jumps_in_group, group, axes))
 
 
 def jumps_of(db: Database, unit: str, axes: int | None) -> tuple[int, ...]:
@@ -169,27 +138,10 @@ def jumps_in_group(db: Database, group: Group, axes: int | None) -> tuple[int, .
     """Return which instructions of a group of parts are jumps."""
     at = 0
     found: list[int] = []
-    for unit, one in _reached(db, group, axes):
+    for unit, one in reached_parts(db, group, axes):
         found += map(at.__add__, db.ask(jumps_of, unit, axes))
         at += len(one.code)
     return tuple(found)
-
-
-def lines_in(db: Database, group: Group, axes: int | None) -> tuple[int, ...]:
-    """Return the source lines of the code of a group of parts."""
-    found: list[int] = []
-    for unit in group:
-        name, lines, goes_on = db.ask(lines_of, unit, axes)
-        found += placed_lines(db, name, lines)
-        if not goes_on:
-            break
-    return tuple(found)
-
-
-def lines_of(db: Database, unit: str, axes: int | None) -> tuple[str, tuple[int, ...], bool]:
-    """Return of the code of a part whose lines it has, which ones, and whether its end is reached."""
-    one = db.ask(lowered_part, unit, axes)
-    return one.unit, one.lines, one.goes_on
 
 
 def passage(db: Database, unit: str, axes: int | None) -> icr.Passage:
@@ -201,5 +153,5 @@ def passage(db: Database, unit: str, axes: int | None) -> icr.Passage:
 
 def passage_in(db: Database, group: Group, axes: int | None) -> icr.Passage:
     """Return what a group of parts does with variables."""
-    reached = _reached(db, group, axes)
+    reached = reached_parts(db, group, axes)
     return icr.joint_passage((db.ask(passage, unit, axes), len(one.code)) for unit, one in reached)

@@ -10,8 +10,8 @@ from ropsim.language.check.types import Type as KnownType
 from ropsim.language.check.types import known
 from ropsim.language.check.world import Variable
 from ropsim.language.environment import Environment
-from ropsim.program import Known, Lowered, Places, SignalUse, SourceMap, Task, draft_of, lower_task, started
-from ropsim.query import Database, always_new
+from ropsim.program import Known, Lowered, SignalUse, Task, draft_of, lower_task, started
+from ropsim.query import Database
 
 GIVEN = "given at once"
 """Input: the global variables that have a value before any task is called."""
@@ -99,17 +99,3 @@ def ready(db: Database, name: str, guess: int | None, axes: int | None) -> icr.P
     found = {one: db.ask(variable, one) for one in names}
     types = {one: kind for one, kind in found.items() if kind is not None}
     return started(db.ask(draft, name, guess), needs, types, axes)
-
-
-@always_new
-def procedure(db: Database, name: str, guess: int | None, axes: int | None) -> icr.Procedure:
-    """Return a procedure with its source lines."""
-    one, done = db.ask(lowered, name, guess), db.ask(ready, name, guess, axes)
-    lines = (0,) * (len(done.code) - len(one.code)) + placed_lines(db, one.unit, one.lines)
-    return icr.Procedure(done.name, done.parameters, done.locals, done.results, done.code, lines)
-
-
-def placed_lines(db: Database, unit: str, lines: tuple[int, ...]) -> tuple[int, ...]:
-    """Return where lines of a unit, a task or a part of the control statements, lie in the text."""
-    places: Places | None = db.read(("places", unit))
-    return SourceMap("", {unit: places} if places is not None else {}).lines(unit, lines)

@@ -1,10 +1,11 @@
 """The executable form of the tasks of a text that its control statements reach, group by group."""
 
 from ropsim import icr
+from ropsim.core import frozen_dataclass
 from ropsim.icr import Need
 from ropsim.language.check.tasks import callee_first
 from ropsim.language.questions import Group, grouped
-from ropsim.language.task_code import lowered, needs_of, procedure, summary
+from ropsim.language.task_code import lowered, needs_of, ready, summary
 from ropsim.program import Usage, joint_usage, reached
 from ropsim.query import Database, always_new
 
@@ -50,9 +51,23 @@ def needs_in(db: Database, group: Group, axes: int | None) -> tuple[tuple[str, t
     return tuple((name, needs) for name, needs in found if needs)
 
 
+@frozen_dataclass
+class Made:
+    """A procedure with values at its start.
+
+    Attributes:
+        procedure: without source lines.
+        unit: what spans name whose lines these are.
+        lines: of the instructions behind those that give values, as lines of that unit.
+    """
+
+    procedure: icr.Procedure
+    unit: str
+    lines: tuple[int, ...]
+
+
 @always_new
-def procedures_in(
-    db: Database, group: Group, guess: int | None, axes: int | None
-) -> tuple[icr.Procedure, ...]:
-    """Return the procedures of a group with their source lines."""
-    return tuple(db.ask(procedure, name, guess, axes) for name in group)
+def made_in(db: Database, group: Group, guess: int | None, axes: int | None) -> tuple[Made, ...]:
+    """Return the procedures of a group."""
+    found = ((db.ask(lowered, name, guess), db.ask(ready, name, guess, axes)) for name in group)
+    return tuple(Made(done, one.unit, one.lines) for one, done in found)

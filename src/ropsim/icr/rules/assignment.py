@@ -1,13 +1,13 @@
 """Rule V7: a value in every variable before it is read."""
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Container, Iterable, Iterator, Mapping
 from itertools import pairwise
 from typing import NamedTuple
 
 from ropsim.core import Diagnostic
 from ropsim.icr import diagnostics as kinds
 from ropsim.icr.opcodes import ENDS_FLOW
-from ropsim.icr.program import Procedure, Program, text_place
+from ropsim.icr.program import Procedure, Program, Step, text_place
 from ropsim.icr.rules.calls import callees_first
 from ropsim.icr.rules.flow import JUMPS, successors
 from ropsim.icr.rules.held import Held, Slot, Slots, common, held_before, missing, ways
@@ -71,7 +71,7 @@ def unassigned(program: Program) -> Mapping[str, tuple[Need, ...]]:
     """Return, by procedure, the variables that rule V7 refuses: locals, and in `main` globals too."""
     summaries: dict[str, Summary] = {}
     main = program.procedure("main")
-    given = given_at_once(main) if main is not None else _NONE
+    given = given_at_once(main.code, main.numbers) if main is not None else _NONE
     for procedure in callees_first(program):
         start = _NONE if procedure.name == "main" else given
         summaries[procedure.name] = summary(procedure, summaries, start)
@@ -84,13 +84,18 @@ def refused_needs(procedure: str, found: Summary) -> tuple[Need, ...]:
     return tuple(need for need in found.needs if procedure == "main" or not need.slot.is_global)
 
 
-def given_at_once(main: Procedure) -> Slots:
-    """Return what `main` gives a value before its first jump or call; all others find it there."""
+def given_at_once(code: Iterable[Step], own: Container[str]) -> Slots:
+    """Return what `main` gives a value before its first jump or call; all others find it there.
+
+    Args:
+        code: of `main`.
+        own: names of its own variables.
+    """
     given = []
-    for step in main.code:
+    for step in code:
         if step.mnemonic == "CALL" or step.mnemonic in JUMPS:
             break
-        if step.mnemonic == "STORE" and step.operands[0] not in main.numbers:
+        if step.mnemonic == "STORE" and step.operands[0] not in own:
             given.append(Slot(str(step.operands[0]), is_global=True))
     return frozenset(given)
 
