@@ -160,6 +160,33 @@ def test_any_bytes_are_read_or_refused() -> None:
     assert refused > 200
 
 
+@pytest.mark.parametrize(
+    "content",
+    [
+        b"[]",
+        b"[[]]",
+        b"[[[1]]]",
+        b"[[{}]]",
+        b"[[1],[0,1,-1]]",
+        b"[[1],[0,1,1]]",
+        b"[[1],[-1,1,0]]",
+        b"[[1],[0,0,0]]",
+        b"[[1],[0,2,0,0,0]]",
+        b"[[1],[0,9000000000]]",
+        b"[[1],[0,-1,0]]",
+        b'[[1],["a","a","a","a"]]',
+        b"[[1],[0,1,0.0]]",
+        b"[[1],[0,1,false]]",
+        b"[[1],[1,2,0,0]]",
+        b"[[1],[2,1,0]]",
+        b"[[1],0]",
+    ],
+)
+def test_bytes_that_nobody_wrote_are_refused(content: bytes) -> None:
+    with pytest.raises(UnknownFormError):
+        read(content)
+
+
 def test_what_has_no_form_is_not_written() -> None:
     with pytest.raises(UnknownFormError):
         written((1, object()))
