@@ -39,6 +39,11 @@ class _Memory(Generic[P, T]):
         found = self.known.get(group)
         return found[2] if found is not None and found[0] is code and found[1] == place else None
 
+    def place(self, group: Group) -> P | None:
+        """Return the place for which something was made last, None for none."""
+        found = self.known.get(group)
+        return found[1] if found is not None else None
+
     def keep(self, group: Group, code: object, place: P, made: T) -> None:
         """Remember what was made."""
         self.known[group] = code, place, made
@@ -51,12 +56,13 @@ class _Memory(Generic[P, T]):
 
 @dataclass(slots=True)
 class _Trail:
-    """What was placed: code and lines of parts, those of all together, and the procedures of tasks."""
+    """What was placed: code and lines of parts, those of all, procedures of tasks; and where units lay."""
 
     codes: _Memory[int, tuple[icr.Step, ...]] = field(default_factory=_Memory)
     lines: _Memory[Lying, tuple[int, ...]] = field(default_factory=_Memory)
     all_lines: tuple[list[tuple[int, ...]], tuple[int, ...]] = ([], ())
     procedures: _Memory[Lying, tuple[icr.Procedure, ...]] = field(default_factory=_Memory)
+    units: Mapping[str, Places] = field(default_factory=dict)
 
 
 def placed_main(
@@ -94,16 +100,20 @@ def placed_tasks(
 ) -> tuple[icr.Procedure, ...]:
     """Return the procedures of tasks with their source lines."""
     trail, units = db.beside(_TRAIL, _Trail), SourceMap("", places.units)
+    is_still = trail.units == places.units
     found: list[tuple[icr.Procedure, ...]] = []
     for group in groups:
         made = db.ask(made_in, group, guess, axes)
-        lying = tuple(units.units.get(one.unit) for one in made)
+        lying = trail.procedures.place(group) if is_still else None
+        if lying is None or len(lying) != len(made):
+            lying = tuple(units.units.get(one.unit) for one in made)
         placed = trail.procedures.find(group, made, lying)
         if placed is None:
             placed = tuple(_procedure(one, units) for one in made)
             trail.procedures.keep(group, made, lying, placed)
         found.append(placed)
     trail.procedures.forget_others(groups)
+    trail.units = places.units
     return tuple(chain.from_iterable(found))
 
 
