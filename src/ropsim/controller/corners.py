@@ -6,6 +6,7 @@ import numpy as np
 
 from ropsim.controller.coordination import Coordination, coordination_round
 from ropsim.controller.entities import Refusal
+from ropsim.controller.joined_ends import joined_to
 from ropsim.controller.leg import Leg
 from ropsim.controller.meeting import meeting_of
 from ropsim.controller.motion_chain import MotionChain
@@ -120,11 +121,12 @@ def corner_between(chain: MotionChain, before: Leg, behind: Leg) -> Corner | Sto
                     if led
                     else Stop.UNREACHABLE
                 )
-            q = before.joints.joints(np.array([s_leave])).q[0]
-            traced = trace(chain, between, q, before.move, along)
+            ends = before.joints.joints(np.array([s_leave])), behind.joints.joints(np.array([s_enter]))
+            traced = trace(chain, between, ends[0].q[0], before.move, along)
             if isinstance(traced, Refusal):
                 return Stop.UNREACHABLE
-            return Rounding(flown, s_leave, s_enter, between, traced[0], along)
+            joints = joined_to(chain, between, traced[0], ends, before.planned.X_MT, along)
+            return Rounding(flown, s_leave, s_enter, between, joints, along) if joints else Stop.UNREACHABLE
     ways = [way for way in distances if way > _LEAST]  # where the tool only turns no zone is too long
     return Overlap(flown, min(ways, default=flown), s_leave, s_enter)
 

@@ -1,6 +1,8 @@
 """Which limit of the tool sets the time of a move on its path: speed, acceleration, jerk, or a bend."""
 
+from bisect import bisect_right
 from collections.abc import Iterator
+from itertools import islice
 
 import numpy as np
 import numpy.typing as npt
@@ -64,8 +66,10 @@ def _by_piece(
     plan: MotionPlan, looks: npt.NDArray[np.intp]
 ) -> Iterator[tuple[PlannedPiece | None, npt.NDArray[np.bool_]]]:
     """Yield which looks are on each piece of the plan; those on none, where motions overlap, come last."""
-    free = np.ones(len(looks), dtype=bool)
-    for piece in plan.pieces:
+    free, begin, end = np.ones(len(looks), dtype=bool), int(looks[0]), int(looks[-1])
+    for piece in islice(plan.pieces, bisect_right(plan.pieces, begin, key=lambda one: one.last), None):
+        if piece.first > end:
+            break
         on = (looks >= piece.first) & (looks < piece.last)
         if on.any():
             yield piece, on

@@ -33,6 +33,7 @@ from ropsim.kinematics.limits import turned_to_limits as turned_to_limits
 from ropsim.kinematics.loop_freedom import loop_freedom as loop_freedom
 from ropsim.kinematics.nearest import Nearest as Nearest
 from ropsim.kinematics.nearest import nearest as nearest
+from ropsim.kinematics.path import inverse_near as inverse_near
 from ropsim.kinematics.path import inverse_path as inverse_path
 from ropsim.kinematics.posture import Posture as Posture
 from ropsim.kinematics.rays import nearest_along as nearest_along

@@ -1,12 +1,13 @@
-"""Inverse kinematics along a path, one pose after the other."""
+"""Inverse kinematics along a path, from what is known to be near: the pose before, or a guess for each."""
 
+import numpy as np
 import numpy.typing as npt
 
 from ropsim.kinematics.arrays import chain_arrays, joint_rows, joint_vector, pose_rows
 from ropsim.kinematics.held import in_arm_base, of_robot
-from ropsim.kinematics.polish import continued
+from ropsim.kinematics.polish import continued, polished
 from ropsim.kinematics.recognition import solver_of
-from ropsim.model import RobotModel, held_arm
+from ropsim.model import JointType, RobotModel, held_arm
 from ropsim.spatial import Array
 
 
@@ -38,3 +39,35 @@ def inverse_path(
         poses = in_arm_base(robot, whole, rows, pose_rows(T))
         return of_robot(whole, rows, inverse_path(whole.arm, poses, q[list(whole.axes)]))
     return continued(chain_arrays(robot), pose_rows(T), joint_vector(robot, q_start), solver_of(robot).slack)
+
+
+def inverse_near(robot: RobotModel, T: npt.ArrayLike, Q: npt.ArrayLike) -> Array:
+    """Return joint coordinates that reach poses, each found numerically from a guess; for any arm.
+
+    External axes are where the guesses have them.
+
+    Args:
+        robot: arm with n joints.
+        T: poses X_BM, shape (k, 4, 4).
+        Q: guesses near to the answers [rad | m], shape (k, n).
+
+    Returns:
+        Joint coordinates [rad | m] without whole turns to the guesses, shape (k, n); NaN where a pose is not
+        reached.
+
+    Raises:
+        ArrayShapeError: M551, T or Q has another shape.
+    """
+    rows = joint_rows(robot, Q)
+    if robot.external:
+        whole = held_arm(robot)
+        poses = in_arm_base(robot, whole, rows, pose_rows(T))
+        return of_robot(whole, rows, inverse_near(whole.arm, poses, rows[:, list(whole.axes)]))
+    chain = chain_arrays(robot)
+    found = polished(chain, pose_rows(T), rows[:, None].copy(), solver_of(robot).slack)[:, 0]
+    turns = np.round((rows - found) / (2.0 * np.pi)) * (2.0 * np.pi)
+    return np.asarray(found + np.where(_turns(robot), turns, 0.0))
+
+
+def _turns(robot: RobotModel) -> npt.NDArray[np.bool_]:
+    return np.array([joint.measure is JointType.REVOLUTE for joint in robot.axis_joints])

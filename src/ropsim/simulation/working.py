@@ -71,7 +71,7 @@ def work(run: CellRun, at: StationRun, program: Program, options: RunOptions) ->
             break
         at.polled = world.polling.look(machine, step)
         stretch = gather(step, advance) if isinstance(step, MoveInstruction) else None
-        with _blamed(step):
+        with _blamed(at):
             yield from move(run, at, stretch, world) if stretch else _carry_out(run, at, step, world)
             at.is_busy = False
             yield
@@ -145,14 +145,15 @@ def _await(run: CellRun, at: StationRun, step: AwaitInstruction, world: Simulate
 
 
 @contextmanager
-def _blamed(step: Instruction) -> Iterator[None]:
-    """Put the source line and the pass of `step` on what the servo raises."""
+def _blamed(at: StationRun) -> Iterator[None]:
+    """Put the source line and the pass of the instruction in force on what the servo raises."""
     try:
         yield
     except (DivergedError, LawError, ServoArrayError) as error:
-        found, visit = error.diagnostic, step.origin.visit
-        data = {**found.data, "pass": visit}
-        raise type(error)(replace(found, span=step.origin.span, label=f"pass {visit}", data=data)) from error
+        found, origin = error.diagnostic, at.origin
+        data = {**found.data, "pass": origin.visit}
+        label = f"pass {origin.visit}"
+        raise type(error)(replace(found, span=origin.span, label=label, data=data)) from error
 
 
 def _stopped(at: StationRun) -> Diagnostic:
