@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 
 from ropsim import icr, robots
+from ropsim.controller import CompiledLaw, LawTraits
 from ropsim.flow import MoveEvent, Recording
-from ropsim.model import Cell, Rates, Signal, Tool
+from ropsim.model import Cell, InputKind, Rates, Signal, Tool
 from ropsim.simulation import DivergedError, Fidelity, RunOptions, run
 from ropsim.simulation.settle import SPEED_TIME
 from support.cells import one_station, with_station
@@ -84,6 +85,37 @@ def test_a_diverged_arm_is_reported_at_the_line_and_pass_that_it_was_in(cell: Ce
     found = caught.value.diagnostic
     assert found.span is not None
     assert (found.code, found.span.line, found.label) == ("S701", 5, "pass 1")
+
+
+GONE = """\
+def law(par, state, ref, meas, load, aux, out):
+    state[0, 0] += 1.0
+    for j in range(out.shape[0]):
+        out[j] = 1000.0 * (ref[0, j] - meas[0, j]) - 3.0 * meas[1, j]
+        if state[0, 0] > par[0, j]:
+            out[j] = math.nan
+"""
+
+
+@pytest.mark.parametrize("number", [1, 2, 3])
+def test_a_state_that_is_no_number_is_told_on_the_move_of_the_stretch_in_which_it_came(
+    cell: Cell, number: int
+) -> None:
+    places = ((400, -200), (400, 0), (500, 0), (500, 100))
+    flown = [f"lin ({x}, {y}, 300; rpy 180 0 0) speed 100 blend 10" for x, y in places[1:]]
+    program = code_of(cell, "mov (400, -200, 300; rpy 180 0 0)", *flown, "lin (400, 100, 300; rpy 180 0 0)")
+    name, traits = cell.first.name, LawTraits(InputKind.VOLTAGE, ("k",))
+
+    def ran(ticks: float) -> Recording:
+        law = CompiledLaw("gone", GONE, ("ticks",), np.full((1, 6), ticks), traits)
+        return run(cell, {name: program}, RunOptions(laws={name: law}))
+
+    move = ran(1e9).events_of(MoveEvent)[number]
+    with pytest.raises(DivergedError) as caught:
+        ran((move.time + 0.5 * move.duration) * 1000.0)
+    span = caught.value.diagnostic.span
+    assert move.origin is not None
+    assert span == move.origin.span
 
 
 def test_how_far_an_arm_is_from_its_target_is_told_in_degrees(cell: Cell) -> None:
