@@ -8,7 +8,8 @@ from measuring import Measure
 
 from ropsim.controller import MotionChain, MotionState, plan
 from ropsim.model import Payload
-from support.walking_arms import CHAINS
+from support.walking_arms import WALKERS
+from support.walking_arms import chain as chain_of_walker
 from support.walks import random_walk, shares
 
 STRETCHES = 1000
@@ -16,9 +17,9 @@ FEWEST = 300
 """Moves that are planned on any arm; one of two joints cannot make most lines, its stretches end there."""
 
 
-@pytest.mark.parametrize("name", CHAINS)
+@pytest.mark.parametrize("name", WALKERS)
 def test_a_thousand_stretches(name: str, benchmark: Any) -> None:
-    chain = CHAINS[name]
+    chain = chain_of_walker(name)
     measure = Measure(benchmark)
     (moves, asked), time = measure(lambda: _walked(chain), rounds=1, warmup=0)
     for quantity, share in asked.items():

@@ -15,7 +15,7 @@ sys.path.insert(0, str(ROOT / "tests"))
 import numpy as np  # noqa: E402  # the path above is needed first
 
 from ropsim.model import Payload  # noqa: E402  # as above
-from support.walking_arms import CHAINS  # noqa: E402  # as above
+from support.walking_arms import chain, every_arm  # noqa: E402  # as above
 from support.walks import cost_of_zones, faults_of, hairpins, random_walk  # noqa: E402  # as above
 
 LOADS = Payload(), Payload(2.0, np.array([0.02, -0.01, 0.08]))
@@ -25,18 +25,18 @@ WALKS = {"of all kinds": random_walk, "of hairpins": hairpins}
 def main() -> int:
     """Plan what the arguments say and return 1 where a law was broken."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("arm", nargs="*", choices=[*CHAINS, []], help="which arms, default: all")
+    parser.add_argument("arm", nargs="*", choices=[*every_arm(), []], help="which arms, default: all")
     parser.add_argument("--cases", type=int, default=1000, metavar="N", help="how many of each sort")
     parser.add_argument("--first", type=int, default=0, metavar="N", help="number of the first one")
     options = parser.parse_args()
     broken = 0
-    for name in options.arm or CHAINS:
+    for name in options.arm or every_arm():
         for sort, made in WALKS.items():
             start, faults = time.perf_counter(), 0
             for seed in range(options.first, options.first + options.cases):
-                walk = made(CHAINS[name], np.random.default_rng(seed))
-                found = faults_of(CHAINS[name], walk, LOADS[seed % 2])
-                found += cost_of_zones(CHAINS[name], walk, LOADS[seed % 2])
+                walk = made(chain(name), np.random.default_rng(seed))
+                found = faults_of(chain(name), walk, LOADS[seed % 2])
+                found += cost_of_zones(chain(name), walk, LOADS[seed % 2])
                 faults += bool(found)
                 for fault in found:
                     print(f"{name}, stretch {seed} {sort}: {fault}", flush=True)

@@ -14,7 +14,7 @@ from ropsim.model import RobotModel
 from ropsim.motion import JointLine, Refined, ToolPath
 from ropsim.spatial import Array
 from support.motion import CELL, CHAIN, LINE, PUMA, START, interface_pose, lin, ptp, shifted
-from support.walking_arms import CHAINS
+from support.walking_arms import chain as chain_of_walker
 from support.walks import random_walk
 
 ON_PATH = 5e-9  # [m], and per entry of the rotation; `leg` asks for about 1e-9 rad between samples
@@ -95,7 +95,7 @@ def test_near_a_singularity_samples_are_taken_more_densely_until_the_joints_are_
 
 def test_where_a_curve_bends_within_a_millimetre_the_joints_lead_the_tool_as_truly() -> None:
     """Even the densest samples of the whole curve are too far apart there: they miss it by a micrometre."""
-    chain = CHAINS["palletizer"]
+    chain = chain_of_walker("palletizer")
     walk = random_walk(chain, np.random.default_rng(130))
     leg = leg_of(chain, walk.moves[0], walk.q_start)
     assert isinstance(leg, Leg), leg

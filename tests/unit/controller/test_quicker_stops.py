@@ -10,7 +10,7 @@ from ropsim.controller import MotionState, plan
 from ropsim.controller.corners import Corner, Overlap
 from ropsim.controller.quicker_stops import Span, Times, quicker_stops
 from ropsim.model import Payload
-from support.walking_arms import CHAINS
+from support.walking_arms import chain as chain_of_walker
 from support.walks import cost_of_zones, hairpins, random_walk
 
 ROUND = Overlap(0.01, 0.01, 0.0, 0.0)
@@ -28,12 +28,12 @@ COSTLY = [
 @pytest.mark.parametrize(("name", "seed"), COSTLY)
 def test_a_stretch_takes_no_longer_than_with_a_stop_at_each_point(name: str, seed: int) -> None:
     """`python -m tools.walks` looks at this for as many stretches as one has time for."""
-    walk = hairpins(CHAINS[name], np.random.default_rng(seed))
-    assert cost_of_zones(CHAINS[name], walk, Payload()) == []
+    walk = hairpins(chain_of_walker(name), np.random.default_rng(seed))
+    assert cost_of_zones(chain_of_walker(name), walk, Payload()) == []
 
 
 def test_a_zone_for_which_joints_would_be_slowed_for_longer_is_left_and_said() -> None:
-    chain = CHAINS["puma560 on a track"]
+    chain = chain_of_walker("puma560 on a track")
     walk = hairpins(chain, np.random.default_rng(6))
     flown, _ = plan(chain, walk.moves, MotionState.at_rest(walk.q_start))
     assert flown is not None
@@ -114,5 +114,5 @@ def test_only_corners_beside_a_move_that_takes_longer_are_looked_at() -> None:
 
 def test_zones_of_random_stretches_cost_no_time() -> None:
     for seed in range(4):
-        walk = random_walk(CHAINS["puma560"], np.random.default_rng(seed))
-        assert cost_of_zones(CHAINS["puma560"], walk, Payload()) == []
+        walk = random_walk(chain_of_walker("puma560"), np.random.default_rng(seed))
+        assert cost_of_zones(chain_of_walker("puma560"), walk, Payload()) == []
