@@ -35,7 +35,7 @@ def clipped(move: MoveInstruction, corner: Corner) -> tuple[Diagnostic, ...]:
 def stopped(move: MoveInstruction, why: Stop) -> tuple[Diagnostic, ...]:
     """Return M560 for a corner at which the arm stops though a zone is in force; only at its first visit."""
     hint = "give a larger zone" if why in (Stop.QUICKER, Stop.SLOWED) else "shift the point"
-    return _stops(move, why.value, f"{hint}, or give the move `fine`")
+    return _stops(move, why.value, f"{hint}, or give the move `fine`" if move.modal.zone > 0.0 else hint)
 
 
 def stopped_by(move: MoveInstruction, what: str) -> tuple[Diagnostic, ...]:
@@ -49,12 +49,14 @@ def stopped_by(move: MoveInstruction, what: str) -> tuple[Diagnostic, ...]:
 
 
 def _stops(move: MoveInstruction, why: str, hint: str) -> tuple[Diagnostic, ...]:
-    if move.origin.visit > 1 or move.modal.zone <= 0.0:
+    zone = move.modal.zone
+    if move.origin.visit > 1 or not (zone > 0.0 or move.modal.passes):
         return ()
+    what = f"its zone of {zone * 1e3:g} mm is not flown" if zone > 0.0 else "the via point is not passed by"
     finding = ZONE_STOPS.at(
         move.origin.span,
-        f"the arm stops here, its zone of {move.modal.zone * 1e3:g} mm is not flown: {why}",
+        f"the arm stops here, {what}: {why}",
         hint=hint,
-        data={"zone_m": move.modal.zone},
+        data={"zone_m": zone},
     )
     return (finding,)
