@@ -14,7 +14,7 @@ class Ended:
 #: What may wait; None for an answer, on which nothing depends.
 Message = Call | Fault | Ended | None
 
-CANCEL = "$/cancelRequest"
+CANCEL, CHANGE = "$/cancelRequest", "textDocument/didChange"
 
 
 class Inbox:
@@ -30,6 +30,17 @@ class Inbox:
     def is_empty(self) -> bool:
         """Return whether nothing waits."""
         return not self._waiting
+
+    @property
+    def asks_next(self) -> bool:
+        """Return whether the message that has waited longest asks for something about texts."""
+        first = self._waiting[0] if self._waiting else None
+        return isinstance(first, Call) and first.is_request and first.method != "shutdown"
+
+    @property
+    def changes_wait(self) -> bool:
+        """Return whether a change of a text waits."""
+        return any(isinstance(one, Call) and one.method == CHANGE for one in self._waiting)
 
     def put(self, message: Message) -> None:
         """Take a message."""

@@ -40,27 +40,48 @@ def serve(source: _Source, sink: BinaryIO) -> int:
     threading.Thread(target=_read, args=(source, inbox), daemon=True).start()
     state, workshop, waiting = State(), Workshop(kept_by_user()), Inbox()
     is_open = True
-    while state.phase is not Phase.OVER and is_open:
-        _receive(inbox, waiting)
-        message, is_cancelled = waiting.next()
-        said: tuple[Json, ...] = ()
-        is_open = not isinstance(message, Ended)
-        with kept_from_collection():  # the texts of an editor stay, and what is known of them
-            if is_cancelled and isinstance(message, Call):
-                said = (failure(message.id, ErrorCode.REQUEST_CANCELLED, "the request has been cancelled"),)
-            elif not isinstance(message, Ended):
-                state, said = _step(state, message, workshop)
+    try:
+        while state.phase is not Phase.OVER and is_open:
+            _receive(inbox, waiting)
+            if state.stale and waiting.asks_next and not waiting.changes_wait:
+                state = _tell_findings(state, workshop, sink)  # what is asked for may take longer
+            message, is_cancelled = waiting.next()
+            said: tuple[Json, ...] = ()
+            is_open = not isinstance(message, Ended)
+            with kept_from_collection():  # the texts of an editor stay, and what is known of them
+                if is_cancelled and isinstance(message, Call):
+                    words = "the request has been cancelled"
+                    said = (failure(message.id, ErrorCode.REQUEST_CANCELLED, words),)
+                elif not isinstance(message, Ended):
+                    state, said = _step(state, message, workshop)
+            _write(sink, said)
             if state.stale and (not is_open or (waiting.is_empty and inbox.empty())):
-                state, more = _settled(state, workshop)
-                said = (*said, *more)
-        try:
-            for one in said:
-                sink.write(framed(msgspec.json.encode(one)))
-            if said:
-                sink.flush()
-        except (OSError, ValueError):  # the editor has gone away
-            return state.exit_code
+                state = _tell_findings(state, workshop, sink)
+    except _GoneError:
+        return state.exit_code
     return state.exit_code
+
+
+class _GoneError(Exception):
+    """The editor has gone away."""
+
+
+def _write(sink: BinaryIO, said: tuple[Json, ...]) -> None:
+    try:
+        for one in said:
+            sink.write(framed(msgspec.json.encode(one)))
+        if said:
+            sink.flush()
+    except (OSError, ValueError) as error:
+        raise _GoneError from error
+
+
+def _tell_findings(state: State, workshop: Workshop, sink: BinaryIO) -> State:
+    """Tell the findings of texts that have changed; return the state after it."""
+    with kept_from_collection():
+        state, said = _settled(state, workshop)
+    _write(sink, said)
+    return state
 
 
 def _receive(source: "queue.SimpleQueue[bytes | FrameFault | None]", waiting: Inbox) -> None:
