@@ -7,7 +7,8 @@ import numpy as np
 
 from ropsim.controller.entities import Refusal
 from ropsim.controller.entity_faults import foreign_of, guarded, is_our_own, refused
-from ropsim.controller.path_truth import wrong_derivatives
+from ropsim.controller.motion_chain import MotionChain
+from ropsim.controller.path_truth import untrue_samples, untrue_setpoints, wrong_derivatives
 from ropsim.flow import JointSamples, MoveInstruction, PoseSetpoints
 from ropsim.motion import JointPath, JointPoints, ToolPath, ToolPoints
 from ropsim.spatial import Array
@@ -18,12 +19,15 @@ _JUMP = 1e-6
 """Largest distance of the start of a path from where the arm is [rad | m]."""
 
 
-def unusable_setpoints(entity: object, setpoints: PoseSetpoints, move: MoveInstruction) -> Refusal | None:
+def unusable_setpoints(
+    entity: object, setpoints: PoseSetpoints, path: ToolPath, move: MoveInstruction
+) -> Refusal | None:
     """Return why pose setpoints cannot be followed, None where they can.
 
     Args:
         entity: who returned them.
         setpoints: what it returned.
+        path: that it was given.
         move: what they are for.
     """
     matrices = np.asarray(setpoints.matrices)
@@ -32,26 +36,30 @@ def unusable_setpoints(entity: object, setpoints: PoseSetpoints, move: MoveInstr
         return refused(entity, found, move)
     if not np.isfinite(matrices).all():
         return refused(entity, "returned `matrices` with numbers that are not finite", move)
-    return _unusable_length(entity, setpoints.length, move)
+    wrong = _unusable_length(entity, setpoints.length, move)
+    return wrong or (None if is_our_own(entity) else untrue_setpoints(entity, setpoints, path, move))
 
 
 def unusable_samples(
-    entity: object, samples: JointSamples, q_start: Array, move: MoveInstruction
+    chain: MotionChain, samples: JointSamples, setpoints: PoseSetpoints, q_start: Array, move: MoveInstruction
 ) -> Refusal | None:
     """Return why joint samples cannot be followed, None where they can.
 
     Args:
-        entity: who returned them.
+        chain: the entities; its inverse transform returned them.
         samples: what it returned.
+        setpoints: X_BT that it was given.
         q_start: where the arm stands, shape (n,).
         move: what it is for.
     """
+    entity = chain.inverse
     q, n = np.asarray(samples.q), len(q_start)
     if q.ndim != 2 or q.shape[1] != n or len(q) < 2:
         return refused(entity, f"returned `q` of shape {q.shape} instead of (2 or more, {n})", move)
     if not np.isfinite(q).all():
         return refused(entity, "returned `q` with numbers that are not finite", move)
-    return _begins_elsewhere(entity, q[0], q_start, move) or _unusable_length(entity, samples.length, move)
+    wrong = _begins_elsewhere(entity, q[0], q_start, move) or _unusable_length(entity, samples.length, move)
+    return wrong or (None if is_our_own(entity) else untrue_samples(chain, samples, setpoints, move))
 
 
 def unusable_tool_path(maker: object, path: ToolPath, move: MoveInstruction) -> Refusal | None:

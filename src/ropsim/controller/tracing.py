@@ -113,7 +113,7 @@ def _setpoints(
     setpoints = guarded(interpolator, lambda: interpolator.sample(path, density), (PoseSetpoints,), move)
     if isinstance(setpoints, Refusal):
         return setpoints
-    return unusable_setpoints(interpolator, setpoints, move) or setpoints
+    return unusable_setpoints(interpolator, setpoints, path, move) or setpoints
 
 
 def _samples(
@@ -123,7 +123,7 @@ def _samples(
     samples = guarded(inverse, lambda: inverse.solve(setpoints, q_start, move), (JointSamples,), move)
     if isinstance(samples, Refusal):
         return samples
-    return unusable_samples(inverse, samples, q_start, move) or samples
+    return unusable_samples(chain, samples, setpoints, q_start, move) or samples
 
 
 def _refined(

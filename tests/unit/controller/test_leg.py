@@ -1,5 +1,6 @@
 """Legs: a tool path traced through the inverse transform, as densely as the joints ask for, or refused."""
 
+from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -12,13 +13,14 @@ from ropsim.flow import JointSamples, ModalState, MoveInstruction, PoseSetpoints
 from ropsim.kinematics import forward_batch, inverse
 from ropsim.model import RobotModel
 from ropsim.motion import JointLine, Refined, ToolPath
-from ropsim.spatial import Array
+from ropsim.spatial import Array, Pose
 from support.motion import CELL, CHAIN, LINE, PUMA, START, interface_pose, lin, ptp, shifted
 from support.walking_arms import chain as chain_of_walker
 from support.walks import random_walk
 
 ON_PATH = 5e-9  # [m], and per entry of the rotation; `leg` asks for about 1e-9 rad between samples
 X_MT = CELL.first.tools["gripper"].X_MT
+TURN = Pose(np.zeros(3), np.array([np.cos(0.05), 0.0, 0.0, np.sin(0.05)])).rotation()
 GRIPPER = ModalState(tool="gripper")
 
 
@@ -198,3 +200,101 @@ def test_a_path_that_begins_elsewhere_is_told_of_the_entity_that_made_it() -> No
     refusal = leg_of(replace(CHAIN, inverse=Answers(np.tile(START + 0.1, (20, 1)))), move, START)
     assert isinstance(refusal, Refusal)
     assert refusal.diagnostics[0].message.startswith("`Answers` returned")
+
+
+@dataclass(frozen=True)
+class Changed:
+    """An interpolator and inverse transform that spoils what the standard ones answer."""
+
+    poses: Callable[[Array], Array] = lambda matrices: matrices
+    q: Callable[[Array], Array] = lambda q: q
+    length: float = 1.0
+
+    def sample(self, path: ToolPath, density: int) -> PoseSetpoints:
+        """Return other poses."""
+        setpoints = CHAIN.interpolator.sample(path, density)
+        return PoseSetpoints(self.length * setpoints.length, self.poses(setpoints.matrices.copy()))
+
+    def solve(
+        self, setpoints: PoseSetpoints, q_start: Array, move: MoveInstruction
+    ) -> JointSamples | Refusal:
+        """Return other rows."""
+        samples = CHAIN.inverse.solve(setpoints, q_start, move)
+        if isinstance(samples, Refusal):
+            return samples
+        return JointSamples(self.length * samples.length, self.q(samples.q.copy()))
+
+
+def second_half_shifted(matrices: Array) -> Array:
+    matrices[len(matrices) // 2 :, 0, 3] += 0.05
+    return matrices
+
+
+def first_shifted(matrices: Array) -> Array:
+    matrices[0, 1, 3] += 0.01
+    return matrices
+
+
+def mirrored(matrices: Array) -> Array:
+    matrices[:, :3, 0] *= -1.0
+    return matrices
+
+
+def end_turned(matrices: Array) -> Array:
+    matrices[-1, :3, :3] = matrices[-1, :3, :3] @ TURN
+    return matrices
+
+
+@pytest.mark.parametrize(
+    ("spoiled", "told"),
+    [
+        (Changed(second_half_shifted), "poses of a path that end 50 mm from its end"),
+        (Changed(lambda matrices: matrices[:-1]), "from its end"),
+        (Changed(first_shifted), "poses of a path that begin 10 mm from its start"),
+        (Changed(end_turned), "poses of a path that end turned at its end"),
+        (Changed(lambda matrices: matrices * 1.1), "row 0 is no pose"),
+        (Changed(mirrored), "row 0 is no pose"),
+        (Changed(length=2.0), "returned a path of length"),
+    ],
+)
+def test_poses_that_are_not_those_of_the_path_are_told_at_the_line(spoiled: Changed, told: str) -> None:
+    move = lin(shifted(interface_pose(START), 0.05, 0.1, -0.06))
+    refusal = leg_of(replace(CHAIN, interpolator=spoiled), move, START)
+    assert isinstance(refusal, Refusal)
+    found = refusal.diagnostics[0]
+    assert (found.code, found.span) == ("C603", LINE)
+    assert found.message.startswith("`Changed` returned")
+    assert told in found.message
+
+
+def added(row: int, axis: int, value: float) -> Callable[[Array], Array]:
+    """Return what adds a value to one coordinate of one row [rad]."""
+
+    def spoil(q: Array) -> Array:
+        q[row, axis] += value
+        return q
+
+    return spoil
+
+
+@pytest.mark.parametrize(
+    ("spoiled", "told"),
+    [
+        (Changed(q=added(-1, 0, 0.1)), "does not lead the tool to its pose: off by"),
+        (Changed(q=added(5, 1, 0.01)), "row 5 of 17 does not lead the tool to its pose"),
+        (Changed(q=added(-1, 5, 0.1)), "row 16 of 17 does not lead the tool to its pose: turned by"),
+        (Changed(q=lambda q: q[:-1]), "returned 16 rows of `q` for 17 poses"),
+        (Changed(length=2.0), "returned a path of length"),
+    ],
+)
+def test_samples_that_lead_the_tool_elsewhere_are_told_at_the_line(spoiled: Changed, told: str) -> None:
+    for modal in (ModalState(), GRIPPER):
+        there = interface_pose(START) @ (X_MT if modal.tool else Pose())
+        move = lin(shifted(there, 0.05, 0.1, -0.06), modal)
+        refusal = leg_of(replace(CHAIN, inverse=spoiled), move, START)
+        assert isinstance(refusal, Refusal)
+        found = refusal.diagnostics[0]
+        assert (found.code, found.span) == ("C603", LINE)
+        assert found.message.startswith("`Changed` returned")
+        assert told in found.message
+        assert isinstance(leg_of(replace(CHAIN, inverse=Changed(), interpolator=Changed()), move, START), Leg)
