@@ -42,7 +42,9 @@ def guarded(
     """
     try:
         answer = work()
-        if isinstance(answer, (*kinds, Refusal)):
+        if isinstance(answer, Refusal):
+            return with_reason(entity, answer, move)
+        if isinstance(answer, kinds):
             return answer
         wanted = " or ".join(kind.__name__ for kind in kinds)
         return refused(entity, f"returned a `{type(answer).__name__}` instead of a {wanted}", move)
@@ -52,6 +54,24 @@ def guarded(
         frames = extract_tb(error.__traceback__)
         place = f" ({Path(frames[-1].filename).name}, line {frames[-1].lineno})"
         return refused(entity, f"raised {type(error).__name__}: {error}{place}", move)
+
+
+def with_reason(entity: object, refusal: Refusal, move: MoveInstruction) -> Refusal:
+    """Return a refusal; C603 at the line of the move in the place of one that says nothing.
+
+    Args:
+        entity: who refused.
+        refusal: its answer.
+        move: that it refused.
+    """
+    if refusal.diagnostics and are_findings(refusal.diagnostics):
+        return refusal
+    return refused(entity, "refused the move without a Diagnostic that says why", move)
+
+
+def are_findings(found: object) -> bool:
+    """Return whether something is a tuple of diagnostics."""
+    return isinstance(found, tuple) and all(isinstance(one, Diagnostic) for one in found)
 
 
 def is_our_own(entity: object) -> bool:

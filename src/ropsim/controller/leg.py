@@ -6,6 +6,7 @@ from ropsim.controller.entities import Refusal
 from ropsim.controller.entity_faults import guarded
 from ropsim.controller.motion_chain import MotionChain
 from ropsim.controller.path_faults import unusable_path, unusable_tool_path
+from ropsim.controller.planned_faults import unusable_plan
 from ropsim.controller.planned_path import PlannedPath
 from ropsim.controller.posture_wish import other_posture
 from ropsim.controller.tracing import trace
@@ -51,6 +52,9 @@ def leg_of(chain: MotionChain, move: MoveInstruction, q_start: Array) -> Leg | R
     planned = guarded(planner, lambda: planner.plan(move, q_start), (PlannedPath,), move)
     if isinstance(planned, Refusal):
         return planned
+    wrong = unusable_plan(chain, planned, q_start, move)
+    if wrong:
+        return wrong
     joints: JointPath | None = planned.joints
     found: tuple[Diagnostic, ...] = ()
     if planned.tool is not None:

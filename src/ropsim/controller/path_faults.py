@@ -6,7 +6,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from ropsim.controller.entities import Refusal
-from ropsim.controller.entity_faults import foreign_of, guarded, is_our_own, refused
+from ropsim.controller.entity_faults import are_findings, foreign_of, guarded, is_our_own, refused
 from ropsim.controller.motion_chain import MotionChain
 from ropsim.controller.path_truth import untrue_samples, untrue_setpoints, wrong_derivatives
 from ropsim.flow import JointSamples, MoveInstruction, PoseSetpoints
@@ -59,6 +59,8 @@ def unusable_samples(
     if not np.isfinite(q).all():
         return refused(entity, "returned `q` with numbers that are not finite", move)
     wrong = _begins_elsewhere(entity, q[0], q_start, move) or _unusable_length(entity, samples.length, move)
+    if not are_findings(samples.findings):
+        return refused(entity, "returned `findings` that are no tuple of Diagnostic", move)
     return wrong or (None if is_our_own(entity) else untrue_samples(chain, samples, setpoints, move))
 
 

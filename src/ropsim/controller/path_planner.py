@@ -8,7 +8,7 @@ import numpy as np
 
 from ropsim.controller.coordination import coordination_along, moved_axes
 from ropsim.controller.entities import Refusal
-from ropsim.controller.entity_faults import guarded
+from ropsim.controller.entity_faults import guarded, with_reason
 from ropsim.controller.external_check import check_external, with_external
 from ropsim.controller.kinds import TOOL_PATHS, PathRequest, ToolPathMaker
 from ropsim.controller.move_check import check_joints, check_kind, check_values
@@ -163,7 +163,7 @@ class StandardPathPlanner:
         if isinstance(path, Refusal):
             return path
         if isinstance(path, tuple):
-            return Refusal(path)
+            return with_reason(make, Refusal(path), move)
         if path is None and not axes:
             return so_far
         if path is None:

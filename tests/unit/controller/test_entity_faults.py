@@ -3,7 +3,7 @@
 import pytest
 
 from ropsim.controller import Refusal, StandardInterpolator
-from ropsim.controller.entity_faults import guarded
+from ropsim.controller.entity_faults import guarded, refused
 from support.motion import LINE, ptp
 
 MOVE = ptp(None)
@@ -19,7 +19,7 @@ def fails() -> int:
 
 def test_what_an_entity_answers_is_handed_on() -> None:
     assert guarded(Theirs(), lambda: 3, (int,), MOVE) == 3
-    refusal = Refusal(())
+    refusal = refused(Theirs(), "cannot", MOVE)
     assert guarded(Theirs(), lambda: refusal, (Refusal,), MOVE) is refusal
 
 
