@@ -22,7 +22,11 @@ from ropsim.controller.entities import PathPlanner as PathPlanner
 from ropsim.controller.entities import Refusal as Refusal
 from ropsim.controller.entities import Sample as Sample
 from ropsim.controller.entities import SensorInterface as SensorInterface
+from ropsim.controller.entity_faults import ENTITY_FAILS as ENTITY_FAILS
+from ropsim.controller.entity_faults import entity_fails as entity_fails
 from ropsim.controller.entity_faults import guarded as guarded
+from ropsim.controller.entity_faults import is_our_own as is_our_own
+from ropsim.controller.entity_faults import raised as raised
 from ropsim.controller.entity_faults import refused as refused
 from ropsim.controller.interpolator import StandardInterpolator as StandardInterpolator
 from ropsim.controller.inverse_transform import StandardInverseTransform as StandardInverseTransform

@@ -6,19 +6,20 @@ from traceback import extract_tb
 from typing import TypeVar
 
 from ropsim.controller.entities import Refusal
-from ropsim.core import Diagnostic, Severity, define
+from ropsim.core import Diagnostic, Severity, Span, define
 from ropsim.flow import MoveInstruction
 
 ENTITY_FAILS = define(
     "C603",
     "entity-fails",
     Severity.ERROR,
-    "a path planner, interpolator, inverse transform or path corrector of your own does not do its work",
+    "a planner, interpolator, inverse transform, path corrector or sensor of your own does not do its work",
     """
 An entity of the controller that you have put into the chain, or a path of your own, raised an exception or
 returned what nobody can follow: arrays of another shape, numbers that are not finite, a path that begins or
 ends elsewhere, derivatives that are not those of its poses. The move is skipped and the program goes on, so
-that one run shows every such line; where a path corrector fails, the move goes on with the shift that it has.
+that one run shows every such line. Where a path corrector fails, the move goes on with the shift that it has;
+where a sensor fails, its reading counts as not valid, and this is told once for each channel and line.
 
 The message names the entity and what it did. docs/how-to/own-planner.md says what each entity is given and
 has to return.
@@ -51,9 +52,14 @@ def guarded(
     except Exception as error:  # whatever the code of a user raises is told
         if is_our_own(entity):
             raise
-        frames = extract_tb(error.__traceback__)
-        place = f" ({Path(frames[-1].filename).name}, line {frames[-1].lineno})"
-        return refused(entity, f"raised {type(error).__name__}: {error}{place}", move)
+        return refused(entity, raised(error), move)
+
+
+def raised(error: Exception) -> str:
+    """Return what an entity did that raised, with its place."""
+    frames = extract_tb(error.__traceback__)
+    place = f" ({Path(frames[-1].filename).name}, line {frames[-1].lineno})"
+    return f"raised {type(error).__name__}: {error}{place}"
 
 
 def with_reason(entity: object, refusal: Refusal, move: MoveInstruction) -> Refusal:
@@ -98,6 +104,16 @@ def refused(entity: object, found: str, move: MoveInstruction) -> Refusal:
         found: what it did.
         move: what it worked on.
     """
+    return Refusal((entity_fails(entity, found, move.origin.span),))
+
+
+def entity_fails(entity: object, found: str, span: Span | None) -> Diagnostic:
+    """Return C603 at a line.
+
+    Args:
+        entity: who did it.
+        found: what it did.
+        span: of the line at which it worked.
+    """
     message = f"`{getattr(entity, '__name__', type(entity).__name__)}` {found}"
-    diagnostic: Diagnostic = ENTITY_FAILS.at(move.origin.span, message, hint=_HINT)
-    return Refusal((diagnostic,))
+    return ENTITY_FAILS.at(span, message, hint=_HINT)

@@ -23,7 +23,7 @@ from ropsim.controller import (
 )
 from ropsim.core import Diagnostic, Kind
 from ropsim.flow import JointReference, PathTracking
-from ropsim.simulation.diagnostics import CORRECTION_AT_LIMIT, CORRECTION_STOPPED_BY_ARM
+from ropsim.simulation.diagnostics import CORRECTION_AT_LIMIT, CORRECTION_STOPPED_BY_ARM, NO_NUMBER_MEASURED
 from ropsim.simulation.move_span import FollowedCorrection
 from ropsim.simulation.station_run import StationRun
 from ropsim.simulation.world import SimulatedWorld
@@ -51,6 +51,7 @@ class Correcting:
         values: what it was at these [m].
         by_size: time at which the limit of its size was reached first [s]; None where it was not.
         by_arm: the same for what the joints allow.
+        no_number: time at which a valid reading was no finite number first [s]; None where none was.
         is_lost: whether the joints could not keep what the path is shifted by; the motion is to end then.
         faults: what the corrector did wrong, at the most once.
     """
@@ -67,6 +68,7 @@ class Correcting:
     values: list[float] = field(default_factory=list)
     by_size: float | None = None
     by_arm: float | None = None
+    no_number: float | None = None
     is_lost: bool = False
     faults: tuple[Diagnostic, ...] = ()
 
@@ -117,7 +119,7 @@ class Correcting:
         return FollowedCorrection(np.array(self.ticks, dtype=float), np.array(self.values), direction)
 
     def findings(self) -> tuple[Diagnostic, ...]:
-        """Return S747 and S748 where limits were reached, and what the corrector did wrong."""
+        """Return S747, S748 where limits were reached, S753, and what the corrector did wrong."""
         limits = self.at.station.controller.correction
         found = list(self.faults)
         if self.by_size is not None:
@@ -129,6 +131,8 @@ class Correcting:
             text += "; the motion was ended where the joints could not keep it" if self.is_lost else ""
             hint = "keep away from joint limits and singular postures, or correct along another axis"
             found.append(self._finding(CORRECTION_STOPPED_BY_ARM, text, hint, limits.size))
+        if self.no_number is not None:
+            found.append(self._no_number(self.no_number))
         return tuple(found)
 
     def _next(self, sample: Sample, reference: JointReference, walked: float, left: float) -> Correction:
@@ -160,8 +164,12 @@ class Correcting:
     def _wanted(self, sample: Sample, reference: JointReference) -> float:
         """Return the speed that the corrector asks for [m/s]; 0 once it has failed."""
         corrector, move, value = self.at.chain.corrector, self.planned.move, self.now.value
-        if self.faults or not math.isfinite(float(sample.value)):
-            return 0.0  # what is no number is no measurement
+        if not math.isfinite(float(sample.value)):  # what is no number is no measurement
+            if sample.valid and self.no_number is None:
+                self.no_number = self.at.time
+            return 0.0
+        if self.faults:
+            return 0.0
         X_BT = self.arm.pose(reference.q[-1])
         ask = partial(corrector.correct, sample, self.tracking, X_BT, value)
         answer = guarded(corrector, lambda: float(ask()), (float,), move)
@@ -178,6 +186,16 @@ class Correcting:
     def _enter(self, tick: int) -> None:
         self.ticks.append(tick)
         self.values.append(self.now.value)
+
+    def _no_number(self, time: float) -> Diagnostic:
+        origin, channel = self.planned.move.origin, self.tracking.channel
+        return NO_NUMBER_MEASURED.at(
+            origin.span,
+            f"`{channel}` reads no finite number, at {time:.2f} s first: the path is not corrected meanwhile",
+            label=f"pass {origin.visit}",
+            hint="let the sensor say that such a reading is not valid",
+            data={"pass": origin.visit, "channel": channel, "time_s": time},
+        )
 
     def _finding(self, kind: Kind, text: str, hint: str, limit: float) -> Diagnostic:
         origin = self.planned.move.origin

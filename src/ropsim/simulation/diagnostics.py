@@ -1,4 +1,4 @@
-"""Diagnostics of simulated runs (S720 to S749, S751, S752); servo, inputs, arms without drives: others."""
+"""Diagnostics of simulated runs (S720 to S749, S751 to S753); servo, inputs, arms without drives: others."""
 
 from ropsim.core import Severity, define
 
@@ -60,6 +60,21 @@ there on the path goes beside the work by what is missing.
 correct the locations; or the sensor sees nothing, as beside an edge, and reads the end of its range; or the
 sign is wrong: where the signal grows as the tool goes forward, write `along -z`. Where the shift is meant,
 allow more in the cell file.
+""",
+)
+
+NO_NUMBER_MEASURED = define(
+    "S753",
+    "no-number-measured",
+    Severity.WARNING,
+    "a sensor that corrects a path reads no finite number",
+    """
+The sensor of a move with `track` said that its reading is valid, and gave NaN or an infinite number. What is
+no number is no measurement: as long as it lasts the path is not corrected any further, and keeps the shift
+that it has. It is told once for a move, with the time at which it was seen first.
+
+**How to mend it.** Let the sensor say that a reading is not valid where it has none (`Sample(valid=False)`),
+and look at why it has none on this path.
 """,
 )
 

@@ -1,11 +1,19 @@
 """What the sensors of a run see: its arms and surfaces at the time at which a station reads."""
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from ropsim.controller import ArmState, Sample, SensorInterface
+from ropsim.controller import (
+    ENTITY_FAILS,
+    ArmState,
+    Sample,
+    SensorInterface,
+    entity_fails,
+    is_our_own,
+    raised,
+)
 from ropsim.kinematics import Blocks, forward, nearest_along, part_blocks, stacked
 from ropsim.simulation.cell_run import CellRun
 from ropsim.simulation.station_run import StationRun
@@ -88,6 +96,32 @@ class Senses:
         """Return the reading of a channel at a time [s]: the cell is as it is when the station reads."""
         assert self.run is not None, "a station reads only while it runs"
         seen = SensedRun(self.run, self.run.stations[self.name])
-        sample = self.sensors.read(channel, time, seen)
+        sample = self._asked(channel, time, seen)
         self.run.note_reading(channel, seen.at.due, sample)
         return sample
+
+    def _asked(self, channel: str, time: float, seen: SensedRun) -> Sample:
+        """Return what the sensors answer; no valid reading where those of a user fail, which is told."""
+        try:
+            sample: object = self.sensors.read(channel, time, seen)
+        except Exception as error:  # whatever the code of a user raises is told
+            if is_our_own(self.sensors):
+                raise
+            return self._failed(channel, f"{raised(error)}, when it was asked for `{channel}`", seen)
+        if not isinstance(sample, Sample):
+            found = f"returned a `{type(sample).__name__}` instead of a Sample for `{channel}`"
+            return self._failed(channel, found, seen)
+        value: object = sample.value
+        if not isinstance(value, (bool, int, float, np.bool_, np.integer, np.floating)):
+            found = f"returned a `{type(value).__name__}` as value of `{channel}`"
+            return self._failed(channel, found, seen)
+        return sample
+
+    def _failed(self, channel: str, found: str, seen: SensedRun) -> Sample:
+        """Return a reading that is not valid; that the sensors failed is told once for a channel and line."""
+        span, findings = seen.at.origin.span, seen.run.findings
+        told = ((one.code, one.span, one.data.get("channel")) for one in findings)
+        if (ENTITY_FAILS.code, span, channel) not in told:
+            wrong = entity_fails(self.sensors, found, span)
+            findings.append(replace(wrong, data={"channel": channel}))
+        return Sample(value=False, valid=False, age=0.0)
