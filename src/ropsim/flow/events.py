@@ -95,10 +95,10 @@ class SkipEvent(Event):
 
 @frozen_dataclass
 class WaitEvent(Event):
-    """The program stood still for a time.
+    """The program stood still for a time, or for a tick because it looks again without doing anything else.
 
     Attributes:
-        pause: how long it asked for [s]; the event is shorter where the run was cut short.
+        pause: how long it was to stand [s]; the event is shorter where the run was cut short.
         looked: channels at which the program looks again and again, waiting so until they change.
     """
 

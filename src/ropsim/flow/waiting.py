@@ -12,7 +12,7 @@ _SAME = 1e-9
 
 @frozen_dataclass
 class Waiting:
-    """Time in which programs stood at a `wait`: for a time, a signal or a condition.
+    """Time in which programs stood at a `wait`, for a time, a signal or a condition, or looked in a loop.
 
     Attributes:
         total: over all waits [s].

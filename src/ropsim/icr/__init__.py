@@ -44,6 +44,7 @@ from ropsim.icr.rules.assignment import summary as summary
 from ropsim.icr.rules.assignment import unassigned as unassigned
 from ropsim.icr.rules.held import Slot as Slot
 from ropsim.icr.rules.operands import MAX_AXES as MAX_AXES
+from ropsim.icr.state import CodePlace as CodePlace
 from ropsim.icr.state import Finished as Finished
 from ropsim.icr.state import MachineState as MachineState
 from ropsim.icr.trap_kinds import TRAP_NOT_WHOLE as TRAP_NOT_WHOLE

@@ -5,7 +5,7 @@ from ropsim.flow import Instruction
 from ropsim.icr import trap_kinds as kinds
 from ropsim.icr.loader import load
 from ropsim.icr.program import Program, source_place
-from ropsim.icr.state import Finished, MachineState, Registers
+from ropsim.icr.state import CodePlace, Finished, MachineState, Registers
 from ropsim.icr.traps import TrapError, diagnostic
 from ropsim.icr.world import World
 
@@ -58,6 +58,13 @@ class Machine:
     def snapshot(self) -> MachineState:
         """Return the state between two calls of `advance`."""
         return self._registers.snapshot()
+
+    @property
+    def code_place(self) -> CodePlace:
+        """Return where the program is between two calls of `advance`."""
+        registers = self._registers
+        callers = tuple((one.procedure, one.pc) for one in registers.callers)
+        return CodePlace(callers, registers.procedure, registers.pc)
 
     def advance(self) -> Instruction | Finished:
         """Return the next robot instruction, or how the program ended (then always the same)."""

@@ -47,6 +47,20 @@ class Caller(NamedTuple):
     place: Span | None = None
 
 
+class CodePlace(NamedTuple):
+    """Where a program is.
+
+    Attributes:
+        callers: procedure and next instruction of the activations below, `main` first.
+        procedure: index of the active procedure.
+        pc: its next instruction.
+    """
+
+    callers: tuple[tuple[int, int], ...]
+    procedure: int
+    pc: int
+
+
 @frozen_dataclass
 class MachineState:
     """A snapshot: plain values from which `Machine.resume` goes on in exactly the same way.

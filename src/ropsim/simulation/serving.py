@@ -3,7 +3,7 @@
 from dataclasses import dataclass, field
 
 from ropsim.flow import Instruction, SyncInstruction
-from ropsim.icr import Machine
+from ropsim.icr import CodePlace, Machine
 from ropsim.simulation.cell_run import CellRun
 from ropsim.simulation.station_run import StationRun
 
@@ -21,17 +21,16 @@ class Serving:
     looks at signals, or does a whole round because its signal stays, ends where it looks a second time.
 
     Attributes:
-        looks: places of the program at which it has looked at channels since then: callers, procedure, pc.
+        looks: places of the program at which it has looked at channels since then.
     """
 
-    looks: set[tuple[object, int, int]] = field(default_factory=set)
+    looks: set[CodePlace] = field(default_factory=set)
 
     def comes_round(self, machine: Machine, step: Instruction) -> bool:
         """Return whether a program that is not needed any more looks at channels at one place again."""
         if not isinstance(step, SyncInstruction):
             return False
-        state = machine.snapshot()
-        place = (tuple((one.procedure, one.pc) for one in state.callers), state.procedure, state.pc)
+        place = machine.code_place
         known = place in self.looks
         self.looks.add(place)
         return known

@@ -44,7 +44,6 @@ class StationRun:
         tracks: piecewise constant channels by name, over control ticks.
         activations: times of the tasks.
         fingers: courses of the fingers of its tools, by the name of the body of the tool.
-        waiting: whether the last instruction did nothing but wait for the ones before it.
         awaits: what it stands for, where it waits for a channel.
         polled: what it looks at again and again, where it does nothing else.
         origin: of the instruction in force.
@@ -72,7 +71,6 @@ class StationRun:
     tracks: dict[str, Track] = field(default_factory=dict)
     activations: Activations = field(default_factory=Activations)
     fingers: dict[str, Course] = field(default_factory=dict)
-    waiting: bool = False
     awaits: AwaitInstruction | None = None
     polled: Polled | None = None
     origin: Origin = field(default_factory=Origin)

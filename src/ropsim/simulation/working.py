@@ -28,6 +28,7 @@ from ropsim.simulation.diagnostics import RUN_TOO_LONG
 from ropsim.simulation.gripping import grip
 from ropsim.simulation.in_force import put_in_force
 from ropsim.simulation.input_diagnostics import STOPPED
+from ropsim.simulation.looks import Looks
 from ropsim.simulation.moving import move
 from ropsim.simulation.run_options import RunOptions
 from ropsim.simulation.sensing import Senses
@@ -62,17 +63,23 @@ def work(run: CellRun, at: StationRun, program: Program, options: RunOptions) ->
     )
     machine = Machine(program, world)
     advance = adapted(machine.advance, options.adapt)
-    serving = Serving()
+    serving, looks = Serving(), Looks()
     yield from _while_held(run, at)
     step = advance()
     while not isinstance(step, Finished) and not (at.is_over or at.in_vain or at.dismissed):
         if not is_needed(run, at) and serving.comes_round(machine, step):
             at.dismissed = True
             break
-        at.polled = world.polling.look(machine, step)
+        again = isinstance(step, SyncInstruction) and looks.comes_round(machine.code_place, at.tick)
+        at.polled = world.polling.look(machine, step, at.tick, again=again)
         stretch = gather(step, advance) if isinstance(step, MoveInstruction) else None
         with _blamed(at):
-            yield from move(run, at, stretch, world) if stretch else _carry_out(run, at, step, world)
+            if stretch:
+                yield from move(run, at, stretch, world)
+            else:
+                yield from _carry_out(run, at, step, world, again=again)
+            if isinstance(step, SyncInstruction):
+                looks.add(machine.code_place, at.tick)
             at.is_busy = False
             yield
             yield from _while_held(run, at)
@@ -95,36 +102,43 @@ def _while_held(run: CellRun, at: StationRun) -> Iterator[None]:
     at.is_held = False
 
 
-def _carry_out(run: CellRun, at: StationRun, step: Instruction, world: SimulatedWorld) -> Iterator[None]:
+def _stood(
+    run: CellRun, at: StationRun, since: int, step: Instruction, pause: float, world: SimulatedWorld
+) -> None:
+    """Note that the program has stood from a tick on, for a time or because it looks again and again."""
+    stood = WaitEvent(*at.when(since), step.origin, pause=pause, looked=world.polling.looked)
+    run.note(at, since, stood)
+
+
+def _carry_out(
+    run: CellRun, at: StationRun, step: Instruction, world: SimulatedWorld, *, again: bool
+) -> Iterator[None]:
     put_in_force(run, at, step)
+    if again:  # a program that does nothing but look must see time pass
+        since, rates = at.tick, at.station.controller.rates
+        yield from at.stand(rates.interpolation_ticks)
+        _stood(run, at, since, step, rates.interpolation_period, world)
     match step:
         case GripInstruction():
             yield from grip(run, at, step)
         case WaitInstruction():
             since = at.tick
             yield from at.stand(round(step.duration * at.hz))
-            looked = tuple(sorted(at.polled.reads)) if at.polled else ()
-            stood = WaitEvent(*at.when(since), step.origin, pause=float(step.duration), looked=looked)
-            run.note(at, since, stood)
+            _stood(run, at, since, step, float(step.duration), world)
         case OutputInstruction(channel=channel, value=value):
             run.set_output(at, channel, value)
             done = OutputEvent(*at.when(at.tick), step.origin, channel=channel, value=value)
             run.note(at, at.tick, done)
         case MessageInstruction():
             run.note(at, at.tick, MessageEvent(*at.when(at.tick), step.origin, text=step.text))
-        case SyncInstruction():
+        case AwaitInstruction():
             since = at.tick
-            # A program that does nothing but look at channels must see time pass.
-            if at.waiting:
-                yield from at.stand(at.station.controller.rates.interpolation_ticks)
-            if isinstance(step, AwaitInstruction):
-                at.awaits = step
-                yield from _await(run, at, step, world)
-                at.awaits = None
-                found = (*at.when(since), step.origin)
-                came = AwaitEvent(*found, channel=step.channel, value=step.value, came=world.came)
-                run.note(at, since, came)
-    at.waiting = isinstance(step, SyncInstruction)
+            at.awaits = step
+            yield from _await(run, at, step, world)
+            at.awaits = None
+            found = (*at.when(since), step.origin)
+            came = AwaitEvent(*found, channel=step.channel, value=step.value, came=world.came)
+            run.note(at, since, came)
 
 
 def _await(run: CellRun, at: StationRun, step: AwaitInstruction, world: SimulatedWorld) -> Iterator[None]:

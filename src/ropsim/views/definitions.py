@@ -10,8 +10,8 @@ DEFINITIONS: Mapping[str, str] = MappingProxyType(
         "them; of several stations, of their cycle times together.",
         "settling": "Time after a move until every joint is in position, summed over all moves. "
         "A stop looks at positions only, not at speeds. The program waits for it, unlike for stabilization.",
-        "waiting": "Time in which the program stood at a `wait`: for a time, a signal or a condition. "
-        "The share is that of the cycle time of the station.",
+        "waiting": "Time in which the program stood at a `wait`, for a time, a signal or a condition, or "
+        "looked at signals in a loop. The share is that of the cycle time of the station.",
         "parts of the cycle time": "Motion and zones are the way of the moves, outside of and within the "
         "zones around their ends; partners are waits for signals that the program of another station sets. "
         "Whole control ticks, so their sum is the cycle time exactly.",

@@ -33,10 +33,10 @@ class CycleParts:
         blending: on the way within zones [s].
         settling: at stops, until the arm was in position [s].
         gripper: while a gripper opened or closed [s].
-        signals: at waits for signals that nobody's program sets [s].
+        signals: at waits for signals that nobody's program sets, loops that only look at them among them [s].
         partners: at waits for signals that the program of another station sets [s].
         timers: at waits for a time [s].
-        other: everything else, such as looking at signals in a loop [s].
+        other: everything else, such as standing held by hand between two statements [s].
     """
 
     total: float = 0.0
