@@ -3,7 +3,7 @@
 import pytest
 
 from ropsim import robots
-from ropsim.flow import MessageEvent, Recording, WaitEvent
+from ropsim.flow import MessageEvent, MoveEvent, Recording, WaitEvent
 from ropsim.model import Cell, Signal, Station
 from ropsim.simulation import Fidelity, RunOptions, run
 from ropsim.spatial import Pose
@@ -120,3 +120,9 @@ def test_a_loop_that_does_nothing_but_look_is_found_to_wait_in_vain(loop: tuple[
     recording = ran([pulse("a"), pulse("b")], *loop)
     assert [one.code for one in recording.findings] == ["S742"]
     assert recording.duration < 1.0
+
+
+def test_a_move_between_two_looks_leaves_nothing_to_stand_for() -> None:
+    recording = ran([pulse("a", initial=1.0)], "wait until a", "mov joints(20, 60, -150, 0, -60, 0)")
+    (move,) = recording.events_of(MoveEvent)
+    assert recording.duration == move.end
