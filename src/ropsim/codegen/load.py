@@ -49,7 +49,6 @@ def _load(name: str, functions: tuple[SourceFunction, ...], engine: Engine) -> C
 _HEAD = """\
 import math
 
-import numba
 import numpy as np
 
 from ropsim.codegen.stages import array_at, inside_as

@@ -61,7 +61,7 @@ class StandardInverseTransform:
         matrices = setpoints.matrices @ _backwards(X_MT)  # X_BM, (k, 4, 4)
         line = Line(move, setpoints, q_start, self.robot)
         held = line.held
-        if not has_names(self.robot):
+        if not has_named_branches(self.robot):
             found = self._follower.follow_numerically(matrices, q_start, held)
         else:
             branches = inverse_batch(self.robot, matrices, held)
@@ -76,7 +76,7 @@ class StandardInverseTransform:
 
 
 @lru_cache(maxsize=64)
-def has_names(robot: RobotModel) -> bool:
+def has_named_branches(robot: RobotModel) -> bool:
     """Return whether the branches of an arm have names, by which one is followed."""
     return solver_of(robot).method is Method.CLOSED_FORM and redundant_solver_of(robot) is None
 

@@ -3,7 +3,7 @@
 import numpy as np
 
 from ropsim.controller.coordination import Coordination
-from ropsim.controller.inverse_transform import has_names
+from ropsim.controller.inverse_transform import has_named_branches
 from ropsim.controller.motion_chain import MotionChain
 from ropsim.controller.tracing import SMOOTH
 from ropsim.flow import JointSamples, PoseSetpoints
@@ -45,7 +45,7 @@ def joined_to(
         the way; None where it would end in another posture or the poses cannot be kept.
     """
     length, own = path.length, joints.joints(np.array([0.0, path.length]))
-    if has_names(chain.robot):
+    if has_named_branches(chain.robot):
         return joints if np.abs(ends[1].q[0] - own.q[1]).max() <= _SAME else None
     missing = [
         (end.q[0] - own.q[k], (end.d1[0] - own.d1[k]) * length, (end.d2[0] - own.d2[k]) * length**2)

@@ -58,9 +58,9 @@ def unusable_samples(
         return refused(entity, f"returned `q` of shape {q.shape} instead of (2 or more, {n})", move)
     if not np.isfinite(q).all():
         return refused(entity, "returned `q` with numbers that are not finite", move)
-    wrong = _begins_elsewhere(entity, q[0], q_start, move) or _unusable_length(entity, samples.length, move)
     if not are_findings(samples.findings):
         return refused(entity, "returned `findings` that are no tuple of Diagnostic", move)
+    wrong = _begins_elsewhere(entity, q[0], q_start, move) or _unusable_length(entity, samples.length, move)
     return wrong or (None if is_our_own(entity) else untrue_samples(chain, samples, setpoints, move))
 
 

@@ -7,8 +7,10 @@ from ropsim.kinematics.arrays import chain_arrays, joint_rows, joint_vector, pos
 from ropsim.kinematics.held import in_arm_base, of_robot
 from ropsim.kinematics.polish import continued, polished
 from ropsim.kinematics.recognition import solver_of
-from ropsim.model import JointType, RobotModel, held_arm
+from ropsim.model import RobotModel, held_arm
 from ropsim.spatial import Array
+
+_TURN = 2.0 * np.pi
 
 
 def inverse_path(
@@ -65,9 +67,4 @@ def inverse_near(robot: RobotModel, T: npt.ArrayLike, Q: npt.ArrayLike) -> Array
         return of_robot(whole, rows, inverse_near(whole.arm, poses, rows[:, list(whole.axes)]))
     chain = chain_arrays(robot)
     found = polished(chain, pose_rows(T), rows[:, None].copy(), solver_of(robot).slack)[:, 0]
-    turns = np.round((rows - found) / (2.0 * np.pi)) * (2.0 * np.pi)
-    return np.asarray(found + np.where(_turns(robot), turns, 0.0))
-
-
-def _turns(robot: RobotModel) -> npt.NDArray[np.bool_]:
-    return np.array([joint.measure is JointType.REVOLUTE for joint in robot.axis_joints])
+    return np.asarray(found + _TURN * np.round((rows - found) / _TURN) * chain.turning)

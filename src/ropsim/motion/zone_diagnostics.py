@@ -6,14 +6,14 @@ ZONE_STOPS = define(
     "M560",
     "zone-not-flown",
     Severity.HINT,
-    "a zone is in force, but the arm stops at the point",
+    "a zone or a via point is not flown, the arm stops there",
     """
-A zone lets the arm leave its path near a point and go on to the next one without a stop. It needs a next move
-that is known in time. The arm stops all the same where the program ends or has to wait for the arm: before a
-gripper, an output, an input that is read, a wait; where the path turns back on itself; where there is no way
-to the next point; where the controller may not look far enough ahead; and where the zone is so small that to
-slow down for its bend, or for what joints can do there, takes longer than to stop. The message says which of
-these it is.
+A zone lets the arm leave its path near a point and go on to the next one without a stop; a via point is
+passed without one. Both need a next move that is known in time. The arm stops all the same where the program
+ends or has to wait for the arm: before a gripper, an output, an input that is read, a wait; where the path
+turns back on itself; where there is no way to the next point; where the controller may not look far enough
+ahead; and where the zone is so small that to slow down for its bend, or for what joints can do there, takes
+longer than to stop. The message says which of these it is.
 
 **How to mend it.** Give the move `fine` if the stop is meant. Otherwise set the output on the path
 (`at 5 mm before end do set valve on`), read the input earlier, shift the point, or give a larger zone.

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from ropsim.controller import MotionChain, MotionState
 from ropsim.flow import MoveInstruction
 from ropsim.model import Cell, Payload
-from ropsim.simulation.kept import Kept
+from ropsim.simulation.kept_results import KeptResults
 from ropsim.simulation.planned_stretch import PlannedStretch, planned_anew
 from ropsim.simulation.replaced_lines import on_lines_of
 from ropsim.spatial import bits_without, fingerprint
@@ -37,7 +37,7 @@ class KeptPlans:
     def __init__(self, cell: Cell, most: int = MOST_BYTES) -> None:
         self.cell = cell
         self.anew: list[tuple[MoveInstruction, ...]] = []
-        self._kept: Kept[tuple[tuple[MoveInstruction, ...], PlannedStretch]] = Kept(most)
+        self._kept: KeptResults[tuple[tuple[MoveInstruction, ...], PlannedStretch]] = KeptResults(most)
 
     @property
     def used(self) -> int:

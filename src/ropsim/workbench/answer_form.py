@@ -18,7 +18,6 @@ from ropsim import icr, language
 from ropsim.core import Diagnostic, Label, RopsimError, Severity, Span, TextEdit, frozen_dataclass
 from ropsim.program import SignalUse
 
-Plain = str | int | float | bool | None
 Row = tuple[int, ...]
 """What a value is made of: its kind, and the rows of its parts."""
 Batch = list[int]
@@ -158,7 +157,7 @@ class _Writer:
 
     def __init__(self) -> None:
         self._plain: dict[object, int] = {}
-        self._values: list[Plain] = []
+        self._values: list[object] = []
         self._rows: dict[Row, int] = {}
         self._same: dict[int, tuple[int, object]] = {}
 
@@ -169,7 +168,7 @@ class _Writer:
             key = (kind, repr(value) if kind is float else value)
             found = self._plain.get(key)
             if found is None:
-                self._values.append(value)  # type: ignore[arg-type]  # it is of one of these kinds
+                self._values.append(value)
                 found = self._plain[key] = -len(self._values)
             return found
         same = self._same.get(id(value))
@@ -178,7 +177,7 @@ class _Writer:
             same = self._same[id(value)] = self._rows.setdefault(row, len(self._rows)), value
         return same[0]
 
-    def plain_values(self) -> list[Plain]:
+    def plain_values(self) -> list[object]:
         """Return all plain values."""
         return self._values
 

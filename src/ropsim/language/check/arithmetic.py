@@ -68,7 +68,7 @@ def comparison(body: Body, node: nodes.Binary, left: Value, right: Value) -> Val
         a, b = convert.real(left), convert.real(right)
     else:
         a, b, _ = alike(body, node.op, left, right, node)
-    return valued(fold.binary(_COMPARE[node.op], a, b, _BOOL), BOOL, False, None)  # noqa: FBT003 - a field
+    return valued(fold.binary(_COMPARE[node.op], a, b, _BOOL), BOOL, is_bare=False, X_KF=None)
 
 
 def _is_measured(signal: Value, quantity: Value) -> bool:

@@ -158,7 +158,7 @@ class Body:
 
     def enter(self, name: str, kind: AnyType) -> None:
         """Enter a parameter."""
-        self.names[name] = self.variables[name] = _variable(name, kind, False, False)  # noqa: FBT003 - fields
+        self.names[name] = self.variables[name] = _variable(name, kind, is_fixed=False, has_counters=False)
 
     def declare(self, name: str, kind: AnyType | None = None) -> Variable:
         """Enter a variable of this body; without `kind` its type is what the first pass found."""
@@ -181,7 +181,7 @@ class Body:
         if self._told is not None:
             kind = self._told(name, kind)
         kind = kind if kind is not None else Unknown()
-        variable = self.variables[name] = _variable(name, kind, False, False)  # noqa: FBT003 - fields
+        variable = self.variables[name] = _variable(name, kind, is_fixed=False, has_counters=False)
         return variable
 
     def _free(self, name: str) -> str:

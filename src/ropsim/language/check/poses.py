@@ -30,7 +30,7 @@ def location(body: Body, node: nodes.Tuple) -> Value:
     if node.posture is not None:
         X_KT = fold.in_posture(X_KT, postures.request(body, node.posture))
     placed = fold.in_frame(X_KT, body.moving) if body.moving else X_KT
-    return valued(placed, POSE, False, body.X_KC)  # noqa: FBT003 - a field
+    return valued(placed, POSE, is_bare=False, X_KF=body.X_KC)
 
 
 def transform(body: Body, node: nodes.Node) -> Expression:

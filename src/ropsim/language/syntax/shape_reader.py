@@ -5,7 +5,7 @@ from the open place before them as in the line that is known.
 """
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import fields, is_dataclass
 from functools import lru_cache
 from typing import Any, cast
@@ -110,11 +110,13 @@ class _Writing:
         cls: type = type(value)
         name = f"{cls.__module__}.{cls.__qualname__}".replace(".", "_")
         self.known[name] = _maker(cls)
-        content = self._open(value) if isinstance(value, Name | Number) else self._fields(value)
+        if isinstance(value, Name | Number):
+            content = self._open(value)
+        else:
+            content = self._fields((one.name, getattr(value, one.name)) for one in fields(value))
         return f"{name}({', '.join(content)})"
 
-    def _fields(self, record: Any) -> list[str]:  # noqa: ANN401 - any record with places
-        values = ((one.name, getattr(record, one.name)) for one in fields(record))
+    def _fields(self, values: Iterable[tuple[str, Any]]) -> list[str]:
         return [self._place(one) if name in _PLACES else self.value(one) for name, one in values]
 
     def _open(self, record: Name | Number) -> list[str]:

@@ -11,7 +11,7 @@ import numpy as np
 
 from ropsim.flow import JointReference
 from ropsim.model import Payload
-from ropsim.simulation.kept import Kept
+from ropsim.simulation.kept_results import KeptResults
 from ropsim.simulation.servo.recorder import Recorder
 from ropsim.simulation.servo.servo import Servo
 from ropsim.simulation.servo.state import ServoState
@@ -21,7 +21,7 @@ Driving: TypeAlias = Callable[[str, Servo, ServoState, JointReference, Payload, 
 """Lets the servo of the station of a name follow a reference; see `Servo.run`."""
 
 MOST_BYTES = 200_000_000
-"""So much of rows is kept: 10 minutes of motion of six axes at a control rate of 1 kHz."""
+"""So much of rows and references is kept: 7 minutes of motion of six axes at a control rate of 1 kHz."""
 
 
 def driven_anew(
@@ -63,7 +63,7 @@ class KeptDrives:
     """Slices of the stations of a cell, each under the joint controller of its model.
 
     Args:
-        most: room for rows [bytes].
+        most: room for rows and references [bytes].
 
     Attributes:
         anew: control ticks that were simulated, since the run began.
@@ -71,7 +71,7 @@ class KeptDrives:
 
     def __init__(self, most: int = MOST_BYTES) -> None:
         self.anew = 0
-        self._kept: Kept[_Driven] = Kept(most)
+        self._kept: KeptResults[_Driven] = KeptResults(most)
 
     @property
     def used(self) -> int:

@@ -1,17 +1,17 @@
 """Results within a room: what goes when there is none, and when nobody has asked for long."""
 
-from ropsim.simulation.kept import Kept
+from ropsim.simulation.kept_results import KeptResults
 
 
 def test_what_is_put_is_found_and_counted() -> None:
-    kept: Kept[str] = Kept(10)
+    kept: KeptResults[str] = KeptResults(10)
     kept.put("a", "one", 4)
     kept.put("a", "two", 6)
     assert (kept.get("a"), kept.get("b"), kept.used) == ("two", None, 6)
 
 
 def test_room_is_made_by_what_neither_this_run_nor_the_one_before_has_asked_for() -> None:
-    kept: Kept[str] = Kept(10)
+    kept: KeptResults[str] = KeptResults(10)
     for run, key in enumerate("abc"):
         kept.begin()
         kept.put(key, key, 3)
@@ -23,13 +23,13 @@ def test_room_is_made_by_what_neither_this_run_nor_the_one_before_has_asked_for(
 
 
 def test_what_is_larger_than_the_room_is_not_kept() -> None:
-    kept: Kept[str] = Kept(10)
+    kept: KeptResults[str] = KeptResults(10)
     kept.put("a", "a", 11)
     assert (kept.get("a"), kept.used) == (None, 0)
 
 
 def test_what_four_runs_have_not_asked_for_goes() -> None:
-    kept: Kept[str] = Kept(10)
+    kept: KeptResults[str] = KeptResults(10)
     kept.put("a", "a", 1)
     kept.put("b", "b", 1)
     for _ in range(4):

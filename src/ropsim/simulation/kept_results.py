@@ -20,7 +20,7 @@ _RUNS = 4
 """A result goes that as many runs have not asked for: so what is kept does not grow from edit to edit."""
 
 
-class Kept(Generic[V]):
+class KeptResults(Generic[V]):
     """Results by their keys.
 
     When there is no room, those go that neither this run nor the one before it has asked for.
@@ -33,6 +33,7 @@ class Kept(Generic[V]):
         self._most = most
         self._room = most
         self._run = 0
+        self._dropped = 0
         self._entries: dict[Hashable, _Entry[V]] = {}
 
     @property
@@ -63,7 +64,8 @@ class Kept(Generic[V]):
         """
         before = self._entries.pop(key, None)
         self._room += before.size if before else 0
-        if size > self._room:
+        if size > self._room and self._dropped < self._run:
+            self._dropped = self._run
             self._drop(self._run - 1)
         if size <= self._room:
             self._entries[key] = _Entry(value, size, self._run)
