@@ -8,7 +8,8 @@ import numpy as np
 from ropsim.controller.entities import Refusal
 from ropsim.controller.entity_faults import are_findings, foreign_of, guarded, is_our_own, refused
 from ropsim.controller.motion_chain import MotionChain
-from ropsim.controller.path_truth import untrue_samples, untrue_setpoints, wrong_derivatives
+from ropsim.controller.path_derivatives import wrong_joint_derivatives, wrong_tool_derivatives
+from ropsim.controller.path_truth import untrue_samples, untrue_setpoints
 from ropsim.flow import JointSamples, MoveInstruction, PoseSetpoints
 from ropsim.motion import JointPath, JointPoints, ToolPath, ToolPoints
 from ropsim.spatial import Array
@@ -102,7 +103,7 @@ def faults_of_tool_path(entity: object, path: ToolPath, move: MoveInstruction) -
     wrong = _unusable_arrays(
         entity, arrays | {"positions": positions}, shapes | {"positions": (_LOOKS, 3)}, move
     )
-    return wrong or wrong_derivatives(entity, path, places, points, move)
+    return wrong or wrong_tool_derivatives(entity, path, points, move)
 
 
 def unusable_path(entity: object, path: JointPath, q_start: Array, move: MoveInstruction) -> Refusal | None:
@@ -127,7 +128,8 @@ def unusable_path(entity: object, path: JointPath, q_start: Array, move: MoveIns
     names = ("q", "d1", "d2")
     arrays = {name: np.asarray(getattr(points, name)) for name in names}
     wrong = _unusable_arrays(entity, arrays, dict.fromkeys(names, (_LOOKS, len(q_start))), move)
-    return wrong or _begins_elsewhere(entity, points.q[0], q_start, move)
+    wrong = wrong or _begins_elsewhere(entity, points.q[0], q_start, move)
+    return wrong or wrong_joint_derivatives(entity, path, points, move)
 
 
 def _unusable_length(entity: object, length: float, move: MoveInstruction) -> Refusal | None:

@@ -1,4 +1,4 @@
-"""Whether what a user's code has made of a path of the tool is true: ends, derivatives, samples of it."""
+"""Whether what a user's code has made of a path of the tool is true: its ends, and samples of it."""
 
 import numpy as np
 
@@ -8,13 +8,9 @@ from ropsim.controller.kinds import PathRequest
 from ropsim.controller.motion_chain import MotionChain
 from ropsim.flow import JointSamples, MoveInstruction, PoseSetpoints
 from ropsim.kinematics import forward_batch
-from ropsim.motion import ToolPath, ToolPoints
+from ropsim.motion import ToolPath
 from ropsim.spatial import Array
 
-_STEP = 1e-4
-"""Share of a path over which derivatives are compared with differences."""
-_ALIKE = 1e-2
-"""Share of the size of derivatives by which they may differ from differences."""
 _SAME = 1e-6
 """By how much an end may be elsewhere [m], or turned as entries of the rotation."""
 _ROTATION = 1e-6
@@ -117,26 +113,3 @@ def _apart(matrix: Array, wanted: Array) -> tuple[float, float]:
     """Return how far two poses are apart [m], and how much turned, as entries of the rotation."""
     away = float(np.linalg.norm(matrix[:3, 3] - wanted[:3, 3]))
     return away, float(np.abs(matrix[:3, :3] - wanted[:3, :3]).max())
-
-
-def wrong_derivatives(
-    entity: object, path: ToolPath, places: Array, points: ToolPoints, move: MoveInstruction
-) -> Refusal | None:
-    """Return C603 where `d1` or `d2` are not the derivatives of the poses, by differences around places."""
-    step = _STEP * path.length
-    middles = np.clip(places, step, path.length - step)
-    before, at, behind = (path.tool(middles + offset) for offset in (-step, 0.0, step))
-    moved = (behind.matrices[:, :3, 3] - before.matrices[:, :3, 3]) / (2.0 * step)
-    R = behind.matrices[:, :3, :3] @ np.swapaxes(before.matrices[:, :3, :3], 1, 2)
-    turned = np.stack((R[:, 2, 1] - R[:, 1, 2], R[:, 0, 2] - R[:, 2, 0], R[:, 1, 0] - R[:, 0, 1]), axis=1)
-    first = np.hstack((moved, turned / (4.0 * step)))
-    second = (behind.d1 - before.d1) / (2.0 * step)
-    size = float(np.abs(points.d1).max())
-    allowed = {"d1": _ALIKE * size, "d2": _ALIKE * (float(np.abs(points.d2).max()) + size / path.length)}
-    for name, slopes in (("d1", first), ("d2", second)):
-        off = np.abs(getattr(at, name) - slopes).max(axis=1)
-        row = int(np.argmax(off))
-        if not off[row] <= allowed[name]:
-            found = f"`{name}` that is not the derivative at place {middles[row]:.3g}: off by {off[row]:.3g}"
-            return refused(entity, f"returned {found}", move)
-    return None

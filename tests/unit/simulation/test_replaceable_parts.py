@@ -117,7 +117,7 @@ class CountingInterpolator(StandardInterpolator):
 def test_another_interpolator(cell: Cell, program: icr.Program, standard: Recording) -> None:
     chain = replace(chain_of(cell), interpolator=CountingInterpolator())
     again = run(cell, {"robot": program}, RunOptions(chains={"robot": chain}))
-    assert CountingInterpolator.asked == 1  # one of the three moves is a line
+    assert CountingInterpolator.asked == 2  # the line: ahead, for the posture before it, and for itself
     np.testing.assert_array_equal(again.channels["q"].values, standard.channels["q"].values)
 
 
@@ -151,33 +151,35 @@ def test_another_inverse_transform_shows_in_the_line(
 
 
 @dataclass(frozen=True)
-class Staircase:
-    """The path that jumps from sample to sample: the crude form of joint interpolation."""
+class Polyline:
+    """The path that goes straight from sample to sample: the crude form of joint interpolation."""
 
     length: float
     q: Array
 
     def joints(self, s: Array) -> JointPoints:
-        rows = np.rint(s / self.length * (len(self.q) - 1)).astype(int)
-        nothing = np.zeros((len(s), self.q.shape[1]))
-        return JointPoints(self.q[rows], np.ones_like(nothing), nothing)
+        step = self.length / (len(self.q) - 1)
+        row = np.clip((s / step).astype(int), 0, len(self.q) - 2)
+        slope = (self.q[row + 1] - self.q[row]) / step
+        return JointPoints(self.q[row] + (s - row * step)[:, None] * slope, slope, np.zeros_like(slope))
 
 
-class StepInterpolator:
-    """Holds every sample."""
+class StraightInterpolator:
+    """Makes two straight pieces."""
 
     def refine(self, samples: JointSamples) -> JointPath:
-        return Staircase(samples.length, samples.q)
+        return Polyline(samples.length, samples.q[:: (len(samples.q) - 1) // 2])
 
 
-def test_another_joint_interpolator_shows_in_the_following_error(
+def test_another_joint_interpolator_shows_in_the_path_of_the_tool(
     cell: Cell, program: icr.Program, standard: Recording
 ) -> None:
     assert isinstance(chain_of(cell).joint_interpolator, StandardJointInterpolator)
-    chain = replace(chain_of(cell), joint_interpolator=StepInterpolator())
+    chain = replace(chain_of(cell), joint_interpolator=StraightInterpolator())
     crude = run(cell, {"robot": program}, RunOptions(chains={"robot": chain}))
-    worst = [np.abs(one.channels["q_error"].values).max() for one in (crude, standard)]
-    assert worst[0] > 3 * worst[1]
+    assert not crude.findings
+    worst = [np.nanmax(one.channels["path_error"].values) for one in (crude, standard)]
+    assert worst[0] > 1e-3 > 10 * worst[1]  # [m]
 
 
 class PdLaw:
@@ -258,7 +260,7 @@ class BrokenJointInterpolator:
         self.columns, self.value = columns, value
 
     def refine(self, samples: JointSamples) -> JointPath:
-        return Staircase(samples.length, np.full((5, self.columns), self.value))
+        return Polyline(samples.length, np.full((5, self.columns), self.value))
 
 
 @pytest.mark.parametrize(
