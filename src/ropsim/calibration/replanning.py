@@ -10,10 +10,9 @@ from ropsim.calibration.limits import ORDERS, MotionSettings, under
 from ropsim.controller import (
     MotionChain,
     MotionPlan,
-    MotionState,
     StandardPathPlanner,
     StretchOrder,
-    plan,
+    ordered,
     standard_chain,
 )
 from ropsim.model import Cell, RobotModel, Station, with_axis_limits
@@ -58,7 +57,7 @@ def replanner(
     def planned(number: int, settings: MotionSettings) -> MotionPlan | None:
         planning()
         order = orders[number]
-        made, refusal = plan(chain(settings), order.moves, MotionState.at_rest(order.q_start), order.payload)
+        made, refusal = ordered(chain(settings), order)
         return made if refusal is None else None
 
     return planned

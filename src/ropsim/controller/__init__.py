@@ -56,6 +56,7 @@ from ropsim.controller.path_corrector import StandardPathCorrector as StandardPa
 from ropsim.controller.path_planner import StandardPathPlanner as StandardPathPlanner
 from ropsim.controller.planned_path import MoveLimits as MoveLimits
 from ropsim.controller.planned_path import PlannedPath as PlannedPath
+from ropsim.controller.planning import ordered as ordered
 from ropsim.controller.planning import plan as plan
 from ropsim.controller.rehearsal import failed as failed
 from ropsim.controller.rehearsal import rehearse as rehearse

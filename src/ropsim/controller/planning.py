@@ -23,6 +23,7 @@ from ropsim.controller.speed_findings import beyond_arm
 from ropsim.controller.stages import along_with, joint_stages, tool_stages
 from ropsim.controller.start_check import check_start
 from ropsim.controller.stretch_legs import legs_of
+from ropsim.controller.stretch_order import StretchOrder
 from ropsim.controller.ticks import in_ticks, standing
 from ropsim.controller.zone_findings import clipped, stopped
 from ropsim.core import Diagnostic
@@ -38,8 +39,17 @@ _SMALLEST = 1e-300
 """Bounds below this count as this, so that nothing is divided by 0."""
 
 
+def ordered(chain: MotionChain, order: StretchOrder) -> tuple[MotionPlan | None, Refusal | None]:
+    """Return the motion through the moves of a stretch from rest; see `plan`."""
+    return plan(chain, order.moves, MotionState.at_rest(order.q_start), order.payload, order.ahead)
+
+
 def plan(
-    chain: MotionChain, stretch: Sequence[MoveInstruction], state: MotionState, payload: Payload = NO_PAYLOAD
+    chain: MotionChain,
+    stretch: Sequence[MoveInstruction],
+    state: MotionState,
+    payload: Payload = NO_PAYLOAD,
+    ahead: Sequence[MoveInstruction] = (),
 ) -> tuple[MotionPlan | None, Refusal | None]:
     """Return the motion through the moves of a stretch.
 
@@ -51,6 +61,7 @@ def plan(
         stretch: moves in order.
         state: at rest.
         payload: tool and part as one body, for the whole stretch.
+        ahead: moves that follow upon the stop at its end; postures are chosen for their sake, too.
 
     Returns:
         The plan of the moves up to the first one that cannot be made, None where that is the first; and why
@@ -59,7 +70,7 @@ def plan(
     wrong = check_start(state, chain.robot, stretch[0])
     if wrong:
         return None, wrong
-    legs, refusal = legs_of(chain, stretch, state.q)
+    legs, refusal = legs_of(chain, stretch, ahead, state.q)
     while legs:
         planned = _planned(chain, legs, state, payload)
         if isinstance(planned, MotionPlan):

@@ -17,6 +17,7 @@ from ropsim.controller.leg import Leg, leg_of
 from ropsim.controller.motion_chain import MotionChain
 from ropsim.controller.posture_choice import JointRange, nearest_turns, turned_branches
 from ropsim.controller.posture_trouble import Trouble, is_narrow, time_of, trouble_of
+from ropsim.controller.posture_wish import is_as_wished
 from ropsim.controller.target_refusals import posture_for_later
 from ropsim.flow import MotionKind, MoveInstruction
 from ropsim.kinematics import IkOptions, Limits, forward_batch, inverse, posture
@@ -61,8 +62,8 @@ class Way:
 
 
 def has_choice(move: MoveInstruction) -> bool:
-    """Return whether a move may end in any posture."""
-    return move.kind == MotionKind.PTP and isinstance(move.target, Pose) and move.posture is None
+    """Return whether a move may end in more than one branch: in any, or in those that it asks for."""
+    return move.kind == MotionKind.PTP and isinstance(move.target, Pose)
 
 
 def search(
@@ -111,7 +112,7 @@ class _Start:
 
 
 def _goals(chain: MotionChain, starts: Sequence[_Start], limits: JointRange) -> list[Array]:
-    """Return all joint coordinates that reach a target, the nearest ones first."""
+    """Return all joint coordinates that reach a target as it is asked for, the nearest ones first."""
     found: list[Array] = []
     for start in starts:
         _put(found, start.nearest.q_end)
@@ -119,8 +120,10 @@ def _goals(chain: MotionChain, starts: Sequence[_Start], limits: JointRange) -> 
         q = found[0]
         X_BM = Pose.from_matrix(forward_batch(chain.robot, q[np.newaxis])[0])
         branches = inverse(chain.robot, X_BM, IkOptions(Limits.IGNORE, near=q)).branches
+        wish = starts[0].nearest.move.posture
         for row in turned_branches(nearest_turns(branches, q, limits), limits):
-            _put(found, row)
+            if wish is None or is_as_wished(chain.robot, row, wish):
+                _put(found, row)
     return found
 
 
@@ -138,14 +141,14 @@ def _change(robot: RobotModel, q_nearest: Array, q_end: Array) -> int:
     return 1 + sum(one != other for one, other in zip(nearest.words, taken.words, strict=True))
 
 
-def _taken(chain: MotionChain, starts: Sequence[_Start], q_end: Array, why: str) -> Way | None:
+def _taken(chain: MotionChain, starts: Sequence[_Start], q_end: Array, why: Trouble) -> Way | None:
     """Return the best way to joint coordinates; None where the planner makes none.
 
     Args:
         chain: the entities.
         starts: where the move may begin.
         q_end: where it ends [rad | m], shape (n,).
-        why: reason for another posture than the nearest one.
+        why: what asks for another posture than the nearest one.
     """
     best: Way | None = None
     for start in starts:
@@ -163,7 +166,7 @@ def _taken(chain: MotionChain, starts: Sequence[_Start], q_end: Array, why: str)
     return best
 
 
-def _to_joints(chain: MotionChain, start: _Start, q_end: Array, why: str) -> Leg | Refusal:
+def _to_joints(chain: MotionChain, start: _Start, q_end: Array, why: Trouble) -> Leg | Refusal:
     """Return the move to other joint coordinates of its target, with a hint instead of M511."""
     move = start.nearest.move
     there = replace(move, target=tuple(q_end.tolist()), external=())
@@ -175,9 +178,9 @@ def _to_joints(chain: MotionChain, start: _Start, q_end: Array, why: str) -> Leg
     return replace(leg, move=move, findings=said + hint)
 
 
-def _reason(troubles: Sequence[Trouble], number: int) -> str:
+def _reason(troubles: Sequence[Trouble], number: int) -> Trouble:
     """Return the first trouble behind a move, without one the last of all."""
-    return next((one.words for one in troubles if one.number > number), troubles[-1].words)
+    return next((one for one in troubles if one.number > number), troubles[-1])
 
 
 def _onward(chain: MotionChain, limits: JointRange, way: Way, moves: Sequence[MoveInstruction]) -> Way:

@@ -5,6 +5,7 @@ import numpy as np
 from ropsim.controller.entities import Refusal
 from ropsim.controller.leg import Leg
 from ropsim.controller.posture_choice import JointRange
+from ropsim.core import Label, Span
 from ropsim.flow import MoveInstruction
 from ropsim.model import RobotModel
 from ropsim.motion import JOINT_LIMIT_ON_LINE, JUMP_ON_LINE, NO_WRIST_ANGLES, SynchronisedJoints, durations
@@ -28,11 +29,18 @@ class Trouble:
 
     Attributes:
         number: of its move in the stretch.
-        words: what and where.
+        words: what goes ill.
+        span: of its move in the program.
     """
 
     number: int
     words: str
+    span: Span | None
+
+    @property
+    def places(self) -> tuple[Label, ...]:
+        """Return the mark on its move, for findings about other ones."""
+        return (Label(self.span, "this path"),) if self.span else ()
 
 
 def trouble_of(robot: RobotModel, leg: Leg, number: int) -> Trouble | None:
@@ -51,7 +59,7 @@ def trouble_of(robot: RobotModel, leg: Leg, number: int) -> Trouble | None:
         return None
     joint = robot.axis_joints[int(np.argmax(needs[part]))]
     words = f"joint `{joint.name}` slows the path down to {shares[part]:.0%} after {part / _STEPS:.0%} of it"
-    return Trouble(number, _place(leg.move) + words)
+    return Trouble(number, words, leg.move.origin.span)
 
 
 def trouble_of_refusal(move: MoveInstruction, refusal: Refusal, number: int) -> list[Trouble]:
@@ -64,7 +72,7 @@ def trouble_of_refusal(move: MoveInstruction, refusal: Refusal, number: int) -> 
     """
     codes = {JOINT_LIMIT_ON_LINE.code, JUMP_ON_LINE.code, NO_WRIST_ANGLES.code}
     return [
-        Trouble(number, f"{_place(move)}{found.message}")
+        Trouble(number, found.message, move.origin.span)
         for found in refusal.diagnostics[:1]
         if found.code in codes
     ]
@@ -114,8 +122,3 @@ def _times(robot: RobotModel, leg: Leg) -> tuple[Array, Array]:
     )
     ways = np.abs(np.diff(leg.joints.joints(places).q, axis=0))
     return step * np.maximum(slowness[:-1], slowness[1:]), ways / robot.max_speeds
-
-
-def _place(move: MoveInstruction) -> str:
-    span = move.origin.span
-    return f"line {span.line}: " if span else ""

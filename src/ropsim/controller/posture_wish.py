@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from ropsim.controller.wording import passes
+from ropsim.controller.wording import coordinate, passes
 from ropsim.core import Diagnostic
 from ropsim.flow import MoveInstruction, PostureRequest
 from ropsim.kinematics import Posture, posture, solver_of
@@ -31,11 +31,22 @@ def wished(robot: RobotModel, branches: Array, request: PostureRequest) -> Array
     return found
 
 
+def difference(robot: RobotModel, q_end: Array, q_other: Array) -> str:
+    """Return in words how one way to reach a pose differs from another; each [rad | m], shape (n,)."""
+    taken, other = posture(robot, q_end), posture(robot, q_other)
+    if taken != other:
+        return f"posture {taken} is taken instead of {other}"
+    joint = int(np.argmax(np.abs(q_end - q_other)))
+    axis = robot.axis_joints[joint]
+    here, there = (coordinate(axis, float(q[joint])) for q in (q_end, q_other))
+    return f"joint `{axis.name}` goes to {here} instead of {there}"
+
+
 def no_such_posture(move: MoveInstruction, robot: RobotModel) -> Diagnostic:
     """Return M568 for a move whose target is not reached in the posture and with the turns asked for."""
     return POSTURE_OUT_OF_REACH.at(
         move.origin.span,
-        f"`{robot.name}` does not reach the target {_asked(move)} within its joint limits",
+        f"`{robot.name}` does not reach the target {asked_of(move)} within its joint limits",
         label=passes(move.origin),
         hint="leave out the word or the turn that matters least, or move the target",
         data={"pass": move.origin.visit},
@@ -51,12 +62,12 @@ def other_posture(move: MoveInstruction, robot: RobotModel, q_end: Array) -> tup
         q_end: joint coordinates at its end [rad | m], shape (n,).
     """
     request = move.posture
-    if request is None or _has(robot, q_end, request):
+    if request is None or is_as_wished(robot, q_end, request):
         return ()
     name = posture(robot, q_end)
     finding = OTHER_POSTURE.at(
         move.origin.span,
-        f"the path ends in posture {name}, not {_asked(move)}",
+        f"the path ends in posture {name}, not {asked_of(move)}",
         label=passes(move.origin),
         hint="a path of the tool keeps its posture: take it up with `mov` before",
         data={"pass": move.origin.visit},
@@ -64,7 +75,8 @@ def other_posture(move: MoveInstruction, robot: RobotModel, q_end: Array) -> tup
     return (finding,)
 
 
-def _has(robot: RobotModel, q: Array, request: PostureRequest) -> bool:
+def is_as_wished(robot: RobotModel, q: Array, request: PostureRequest) -> bool:
+    """Return whether joint coordinates [rad | m], shape (n,), have a posture and turns that are asked for."""
     turns = [int(np.floor((q[axis] + np.pi) / _TURN)) for axis in _arm_axes(robot)]
     return _has_words(posture(robot, q), request) and all(
         here == asked for here, asked in zip(turns, request.turns, strict=False)
@@ -79,7 +91,8 @@ def _arm_axes(robot: RobotModel) -> list[int]:
     return [axis for axis in range(robot.n) if axis not in robot.external]
 
 
-def _asked(move: MoveInstruction) -> str:
+def asked_of(move: MoveInstruction) -> str:
+    """Return the words for the posture and the turns that a move asks for."""
     request = move.posture or PostureRequest()
     words = [f"in posture {'-'.join(request.words)}"] if request.words else []
     turns = [f"with turns {', '.join(map(str, request.turns))}"] if request.turns else []

@@ -1,10 +1,12 @@
 """The legs of a stretch: each move from where the one before ends, in postures that serve those behind it."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from ropsim.controller.entities import Refusal
 from ropsim.controller.leg import Leg, leg_of
 from ropsim.controller.motion_chain import MotionChain
+from ropsim.controller.posture_in_the_way import in_the_way, last_wish, without_wish
 from ropsim.controller.posture_search import has_choice, search
 from ropsim.controller.posture_trouble import Trouble, trouble_of, trouble_of_refusal
 from ropsim.flow import MoveInstruction
@@ -12,19 +14,59 @@ from ropsim.spatial import Array
 
 
 def legs_of(
-    chain: MotionChain, stretch: Sequence[MoveInstruction], q_start: Array
+    chain: MotionChain, stretch: Sequence[MoveInstruction], ahead: Sequence[MoveInstruction], q_start: Array
 ) -> tuple[list[Leg], Refusal | None]:
     """Return the legs of a stretch up to the first move that cannot be made, and why it cannot.
 
     Every move takes what the planner holds for the nearest posture. Where a path of the tool then meets a
     joint limit or a singularity, or whirls the joints near one, other postures are tried for the PTP moves
-    before it; that one is taken in which most moves can be made.
+    before it; that one is taken in which most moves can be made. Where a path cannot be followed in a posture
+    for which the program asks, but could without that, a finding says so.
 
     Args:
         chain: the entities.
         stretch: moves in order.
+        ahead: moves that follow upon the stop at its end, up to the next PTP move.
         q_start: command joint coordinates at their start [rad | m], shape (n,).
     """
+    moves, count = (*stretch, *ahead), len(stretch)
+    legs, refusal = _chosen(chain, moves, q_start)
+    if refusal:
+        legs = _told(chain, moves, q_start, legs, refusal)
+    return legs[:count], refusal if len(legs) < count else None
+
+
+def _told(
+    chain: MotionChain,
+    moves: Sequence[MoveInstruction],
+    q_start: Array,
+    legs: list[Leg],
+    refusal: Refusal,
+) -> list[Leg]:
+    """Return legs with a finding on the move that asks for a posture in which a later one is refused.
+
+    Args:
+        chain: the entities.
+        moves: in order.
+        q_start: command joint coordinates at their start [rad | m], shape (n,).
+        legs: of those before the one that is refused.
+        refusal: of that.
+    """
+    refused = len(legs)
+    wish = last_wish(moves[:refused])
+    troubles = trouble_of_refusal(moves[refused], refusal, refused)
+    if wish is None or not troubles:
+        return legs
+    free, _ = _chosen(chain, without_wish(moves[: refused + 1], wish), q_start)
+    if len(free) <= refused:
+        return legs
+    said = in_the_way(chain.robot, legs[wish], free[wish], troubles[0])
+    return [*legs[:wish], replace(legs[wish], findings=legs[wish].findings + said), *legs[wish + 1 :]]
+
+
+def _chosen(
+    chain: MotionChain, stretch: Sequence[MoveInstruction], q_start: Array
+) -> tuple[list[Leg], Refusal | None]:
     legs: list[Leg] = []
     q, refusal = q_start, None
     for move in stretch:

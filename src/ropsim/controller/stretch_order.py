@@ -13,11 +13,13 @@ class StretchOrder:
         moves: in order; all but the last may be flown by.
         q_start: command joint coordinates at its start [rad | m], shape (n,).
         payload: tool and part as one body.
+        ahead: moves that are known to come behind them, in the posture in which they end.
     """
 
     moves: tuple[MoveInstruction, ...]
     q_start: Array
     payload: Payload
+    ahead: tuple[MoveInstruction, ...] = ()
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "q_start", frozen(self.q_start))

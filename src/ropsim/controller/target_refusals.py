@@ -3,6 +3,8 @@
 import numpy as np
 
 from ropsim.controller.posture_choice import JointRange
+from ropsim.controller.posture_trouble import Trouble
+from ropsim.controller.posture_wish import difference
 from ropsim.controller.wording import coordinate, external_notes, figures, passes, shortfall_words
 from ropsim.core import Diagnostic
 from ropsim.flow import MotionKind, MoveInstruction
@@ -154,7 +156,7 @@ def posture_change(
 
 
 def posture_for_later(
-    move: MoveInstruction, robot: RobotModel, q_nearest: Array, q_end: Array, why: str
+    move: MoveInstruction, robot: RobotModel, q_nearest: Array, q_end: Array, why: Trouble
 ) -> tuple[Diagnostic, ...]:
     """Return M585 for a move that takes another posture than the nearest one; only at its first visit.
 
@@ -167,16 +169,11 @@ def posture_for_later(
     """
     if move.origin.visit > 1:
         return ()
-    nearest, taken = posture(robot, q_nearest), posture(robot, q_end)
-    joint = int(np.argmax(np.abs(q_end - q_nearest)))
-    axis = robot.axis_joints[joint]
-    here, there = (coordinate(axis, float(q[joint])) for q in (q_end, q_nearest))
-    turned = f"joint `{axis.name}` goes to {here} instead of {there}, which is nearest"
-    changed = f"posture {taken} is taken instead of {nearest}, which is nearest"
     finding = POSTURE_FOR_LATER.at(
         move.origin.span,
-        f"{turned if taken == nearest else changed}, for the sake of a later move",
-        notes=(f"otherwise in {why}",),
+        f"{difference(robot, q_end, q_nearest)}, which is nearest, for the sake of a later move",
+        secondary=why.places,
+        notes=(f"otherwise {why.words}",),
         hint="where another posture is wanted, name it with `config`, or shift the later move",
     )
     return (finding,)

@@ -48,6 +48,7 @@ from ropsim.motion.line_diagnostics import OTHER_JOINTS_AT_LINE_END as OTHER_JOI
 from ropsim.motion.line_diagnostics import OTHER_POSTURE as OTHER_POSTURE
 from ropsim.motion.line_diagnostics import PATH_NOT_CORRECTED as PATH_NOT_CORRECTED
 from ropsim.motion.line_diagnostics import POSTURE_FOR_LATER as POSTURE_FOR_LATER
+from ropsim.motion.line_diagnostics import POSTURE_IN_THE_WAY as POSTURE_IN_THE_WAY
 from ropsim.motion.line_diagnostics import POSTURE_OUT_OF_REACH as POSTURE_OUT_OF_REACH
 from ropsim.motion.motion_limits import JointMotionLimits as JointMotionLimits
 from ropsim.motion.motion_limits import ToolLimits as ToolLimits

@@ -115,14 +115,30 @@ POSTURE_FOR_LATER = define(
     "a PTP move takes another posture than the nearest one, so that a later path can be followed",
     """
 On a line, an arc or a curve the arm keeps the posture in which it begins. In the posture that is nearest to
-the start of this PTP move, a joint would meet its limit on a later path of the same stretch, would have to
-jump, or would slow a part of the path down to less than a quarter. So the move takes another one, or
-other turns of a joint: that in which most moves can be made, then that which changes least of the posture,
-then that with room to the joint limits and the least time. Only moves that are planned together are looked
-at: up to the next point at which the arm stops.
+the start of this PTP move, a joint would meet its limit on a later path, would have to jump, or would slow a
+part of the path down to less than a quarter. So the move takes another one, or other turns of a joint: that
+in which most moves can be made, then that which changes least of the posture, then that with room to the
+joint limits and the least time. Looked at are the moves that are flown without a stop, and the paths behind
+that stop up to the next PTP move, or to where the program needs the arm to stand: for a gripper, an output,
+an input that is read, a wait.
 
 **How to mend it.** Nothing has to be mended. Where the arm must not come in this posture, name one with
 `config` at the location, or shift the later move.
+""",
+)
+
+POSTURE_IN_THE_WAY = define(
+    "M589",
+    "posture-in-the-way",
+    Severity.WARNING,
+    "a PTP move asks for a posture in which a later path cannot be followed",
+    """
+On a line, an arc or a curve the arm keeps the posture in which it begins. This PTP move takes the posture, or
+the turns, for which the program asks with `config` or `turns`. On a later path a joint then meets its limit
+or would have to jump, and that path is refused; without the wish the arm would take another posture, in which
+it can be followed. The message marks the path, and says what is wrong there.
+
+**How to mend it.** Leave the wish out, ask for the posture that the hint names, or shift the later path.
 """,
 )
 

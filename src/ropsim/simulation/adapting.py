@@ -3,7 +3,7 @@
 from collections.abc import Callable
 
 from ropsim.flow import MoveInstruction
-from ropsim.simulation.stretch import Step
+from ropsim.simulation.steps import Step
 
 Adaptation = Callable[[MoveInstruction], MoveInstruction]
 """From a move as the program gives it to the one that is made."""

@@ -1,10 +1,8 @@
 """Plans that are kept by the content of their stretches: what was planned before is not planned again."""
 
-from collections.abc import Sequence
-
-from ropsim.controller import MotionChain, MotionState
+from ropsim.controller import MotionChain, StretchOrder
 from ropsim.flow import MoveInstruction
-from ropsim.model import Cell, Payload
+from ropsim.model import Cell
 from ropsim.simulation.kept_results import KeptResults
 from ropsim.simulation.planned_stretch import PlannedStretch, planned_anew
 from ropsim.simulation.replaced_lines import on_lines_of
@@ -22,9 +20,10 @@ _content = bits_without(MoveInstruction, "origin")
 class KeptPlans:
     """Plans of the stations of a cell, each with the standard entities of its controller.
 
-    A plan depends on the moves of its stretch and on how often they have been made, on where the arm stands
-    before it and on its payload; on nothing else, so that one that is kept is the one that would be made.
-    Where the lines of its moves have moved in their text, so have those of its findings.
+    A plan depends on the moves of its stretch and on how often they have been made, on those that are known
+    to come behind them, on where the arm stands before it and on its payload; on nothing else, so that one
+    that is kept is the one that would be made. Where the lines of its moves have moved in their text, so have
+    those of its findings.
 
     Args:
         cell: whose stations are planned for.
@@ -49,31 +48,22 @@ class KeptPlans:
         self._kept.begin()
         self.anew = []
 
-    def plan(
-        self,
-        station: str,
-        chain: MotionChain,
-        stretch: Sequence[MoveInstruction],
-        state: MotionState,
-        payload: Payload,
-    ) -> PlannedStretch:
+    def plan(self, station: str, chain: MotionChain, order: StretchOrder) -> PlannedStretch:
         """Return the plan of a stretch, made now or before.
 
         Args:
             station: name of the station in the cell.
             chain: its standard entities.
-            stretch: moves in order.
-            state: at rest.
-            payload: tool and part as one body.
+            order: the moves, and where the arm stands.
         """
-        moves = tuple(stretch)
+        moves = (*order.moves, *order.ahead)
         asked = tuple([(_content(move), move.origin.visit) for move in moves])
-        key = (station, state.q.tobytes(), fingerprint(payload), asked)
+        key = (station, order.q_start.tobytes(), fingerprint(order.payload), asked, len(order.ahead))
         kept = self._kept.get(key)
         found = on_lines_of(moves, *kept) if kept else None
         if found is None:
-            self.anew.append(moves)
-            found = planned_anew(station, chain, moves, state, payload)
+            self.anew.append(order.moves)
+            found = planned_anew(station, chain, order)
             self._kept.put(key, (moves, found), _size(found))
         return found
 

@@ -4,7 +4,6 @@ from collections.abc import Iterator, Sequence
 
 from ropsim.controller import (
     MotionPlan,
-    MotionState,
     PlannedMove,
     StretchOrder,
     stopped_by,
@@ -41,9 +40,9 @@ def move(run: CellRun, at: StationRun, stretch: Stretch, world: SimulatedWorld) 
     done, moves = 0, stretch.moves
     run.findings += stopped_by(moves[-1], why_it_ends(stretch))
     while done < len(moves) and not at.is_over:
-        run.ordered(at.station.name, StretchOrder(moves[done:], at.q_command, at.payload))
-        state = MotionState.at_rest(at.q_command)
-        planned = run.plan(at.station.name, at.chain, moves[done:], state, at.payload)
+        order = StretchOrder(moves[done:], at.q_command, at.payload, stretch.ahead)
+        run.ordered(at.station.name, order)
+        planned = run.plan(at.station.name, at.chain, order)
         if motion := planned.motion:
             texts = [stretch.said_before(done + number) for number in range(len(motion.plan.moves))]
             yield from _follow(run, at, motion, texts, world)

@@ -1,6 +1,6 @@
 """A stretch as it is planned, with what a run needs to know of its motion."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from typing import TypeAlias
 
 import numpy as np
@@ -10,12 +10,12 @@ from ropsim.controller import (
     ClockLimits,
     MotionChain,
     MotionPlan,
-    MotionState,
     Refusal,
+    StretchOrder,
     critical_limits,
-    plan,
+    ordered,
 )
-from ropsim.flow import CriticalLimit, MoveInstruction
+from ropsim.flow import CriticalLimit
 from ropsim.kinematics import forward_batch
 from ropsim.model import Payload, RobotModel
 from ropsim.spatial import Array, record
@@ -58,23 +58,15 @@ class PlannedStretch:
     refusal: Refusal | None
 
 
-Planning: TypeAlias = Callable[
-    [str, MotionChain, Sequence[MoveInstruction], MotionState, Payload], PlannedStretch
-]
+Planning: TypeAlias = Callable[[str, MotionChain, StretchOrder], PlannedStretch]
 """Plans a stretch of the station of a name; see `ropsim.controller.plan`."""
 
 
-def planned_anew(
-    station: str,
-    chain: MotionChain,
-    stretch: Sequence[MoveInstruction],
-    state: MotionState,
-    payload: Payload,
-) -> PlannedStretch:
+def planned_anew(station: str, chain: MotionChain, order: StretchOrder) -> PlannedStretch:
     """Plan a stretch, whatever was planned before."""
     del station
-    planned, refusal = plan(chain, stretch, state, payload)
-    return PlannedStretch(_motion(planned, chain.robot, payload) if planned else None, refusal)
+    planned, refusal = ordered(chain, order)
+    return PlannedStretch(_motion(planned, chain.robot, order.payload) if planned else None, refusal)
 
 
 def clock_limits(speeds: Array, accelerations: Array, jerks: Array) -> ClockLimits:

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import replace
 
-from ropsim.core import Diagnostic, Span
+from ropsim.core import Diagnostic, Label, Span
 from ropsim.flow import MoveInstruction
 from ropsim.simulation.planned_stretch import PlannedStretch
 
@@ -42,9 +42,19 @@ def on_lines_of(moves: Moves, before: Moves, planned: PlannedStretch) -> Planned
 
 
 def _can_move(finding: Diagnostic, spans: Spans) -> bool:
-    """Return whether a finding stands on a move, and nowhere else."""
-    return finding.span in spans and not finding.secondary and finding.fix is None
+    """Return whether a finding stands on moves, and nowhere else."""
+    places = (finding.span, *(label.span for label in finding.secondary))
+    return all(place in spans for place in places) and finding.fix is None
 
 
 def _moved(findings: tuple[Diagnostic, ...], spans: Spans) -> tuple[Diagnostic, ...]:
-    return tuple(replace(one, span=spans[one.span]) for one in findings)
+    return tuple(_onto(one, spans) for one in findings)
+
+
+def _onto(finding: Diagnostic, spans: Spans) -> Diagnostic:
+    labels = [(spans[label.span], label.text) for label in finding.secondary]
+    return replace(
+        finding,
+        span=spans[finding.span],
+        secondary=tuple(Label(span, text) for span, text in labels if span is not None),
+    )

@@ -1,14 +1,14 @@
 """Stretches of a program: moves that are known together before the first of them begins."""
 
-from collections.abc import Callable
+from collections.abc import Sequence
 
 from ropsim.core import frozen_dataclass
 from ropsim.flow import (
     AwaitInstruction,
     GripAction,
     GripInstruction,
-    Instruction,
     MessageInstruction,
+    MotionKind,
     MoveInstruction,
     OutputInstruction,
     PathTracking,
@@ -16,8 +16,10 @@ from ropsim.flow import (
     WaitInstruction,
 )
 from ropsim.icr import Finished
+from ropsim.simulation.steps import Step, Steps
 
-Step = Instruction | Finished
+MOST_AHEAD = 200
+"""Moves that are looked at behind a stretch at most: a program may go on without an end."""
 
 _NEEDED_FOR = {
     "HALT": "the program ends",
@@ -40,39 +42,66 @@ class Stretch:
         messages: texts for the operator, each with the number of the move that begins when it is shown;
             behind the last move it is the number of moves.
         next: what the program does then.
+        ahead: paths of the tool that follow upon the stop at its end, in the posture that its last PTP move
+            takes; none where it has none.
     """
 
     moves: tuple[MoveInstruction, ...]
     messages: tuple[tuple[int, MessageInstruction], ...]
     next: Step
+    ahead: tuple[MoveInstruction, ...] = ()
 
     def said_before(self, number: int) -> tuple[MessageInstruction, ...]:
         """Return what is said when a move begins; for the number of moves, when the last one has ended."""
         return tuple(text for before, text in self.messages if before == number)
 
 
-def gather(first: MoveInstruction, advance: Callable[[], Step]) -> Stretch:
-    """Return the stretch that begins with a move; the interpreter runs ahead to its end.
+def gather(first: MoveInstruction, steps: Steps) -> Stretch:
+    """Return the stretch that begins with a move; the interpreter runs ahead to its end, and to the next PTP.
 
     A stretch ends with a move without a zone or with a condition that ends it, before and behind a move that
     a sensor corrects, and before anything that needs the arm to stand: an output, a gripper, a wait, an input
-    that is read, the end of the program.
+    that is read, the end of the program. What then comes stays to be taken.
 
     Args:
         first: the move.
-        advance: returns the next step of the program.
+        steps: of the program behind it.
     """
     moves = [first]
     messages: list[tuple[int, MessageInstruction]] = []
     while True:
-        step = advance()
+        step = steps.ahead(0)
         flows = _flows(moves[-1])
         if isinstance(step, MessageInstruction) and flows:
             messages.append((len(moves), step))
         elif isinstance(step, MoveInstruction) and flows and step.tracking is None:
             moves.append(step)
         else:
-            return Stretch(tuple(moves), tuple(messages), step)
+            return Stretch(tuple(moves), tuple(messages), step, _ahead(moves, steps))
+        steps.take()
+
+
+def _ahead(moves: Sequence[MoveInstruction], steps: Steps) -> tuple[MoveInstruction, ...]:
+    """Return the paths of the tool that follow upon moves in the posture that the last PTP of them takes.
+
+    They go up to the next PTP. Nothing is known of what comes behind a move that a condition ends or a sensor
+    corrects, nor behind anything for which the arm has to stand.
+    """
+    found: list[MoveInstruction] = []
+    last = moves[-1]
+    if last.guard or last.tracking or not any(one.kind == MotionKind.PTP for one in moves):
+        return ()
+    for number in range(MOST_AHEAD):
+        match steps.ahead(number):
+            case MoveInstruction(kind=kind, tracking=None) as move if kind != MotionKind.PTP:
+                found.append(move)
+                if move.guard is not None:
+                    break
+            case MessageInstruction():
+                continue
+            case _:
+                break
+    return tuple(found)
 
 
 def _flows(move: MoveInstruction) -> bool:

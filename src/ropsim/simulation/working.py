@@ -35,6 +35,7 @@ from ropsim.simulation.sensing import Senses
 from ropsim.simulation.serving import Serving, is_needed
 from ropsim.simulation.servo.diagnostics import DivergedError, ServoArrayError
 from ropsim.simulation.station_run import StationRun
+from ropsim.simulation.steps import Steps
 from ropsim.simulation.stretch import gather
 from ropsim.simulation.world import SimulatedWorld
 
@@ -62,17 +63,17 @@ def work(run: CellRun, at: StationRun, program: Program, options: RunOptions) ->
         lambda modal, q_then: attained_pose(at, modal, q_then),
     )
     machine = Machine(program, world)
-    advance = adapted(machine.advance, options.adapt)
+    steps = Steps(adapted(machine.advance, options.adapt))
     serving, looks = Serving(), Looks()
     yield from _while_held(run, at)
-    step = advance()
+    step = steps.take()
     while not isinstance(step, Finished) and not (at.is_over or at.in_vain or at.dismissed):
         if not is_needed(run, at) and serving.comes_round(machine, step):
             at.dismissed = True
             break
         again = isinstance(step, SyncInstruction) and looks.comes_round(machine.code_place, at.tick)
         at.polled = world.polling.look(machine, step, at.tick, again=again)
-        stretch = gather(step, advance) if isinstance(step, MoveInstruction) else None
+        stretch = gather(step, steps) if isinstance(step, MoveInstruction) else None
         with _blamed(at):
             if stretch:
                 yield from move(run, at, stretch, world)
@@ -83,7 +84,7 @@ def work(run: CellRun, at: StationRun, program: Program, options: RunOptions) ->
             at.is_busy = False
             yield
             yield from _while_held(run, at)
-            step = stretch.next if stretch else advance()
+            step = steps.take()
     if at.in_vain or at.dismissed:
         return  # who ended the wait has told why; those that it served have ended
     if isinstance(step, Finished) and not at.cut_short:

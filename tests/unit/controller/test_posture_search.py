@@ -67,9 +67,61 @@ def test_a_hint_on_the_line_says_what_would_have_happened() -> None:
     (found,) = [one for one in planned_stretch(STRETCH).findings if one.code == "M585"]
     assert found.span == STRETCH[0].origin.span
     assert "which is nearest, for the sake of a later move" in found.message
-    assert found.notes[0].startswith("otherwise in line 14: joint `4` passes its limit of 170.0° at ")
+    assert found.notes[0].startswith("otherwise joint `4` passes its limit of 170.0° at ")
     again = [replace(move, origin=replace(move.origin, visit=2)) for move in STRETCH]
     assert "M585" not in [one.code for one in planned_stretch(again).findings]
+
+
+def test_postures_are_chosen_for_paths_behind_the_stop_too() -> None:
+    """The line at which the nearest posture fails comes behind a stop, and is planned by itself."""
+    stretch = [replace(STRETCH[0], modal=ModalState()), *STRETCH[1:]]
+    done, refusal = plan(CHAIN, stretch[:1], MotionState.at_rest(START), ahead=stretch[1:])
+    assert done is not None
+    assert (len(done.moves), refusal) == (1, None)
+    (hint,) = [one for one in done.findings if one.code == "M585"]
+    assert [label.span for label in hint.secondary] == [STRETCH[3].origin.span]
+    behind, refusal = plan(CHAIN, stretch[1:], MotionState.at_rest(done.moves[0].q_end))
+    assert behind is not None
+    assert (len(behind.moves), refusal) == (3, None)
+    alone, _ = plan(CHAIN, stretch[:1], MotionState.at_rest(START))
+    assert alone is not None
+    assert plan(CHAIN, stretch[1:], MotionState.at_rest(alone.moves[0].q_end))[1] is not None
+
+
+def test_what_goes_ill_behind_the_stop_is_left_to_the_stretch_it_is_in() -> None:
+    first = shifted(interface_pose(START), 0.0, 0.1, 0.0)
+    astray = lin(shifted(first, 9.0, 0.0, 0.0), ModalState(), 1)
+    done, refusal = plan(CHAIN, [ptp(first)], MotionState.at_rest(START), ahead=[astray])
+    assert refusal is None
+    assert done == plan(CHAIN, [ptp(first)], MotionState.at_rest(START))[0]
+
+
+def test_a_posture_that_the_program_asks_for_is_told_where_it_stands_in_the_way() -> None:
+    nearest, _ = in_turn(STRETCH)
+    wished = replace(STRETCH[0], posture=PostureRequest(posture(PUMA, nearest[0].q_end).words))
+    done, refusal = plan(CHAIN, [wished, *STRETCH[1:]], MotionState.at_rest(START))
+    assert done is not None
+    assert refusal is not None
+    (found,) = [one for one in done.findings if one.code == "M589"]
+    assert found.span == wished.origin.span
+    assert [label.span for label in found.secondary] == [STRETCH[3].origin.span]
+    assert found.notes == (refusal.diagnostics[0].message,)
+    taken, asked = (posture(PUMA, one.q_end) for one in (planned_stretch(STRETCH).moves[0], nearest[0]))
+    assert f": posture {taken} is taken instead of {asked}, and it can be followed" in found.hint
+    again = replace(wished, origin=replace(wished.origin, visit=2))
+    told, _ = plan(CHAIN, [again, *STRETCH[1:]], MotionState.at_rest(START))
+    assert told is not None
+    assert "M589" not in [one.code for one in told.findings]
+
+
+def test_a_posture_that_is_not_to_blame_is_not_blamed() -> None:
+    first = shifted(interface_pose(START), 0.0, 0.1, 0.0)
+    wished = replace(ptp(first, ZONE, 1), posture=PostureRequest(posture(PUMA, START).words))
+    stretch = [wished, lin(shifted(first, 9.0, 0.0, 0.0))]
+    done, refusal = plan(CHAIN, stretch, MotionState.at_rest(START))
+    assert done is not None
+    assert refusal is not None
+    assert "M589" not in [one.code for one in done.findings]
 
 
 def test_the_plan_is_the_same_every_time() -> None:
@@ -95,7 +147,7 @@ def test_where_no_other_posture_helps_the_nearest_ones_are_kept_to_the_bit(
 ) -> None:
     stretch = moves(shifted(interface_pose(START), 0.0, 0.1, 0.0), [(0.0, 0.1, 0.1), last])
     legs, refusal = in_turn(stretch)
-    found, why = legs_of(CHAIN, stretch, START)
+    found, why = legs_of(CHAIN, stretch, (), START)
     assert why == refusal
     assert [leg.q_end.tobytes() for leg in found] == [leg.q_end.tobytes() for leg in legs]
     assert [leg.findings for leg in found] == [leg.findings for leg in legs]
@@ -114,6 +166,17 @@ def test_a_wrist_is_turned_back_before_lines_that_turn_it_further() -> None:
     assert hint.message.startswith("joint `6` goes to -245.4° instead of 114.6°, which is nearest")
 
 
+def test_a_wrist_is_turned_back_in_the_posture_that_the_program_asks_for() -> None:
+    q = np.array([0.2, 1.1, -2.9, -0.4, -0.9, 2.0])
+    first = interface_pose(q)
+    lines = [lin(first @ _about_z(angle), ZONE, 1) for angle in (1.0, 2.0, 3.0)]
+    wished = replace(ptp(first, ZONE, 1), posture=PostureRequest(posture(PUMA, q).words))
+    done = planned_stretch([wished, *lines], q - 0.01)
+    assert done.moves[0].q_end[5] == pytest.approx(q[5] - 2.0 * np.pi, abs=SAME)
+    held = replace(wished, posture=PostureRequest(posture(PUMA, q).words, (0,) * 6))
+    assert plan(CHAIN, [held, *lines], MotionState.at_rest(q - 0.01))[1] is not None
+
+
 def test_a_posture_is_taken_in_which_a_line_does_not_pass_close_to_a_singularity() -> None:
     first = interface_pose(np.array([-0.517, -0.427, -3.761, -0.693, 0.934, 1.679]))
     stretch = moves(first, [(-0.14, -0.01, -0.11)])
@@ -122,8 +185,8 @@ def test_a_posture_is_taken_in_which_a_line_does_not_pass_close_to_a_singularity
     assert trouble_of(PUMA, nearest[1], 1) is not None
     done = planned_stretch(stretch)
     (hint,) = [one for one in done.findings if one.code == "M585"]
-    assert "otherwise in line 14: joint `4` slows the path down to " in hint.notes[0]
-    legs, _ = legs_of(CHAIN, stretch, START)
+    assert "otherwise joint `4` slows the path down to " in hint.notes[0]
+    legs, _ = legs_of(CHAIN, stretch, (), START)
     assert trouble_of(PUMA, legs[1], 1) is None
     assert time_of(PUMA, legs[1], legs[0].q_end) < time_of(PUMA, nearest[1], nearest[0].q_end)
 
@@ -131,7 +194,7 @@ def test_a_posture_is_taken_in_which_a_line_does_not_pass_close_to_a_singularity
 def test_a_long_stretch_is_not_searched_without_end(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(posture_search, "MOST_LEGS", 0)
     nearest, refusal = in_turn(STRETCH)
-    found, why = legs_of(CHAIN, STRETCH, START)
+    found, why = legs_of(CHAIN, STRETCH, (), START)
     assert why == refusal
     assert [leg.q_end.tobytes() for leg in found] == [leg.q_end.tobytes() for leg in nearest]
 
@@ -164,7 +227,7 @@ def test_no_other_choice_of_postures_is_better() -> None:
         if refusal is None or refusal.diagnostics[0].code != "M503":
             continue
         looked += 1
-        here, best = _rank(legs_of(CHAIN, stretch, START)[0], stretch), min(_ranks(stretch))
+        here, best = _rank(legs_of(CHAIN, stretch, (), START)[0], stretch), min(_ranks(stretch))
         assert here[:-1] == best[:-1]
         assert here[-1] <= best[-1] * WITHIN
 

@@ -70,10 +70,11 @@ def test_a_program_that_says_the_same_is_not_planned_again(workspace: Workspace,
 @pytest.mark.parametrize(
     ("number", "line", "expected"),
     [
-        # the next one begins elsewhere, and ends where it ended
-        (1, "lin (500, 110, 600; rpy 180 0 0)", [[1], [2, 3]]),
-        (2, "lin (550, 110, 650; rpy 180 0 0) blend 20", [[2, 3]]),
-        (3, "lin (550, 210, 650; rpy 180 0 0)", [[2, 3], [4]]),
+        # the next one begins elsewhere, and ends where it ended; the posture of 0 serves the lines behind it
+        (0, "mov (500, 0, 610; rpy 180 0 0)", [[0], [1]]),
+        (1, "lin (500, 110, 600; rpy 180 0 0)", [[0], [1], [2, 3]]),
+        (2, "lin (550, 110, 650; rpy 180 0 0) blend 20", [[0], [2, 3]]),
+        (3, "lin (550, 210, 650; rpy 180 0 0)", [[0], [2, 3], [4]]),
         (5, "mov home speed 50 %", [[5]]),
     ],
 )

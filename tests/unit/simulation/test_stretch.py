@@ -15,11 +15,13 @@ from ropsim.flow import (
     ModalState,
     MoveInstruction,
     OutputInstruction,
+    PathTracking,
     SyncInstruction,
     WaitInstruction,
 )
 from ropsim.icr import Finished
-from ropsim.simulation.stretch import Step, Stretch, gather, why_it_ends
+from ropsim.simulation.steps import Step, Steps
+from ropsim.simulation.stretch import MOST_AHEAD, Stretch, gather, why_it_ends
 from support.motion import FINE, lin, ptp
 
 ZONE = ModalState(zone=0.01)
@@ -49,13 +51,48 @@ def stretch_of(*steps: Step) -> tuple[Stretch, list[Step]]:
     left = list(steps)
     first = left.pop(0)
     assert isinstance(first, MoveInstruction)
-    return gather(first, lambda: left.pop(0)), left
+    return gather(first, Steps(lambda: left.pop(0))), left
 
 
 def test_a_move_without_a_zone_is_a_stretch_by_itself() -> None:
     stretch, left = stretch_of(ptp(None), FIRST, END)
     assert (stretch.moves, stretch.next) == ((ptp(None),), FIRST)
     assert left == [END]
+
+
+LINE = lin(None)
+TRACKED = replace(LINE, tracking=PathTracking("seam", 0.01))
+GUARDED = replace(LINE, guard=Guard("part", Comparison.IS, True))
+
+
+@pytest.mark.parametrize(
+    ("first", "steps", "ahead"),
+    [
+        (ptp(None), (LINE, SECOND, LINE, ptp(None), LINE, END), (LINE, SECOND, LINE)),
+        (ptp(None), (LINE, HELLO, LINE, END), (LINE, LINE)),
+        (ptp(None), (LINE, OutputInstruction("lamp", 1.0, FINE), LINE, END), (LINE,)),
+        (ptp(None), (LINE, TRACKED, LINE, END), (LINE,)),
+        (ptp(None), (GUARDED, LINE, END), (GUARDED,)),
+        (replace(ptp(None), guard=GUARDED.guard), (LINE, END), ()),
+        (FIRST, (LINE, LINE, END), (LINE,)),
+        (LINE, (LINE, END), ()),
+    ],
+)
+def test_paths_of_the_tool_behind_the_stop_are_known_ahead(
+    first: Step, steps: tuple[Step, ...], ahead: tuple[Step, ...]
+) -> None:
+    """As far as they keep the posture of a PTP move, and the arm need not stand for the program to go on."""
+    assert isinstance(first, MoveInstruction)
+    left = iter(steps)
+    known = Steps(lambda: next(left))
+    stretch = gather(first, known)
+    assert stretch.ahead == ahead
+    taken = len(stretch.moves) - 1
+    assert [known.take() for _ in steps[taken:]] == list(steps[taken:])
+
+
+def test_a_program_without_an_end_is_looked_at_so_far() -> None:
+    assert len(gather(ptp(None), Steps(lambda: LINE)).ahead) == MOST_AHEAD
 
 
 def test_moves_with_a_zone_go_on_up_to_the_first_without() -> None:
@@ -108,4 +145,4 @@ def test_the_interpreter_is_asked_for_no_more_than_the_step_behind_the_stretch()
         raise AssertionError("asked too far")
 
     steps = program()
-    assert len(gather(FIRST, lambda: next(steps)).moves) == 2
+    assert len(gather(FIRST, Steps(lambda: next(steps))).moves) == 2

@@ -48,7 +48,8 @@ def test_the_first_program_of_an_arm_that_swings_keeps_its_limits_with_drives_to
 ) -> None:
     recording = ropsim.open(new_robot_project(tmp_path / "my_cell", name)).simulate()
     assert recording.ok
-    assert {one.code for one in recording.findings} <= {"S725"}  # it settles for long
+    settling, posture_for_lines = "S725", "M585"
+    assert {one.code for one in recording.findings} <= {settling, posture_for_lines}
 
 
 def test_a_robot_file_is_copied_with_its_meshes(tmp_path: Path) -> None:
