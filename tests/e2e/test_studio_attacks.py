@@ -133,11 +133,11 @@ def deaf_socket(studio: Studio) -> socket.socket:
 
 def resident(pid: int) -> float:
     """Return the memory of a process [MB]; 0 where it cannot be told."""
-    place = Path(f"/proc/{pid}/status")
-    if not place.exists():
-        return 0.0
-    line = next(one for one in place.read_text("utf-8").splitlines() if one.startswith("VmRSS"))
-    return int(line.split()[1]) / 1e3
+    with contextlib.suppress(OSError):  # there is no such place, or the process has just ended
+        text = Path(f"/proc/{pid}/status").read_text("utf-8")
+        line = next((one for one in text.splitlines() if one.startswith("VmRSS")), "VmRSS: 0 kB")
+        return int(line.split()[1]) / 1e3
+    return 0.0
 
 
 @needs_proc

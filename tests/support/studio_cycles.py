@@ -1,5 +1,6 @@
 """Edit, simulate, look at the run, again and again; and what the processes of the studio hold meanwhile."""
 
+import contextlib
 import json
 from collections.abc import Generator
 from dataclasses import dataclass
@@ -27,12 +28,18 @@ class Holding:
 def holdings(studio: Studio) -> dict[int, Holding]:
     """Return what each process of a studio holds, by its number."""
     everyone = {*group(studio.process.pid), *language_servers(studio.process.pid)}
-    return {number: _holding(Path(f"/proc/{number}")) for number in sorted(everyone)}
+    found: dict[int, Holding] = {}
+    for number in sorted(everyone):
+        with contextlib.suppress(OSError):  # it has just ended
+            found[number] = _holding(Path(f"/proc/{number}"))
+    return found
 
 
 def _holding(place: Path) -> Holding:
     lines = (place / "status").read_text("utf-8").splitlines()
-    (resident,) = [line for line in lines if line.startswith("VmRSS")]
+    resident = next((line for line in lines if line.startswith("VmRSS")), "")
+    if not resident:
+        raise ProcessLookupError(place)  # it holds none any more
     return Holding(int(resident.split()[1]) * 1024, len(list((place / "fd").iterdir())))
 
 

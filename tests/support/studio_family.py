@@ -29,6 +29,15 @@ def group(studio: int) -> list[int]:
     return [one.pid for one in _processes() if one.session == studio]
 
 
+def folders(studio: int) -> list[Path]:
+    """Return the folders in which the processes of a studio work."""
+    found: list[Path] = []
+    for pid in group(studio):
+        with contextlib.suppress(OSError):  # it has just ended
+            found.append(Path(f"/proc/{pid}/cwd").readlink())
+    return found
+
+
 def workers(studio: int) -> list[int]:
     """Return the workers: desk and simulator."""
     return [
