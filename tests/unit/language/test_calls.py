@@ -5,7 +5,7 @@ from dataclasses import replace
 import pytest
 
 from ropsim.core import Span
-from ropsim.flow import MessageInstruction, MotionKind
+from ropsim.flow import MessageInstruction, MotionKind, MoveInstruction
 from ropsim.icr import run
 from ropsim.language import TaskSignature
 from ropsim.program import Assign, Call, Constant, Local, Move, Settings, Task, ValueType, Variable
@@ -104,7 +104,7 @@ n = 3
     [
         ("Show 5, n == 3", "5 true"),
         ("Show(5, n == 4)", "5 false"),
-        ("Show (n = 7)", "7 false"),
+        ("Show(n = 7)", "7 false"),
         ("k = Show(n = 7)", "7 false"),
         ("k = Show(7, n == 3)", "7 true"),
         ("Show(7, (n = 3))", "7 true"),
@@ -139,3 +139,48 @@ def test_a_task_of_the_text_hides_that_of_the_library() -> None:
     assert result.icr is not None
     said = [one.text for one in run(result.icr).instructions if isinstance(one, MessageInstruction)]
     assert said == ["1"]
+
+
+VISIT = "program p\nunits mm\ntask Visit(q: loc, n: int = 1)\n  repeat n\n    lin q\n  endr\nendp\n"
+
+
+@pytest.mark.parametrize(
+    ("call", "lines"),
+    [
+        ("Visit (300, 0, 100)", 1),
+        ("Visit (300, 0, 100), 2", 2),
+        ("Visit((300, 0, 100))", 1),
+        ("Visit((300, 0, 100), 2)", 2),
+        ("Visit(n = 2, q = (300, 0, 100))", 2),
+        ("call Visit (300, 0, 100; down)", 1),
+    ],
+)
+def test_a_parenthesis_is_a_location_behind_a_blank_and_the_arguments_at_the_name(
+    call: str, lines: int
+) -> None:
+    code = compiled(VISIT + call).icr
+    assert code is not None
+    assert sum(isinstance(one, MoveInstruction) for one in run(code).instructions) == lines
+
+
+@pytest.mark.parametrize(
+    ("call", "told", "hint"),
+    [
+        ("Visit(300, 0, 100)", "takes 1 to 2 arguments, found 3", "with a blank between, `Visit (…)`"),
+        ("Visit(300, 2)", "there is no reference location 300", "write it as `(x, y, z)`"),
+        ("Visit (infeed, 2)", "a parenthesis behind a blank is one value", "without the blank"),
+        ("Visit (q = infeed)", "a parenthesis behind a blank is one value", "without the blank"),
+    ],
+)
+def test_the_other_blank_is_told(call: str, told: str, hint: str) -> None:
+    (found,) = [one for one in compiled(VISIT + call).diagnostics if one.is_error]
+    assert told in found.message
+    assert hint in found.hint
+    if found.fix is not None:
+        assert compiled(VISIT + call.replace("Visit (", found.fix.replacement)).icr is not None
+
+
+def test_a_classic_text_asks_the_first_parameter() -> None:
+    classic = "task Grip(l: loc)\n  lin l\nendp\n"
+    for call in ("Grip(300, 0, 100)", "Grip (300, 0, 100)", "Grip (infeed)", "Grip(infeed)"):
+        assert compiled(classic + call).icr is not None, call

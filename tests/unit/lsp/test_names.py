@@ -27,7 +27,7 @@ task Go(part: loc, n: int)
 endp
 Go corner, n = 3
 for each slot in slots
-  Go (slot in table, total)
+  Go(slot in table, total)
 endf
 print total
 """

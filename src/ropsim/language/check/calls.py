@@ -30,7 +30,10 @@ def call(body: Body, node: syntax.Call) -> Call:
         unknown_task(body, node.name)
     if not signature.is_known:
         raise RejectedError
-    items = spread(node.arguments, signature, lambda name: _is_location(body, name))
+    if body.world.is_classic:
+        items = spread(node.arguments, signature, lambda name: _is_location(body, name))
+    else:
+        items = listed(body, node)
     bound = _bind(body, node, signature, items)
     arguments = tuple(_argument(body, signature, formal, bound) for formal in signature.formals)
     return Call(signature.name, arguments, body.statement_span)
@@ -82,24 +85,56 @@ def _near_task(name: str, tasks: Iterable[str]) -> str:
     )
 
 
+_COORDINATES = (3, 5, 6)
+"""Parts of a parenthesis that is a location."""
+
+
+def listed(body: Body, node: syntax.Call) -> tuple[nodes.Item, ...]:
+    """Return the arguments of a call in a modern text: a parenthesis that touches the name is their list.
+
+    Raises:
+        RejectedError: behind a blank stands a parenthesis that is no value.
+    """
+    inside = _only(node.arguments)
+    if inside is None or not _is_apart(node):
+        return node.arguments if inside is None else inside.items
+    if len(inside.items) in _COORDINATES and not any(item.name for item in inside.items):
+        return node.arguments
+    opening = replace(node.name, end=inside.start + 1)
+    message = "a parenthesis behind a blank is one value, and this one is none"
+    hint = "without the blank it is the list of the arguments"
+    body.fail(kinds.ARGUMENTS, opening, message, hint, fix=f"{node.name.text}(")
+
+
+def _only(arguments: tuple[nodes.Item, ...]) -> nodes.Tuple | None:
+    """Return the parenthesis that is all of the arguments, None where it is not."""
+    if len(arguments) != 1 or arguments[0].name is not None:
+        return None
+    value = arguments[0].value
+    return value if isinstance(value, nodes.Tuple) and not value.turns else None
+
+
+def _is_apart(node: syntax.Call) -> bool:
+    """Return whether a blank stands between the name of a task and its first argument."""
+    return node.arguments[0].value.start > node.name.end
+
+
 def spread(
     arguments: tuple[nodes.Item, ...], signature: Signature, is_location: Callable[[nodes.Name], bool]
 ) -> tuple[nodes.Item, ...]:
-    """Return the arguments of a call, with a parenthesis around them all taken away.
+    """Return the arguments of a call in a classic text, with a parenthesis around them all taken away.
 
     One parenthesis with three, five or six numbers is one location where the task starts with a location,
     as in `call grip (x, y, z)`; any other single parenthesis is an argument list.
     """
-    if len(arguments) != 1 or arguments[0].name is not None:
-        return arguments
-    only = arguments[0].value
-    if not isinstance(only, nodes.Tuple) or only.turns:
+    only = _only(arguments)
+    if only is None:
         return arguments
     starts_with_location = bool(signature.formals) and known(signature.formals[0].type) == POSE
     first = only.items[0] if only.items else None
     is_list = (
         not starts_with_location
-        or len(only.items) not in (3, 5, 6)
+        or len(only.items) not in _COORDINATES
         or any(i.name is not None for i in only.items)
         or (first is not None and isinstance(first.value, nodes.Name) and is_location(first.value))
         or (first is not None and _is_place(first.value))
@@ -130,7 +165,7 @@ def _bind(
         else:
             name = item.name.text
             if name not in names:
-                hint = did_you_mean(name, names) or "its parameters: " + (_listed(signature) or "none")
+                hint = did_you_mean(name, names) or _parameters(signature)
                 body.fail(
                     kinds.ARGUMENTS, item.name, f"task `{signature.name}` has no parameter `{name}`", hint
                 )
@@ -149,7 +184,22 @@ def _wrong_count(body: Body, node: syntax.Call, signature: Signature, found: int
     message = (
         f"task `{signature.name}` takes {allowed} argument{'' if allowed == '1' else 's'}, found {found}"
     )
-    body.fail(kinds.ARGUMENTS, node, message, "its parameters: " + (_listed(signature) or "none"))
+    body.fail(kinds.ARGUMENTS, node, message, _other_blank(node) or _parameters(signature))
+
+
+def _other_blank(node: syntax.Call) -> str:
+    """Return what a blank before the parenthesis would change, where there is one around all arguments."""
+    if (inside := _only(node.arguments)) is None:
+        return ""
+    if _is_apart(node):
+        return f"without the blank, `{node.name.text}(…)`, the parenthesis is the list of arguments"
+    if len(inside.items) in _COORDINATES:
+        return f"with a blank between, `{node.name.text} (…)`, the parenthesis is one location"
+    return ""
+
+
+def _parameters(signature: Signature) -> str:
+    return "its parameters: " + (_listed(signature) or "none")
 
 
 def _listed(signature: Signature) -> str:
