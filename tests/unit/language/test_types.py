@@ -143,3 +143,52 @@ def test_joint_coordinates_are_as_many_as_the_station_has_axes() -> None:
     found = only("mov joints(0, 0, 0)", six)
     assert (found.code, found.hint) == ("T335", "the station has 6 axes")
     assert codes("mov joints(0, 0, 0, 0, 0, 0)", six) == []
+
+
+MODERN = "program p\nunits mm, deg, s\n"
+
+
+@pytest.mark.parametrize(
+    ("lines", "fixed"),
+    [
+        ("m = 7\nm = m / 2\nprint m", "m = 7.0\nm = m / 2\nprint m"),
+        ("m = 7\nm = m * 0.5\nprint m", "m = 7.0\nm = m * 0.5\nprint m"),
+        ("m = 7\nm = 2.5\nprint m", "m = 7.0\nm = 2.5\nprint m"),
+        (
+            "if part_ok\n  m = 7\n  m = m / 2\n  print m\nendif",
+            "if part_ok\n  m = 7.0\n  m = m / 2\n  print m\nendif",
+        ),
+    ],
+)
+def test_a_variable_has_the_type_of_its_first_value(lines: str, fixed: str) -> None:
+    """Whatever stands behind: the finding is at the line that does not fit, the fix at the first value."""
+    (found,) = compiled(MODERN + lines).diagnostics
+    assert found.code == "T304"
+    assert found.fix is not None
+    assert [label.span for label in found.secondary] == [found.fix.span]
+    text = (MODERN + lines).split("\n")
+    span = found.fix.span
+    line = text[span.line - 1]
+    text[span.line - 1] = line[: span.column - 1] + found.fix.replacement + line[span.end_column - 1 :]
+    assert "\n".join(text) == MODERN + fixed
+    assert compiled(MODERN + fixed).icr is not None
+
+
+@pytest.mark.parametrize(
+    ("lines", "hint"),
+    [
+        ("m = 0\nrepeat 3\n  m = m + 0.5\nendr\nprint m", "give that a fraction"),
+        ("m = 3\nm = 5 mm\nprint m", "write a unit there"),
+        ("var m: int = 3\nm = 2.5\nprint m", "use `round( )`"),
+        ("task T(m: int)\n  m = 2.5\n  print m\nendp\nT 3", "use `round( )`"),
+    ],
+)
+def test_what_a_variable_cannot_keep_is_told(lines: str, hint: str) -> None:
+    (found,) = compiled(MODERN + lines).diagnostics
+    assert (found.code, found.fix) == ("T304", None)
+    assert hint in found.hint
+
+
+def test_in_a_classic_text_lines_behind_tell_the_type() -> None:
+    for lines in ("m = 7\nm = m / 2\nprint m", "d = 5\nlin infeed above d\nd = 2 cm\nlin infeed above d"):
+        assert compiled(lines).diagnostics == (), lines

@@ -142,17 +142,17 @@ def test_a_motion_whose_names_have_types_is_looked_at_once(unit: str) -> None:
 
 
 OPEN = """\
-program p
-units mm, deg
 n = 1
-mov (400, 0, n)
+mov (40, 0, n)
 print n
-mov (400, 0, n)
+mov (40, 0, n)
 """
 
 
 def test_a_motion_that_tells_a_type_is_looked_at_twice_and_no_other() -> None:
+    """In a classic text; in a modern one the first value has told it."""
     assert looked_at(OPEN) == (2, 3)
+    assert looked_at("program p\nunits cm\n" + OPEN) == (2, 2)
 
 
 def test_an_assignment_that_tells_its_type_is_looked_at_once() -> None:

@@ -1,7 +1,7 @@
 """Statements that give variables values: `=`, `load`, `var` and calls with a result."""
 
 from ropsim.core import maker
-from ropsim.language.check import calls, components, convert, fold, poses, values
+from ropsim.language.check import calls, components, convert, first_values, fold, poses, values
 from ropsim.language.check.body import Body, Made, RejectedError
 from ropsim.language.check.types import (
     ANGLE,
@@ -34,7 +34,9 @@ def assign(body: Body, node: syntax.Assign) -> Block:
     if isinstance(node.value, nodes.Function) and node.value.name.text in body.world.signatures:
         return _assign_call(body, node, node.value)
     value = values.check(body, node.value)
-    variable = target(body, node.name, _type_of(value))
+    variable = target(body, node.name, _type_of(body, value))
+    if known(variable.type) == INT:
+        first_values.look(body, node, value)
     expression = convert.to(body, value, variable.type, node.value, f"the value of `{node.name.text}`")
     return (_assign(variable.name, poses.kept(value, expression), body.statement_span),)
 
@@ -179,9 +181,9 @@ def _assign_call(body: Body, node: syntax.Assign, call: nodes.Function) -> Block
     return (calls.with_result(statement, variable.name),)
 
 
-def _type_of(value: Value) -> AnyType:
-    """Return the type that a first assignment gives: a bare number leaves it open for use to tell."""
-    if not value.is_bare:
+def _type_of(body: Body, value: Value) -> AnyType:
+    """Return the type that a first assignment gives; in a classic text a bare number leaves it to use."""
+    if not value.is_bare or not body.world.is_classic:
         return value.type
     if value.type == INT and not fold.number_of(value.expression) is not None:
         return INT
