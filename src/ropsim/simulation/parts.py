@@ -11,6 +11,9 @@ from ropsim.simulation.moment import Moment
 from ropsim.simulation.placements import Exit, Placements, Seat
 from ropsim.spatial import Pose
 
+_DIGITS = 6
+"""Digits behind the point of a pose [m] with which a part counts for what is carried."""
+
 
 def initial_parts(cell: Cell) -> Placements:
     """Return the parts at time 0: of every supply only the first one is there."""
@@ -73,6 +76,9 @@ def release(state: Placements, cell: Cell, hands: Collection[str], moment: Momen
 def payload(carried: Mapping[str, Pose], parts: Mapping[str, Part], tool: Tool | None) -> Payload:
     """Return the one rigid body that tool and carried parts form at the mechanical interface.
 
+    Parts count as they lie in it to the micrometre: so what is carried is the same body whichever way the arm
+    has come to where it took them, which tells in the last digits of the pose that it attained.
+
     Args:
         carried: pose X_MO of each part that it carries, by name.
         parts: of the cell, by name.
@@ -81,11 +87,19 @@ def payload(carried: Mapping[str, Pose], parts: Mapping[str, Part], tool: Tool |
     bodies: tuple[Payload, ...] = ()
     if tool is not None:
         bodies += tool.loads
-    for name, X_MO in carried.items():
-        part, R_MO = parts[name], X_MO.rotation()
+    for name, attained in carried.items():
+        part, X_MO = parts[name], _to_the_micrometre(attained)
+        R_MO = X_MO.rotation()
         centre = X_MO.position + R_MO @ np.array([0.0, 0.0, -part.size[2] / 2.0])
         bodies += (box(part.mass, part.size, centre, R_MO),)
     return combine(bodies)
+
+
+def _to_the_micrometre(X: Pose) -> Pose:
+    """Return a pose with its numbers rounded to millionths, and one sign of its quaternion."""
+    turn = np.round(X.orientation, _DIGITS) + 0.0  # no zero has a sign
+    leading = turn[np.flatnonzero(turn)[0]]
+    return Pose(np.round(X.position, _DIGITS) + 0.0, turn if leading > 0.0 else -turn + 0.0)
 
 
 def _successors(state: Placements, cell: Cell, taken: str) -> dict[str, Seat]:

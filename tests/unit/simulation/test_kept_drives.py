@@ -105,6 +105,25 @@ def test_parts_grippers_and_other_arms_are_as_ever(name: str) -> None:
     assert known.drives.anew == 0
 
 
+def test_an_edit_before_a_grip_plans_nothing_behind_it(workspace: Workspace) -> None:
+    """The part lies in the gripper as it did but for the last digits of the pose that the arm attained."""
+    text = (EXAMPLES / "palletizing" / "programs" / "main.task").read_text("utf-8")
+    first, edited = (
+        text.replace("for each", f"mov (500, 0, {z}; roll 0, pitch 90, yaw 0)\nfor each", 1)
+        for z in (700, 710)
+    )
+    before, after = (
+        open_overlaid(EXAMPLES / "palletizing", {"programs/main.task": one}, workspace)
+        for one in (first, edited)
+    )
+    assert before.cell is not None
+    known = KeptRuns(before.cell)
+    run(before, known, 15.0)
+    recording = run(after, known, 15.0)
+    assert len(known.plans.anew) == 2  # the edited move, and the first one that begins elsewhere
+    assert recording == after.simulate(options=RunOptions(longest=15.0))
+
+
 def test_a_slice_is_another_one_with_another_payload_reference_or_state() -> None:
     robot, controller = ropsim.robots.load("puma560"), ropsim.robots.default_controller("puma560")
     servo, drives = Servo.build(robot, controller), KeptDrives()

@@ -7,7 +7,7 @@ from ropsim.model import WORLD, Cell, Gripper, Part, Sink, Tool
 from ropsim.simulation.moment import Moment
 from ropsim.simulation.parts import close_on, initial_parts, payload, release
 from ropsim.simulation.placements import Placements
-from ropsim.spatial import Pose
+from ropsim.spatial import Pose, fingerprint
 from support.cells import one_station
 
 JAWS = Tool("jaws", Pose(np.array([0.0, 0.0, 0.1])), 1.0, gripper=Gripper(0.2, 0.2, 0.005))
@@ -63,6 +63,27 @@ def test_a_grasped_part_adds_its_mass_at_its_centre() -> None:
     assert load.mass == 1.5
     # tool mass at the interface, part centre 20 mm beyond the TCP at 100 mm
     np.testing.assert_allclose(load.com, [0.0, 0.0, 0.5 * 0.12 / 1.5], atol=1e-12)
+
+
+@pytest.mark.parametrize("turn", [(1.0, 0.0, 0.0, 0.0), (0.0, 1.0, 0.0, 0.0), (0.5, -0.5, 0.5, 0.5)])
+def test_a_part_is_the_same_body_however_the_arm_came_to_where_it_was_taken(
+    turn: tuple[float, float, float, float],
+) -> None:
+    """Attained poses differ in their last digits; quaternions of half turns in their sign, too."""
+    random, scene = np.random.default_rng(3), cell(part("a", 0.5))
+    place = np.array([0.0123, 0.0, 0.15])
+    loads = [
+        payload(
+            {"a": Pose(place + random.normal(0.0, 1e-8, 3), np.array(turn) + random.normal(0.0, 1e-8, 4))},
+            {"a": scene.parts[0]},
+            JAWS,
+        )
+        for _ in range(20)
+    ]
+    assert len({fingerprint(one) for one in loads}) == 1
+    exact = payload({"a": Pose(place, np.array(turn))}, {"a": scene.parts[0]}, None)
+    centre = place + Pose(place, np.array(turn)).rotation() @ [0.0, 0.0, -scene.parts[0].size[2] / 2.0]
+    np.testing.assert_allclose(exact.com, centre, atol=1e-6)
 
 
 def test_a_supply_shows_the_next_part_when_one_is_taken() -> None:
