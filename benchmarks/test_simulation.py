@@ -16,13 +16,17 @@ from measuring import Measure, processor_seconds
 import ropsim
 from ropsim import codegen
 from ropsim.codegen import Engine, SourceFunction
-from ropsim.controller import MotionState, Refusal, plan, plan_move
+from ropsim.controller import MotionPlan, MotionState, Refusal, plan, plan_move
+from ropsim.controller.kept_limits import arm_bounds
 from ropsim.dynamics import arm_numbers, structure_of
 from ropsim.dynamics.arm_functions import forward_code
-from ropsim.flow import JointReference, ModalState, MotionKind, MoveInstruction
+from ropsim.flow import JointReference, ModalState, MotionKind, MoveInstruction, Recording
 from ropsim.kinematics import forward
-from ropsim.model import Payload
-from ropsim.simulation import Fidelity, RunOptions
+from ropsim.model import Cell, Payload
+from ropsim.motion import JointPoints
+from ropsim.motion.limits.reference import load
+from ropsim.motion.limits.strain import strain_as_planned, with_torque
+from ropsim.simulation import Fidelity, KeptPlans, RunOptions
 from ropsim.simulation.servo.servo import Servo
 from ropsim.spatial import Array
 from support.cells import chain_of
@@ -157,6 +161,23 @@ def test_kinematic_run_warm(benchmark: Any) -> None:
     measure.figure("times real time", recording.duration / time_.best)
 
 
+def test_kinematic_run_of_known_plans(benchmark: Any) -> None:
+    """The same where nothing is planned: quicker the slow side could not be if planning took no time."""
+    measure = Measure(benchmark)
+    project = ropsim.open(CELL)
+    assert project.cell is not None
+    plans = KeptPlans(project.cell)
+
+    def known() -> Recording:
+        plans.begin()
+        return project.simulate(options=RunOptions(Fidelity.KINEMATIC, plan=plans.plan))
+
+    known()
+    recording, time_ = measure(known)
+    assert plans.anew == []
+    measure.figure("times real time", recording.duration / time_.best)
+
+
 def test_planning_of_the_whole_program(benchmark: Any) -> None:
     measure = Measure(benchmark)
     project = ropsim.open(CELL)
@@ -176,32 +197,49 @@ def test_planning_of_the_whole_program(benchmark: Any) -> None:
     measure.figure("times real time", ticks / 1000 / time_.best)
 
 
-@pytest.mark.parametrize("kind", [MotionKind.PTP, MotionKind.LIN])
-def test_planning_of_a_stretch(benchmark: Any, kind: MotionKind) -> None:
-    """Twenty moves of 0.1 m, each at a right angle to the one before, with a zone of 20 mm."""
-    measure = Measure(benchmark)
-    project = ropsim.open(CELL)
-    cell, _ = project.runnable(project.programs())
-    chain, start = chain_of(cell), MotionState.at_rest(cell.first.start)
+def moves_with_zones(cell: Cell, kind: MotionKind) -> list[MoveInstruction]:
+    """Return twenty moves of 0.1 m, each at a right angle to the one before, with a zone of 20 mm."""
     ways = np.cumsum([(0.1, 0.0, 0.0), (0.0, 0.1, 0.0), (-0.1, 0.0, 0.0), (0.0, -0.1, 0.0)] * 5, axis=0)
-    first = forward(cell.first.robot, cell.first.start) @ chain.tool_pose(ModalState())
+    first = forward(cell.first.robot, cell.first.start) @ chain_of(cell).tool_pose(ModalState())
     zone = ModalState(zone=0.02)
-    moves = [
+    return [
         MoveInstruction(
             kind, replace(first, position=first.position + np.array([0.0, 0.0, -0.1]) + way), zone
         )
         for way in ways
     ]
 
-    def planned() -> float:
+
+@pytest.mark.parametrize("kind", [MotionKind.PTP, MotionKind.LIN])
+def test_planning_of_a_stretch(benchmark: Any, kind: MotionKind) -> None:
+    """With what one look at the control ticks of its motion takes: planning cannot do without."""
+    measure = Measure(benchmark)
+    project = ropsim.open(CELL)
+    cell, _ = project.runnable(project.programs())
+    chain, start = chain_of(cell), MotionState.at_rest(cell.first.start)
+    moves = moves_with_zones(cell, kind)
+
+    def planned() -> MotionPlan:
         done, refusal = plan(chain, moves, start)
         assert refusal is None
         assert done is not None
-        return done.duration
+        return done
 
-    duration, time_ = measure(planned)
-    measure.figure("ms per move", 1e3 * time_.best / len(moves))
-    measure.figure("times real time", duration / time_.best)
+    done = planned()
+    rows = JointPoints(done.reference.q, done.reference.qd, done.reference.qdd)
+    bounds = arm_bounds(chain.robot, Payload())
+
+    def look() -> None:
+        strain = strain_as_planned(rows, bounds.joints, done.period)
+        torque = load(rows, bounds.joints, bounds.effort)
+        assert torque is not None
+        with_torque(strain, rows, torque, bounds.joints)
+
+    looking, planning = processor_seconds(look, planned, rounds=20)
+    measure(planned)
+    measure.figure("ms per move", 1e3 * planning / len(moves))
+    measure.figure("ms per move for one look at all control ticks", 1e3 * looking / len(moves))
+    measure.figure("control ticks per move", done.ticks / len(moves))
 
 
 def test_ten_thousand_points_in_one_stretch(benchmark: Any) -> None:
