@@ -123,6 +123,7 @@ def test_the_limits_are_those_of_the_compiler() -> None:
         f"{text.MAX_LINES:,}".replace(",", " "),
         str(line.MAX_LENGTH),
         str(lines.MAX_JOINED),
+        str(lexer.MOST_LETTERS),
         f"{blocks_module.MAX_DEPTH}; {cursor.MAX_NESTING}",
         str(cursor.MAX_OPERATORS),
         "1e12",

@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import pytest
 
+from ropsim import icr
 from ropsim.program import SignalUse, ValueType
 from support.outcomes import outcome
 from support.tasks import CELL, codes, compiled, only
@@ -238,3 +239,59 @@ def test_a_name_without_value_is_marked_where_it_is_read(
     assert found.code == code
     assert (found.span.line, found.span.end_line) == (line, line)
     assert (found.span.column, found.span.end_column) == marked
+
+
+MODERN = "program p\nunits mm, deg, s\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "code", "place", "words"),
+    [
+        ("program p\nunits mm, cm\nlin infeed", "T340", (2, 11), "in `mm` and in `cm`"),
+        ("program p\nunits mm\nlin infeed\nunits inch", "T340", (4, 7), "in `mm` and in `inch`"),
+        ("program p\nunits deg, rad", "T340", (2, 12), "in `deg` and in `rad`"),
+        (MODERN + "frame base = (0, 0, 100)", "N206", (3, 7), "`base` is the base frame of the robot"),
+        (
+            MODERN + "with frame pallet, frame base\n  open\nendwith",
+            "T303",
+            (3, 20),
+            "`frame` is given twice",
+        ),
+        (
+            MODERN + f"lin (300, 0, 100; turns ({', '.join('0' * 33)}))",
+            "T306",
+            (3, 19),
+            "`turns` has 33 numbers",
+        ),
+        (MODERN + f"{'x' * 201} = 3", "L114", (3, 1), "a name has 201 characters, at most 200 are allowed"),
+        (MODERN + f"task {'x' * 201}\nendp", "L114", (3, 6), "a name has 201 characters"),
+    ],
+)
+def test_what_was_taken_in_silence_is_told(text: str, code: str, place: tuple[int, int], words: str) -> None:
+    found = next(one for one in compiled(text).diagnostics if one.is_error)
+    assert found.code == code
+    assert words in found.message
+    assert found.span is not None
+    assert (found.span.line, found.span.column) == place
+
+
+def test_a_unit_named_twice_is_no_mistake() -> None:
+    assert compiled("program p\nunits mm, deg\nunits mm, s\nlin infeed").diagnostics == ()
+
+
+def test_the_longest_names_make_code() -> None:
+    name = "x" * 199
+    task = f"task T{name}(a: int)\n  print a\nendp\n"
+    code = compiled(f"{MODERN}{task}x{name} = 3\nfor y{name} = 1 to 2 do\n  T{name} x{name}\nendf").icr
+    assert code is not None
+    read, found = icr.read_binary(icr.encoded(code))
+    assert found == ()
+    assert read is not None
+    assert icr.program_id(read) == icr.program_id(code)
+
+
+def test_a_long_name_in_a_line_like_many_others_is_told() -> None:
+    """Lines of one shape are read by what the first of them has taught."""
+    lines = [f"a{'x' * k}{k} = {k}" for k in range(100, 300, 20)]
+    found = [one for one in compiled(MODERN + "\n".join(lines)).diagnostics if one.code == "L114"]
+    assert len(found) == sum(len(line.partition(" ")[0]) > 200 for line in lines)

@@ -11,7 +11,7 @@ from ropsim.language.check import convert, fold, hidden, poses, values
 from ropsim.language.check.body import Body, RejectedError
 from ropsim.language.check.expressions import EXPRESSIONS
 from ropsim.language.check.types import INT, JOINTS, NAMED, POSE, AnyType, Unknown, Value, closed, known
-from ropsim.language.check.units import UnitSystem
+from ropsim.language.check.units import UNITS, Dimension, UnitSystem
 from ropsim.language.check.world import Pattern, Poison, Symbol, Variable, World
 from ropsim.language.environment import Environment
 from ropsim.language.findings import hidden as hidden_kinds
@@ -156,6 +156,9 @@ def _frames(
             body.line = line
             try:
                 _unique(body, node.name, declared)
+                if node.name.text == "base" and "base" not in environment.frames:
+                    hint = "choose another name; the base frame has this one"
+                    body.fail(name_kinds.DUPLICATE, node.name, "`base` is the base frame of the robot", hint)
                 pose = _constant_pose(body, node.value, "a frame")
                 if not _is_given(body, node.name, environment.frames, "frame"):
                     frames[node.name.text] = pose
@@ -185,6 +188,7 @@ def _declare_all(world: World, tables: _Tables, top: Iterable[tuple[str, Line]],
     body = Body(world, report, EXPRESSIONS, None)
     declared: set[str] = set()
     tools: set[str] = set()
+    units: dict[Dimension, str] = {}
     for unit, line in top:
         report.source = unit
         body.line = line
@@ -192,6 +196,8 @@ def _declare_all(world: World, tables: _Tables, top: Iterable[tuple[str, Line]],
         try:
             if isinstance(node, syntax.Broken):
                 _poison(tables, node)
+            elif isinstance(node, syntax.Units):
+                _agree(body, node, units)
             elif isinstance(node, syntax.ToolDeclaration):
                 tables.tools.setdefault(node.name.text, fold.IDENTITY)
                 _unique(body, node.name, tools)
@@ -211,6 +217,19 @@ def _declare_all(world: World, tables: _Tables, top: Iterable[tuple[str, Line]],
         except RejectedError:
             continue
     return body.joint_count
+
+
+def _agree(body: Body, node: syntax.Units, units: dict[Dimension, str]) -> None:
+    """Report units of one dimension that are not the same: a bare number can have one of them only.
+
+    Raises:
+        RejectedError: there are such.
+    """
+    for name in node.names:
+        before = units.setdefault(UNITS[name.text][0], name.text)
+        if before != name.text:
+            message = f"bare numbers are in `{before}` and in `{name.text}`, allowed is one of them"
+            body.fail(kinds.TWO_UNITS, name, message, "write the other unit behind the numbers themselves")
 
 
 def _declare(symbols: dict[str, Symbol], body: Body, node: "_SymbolNode") -> None:

@@ -11,6 +11,8 @@ from ropsim.language.findings import types as kinds
 from ropsim.language.syntax import nodes
 
 _POSTURE = re.compile("[a-z][a-z0-9_]*")
+MOST_AXES = 32
+"""Axes of an arm in neutral code."""
 LARGEST = 100
 """Turns beyond this are a mistake of writing."""
 
@@ -48,8 +50,9 @@ def _words(body: Body, node: nodes.Posture) -> tuple[str, ...]:
 def _turns(body: Body, node: nodes.Posture) -> tuple[int, ...]:
     environment = body.world.environment
     own = environment.axes[: len(environment.axes) - len(environment.external)]
-    if own and len(node.turns) > len(own):
-        message = f"`turns` has {len(node.turns)} numbers, the arm has {len(own)} axes"
+    if len(node.turns) > (len(own) or MOST_AXES):
+        axes = f"the arm has {len(own)} axes" if own else f"an arm has at most {MOST_AXES} axes"
+        message = f"`turns` has {len(node.turns)} numbers, {axes}"
         body.fail(kinds.OUT_OF_RANGE, node, message, "write one for each axis, from the first one on")
     found = []
     for place, number in enumerate(node.turns):

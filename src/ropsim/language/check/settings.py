@@ -37,11 +37,14 @@ def gather(body: Body, settings: tuple[Setting, ...]) -> Settings:
     if not settings:
         return _NOTHING
     chosen: dict[str, Any] = {}
+    elsewhere: set[str] = set()
     for setting in settings:
-        if setting.word not in _ELSEWHERE:
-            name, value = _one(body, setting)
-            if name in chosen:
-                body.fail(kinds.ARGUMENTS, setting, f"`{setting.word}` is given twice")
+        name, value = (setting.word, None) if setting.word in _ELSEWHERE else _one(body, setting)
+        if name in chosen or name in elsewhere:
+            body.fail(kinds.ARGUMENTS, setting, f"`{setting.word}` is given twice", "leave one of them out")
+        if value is None:
+            elsewhere.add(name)
+        else:
             chosen[name] = value
     return Settings(**chosen)
 

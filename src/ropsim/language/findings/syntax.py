@@ -188,9 +188,9 @@ LINE_LENGTH = define(
     "L114",
     "text-too-long",
     Severity.ERROR,
-    "a line or the whole text is longer than the compiler allows",
+    "a name, a line or the whole text is longer than the compiler allows",
     """
-A line may have 2,000 characters and a program 200,000 lines. Longer ones are machine output or not
-programs at all; split them into tasks.
+A name may have 200 characters, a line 2,000 characters and a program 200,000 lines. Longer ones are machine
+output or not programs at all; split them into tasks.
 """,
 )

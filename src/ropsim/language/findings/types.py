@@ -235,3 +235,14 @@ task note(what: length)    # right
 In classic texts, as in the papers, callers may tell.
 """,
 )
+TWO_UNITS = define(
+    "T340",
+    "two-units-of-one-dimension",
+    Severity.ERROR,
+    "`units` names two units of one dimension",
+    """
+`units` says in which unit a bare number of each dimension is, for the whole text, wherever it stands. Two
+lengths, or two angles, contradict each other: `units cm, mm`. Name one of them, and write the other one
+behind the numbers that have it: `lin (300, 20, 2.5 cm)`.
+""",
+)

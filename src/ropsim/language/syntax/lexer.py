@@ -14,6 +14,8 @@ UNITS = (
 )  # fmt: skip
 
 LARGEST = 1e12
+MOST_LETTERS = 200
+"""Characters of a name, which has at most 255 bytes in neutral code with what the compiler adds to it."""
 
 _TOKENS = re.compile(
     r"""
@@ -69,6 +71,8 @@ def tokens(line: str) -> list[Token]:
         start = end + len(between)
         if word:
             end = start + len(word)
+            if end - start > MOST_LETTERS:
+                raise LineFaultError(_long(word, start))
             add(_new(Token, ("word", word.lower(), word, start, end)))
         elif sign:
             end = start + len(sign)
@@ -102,6 +106,11 @@ def number_value(text: str) -> tuple[float, bool, str]:
 def text_value(text: str) -> str:
     """Return the characters that a text token stands for."""
     return re.sub(r"\\(.)", lambda m: _ESCAPES.get(m.group(1), m.group(1)), text[1:-1])
+
+
+def _long(word: str, at: int) -> Fault:
+    message = f"a name has {len(word)} characters, at most {MOST_LETTERS} are allowed"
+    return Fault(kinds.LINE_LENGTH, at, at + len(word), message, "choose a shorter one")
 
 
 def _bad(line: str, at: int) -> Fault:

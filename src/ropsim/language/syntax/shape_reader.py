@@ -11,6 +11,7 @@ from functools import lru_cache
 from typing import Any, cast
 
 from ropsim.core import maker
+from ropsim.language.syntax.lexer import MOST_LETTERS
 from ropsim.language.syntax.nodes import Name, Number
 from ropsim.language.syntax.statements import Statement
 
@@ -86,7 +87,7 @@ class _Writing:
         lines = ["def read(parts):"]
         for k, (before, said) in enumerate(zip(self._before, self.said, strict=True)):
             lines += [f" s{k} = parts[{2 * k + 1}]", f" n{k} = len(s{k})"]
-            is_other = f"s{k} < {_BEHIND_DIGITS!r}"
+            is_other = f"s{k} < {_BEHIND_DIGITS!r} or n{k} > {MOST_LETTERS}"
             if said < _BEHIND_DIGITS:
                 is_other = f"s{k} > {_BEHIND_DIGITS!r} or n{k} > {MOST_DIGITS}"
             lines.append(f" if {is_other}: return None")
