@@ -10,7 +10,7 @@ from ropsim.language.syntax.lines import MAX_JOINED, LogicalLine, logical_lines
 
 
 def at_names(findings: Iterable[Diagnostic], source: SourceText) -> Iterator[Diagnostic]:
-    """Yield findings of whole lines that tell a name at that name, all others as they are."""
+    """Yield findings of lines that tell a name at that name or at what hands it on, others as they are."""
     for one in findings:
         name = one.data.get("name")
         if one.span is not None and one.span.is_whole_line and isinstance(name, str):
@@ -20,7 +20,10 @@ def at_names(findings: Iterable[Diagnostic], source: SourceText) -> Iterator[Dia
 
 
 def read_at(source: SourceText, line: int, name: str) -> Span | None:
-    """Return where the statement that begins at a line reads a variable, None where it does not name it."""
+    """Return where the statement that begins at a line reads a variable; all of it where it does not name it.
+
+    Then a task that it calls reads the variable. None where there is no statement.
+    """
     text = "\n".join(source.lines[line - 1 : line - 1 + MAX_JOINED])
     logical = next(logical_lines(SourceText(source.name, text)), None)
     if logical is None:
@@ -28,7 +31,9 @@ def read_at(source: SourceText, line: int, name: str) -> Span | None:
     found = _words(logical.text)
     places = [k for k, token in enumerate(found) if token.text == name]
     reads = [k for k in places if not _is_given(found, k)]
-    return _span(source, LogicalLine(line, logical.text), found[(reads or places)[0]]) if places else None
+    first, last = (0, -1) if not places else ((reads or places)[0],) * 2
+    here = LogicalLine(line, logical.text)
+    return here.span(source.name, found[first].start, found[last].end) if found else None
 
 
 def named_at(source: SourceText, name: str) -> Span | None:

@@ -6,6 +6,7 @@ from pathlib import Path
 import pytest
 
 from ropsim import icr, language
+from ropsim.core import Span
 from ropsim.icr import disassemble, program_id
 from support.tasks import CELL, compiled
 
@@ -104,3 +105,10 @@ def test_the_line_of_a_statement_below_one_of_several_lines_is_right() -> None:
     code = result.icr.procedure("T")
     assert code is not None
     assert [line for step, line in zip(code.code, code.lines, strict=True) if step.mnemonic == "GRIP"] == [7]
+
+
+def test_a_variable_that_a_called_task_reads_without_a_value_is_told_at_the_call() -> None:
+    head = "program p\nunits mm, deg, s\nvar q: loc\ntask T()\n  lin q\nendp\n"
+    (found,) = compiled(head + "if part_ok\n  call T   # where to?\nendif\n").diagnostics
+    assert found.code == "T392"
+    assert found.span == Span("t.task", 8, 3, 8, 9)

@@ -43,8 +43,11 @@ def _unit(of_text: UnitSystem, dimension: Dimension) -> tuple[float, str]:
     """Return factor and name of the unit in which a text has a dimension; no name where there is none."""
     if dimension == units.SHARE:
         return 0.01, "%"
+    if dimension == units.NUMBER:
+        return 1.0, ""
     system = of_text if of_text.name(dimension) else units.SI
-    return system.factor(dimension), system.name(dimension)
+    name = system.name(dimension)
+    return (system.factor(dimension), name) if name else of_text.composed(dimension)
 
 
 def _scaled(number: Expression, factor: float) -> Expression:

@@ -40,6 +40,8 @@ _NAMES = {
     VOLTAGE: "voltage",
 }
 _SYMBOLS = ("m", "kg", "s", "A", "rad", "%")
+_BASES = (LENGTH, MASS, TIME, CURRENT, ANGLE, SHARE)
+_MASS_FIRST = (1, 0, 2, 3, 4, 5)
 _DEGREE = math.pi / 180.0
 
 UNITS: dict[str, tuple[Dimension, float]] = {
@@ -120,6 +122,25 @@ class UnitSystem:
             return ""
         factor = self.factor(dimension)
         return next((unit for unit in _UNITS_OF[dimension] if math.isclose(UNITS[unit][1], factor)), "")
+
+    def composed(self, dimension: Dimension) -> tuple[float, str]:
+        """Return factor and name of the product of units of a dimension without one of its own, as `mm2`.
+
+        Length, time and angle are in the units of this system, all else in SI units.
+        """
+        factor, above, below = 1.0, list[str](), list[str]()
+        for place in _MASS_FIRST:
+            exponent, base = dimension[place], _BASES[place]
+            if not exponent:
+                continue
+            unit = self.name(base) or _SYMBOLS[place]
+            factor *= (UNITS[unit][1] if unit in UNITS else 1.0) ** exponent
+            power = str(abs(exponent)) if abs(exponent) > 1 else ""
+            (above if exponent > 0 else below).append(unit + power)
+        name, divisor = "·".join(above) or "1", "·".join(below)
+        if len(below) > 1:
+            divisor = f"({divisor})"
+        return factor, f"{name}/{divisor}" if below else name
 
     def using(self, unit: str) -> "UnitSystem":
         """Return this system with `unit` for its dimension."""
