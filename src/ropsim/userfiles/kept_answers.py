@@ -45,7 +45,7 @@ class KeptAnswers:
         if len(content) > LARGEST + _DIGITS:
             return None
         said, answer = content[:_DIGITS], content[_DIGITS:]
-        return answer if said == sha256(answer).hexdigest().encode() else None
+        return answer if said == _seal(key, answer) else None
 
     def keep(self, key: str, answer: bytes) -> None:
         """Keep an answer; where it cannot be written, or is too large, nothing happens."""
@@ -54,7 +54,7 @@ class KeptAnswers:
         try:
             self.folder.mkdir(parents=True, exist_ok=True, mode=0o700)
             if self._is_trusted():
-                replace_private_file(self.folder / key, sha256(answer).hexdigest().encode() + answer)
+                replace_private_file(self.folder / key, _seal(key, answer) + answer)
                 self._make_room()
         except OSError:
             return
@@ -99,6 +99,13 @@ class KeptAnswers:
 def kept_by_user() -> KeptAnswers:
     """Return the answers in the cache folder of the user."""
     return KeptAnswers(cache_folder() / "answers")
+
+
+def _seal(key: str, answer: bytes) -> bytes:
+    """Return digits that only this answer under this key has: a file under another name is none of it."""
+    digest = sha256(key.encode())
+    digest.update(answer)
+    return digest.hexdigest().encode()
 
 
 def _is_own(state: os.stat_result, is_kind: Callable[[int], bool]) -> bool:

@@ -28,6 +28,11 @@ def test_an_answer_comes_back_as_it_was_given(kept: KeptAnswers) -> None:
     assert kept.find(KEY) == b""
 
 
+def test_an_answer_under_the_name_of_another_one_is_none(kept: KeptAnswers) -> None:
+    (kept.folder / KEY).rename(kept.folder / "ab13-translated")
+    assert kept.find("ab13-translated") is None
+
+
 @pytest.mark.skipif(not hasattr(os, "geteuid"), reason="no permissions of files")
 def test_an_answer_comes_back_where_groups_may_write_to_what_is_made(tmp_path: Path) -> None:
     before = os.umask(0o002)
