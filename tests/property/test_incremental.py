@@ -14,6 +14,7 @@ from ropsim import language
 from ropsim.icr import disassemble, program_id
 from ropsim.program import check_contracts
 from ropsim.program.diagnostics import GRIPPER_STATE
+from ropsim.query import is_same
 from support.tasks import CELL
 
 EDITS = int(os.environ.get("ROPSIM_EDITS", "300"))
@@ -176,3 +177,29 @@ def test_earlier_versions_change_no_answer(seed: int, monkeypatch: pytest.Monkey
         if alone.icr is not None and alone.program is not None:
             contracts = [one for one in alone.diagnostics if one.code == GRIPPER_STATE.code]
             assert contracts == [*dict.fromkeys(check_contracts(alone.program, alone.places))]
+
+
+@pytest.mark.parametrize("seed", range(2))
+def test_code_that_is_asked_for_late_is_that_of_its_own_text(
+    seed: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Code is put together when somebody asks for it: here after later versions, in any order, or never."""
+    groups = import_module("ropsim.language.questions.groups")
+    monkeypatch.setattr(groups, "USUAL", 3)
+    monkeypatch.setattr(groups, "MOST", 5)
+    typist = Typist(seed)
+    cache = language.LineCache()
+    waiting: list[tuple[str, language.Compiled]] = []
+    asked = 0
+    for _ in range(EDITS // 4):
+        text = typist.edit()
+        waiting.append((text, language.compile(text, CELL, "t.task", cache)))
+        if not waiting[-1][1].ok and typist.before:
+            typist.lines = typist.before.pop()
+        if typist.random.random() < 0.5:
+            text, kept = waiting.pop(typist.random.randrange(len(waiting)))
+            alone = language.compile(text, CELL, "t.task").icr
+            assert is_same(kept.icr, alone), f"code of\n{text}"
+            asked += alone is not None
+        waiting = waiting[-8:]
+    assert asked > EDITS // 40

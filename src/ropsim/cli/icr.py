@@ -4,7 +4,7 @@ import argparse
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 
-from ropsim import icr
+from ropsim import icr, language
 from ropsim.cli.output import Output, cannot_write
 from ropsim.core import Diagnostic, SourceText, replace_file
 from ropsim.flow import (
@@ -171,7 +171,8 @@ def _read_binary(path: str) -> CompiledProgram:
         program, found = icr.read_binary(content, path)
     if program is not None:
         found = icr.verify(program)
-    return CompiledProgram(SourceText(path, ""), program, found)
+    code = language.Code.known(program) if program is not None else None
+    return CompiledProgram(SourceText(path, ""), code, found)
 
 
 def _write(path: str, content: bytes) -> None:

@@ -1,6 +1,7 @@
 """The task language: text to structured program and ICR, with a diagnostic for every wrong line."""
 
 from ropsim.language.cache import LineCache as LineCache
+from ropsim.language.code import Code as Code
 from ropsim.language.compile import Compiled as Compiled
 from ropsim.language.compile import compile as compile
 from ropsim.language.compile import compile_library as compile_library

@@ -12,6 +12,7 @@ from ropsim.language.cache import LineCache, once
 from ropsim.language.check.outcome import Outcome
 from ropsim.language.check.reached import never_called, unreached
 from ropsim.language.check.signatures import for_library
+from ropsim.language.code import Code
 from ropsim.language.codes import code_of
 from ropsim.language.contract_checks import broken_contracts
 from ropsim.language.division import divided
@@ -35,7 +36,7 @@ class Compiled:
 
     Attributes:
         program: the structured program of all lines that are right; None where the text was given up.
-        icr: the executable form; None where anything found is an error.
+        code: the executable form; None where anything found is an error.
         diagnostics: all findings in order of their place.
         source: the text.
         tasks: how each task that can be called is called, also where other lines are wrong.
@@ -45,12 +46,17 @@ class Compiled:
     """
 
     program: Program | None
-    icr: IcrProgram | None
+    code: Code | None
     diagnostics: tuple[Diagnostic, ...]
     source: SourceText
     tasks: Mapping[str, TaskForm] = field(default_factory=dict)
     places: SourceMap = field(default_factory=lambda: SourceMap(""))
     variables: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
+
+    @property
+    def icr(self) -> IcrProgram | None:
+        """Return the program of the executable form, which is put together when first asked for."""
+        return self.code.program if self.code is not None else None
 
     @property
     def ok(self) -> bool:
@@ -114,13 +120,15 @@ def _version_compiled(db: Database, source: SourceText, signatures: Environment)
     checked, places = _checked(source, signatures, report, db)
     if checked is None:
         return Compiled(None, None, report.in_order(), source)
-    icr = None if report.has_errors else _lowered(checked, places, source, report, db)
-    return Compiled(checked.program, icr, report.in_order(), source, checked.tasks, places, checked.variables)
+    code = None if report.has_errors else _lowered(checked, places, source, report, db)
+    return Compiled(
+        checked.program, code, report.in_order(), source, checked.tasks, places, checked.variables
+    )
 
 
 def _lowered(
     checked: checker.Checked, places: SourceMap, source: SourceText, report: Report, db: Database
-) -> IcrProgram | None:
+) -> Code | None:
     """Return the executable form; None where tasks call each other in a circle."""
     program, control, bodies = checked.program, checked.control, checked.bodies
     report.extend(map(places.finding, _circles(program, db)))

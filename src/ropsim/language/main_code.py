@@ -1,10 +1,12 @@
 """The executable form of the control statements, part by part."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from bisect import bisect_right
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from itertools import chain
+from itertools import accumulate, chain
 
 from ropsim import icr
+from ropsim.core import frozen_dataclass
 from ropsim.icr import Need, Type
 from ropsim.language import questions
 from ropsim.language.environment import Environment
@@ -39,9 +41,24 @@ class _Trail:
     numbers: dict[Group, dict[str, int]] = field(default_factory=dict)
 
 
-def lowered_groups(db: Database, guess: int | None) -> dict[Group, Lowered]:
+@frozen_dataclass
+class LoweredParts:
+    """Parts of the control statements that follow each other.
+
+    Attributes:
+        whole: all of them lowered as one, without lines.
+        parts: those that are reached, each lowered alone.
+        jumps: which instructions of `whole` are jumps.
+    """
+
+    whole: Lowered
+    parts: tuple[Lowered, ...]
+    jumps: tuple[int, ...]
+
+
+def lowered_groups(db: Database, guess: int | None) -> dict[Group, LoweredParts]:
     """Return the groups of parts of the control statements that are reached, each lowered as one."""
-    found: dict[Group, Lowered] = {(START,): db.ask(lowered_in, (START,), guess)}
+    found: dict[Group, LoweredParts] = {(START,): db.ask(lowered_in, (START,), guess)}
     trail = db.beside(_TRAIL, _Trail)
     before: dict[Group, dict[str, int]] = {}
     numbers: dict[str, int] = {}
@@ -51,8 +68,8 @@ def lowered_groups(db: Database, guess: int | None) -> dict[Group, Lowered]:
         if not is_known or db.known(lowered_in, group, guess) is None:
             _give_numbers(db, group, guess, numbers)
         one = found[group] = db.ask(lowered_in, group, guess)
-        numbers |= one.numbers
-        if not one.goes_on:
+        numbers |= one.whole.numbers
+        if not one.whole.goes_on:
             break
     trail.numbers = before
     return found
@@ -107,16 +124,20 @@ def lowered_part(db: Database, unit: str, axes: int | None) -> Lowered:
 
 
 @always_new
-def lowered_in(db: Database, group: Group, axes: int | None) -> Lowered:
-    """Return the parts of a group that are reached, as one part."""
+def lowered_in(db: Database, group: Group, axes: int | None) -> LoweredParts:
+    """Return the parts of a group that are reached."""
     found = reached_parts(db, group, axes)
     code: list[icr.Step] = []
+    jumps: list[int] = []
     numbers: dict[str, int] = {}
     for unit, one in found:
-        code += shifted(one.code, len(code), db.ask(jumps_of, unit, axes))
+        own = db.ask(jumps_of, unit, axes)
+        jumps += map(len(code).__add__, own)
+        code += shifted(one.code, len(code), own)
         numbers |= one.numbers
-    parts = [one for _, one in found]
-    return replace(joined(parts, tuple(code), ()), numbers=numbers, goes_on=parts[-1].goes_on)
+    parts = tuple(one for _, one in found)
+    whole = replace(joined(parts, tuple(code), ()), numbers=numbers, goes_on=parts[-1].goes_on)
+    return LoweredParts(whole, parts, tuple(jumps))
 
 
 def reached_parts(db: Database, group: Group, axes: int | None) -> list[tuple[str, Lowered]]:
@@ -134,16 +155,6 @@ def jumps_of(db: Database, unit: str, axes: int | None) -> tuple[int, ...]:
     return jumps_in(db.ask(lowered_part, unit, axes).code)
 
 
-def jumps_in_group(db: Database, group: Group, axes: int | None) -> tuple[int, ...]:
-    """Return which instructions of a group of parts are jumps."""
-    at = 0
-    found: list[int] = []
-    for unit, one in reached_parts(db, group, axes):
-        found += map(at.__add__, db.ask(jumps_of, unit, axes))
-        at += len(one.code)
-    return tuple(found)
-
-
 def passage(db: Database, unit: str, axes: int | None) -> icr.Passage:
     """Return what a part does with variables."""
     one = db.ask(lowered_part, unit, axes)
@@ -155,3 +166,18 @@ def passage_in(db: Database, group: Group, axes: int | None) -> icr.Passage:
     """Return what a group of parts does with variables."""
     reached = reached_parts(db, group, axes)
     return icr.joint_passage((db.ask(passage, unit, axes), len(one.code)) for unit, one in reached)
+
+
+def read_in(groups: Iterable[LoweredParts], needs: Sequence[Need]) -> Iterator[tuple[Lowered, Need]]:
+    """Yield each variable that may be read before it has a value with the part that reads it, counted there.
+
+    Args:
+        groups: of the control statements.
+        needs: of them, counted in the code of all.
+    """
+    parts = [part for one in groups for part in one.parts] if needs else []
+    ends = [*accumulate(len(one.code) for one in parts)]
+    for need in needs:
+        place = bisect_right(ends, need.at)
+        before = ends[place - 1] if place else 0
+        yield parts[place], need._replace(at=need.at - before)

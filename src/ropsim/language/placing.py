@@ -5,23 +5,19 @@ below: each group is placed again where its code, its address or its places are 
 is taken as it was where they are not.
 """
 
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass, field
 from itertools import chain
 from typing import Generic, TypeVar
 
 from ropsim import icr
-from ropsim.language.main_code import jumps_in_group, reached_parts
+from ropsim.language.main_code import LoweredParts
 from ropsim.language.questions import Group
-from ropsim.language.task_codes import Made, made_in
+from ropsim.language.task_codes import Made
 from ropsim.program import Lowered, Places, SourceMap, joined, shifted
-from ropsim.query import Database
 
 P = TypeVar("P")
 T = TypeVar("T")
-
-_TRAIL = "trail of placed code"
-"""Input: what was placed last."""
 
 
 Lying = tuple[Places | None, ...]
@@ -55,8 +51,8 @@ class _Memory(Generic[P, T]):
 
 
 @dataclass(slots=True)
-class _Trail:
-    """What was placed: code and lines of parts, those of all, procedures of tasks; and where units lay."""
+class PlacedCode:
+    """What was placed last: code and lines of parts, those of all, procedures of tasks; where units lay."""
 
     codes: _Memory[int, tuple[icr.Step, ...]] = field(default_factory=_Memory)
     lines: _Memory[Lying, tuple[int, ...]] = field(default_factory=_Memory)
@@ -66,54 +62,53 @@ class _Trail:
 
 
 def placed_main(
-    db: Database, groups: Mapping[Group, Lowered], guess: int | None, start: int, places: SourceMap
+    last: PlacedCode, groups: Mapping[Group, LoweredParts], start: int, places: SourceMap
 ) -> Lowered:
     """Return the control statements as one procedure that begins with its instruction `start`."""
-    trail, units = db.beside(_TRAIL, _Trail), SourceMap("", places.units)
+    units = SourceMap("", places.units)
     code: list[tuple[icr.Step, ...]] = []
     lines: list[tuple[int, ...]] = []
     address = start
     for group, one in groups.items():
-        moved, lying = trail.codes.find(group, one, address), tuple(map(units.units.get, group))
+        moved, lying = last.codes.find(group, one, address), tuple(map(units.units.get, group))
         if moved is None:
-            moved = shifted(one.code, address, db.ask(jumps_in_group, group, guess))
-            trail.codes.keep(group, one, address, moved)
-        placed = trail.lines.find(group, one, lying)
+            moved = shifted(one.whole.code, address, one.jumps)
+            last.codes.keep(group, one, address, moved)
+        placed = last.lines.find(group, one, lying)
         if placed is None:
-            known = trail.lines.known.get(group)
+            known = last.lines.known.get(group)
             again = _moved(known[1], known[2], lying) if known is not None and known[0] is one else None
-            placed = again or _lines(reached_parts(db, group, guess), units)
-            trail.lines.keep(group, one, lying, placed)
+            placed = again or _lines(one.parts, units)
+            last.lines.keep(group, one, lying, placed)
         code.append(moved)
         lines.append(placed)
         address += len(moved)
-    trail.codes.forget_others(groups)
-    trail.lines.forget_others(groups)
-    if lines != trail.all_lines[0]:  # mostly nothing has been moved
-        trail.all_lines = lines, tuple(chain.from_iterable(lines))
+    last.codes.forget_others(groups)
+    last.lines.forget_others(groups)
+    if lines != last.all_lines[0]:  # mostly nothing has been moved
+        last.all_lines = lines, tuple(chain.from_iterable(lines))
     every = tuple(chain.from_iterable(code))
-    return joined(tuple(groups.values()), every, trail.all_lines[1], places.source)
+    return joined([one.whole for one in groups.values()], every, last.all_lines[1], places.source)
 
 
 def placed_tasks(
-    db: Database, groups: Sequence[Group], guess: int | None, axes: int | None, places: SourceMap
+    last: PlacedCode, groups: Mapping[Group, tuple[Made, ...]], places: SourceMap
 ) -> tuple[icr.Procedure, ...]:
     """Return the procedures of tasks with their source lines."""
-    trail, units = db.beside(_TRAIL, _Trail), SourceMap("", places.units)
-    is_still = trail.units == places.units
+    units = SourceMap("", places.units)
+    is_still = last.units == places.units
     found: list[tuple[icr.Procedure, ...]] = []
-    for group in groups:
-        made = db.ask(made_in, group, guess, axes)
-        lying = trail.procedures.place(group) if is_still else None
+    for group, made in groups.items():
+        lying = last.procedures.place(group) if is_still else None
         if lying is None or len(lying) != len(made):
             lying = tuple(units.units.get(one.unit) for one in made)
-        placed = trail.procedures.find(group, made, lying)
+        placed = last.procedures.find(group, made, lying)
         if placed is None:
             placed = tuple(_procedure(one, units) for one in made)
-            trail.procedures.keep(group, made, lying, placed)
+            last.procedures.keep(group, made, lying, placed)
         found.append(placed)
-    trail.procedures.forget_others(groups)
-    trail.units = places.units
+    last.procedures.forget_others(groups)
+    last.units = places.units
     return tuple(chain.from_iterable(found))
 
 
@@ -128,8 +123,8 @@ def _moved(before: Lying, lines: tuple[int, ...], now: Lying) -> tuple[int, ...]
     return tuple(map(shift.__add__, lines))
 
 
-def _lines(parts: Iterable[tuple[str, Lowered]], units: SourceMap) -> tuple[int, ...]:
-    return tuple(chain.from_iterable(units.lines(one.unit, one.lines) for _, one in parts))
+def _lines(parts: Iterable[Lowered], units: SourceMap) -> tuple[int, ...]:
+    return tuple(chain.from_iterable(units.lines(one.unit, one.lines) for one in parts))
 
 
 def _procedure(made: Made, units: SourceMap) -> icr.Procedure:

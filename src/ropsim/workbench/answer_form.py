@@ -12,12 +12,13 @@ from enum import Enum
 from functools import partial
 from itertools import accumulate, chain, starmap
 from operator import sub
-from typing import Any
+from typing import Any, TypeVar
 
 from ropsim import icr, language
 from ropsim.core import Diagnostic, Label, RopsimError, Severity, Span, TextEdit, frozen_dataclass
 from ropsim.program import SignalUse
 
+T = TypeVar("T")
 Row = tuple[int, ...]
 """What a value is made of: its kind, and the rows of its parts."""
 Batch = list[int]
@@ -29,16 +30,16 @@ _TUPLE, _MAPPING, _SET = range(3)
 
 @frozen_dataclass
 class Translation:
-    """What the compiler answers to a text, without the structured program.
+    """What the compiler answers to a text, without the structured program and without procedures.
 
     Attributes:
-        icr: the executable form; None where anything found is an error.
+        header: what the executable form declares; None where anything found is an error.
         diagnostics: all findings in order of their place.
         tasks: how each task that can be called is called.
         variables: type of each variable in a word of the language, by task and name.
     """
 
-    icr: icr.Program | None
+    header: icr.Program | None
     diagnostics: tuple[Diagnostic, ...]
     tasks: Mapping[str, language.TaskForm]
     variables: Mapping[str, Mapping[str, str]]
@@ -117,6 +118,15 @@ def read(content: bytes) -> object:
         return known[-1]
     except (ValueError, TypeError, LookupError, AttributeError, RecursionError, RopsimError) as error:
         raise UnknownFormError from error
+
+
+def read_as(kind: type[T], content: bytes | None) -> T | None:
+    """Return the value of a kind that bytes were written of; None where they were not, or there are none."""
+    try:
+        found = read(content) if content is not None else None
+    except UnknownFormError:
+        return None
+    return found if isinstance(found, kind) else None
 
 
 def _made(batch: Batch, known: list[Any]) -> Iterable[object]:

@@ -3,7 +3,7 @@
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 
-from ropsim import icr
+from ropsim import icr, language
 from ropsim.core import Diagnostic, SourceText, frozen_dataclass
 
 
@@ -13,13 +13,18 @@ class CompiledProgram:
 
     Attributes:
         source: its text.
-        icr: executable program; None where there is none.
+        code: executable form; None where there is none.
         diagnostics: findings, in order of place.
     """
 
     source: SourceText
-    icr: icr.Program | None
+    code: language.Code | None
     diagnostics: tuple[Diagnostic, ...]
+
+    @property
+    def icr(self) -> icr.Program | None:
+        """Return the executable program, which is made when first asked for; None where there is none."""
+        return self.code.program if self.code is not None else None
 
 
 @frozen_dataclass

@@ -17,7 +17,7 @@ from ropsim.core import Diagnostic, SourceText, frozen_dataclass
 from ropsim.model import Cell, ReadRobot, Station
 from ropsim.query import Database, always_new
 from ropsim.userfiles import KeptAnswers
-from ropsim.workbench.answer_form import Translation, UnknownFormError, Verified, read, written
+from ropsim.workbench.answer_form import Translation, UnknownFormError, Verified, read_as, written
 from ropsim.workbench.at_station import AtStation
 from ropsim.workbench.bound_names import unbound
 from ropsim.workbench.checked_text import CheckedText
@@ -51,6 +51,7 @@ class Question(Enum):
     """What is kept for other processes."""
 
     TRANSLATED = "translated"
+    CODE = "code"
     VERIFIED = "verified"
 
 
@@ -152,27 +153,59 @@ def other_tasks(db: Database, name: str, cell: str) -> tuple[Diagnostic, ...]:
     return differing_tasks(engine.base(_task_texts(db, cell)), _text(db, name), own)
 
 
-def translated(db: Database, name: str, at: AtStation) -> Translation:
-    """Return what the compiler answers to a task text."""
-    found = _kept(db, Question.TRANSLATED, name, at)
-    if isinstance(found, Translation):
-        return found
+@always_new
+def made(db: Database, name: str, at: AtStation) -> language.Compiled:
+    """Return all that the compiler answers to a task text."""
     lines: language.LineCache = db.read(LINES)
-    made = language.compile(_text(db, name).text, db.ask(programs_environment, name, at), name, lines)
-    return Translation(made.icr, made.diagnostics, made.tasks, made.variables)
+    return language.compile(_text(db, name).text, db.ask(programs_environment, name, at), name, lines)
+
+
+def translated(db: Database, name: str, at: AtStation) -> Translation:
+    """Return what the compiler finds in a task text."""
+    found = read_as(Translation, _kept(db, Question.TRANSLATED, name, at))
+    if found is not None:
+        return found
+    one = db.ask(made, name, at)
+    header = one.code.header if one.code is not None else None
+    return Translation(header, one.diagnostics, one.tasks, one.variables)
+
+
+@always_new
+def code(db: Database, name: str, at: AtStation) -> language.Code | None:
+    """Return the executable form of a task text: the program is made, or read, when first asked for."""
+    header = db.ask(translated, name, at).header
+    kept = _kept(db, Question.CODE, name, at)
+    if header is None or kept is None:
+        return db.ask(made, name, at).code if header is not None else None
+    text, around = _text(db, name).text, db.ask(programs_environment, name, at)
+
+    def program() -> icr.Program:
+        found = read_as(icr.Program, kept)
+        if found is not None:
+            return found
+        again = language.compile(text, around, name).icr  # what is kept is of no known form
+        return again if again is not None else header
+
+    return language.Code(header, program)
+
+
+def program(db: Database, name: str, at: AtStation) -> icr.Program | None:
+    """Return the program of the executable form of a task text; None where the text has errors."""
+    found = db.ask(code, name, at)
+    return found.program if found is not None else None
 
 
 def verified(db: Database, name: str, at: AtStation) -> Verified:
     """Return what the verifier finds in the code of a task text."""
-    found = _kept(db, Question.VERIFIED, name, at)
-    if isinstance(found, Verified):
+    found = read_as(Verified, _kept(db, Question.VERIFIED, name, at))
+    if found is not None:
         return found
-    code = db.ask(translated, name, at).icr
-    return Verified(tuple(icr.verify(code)) if code is not None else ())
+    made_code = db.ask(program, name, at)
+    return Verified(tuple(icr.verify(made_code)) if made_code is not None else ())
 
 
 ANSWERS: Mapping[Question, Callable[[Database, str, AtStation], object]] = MappingProxyType(
-    {Question.TRANSLATED: translated, Question.VERIFIED: verified}
+    {Question.TRANSLATED: translated, Question.CODE: program, Question.VERIFIED: verified}
 )
 """The functions whose answers are kept."""
 
@@ -208,15 +241,11 @@ def key_of(question: Question, content: str) -> str:
     return f"{content}-{question.value}"
 
 
-def _kept(db: Database, question: Question, name: str, at: AtStation) -> object:
+def _kept(db: Database, question: Question, name: str, at: AtStation) -> bytes | None:
     """Return the answer that an earlier process gave; None where there is none."""
     store: KeptAnswers | None = db.read(KEPT)
     content = db.ask(content_of, name, at) if store is not None else ""
-    found = store.find(key_of(question, content)) if store is not None and content else None
-    try:
-        return read(found) if found is not None else None
-    except UnknownFormError:
-        return None
+    return store.find(key_of(question, content)) if store is not None and content else None
 
 
 def checked(db: Database, name: str, at: AtStation) -> CheckedText:
@@ -228,44 +257,44 @@ def checked(db: Database, name: str, at: AtStation) -> CheckedText:
     if name.endswith(".icr"):
         return CheckedText(text, db.ask(compiled, name, at).diagnostics)
     one = db.ask(translated, name, at)
-    missing = () if one.icr is None else unbound(one.icr, text, *_station(db, at))
+    missing = () if one.header is None else unbound(one.header, text, *_station(db, at))
     more = (*missing, *db.ask(other_tasks, name, at.cell))
     return CheckedText(text, (*one.diagnostics, *more), one.tasks, one.variables)
 
 
+@always_new
 def compiled(db: Database, name: str, at: AtStation) -> CompiledProgram:
     """Return a program with its verified code."""
     text = _text(db, name)
     if not name.endswith(".icr"):
-        one = db.ask(translated, name, at)
         found = db.ask(checked, name, at).diagnostics
-        told = len(one.diagnostics)
-        return CompiledProgram(
-            text, one.icr, (*found[:told], *db.ask(verified, name, at).diagnostics, *found[told:])
-        )
-    code, found = icr.read_text(text.text, name)
-    if code is not None:
-        found = (*found, *icr.verify(code), *unbound(code, text, *_station(db, at)))
-    return CompiledProgram(text, code, found)
+        told = len(db.ask(translated, name, at).diagnostics)
+        every = (*found[:told], *db.ask(verified, name, at).diagnostics, *found[told:])
+        return CompiledProgram(text, db.ask(code, name, at), every)
+    written_code, found = icr.read_text(text.text, name)
+    if written_code is None:
+        return CompiledProgram(text, None, found)
+    found = (*found, *icr.verify(written_code), *unbound(written_code, text, *_station(db, at)))
+    return CompiledProgram(text, language.Code.known(written_code), found)
 
 
 def code_id(db: Database, name: str, at: AtStation) -> str:
     """Return the identity of the code of a program, empty where it has errors."""
-    code = db.ask(translated, name, at).icr
-    return icr.program_id(code) if code is not None else ""
+    found = db.ask(program, name, at)
+    return icr.program_id(found) if found is not None else ""
 
 
 def code_lines(db: Database, name: str, at: AtStation) -> tuple[int, ...]:
     """Return the lines of the instructions of a program, see `icr.code_lines`; none if it has errors."""
-    code = db.ask(translated, name, at).icr
-    return icr.code_lines(code) if code is not None else ()
+    found = db.ask(program, name, at)
+    return icr.code_lines(found) if found is not None else ()
 
 
 @always_new
 def targets(db: Database, name: str, at: AtStation) -> Mapping[int, Resolved] | None:
     """Return where the moves of each line (from 1) go first; None for a text that has errors."""
-    code = db.ask(translated, name, at).icr
-    return targets_by_line(code, db.ask(environment, at)) if code is not None else None
+    found = db.ask(program, name, at)
+    return targets_by_line(found, db.ask(environment, at)) if found is not None else None
 
 
 def outline(db: Database, name: str) -> language.Outline:

@@ -110,7 +110,7 @@ class Workspace:
         """Return the findings of a text at all stations that run it, by name, one at least; quickly."""
         self._give(text)
         for one in at.values():
-            self._ask_for(text, one, Question.TRANSLATED)
+            self._ask_for(text, one, Question.TRANSLATED, Question.CODE)
         found = {name: self._db.ask(questions.checked, text.name, one) for name, one in at.items()}
         return at_stations(found)
 
@@ -160,8 +160,9 @@ class Workspace:
             key = questions.key_of(question, content)
             if self._kept is not None and content and self._kept.find(key) is None:
                 answer = self._db.ask(questions.ANSWERS[question], name, at)
-                with suppress(UnknownFormError):
-                    self._kept.keep(key, written(answer))
+                if answer is not None:
+                    with suppress(UnknownFormError):
+                        self._kept.keep(key, written(answer))
 
     def forget(self, name: str) -> None:
         """Let go of a text that nobody looks at any more."""

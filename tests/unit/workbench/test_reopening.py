@@ -136,7 +136,7 @@ def test_answers_of_other_kinds_are_not_taken(reopened: Reopened) -> None:
 @pytest.mark.parametrize("path", GOLDEN, ids=lambda path: path.stem)
 def test_an_answer_has_a_form_that_gives_it_back(path: Path) -> None:
     made = language.compile(path.read_text("utf-8"), CELL, path.name)
-    answer = Translation(made.icr, made.diagnostics, made.tasks, made.variables)
+    answer = Translation(None, made.diagnostics, made.tasks, made.variables)
     content = written((answer, CELL, 0.0, -0.0, 1, True, 1.0, float("inf")))
     again = read(content)
     assert is_same(again, (answer, CELL, 0.0, -0.0, 1, True, 1.0, float("inf")))

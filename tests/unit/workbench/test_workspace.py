@@ -68,7 +68,22 @@ def test_a_comment_in_the_cell_file_compiles_nothing(watched: Watched) -> None:
 
 def test_an_edit_of_a_program_does_not_read_the_cell(watched: Watched) -> None:
     watched.opened(main=text_of(watched, "programs/main.task") + "\nopen\n")
-    assert set(watched.ran()) == {"translated", "checked", "compiled"}
+    assert set(watched.ran()) == {"made", "code", "program", "checked", "compiled"}
+
+
+def test_findings_of_an_edit_need_no_program() -> None:
+    workspace = Workspace()
+    workspace.watch()
+    at = workspace.at(CELL, "c", "")
+    for text in (PROGRAM.text, PROGRAM.text.replace("mov", "lin")):
+        events = workspace.events
+        assert events is not None
+        events.clear()
+        assert workspace.checked(SourceText("p.task", text), {"": at}).diagnostics == ()
+        ran = {one.function for one in events if one.outcome is Outcome.RAN}
+        assert {"made", "checked"} <= ran
+        assert not ran & {"code", "program", "verified", "compiled"}
+    assert workspace.compiled(SourceText("p.task", text), at).icr is not None
 
 
 def test_what_the_cell_names_reaches_the_programs(watched: Watched) -> None:

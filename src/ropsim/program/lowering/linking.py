@@ -87,16 +87,15 @@ def axes_of(parts: Iterable[Lowered | Usage]) -> int | None:
     return told or (1 if needs_one else None)
 
 
-def axes_with_starts(axes: int | None, made: Iterable[tuple[Lowered, icr.Procedure]]) -> int | None:
+def axes_with_starts(axes: int | None, starts: Iterable[Sequence[icr.Step]]) -> int | None:
     """Return how many joint coordinates the values of a program have, those of its starts among them.
 
     Args:
         axes: the same without the starts.
-        made: procedures and what became of them, at least those that begin with giving values.
+        starts: what gives values to variables at the beginning of procedures.
     """
     if axes is not None:
         return axes
-    starts = (ready.code[: len(ready.code) - len(one.code)] for one, ready in made)
     return 1 if any(_is_joints(step) for start in starts for step in start) else None
 
 

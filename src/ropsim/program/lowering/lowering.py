@@ -59,7 +59,8 @@ def lower_with_findings(program: Program, source: str) -> tuple[icr.Program, tup
         findings += findings_of(one, missing, known.globals, places)
         procedure = started(drafts[name], missing, known.globals, axes)
         made.append(replace(procedure, lines=placed_lines(one, procedure, places)))
-    axes = axes_with_starts(axes, zip(lowered.values(), made, strict=True))
+    pairs = zip(lowered.values(), made, strict=True)
+    axes = axes_with_starts(axes, (one.code[: len(one.code) - len(draft.code)] for draft, one in pairs))
     usage, variables = joint_usage(lowered.values()), declared_of(program.main_locals)
     return linked(program, usage, tuple(made), axes, variables, source), findings
 
