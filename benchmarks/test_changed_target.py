@@ -11,6 +11,7 @@ from typing import Any
 import pytest
 from measuring import Measure
 
+from ropsim.core import keep_from_collection
 from ropsim.flow import Fidelity, Recording
 from ropsim.simulation import KeptRuns, RunOptions
 from ropsim.workbench import Workspace, open_overlaid
@@ -48,7 +49,9 @@ class Programmer:
         project = self._opened(lines)
         self.known.begin()
         recording = project.simulate(options=self.known.used_in(RunOptions(fidelity, record_hz=50)))
-        return process_time() - start, recording
+        seconds = process_time() - start
+        keep_from_collection()  # as the studio's worker does when it has answered
+        return seconds, recording
 
 
 @pytest.mark.parametrize("fidelity", list(Fidelity))

@@ -9,7 +9,7 @@ from ropsim.flow import Channel, ChannelGroup
 from ropsim.model import Device, Joint, JointType, RobotModel
 from ropsim.simulation.servo.log import ARM_COLUMNS, REFERENCE_COLUMNS, LogLayout, recorded
 from ropsim.simulation.track import Track
-from ropsim.spatial import Array, frozen, quaternions_from_matrices
+from ropsim.spatial import Array, frozen
 
 _ERROR = Column("q_error", "{q}", "reference minus attained joint coordinates")
 _COORDINATE = {JointType.REVOLUTE: "rad", JointType.PRISMATIC: "m"}
@@ -87,15 +87,15 @@ def track_channel(station: str, name: str, track: Track, last: int, control_hz: 
     return Channel(frozen(values), unit, (), text or "signal of the cell", group, subject, times)
 
 
-def pose_channels(station: str, kind: str, matrices: Array) -> dict[str, Channel]:
+def pose_channels(station: str, kind: str, matrices: Array, orientation: Array) -> dict[str, Channel]:
     """Return position and orientation of the TCP, by quantity.
 
     Args:
         station: name of the station whose TCP it is.
         kind: `attained` or `command`.
         matrices: poses X_BT, shape (rows, 4, 4).
+        orientation: the same as unit quaternions, shape (rows, 4).
     """
-    orientation = quaternions_from_matrices(matrices[:, :3, :3])
     return {
         f"{kind}_position": Channel(
             np.ascontiguousarray(matrices[:, :3, 3]),

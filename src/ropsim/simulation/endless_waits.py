@@ -30,10 +30,13 @@ def are_endless(run: CellRun, options: RunOptions) -> bool:
         run: the cell, between two steps of its stations.
         options: of the run.
     """
-    stations = [run.stations[name] for name in run.at_work]
-    waiting = [at for at in stations if not is_endless_hold(run, at)]
-    if not all(_waits(at) and is_needed(run, at) for at in waiting):
-        return False
+    waiting = []
+    for name in run.at_work:  # asked at every step, of which nearly all find one that goes on
+        at = run.stations[name]
+        if not is_endless_hold(run, at):
+            if not (_waits(at) and is_needed(run, at)):
+                return False
+            waiting.append(at)
     if run.watch.may_press or run.stop_tick is not None:
         return False
     if not waiting:

@@ -108,6 +108,8 @@ class Follower:
 
     def blended(self, since: int, end: int) -> int:
         """Return for how many control ticks between two ticks the motion was within a zone."""
+        if not self.plan.blends:
+            return 0
         come = int(self.clock.place)
         blends = [(first, min(last, come)) for first, last in self.plan.blends if first < come]
         spans = [(self.tick_at(first), self.tick_at(last)) for first, last in blends]

@@ -64,9 +64,9 @@ class KeptResults(Generic[V]):
         """
         before = self._entries.pop(key, None)
         self._room += before.size if before else 0
-        if size > self._room and self._dropped < self._run:
-            self._dropped = self._run
+        if size > self._room and self._dropped < self._run:  # once: in a run nothing becomes older
             self._drop(self._run - 1)
+            self._dropped = self._run
         if size <= self._room:
             self._entries[key] = _Entry(value, size, self._run)
             self._room -= size

@@ -8,6 +8,7 @@ from ropsim.simulation.fields import fields
 from ropsim.simulation.past import Past
 from ropsim.simulation.row_log import MOST_ROWS, RowLog
 from ropsim.simulation.tally import Tally
+from ropsim.simulation.tally_kernel import enter_rows
 from ropsim.spatial import Array
 
 
@@ -22,7 +23,7 @@ class KinematicPlant:
     """
 
     def __init__(self, robot: RobotModel, q: Array, record_ticks: int, most_rows: int = MOST_ROWS) -> None:
-        self._lower, self._upper = robot.lower_limits, robot.upper_limits
+        self._limits = np.array((robot.lower_limits, robot.upper_limits))
         self._q = np.array(q)
         self._qd = np.zeros(len(q))
         self._stands = False  # since it was judged where it is
@@ -67,7 +68,7 @@ class KinematicPlant:
         table[row : self._log.rows, n:] = reference.qd[due]
         self._judge(reference.q, reference.qd)
         self._past.enter(self._tick + 1, reference.q)
-        self._q, self._qd = np.array(reference.q[-1]), np.array(reference.qd[-1])
+        self._q, self._qd = reference.q[-1], reference.qd[-1]
         self._stands = False
         self._tick += reference.ticks
 
@@ -86,10 +87,8 @@ class KinematicPlant:
 
     def _judge(self, q: Array, qd: Array) -> None:
         """Enter coordinates and speeds of the next ticks, shape (k, n) each, into the tally."""
-        if (q > self._upper).any() or (q < self._lower).any():
-            beyond = np.maximum(np.maximum(q - self._upper, self._lower - q), 0.0)
-            self._tally.enter(self._tick + 1, beyond)
-        self._tally.enter(self._tick + 1, qd, first=q.shape[1])
+        rows, speeds = np.ascontiguousarray(q), np.ascontiguousarray(qd)
+        enter_rows(rows, speeds, self._limits, self._tally.table, self._tick + 1.0)
 
     def q_at(self, tick: float) -> Array:
         """Return the joint coordinates at a tick that is not forgotten [rad | m], shape (n,)."""

@@ -16,6 +16,7 @@ from ropsim.simulation.channels import (
 from ropsim.simulation.station_run import StationRun
 from ropsim.simulation.track import Track
 from ropsim.simulation.watch import RunView
+from ropsim.spatial import quaternions_from_matrices
 
 
 def live_sample(run: RunView, time: float) -> Mapping[str, Channel]:
@@ -49,12 +50,12 @@ def _station_sample(at: StationRun, tick: float) -> dict[str, Channel]:
     robot = at.station.robot
     log = {name: values[np.newaxis] for name, values in at.plant.at(tick).items()}
     log["q_error"] = log["q_ref"] - log["q"]
-    X_MT = at.tool_frames.at(tick).matrix()
-    name = at.station.name
+    X_MT, name = at.tool_frames.at(tick).matrix(), at.station.name
+    attained, command = (forward_batch(robot, log[one]) @ X_MT for one in ("q", "q_ref"))
     return {
         **joint_channels(name, robot, log),
-        **pose_channels(name, "attained", forward_batch(robot, log["q"]) @ X_MT),
-        **pose_channels(name, "command", forward_batch(robot, log["q_ref"]) @ X_MT),
+        **pose_channels(name, "attained", attained, quaternions_from_matrices(attained[:, :3, :3])),
+        **pose_channels(name, "command", command, quaternions_from_matrices(command[:, :3, :3])),
         **{one: _held(name, one, at.tracks[one], tick) for one in sorted(at.tracks)},
     }
 

@@ -51,7 +51,7 @@ from ropsim.simulation.station_facts import station_facts, with_law
 from ropsim.simulation.station_run import StationRun
 from ropsim.simulation.track import Track
 from ropsim.simulation.verdicts import verdicts
-from ropsim.spatial import Array
+from ropsim.spatial import Array, quaternions_from_matrices
 from ropsim.version import __version__
 
 
@@ -109,10 +109,11 @@ def _station_channels(at: StationRun, logged: Mapping[str, Array], rows: Array) 
         }
     log["q_error"] = log["q_ref"] - log["q"]
     robot, X_MT = at.station.robot, at.tool_frames.rows(ticks)
-    attained, command = (forward_batch(robot, log[name]) @ X_MT for name in ("q", "q_ref"))
+    attained = forward_batch(robot, log["q"]) @ X_MT
+    command = attained if log["q_ref"] is log["q"] else forward_batch(robot, log["q_ref"]) @ X_MT
     points = without_corrections(at.paths, ticks, attained[:, :3, 3], command[:, :3, :3])
     error = path_errors(at.paths, ticks, log["q"], points)
-    name, last = at.station.name, at.tick
+    name, last, turned = at.station.name, at.tick, _turned(attained)
     carried = {}
     if any(span.correction for span in at.paths):
         carried["correction"] = correction_channel(name, corrections(at.paths, ticks))
@@ -123,12 +124,16 @@ def _station_channels(at: StationRun, logged: Mapping[str, Array], rows: Array) 
     held = {one: track_channel(name, one, at.tracks[one], last, at.hz) for one in sorted(at.tracks)}
     return {
         **joint_channels(name, robot, log),
-        **pose_channels(name, "attained", attained),
-        **pose_channels(name, "command", command),
+        **pose_channels(name, "attained", attained, turned),
+        **pose_channels(name, "command", command, turned if command is attained else _turned(command)),
         "path_error": path_error_channel(name, error),
         **carried,
         **held,
     }
+
+
+def _turned(matrices: Array) -> Array:
+    return quaternions_from_matrices(matrices[:, :3, :3])
 
 
 def _facts(run: CellRun, programs: Mapping[str, Program], options: RunOptions, arrived: Arrivals) -> RunFacts:
@@ -215,8 +220,8 @@ def path_errors(paths: list[PathSpan], ticks: Array, q: Array, attained: Array) 
         Distances [m], shape (k,), in the sense of path accuracy AT_p of ISO 9283 for one cycle.
     """
     errors = np.full(len(ticks), np.nan)
-    for span in paths:
-        first, last = np.searchsorted(ticks, [span.start, span.end], side="right")
+    places = np.searchsorted(ticks, [(span.start, span.end) for span in paths], side="right").tolist()
+    for span, (first, last) in zip(paths, places, strict=True):
         if last > first:
             points = attained[first:last]
             seen = span.frame.positions(q[first:last], points) if span.frame else points
@@ -227,14 +232,14 @@ def path_errors(paths: list[PathSpan], ticks: Array, q: Array, attained: Array) 
 def _with_errors(events: list[Event], at: StationRun, rows: Array, errors: Array) -> list[Event]:
     """Return the events; moves with a path of the tool get the largest path error on their way."""
     ticks = rows / at.cell_ticks
+    spans = [(one.start, one.settled) for one in at.moves]
+    places = np.searchsorted(ticks, spans, side="right").tolist()
 
     def with_error(event: Event) -> Event:
         if not isinstance(event, MoveEvent) or event.motion == MotionKind.PTP:
             return event
-        move = at.moves[event.ordinal]
-        first, last = np.searchsorted(ticks, [move.start, move.settled], side="right")
-        known = errors[first:last]
-        known = known[~np.isnan(known)]
-        return replace(event, path_error_max=float(np.max(known, initial=0.0)))
+        first, last = places[event.ordinal]
+        most = np.fmax.reduce(errors[first:last], initial=0.0)  # where there is no path it is NaN
+        return replace(event, path_error_max=float(most))
 
     return [with_error(event) for event in events]

@@ -67,4 +67,5 @@ def _work_on(state: CellRun, name: str, programs: Mapping[str, Program]) -> None
         next(state.at_work[name])
     except StopIteration:
         del state.at_work[name]
-    state.findings[known:] = told_at(name, programs, state.findings[known:])
+    if len(state.findings) > known:
+        state.findings[known:] = told_at(name, programs, state.findings[known:])

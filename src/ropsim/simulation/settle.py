@@ -41,14 +41,13 @@ def settle(run: CellRun, at: StationRun, move: MoveInstruction) -> Iterator[None
 
 
 def _is_there(at: StationRun) -> bool:
-    return bool((at.plant.q == at.q_command).all()) and not at.plant.qd.any()
+    return at.plant.q.tolist() == at.q_command.tolist() and not any(at.plant.qd.tolist())
 
 
 def _is_in_position(at: StationRun) -> bool:
-    window = at.station.controller.in_position
-    near = np.abs(at.plant.q - at.q_command) <= window
-    slow = np.abs(at.plant.qd) * SPEED_TIME <= window
-    return bool(near.all() and slow.all())
+    window = at.station.controller.in_position.tolist()
+    joints = zip(at.plant.q.tolist(), at.q_command.tolist(), at.plant.qd.tolist(), window, strict=True)
+    return all(abs(q - wanted) <= most and abs(qd) * SPEED_TIME <= most for q, wanted, qd, most in joints)
 
 
 def _not_in_position(at: StationRun, move: MoveInstruction) -> Diagnostic:

@@ -3,6 +3,7 @@
 import numpy as np
 
 from ropsim.simulation.fields import Field
+from ropsim.simulation.tally_kernel import merge_tables
 from ropsim.spatial import Array
 
 
@@ -56,11 +57,7 @@ class Tally:
             tick: from which the ticks of the other one are counted.
             table: of the other one, see `since`, shape (4, width).
         """
-        grown = table[0] > self._table[0]
-        self._table[0, grown], self._table[1, grown] = table[0, grown], tick + table[1, grown]
-        full = table[2] > 0.0
-        self._table[2] += table[2]
-        self._table[3, full] = tick + table[3, full]
+        merge_tables(self._table, table, float(tick))
 
     def enter(self, tick: int, rows: Array, full: Array | None = None, first: int = 0) -> None:
         """Enter the rows of the ticks from `tick` on.

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 
 import pytest
 
-from ropsim.core import kept_from_collection
+from ropsim.core import keep_from_collection, kept_from_collection
 from ropsim.core.without_collection import MANY
 
 
@@ -54,3 +54,14 @@ def test_where_others_have_switched_the_search_off_it_stays_off() -> None:
         made = [[k] for k in range(10)]
     assert len(made) == 10
     assert not gc.isenabled()
+
+
+def test_what_there_is_between_two_jobs_is_not_looked_at_any_more_but_circles_have_gone(kept: int) -> None:
+    remembered = [[k] for k in range(1_000)]
+    circles: list[list[object]] = [[] for _ in range(1_000)]
+    for one in circles:
+        one.append(one)
+    del circles[:], one
+    keep_from_collection()
+    assert looked_at() < len(remembered) // 10
+    assert abs(gc.get_freeze_count() - kept - len(remembered)) < len(remembered) // 10

@@ -7,11 +7,13 @@ import numpy as np
 import pytest
 
 import ropsim
+from ropsim.dynamics import structure_of
 from ropsim.flow import Recording
 from ropsim.model import Payload
 from ropsim.simulation import KeptRuns, RunOptions, Servo
 from ropsim.simulation.plant import constant
 from ropsim.simulation.servo.kept_drives import KeptDrives, driven_anew
+from ropsim.simulation.servo.log import LogLayout
 from ropsim.simulation.servo.recorder import Recorder
 from ropsim.workbench import Project, Workspace, open_overlaid, open_project
 
@@ -57,6 +59,12 @@ def test_a_run_of_what_is_known_simulates_nothing(workspace: Workspace, known: K
     assert known.drives.anew > 0
     again = run(opened(LINES, workspace), known)
     assert (known.drives.anew, known.plans.anew, again) == (0, [], first)
+
+
+def test_rows_of_plans_are_not_kept_a_second_time(workspace: Workspace, known: KeptRuns) -> None:
+    run(opened(LINES, workspace), known)
+    robot = known.cell.first.robot
+    assert known.drives.used == known.drives.anew * 8 * LogLayout.of(structure_of(robot).drives).width
 
 
 @pytest.mark.parametrize("shift", [3, 7, 11, 13])

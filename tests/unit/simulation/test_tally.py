@@ -12,6 +12,7 @@ from ropsim.model import Payload, Tool
 from ropsim.simulation import RunOptions, Servo, run
 from ropsim.simulation.servo.judged import full_values
 from ropsim.simulation.tally import Tally
+from ropsim.simulation.tally_kernel import enter_rows
 from ropsim.workbench import environment_of
 from support.cells import one_station
 from support.servo_cases import GOAL, START, part, puma, quintic
@@ -97,3 +98,20 @@ def test_what_was_entered_by_arrays_is_what_was_entered_one_by_one() -> None:
         single.enter(5 + number, row[None], full)
     np.testing.assert_array_equal(whole.table, single.table)
     np.testing.assert_array_equal(whole.table, [[3.0, 1.0], [6.0, 5.0], [0.0, 3.0], [0.0, 8.0]])
+
+
+def test_the_ideal_arm_is_judged_by_its_ways_beyond_and_its_speeds() -> None:
+    """In slices as in one; the first tick of the largest value counts."""
+    chosen = np.random.default_rng(4)
+    limits = np.array([[-1.0, -2.0, -0.5], [1.0, 2.0, 0.5]])
+    q, qd = chosen.normal(scale=1.2, size=(50, 3)), chosen.normal(size=(50, 3))
+    q[[7, 30], 0], qd[[5, 40], 2] = 9.0, -8.0
+    table = np.zeros((4, 6))
+    for first, last in pairwise((0, 13, 14, 50)):
+        enter_rows(q[first:last], qd[first:last], limits, table, 100.0 + first)
+    beyond = np.maximum(np.maximum(q - limits[1], limits[0] - q), 0.0)
+    judged = np.column_stack((beyond, np.abs(qd)))
+    np.testing.assert_array_equal(table[0], judged.max(axis=0))
+    np.testing.assert_array_equal(table[1], 100 + judged.argmax(axis=0))
+    assert tuple(table[1, [0, 5]]) == (107, 105)
+    assert not table[2:].any()

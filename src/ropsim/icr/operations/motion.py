@@ -2,13 +2,17 @@
 
 import math
 from dataclasses import replace
+from typing import NamedTuple
 
+from ropsim.core import maker
 from ropsim.flow import (
     GripAction,
     GripInstruction,
     Instruction,
+    ModalState,
     MotionKind,
     MoveInstruction,
+    PostureRequest,
     Side,
     SyncInstruction,
     Trigger,
@@ -25,9 +29,21 @@ from ropsim.icr.world import World
 from ropsim.spatial import Pose, quaternion
 
 
+class _AtPose(NamedTuple):
+    """What is said with a pose that a move goes to; see `MoveInstruction`."""
+
+    external: tuple[float, ...] = ()
+    via: tuple[Pose, ...] = ()
+    posture: PostureRequest | None = None
+
+
+_NOTHING = _AtPose()
+_move = maker(MoveInstruction)
+
+
 def _move_joints(registers: Registers, _world: World, site: Site) -> Instruction:
     registers.commanded = None
-    return _told(registers, site, MotionKind.PTP, registers.stack.pop())
+    return _told(registers, site, MotionKind.PTP, registers.stack.pop(), registers.modal)
 
 
 def _move_pose(registers: Registers, _world: World, site: Site) -> Instruction:
@@ -63,20 +79,24 @@ def _moved(
     registers: Registers, site: Site, kind: MotionKind, points: tuple[Location, ...]
 ) -> MoveInstruction:
     """Return a move through points to the last one of them."""
-    *via, target = points
+    via, target = points[:-1], points[-1]
     for point in via:
         _check_via(site.mnemonic, point, target)
-    registers.commanded = Commanded(target, registers.modal)
-    X_KT, *X_KV = (Pose.from_tuple(pose_part(one)) for one in (target, *via))
-    move = _told(registers, site, kind, X_KT)
-    tag = tag_of(target)
-    modal = move.modal if tag is None else replace(move.modal, frame=tag.name, X_BK=tag.X_BK)
-    external, posture = external_part(target), posture_of(target)
-    return replace(move, modal=modal, external=external, via=tuple(X_KV), posture=posture)
+    registers.commanded = Commanded(target, modal := registers.modal)
+    X_KT, *X_KV = [Pose.from_tuple(pose_part(one)) for one in (target, *via)]
+    if (tag := tag_of(target)) is not None:
+        modal = replace(modal, frame=tag.name, X_BK=tag.X_BK)
+    more = _AtPose(external_part(target), tuple(X_KV), posture_of(target))
+    return _told(registers, site, kind, X_KT, modal, more)
 
 
 def _told(
-    registers: Registers, site: Site, kind: MotionKind, target: Pose | tuple[float, ...] | None
+    registers: Registers,
+    site: Site,
+    kind: MotionKind,
+    target: Pose | tuple[float, ...] | None,
+    modal: ModalState,
+    more: _AtPose = _NOTHING,
 ) -> MoveInstruction:
     """Return a move with all that has been said about the next one.
 
@@ -88,9 +108,8 @@ def _told(
     if guard is not None or tracking is not None:
         registers.commanded = None
     origin = registers.origin(site.key, site.span)
-    return MoveInstruction(
-        kind, target, registers.modal, origin, triggers=triggers, guard=guard, tracking=tracking
-    )
+    external, via, posture = more
+    return _move(kind, target, modal, origin, external, via, None, triggers, guard, posture, tracking)
 
 
 def _check_via(name: str, point: Location, target: Location) -> None:
@@ -113,7 +132,7 @@ def _check_via(name: str, point: Location, target: Location) -> None:
 
 def _home(registers: Registers, _world: World, site: Site) -> Instruction:
     registers.commanded = None
-    return _told(registers, site, MotionKind.PTP, None)
+    return _told(registers, site, MotionKind.PTP, None, registers.modal)
 
 
 def _trigger(registers: Registers, _world: World, site: Site) -> None:

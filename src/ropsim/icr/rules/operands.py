@@ -2,7 +2,7 @@
 
 import math
 from collections import ChainMap
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Mapping
 
 from ropsim.core import Diagnostic, Span, did_you_mean, near
 from ropsim.icr import diagnostics as kinds
@@ -22,6 +22,7 @@ _SHARES = {"SPD.PTP", "ACC.PTP"}
 _SPEEDS = _SHARES | {"SPD.LIN", "SPD.ORI", "ACC.LIN", "ACC.ORI", "JERK"}
 _POSITIVE = _SPEEDS | {"MOVE.CIRC.A", "TRACK"}
 _SETTERS = {"OUT", "TRIG.DIST", "TRIG.TIME"}
+_OF_CHANNELS = _SETTERS | {"WAIT.IN", "GUARD", "TRACK"}
 _NOT_NEGATIVE = {"ZONE.DIST", "WAIT.T", "TRIG.DIST", "TRIG.TIME"}
 
 
@@ -39,29 +40,41 @@ def setting_fault(mnemonic: str, value: float) -> str:
 def check_operands(program: Program, procedure: Procedure) -> Iterator[Diagnostic]:
     """Yield the faults of single instructions of a procedure."""
     names = _names(program, procedure)
-    for index, step in enumerate(procedure.code):
-        place = text_place(program, procedure, index)
-        opcode = OPCODES.get(step.mnemonic)
-        if opcode is None:
-            close = near(step.mnemonic, OPCODES)
-            hint = "near: " + ", ".join(f"`{name}`" for name in close) if close else ""
-            yield kinds.OPCODE_UNKNOWN.at(place, f"unknown instruction `{step.mnemonic}`", hint=hint)
-        elif len(step.operands) != len(opcode.operands):
-            message = f"`{step.mnemonic}` has {len(step.operands)} operands, allowed: {len(opcode.operands)}"
-            yield kinds.OPERAND_WRONG.at(place, message)
-        else:
-            for kind, operand in zip(opcode.operands, step.operands, strict=True):
-                if kind is OperandKind.CONSTANT:
-                    yield from _check_pushed(operand, place)
-                elif kind is OperandKind.POSTURE:
-                    if not isinstance(operand, str) or not POSTURE.match(operand):
-                        message = f"`POSTURE` has operand {operand!r}, allowed are words with - between"
-                        yield kinds.OPERAND_WRONG.at(place, message)
-                elif kind in names:
-                    yield from _check_name(step, kind, operand, names[kind], place)
-                else:
-                    yield from _check_number(step, kind, operand, len(procedure.code), place)
-            yield from _check_use(program, procedure, index, place)
+    for index in range(len(procedure.code)):
+        if next(_faults(program, procedure, names, index, None), None):  # nobody asks where right ones stand
+            yield from _faults(program, procedure, names, index, text_place(program, procedure, index))
+
+
+def _faults(
+    program: Program,
+    procedure: Procedure,
+    names: Mapping[OperandKind, Collection[str]],
+    index: int,
+    place: Span | None,
+) -> Iterator[Diagnostic]:
+    """Yield the faults of an instruction, told at a place."""
+    step = procedure.code[index]
+    opcode = OPCODES.get(step.mnemonic)
+    if opcode is None:
+        close = near(step.mnemonic, OPCODES)
+        hint = "near: " + ", ".join(f"`{name}`" for name in close) if close else ""
+        yield kinds.OPCODE_UNKNOWN.at(place, f"unknown instruction `{step.mnemonic}`", hint=hint)
+    elif len(step.operands) != len(opcode.operands):
+        message = f"`{step.mnemonic}` has {len(step.operands)} operands, allowed: {len(opcode.operands)}"
+        yield kinds.OPERAND_WRONG.at(place, message)
+    else:
+        for kind, operand in zip(opcode.operands, step.operands, strict=True):
+            if kind is OperandKind.CONSTANT:
+                yield from _check_pushed(operand, place)
+            elif kind is OperandKind.POSTURE:
+                if not isinstance(operand, str) or not POSTURE.match(operand):
+                    message = f"`POSTURE` has operand {operand!r}, allowed are words with - between"
+                    yield kinds.OPERAND_WRONG.at(place, message)
+            elif kind in names:
+                yield from _check_name(step, kind, operand, names[kind], place)
+            else:
+                yield from _check_number(step, kind, operand, len(procedure.code), place)
+        yield from _check_use(program, procedure, index, place)
 
 
 def check_constant(constant: Constant, place: Span | None, what: str) -> Iterator[Diagnostic]:
@@ -127,7 +140,8 @@ def _check_use(
 ) -> Iterator[Diagnostic]:
     """Check what needs more than one operand: kinds of channels, constants given to modal instructions."""
     step = procedure.code[index]
-    channel = program.channel(str(step.operands[-1])) if step.operands else None
+    names_one = step.mnemonic in _OF_CHANNELS and step.operands
+    channel = program.channel(str(step.operands[-1])) if names_one else None
     if step.mnemonic in _SETTERS and channel and not channel.is_output:
         message = f"`{step.mnemonic}` needs an output, `{channel.name}` is {channel.kind}"
         yield kinds.OPERAND_WRONG.at(place, message)

@@ -3,7 +3,7 @@
 import contextlib
 from multiprocessing.connection import Connection
 
-from ropsim.core import RopsimError
+from ropsim.core import RopsimError, keep_from_collection
 from ropsim.studio.desk.desk import Desk
 from ropsim.studio.desk.line import Cancelled, Line
 from ropsim.studio.desk.mailbox import Mailbox, StopAsked, given_up
@@ -26,6 +26,7 @@ def main(connection: Connection) -> None:
             mailbox.answer(number, answered(desk, job, mailbox.line(number)))
             desk.warm()
             desk.workspace.keep()
+            keep_from_collection()
 
 
 def answered(desk: Desk, job: Job, line: Line) -> Reply:

@@ -1,0 +1,46 @@
+"""Running maxima of what a run is judged by, in plain loops that numba compiles."""
+
+from ropsim.codegen import kernel
+from ropsim.spatial import Array
+
+
+@kernel("void(f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8)")
+def enter_rows(q: Array, qd: Array, limits: Array, table: Array, tick: float) -> None:
+    """Enter the ways beyond the ranges of the joints, and their speeds, into the table of a tally.
+
+    Args:
+        q: coordinates at ticks in a row [rad | m], shape (ticks, n).
+        qd: speeds at these [rad/s | m/s], shape (ticks, n).
+        limits: of the coordinates, the lower ones first [rad | m], shape (2, n).
+        table: of the tally, ways and then speeds, shape (4, 2·n); see `Tally.table`.
+        tick: of the first row.
+    """
+    n = q.shape[1]
+    for k in range(q.shape[0]):
+        for j in range(n):
+            beyond = max(q[k, j] - limits[1, j], limits[0, j] - q[k, j])
+            if beyond > table[0, j]:
+                table[0, j] = beyond
+                table[1, j] = tick + k
+            speed = abs(qd[k, j])
+            if speed > table[0, n + j]:
+                table[0, n + j] = speed
+                table[1, n + j] = tick + k
+
+
+@kernel("void(f8[:,::1], f8[:,::1], f8)")
+def merge_tables(table: Array, other: Array, tick: float) -> None:
+    """Enter the table of another tally, of ticks behind those that have been entered.
+
+    Args:
+        table: of the tally, shape (4, width); see `Tally.table`.
+        other: of the other one, its ticks counted from its beginning, shape (4, width).
+        tick: of that beginning.
+    """
+    for j in range(table.shape[1]):
+        if other[0, j] > table[0, j]:
+            table[0, j] = other[0, j]
+            table[1, j] = tick + other[1, j]
+        table[2, j] += other[2, j]
+        if other[2, j] > 0.0:
+            table[3, j] = tick + other[3, j]
