@@ -10,9 +10,11 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import fields, is_dataclass
 from enum import Enum
 from functools import partial
-from itertools import accumulate, chain, starmap
+from itertools import chain, starmap
 from operator import sub
-from typing import Any, TypeVar
+from typing import Any, NamedTuple, TypeVar
+
+import numpy as np
 
 from ropsim import icr, language
 from ropsim.core import Diagnostic, Label, RopsimError, Severity, Span, TextEdit, frozen_dataclass
@@ -21,9 +23,24 @@ from ropsim.program import SignalUse
 T = TypeVar("T")
 Row = tuple[int, ...]
 """What a value is made of: its kind, and the rows of its parts."""
-Batch = list[int]
-"""Rows of one kind and size: kind, how many parts each has, and the first parts of all rows, then the second
-ones and so on, each as the difference to the one before it, which mostly is small."""
+_WIDTHS = ("<i1", "<i2", "<i4", "<i8")
+"""Types of numbers in bytes, narrow ones first."""
+
+
+class _Batch(NamedTuple):
+    """Rows of one kind and size.
+
+    Attributes:
+        kind: of the values.
+        size: how many parts each has.
+        steps: the first parts of all rows, then the second ones and so on, each as the difference to the one
+            before it, which mostly is small.
+    """
+
+    kind: int
+    size: int
+    steps: "np.ndarray[Any, np.dtype[np.signedinteger[Any]]]"
+
 
 _TUPLE, _MAPPING, _SET = range(3)
 
@@ -87,19 +104,29 @@ _FIELDS: dict[type, tuple[str, ...]] = {
 }
 
 
+_NO_STEPS = np.zeros(0, "<i1")
+
+
+_WRONG = (ValueError, TypeError, LookupError, AttributeError, ArithmeticError, RecursionError, RopsimError)
+"""What is raised where bytes are no answer."""
+
+
 class UnknownFormError(Exception):
     """Something in a value, or in bytes, has no form here."""
 
 
 def written(value: object) -> bytes:
-    """Return a value as bytes, the same in every process.
+    """Return a value as bytes, the same in every process: a line that tells what follows, and numbers.
 
     Raises:
         UnknownFormError: it holds something of another kind.
     """
     writer = _Writer()
     writer.number(value)
-    return json.dumps([writer.plain_values(), *writer.batches()], separators=(",", ":")).encode()
+    batches = [*writer.batches()]
+    told = [[one.kind, one.size, one.steps.dtype.itemsize, len(one.steps)] for one in batches]
+    head = json.dumps([writer.plain_values(), *told], separators=(",", ":"))
+    return b"".join((head.encode(), b"\n", *(one.steps.tobytes() for one in batches)))
 
 
 def read(content: bytes) -> object:
@@ -108,16 +135,39 @@ def read(content: bytes) -> object:
     Raises:
         UnknownFormError: they were not.
     """
+    head, _, rest = content.partition(b"\n")
     try:
-        plain, *batches = json.loads(content)
+        plain, *told = json.loads(head)
         if not _PLAIN.issuperset(map(type, plain)):
             raise UnknownFormError
         known: list[Any] = [*plain]
-        for batch in batches:
+        for batch in _batches(told, rest):
             known += _made(batch, known)
         return known[-1]
-    except (ValueError, TypeError, LookupError, AttributeError, RecursionError, RopsimError) as error:
+    except _WRONG as error:
         raise UnknownFormError from error
+
+
+def _batches(told: list[Any], rest: bytes) -> Iterator[_Batch]:
+    """Yield the batches of which a head tells."""
+    at = 0
+    for numbers in told:
+        kind, size, width, count = numbers
+        if not _NUMBER.issuperset(map(type, numbers)) or min(numbers) < 0:
+            raise UnknownFormError
+        steps = np.frombuffer(rest, f"<i{width}", count, at) if count else _NO_STEPS
+        yield _Batch(kind, size, steps)
+        at += count * width
+    if at != len(rest):
+        raise UnknownFormError
+
+
+def _narrow(steps: Sequence[int]) -> "np.ndarray[Any, np.dtype[np.signedinteger[Any]]]":
+    """Return numbers in an array of the least width that holds them."""
+    made = np.array(steps, "<i8")
+    least, most = int(made.min(initial=0)), int(made.max(initial=0))
+    kinds = (np.iinfo(one) for one in _WIDTHS)
+    return made.astype(next(one.dtype for one in kinds if one.min <= least and most <= one.max))
 
 
 def read_as(kind: type[T], content: bytes | None) -> T | None:
@@ -129,18 +179,16 @@ def read_as(kind: type[T], content: bytes | None) -> T | None:
     return found if isinstance(found, kind) else None
 
 
-def _made(batch: Batch, known: list[Any]) -> Iterable[object]:
+def _made(batch: _Batch, known: list[Any]) -> Iterable[object]:
     """Return the values of a batch."""
-    if not _NUMBER.issuperset(map(type, batch)):
-        raise UnknownFormError
-    kind, size = batch[:2]
-    places = [*accumulate(batch[2:])]
+    kind, size, steps = batch
+    places = np.cumsum(steps, dtype=np.int64)
     count, rest = divmod(len(places), size) if size else (1, len(places))
-    if kind < 0 or size < 0 or rest or not count or min(places, default=0) < 0:
+    if rest or not count or places.min(initial=0) < 0:
         raise UnknownFormError
-    parts = [*map(known.__getitem__, places)]
+    parts = tuple(map(known.__getitem__, places.tolist()))
     if count == 1:
-        rows: Iterable[tuple[Any, ...]] = (tuple(parts),)
+        rows: Iterable[tuple[Any, ...]] = (parts,)
     else:
         rows = zip(*(parts[at : at + count] for at in range(0, len(parts), count)), strict=True)
     if kind == _TUPLE:
@@ -191,7 +239,7 @@ class _Writer:
         """Return all plain values."""
         return self._values
 
-    def batches(self) -> Iterator[Batch]:
+    def batches(self) -> Iterator[_Batch]:
         """Yield the rows in batches; the last row is that of the first value that was asked for."""
         depths: list[int] = [0] * len(self._rows)
         depths += [0] * len(self._values)  # those of plain values, which are found from behind
@@ -207,7 +255,7 @@ class _Writer:
         for rows in ordered:
             kinds, *columns = zip(*rows, strict=True)
             parts = [numbers[part] for column in columns for part in column]
-            yield [kinds[0], len(columns), *map(sub, parts, (0, *parts[:-1]))]
+            yield _Batch(kinds[0], len(columns), _narrow([*map(sub, parts, (0, *parts[:-1]))]))
 
     def _kind(self, value: object) -> int:
         kind = type(value)

@@ -126,7 +126,16 @@ def test_any_damage_costs_time_only(reopened: Reopened) -> None:
 
 def test_answers_of_other_kinds_are_not_taken(reopened: Reopened) -> None:
     right = reopened.compiled()
-    for content in (b"", b"[]", b"3", b"[1,2]", b'["x",[0,0]]', written(("not", 1)), b"[" * 100_000):
+    for content in (
+        b"",
+        b"[]",
+        b"3",
+        b"[1,2]",
+        b'["x",[0,0]]\n',
+        b"[[1],[0,1,1,1]]\n\x00",
+        written(("not", 1)),
+        b"[" * 100_000,
+    ):
         for path in list(reopened.kept.folder.iterdir()):
             path.unlink()
             reopened.kept.keep(path.name, content)
@@ -167,24 +176,38 @@ def test_any_bytes_are_read_or_refused() -> None:
         b"[[]]",
         b"[[[1]]]",
         b"[[{}]]",
-        b"[[1],[0,1,-1]]",
-        b"[[1],[0,1,1]]",
-        b"[[1],[-1,1,0]]",
-        b"[[1],[0,0,0]]",
-        b"[[1],[0,2,0,0,0]]",
-        b"[[1],[0,9000000000]]",
-        b"[[1],[0,-1,0]]",
-        b'[[1],["a","a","a","a"]]',
-        b"[[1],[0,1,0.0]]",
-        b"[[1],[0,1,false]]",
-        b"[[1],[1,2,0,0]]",
-        b"[[1],[2,1,0]]",
-        b"[[1],0]",
+        b"[[1],[0,1,1,1]]\n\xff",
+        b"[[1],[0,1,1,1]]\n\x01",
+        b"[[1],[0,1,1,1]]\n",
+        b"[[1],[0,1,1,1]]\n\x00\x00",
+        b"[[1],[-1,1,1,1]]\n\x00",
+        b"[[1],[0,0,1,1]]\n\x00",
+        b"[[1],[0,2,1,3]]\n\x00\x00\x00",
+        b"[[1],[0,1,8,1]]\n\xff\xff\xff\xff\xff\xff\xff\x7f",
+        b"[[1],[0,-1,1,1]]\n\x00",
+        b'[[1],["a","a","a","a"]]\n\x00',
+        b"[[1],[0,1,1,1.0]]\n\x00",
+        b"[[1],[0,1,1,true]]\n\x00",
+        b"[[1],[0,1,0,1]]\n",
+        b"[[1],[0,1,3,1]]\n\x00\x00\x00",
+        b"[[1],[0,1,16,1]]\n" + bytes(16),
+        b"[[1],[0,1,1,100000000000000000000]]\n\x00",
+        b"[[1],[0,1,1]]\n\x00",
+        b"[[1],[1,2,1,2]]\n\x00\x00",
+        b"[[1],[2,1,1,1]]\n\x00",
+        b"[[1],0]\n",
     ],
 )
 def test_bytes_that_nobody_wrote_are_refused(content: bytes) -> None:
     with pytest.raises(UnknownFormError):
         read(content)
+
+
+def test_bytes_that_are_refused_are_told_from_those_that_are_not() -> None:
+    assert read(b"[[1],[0,1,1,1]]\n\x00") == (1,)
+    assert read(b"[[1,2],[0,2,2,2]]\n\x01\x00\xff\xff") == (2, 1)
+    wide = tuple(range(70_000))
+    assert read(written((wide, wide[::-1]))) == (wide, wide[::-1])
 
 
 def test_what_has_no_form_is_not_written() -> None:
