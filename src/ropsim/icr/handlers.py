@@ -36,12 +36,14 @@ def store_local(stack: list[Datum], values: list[Datum], index: Datum) -> None:
 
 def load_global(stack: list[Datum], _values: list[Datum], place: Datum) -> None:
     """LOAD of a global; the operand is (all globals, index)."""
-    stack.append(place[0][place[1]])
+    shared, index = place
+    stack.append(shared[index])
 
 
 def store_global(stack: list[Datum], _values: list[Datum], place: Datum) -> None:
     """STORE to a global."""
-    place[0][place[1]] = stack.pop()
+    shared, index = place
+    shared[index] = stack.pop()
 
 
 def _nop(_stack: list[Datum], _values: list[Datum], _operand: Datum) -> None:
@@ -60,16 +62,18 @@ def _swap(stack: list[Datum], _values: list[Datum], _operand: Datum) -> None:
     stack[-1], stack[-2] = stack[-2], stack[-1]
 
 
-def _jump(_stack: list[Datum], _values: list[Datum], target: Datum) -> int:
-    return int(target)
+def _jump(_stack: list[Datum], _values: list[Datum], way: Datum) -> int:
+    """JMP; the operand of jumps is where they lead, and what stands behind them."""
+    target: int = way[0]
+    return target
 
 
-def _jump_if_false(stack: list[Datum], _values: list[Datum], target: Datum) -> int | None:
-    return None if stack.pop() else target
+def _jump_if_false(stack: list[Datum], _values: list[Datum], way: Datum) -> int | None:
+    return None if stack.pop() else way[0]
 
 
-def _jump_if_true(stack: list[Datum], _values: list[Datum], target: Datum) -> int | None:
-    return target if stack.pop() else None
+def _jump_if_true(stack: list[Datum], _values: list[Datum], way: Datum) -> int | None:
+    return way[0] if stack.pop() else None
 
 
 def _add_int(stack: list[Datum], _values: list[Datum], _operand: Datum) -> None:

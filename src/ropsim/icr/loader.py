@@ -23,6 +23,7 @@ from ropsim.spatial import Pose, quaternion
 
 _TYPED = frozenset(("GETC", "SETC", "FMT"))
 """What they do depends on the types of the values that they find."""
+_JUMPS = frozenset(("JMP", "JF", "JT"))
 LEAVE = -1
 """What the handler of an operation returns: no index of an instruction."""
 
@@ -65,7 +66,9 @@ def _code(
             handler = HANDLERS.get(step.mnemonic) or GEOMETRY[step.mnemonic]
             operand = step.operands[0] if step.operands else None
             datum = _value(operand) if isinstance(operand, Constant) else operand
-            if step.mnemonic == "INFRAME":
+            if step.mnemonic in _JUMPS:
+                datum = operand, index + 1
+            elif step.mnemonic == "INFRAME":
                 datum = _frame(program, operand) if operand else None
             code.append((handler, datum))
     return code

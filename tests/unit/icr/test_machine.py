@@ -556,6 +556,25 @@ def test_run_refuses_what_the_verifier_refuses() -> None:
     assert [one.code for one in caught.value.diagnostics] == ["I416"]
 
 
+def test_a_machine_that_falls_off_the_end_of_an_unverified_program_says_so() -> None:
+    machine = Machine(assemble("ICR 1.0 t\nPROC main\n  NOP\n  NOP\nEND\n"), StillWorld())
+    with pytest.raises(UnverifiedError) as caught:
+        machine.advance()
+    assert [one.code for one in caught.value.diagnostics] == ["I420"]
+
+
+def test_a_trap_behind_jumps_and_calls_stands_where_it_came() -> None:
+    text = "PUSH INT 3/STORE n/L0:/LOAD n/PUSH INT 1/SUB.I/STORE n/LOAD n/PUSH INT 0/GT.I/JT L0/CALL p/HALT"
+    rest = "PROC p\n  NOP\n  PUSH INT 1\n  LOAD n\n  DIV.I\n  POP\n  RET\nEND\n"
+    source = "\n".join(("ICR 1.0 t", "VAR n INT", "PROC main", *text.split("/"), "END", rest))
+    found = run(assemble(source))
+    assert found.trap is not None
+    assert found.trap.code == "I460"
+    assert found.trap.span is not None
+    assert found.trap.span.line == source.split("\n").index("  DIV.I") + 1
+    assert found.steps == 2 + 3 * 8 + 1 + 4
+
+
 def test_a_trace_sorts_its_instructions() -> None:
     trace = run(program('HOME/GRIP open -/PUSH BOOL FALSE/OUT lamp/PUSH STR "x"/MSG/SYNC/HALT'))
     assert (len(trace.moves), len(trace.grips), len(trace.io), trace.messages) == (1, 1, 1, ("x",))
