@@ -159,3 +159,21 @@ def test_a_request_that_is_cancelled_is_answered_as_such(tmp_path: Path) -> None
     by_id = {one["id"]: one for one in answers if "id" in one}
     assert by_id[2]["result"]["kind"] == "full"
     assert by_id[3]["error"]["code"] == -32800
+
+
+def test_an_editor_that_shows_results_of_lines_is_told_of_them_behind_the_findings(tmp_path: Path) -> None:
+    folder = new_project(tmp_path / "cell", "first_cell")
+    shows = {"capabilities": {"experimental": {"ropsimLineStates": True}}}
+    program = folder / "programs" / "main.task"
+    text = program.read_text("utf-8")
+    document = {"uri": program.as_uri(), "languageId": "task", "version": 4, "text": text}
+    _, answers, errors = exchange(
+        {"id": 1, "method": "initialize", "params": shows},
+        START[1],
+        {"method": "textDocument/didOpen", "params": {"textDocument": document}},
+    )
+    assert errors == ""
+    findings, lines = answers[-2:]
+    assert findings["method"] == "textDocument/publishDiagnostics"
+    assert (lines["method"], lines["params"]["version"]) == ("ropsim/lineStates", 4)
+    assert {one["state"] for one in lines["params"]["lines"]} == {"none"}

@@ -14,7 +14,10 @@ class RunContent:
         cell: `content` of the work cell; empty where unknown.
         lines: by station, the source line of each instruction of its program, in the order of
             `ropsim.icr.code_lines`; 0 where unknown.
+        results: by station, what the result of each line of its program hangs on, by the number of the line
+            in the order of `ropsim.icr.line_contents`.
     """
 
     cell: str = ""
     lines: Mapping[str, tuple[int, ...]] = field(default_factory=dict)
+    results: Mapping[str, Mapping[int, str]] = field(default_factory=dict)

@@ -3,6 +3,7 @@
 from ropsim.lsp.offered import begun_word as begun_word
 from ropsim.lsp.offered import offered as offered
 from ropsim.lsp.server import answer as answer
+from ropsim.lsp.server import mark as mark
 from ropsim.lsp.server import settle as settle
 from ropsim.lsp.state import State as State
 from ropsim.lsp.transport import serve as serve

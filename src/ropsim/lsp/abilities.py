@@ -21,6 +21,11 @@ def pulls_of(params: object) -> bool:
     return asks and _at(params, ("capabilities", "workspace", "diagnostics", "refreshSupport")) is True
 
 
+def marks_lines_of(params: object) -> bool:
+    """Return whether the editor shows which results of lines are those of the text: it says so itself."""
+    return _at(params, ("capabilities", "experimental", "ropsimLineStates")) is True
+
+
 def _at(value: object, path: Sequence[str]) -> object:
     for key in path:
         value = value.get(key) if isinstance(value, dict) else None

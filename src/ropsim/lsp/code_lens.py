@@ -16,7 +16,7 @@ def code_lenses(
 ) -> list[Json]:
     """Return the times of each task that a recorded run called; none where no run fits the text."""
     run = last_run(document, documents, workshop)
-    if run is None:
+    if run is None or not run.is_of_this_code:
         return []
     durations = run.program.durations
     return [

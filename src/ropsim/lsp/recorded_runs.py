@@ -25,6 +25,8 @@ class RecordedProgram:
         code_lines: the source line of each instruction, as `icr.code_lines` has them; empty where unknown.
         lines: what is told of the lines that took time, by their numbers then.
         cell: content of the cell in which it ran; empty where unknown.
+        source: name of its text.
+        results: what the result of each line hangs on, as `icr.line_contents` has it; empty where unknown.
     """
 
     icr_id: str
@@ -32,6 +34,8 @@ class RecordedProgram:
     code_lines: tuple[int, ...] = ()
     lines: Mapping[int, LineTimes] = field(default_factory=dict)
     cell: str = ""
+    source: str = ""
+    results: Mapping[int, str] = field(default_factory=dict)
 
 
 def recordings_in(folder: Path) -> tuple[Stamp, ...]:
@@ -62,5 +66,11 @@ def programs_in(place: Path) -> tuple[RecordedProgram, ...]:
                 durations[event.name] = (*durations.get(event.name, ()), event.duration)
         code_lines = recording.content.lines.get(station.name, ())
         lines = line_times(recording, station)
-        made.append(RecordedProgram(station.icr_id, durations, code_lines, lines, recording.content.cell))
+        content = recording.content
+        results = content.results.get(station.name, {})
+        made.append(
+            RecordedProgram(
+                station.icr_id, durations, code_lines, lines, content.cell, station.source, results
+            )
+        )
     return tuple(made)

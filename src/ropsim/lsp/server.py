@@ -6,10 +6,12 @@ from dataclasses import replace
 import msgspec
 
 from ropsim.lsp import protocol
-from ropsim.lsp.abilities import encoding_of, pulls_of
+from ropsim.lsp.abilities import encoding_of, marks_lines_of, pulls_of
 from ropsim.lsp.code_actions import KINDS
 from ropsim.lsp.document import Document
+from ropsim.lsp.line_states import states_message
 from ropsim.lsp.messages import Call, ErrorCode, Json, Refusal, failure, notification, request, result
+from ropsim.lsp.programs import is_program
 from ropsim.lsp.pulled import findings_of
 from ropsim.lsp.requests import ASKED, Method
 from ropsim.lsp.semantic_tokens import LEGEND
@@ -88,13 +90,27 @@ def settle(state: State, workshop: Workshop) -> Answer:
 
     An editor that asks for findings itself is told to ask again where more than the text in hand has changed.
     """
-    settled = replace(state, stale=frozenset(), asks_again=False)
+    unmarked = state.unmarked | state.stale if state.marks_lines else frozenset()
+    settled = replace(state, stale=frozenset(), asks_again=False, unmarked=unmarked)
     if not state.pulls:
         return settled, tuple(_published(state, uri, workshop) for uri in sorted(state.stale))
     if not state.asks_again:
         return settled, ()
     identity = f"ropsim-{state.asked}"
     return replace(settled, asked=state.asked + 1), (request(identity, "workspace/diagnostic/refresh"),)
+
+
+def mark(state: State, workshop: Workshop) -> Answer:
+    """Tell of one document which results of its lines are those of the text; called when all else is told.
+
+    An editor is told that says at `initialize` that it shows it.
+    """
+    uri = min(state.unmarked)
+    document = state.documents.get(uri)
+    marked = replace(state, unmarked=state.unmarked - {uri})
+    if document is None or not is_program(document):
+        return marked, ()
+    return marked, (states_message(document, state.documents, workshop),)
 
 
 def _published(state: State, uri: str, workshop: Workshop) -> Json:
@@ -119,6 +135,7 @@ def _refusal(state: State, call: Call) -> Json | None:
 def _initialize(state: State, params: object) -> tuple[State, object]:
     encoding = encoding_of(params)
     begun = replace(state, phase=Phase.RUNNING, encoding=encoding, pulls=pulls_of(params))
+    begun = replace(begun, marks_lines=marks_lines_of(params))
     capabilities = {**CAPABILITIES, "positionEncoding": encoding}
     return begun, {"capabilities": capabilities, "serverInfo": _IDENTITY}
 

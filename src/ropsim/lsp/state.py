@@ -27,6 +27,8 @@ class State:
         stale: URIs whose findings have not been told since their last change.
         encoding: in which units the editor counts characters.
         pulls: whether the editor asks for findings itself, and can be told to ask again.
+        marks_lines: whether the editor shows which results of lines are those of the text.
+        unmarked: URIs of which that has not been told since their last change.
         asks_again: whether the editor is to be told that findings have changed of which it does not know.
         asked: how many requests the server has made.
         exit_code: of the process, once it is over.
@@ -37,6 +39,8 @@ class State:
     stale: frozenset[str] = frozenset()
     encoding: str = "utf-16"
     pulls: bool = False
+    marks_lines: bool = False
+    unmarked: frozenset[str] = frozenset()
     asks_again: bool = False
     asked: int = 0
     exit_code: int = 1

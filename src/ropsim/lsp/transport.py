@@ -12,7 +12,7 @@ from ropsim.core import kept_from_collection
 from ropsim.lsp.framing import FrameFault, FrameReader, framed
 from ropsim.lsp.inbox import Ended, Inbox
 from ropsim.lsp.messages import Call, ErrorCode, Fault, Json, failure, notification, read_message
-from ropsim.lsp.server import answer, settle
+from ropsim.lsp.server import answer, mark, settle
 from ropsim.lsp.state import Phase, State
 from ropsim.lsp.workshop import Workshop
 from ropsim.userfiles import kept_by_user
@@ -57,6 +57,8 @@ def serve(source: _Source, sink: BinaryIO) -> int:
             _write(sink, said)
             if state.stale and (not is_open or (waiting.is_empty and inbox.empty())):
                 state = _tell_findings(state, workshop, sink)
+            while state.unmarked and (not is_open or (waiting.is_empty and inbox.empty())):
+                state = _tell_lines(state, workshop, sink)
     except _GoneError:
         return state.exit_code
     return state.exit_code
@@ -80,6 +82,14 @@ def _tell_findings(state: State, workshop: Workshop, sink: BinaryIO) -> State:
     """Tell the findings of texts that have changed; return the state after it."""
     with kept_from_collection():
         state, said = _settled(state, workshop)
+    _write(sink, said)
+    return state
+
+
+def _tell_lines(state: State, workshop: Workshop, sink: BinaryIO) -> State:
+    """Tell which results of lines of a text are those of it; return the state after it."""
+    with kept_from_collection():
+        state, said = _marked(state, workshop)
     _write(sink, said)
     return state
 
@@ -113,6 +123,13 @@ def _settled(state: State, workshop: Workshop) -> tuple[State, tuple[Json, ...]]
     except Exception as error:  # as above; the next change tries again
         nothing_stale = replace(state, stale=frozenset(), asks_again=False)
         return nothing_stale, (_own_fault(error, None),)
+
+
+def _marked(state: State, workshop: Workshop) -> tuple[State, tuple[Json, ...]]:
+    try:
+        return mark(state, workshop)
+    except Exception as error:  # as above
+        return replace(state, unmarked=frozenset()), (_own_fault(error, None),)
 
 
 def _own_fault(error: Exception, call: Call | None) -> Json:

@@ -102,6 +102,7 @@ class Workshop:
         self._called: dict[str, CheckedText] = {}
         self._recorded: dict[Path, tuple[list[int], tuple[RecordedProgram, ...]]] = {}
         self._targets: dict[str, tuple[Document, Mapping[int, Resolved]]] = {}
+        self._contents: dict[str, tuple[Document, Mapping[int, str]]] = {}
         self.told_tokens: dict[str, tuple[str, tuple[int, ...]]] = {}
 
     @property
@@ -197,6 +198,22 @@ class Workshop:
         """Return the lines of the instructions of a document, none where it has errors."""
         return self.workspace.code_lines(_source(document), self.surroundings(document, documents).at)
 
+    def line_contents(
+        self, document: Document, documents: Mapping[str, Document], around: tuple[str, ...]
+    ) -> Mapping[int, str]:
+        """Return what results of lines hang on, see `icr.line_contents`; nothing for a text with errors."""
+        found = self.workspace.line_contents(
+            _source(document), self.surroundings(document, documents).at, around
+        )
+        if found:
+            self._contents[document.uri] = document, found
+        return found
+
+    def lines_before(self, document: Document) -> tuple[int, ...]:
+        """Return the lines of the last text without errors that had a result and say the same now."""
+        good, contents = self._contents.get(document.uri, (document, {}))
+        return tuple(line for line in contents if good.line(line - 1) == document.line(line - 1))
+
     def recorded(self, stamp: Stamp) -> tuple[RecordedProgram, ...]:
         """Return the programs of a recording, which is read anew where its file has changed."""
         place, *state = stamp
@@ -209,6 +226,7 @@ class Workshop:
         """Forget what was made of a document."""
         self._called.pop(uri, None)
         self._targets.pop(uri, None)
+        self._contents.pop(uri, None)
         self.told_tokens.pop(uri, None)
         self.workspace.forget(_source(Document(uri, 0, "")).name)
 

@@ -62,6 +62,10 @@ def document(recording: Recording) -> dict[str, object]:
         "content": {
             "cell": recording.content.cell,
             "lines": {name: list(lines) for name, lines in recording.content.lines.items()},
+            "results": {
+                name: [[line, key] for line, key in keys.items()]
+                for name, keys in recording.content.results.items()
+            },
         },
     }
 
@@ -88,10 +92,23 @@ def read_document(plain: object) -> Document:
 def _content(entry: Entry) -> RunContent:
     """Return of what a run was made; nothing is known of those that were recorded without it."""
     lines = _mapping(entry.get("lines", {}), "lines")
+    results = _mapping(entry.get("results", {}), "results")
     return RunContent(
         _get({"cell": "", **entry}, "cell", str),
         {name: _whole_numbers(numbers, name[:40]) for name, numbers in lines.items()},
+        {name: _keys_of_lines(keys, name[:40]) for name, keys in results.items()},
     )
+
+
+def _keys_of_lines(plain: object, name: str) -> Mapping[int, str]:
+    found: dict[int, str] = {}
+    for pair in plain if isinstance(plain, list) else (None,):
+        match pair:
+            case [int(line), str(key)]:
+                found[line] = key
+            case _:
+                raise DocumentError(f"`{name}` is no list of lines with their keys")
+    return found
 
 
 def _whole_numbers(plain: object, name: str) -> tuple[int, ...]:

@@ -24,7 +24,7 @@ from ropsim.flow import (
     channel_name,
     in_time,
 )
-from ropsim.icr import Program, code_lines, program_id
+from ropsim.icr import Program, code_lines, line_contents_of_all, program_id
 from ropsim.kinematics import forward_batch
 from ropsim.simulation.arrivals import Arrivals, are_untouched, arrivals
 from ropsim.simulation.cell_run import CellRun
@@ -88,7 +88,11 @@ def recording_of(run: CellRun, programs: Mapping[str, Program], options: RunOpti
     arrived = _arrivals(run, programs)
     findings = tuple(with_causes((*run.findings, *arrived.findings, *judged), events))
     facts = _facts(run, programs, options, arrived)
-    content = RunContent(run.cell.content, {name: code_lines(one) for name, one in programs.items()})
+    content = RunContent(
+        run.cell.content,
+        {name: code_lines(one) for name, one in programs.items()},
+        line_contents_of_all(programs, run.cell.content),
+    )
     return Recording(time, channels, tuple(events), findings, run.time, facts, tuple(run.placements), content)
 
 

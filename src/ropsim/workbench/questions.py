@@ -290,6 +290,12 @@ def code_lines(db: Database, name: str, at: AtStation) -> tuple[int, ...]:
     return icr.code_lines(found) if found is not None else ()
 
 
+def line_contents(db: Database, name: str, at: AtStation, around: tuple[str, ...]) -> Mapping[int, str]:
+    """Return what results of lines of a program hang on, see `icr.line_contents`; none with errors."""
+    code = db.ask(translated, name, at).icr
+    return icr.line_contents(code, *around) if code is not None else {}
+
+
 @always_new
 def targets(db: Database, name: str, at: AtStation) -> Mapping[int, Resolved] | None:
     """Return where the moves of each line (from 1) go first; None for a text that has errors."""

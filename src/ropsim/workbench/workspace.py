@@ -132,6 +132,11 @@ class Workspace:
         self._give(text)
         return self._db.ask(questions.code_lines, text.name, at)
 
+    def line_contents(self, text: SourceText, at: AtStation, around: tuple[str, ...]) -> Mapping[int, str]:
+        """Return what the results of lines hang on, see `icr.line_contents`; none if it has errors."""
+        self._give(text)
+        return self._db.ask(questions.line_contents, text.name, at, around)
+
     def targets(self, text: SourceText, at: AtStation) -> Mapping[int, Resolved] | None:
         """Return where the moves of each line (from 1) go first; None for a text that has errors."""
         self._give(text)

@@ -1,0 +1,232 @@
+"""What the results of the lines of a program hang on: a key for each line, equal where its result must be."""
+
+from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping
+from hashlib import sha256
+from typing import Any
+
+from ropsim.flow import (
+    AwaitInstruction,
+    GripInstruction,
+    Instruction,
+    MessageInstruction,
+    MotionKind,
+    MoveInstruction,
+    OutputInstruction,
+    SyncInstruction,
+    WaitInstruction,
+)
+from ropsim.icr.identity import program_id
+from ropsim.icr.machine import Machine, MachineOptions
+from ropsim.icr.opcodes import OPCODES, OperandKind
+from ropsim.icr.program import Procedure, Program
+from ropsim.icr.state import Finished
+from ropsim.icr.world import StillWorld
+from ropsim.spatial import bits_without
+
+MOST = 5_000
+"""Robot instructions that are looked at one by one; what comes behind hangs on the whole code."""
+
+_BUDGET = 200_000
+_DIGITS = 16
+_TAKING_TIME = (MoveInstruction, GripInstruction, WaitInstruction, AwaitInstruction)
+_KINDS = (*_TAKING_TIME, OutputInstruction, MessageInstruction, SyncInstruction)
+_BITS: Mapping[type, Callable[[Any], Hashable]] = {kind: bits_without(kind, "origin") for kind in _KINDS}
+_UNSEEN = frozenset({"", "HALT", "STOP"})  # the robot stands before these, and the program learns nothing
+
+
+def line_contents_of_all(programs: Mapping[str, Program], around: str) -> Mapping[str, Mapping[int, str]]:
+    """Return what the lines of programs that run side by side hang on, also on each other as a whole.
+
+    Args:
+        programs: by station, in the order of the cell.
+        around: what else they hang on.
+    """
+    ids = {station: program_id(program) for station, program in programs.items()}
+    return {
+        station: line_contents(program, around, *(one for name, one in ids.items() if name != station))
+        for station, program in programs.items()
+    }
+
+
+def line_contents(program: Program, *around: str) -> Mapping[int, str]:
+    """Return for each line on which the robot moves, grips or waits what its result hangs on.
+
+    Two programs in which a line has one key do the same up to the end of the stretch of the last pass of that
+    line, and on to the next move of the joints, whose posture may look ahead. Up to the first look at an
+    input, at the time or at the pose of the arm that is known without a run; what can come behind it hangs on
+    the whole code, and so does what a program does after `MOST` instructions.
+
+    Args:
+        program: in which the verifier finds nothing.
+        around: what else the results hang on, such as the cell and the programs of other stations.
+
+    Returns:
+        By line (from 1) of the source, in the order in which they are passed first; those behind the first
+        look, and those that are never passed, follow in the order of the text.
+    """
+    run = _Run(program, around)
+    found = {line: run.key_behind(end) for line, end in run.ends().items()}
+    rest = _key((*around, program_id(program)))
+    later = {program.procedures[procedure].lines[index] for procedure, index in run.later}
+    every = sorted(_acting_lines(program))
+    return {
+        **{line: key for line, key in found.items() if line not in later},
+        **{line: rest for line in every if line in later or line not in found},
+    }
+
+
+class _Passing(StillWorld):
+    """A world in which what is waited for comes."""
+
+    def wait(self, channel: str, value: bool, timeout: float | None) -> bool:  # noqa: FBT001 - a signal level
+        """Return True."""
+        del channel, value, timeout
+        return True
+
+
+class _Run:
+    """A dry run up to the first look of the program.
+
+    Attributes:
+        steps: what was handed out.
+        later: instructions of the code (procedure, index) that can come behind the look.
+    """
+
+    def __init__(self, program: Program, around: tuple[str, ...]) -> None:
+        self._program = program
+        self._around = around
+        self.steps: list[Instruction] = []
+        self.later: frozenset[tuple[int, int]] = frozenset()
+        self._carry_out()
+        self._keys = list(self._chain())
+
+    def _carry_out(self) -> None:
+        world = _Passing()
+        machine = Machine(self._program, world, MachineOptions(_BUDGET))
+        while True:
+            step = machine.advance()
+            if isinstance(step, Finished) and step.steps < _BUDGET:
+                return
+            if isinstance(step, Finished) or _is_look(step) or len(self.steps) >= MOST:
+                callers, procedure, index = machine.code_place
+                self.later = frozenset(_reached(self._program, (*callers, (procedure, index))))
+                return
+            world.carry_out(step)
+            self.steps.append(step)
+
+    def _chain(self) -> Iterator[str]:
+        """Yield for each step what all up to it hangs on."""
+        key = _key(self._around)
+        for step in self.steps:
+            key = _key((key, type(step).__name__, _BITS[type(step)](step), step.origin.visit))
+            yield key
+
+    def key_behind(self, number: int) -> str:
+        """Return what the steps up to this one hang on, and what is seen of the one behind it."""
+        behind = self.steps[number + 1] if number + 1 < len(self.steps) else None
+        return _key((self._keys[number], type(behind).__name__, getattr(behind, "before", "")))
+
+    def ends(self) -> Mapping[int, int]:
+        """Return by line the last step that is known when what it does last is planned."""
+        found: dict[int, int] = {}
+        end = horizon = -1
+        for number, step in enumerate(self.steps):
+            if number > end:
+                end = self._end_of_stretch(number)
+                horizon = max(horizon, self._horizon(number, end))
+            place = step.origin.span
+            if isinstance(step, _TAKING_TIME) and place is not None and place.source == self._program.source:
+                found[place.line] = horizon
+        return found
+
+    def _end_of_stretch(self, number: int) -> int:
+        """Return the last step of the stretch that begins with a step."""
+        while _flows(self.steps[number]) and number + 1 < len(self.steps):
+            behind = self.steps[number + 1]
+            if not isinstance(behind, MoveInstruction | MessageInstruction):
+                break
+            number += 1
+        return number
+
+    def _horizon(self, first: int, end: int) -> int:
+        """Return the last path of the tool behind the stop of a stretch that is looked at for its posture."""
+        if not any(isinstance(one, MoveInstruction) and _is_ptp(one) for one in self.steps[first : end + 1]):
+            return end
+        while end + 1 < len(self.steps) and isinstance(self.steps[end], MoveInstruction | MessageInstruction):
+            behind = self.steps[end + 1]
+            is_path = isinstance(behind, MoveInstruction) and not _is_ptp(behind)
+            if not (is_path or isinstance(behind, MessageInstruction)):
+                break
+            end += 1
+        return end
+
+
+def _is_look(step: Instruction) -> bool:
+    """Return whether the program may go on otherwise by what it learns at a step."""
+    if isinstance(step, AwaitInstruction):
+        return step.timeout is not None
+    return isinstance(step, SyncInstruction) and step.before not in _UNSEEN
+
+
+def _flows(step: Instruction) -> bool:
+    """Return whether more may be known of what comes behind before the arm begins with a step."""
+    if isinstance(step, MessageInstruction):
+        return True
+    return isinstance(step, MoveInstruction) and (step.modal.zone > 0.0 or step.modal.passes)
+
+
+def _is_ptp(move: MoveInstruction) -> bool:
+    return move.kind == MotionKind.PTP
+
+
+def _reached(program: Program, places: Iterable[tuple[int, int]]) -> set[tuple[int, int]]:
+    """Return the instructions that can come from some places on."""
+    waiting = list(places)
+    seen: set[tuple[int, int]] = set()
+    while waiting:
+        place = waiting.pop()
+        if place in seen:
+            continue
+        seen.add(place)
+        procedure, index = place
+        step = program.procedures[procedure].code[index]
+        opcode = OPCODES[step.mnemonic]
+        if opcode.operands == (OperandKind.LABEL,):
+            waiting.append((procedure, int(str(step.operands[0]))))
+        if opcode.operands == (OperandKind.PROCEDURE,):
+            waiting.append((program.procedure_numbers[str(step.operands[0])], 0))
+        if not opcode.ends_flow and index + 1 < len(program.procedures[procedure].code):
+            waiting.append((procedure, index + 1))
+    return seen
+
+
+def _acting_lines(program: Program) -> set[int]:
+    """Return the lines of the source at which the robot moves, grips or waits."""
+    moving = _libraries_that_act(program)
+    return {
+        line
+        for procedure in program.procedures
+        for step, line in zip(procedure.code, procedure.lines, strict=True)
+        if line and (_acts(step.mnemonic) or (step.mnemonic == "CALL" and str(step.operands[0]) in moving))
+    }
+
+
+def _libraries_that_act(program: Program) -> frozenset[str]:
+    """Return the procedures without lines of the source that act, themselves or by what they call."""
+    bodies = {one.name: one for one in program.procedures if not any(one.lines)}
+
+    def acts(procedure: Procedure, seen: frozenset[str]) -> bool:
+        called = {str(one.operands[0]) for one in procedure.code if one.mnemonic == "CALL"} - seen
+        return any(_acts(one.mnemonic) for one in procedure.code) or any(
+            acts(bodies[name], seen | called) for name in called & bodies.keys()
+        )
+
+    return frozenset(name for name, one in bodies.items() if acts(one, frozenset({name})))
+
+
+def _acts(mnemonic: str) -> bool:
+    return OPCODES[mnemonic].is_move or mnemonic in {"GRIP", "WAIT.T", "WAIT.IN"}
+
+
+def _key(content: object) -> str:
+    return sha256(repr(content).encode("utf-8", "surrogatepass")).hexdigest()[:_DIGITS]
