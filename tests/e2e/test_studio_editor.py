@@ -416,3 +416,51 @@ def test_the_result_of_another_text_is_marked_at_once_until_the_text_is_back(fre
     assert back == untouched
     assert len(set(heights)) == 1, "what is below the strip moves with every change"
     assert not fresh.state()["stale"]
+
+
+def results(fresh: StudioPage) -> dict[str, int]:
+    """Return how many lines are marked by the state of their result."""
+    return {
+        state: fresh.page.locator(f".cm-results .cm-result-{state}").count()
+        for state in ("valid", "pending", "stale")
+    }
+
+
+def summed(fresh: StudioPage, words: str) -> None:
+    """Wait until the bar above the text tells how many lines have which result."""
+    fresh.page.locator(".program-results").get_by_text(words, exact=True).wait_for()
+
+
+def test_each_line_that_moves_tells_whether_its_result_is_that_of_the_text(fresh: StudioPage) -> None:
+    shown = fresh.state()["shown"]
+    count = results(fresh)["valid"]
+    assert results(fresh) == {"valid": count, "pending": 0, "stale": 0}
+    summed(fresh, f"{count} results valid")
+    fresh.insert(CALL, "x")
+    summed(fresh, f"0 valid, {count} stale")
+    assert results(fresh) == {"valid": 0, "pending": 0, "stale": count}
+    assert "older text" in (fresh.page.locator(".cm-result-stale").first.get_attribute("title") or "")
+    fresh.page.keyboard.press("Backspace")
+    fresh.rerun(shown)
+    summed(fresh, f"{count} results valid")
+
+
+def test_a_new_line_is_pending_until_it_is_simulated_and_others_stay_valid(fresh: StudioPage) -> None:
+    fresh.page.evaluate(
+        """() => {
+            window.results = []
+            const bar = document.querySelector('.program-bar')
+            const note = () => {
+                const said = document.querySelector('.program-results')?.textContent
+                if (said && said !== window.results.at(-1)) window.results.push(said)
+            }
+            new MutationObserver(note).observe(bar, { subtree: true, childList: true, characterData: true })
+            note()
+        }"""
+    )
+    shown, count = fresh.state()["shown"], results(fresh)["valid"]
+    fresh.write(fresh.text() + "\nmov home\nwait 0.3 s\n")
+    fresh.rerun(shown)
+    summed(fresh, f"{count + 2} results valid")
+    said = fresh.page.evaluate("() => window.results")
+    assert any("pending" in one and not one.startswith("0 ") for one in said), said

@@ -1,6 +1,7 @@
 /** The language server in the editor: marks after 30 ms, completion, hover, names, calls, actions. */
 import { hoverTooltips, LSPClient, LSPPlugin, serverCompletion, signatureHelp } from '@codemirror/lsp-client'
 import { type EditorView, keymap, ViewPlugin, type ViewUpdate } from '@codemirror/view'
+import type { LineContent } from '../studio/line_results'
 import type { Problem } from '../studio/problems'
 import { actionsPanel } from './actions_panel'
 import { EDIT_KEYS } from './edit_actions'
@@ -14,6 +15,13 @@ import { type OpenedDocument, ProjectWorkspace } from './workspace'
 
 /** Pause after a keystroke before it is sent [ms]. */
 const PAUSE = 30
+
+/** What the server says of the lines of a document. */
+interface LineStates {
+  readonly uri: string
+  readonly version: number
+  readonly lines: readonly LineContent[]
+}
 
 /** Answers may take any time: a lost connection ends waiting, a clock does not. */
 const NO_TIMEOUT = 2 ** 31 - 1
@@ -40,6 +48,7 @@ export class LanguageClient {
   readonly #client: LSPClient
   readonly #link: LanguageLink
   readonly #onProblems: (problems: readonly Problem[]) => void
+  readonly #onLines: (document: string, lines: readonly LineContent[]) => void
   readonly #published = new Map<string, Published>()
   #names: ReadonlyMap<string, string> = new Map()
   #found: readonly Problem[] = []
@@ -47,14 +56,17 @@ export class LanguageClient {
   /**
    * @param address of the language server's socket
    * @param onProblems hears of all findings of all documents, at every change
+   * @param onLines hears what the results of the lines of a document hang on, at every change
    * @param show puts a document into the view, for definitions in other files
    */
   constructor(
     address: string,
     onProblems: (problems: readonly Problem[]) => void,
+    onLines: (document: string, lines: readonly LineContent[]) => void,
     show: (name: string) => Promise<EditorView | null>,
   ) {
     this.#onProblems = onProblems
+    this.#onLines = onLines
     this.#client = new LSPClient({
       timeout: NO_TIMEOUT,
       sanitizeHTML,
@@ -68,6 +80,10 @@ export class LanguageClient {
           this.#take(params)
           return true
         },
+        'ropsim/lineStates': (_, params: LineStates) => {
+          this.#takeLines(params)
+          return true
+        },
       },
       extensions: [
         soon,
@@ -77,6 +93,7 @@ export class LanguageClient {
         sameName,
         actionsPanel,
         keymap.of(EDIT_KEYS),
+        { clientCapabilities: { experimental: { ropsimLineStates: true } } },
       ],
     })
     this.#link = new LanguageLink(address, {
@@ -138,6 +155,11 @@ export class LanguageClient {
       putMarks(view, [...marks, ...foundMarks(this.#found, view.state.doc)])
     }
     this.#tell()
+  }
+
+  #takeLines({ uri, version, lines }: LineStates): void {
+    const name = this.#names.get(uri)
+    if (name !== undefined && this.#workspace.getFile(uri)?.version === version) this.#onLines(name, lines)
   }
 
   #tell(): void {

@@ -16,6 +16,7 @@ import {
   type ViewUpdate,
 } from '@codemirror/view'
 import type { EditEntry } from '../studio/edit_table'
+import { type LineContent, type LineResults, NO_RESULTS } from '../studio/line_results'
 import type { Problem } from '../studio/problems'
 import type { Wrap } from '../studio/state'
 import type { WayBack } from '../studio/text_desk'
@@ -29,6 +30,7 @@ import { lineMarks, type MarkedLines, showMarks } from './marks'
 import { prolog } from './prolog_language'
 import { refusalsOfThisText } from './refusals'
 import { replacement } from './replacement'
+import { resultMarks, showResults } from './result_marks'
 import { staysOpen } from './shown_marks'
 import { task } from './task_language'
 import { taughtMove } from './taught_move'
@@ -50,6 +52,8 @@ export interface ProgramEditorOptions {
   /** The user has put the cursor on another line (from 1). */
   readonly onLine: (document: string, line: number) => void
   readonly onProblems: (problems: readonly Problem[]) => void
+  /** What the results of the lines of a document hang on has been told anew. */
+  readonly onLines: (document: string, lines: readonly LineContent[]) => void
   /** A definition stands in another document: show that. */
   readonly onShow: (document: string) => void
 }
@@ -80,12 +84,14 @@ export class ProgramEditor {
   readonly #wrapping = new Compartment()
   #wrap: Wrap = 'off'
   #marks: MarkedLines = { running: null, ghost: null }
+  #results: LineResults = NO_RESULTS
   readonly #sight: LineInSight
 
   constructor(host: HTMLElement, options: ProgramEditorOptions) {
     this.#options = options
     this.#view = new EditorView({ parent: host, state: EditorState.create({ extensions: [nonce(), theme] }) })
-    this.#language = new LanguageClient(options.server, options.onProblems, async name => {
+    const { server, onProblems, onLines } = options
+    this.#language = new LanguageClient(server, onProblems, onLines, async name => {
       if (name) options.onShow(name)
       return name === this.#name ? this.#view : null
     })
@@ -137,6 +143,12 @@ export class ProgramEditor {
   markFound(problems: readonly Problem[]): void {
     this.#language.setFound(problems)
     if (this.#name) showFound(this.#view, problems)
+  }
+
+  /** Mark beside the lines which results are those of the text. */
+  markResults(results: LineResults): void {
+    this.#results = results
+    if (this.#name) showResults(this.#view, results)
   }
 
   /** Show the running line in grey while the run belongs to an older text. */
@@ -218,6 +230,7 @@ export class ProgramEditor {
     this.#ends = kept?.ends ?? new LineEnds(document.text)
     this.#line = 0
     this.#marks = { running: null, ghost: null } // marks belong to the text they were given for
+    this.#results = NO_RESULTS
     const state =
       kept?.state ?? EditorState.create({ doc: document.text, extensions: this.#extensions(document) })
     this.#view.setState(state)
@@ -225,6 +238,7 @@ export class ProgramEditor {
     this.setWrap(this.#wrap)
     this.#view.scrollDOM.scrollTop = kept?.scroll ?? 0
     showMarks(this.#view, this.#marks)
+    showResults(this.#view, this.#results)
     this.#language.showKnown(this.#view)
   }
 
@@ -261,6 +275,7 @@ export class ProgramEditor {
       EditorState.phrases.of(words.phrases),
       lineMarks(),
       lineNumbers(),
+      resultMarks(),
       foldGutter(),
       codeFolding(),
       lintGutter(),

@@ -3,7 +3,10 @@ import type { KeyboardEvent } from 'react'
 import { useStudio, useStudioState } from '../studio/context'
 import { programIn, stationOf } from '../studio/document_names'
 import type { StudioDocument } from '../studio/documents'
+import { countsOf } from '../studio/line_results'
+import { resultWords } from '../text/line_results'
 import { words } from './editor_words'
+import { useLineResults } from './use_line_results'
 
 /** With more texts than these a list takes the place of tabs. */
 const MOST_TABS = 5
@@ -26,6 +29,7 @@ export function DocumentBar({ documents, shown }: DocumentsProps) {
   return (
     <div className="program-bar">
       <Choice documents={documents} shown={shown} />
+      <ResultCounts document={shown?.name ?? ''} />
       {other ? (
         <button type="button" title={words.simulateTitle} onClick={() => studio.commands.run('run.now')}>
           {words.simulate}
@@ -45,6 +49,18 @@ export function DocumentBar({ documents, shown }: DocumentsProps) {
         {words.save}
       </button>
     </div>
+  )
+}
+
+/** How many lines have which result, for who does not see the marks beside them, and for all others. */
+function ResultCounts({ document }: { document: string }) {
+  const results = useLineResults(document)
+  if (results.size === 0) return null
+  const { valid, pending, stale } = countsOf(results)
+  return (
+    <span className="program-results" role="status" title={resultWords.title}>
+      {resultWords.summary(valid, pending, stale)}
+    </span>
   )
 }
 

@@ -5,9 +5,14 @@ import { helpWords as words } from '../help/words'
 import { MENUS } from '../studio/commands'
 import { useStudio } from '../studio/context'
 import { shownKey } from '../studio/keys'
+import { LINE_RESULTS } from '../studio/line_results'
+import { resultWords } from '../text/line_results'
 import { words as studioWords } from '../text/messages'
 
 type Row = readonly [keys: readonly string[], title: string]
+
+/** The marks beside the lines of a program: their forms differ, too. */
+const MARKS = LINE_RESULTS.map((one): Row => [[resultWords.signs[one]], resultWords[one]])
 
 export function KeySheet({ query }: { query: string }) {
   const { commands } = useStudio()
@@ -24,6 +29,7 @@ export function KeySheet({ query }: { query: string }) {
     [words.editorKeys, EDITOR_KEYS] as const,
     [words.views, VIEW_KEYS] as const,
     [words.mouse, drags] as const,
+    [resultWords.legend, MARKS] as const,
   ]
     .map(([name, rows]) => [name, rows.filter(fits)] as const)
     .filter(([, rows]) => rows.length > 0)

@@ -2,7 +2,9 @@
 import { type RefObject, useEffect, useRef, useState } from 'react'
 import type { ProgramEditor } from '../editor/program_editor'
 import { useStudio, useStudioState } from '../studio/context'
+import type { LineContent } from '../studio/line_results'
 import type { Place, Studio } from '../studio/studio'
+import { useLineResults } from './use_line_results'
 
 export type Loading = 'loading' | 'ready' | { readonly failed: string }
 
@@ -42,6 +44,7 @@ function optionsOf(studio: Studio) {
     onChange: (document: string, text: string) => studio.edit(document, text),
     onLine: (document: string, line: number) => studio.showLine(document, line),
     onProblems: (problems: Parameters<Studio['setProblems']>[1]) => studio.setProblems('lsp', problems),
+    onLines: (document: string, lines: readonly LineContent[]) => studio.setLines(document, lines),
     onShow: (document: string) => studio.store.setState({ document }),
   }
 }
@@ -92,6 +95,8 @@ function useMarks(editor: ProgramEditor | null): void {
   const name = useStudioState(state => state.document)
   const found = useStudioState(state => state.found)
   useEffect(() => editor?.markFound(found.filter(one => one.document === name)), [editor, found, name])
+  const results = useLineResults(name)
+  useEffect(() => editor?.markResults(results), [editor, results])
   useEffect(() => editor?.markStale(stale ? 'stale' : 'current'), [editor, stale])
   useEffect(() => editor?.markGhost(ghost?.document === name ? ghost.line : null), [editor, ghost, name])
   useEffect(() => {

@@ -147,6 +147,7 @@ describe('a run', () => {
     simulated: 0,
     versions: {},
     age: 'newest',
+    results: {},
   }
 
   it('that failed says why', () => {

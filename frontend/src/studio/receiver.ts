@@ -185,7 +185,7 @@ export class Receiver {
     // those of a finished run come with it.
     if (status.state !== 'done') studio.setFindings('compile', status.findings, texts)
     if (status.planned) studio.setFindings('run', [])
-    if (status.state === 'done') studio.store.setState({ finished: status.id })
+    if (status.state === 'done') studio.store.setState({ finished: status.id, results: status.results })
     if (status.state === 'done') void studio.runs.take(status.id, texts, status.age)
     const { run } = studio
     // What is said of a text that has been typed back meanwhile is no news.

@@ -13,6 +13,7 @@ import type {
   Welcome,
 } from '../wire/messages'
 import type { StudioDocument } from './documents'
+import type { LineContent, RunContents } from './line_results'
 import { DEFAULT_LOOK, type Look } from './look'
 import type { Problem } from './problems'
 
@@ -53,6 +54,9 @@ export interface StudioState {
   readonly found: readonly Problem[]
   /** How the newest run stands; null before the first. */
   readonly status: RunStatus | null
+  /** What the results of lines hang on, of all texts and of the newest good run, by document. */
+  readonly lines: Readonly<Record<string, readonly LineContent[]>>
+  readonly results: RunContents
   /** Counts the runs shown; 0 before the first. */
   readonly shown: number
   /** So many times more has been told of a run that was shown. */
@@ -109,6 +113,8 @@ const START: StudioState = {
   problems: [],
   found: [],
   status: null,
+  lines: {},
+  results: {},
   shown: 0,
   looked: 0,
   changed: false,

@@ -122,6 +122,11 @@ export interface RunStatus {
   readonly versions: Readonly<Record<string, number>>
   /** `older` where the text has changed while the run went on live: it stays the result. */
   readonly age: 'newest' | 'older'
+  /**
+   * What the results of the lines of its programs hang on (`ropsim.icr.line_contents`), by document, once it
+   * is done.
+   */
+  readonly results: Readonly<Record<string, readonly string[]>>
 }
 
 /** What is said of a finished run since its ways were looked at: what met on them is a finding. */

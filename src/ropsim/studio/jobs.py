@@ -8,6 +8,7 @@ goes on by pickle.
 """
 
 from collections.abc import Mapping
+from dataclasses import field
 from typing import Annotated, Literal, TypeAlias
 
 from msgspec import Meta, Struct
@@ -358,7 +359,8 @@ class RunReply:
     `findings`. `failed`: `message` says in words why there is no run. `inputs` are those that a live run
     was given and has used. `made`: whether it was simulated, is the run before on other lines, or whether
     nothing was made, as the live run before stays the result beside texts that say something else. `ways`:
-    whether its ways have been looked at.
+    whether its ways have been looked at. `results`: what those of the lines of its programs hang on, by
+    document.
     """
 
     state: Literal["done", "refused", "cancelled", "failed"]
@@ -369,6 +371,7 @@ class RunReply:
     inputs: tuple[InputChange, ...] = ()
     made: Literal["simulated", "kept", "nothing"] = "simulated"
     ways: bool = False
+    results: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
 
 
 @frozen_dataclass

@@ -152,6 +152,8 @@ class RunStatus(Struct, frozen=True, tag_field="type", tag="run"):
             not known.
         versions: of the documents to which lines in findings and run refer.
         age: `older` where the text has changed while the run went on live: it stays the result.
+        results: what the results of the lines of its programs hang on (`ropsim.icr.line_contents`), by
+            document, once it is done.
     """
 
     id: int
@@ -164,6 +166,7 @@ class RunStatus(Struct, frozen=True, tag_field="type", tag="run"):
     simulated: int = 0
     versions: Mapping[str, int] = {}
     age: Literal["newest", "older"] = "newest"
+    results: Mapping[str, tuple[str, ...]] = {}
 
 
 class RunWays(Struct, frozen=True, tag_field="type", tag="ways"):

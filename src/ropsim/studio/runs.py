@@ -290,6 +290,7 @@ class Runs:
             len(self._inputs),
             simulated=simulated,
             versions=self._asked.get(run, {}),
+            results=reply.results,
         )
         self._asked = {known: versions for known, versions in self._asked.items() if known > run}
         if reply.state == "done" and reply.pack is not None:

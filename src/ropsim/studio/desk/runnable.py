@@ -43,7 +43,17 @@ class Runnable:
         """Return the reply to a run of this program."""
         pack = pack_of(self.project, recording, self.findings)
         inputs, ways = used_inputs(recording), recording.facts.ways is not None
-        return RunReply("done", self.name, pack=pack, inputs=inputs, ways=ways)
+        results = results_of(recording)
+        return RunReply("done", self.name, pack=pack, inputs=inputs, ways=ways, results=results)
+
+
+def results_of(recording: Recording) -> Mapping[str, tuple[str, ...]]:
+    """Return what the results of the lines of the programs of a run hang on, by document, each key once."""
+    found: dict[str, set[str]] = {}
+    for station in recording.facts.stations:
+        keys = recording.content.results.get(station.name, {})
+        found.setdefault(station.source, set()).update(keys.values())
+    return {source: tuple(sorted(keys)) for source, keys in found.items() if keys}
 
 
 def used_inputs(recording: Recording) -> tuple[InputChange, ...]:
