@@ -292,8 +292,8 @@ def code_lines(db: Database, name: str, at: AtStation) -> tuple[int, ...]:
 
 def line_contents(db: Database, name: str, at: AtStation, around: tuple[str, ...]) -> Mapping[int, str]:
     """Return what results of lines of a program hang on, see `icr.line_contents`; none with errors."""
-    code = db.ask(translated, name, at).icr
-    return icr.line_contents(code, *around) if code is not None else {}
+    found = db.ask(program, name, at)
+    return icr.line_contents(found, *around) if found is not None else {}
 
 
 @always_new

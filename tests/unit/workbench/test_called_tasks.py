@@ -51,7 +51,8 @@ def at(*own: str, users: tuple[str, ...] = ()) -> AtStation:
 
 
 def compiled(text: str, station: AtStation) -> CompiledProgram:
-    return workspace().compiled(SourceText("p.task", HEAD + text), station)
+    head = HEAD.partition("units")[0] if text.startswith("units") else HEAD
+    return workspace().compiled(SourceText("p.task", head + text), station)
 
 
 def found(text: str, *own: str, users: tuple[str, ...] = ()) -> tuple[Diagnostic, ...]:
