@@ -1,10 +1,13 @@
 """The cell file: `cell.toml` to a cell, every mistake told by its place, and where names stand in it."""
 
+from ropsim.cellfile.cell import asked_in_cell_file as asked_in_cell_file
 from ropsim.cellfile.cell import read_cell as read_cell
 from ropsim.cellfile.controller_limits import Limits as Limits
 from ropsim.cellfile.controller_limits import limits_section as limits_section
 from ropsim.cellfile.controller_limits import with_limits as with_limits
 from ropsim.cellfile.controller_limits import written_limits as written_limits
+from ropsim.cellfile.meanings import NAMED as NAMED
+from ropsim.cellfile.meanings import meaning_of as meaning_of
 from ropsim.cellfile.new_cell import POINTER as POINTER
 from ropsim.cellfile.new_cell import new_cell as new_cell
 from ropsim.cellfile.new_cell import written_coordinates as written_coordinates

@@ -33,6 +33,8 @@ from ropsim.model import (
 from ropsim.tomltext import (
     ANGLE_UNITS,
     LENGTH_UNITS,
+    Path,
+    Question,
     TomlTable,
     Units,
     metres,
@@ -65,6 +67,25 @@ def read_cell(
     cell = _cell(root, folder_name, library)
     found = (*root.findings.ordered(), *library.placed_findings())
     return (None if any(one.is_error for one in found) else cell), found
+
+
+def asked_in_cell_file(
+    text: SourceText, robot_files: Mapping[str, ReadRobot] = NO_FILES
+) -> tuple[Mapping[Path, Question], frozenset[Path]]:
+    """Return what the reader of a cell file asks for, there or not, by path, and what of it must be there.
+
+    It is asked for in the sections that are there: what a key of a gripper may be is known where one begins.
+    Nothing where the text is no TOML.
+
+    Args:
+        text: content of `cell.toml`; any text is allowed.
+        robot_files: robots by the paths that the file gives for them.
+    """
+    root, _ = read_document(text)
+    if root is None:
+        return {}, frozenset()
+    _cell(root, "", RobotLibrary(robot_files))
+    return root.findings.questions, frozenset(root.findings.needed)
 
 
 def _cell(root: TomlTable, folder_name: str, library: RobotLibrary) -> Cell | None:

@@ -25,7 +25,7 @@ from ropsim.model import (
     with_axis_limits,
 )
 from ropsim.spatial import Array, Pose, frozen, record
-from ropsim.tomltext import NUMBER, SHARE, TIME, Quantity, TomlTable, Units
+from ropsim.tomltext import NUMBER, SHARE, TIME, Quantity, Question, Sort, TomlTable, Units
 
 _LIMITS = ("joint_speed", "joint_acceleration", "joint_jerk")
 _GAIN = NUMBER.within(0.0, 1e6)
@@ -255,6 +255,8 @@ def _per_joint(
     table: TomlTable, key: str, quantities: Sequence[Quantity], default: Array, model: RobotModel
 ) -> Array:
     """Return one number per joint [SI], shape (n,)."""
+    quantity = quantities[0] if len(set(quantities)) == 1 else None
+    table.ask(key, Question(Sort.NUMBERS, quantity, tuple(default.tolist()), count=len(quantities)))
     if key not in table:
         return default
     value = table.values[key]

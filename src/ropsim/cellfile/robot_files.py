@@ -6,7 +6,7 @@ from dataclasses import replace
 from ropsim import robots
 from ropsim.core import Diagnostic, RopsimError, SourceText, frozen_dataclass
 from ropsim.model import ReadRobot, RobotModel
-from ropsim.tomltext import TomlTable, document_values
+from ropsim.tomltext import Question, Sort, TomlTable, document_values
 
 NO_FILES: Mapping[str, ReadRobot] = {}
 
@@ -45,6 +45,7 @@ class RobotLibrary:
         """Return the robot that a key names; None where there is none, which is noted at its value."""
         table.require(key)
         name = table.text(key, "")
+        table.ask(key, Question(Sort.TEXT, likely=(*robots.names(), *self.files)))
         if not name and table.values.get(key) != "":  # it is absent or no text, which has been said
             return None
         if name in self.files:

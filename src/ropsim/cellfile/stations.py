@@ -9,7 +9,7 @@ from ropsim.cellfile.robot import RobotSection, read_driven, read_robot
 from ropsim.cellfile.robot_files import RobotLibrary
 from ropsim.model import ROBOT, Station, Tool
 from ropsim.spatial import Pose
-from ropsim.tomltext import CONFLICTING_KEYS, UNKNOWN_CELL_NAME, TomlTable, Units
+from ropsim.tomltext import CONFLICTING_KEYS, UNKNOWN_CELL_NAME, Question, Sort, TomlTable, Units
 
 
 def read_stations(
@@ -91,6 +91,7 @@ def _one_axis(table: TomlTable, settings: TomlTable, X_WB: Pose, units: Units) -
 
 def _tools(table: TomlTable, tool: str, tools: Mapping[str, Tool]) -> dict[str, Tool]:
     """Return the tools of a station: those of the key `tools`, else the one it begins with."""
+    table.ask("tools", Question(Sort.TEXTS, names="tool"))
     if "tools" not in table:
         return {tool: tools[tool]} if tool else {}
     value = table.values["tools"]

@@ -4,12 +4,13 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 
 from ropsim.cellfile import place_in_cell_file
-from ropsim.core import SourceText
-from ropsim.language import Space
+from ropsim.core import Span
+from ropsim.language import Act, Space
+from ropsim.lsp.cell_place import asked_in, is_cell_file, name_span, places_in
 from ropsim.lsp.document import Document
 from ropsim.lsp.messages import Json
 from ropsim.lsp.protocol import Position
-from ropsim.lsp.workshop import CELL_FILE, Surroundings
+from ropsim.lsp.workshop import Surroundings
 
 #: Tables of the cell file in which the names of a space are defined.
 TABLES: Mapping[Space, tuple[str, ...]] = {
@@ -40,23 +41,57 @@ def place_of(
     span = place_in_cell_file(text, name, TABLES[space])
     if span is None:
         return None
-    place = Path(text.name)
-    opened = (one for one in documents.values() if one.path == place)
-    cell = next(opened, None) or Document(place.absolute().as_uri(), 0, text.text, document.encoding)
+    cell = cell_document(around, document, documents)
+    assert cell is not None
     return {"uri": cell.uri, "range": cell.range_of(span)}
 
 
 def name_at(document: Document, position: Position, around: Surroundings) -> tuple[Space, str] | None:
-    """Return the name that a place of the cell file defines, None for any other place."""
-    path = document.path
-    if path is None or path.name != CELL_FILE:
+    """Return the name that a place of the cell file defines or uses, None for any other place."""
+    if not is_cell_file(document):
         return None
     line, column = position.line + 1, document.column(position) + 1
-    text = SourceText(document.name, document.text)
     for space, name in names_of(around):
         if name not in document.line(position.line):
             continue
-        span = place_in_cell_file(text, name, TABLES[space])
-        if span is not None and span.line == line and span.column <= column <= span.end_column:
-            return space, name
+        for _, span in uses_in_cell(document, space, name, around):
+            if span.line == line and span.column <= column <= span.end_column:
+                return space, name
     return None
+
+
+def uses_in_cell(
+    document: Document, space: Space, name: str, around: Surroundings
+) -> Iterator[tuple[Act, Span]]:
+    """Yield where a name stands in the cell file: where it is defined, then where other things name it."""
+    places = places_in(document)
+    if places is None:
+        return
+    for table in TABLES.get(space, ()):
+        own = (table, name)
+        span = name_span(document, places.keys[own], name) if own in places.keys else None
+        if span is not None:
+            yield Act.DEFINES, span
+    questions = asked_in(document.text, around).questions
+    sorts = {table[:-1] for table in TABLES.get(space, ())}
+    for path in places.values:
+        question = questions.get(path) or questions.get(path[:-1])
+        if question is None or question.names not in sorts:
+            continue
+        value = places.values[path]
+        text = document.line(value.line - 1)[value.column - 1 : value.end_column - 1]
+        span = name_span(document, value, name) if text[1:-1] == name else None
+        if span is not None:
+            yield Act.READS, span
+
+
+def cell_document(
+    around: Surroundings, document: Document, documents: Mapping[str, Document]
+) -> Document | None:
+    """Return the cell file around a document, as it is open or on the disk; None outside of a project."""
+    text = around.cell_text
+    if text is None:
+        return None
+    place = Path(text.name)
+    opened = (one for one in documents.values() if one.path == place)
+    return next(opened, None) or Document(place.absolute().as_uri(), 0, text.text, document.encoding)

@@ -7,6 +7,8 @@ from itertools import chain
 from ropsim import language
 from ropsim.language import Role
 from ropsim.lsp import names, words
+from ropsim.lsp.cell_completion import proposed_in_cell
+from ropsim.lsp.cell_place import is_cell_file
 from ropsim.lsp.document import Document
 from ropsim.lsp.expected import LITERALS, expected, in_call, may_give, type_of
 from ropsim.lsp.knowledge import not_named, proposed_in_tasks, task_item
@@ -92,6 +94,8 @@ def proposed(
     """
     if document.is_task_text:
         return proposed_in_tasks(document, position, workshop.surroundings(document, documents).tasks)
+    if is_cell_file(document):
+        return proposed_in_cell(document, position, workshop.named(document, documents))
     if not is_program(document):
         return []
     before = document.line(position.line)[: document.column(position)]

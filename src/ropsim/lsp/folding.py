@@ -3,6 +3,8 @@
 import re
 from collections.abc import Iterator, Mapping
 
+from ropsim.lsp.cell_place import is_cell_file
+from ropsim.lsp.cell_sections import cell_folds
 from ropsim.lsp.document import Document
 from ropsim.lsp.messages import Json
 from ropsim.lsp.programs import is_program
@@ -16,6 +18,8 @@ def folding_ranges(
     document: Document, _: OfDocument, documents: Mapping[str, Document], workshop: Workshop
 ) -> list[Json]:
     """Return the stretches of lines that can be folded, in order of their first line."""
+    if is_cell_file(document):
+        return cell_folds(document)
     if not is_program(document):
         return []
     blocks = workshop.uses(document, documents).blocks

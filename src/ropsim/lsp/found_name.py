@@ -4,7 +4,7 @@ from collections.abc import Iterator, Mapping
 
 from ropsim.core import frozen_dataclass
 from ropsim.language import Act, Meaning, Space, Use
-from ropsim.lsp.cell_names import name_at, names_of, place_of
+from ropsim.lsp.cell_names import cell_document, name_at, names_of, uses_in_cell
 from ropsim.lsp.document import Document
 from ropsim.lsp.messages import Json
 from ropsim.lsp.programs import is_program, programs_of
@@ -71,6 +71,7 @@ def locations_of(
             yield use.act, {"uri": program.uri, "range": program.range_of(use.span)}
     if found.is_of_cell:
         around = workshop.named(document, documents)
-        place = place_of(found.space, found.name, around, document, documents)
-        if place is not None:
-            yield Act.DEFINES, place
+        cell = cell_document(around, document, documents)
+        if cell is not None:
+            for act, span in uses_in_cell(cell, found.space, found.name, around):
+                yield act, {"uri": cell.uri, "range": cell.range_of(span)}

@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 
 from ropsim.language import Act
+from ropsim.lsp.cell_names import uses_in_cell
 from ropsim.lsp.document import Document
 from ropsim.lsp.found_name import found_name, uses_in
 from ropsim.lsp.messages import Json
@@ -18,8 +19,14 @@ def highlights(
 ) -> list[Json]:
     """Return the places, told apart by whether they read or give a value."""
     found = found_name(document, params.position, documents, workshop)
-    if found is None or not is_program(document):
+    if found is None:
         return []
+    if not is_program(document):
+        around = workshop.named(document, documents)
+        return [
+            {"range": document.range_of(span), "kind": _READ if act is Act.READS else _WRITE}
+            for act, span in uses_in_cell(document, found.space, found.name, around)
+        ]
     return [
         {"range": document.range_of(use.span), "kind": _READ if use.act is Act.READS else _WRITE}
         for use in uses_in(document, found, documents, workshop)

@@ -6,6 +6,8 @@ from collections.abc import Iterator, Mapping
 from ropsim.core import catalogue
 from ropsim.language import Meaning, Role, Space
 from ropsim.lsp import findings, names, words
+from ropsim.lsp.cell_hover import cell_hover
+from ropsim.lsp.cell_place import is_cell_file
 from ropsim.lsp.document import Document
 from ropsim.lsp.found_name import FoundName, found_name
 from ropsim.lsp.knowledge import place_words
@@ -39,6 +41,9 @@ def hover(
     if document.is_task_text and found is not None:
         tasks = workshop.surroundings(document, documents).tasks
         parts = [*_of_task(found[0], tasks), *parts]
+    if is_cell_file(document):
+        told = cell_hover(document, position, documents, workshop)
+        parts = [*(one if one.startswith("**") else plain(one) for one in told), *parts]
     if is_program(document):
         about = _about(document, params, documents, workshop)
         parts = [*about, *_of_run(document, position, documents, workshop), *parts]

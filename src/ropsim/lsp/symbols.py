@@ -3,6 +3,8 @@
 from collections.abc import Mapping
 
 from ropsim.language import Definition, Outline, Role
+from ropsim.lsp.cell_place import is_cell_file
+from ropsim.lsp.cell_sections import cell_symbols
 from ropsim.lsp.document import Document
 from ropsim.lsp.knowledge import task_symbols
 from ropsim.lsp.messages import Json
@@ -28,6 +30,8 @@ def symbols(document: Document, _: OfDocument, __: Mapping[str, Document], works
     """Return the tasks and declarations of a document in order of their place."""
     if document.is_task_text:
         return task_symbols(document)
+    if is_cell_file(document):
+        return cell_symbols(document)
     if not is_program(document):
         return []
     outline = workshop.outline(document)

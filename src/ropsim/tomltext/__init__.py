@@ -35,6 +35,8 @@ from ropsim.tomltext.quantity import Quantity as Quantity
 from ropsim.tomltext.quantity import Units as Units
 from ropsim.tomltext.quantity import metres as metres
 from ropsim.tomltext.quantity import radians as radians
+from ropsim.tomltext.question import Question as Question
+from ropsim.tomltext.question import Sort as Sort
 from ropsim.tomltext.shapes import Look as Look
 from ropsim.tomltext.shapes import read_colour as read_colour
 from ropsim.tomltext.shapes import read_look as read_look

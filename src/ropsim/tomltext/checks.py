@@ -9,6 +9,7 @@ from ropsim.core import Diagnostic, Kind, Span, frozen_dataclass, near
 from ropsim.tomltext import diagnostics as kinds
 from ropsim.tomltext.positions import Path, Positions
 from ropsim.tomltext.quantity import Quantity
+from ropsim.tomltext.question import UNKNOWN, Question, Sort
 from ropsim.tomltext.words import cut, float_of, sort_of
 
 _SPEAKABLE = re.compile(r"[^\W\d]\w*", re.ASCII)
@@ -16,10 +17,19 @@ _SPEAKABLE = re.compile(r"[^\W\d]\w*", re.ASCII)
 
 @frozen_dataclass
 class Findings:
-    """The diagnostics found so far and the places that they can point to."""
+    """The diagnostics found so far and the places that they can point to.
+
+    Attributes:
+        places: where keys and values stand.
+        items: what was found.
+        questions: the keys that were asked for, there or not, by their paths.
+        needed: paths of those that must be there.
+    """
 
     places: Positions
     items: list[Diagnostic] = field(default_factory=list)
+    questions: dict[Path, Question] = field(default_factory=dict)
+    needed: set[Path] = field(default_factory=set)
 
     def add(self, kind: Kind, span: Span, message: str, hint: str = "", label: str = "") -> None:
         """Note one diagnostic."""
@@ -53,7 +63,12 @@ class TomlTable:
 
     def __contains__(self, key: str) -> bool:
         self.asked[key] = None
+        self.findings.questions.setdefault((*self.path, key), UNKNOWN)
         return key in self.values
+
+    def ask(self, key: str, question: Question) -> None:
+        """Note what is asked for under a key."""
+        self.findings.questions[*self.path, key] = question
 
     def name_of(self, key: str) -> str:
         """Return the dotted name of a key, without the indices of lists."""
@@ -70,6 +85,7 @@ class TomlTable:
     def require(self, *keys: str) -> None:
         """Ask for keys that must be there; `finish` notes the missing ones."""
         self.missing.extend(key for key in keys if key not in self and self.present)
+        self.findings.needed.update((*self.path, key) for key in keys)
 
     def finish(self) -> None:
         """Note every key that is missing and every key that nobody asked for."""
@@ -89,6 +105,7 @@ class TomlTable:
 
     def number(self, key: str, quantity: Quantity, default: float) -> float:
         """Return a number in SI units."""
+        self.ask(key, Question(Sort.NUMBER, quantity, default))
         return self.number_at((key,), self.values[key], quantity, default) if key in self else default
 
     def number_at(
@@ -114,6 +131,7 @@ class TomlTable:
         self, key: str, count: int | None, quantity: Quantity, default: tuple[float, ...]
     ) -> tuple[float, ...]:
         """Return a list of `count` numbers (None = any count) in SI units."""
+        self.ask(key, Question(Sort.NUMBERS, quantity, default, count=count))
         if key not in self:
             return default
         return self.numbers_at((key,), self.values[key], count, quantity, default)
@@ -145,6 +163,7 @@ class TomlTable:
 
     def integer(self, key: str, low: int, high: int, default: int) -> int:
         """Return a whole number from `low` to `high`."""
+        self.ask(key, Question(Sort.WHOLE, Quantity("", 1.0, low, high), default))
         if key not in self:
             return default
         return self.integer_at((key,), self.values[key], low, high, default)
@@ -164,6 +183,7 @@ class TomlTable:
 
     def text(self, key: str, default: str) -> str:
         """Return a text."""
+        self.ask(key, Question(Sort.TEXT, default=default))
         if key not in self:
             return default
         value = self.values[key]
@@ -174,6 +194,7 @@ class TomlTable:
 
     def flag(self, key: str, *, default: bool) -> bool:
         """Return true or false."""
+        self.ask(key, Question(Sort.FLAG, default=default))
         if key not in self:
             return default
         value = self.values[key]
@@ -185,6 +206,7 @@ class TomlTable:
     def choice(self, key: str, allowed: Sequence[str], default: str) -> str:
         """Return one of the words `allowed`."""
         value = self.text(key, default)
+        self.ask(key, Question(Sort.TEXT, default=default, choices=tuple(allowed)))
         if value in allowed:
             return value
         words = ", ".join(f"`{word}`" for word in allowed)
@@ -197,6 +219,7 @@ class TomlTable:
     def reference(self, key: str, known: Mapping[str, object], sort: str) -> str:
         """Return the name of a `sort` (such as `frame`) that must be a key of `known`; empty where absent."""
         name = self.text(key, "")
+        self.ask(key, Question(Sort.TEXT, names=sort, likely=tuple(known)))
         if not name or name in known:
             return name
         close = near(name, known, limit=1)
@@ -208,12 +231,14 @@ class TomlTable:
 
     def table(self, key: str) -> "TomlTable":
         """Return a section or inline table, or an empty stand-in."""
+        self.ask(key, Question(Sort.SECTION))
         if key not in self:
             return TomlTable({}, (*self.path, key), self.findings, present=False)
         return self._table((key,), self.values[key], "a section")
 
     def tables(self, key: str) -> "tuple[TomlTable, ...]":
         """Return the tables of a `[[key]]` list."""
+        self.ask(key, Question(Sort.SECTIONS))
         if key not in self:
             return ()
         value = self.values[key]
@@ -225,6 +250,7 @@ class TomlTable:
     def named(self, key: str) -> "Mapping[str, TomlTable]":
         """Return the tables `[key.<name>]` by names that programs can speak of."""
         table = self.table(key)
+        self.ask(key, Question(Sort.NAMED))
         result = {}
         for name, value in table.values.items():
             table.asked[name] = None

@@ -4,6 +4,7 @@ from collections.abc import Sequence
 
 from ropsim.tomltext.checks import TomlTable
 from ropsim.tomltext.diagnostics import MISSING_KEY
+from ropsim.tomltext.question import Question, Sort
 
 
 def read_kind(table: TomlTable, known: Sequence[str]) -> str:
@@ -11,8 +12,12 @@ def read_kind(table: TomlTable, known: Sequence[str]) -> str:
 
     Nothing else of such a table is to be looked at.
     """
+    kind = table.text("kind", "")
+    if kind:
+        return table.choice("kind", known, "")
+    table.ask("kind", Question(Sort.TEXT, choices=tuple(known)))
     if "kind" in table:
-        return table.choice("kind", known, "") if table.text("kind", "") else ""
+        return ""
     if table.present:
         words = ", ".join(f'`"{kind}"`' for kind in known)
         message = f"`{table.name_of('kind').rpartition('.')[0]}` needs `kind`"

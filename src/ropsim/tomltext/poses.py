@@ -7,6 +7,7 @@ from ropsim.tomltext import diagnostics as kinds
 from ropsim.tomltext.checks import TomlTable
 from ropsim.tomltext.doubts import note_metres, note_radians
 from ropsim.tomltext.quantity import NUMBER, Units
+from ropsim.tomltext.question import Question, Sort
 
 ORIGIN = (0.0, 0.0, 0.0)
 
@@ -40,6 +41,10 @@ def read_orientation(
         keys: that give an orientation here, of which one may be there.
     """
     given = [key for key in keys if key in table]
+    if "rpy" in keys:
+        table.ask("rpy", Question(Sort.NUMBERS, units.turn, count=3))
+    if "quaternion" in keys:
+        table.ask("quaternion", Question(Sort.NUMBERS, NUMBER, count=4))
     if len(given) > 1:
         message = f"{' and '.join(f'`{key}`' for key in given)} both give the orientation"
         table.findings.add(kinds.CONFLICTING_KEYS, table.key_span(given[1]), message, "keep one of them")

@@ -159,12 +159,8 @@ def test_a_name_that_would_change_the_meaning_is_refused(
     assert reason in answer["message"]
 
 
-def test_names_of_the_cell_and_implicit_parameters_keep_their_names(folder: Path) -> None:
+def test_implicit_parameters_keep_their_names(folder: Path) -> None:
     program = folder / "programs" / "main.task"
-    editor = Editor()
-    editor.open(uri_of(program), program.read_text("utf-8"))
-    asked = {"textDocument": {"uri": uri_of(program)}, "position": place(23, 8)}
-    assert "name of the cell" in editor.ask("textDocument/prepareRename", **asked)["message"]
     refused = rename("task A\n  mov l above a\nendp\nA 1\n", 2, 14, "b")
     assert "implicit parameter" in refused["message"]
     clash = rename(program.read_text("utf-8"), 7, 6, "infeed", uri_of(program))
