@@ -20,7 +20,7 @@ from ropsim.icr.machine import Machine, MachineOptions
 from ropsim.icr.opcodes import OPCODES, OperandKind
 from ropsim.icr.program import Procedure, Program
 from ropsim.icr.state import Finished
-from ropsim.icr.world import StillWorld
+from ropsim.icr.world import PassingWorld
 from ropsim.spatial import bits_without
 
 MOST = 5_000
@@ -75,15 +75,6 @@ def line_contents(program: Program, *around: str) -> Mapping[int, str]:
     }
 
 
-class _Passing(StillWorld):
-    """A world in which what is waited for comes."""
-
-    def wait(self, channel: str, value: bool, timeout: float | None) -> bool:  # noqa: FBT001 - a signal level
-        """Return True."""
-        del channel, value, timeout
-        return True
-
-
 class _Run:
     """A dry run up to the first look of the program.
 
@@ -101,7 +92,7 @@ class _Run:
         self._keys = list(self._chain())
 
     def _carry_out(self) -> None:
-        world = _Passing()
+        world = PassingWorld()
         machine = Machine(self._program, world, MachineOptions(_BUDGET))
         while True:
             step = machine.advance()

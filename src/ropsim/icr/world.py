@@ -96,3 +96,12 @@ class StillWorld:
                 self._met = instruction.guard.holds(self.read(instruction.guard.channel))
         elif isinstance(instruction, WaitInstruction):
             self._time += instruction.duration
+
+
+class PassingWorld(StillWorld):
+    """A still world in which what is waited for comes."""
+
+    def wait(self, channel: str, value: bool, timeout: float | None) -> bool:  # noqa: FBT001 - a signal level
+        """Return True."""
+        del channel, value, timeout
+        return True

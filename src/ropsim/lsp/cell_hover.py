@@ -47,7 +47,7 @@ def _told(document: Document, path: Path, around: Surroundings) -> Iterator[str]
         yield "; ".join(parts)
     cell = around.cell
     if cell is not None:
-        yield from _places(cell, *_thing(document, path, question.names if question else ""))
+        yield from places_of(cell, *_thing(document, path, question.names if question else ""))
 
 
 def _thing(document: Document, path: Path, names_a: str) -> tuple[str, str]:
@@ -72,7 +72,7 @@ def _inside(value: object, step: str | int) -> object:
     return value[step] if isinstance(value, list) and isinstance(step, int) and step < len(value) else None
 
 
-def _places(cell: Cell, section: str, name: str) -> Iterator[str]:
+def places_of(cell: Cell, section: str, name: str) -> Iterator[str]:
     """Yield where a thing of the cell is, in the world and where it is given in another frame."""
     match section:
         case "frames" if name in cell.frames:
@@ -82,9 +82,10 @@ def _places(cell: Cell, section: str, name: str) -> Iterator[str]:
             )
         case "locations" if name in cell.locations:
             given = cell.given.get(name, "")
-            yield _in(cell.locations[name], cell.located.get(name) or "the world frame")
+            moving = cell.located.get(name)
+            yield _in(cell.locations[name], f"the frame {moving}" if moving else "the world frame")
             if given and given in cell.frames:
-                yield _in(cell.frames[given].X_PK.inverse() @ cell.locations[name], given)
+                yield _in(cell.frames[given].X_PK.inverse() @ cell.locations[name], f"the frame {given}")
         case "tools":
             tools = [one.tools[name] for one in cell.stations.values() if name in one.tools]
             if tools:

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from ropsim.core import catalogue
 from ropsim.language import Meaning, Role, Space
 from ropsim.lsp import findings, names, words
-from ropsim.lsp.cell_hover import cell_hover
+from ropsim.lsp.cell_hover import cell_hover, places_of
 from ropsim.lsp.cell_place import is_cell_file
 from ropsim.lsp.document import Document
 from ropsim.lsp.found_name import FoundName, found_name
@@ -124,11 +124,20 @@ def _of_cell(
     if form is not None:
         yield _code(names.task_words(form))
         yield from tuple(_of_task(found.name, workshop.named(document, documents).tasks))[1:]
-    for one in names.of_cell(workshop.named(document, documents)):
+    around = workshop.named(document, documents)
+    for one in names.of_cell(around):
         if one.name == found.name and one.role in _ROLES[found.space]:
             yield f"**{plain(found.name)}**: {one.role.value} of the cell"
-            told = [f"{one.text} {one.where}".strip(), *([one.note] if one.note else [])]
-            yield from map(plain, told)
+            assert around.cell is not None
+            told = list(places_of(around.cell, f"{one.role.value}s", found.name))
+            is_counted_from_base = one.where == "in the base frame" and not _stands_in_world(around.station)
+            own = [f"{one.text} {one.where}"] if is_counted_from_base else []
+            yield from map(plain, [*told, *own, *([one.note] if one.note else [])])
+
+
+def _stands_in_world(station: Station | None) -> bool:
+    """Return whether the base frame of a station is the world frame."""
+    return station is None or Pose() == station.X_WB
 
 
 def _of_task(name: str, tasks: TaskTexts) -> Iterator[str]:

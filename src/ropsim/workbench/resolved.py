@@ -58,18 +58,33 @@ def location_of(text: str, outline: language.Outline, name: str, environment: En
 
 
 def targets_by_line(code: icr.Program, environment: Environment) -> Mapping[int, Resolved]:
-    """Return where the moves of each line (from 1) go first."""
+    """Return where the moves of each line (from 1) go first.
+
+    What is waited for comes. Lines to which the program does not come with all inputs off are looked for with
+    all of them on: so it passes a wait for several, and goes the way of an `if` that needs one.
+    """
     found: dict[int, MoveInstruction] = {}
     visits: dict[int, int] = {}
-    for move in _run(code):
-        line = move.origin.span.line if move.origin.span is not None else 0
-        found.setdefault(line, move)
-        visits[line] = visits.get(line, 0) + 1
+    for moves in _runs(code):
+        known = frozenset(found)
+        for move in moves:
+            line = move.origin.span.line if move.origin.span is not None else 0
+            if line not in known:
+                found.setdefault(line, move)
+                visits[line] = visits.get(line, 0) + 1
     made = {
         line: _resolved(move, environment, move.modal.frame, None, visits[line])
         for line, move in found.items()
     }
     return {line: one for line, one in made.items() if one is not None}
+
+
+def _runs(code: icr.Program) -> Iterator[tuple[MoveInstruction, ...]]:
+    """Yield the moves of dry runs, with all on/off inputs off, and on where there are some."""
+    yield icr.run_verified(code, icr.PassingWorld(), BUDGET).moves
+    inputs = {one.name: True for one in code.channels if one.kind == "DI"}
+    if inputs:
+        yield icr.run_verified(code, icr.PassingWorld(inputs), BUDGET).moves
 
 
 def _heads(text: str) -> Iterator[str]:

@@ -77,7 +77,7 @@ def test_a_location_tells_its_pose_in_its_own_frame_too(folder: Path) -> None:
     told = hover(folder, "locations.near", "locations.ne|ar")
     assert "(501, 302, 3) mm" in told
     assert "(1, 2, 3) mm" in told
-    assert "in bench" in told
+    assert "in the frame bench" in told
 
 
 def test_keys_of_a_section_that_are_not_there_yet_are_offered_needed_ones_first(folder: Path) -> None:

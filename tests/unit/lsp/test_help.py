@@ -215,7 +215,7 @@ def test_hover_tells_the_types_that_use_has_told() -> None:
 
 def test_hover_tells_the_pose_of_the_cell_in_millimetres_and_degrees(program: str) -> None:
     told = hover(program, HEAD + "mov inf|eed")
-    assert "(-40, -600, 600) mm, roll pitch yaw (180, 8, 0)° in the base frame" in told
+    assert "(-40, -600, 600) mm, roll pitch yaw (180, 8, 0)° in the world frame" in told
 
 
 def test_hover_tells_in_which_frame_a_location_moves(program: str, tmp_path: Path) -> None:

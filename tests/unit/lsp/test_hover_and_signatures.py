@@ -117,3 +117,44 @@ def test_the_argument_that_is_typed_is_marked(call: str, active: int) -> None:
 @pytest.mark.parametrize("line", ["lin (1, 2|", "x = sqrt(|", "|Go", 'print "Go(|"', "Stay |"])
 def test_outside_of_calls_there_is_no_signature(line: str) -> None:
     assert Editor().at_mark("signatureHelp", BARE, TEXT + line) is None
+
+
+WAITS = """program main
+units mm, s
+signal go = input 1
+signal ready = input 2
+mov (300, 0, 300)
+{wait}
+mov (310, 20, 330)
+"""
+
+
+@pytest.mark.parametrize(
+    "wait",
+    [
+        "wait until go",
+        "wait until go timeout 2",
+        "wait until go and ready",
+        "wait 1",
+        "if go\n  wait 1\nendif",
+    ],
+)
+def test_behind_a_wait_the_place_of_a_move_is_known(wait: str) -> None:
+    assert "goes to (310, 20, 330) mm" in hover(WAITS.format(wait=wait).replace("mov (310", "mo|v (310"))
+
+
+def test_a_line_that_needs_an_input_tells_where_it_goes() -> None:
+    text = WAITS.format(wait="if go\n  mov (320, 0, 300)\nendif")
+    assert "goes to (320, 0, 300) mm" in hover(text.replace("mov (320", "mo|v (320"))
+
+
+def test_a_name_of_the_cell_tells_its_pose_in_the_world_and_from_the_base(tmp_path: Path) -> None:
+    folder = new_project(tmp_path / "cell", "first_cell")
+    cell = folder / "cell.toml"
+    based = 'tool = "jaws"\nbase = { position = [100, 0, 0] }\n'
+    cell.write_text(cell.read_text("utf-8").replace('tool = "jaws"\n', based, 1), "utf-8")
+    told = hover("program x\nunits mm\nmov pick|_up\n", uri_of(folder / "programs" / "main.task"))
+    assert "(500, 300, 560) mm" in told
+    assert "in the world frame" in told
+    assert "(400, 300, 560) mm" in told
+    assert "in the base frame" in told
