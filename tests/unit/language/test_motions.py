@@ -140,3 +140,17 @@ def test_the_code_of_a_motion_without_points_is_as_short_as_before() -> None:
     assert result.icr is not None
     assert "MODAL" not in disassemble(result.icr)
     assert MotionKind.CIRC not in disassemble(result.icr)
+
+
+@pytest.mark.parametrize(
+    ("location", "hint"),
+    [
+        ("(1, 2, 3; roll 0 pitch 60 yaw 0)", "write `,` between parts of an orientation"),
+        ("(1, 2, 3; down; config(left))", "write `,` between parts of an orientation"),
+        ("(1, 2, 3; 0, 90, 0)", "say which angles: `rpy ROLL PITCH YAW`"),
+    ],
+)
+def test_parts_of_an_orientation_that_are_written_otherwise_have_a_hint(location: str, hint: str) -> None:
+    found = only(f"program p\nunits mm\nmov {location}")
+    assert found.code == "L101"
+    assert hint in found.hint

@@ -48,6 +48,7 @@ _TURN_COUNTS = {
     "rz": 1,
     "down": 0,
 }
+_TERM_WORDS = frozenset((*_TURN_COUNTS, "like", "config", "turns"))
 _OPERATORS = frozenset(
     (*_COMPARISONS, *_SUMS, *_TERMS, "in", "@", EXTERNAL, "is", "rising", "falling", "and", "or")
 )
@@ -327,6 +328,8 @@ def _terms(cursor: Cursor) -> tuple[tuple[Turn, ...], Posture | None]:
         else:
             turns.append(_turn(cursor))
         if not cursor.accept(","):
+            if cursor.word in _TERM_WORDS or cursor.word == ";":
+                cursor.fail("`,` or `)`", "write `,` between parts of an orientation: `; roll 0, pitch 60`")
             break
     posture = Posture(words, numbers, start, cursor.end) if words or numbers else None
     return tuple(turns), posture
@@ -353,7 +356,8 @@ def _turn(cursor: Cursor) -> Turn:
         return Turn(word, "", (), pose, token.start, cursor.end)
     if word not in _TURN_COUNTS:
         allowed = [*_TURN_COUNTS, "like", "config", "turns"]
-        hint = did_you_mean(token.text, allowed) if token.kind == "word" else ""
+        is_word = token.kind == "word"
+        hint = did_you_mean(token.text, allowed) if is_word else "say which angles: `rpy ROLL PITCH YAW`"
         cursor.fail("an orientation (`" + "`, `".join(allowed) + "`)", hint)
     cursor.advance()
     axes = ""
