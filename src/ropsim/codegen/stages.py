@@ -5,13 +5,13 @@ each, which nobody ever calls. Without that, and with functions that several ker
 takes half of the time.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from functools import cached_property
 from types import FunctionType
 from typing import cast
 
 from llvmlite import ir
-from llvmlite.binding import ModuleRef
+from llvmlite.binding import Linkage, ModuleRef
 from numba.core import cgutils
 from numba.core.ccallback import CFunc
 from numba.core.codegen import CPUCodeLibrary, JITCPUCodegen
@@ -24,6 +24,7 @@ from numba.core.typing.templates import Signature
 from numba.extending import intrinsic
 from numba.np.arrayobj import populate_array
 
+from ropsim.codegen.call_types import CallTypes
 from ropsim.codegen.caller import Compiled
 
 _OPTIONS = {"nopython": True, "error_model": "numpy"}
@@ -37,14 +38,46 @@ _NATIVE = "cfunc."
 
 
 class _Library(CPUCodeLibrary):  # type: ignore[misc]  # numba has no types
-    """Functions that are linked and nothing more."""
+    """A function by itself, and those that it calls beside it until all are written down."""
 
     def _optimize_functions(self, ll_module: ModuleRef) -> None:
         ll_module.data_layout = self._codegen._data_layout
 
-    def _optimize_final_module(self) -> None: ...
+    def finalize(self) -> None:
+        """End the function; numba would put all that it calls into it, and again into each that calls it."""
+        self._finalized = True
 
-    def _finalize_specific(self) -> None: ...
+    def get_llvm_str(self) -> str:
+        """Return the text of the function and of all that it calls."""
+        return str(self._whole())
+
+    def _get_module_for_linking(self) -> ModuleRef:
+        return self._for_others
+
+    @cached_property
+    def _for_others(self) -> ModuleRef:
+        """The function and all that it calls, for numba's own libraries, which may meet it more than once."""
+        whole = self._whole()
+        for one in whole.functions:
+            if not one.is_declaration and one.linkage == Linkage.external:
+                one.linkage = "linkonce_odr"
+        return whole
+
+    def _whole(self) -> ModuleRef:
+        whole = self._final_module.clone()
+        for one in self._called(set()):
+            part = one._final_module if isinstance(one, _Library) else one._get_module_for_linking()
+            whole.link_in(part, preserve=True)
+        return whole
+
+    def _called(self, known: set[CPUCodeLibrary]) -> Iterator[CPUCodeLibrary]:
+        """Yield what it calls, and what that calls, but for what is known."""
+        for one in self._linking_libraries:
+            if one not in known:
+                known.add(one)
+                yield one
+                if isinstance(one, _Library):
+                    yield from one._called(known)
 
     def get_pointer_to_function(self, name: str) -> int:  # noqa: ARG002  # as numba calls it
         """Return that there is no machine code."""
@@ -65,12 +98,14 @@ class _Target(CPUTarget):  # type: ignore[misc]  # numba has no types
     @cached_property
     def target_context(self) -> CPUContext:
         """Return how functions are written down: as numba does for this processor."""
-        return cpu_target.target_context.subtarget(_internal_codegen=_Codegen("ropsim"))
+        return cpu_target.target_context.subtarget(
+            _internal_codegen=_Codegen("ropsim"), typing_context=self.typing_context
+        )
 
-    @property
-    def typing_context(self) -> Context:
+    @cached_property
+    def typing_context(self) -> CallTypes:
         """Return what is known of the types of all functions."""
-        return cpu_target.typing_context
+        return CallTypes()
 
 
 class _Inside(CPUDispatcher):  # type: ignore[misc]  # numba has no types

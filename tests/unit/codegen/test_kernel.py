@@ -75,6 +75,11 @@ def _second(values: Array, out: Array) -> None:
     out[0] = _placed(values, 2)
 
 
+def _third(values: Array, out: Array) -> None:
+    _first(values, out)
+    out[0] += _placed(values, 0)
+
+
 FIRST, SECOND = (kernel("void(f8[::1], f8[::1])")(function) for function in (_first, _second))
 
 
@@ -103,8 +108,8 @@ def test_where_code_does_not_stand_alone_numba_calls_a_kernel(
         monkeypatch.setenv("ROPSIM_CACHE_DIR", str(tmp_path))
         monkeypatch.setattr("ropsim.codegen.compiled.load", lacks)
         out = np.empty(1)
-        kernel("void(f8[::1], f8[::1])")(_first)(np.array([1.0, 2.0]), out)
-        assert out[0] == 21.0
+        kernel("void(f8[::1], f8[::1])")(_third)(np.array([1.0, 2.0]), out)
+        assert out[0] == 22.0
         assert list(tmp_path.rglob("*.code")) == []
 
 
