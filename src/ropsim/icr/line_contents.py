@@ -1,6 +1,6 @@
 """What the results of the lines of a program hang on: a key for each line, equal where its result must be."""
 
-from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Hashable, Iterable, Mapping
 from hashlib import sha256
 from typing import Any
 
@@ -20,7 +20,7 @@ from ropsim.icr.machine import Machine, MachineOptions
 from ropsim.icr.opcodes import OPCODES, OperandKind
 from ropsim.icr.program import Procedure, Program
 from ropsim.icr.state import Finished
-from ropsim.icr.world import PassingWorld
+from ropsim.icr.world import PassingWorld, StillWorld
 from ropsim.spatial import bits_without
 
 MOST = 5_000
@@ -48,7 +48,7 @@ def line_contents_of_all(programs: Mapping[str, Program], around: str) -> Mappin
     }
 
 
-def line_contents(program: Program, *around: str) -> Mapping[int, str]:
+def line_contents(program: Program, *around: str, world: StillWorld | None = None) -> Mapping[int, str]:
     """Return for each line on which the robot moves, grips or waits what its result hangs on.
 
     Two programs in which a line has one key do the same up to the end of the stretch of the last pass of that
@@ -59,19 +59,20 @@ def line_contents(program: Program, *around: str) -> Mapping[int, str]:
     Args:
         program: in which the verifier finds nothing.
         around: what else the results hang on, such as the cell and the programs of other stations.
+        world: of the dry run; a `PassingWorld` where it is None.
 
     Returns:
         By line (from 1) of the source, in the order in which they are passed first; those behind the first
         look, and those that are never passed, follow in the order of the text.
     """
-    run = _Run(program, around)
+    run = _Run(program, around, world or PassingWorld())
     found = {line: run.key_behind(end) for line, end in run.ends().items()}
-    rest = _key((*around, program_id(program)))
     later = {program.procedures[procedure].lines[index] for procedure, index in run.later}
-    every = sorted(_acting_lines(program))
+    others = sorted(line for line in _acting_lines(program) if line in later or line not in found)
+    rest = _key((*around, program_id(program))) if others else ""
     return {
         **{line: key for line, key in found.items() if line not in later},
-        **{line: rest for line in every if line in later or line not in found},
+        **dict.fromkeys(others, rest),
     }
 
 
@@ -83,16 +84,16 @@ class _Run:
         later: instructions of the code (procedure, index) that can come behind the look.
     """
 
-    def __init__(self, program: Program, around: tuple[str, ...]) -> None:
+    def __init__(self, program: Program, around: tuple[str, ...], world: StillWorld) -> None:
         self._program = program
         self._around = around
         self.steps: list[Instruction] = []
         self.later: frozenset[tuple[int, int]] = frozenset()
-        self._carry_out()
-        self._keys = list(self._chain())
+        self._keys: list[str] = []
+        self._carry_out(world)
 
-    def _carry_out(self) -> None:
-        world = PassingWorld()
+    def _carry_out(self, world: StillWorld) -> None:
+        key = _key(self._around)
         machine = Machine(self._program, world, MachineOptions(_BUDGET))
         while True:
             step = machine.advance()
@@ -103,14 +104,9 @@ class _Run:
                 self.later = frozenset(_reached(self._program, (*callers, (procedure, index))))
                 return
             world.carry_out(step)
-            self.steps.append(step)
-
-    def _chain(self) -> Iterator[str]:
-        """Yield for each step what all up to it hangs on."""
-        key = _key(self._around)
-        for step in self.steps:
             key = _key((key, type(step).__name__, _BITS[type(step)](step), step.origin.visit))
-            yield key
+            self.steps.append(step)
+            self._keys.append(key)
 
     def key_behind(self, number: int) -> str:
         """Return what the steps up to this one hang on, and what is seen of the one behind it."""

@@ -21,7 +21,7 @@ def has_same_code(document: Document, after: str, around: Surroundings, workshop
 def does_the_same(document: Document, after: str, around: Surroundings, workshop: Workshop) -> bool:
     """Return whether dry runs of both hand out the same instructions, whoever calls for them."""
     old, new = _codes(document, after, around, workshop)
-    return old is not None and new is not None and _handed_out(old) == _handed_out(new)
+    return old is not None and new is not None and (_handed_out(old, workshop) == _handed_out(new, workshop))
 
 
 def _codes(
@@ -39,8 +39,9 @@ def _steps(code: icr.Program) -> tuple[tuple[icr.Step, ...], ...]:
     return tuple(one.code for one in code.procedures)
 
 
-def _handed_out(code: icr.Program) -> list[Instruction]:
-    return [_without_origin(one) for one in icr.run_verified(code, budget=BUDGET).instructions]
+def _handed_out(code: icr.Program, workshop: Workshop) -> list[Instruction]:
+    run = icr.run_verified(code, workshop.attention.world(), BUDGET)
+    return [_without_origin(one) for one in run.instructions]
 
 
 def _without_origin(one: Instruction) -> Instruction:

@@ -113,7 +113,9 @@ def _tokens(document: Document, documents: Mapping[str, Document], workshop: Wor
     of_cell = set(names_of(around))
     signals = frozenset(around.cell.signals) if around.cell is not None else frozenset()
     found = [_Token(one.span, _MARKS[one.mark]) for one in workshop.marked(document, documents)]
+    workshop.attention.look()
     for use in workshop.uses(document, documents).found:
+        workshop.attention.look()
         type_ = _type(use.meaning, of_cell, signals)
         if type_:
             found.append(_Token(use.span, type_, _modifiers(use)))

@@ -9,6 +9,7 @@ from typing import BinaryIO, Protocol
 import msgspec
 
 from ropsim.core import kept_from_collection
+from ropsim.lsp.attention import SupersededError, nobody_calls
 from ropsim.lsp.framing import FrameFault, FrameReader, framed
 from ropsim.lsp.inbox import Ended, Inbox
 from ropsim.lsp.messages import Call, ErrorCode, Fault, Json, failure, notification, read_message
@@ -40,9 +41,18 @@ def serve(source: _Source, sink: BinaryIO) -> int:
     threading.Thread(target=_read, args=(source, inbox), daemon=True).start()
     state, workshop, waiting = State(), Workshop(kept_by_user()), Inbox()
     is_open = True
+
+    def is_changed() -> bool:
+        _receive_what_is_there(inbox, waiting)
+        return waiting.changes_wait
+
+    def is_wanted() -> bool:
+        return not (waiting.is_empty and inbox.empty())
+
     try:
         while state.phase is not Phase.OVER and is_open:
             _receive(inbox, waiting)
+            workshop.attention.is_called = nobody_calls
             if state.stale and waiting.asks_next and not waiting.changes_wait:
                 state = _tell_findings(state, workshop, sink)  # what is asked for may take longer
             message, is_cancelled = waiting.next()
@@ -53,11 +63,14 @@ def serve(source: _Source, sink: BinaryIO) -> int:
                     words = "the request has been cancelled"
                     said = (failure(message.id, ErrorCode.REQUEST_CANCELLED, words),)
                 elif not isinstance(message, Ended):
+                    workshop.attention.is_called = is_changed
                     state, said = _step(state, message, workshop)
             _write(sink, said)
+            workshop.attention.is_called = nobody_calls
             if state.stale and (not is_open or (waiting.is_empty and inbox.empty())):
                 state = _tell_findings(state, workshop, sink)
-            while state.unmarked and (not is_open or (waiting.is_empty and inbox.empty())):
+            workshop.attention.is_called = is_wanted if is_open else nobody_calls
+            while state.unmarked and (not is_open or not is_wanted()):
                 state = _tell_lines(state, workshop, sink)
     except _GoneError:
         return state.exit_code
@@ -96,14 +109,24 @@ def _tell_lines(state: State, workshop: Workshop, sink: BinaryIO) -> State:
 
 def _receive(source: "queue.SimpleQueue[bytes | FrameFault | None]", waiting: Inbox) -> None:
     """Take all that has come; wait for a message where there is none."""
-    while waiting.is_empty or not source.empty():
-        body = source.get()
-        if body is None:
-            waiting.put(Ended())
-            return
-        waiting.put(
-            Fault(ErrorCode.PARSE_ERROR, body.message) if isinstance(body, FrameFault) else read_message(body)
-        )
+    if waiting.is_empty:
+        _put(source.get(), waiting)
+    _receive_what_is_there(source, waiting)
+
+
+def _receive_what_is_there(source: "queue.SimpleQueue[bytes | FrameFault | None]", waiting: Inbox) -> None:
+    """Take all that has come."""
+    while not source.empty():
+        _put(source.get(), waiting)
+
+
+def _put(body: bytes | FrameFault | None, waiting: Inbox) -> None:
+    if body is None:
+        waiting.put(Ended())
+        return
+    waiting.put(
+        Fault(ErrorCode.PARSE_ERROR, body.message) if isinstance(body, FrameFault) else read_message(body)
+    )
 
 
 def _step(state: State, message: Call | Fault | None, workshop: Workshop) -> tuple[State, tuple[Json, ...]]:
@@ -113,6 +136,9 @@ def _step(state: State, message: Call | Fault | None, workshop: Workshop) -> tup
         return state, (failure(message.id, message.code, message.message),)
     try:
         return answer(state, message, workshop)
+    except SupersededError:
+        words = "the text has been changed while it was looked at"
+        return state, (failure(message.id, ErrorCode.CONTENT_MODIFIED, words),) if message.is_request else ()
     except Exception as error:  # a fault of ours must not take the editor's other documents with it
         return state, (_own_fault(error, message),)
 
@@ -128,6 +154,8 @@ def _settled(state: State, workshop: Workshop) -> tuple[State, tuple[Json, ...]]
 def _marked(state: State, workshop: Workshop) -> tuple[State, tuple[Json, ...]]:
     try:
         return mark(state, workshop)
+    except SupersededError:  # it stays to be told
+        return state, ()
     except Exception as error:  # as above
         return replace(state, unmarked=frozenset()), (_own_fault(error, None),)
 

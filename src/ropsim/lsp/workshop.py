@@ -6,9 +6,10 @@ from functools import partial
 from pathlib import Path
 from types import MappingProxyType
 
-from ropsim import language
+from ropsim import icr, language
 from ropsim.cellfile import robot_files
 from ropsim.core import Diagnostic, SourceText, frozen_dataclass
+from ropsim.lsp.attention import Attention
 from ropsim.lsp.document import Document
 from ropsim.lsp.recorded_runs import RecordedProgram, Stamp, programs_in
 from ropsim.model import Cell, Station
@@ -28,6 +29,7 @@ from ropsim.workbench import (
     read_robot_files,
     read_task_texts,
     robots_read,
+    targets_by_line,
     text_findings,
 )
 
@@ -93,6 +95,7 @@ class Workshop:
 
     Attributes:
         workspace: keeps what is made of texts.
+        attention: ends long work for a text where a newer one waits.
         told_tokens: name and numbers of the last answer about the words of each document.
     """
 
@@ -101,8 +104,9 @@ class Workshop:
         self._surroundings: dict[tuple[Path, str], Surroundings] = {}
         self._called: dict[str, CheckedText] = {}
         self._recorded: dict[Path, tuple[list[int], tuple[RecordedProgram, ...]]] = {}
-        self._targets: dict[str, tuple[Document, Mapping[int, Resolved]]] = {}
-        self._contents: dict[str, tuple[Document, Mapping[int, str]]] = {}
+        self.attention = Attention()
+        self._targets: dict[str, tuple[Document, tuple[object, object], Mapping[int, Resolved]]] = {}
+        self._contents: dict[str, tuple[Document, tuple[object, object], Mapping[int, str]]] = {}
         self.told_tokens: dict[str, tuple[str, tuple[int, ...]]] = {}
 
     @property
@@ -184,11 +188,17 @@ class Workshop:
         None for a line without a move to a pose, and for one that has changed since then.
         """
         around = self.named(document, documents)
-        found = self.workspace.targets(_source(document), around.at)
-        if found is not None:
-            self._targets[document.uri] = document, found
-        good, targets = self._targets.get(document.uri, (document, {}))
-        return targets.get(line + 1) if good.line(line) == document.line(line) else None
+        code = self.workspace.code(_source(document), around.at)
+        made_of = code, around.environment
+        known = self._targets.get(document.uri)
+        if code is not None and (known is None or not _are_same(known[1], made_of)):
+            found = targets_by_line(code, around.environment, self.attention.world)
+            self._targets[document.uri] = known = document, made_of, found
+        if known is None:
+            return None
+        good, _, targets = known
+        is_unchanged = code is not None or good.line(line) == document.line(line)
+        return targets.get(line + 1) if is_unchanged else None
 
     def code_id(self, document: Document, documents: Mapping[str, Document]) -> str:
         """Return the identity of the code that a document compiles to, empty where it has errors."""
@@ -202,16 +212,19 @@ class Workshop:
         self, document: Document, documents: Mapping[str, Document], around: tuple[str, ...]
     ) -> Mapping[int, str]:
         """Return what results of lines hang on, see `icr.line_contents`; nothing for a text with errors."""
-        found = self.workspace.line_contents(
-            _source(document), self.surroundings(document, documents).at, around
-        )
-        if found:
-            self._contents[document.uri] = document, found
-        return found
+        code = self.workspace.code(_source(document), self.surroundings(document, documents).at)
+        if code is None:
+            return {}
+        made_of = code, around
+        known = self._contents.get(document.uri)
+        if known is None or not _are_same(known[1], made_of):
+            found = icr.line_contents(code, *around, world=self.attention.world())
+            self._contents[document.uri] = known = document, made_of, found
+        return known[2]
 
     def lines_before(self, document: Document) -> tuple[int, ...]:
         """Return the lines of the last text without errors that had a result and say the same now."""
-        good, contents = self._contents.get(document.uri, (document, {}))
+        good, _, contents = self._contents.get(document.uri, (document, (None, None), {}))
         return tuple(line for line in contents if good.line(line - 1) == document.line(line - 1))
 
     def recorded(self, stamp: Stamp) -> tuple[RecordedProgram, ...]:
@@ -276,6 +289,11 @@ class Workshop:
             for name, one in known.stations.items()
         }
         return replace(known, stations=stations)
+
+
+def _are_same(known: tuple[object, object], made_of: tuple[object, object]) -> bool:
+    """Return whether an answer was made of the very same code, and of equal things beside it."""
+    return known[0] is made_of[0] and bool(known[1] == made_of[1])
 
 
 def _source(document: Document) -> SourceText:

@@ -42,6 +42,7 @@ from ropsim.workbench.project_diagnostics import NOT_WRITABLE as NOT_WRITABLE
 from ropsim.workbench.replay import pack_of as pack_of
 from ropsim.workbench.resolved import Resolved as Resolved
 from ropsim.workbench.resolved import location_of as location_of
+from ropsim.workbench.resolved import targets_by_line as targets_by_line
 from ropsim.workbench.robot_files import Reading as Reading
 from ropsim.workbench.robot_files import RobotFile as RobotFile
 from ropsim.workbench.robot_files import read_robot as read_robot

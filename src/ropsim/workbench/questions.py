@@ -25,7 +25,6 @@ from ropsim.workbench.compiled_project import CompiledProgram
 from ropsim.workbench.compiler_version import compiler_version
 from ropsim.workbench.environment import environment_of
 from ropsim.workbench.mentions import Mentions
-from ropsim.workbench.resolved import Resolved, targets_by_line
 from ropsim.workbench.task_engine import TaskEngine
 from ropsim.workbench.task_texts import NO_TASKS, TaskTexts
 from ropsim.workbench.told_tasks import told_tasks
@@ -288,19 +287,6 @@ def code_lines(db: Database, name: str, at: AtStation) -> tuple[int, ...]:
     """Return the lines of the instructions of a program, see `icr.code_lines`; none if it has errors."""
     found = db.ask(program, name, at)
     return icr.code_lines(found) if found is not None else ()
-
-
-def line_contents(db: Database, name: str, at: AtStation, around: tuple[str, ...]) -> Mapping[int, str]:
-    """Return what results of lines of a program hang on, see `icr.line_contents`; none with errors."""
-    found = db.ask(program, name, at)
-    return icr.line_contents(found, *around) if found is not None else {}
-
-
-@always_new
-def targets(db: Database, name: str, at: AtStation) -> Mapping[int, Resolved] | None:
-    """Return where the moves of each line (from 1) go first; None for a text that has errors."""
-    found = db.ask(program, name, at)
-    return targets_by_line(found, db.ask(environment, at)) if found is not None else None
 
 
 def outline(db: Database, name: str) -> language.Outline:

@@ -1,7 +1,7 @@
 """Where the locations of a text are, by compiler and dry run: declared ones, and those that lines move to."""
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 
 from ropsim import icr, language
 from ropsim.core import frozen_dataclass
@@ -11,6 +11,9 @@ from ropsim.spatial import Pose
 
 #: ICR instructions after which the dry run of a text ends: a fraction of a second.
 BUDGET = 100_000
+
+#: Makes the world of a dry run from the values of inputs.
+Worlds = Callable[[Mapping[str, bool | int | float]], icr.StillWorld]
 
 _HEADS = re.compile(r"\s*(?:program|units|classic|strict)\b", re.IGNORECASE)
 _SET_FRAME = re.compile(r"\s*set\s+frame\s+\w+\s*$", re.IGNORECASE)
@@ -57,15 +60,22 @@ def location_of(text: str, outline: language.Outline, name: str, environment: En
     return _resolved(moves[0], environment, frame[1] if frame else "", moves[1] if frame else None)
 
 
-def targets_by_line(code: icr.Program, environment: Environment) -> Mapping[int, Resolved]:
+def targets_by_line(
+    code: icr.Program, environment: Environment, world: Worlds = icr.PassingWorld
+) -> Mapping[int, Resolved]:
     """Return where the moves of each line (from 1) go first.
 
     What is waited for comes. Lines to which the program does not come with all inputs off are looked for with
     all of them on: so it passes a wait for several, and goes the way of an `if` that needs one.
+
+    Args:
+        code: of the program.
+        environment: what it can name.
+        world: makes the world of a dry run from the values of inputs.
     """
     found: dict[int, MoveInstruction] = {}
     visits: dict[int, int] = {}
-    for moves in _runs(code):
+    for moves in _runs(code, world):
         known = frozenset(found)
         for move in moves:
             line = move.origin.span.line if move.origin.span is not None else 0
@@ -79,12 +89,12 @@ def targets_by_line(code: icr.Program, environment: Environment) -> Mapping[int,
     return {line: one for line, one in made.items() if one is not None}
 
 
-def _runs(code: icr.Program) -> Iterator[tuple[MoveInstruction, ...]]:
+def _runs(code: icr.Program, world: Worlds) -> Iterator[tuple[MoveInstruction, ...]]:
     """Yield the moves of dry runs, with all on/off inputs off, and on where there are some."""
-    yield icr.run_verified(code, icr.PassingWorld(), BUDGET).moves
+    yield icr.run_verified(code, world({}), BUDGET).moves
     inputs = {one.name: True for one in code.channels if one.kind == "DI"}
     if inputs:
-        yield icr.run_verified(code, icr.PassingWorld(inputs), BUDGET).moves
+        yield icr.run_verified(code, world(inputs), BUDGET).moves
 
 
 def _heads(text: str) -> Iterator[str]:

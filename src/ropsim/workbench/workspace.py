@@ -5,7 +5,7 @@ from contextlib import suppress
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from ropsim import language
+from ropsim import icr, language
 from ropsim.core import SourceText
 from ropsim.model import ROBOT, ReadRobot
 from ropsim.query import Database, Event
@@ -17,7 +17,6 @@ from ropsim.workbench.checked_text import CheckedText, at_stations
 from ropsim.workbench.compiled_project import CompiledProgram
 from ropsim.workbench.mentions import Mentions
 from ropsim.workbench.questions import Question, ReadCell
-from ropsim.workbench.resolved import Resolved
 from ropsim.workbench.task_engine import TaskEngine
 from ropsim.workbench.task_texts import NO_TASKS, TaskTexts
 
@@ -132,15 +131,10 @@ class Workspace:
         self._give(text)
         return self._db.ask(questions.code_lines, text.name, at)
 
-    def line_contents(self, text: SourceText, at: AtStation, around: tuple[str, ...]) -> Mapping[int, str]:
-        """Return what the results of lines hang on, see `icr.line_contents`; none if it has errors."""
+    def code(self, text: SourceText, at: AtStation) -> icr.Program | None:
+        """Return the code that a program compiles to, unverified; None where it has errors."""
         self._give(text)
-        return self._db.ask(questions.line_contents, text.name, at, around)
-
-    def targets(self, text: SourceText, at: AtStation) -> Mapping[int, Resolved] | None:
-        """Return where the moves of each line (from 1) go first; None for a text that has errors."""
-        self._give(text)
-        return self._db.ask(questions.targets, text.name, at)
+        return self._db.ask(questions.program, text.name, at)
 
     def outline(self, text: SourceText) -> language.Outline:
         """Return what a text defines."""

@@ -6,7 +6,10 @@ from typing import Any
 
 import pytest
 
+from ropsim.lsp.attention import SupersededError, nobody_calls
+from ropsim.lsp.framing import FrameReader
 from ropsim.lsp.transport import serve
+from support.editors import Editor
 
 URI = "file:///nowhere/main.task"
 TOKENS = "textDocument/semanticTokens/full"
@@ -27,17 +30,19 @@ def changed(text: str, version: int) -> dict[str, Any]:
     return call("textDocument/didChange", {"textDocument": document, "contentChanges": [{"text": text}]})
 
 
-def said(*messages: dict[str, Any]) -> list[str]:
-    """Return in order what a server answers and tells when all messages wait for it at once."""
+def messages(*sent: dict[str, Any]) -> list[dict[str, Any]]:
+    """Return in order all messages of a server for which all messages wait at once."""
     begun = (call("initialize", {"capabilities": {}}, 0), call("initialized", {}))
-    bodies = [json.dumps(one).encode() for one in (*begun, *messages, call("exit", None))]
+    bodies = [json.dumps(one).encode() for one in (*begun, *sent, call("exit", None))]
     sink = io.BytesIO()
     serve(io.BytesIO(b"".join(b"Content-Length: %d\r\n\r\n%s" % (len(one), one) for one in bodies)), sink)
-    told, rest = [], sink.getvalue()
-    while rest:
-        head, _, rest = rest.partition(b"\r\n\r\n")
-        length = int(head.split(b"Content-Length:")[1].split()[0])
-        one, rest = json.loads(rest[:length]), rest[length:]
+    return [json.loads(one) for one in FrameReader().feed(sink.getvalue()) if isinstance(one, bytes)]
+
+
+def said(*sent: dict[str, Any]) -> list[str]:
+    """Return in order what a server answers and tells, in a few words."""
+    told = []
+    for one in messages(*sent):
         if one.get("method") == "textDocument/publishDiagnostics":
             told.append(f"findings of {one['params']['version']}: {len(one['params']['diagnostics'])}")
         elif one.get("id"):
@@ -61,3 +66,29 @@ def test_findings_of_a_text_that_has_changed_since_are_not_looked_for() -> None:
 
 def test_who_ends_the_server_waits_for_no_findings() -> None:
     assert said(opened("program p\nmov nowhere_known\n"), call("shutdown", None, 1))[0] == "answer 1"
+
+
+LONG = "program p\nunits mm\n" + "mov (300, 0, 300)\nlin (300, 10, 300)\n" * 500
+
+
+@pytest.mark.parametrize("method", ["textDocument/hover", TOKENS])
+def test_long_work_for_a_text_gives_way_to_a_newer_one(method: str) -> None:
+    place = {"line": 3, "character": 1}
+    params = {"textDocument": {"uri": URI}, "position": place}
+    after = LONG + "n = 1\nmov home\nprint n\n"
+    asked = (call(method, params, 1), changed(after, 2), call(method, params, 2))
+    first, findings, second = (one for one in messages(opened(LONG), *asked) if one.get("id") != 0)
+    assert first["error"] == {"code": -32801, "message": "the text has been changed while it was looked at"}
+    assert findings["params"]["version"] == 2
+    assert "result" in second
+
+
+def test_what_gave_way_is_worked_out_when_it_is_asked_for_again() -> None:
+    editor = Editor()
+    editor.open(URI, LONG)
+    about = {"textDocument": {"uri": URI}, "position": {"line": 3, "character": 1}}
+    editor.workshop.attention.is_called = lambda: True
+    with pytest.raises(SupersededError):
+        editor.ask("textDocument/hover", **about)
+    editor.workshop.attention.is_called = nobody_calls
+    assert "goes to (300, 10, 300) mm" in editor.ask("textDocument/hover", **about)["contents"]["value"]

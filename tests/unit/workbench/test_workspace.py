@@ -7,7 +7,14 @@ import pytest
 
 from ropsim.core import SourceText
 from ropsim.query import Outcome
-from ropsim.workbench import Project, Workspace, new_project, open_overlaid, open_project
+from ropsim.workbench import (
+    Project,
+    Workspace,
+    new_project,
+    open_overlaid,
+    open_project,
+    targets_by_line,
+)
 from support.robot_files import PUMA560
 
 CELL = SourceText(
@@ -108,8 +115,9 @@ def test_findings_code_and_names_of_a_text_come_from_one_compilation() -> None:
         workspace.compiled(PROGRAM, at).diagnostics == workspace.checked(PROGRAM, {"": at}).diagnostics == ()
     )
     assert workspace.code_id(PROGRAM, at)
-    targets = workspace.targets(PROGRAM, at)
-    assert targets is not None
+    code = workspace.code(PROGRAM, at)
+    assert code is not None
+    targets = targets_by_line(code, workspace.environment(at))
     assert targets[2].X_BT.position.tolist() == pytest.approx([0.3, 0.2, 0.5])
     assert [one.function for one in workspace.events or []].count("translated") == 1
 
