@@ -18,6 +18,7 @@ from ropsim.core.files import replace_private_file as replace_private_file
 from ropsim.core.frozen_dataclass import frozen_dataclass as frozen_dataclass
 from ropsim.core.frozen_dataclass import frozen_without_equality as frozen_without_equality
 from ropsim.core.frozen_dataclass import maker as maker
+from ropsim.core.late_mapping import LateMapping as LateMapping
 from ropsim.core.places import Places as Places
 from ropsim.core.places import places_of as places_of
 from ropsim.core.plural import plural as plural

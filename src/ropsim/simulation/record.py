@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from ropsim.core import Diagnostic
+from ropsim.core import Diagnostic, LateMapping
 from ropsim.flow import (
     CalledTask,
     Channel,
@@ -91,7 +91,7 @@ def recording_of(run: CellRun, programs: Mapping[str, Program], options: RunOpti
     content = RunContent(
         run.cell.content,
         {name: code_lines(one) for name, one in programs.items()},
-        line_contents_of_all(programs, run.cell.content),
+        LateMapping(lambda: line_contents_of_all(programs, run.cell.content)),
     )
     return Recording(time, channels, tuple(events), findings, run.time, facts, tuple(run.placements), content)
 
