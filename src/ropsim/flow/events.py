@@ -95,7 +95,7 @@ class SkipEvent(Event):
 
 @frozen_dataclass
 class WaitEvent(Event):
-    """The program stood still for a time, or for a tick because it looks again without doing anything else.
+    """The program stood still for a time, or as long as it looked again and again and did nothing else.
 
     Attributes:
         pause: how long it was to stand [s]; the event is shorter where the run was cut short.

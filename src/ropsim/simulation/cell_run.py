@@ -8,11 +8,12 @@ from dataclasses import dataclass, field
 
 from ropsim.controller import CellSensors, NothingSensed, Sample, StretchOrder
 from ropsim.core import Diagnostic
-from ropsim.flow import SLOWEST, Event, InputChange, Placement
+from ropsim.flow import SLOWEST, Event, InputChange, Placement, WaitEvent
 from ropsim.model import Cell, Part, Tool
 from ropsim.simulation.clasp import Clasp
 from ropsim.simulation.devices.device_run import NEVER, DeviceRun
 from ropsim.simulation.inputs import signal_track
+from ropsim.simulation.looked_wait import LookedWait
 from ropsim.simulation.moment import Moment
 from ropsim.simulation.parts import payload
 from ropsim.simulation.placements import Placements, changes
@@ -231,6 +232,33 @@ class CellRun:
 
     def note(self, at: StationRun, since: int, event: Event) -> None:
         """Enter an event of a station that began at its tick `since` and ends now."""
+        self.end_looking(at)
         self.events.append(event)
         if event.origin:
             at.ran(event.origin, since)
+
+    def note_looking(self, at: StationRun, since: int, event: WaitEvent) -> None:
+        """Take down that a station looks again and has stood from its tick `since` up to now.
+
+        It is entered once the program does something else, as one event with all that it goes on from.
+        """
+        known = at.looked
+        if known is not None and known.goes_on_in(event, since):
+            whole = WaitEvent(
+                *at.when(known.since),
+                known.event.origin,
+                pause=(since - known.since) / at.hz + event.pause,
+                looked=event.looked,
+            )
+            at.looked = LookedWait(whole, known.since, at.tick)
+        else:
+            self.end_looking(at)
+            at.looked = LookedWait(event, since, at.tick)
+        if event.origin:
+            at.ran(event.origin, since)
+
+    def end_looking(self, at: StationRun) -> None:
+        """Enter the wait of a station that looks again and again, if it does."""
+        if at.looked is not None:
+            self.events.append(at.looked.event)
+            at.looked = None

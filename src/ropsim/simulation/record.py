@@ -57,6 +57,8 @@ from ropsim.version import __version__
 
 def recording_of(run: CellRun, programs: Mapping[str, Program], options: RunOptions) -> Recording:
     """Return the recording of a run that has ended."""
+    for at in run.stations.values():
+        run.end_looking(at)
     logs = {name: at.plant.log() for name, at in run.stations.items()}
     rows = _rows(run, logs)
     time = rows / run.hz

@@ -9,6 +9,7 @@ from ropsim.kinematics import forward, frames_batch
 from ropsim.model import Payload, Station, Tool, external_links, link_name, tool_body
 from ropsim.simulation.activation import Activations
 from ropsim.simulation.devices.course import Course
+from ropsim.simulation.looked_wait import LookedWait
 from ropsim.simulation.move_span import MoveSpan, PathSpan
 from ropsim.simulation.plant import Plant
 from ropsim.simulation.polling import Polled
@@ -46,6 +47,7 @@ class StationRun:
         fingers: courses of the fingers of its tools, by the name of the body of the tool.
         awaits: what it stands for, where it waits for a channel.
         polled: what it looks at again and again, where it does nothing else.
+        looked: its wait by looking again and again, as long as that may go on.
         origin: of the instruction in force.
         is_busy: whether that is still being carried out.
         is_held: whether it stands because the override is 0.
@@ -73,6 +75,7 @@ class StationRun:
     fingers: dict[str, Course] = field(default_factory=dict)
     awaits: AwaitInstruction | None = None
     polled: Polled | None = None
+    looked: LookedWait | None = None
     origin: Origin = field(default_factory=Origin)
     is_busy: bool = False
     is_held: bool = False

@@ -85,6 +85,10 @@ def work(run: CellRun, at: StationRun, program: Program, options: RunOptions) ->
             yield
             yield from _while_held(run, at)
             step = steps.take()
+            if at.looked and not isinstance(step, WaitInstruction) and type(step) is not SyncInstruction:
+                run.end_looking(at)  # it does something else now: a step of a live run ends before that
+                yield
+                yield from _while_held(run, at)
     if at.in_vain or at.dismissed:
         return  # who ended the wait has told why; those that it served have ended
     if isinstance(step, Finished) and not at.cut_short:
@@ -108,7 +112,10 @@ def _stood(
 ) -> None:
     """Note that the program has stood from a tick on, for a time or because it looks again and again."""
     stood = WaitEvent(*at.when(since), step.origin, pause=pause, looked=world.polling.looked)
-    run.note(at, since, stood)
+    if stood.looked:
+        run.note_looking(at, since, stood)
+    else:
+        run.note(at, since, stood)
 
 
 def _carry_out(

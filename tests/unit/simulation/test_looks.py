@@ -126,3 +126,39 @@ def test_a_move_between_two_looks_leaves_nothing_to_stand_for() -> None:
     recording = ran([pulse("a", initial=1.0)], "wait until a", "mov joints(20, 60, -150, 0, -60, 0)")
     (move,) = recording.events_of(MoveEvent)
     assert recording.duration == move.end
+
+
+def looking(recording: Recording) -> list[WaitEvent]:
+    """Return the waits in which the program looks; it is known to do so from its second look on."""
+    return [one for one in recording.events_of(WaitEvent) if one.looked]
+
+
+def test_a_wait_by_looking_is_one_event_however_long_it_lasts() -> None:
+    recording = ran([pulse("a", (1.0, 1.0)), pulse("b", (2.0, 1.0))], "wait until a and b", "print 1")
+    (wait,) = looking(recording)
+    ((_, time),) = said(recording)
+    assert wait.looked == ("a", "b")
+    assert wait.time <= TICK
+    assert wait.time + wait.duration == pytest.approx(time)
+    assert wait.pause == pytest.approx(wait.duration)
+
+
+def test_waits_by_looking_on_two_lines_are_two_events() -> None:
+    signals = [pulse("a", (1.0, 1.0)), pulse("b", (2.0, 1.0)), pulse("c", (3.0, 1.0))]
+    waits = looking(ran(signals, "wait until a and b", "wait until b and c", "print 1"))
+    assert [one.looked for one in waits] == [("a", "b"), ("b", "c")]
+    first, second = (one.span.line for one in waits if one.span)
+    assert second == first + 1
+
+
+def test_what_a_loop_does_between_two_looks_parts_its_waits() -> None:
+    signals = [pulse("a", (1.0, 1.0)), Signal("lamp", is_input=False)]
+    loop = ("for i = 1 to 3", "if a then print 0", "set lamp on", "endf", "print 1")
+    assert len(ran(signals, *loop).events_of(WaitEvent)) == 2
+
+
+def test_a_wait_by_looking_that_the_end_of_the_run_cuts_short_is_told() -> None:
+    recording = ran([pulse("a"), pulse("b")], "repeat", "if a or b then break", "endr")
+    waits = recording.events_of(WaitEvent)
+    assert len(waits) <= 2
+    assert waits[-1].time + waits[-1].duration == pytest.approx(recording.duration, abs=2.0 * TICK)
