@@ -72,6 +72,11 @@ class Document:
         """Return whether it is a text of tasks of a knowledge base."""
         return self.name.endswith(".pl")
 
+    @property
+    def is_program(self) -> bool:
+        """Return whether it is a text of the task language."""
+        return not self.name.endswith((".toml", ".icr", ".pl"))
+
     def line(self, number: int) -> str:
         """Return line `number` (from 0), empty beyond the end."""
         if not 0 <= number < len(self.starts):

@@ -13,7 +13,7 @@ MOST = 500
 
 def is_program(document: Document) -> bool:
     """Return whether a document is a text of the task language."""
-    return not document.name.endswith((".toml", ".icr", ".pl"))
+    return document.is_program
 
 
 def programs_of(

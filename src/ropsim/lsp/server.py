@@ -9,6 +9,7 @@ from ropsim.lsp import protocol
 from ropsim.lsp.abilities import encoding_of, marks_lines_of, pulls_of
 from ropsim.lsp.code_actions import KINDS
 from ropsim.lsp.document import Document
+from ropsim.lsp.findings import diagnostic
 from ropsim.lsp.line_states import states_message
 from ropsim.lsp.messages import Call, ErrorCode, Json, Refusal, failure, notification, request, result
 from ropsim.lsp.programs import is_program
@@ -100,6 +101,20 @@ def settle(state: State, workshop: Workshop) -> Answer:
     return replace(settled, asked=state.asked + 1), (request(identity, "workspace/diagnostic/refresh"),)
 
 
+def first_sight(state: State, workshop: Workshop) -> tuple[Json, ...]:
+    """Tell what is wrong with single lines of long texts that have not been checked yet, before they are.
+
+    What `settle` tells behind it, for the same version of the text, takes its place.
+    """
+    told = []
+    for uri in () if state.pulls else sorted(state.stale):
+        document = state.documents.get(uri)
+        found = workshop.at_first_sight(document) if document is not None else None
+        if document is not None and found:
+            told.append(_findings(document, [diagnostic(one, document) for one in found]))
+    return tuple(told)
+
+
 def mark(state: State, workshop: Workshop) -> Answer:
     """Tell of one document which results of its lines are those of the text; called when all else is told.
 
@@ -117,7 +132,10 @@ def _published(state: State, uri: str, workshop: Workshop) -> Json:
     document = state.documents.get(uri)
     if document is None:  # closed: nothing of it is shown any more
         return notification("textDocument/publishDiagnostics", {"uri": uri, "diagnostics": []})
-    found = findings_of(document, state.documents, workshop)
+    return _findings(document, findings_of(document, state.documents, workshop))
+
+
+def _findings(document: Document, found: list[Json]) -> Json:
     told = {"uri": document.uri, "version": document.version, "diagnostics": found}
     return notification("textDocument/publishDiagnostics", told)
 

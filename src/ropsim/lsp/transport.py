@@ -13,7 +13,7 @@ from ropsim.lsp.attention import SupersededError, nobody_calls
 from ropsim.lsp.framing import FrameFault, FrameReader, framed
 from ropsim.lsp.inbox import Ended, Inbox
 from ropsim.lsp.messages import Call, ErrorCode, Fault, Json, failure, notification, read_message
-from ropsim.lsp.server import answer, mark, settle
+from ropsim.lsp.server import answer, first_sight, mark, settle
 from ropsim.lsp.state import Phase, State
 from ropsim.lsp.workshop import Workshop
 from ropsim.userfiles import kept_by_user
@@ -94,6 +94,7 @@ def _write(sink: BinaryIO, said: tuple[Json, ...]) -> None:
 def _tell_findings(state: State, workshop: Workshop, sink: BinaryIO) -> State:
     """Tell the findings of texts that have changed; return the state after it."""
     with kept_from_collection():
+        _write(sink, _at_first_sight(state, workshop))
         state, said = _settled(state, workshop)
     _write(sink, said)
     return state
@@ -149,6 +150,13 @@ def _settled(state: State, workshop: Workshop) -> tuple[State, tuple[Json, ...]]
     except Exception as error:  # as above; the next change tries again
         nothing_stale = replace(state, stale=frozenset(), asks_again=False)
         return nothing_stale, (_own_fault(error, None),)
+
+
+def _at_first_sight(state: State, workshop: Workshop) -> tuple[Json, ...]:
+    try:
+        return first_sight(state, workshop)
+    except Exception:  # what is checked behind it comes to the same fault, and tells it
+        return ()
 
 
 def _marked(state: State, workshop: Workshop) -> tuple[State, tuple[Json, ...]]:

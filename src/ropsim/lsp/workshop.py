@@ -38,6 +38,9 @@ CELL_FILE, KNOWLEDGE = "cell.toml", "kb"
 #: Where a program runs that no station runs.
 NO_STATION: Mapping[str, AtStation] = MappingProxyType({"": NOWHERE})
 
+#: Lines from which on the first check of a program takes longer than a look at its lines one by one.
+LONG = 1000
+
 #: Texts outside of a project end their search for a cell file after so many folders.
 _MAX_DEPTH = 40
 
@@ -158,6 +161,15 @@ class Workshop:
             return replace(checked, tasks=known.tasks, variables=known.variables)
         self._called[document.uri] = checked
         return checked
+
+    def at_first_sight(self, document: Document) -> tuple[Diagnostic, ...] | None:
+        """Return what is wrong with single lines of a long program that has never been checked.
+
+        None for other documents: they are checked as quickly.
+        """
+        if document.uri in self._called or len(document.starts) < LONG or not document.is_program:
+            return None
+        return language.line_findings(_source(document), self.lines)
 
     def _around_programs(
         self, folder: Path, source: SourceText, documents: Mapping[str, Document]

@@ -8,6 +8,7 @@ import pytest
 
 from ropsim.lsp.attention import SupersededError, nobody_calls
 from ropsim.lsp.framing import FrameReader
+from ropsim.lsp.server import first_sight
 from ropsim.lsp.transport import serve
 from support.editors import Editor
 
@@ -92,3 +93,19 @@ def test_what_gave_way_is_worked_out_when_it_is_asked_for_again() -> None:
         editor.ask("textDocument/hover", **about)
     editor.workshop.attention.is_called = nobody_calls
     assert "goes to (300, 10, 300) mm" in editor.ask("textDocument/hover", **about)["contents"]["value"]
+
+
+def test_lines_of_a_long_text_are_told_before_it_is_checked_as_a_whole() -> None:
+    asked = call("textDocument/foldingRange", {"textDocument": {"uri": URI}}, 1)
+    told = said(opened(LONG + "lin (300, 10\nmov nowhere_known\n"), asked)
+    assert told == ["findings of 1: 1", "findings of 1: 2", "answer 1"]
+    assert said(opened(LONG), asked) == ["findings of 1: 0", "answer 1"]
+
+
+def test_an_edit_of_a_long_text_that_has_been_checked_is_told_once() -> None:
+    editor = Editor()
+    editor.open(URI, LONG + "lin (300, 10\n")
+    editor.type(URI, (2, 0), (2, 0), "mov home\n")
+    assert editor.state.stale
+    assert first_sight(editor.state, editor.workshop) == ()
+    assert len(editor.settle()[URI]) == 1

@@ -1,0 +1,36 @@
+"""What is wrong with single lines of a text, without a look at the others; that takes little time."""
+
+from collections.abc import Iterator
+from itertools import islice
+
+from ropsim.core import Diagnostic, SourceText, TextEdit
+from ropsim.language import text as texts
+from ropsim.language.prose import is_classic, modes
+from ropsim.language.syntax.statements import ContractClause
+from ropsim.language.text import Parser
+
+MOST = 100
+"""Findings that are told at most."""
+
+
+def line_findings(source: SourceText, cache: Parser) -> tuple[Diagnostic, ...]:
+    """Return the first findings that lines have by themselves, in order; the whole text has them, too.
+
+    Their hints may be more exact there. In a classic text nothing is told: what is prose in it, and no
+    statement, depends on its tasks.
+
+    Args:
+        source: any text.
+        cache: may keep what lines were parsed to.
+    """
+    lines = list(texts.read(source, cache))
+    return () if is_classic(modes(lines)) else tuple(islice(_found(source, lines), MOST))
+
+
+def _found(source: SourceText, lines: list[texts.Line]) -> Iterator[Diagnostic]:
+    for line in lines:
+        fault = line.fault
+        if fault is not None and not isinstance(line.statement, ContractClause | None):
+            span = line.logical.span(source.name, fault.start, fault.end)
+            edit = TextEdit(span, fault.fix) if fault.fix else None
+            yield fault.kind.at(span, fault.message, hint=fault.hint, fix=edit)
