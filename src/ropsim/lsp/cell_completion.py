@@ -15,14 +15,26 @@ _PROPERTY, _VALUE, _MODULE = 10, 12, 9
 _INLINE = re.compile(r"\s*([\w-]+)\s*=\s*\{(.*)$")
 _GIVEN = re.compile(r"\s*([\w-]+)\s*=\s*(.*)$")
 _HEADER = re.compile(r"\s*(\[\[?)\s*([\w-]*)$")
+_REMARK = re.compile(r"""(?:[^"'#]|"[^"]*"|'[^']*')*+#""")
 _KEY = re.compile(r"\s*[\w-]*$")
 _SECTIONS = {Sort.SECTION: "[", Sort.NAMED: "[", Sort.SECTIONS: "[["}
 
 
-def proposed_in_cell(document: Document, position: Position, around: Surroundings) -> list[Json]:
-    """Return what can be written at a place; the line is left out of what is read, as it is being typed."""
+def proposed_in_cell(
+    document: Document, position: Position, around: Surroundings, trigger: str
+) -> list[Json]:
+    """Return what can be written at a place; the line is left out of what is read, as it is being typed.
+
+    Args:
+        document: the cell file.
+        position: in it.
+        around: its project.
+        trigger: the sign that has just been typed, where it is what asks: then no keys are offered.
+    """
     number = position.line
     before = document.line(number)[: document.column(position)]
+    if _REMARK.match(before):
+        return []
     header = _HEADER.match(before)
     if header is not None:
         asked = asked_in(_with_line(document, number, ""), around)
@@ -37,7 +49,7 @@ def proposed_in_cell(document: Document, position: Position, around: Surrounding
     if given is not None:
         question = asked.questions.get((*section, given[1]))
         return list(_values(question, given[2])) if question is not None else []
-    if not _KEY.match(rest):
+    if trigger or not _KEY.match(rest):
         return []
     return list(_keys(asked, section, document, number))
 

@@ -95,7 +95,7 @@ def proposed(
     if document.is_task_text:
         return proposed_in_tasks(document, position, workshop.surroundings(document, documents).tasks)
     if is_cell_file(document):
-        return proposed_in_cell(document, position, workshop.named(document, documents))
+        return proposed_in_cell(document, position, workshop.named(document, documents), trigger)
     if not is_program(document):
         return []
     before = document.line(position.line)[: document.column(position)]

@@ -110,6 +110,17 @@ def test_words_and_names_are_offered_as_values(folder: Path) -> None:
     assert '"puma560"' in labels(folder, base.replace('model = "puma560"', "model = |"))
 
 
+def test_a_blank_and_a_remark_offer_nothing(folder: Path) -> None:
+    base = text_of(folder)
+    assert labels(folder, base + "\n[signals.a]\n# anal|") == []
+    assert labels(folder, base.replace('model = "puma560"', 'model = "puma560" # |')) == []
+    asked = {"context": {"triggerCharacter": " "}}
+    uri, text = uri_of(folder / "cell.toml"), base + "\n[signals.a]\n |"
+    assert Editor().at_mark("completion", uri, text, **asked)["items"] == []
+    given = Editor().at_mark("completion", uri, text.replace(" |", "analog = |"), **asked)["items"]
+    assert [one["label"] for one in given] == ["true", "false"]
+
+
 def test_its_sections_are_listed_and_folded(folder: Path) -> None:
     editor, uri = Editor(), uri_of(folder / "cell.toml")
     editor.open(uri, text_of(folder))
