@@ -14,7 +14,7 @@ from ropsim.controller.wrist_way import WristWay, arm_axes
 from ropsim.kinematics import forward_batch, frames_batch, frames_of_steps
 from ropsim.model import BASE_LINK, RobotModel, held_arm
 from ropsim.motion import JointPath, Refined, Traced, joins, rough_parts
-from ropsim.spatial import Array, Pose, record
+from ropsim.spatial import Array, Pose, cross, record
 
 _COARSE = (16, 64, 256)
 """Steps of four parts of a way that are gone one after the other; more where a place is not found."""
@@ -163,7 +163,7 @@ class _Arm:
                 break
             smallest = min(size, smallest)
             frames = frames_of_steps(held, own)[:, :3]
-            J = np.cross(frames[..., :3, 2], places[:, np.newaxis] - frames[..., :3, 3])  # rows: joints
+            J = cross(frames[..., :3, 2], places[:, np.newaxis] - frames[..., :3, 3])  # rows: joints
             try:
                 own[:, :3] += np.linalg.solve(np.swapaxes(J, 1, 2), offset[..., np.newaxis])[..., 0]
             except np.linalg.LinAlgError:
