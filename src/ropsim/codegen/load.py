@@ -1,6 +1,7 @@
 """From generated source to a callable function: compiled and cached on disk, or plain Python."""
 
 import math
+import re
 from collections.abc import Sequence
 from functools import lru_cache
 from typing import Any
@@ -51,6 +52,7 @@ import math
 
 import numpy as np
 
+from ropsim.codegen.lone_text import lone_text
 from ropsim.codegen.stages import array_at, inside_as
 from ropsim.codegen.straight_line import straight_line
 """
@@ -59,22 +61,25 @@ from ropsim.codegen.straight_line import straight_line
 def compiled_source(functions: Sequence[SourceFunction]) -> str:
     """Return the text of a module that knows its functions as compiled ones do; `entry` calls `last`."""
     *inner, last = functions
-    parts = [_HEAD, *(_inside(one) for one in inner)]
+    parts = [_HEAD, *(_inside(one, inner[:k]) for k, one in enumerate(inner))]
     if last.form is Form.STRAIGHT_LINE:
-        parts.append(_inside(last))
+        parts.append(_inside(last, ()))
         taken = ", ".join(f"a{k}" for k in range(len(Signature.parse(last.signature).arguments)))
         last = SourceFunction("last", last.signature, f"def last({taken}):\n    {last.name}({taken})\n")
-    parts.append(_inside(last))
+    parts.append(_inside(last, functions))
     parts.append(Signature.parse(last.signature).entry_text(last.name))
     return "\n\n".join((*parts, f"last = {last.name}\n"))
 
 
-def _inside(function: SourceFunction) -> str:
-    """Return the text of a function that only compiled code calls."""
+def _inside(function: SourceFunction, before: Sequence[SourceFunction]) -> str:
+    """Return the text of a function that only compiled code calls; it may call those before it."""
     if function.form is Form.STRAIGHT_LINE:
         return f'{function.name} = straight_line("""\\\n{function.text}""")\n'
-    checked = function.bounds is Bounds.CHECKED
-    return f'@inside_as("{function.signature}", boundscheck={checked})\n{function.text}'
+    options = f'"{function.signature}", boundscheck={function.bounds is Bounds.CHECKED}'
+    others = (one.name for one in before if one.name != function.name)
+    if any(re.search(rf"\b{name}\b", function.text) for name in others):
+        return f"@inside_as({options})\n{function.text}"
+    return f"{function.name} = lone_text({function.name!r}, {function.text!r}, {options})\n"
 
 
 def _run(source: str, name: str, scope: dict[str, Any]) -> dict[str, Any]:
