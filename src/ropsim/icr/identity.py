@@ -11,7 +11,11 @@ from ropsim.icr.writer import disassemble
 
 def program_id(program: Program) -> str:
     """Return the SHA-256 of what a program means: of the canonical text of its plain form."""
-    return hashlib.sha256(disassemble(_plain(program)).encode("ascii", "backslashreplace")).hexdigest()
+    return program.identity(lambda: hashlib.sha256(_canonical(program)).hexdigest())
+
+
+def _canonical(program: Program) -> bytes:
+    return disassemble(_plain(program)).encode("ascii", "backslashreplace")
 
 
 def code_lines(program: Program) -> tuple[int, ...]:

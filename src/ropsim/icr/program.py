@@ -1,6 +1,6 @@
 """An ICR program as a value: declarations and procedures of flat code."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import field
 from operator import attrgetter
 from typing import NamedTuple
@@ -169,6 +169,7 @@ class Program:
     _numbers: dict[str, int] | None = field(init=False, default=None, compare=False, repr=False)
     _procedure_numbers: dict[str, int] | None = field(init=False, default=None, compare=False, repr=False)
     _channel_numbers: dict[str, int] | None = field(init=False, default=None, compare=False, repr=False)
+    _identity: str = field(init=False, default="", compare=False, repr=False)
 
     @property
     def numbers(self) -> dict[str, int]:
@@ -179,6 +180,12 @@ class Program:
     def procedure_numbers(self) -> dict[str, int]:
         """Return the place of each procedure, by its name; found when first asked for."""
         return _known_places(self, "_procedure_numbers", self.procedures)
+
+    def identity(self, find: Callable[[], str]) -> str:
+        """Return the identity of what the program means, see `program_id`; found when first asked for."""
+        if not self._identity:
+            object.__setattr__(self, "_identity", find())
+        return self._identity
 
     def procedure(self, name: str) -> Procedure | None:
         """Return the first procedure of that name, or None."""

@@ -1,12 +1,14 @@
 """Plans that are kept by the content of their stretches: what was planned before is not planned again."""
 
+from collections.abc import Hashable
+
 from ropsim.controller import MotionChain, StretchOrder
-from ropsim.flow import MoveInstruction
+from ropsim.flow import ModalState, MoveInstruction
 from ropsim.model import Cell
 from ropsim.simulation.kept_results import KeptResults
 from ropsim.simulation.planned_stretch import PlannedStretch, planned_anew
 from ropsim.simulation.replaced_lines import on_lines_of
-from ropsim.spatial import bits_without, fingerprint
+from ropsim.spatial import bits_of, bits_without, fingerprint
 
 MOST_BYTES = 200_000_000
 """So much of references is kept: 20 minutes of motion of six axes at a control rate of 1 kHz."""
@@ -14,7 +16,7 @@ MOST_BYTES = 200_000_000
 _OF_A_MOVE = 10_000
 """What a move takes beside its reference rows, about [bytes]."""
 
-_content = bits_without(MoveInstruction, "origin")
+_content = bits_without(MoveInstruction, "origin", "modal")
 
 
 class KeptPlans:
@@ -36,6 +38,7 @@ class KeptPlans:
     def __init__(self, cell: Cell, most: int = MOST_BYTES) -> None:
         self.cell = cell
         self.anew: list[tuple[MoveInstruction, ...]] = []
+        self._modal: tuple[ModalState | None, Hashable] = (None, None)
         self._kept: KeptResults[tuple[tuple[MoveInstruction, ...], PlannedStretch]] = KeptResults(most)
 
     @property
@@ -57,7 +60,7 @@ class KeptPlans:
             order: the moves, and where the arm stands.
         """
         moves = (*order.moves, *order.ahead)
-        asked = tuple([(_content(move), move.origin.visit) for move in moves])
+        asked = tuple([(_content(move), self._modal_bits(move.modal), move.origin.visit) for move in moves])
         key = (station, order.q_start.tobytes(), fingerprint(order.payload), asked, len(order.ahead))
         kept = self._kept.get(key)
         found = on_lines_of(moves, *kept) if kept else None
@@ -66,6 +69,12 @@ class KeptPlans:
             found = planned_anew(station, chain, order)
             self._kept.put(key, (moves, found), _size(found))
         return found
+
+    def _modal_bits(self, modal: ModalState) -> Hashable:
+        """Return the key of a modal state, mostly that of the move before."""
+        if modal is not self._modal[0]:
+            self._modal = modal, bits_of(modal)
+        return self._modal[1]
 
 
 def _size(planned: PlannedStretch) -> int:

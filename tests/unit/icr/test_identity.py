@@ -124,3 +124,13 @@ def test_a_task_may_be_moved_and_its_variables_renamed() -> None:
     other = f"{count}# moved\ntask Say{say}end\ntask Count{last}{calls}"
     assert other != TASKS
     assert program_id(compiled(other)) == program_id(compiled(TASKS))
+
+
+def test_the_identity_is_found_once_and_a_changed_copy_has_its_own() -> None:
+    program = assemble(TEXT)
+    found = program_id(program)
+    assert program_id(program) is found
+    assert program == assemble(TEXT)  # to have asked makes no other program
+    other = replace(program, procedures=program.procedures[:1])
+    assert program_id(other) != found
+    assert program_id(replace(other, procedures=program.procedures)) == found

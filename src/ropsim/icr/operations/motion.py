@@ -2,6 +2,8 @@
 
 import math
 from dataclasses import replace
+from functools import lru_cache
+from struct import Struct
 from typing import NamedTuple
 
 from ropsim.core import maker
@@ -38,7 +40,14 @@ class _AtPose(NamedTuple):
 
 
 _NOTHING = _AtPose()
+_NUMBERS = Struct("7d")
 _move = maker(MoveInstruction)
+
+
+@lru_cache(maxsize=4096)
+def _pose(numbers: bytes) -> Pose:
+    """Return a pose of the bits of its numbers; the same ones come back in loops, and after an edit."""
+    return Pose.from_tuple(_NUMBERS.unpack(numbers))
 
 
 def _move_joints(registers: Registers, _world: World, site: Site) -> Instruction:
@@ -83,7 +92,7 @@ def _moved(
     for point in via:
         _check_via(site.mnemonic, point, target)
     registers.commanded = Commanded(target, modal := registers.modal)
-    X_KT, *X_KV = [Pose.from_tuple(pose_part(one)) for one in (target, *via)]
+    X_KT, *X_KV = [_pose(_NUMBERS.pack(*pose_part(one))) for one in (target, *via)]
     if (tag := tag_of(target)) is not None:
         modal = replace(modal, frame=tag.name, X_BK=tag.X_BK)
     more = _AtPose(external_part(target), tuple(X_KV), posture_of(target))
