@@ -1,7 +1,7 @@
 /** The language server in the editor: marks after 30 ms, completion, hover, names, calls, actions. */
 import { hoverTooltips, LSPClient, LSPPlugin, serverCompletion, signatureHelp } from '@codemirror/lsp-client'
 import { type EditorView, keymap, ViewPlugin, type ViewUpdate } from '@codemirror/view'
-import type { LineContent } from '../studio/line_results'
+import type { LineContent } from '../studio/line_contents'
 import type { Problem } from '../studio/problems'
 import { actionsPanel } from './actions_panel'
 import { EDIT_KEYS } from './edit_actions'

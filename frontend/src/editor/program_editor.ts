@@ -16,10 +16,12 @@ import {
   type ViewUpdate,
 } from '@codemirror/view'
 import type { EditEntry } from '../studio/edit_table'
-import { type LineContent, type LineResults, NO_RESULTS } from '../studio/line_results'
+import type { LineContent, ResultCounts } from '../studio/line_contents'
+import { countsOf, type LineResults, NO_RESULTS, onLineResults } from '../studio/line_results'
 import type { Problem } from '../studio/problems'
-import type { Wrap } from '../studio/state'
+import type { StudioStore, Wrap } from '../studio/state'
 import type { WayBack } from '../studio/text_desk'
+import { resultWords } from '../text/line_results'
 import { commandOf } from './edit_actions'
 import { showFound } from './found_marks'
 import { LanguageClient } from './language_client'
@@ -69,6 +71,12 @@ const External = Annotation.define<true>()
 
 /** Colours and folding by the language of a document; code of ICR has none. */
 const LANGUAGES: Readonly<Record<string, () => Extension>> = { task, toml, prolog }
+
+function countsIn(results: LineResults): ResultCounts | null {
+  if (results.size === 0) return null
+  const { valid, pending, stale } = countsOf(results)
+  return { children: resultWords.summary(valid, pending, stale), title: resultWords.title }
+}
 
 export class ProgramEditor {
   readonly #options: ProgramEditorOptions
@@ -145,10 +153,13 @@ export class ProgramEditor {
     if (this.#name) showFound(this.#view, problems)
   }
 
-  /** Mark beside the lines which results are those of the text. */
-  markResults(results: LineResults): void {
-    this.#results = results
-    if (this.#name) showResults(this.#view, results)
+  /** Mark beside the lines of a document which results are those of the text, from now on; return how to end that. */
+  followResults(store: StudioStore, document: string): () => void {
+    return onLineResults(store, document, results => {
+      this.#results = results
+      if (this.#name) showResults(this.#view, results)
+      store.setState({ counts: countsIn(results) })
+    })
   }
 
   /** Show the running line in grey while the run belongs to an older text. */

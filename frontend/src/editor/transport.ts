@@ -10,6 +10,9 @@ export interface LinkEvents {
 /** Waits before the tries to come back [ms]; the last one repeats. */
 const WAITS = [250, 500, 1000, 2000, 5000] as const
 
+/** Of an answer to what was asked of an older text: the editor asks again, nobody need be told. */
+const CONTENT_MODIFIED = -32801
+
 export class LanguageLink {
   readonly #address: string
   readonly #events: LinkEvents
@@ -48,15 +51,13 @@ export class LanguageLink {
     }
     socket.onmessage = event => {
       if (typeof event.data !== 'string') return
-      const id = answerId(event.data)
+      const { id, isOvertaken } = answerOf(event.data)
       if (id !== null) unanswered.delete(id)
-      tell(event.data)
+      tell(isOvertaken ? nothing(id) : event.data)
     }
     socket.onclose = () => {
       // Whoever waits for an answer is told that there is none, so that no promise stays open or fails.
-      for (const id of unanswered) {
-        tell(JSON.stringify({ jsonrpc: '2.0', id, result: null }))
-      }
+      for (const id of unanswered) tell(nothing(id))
       if (isReady) this.#events.onLost()
       if (!this.#isClosed) this.#again()
     }
@@ -81,7 +82,18 @@ function requestId(message: string): number | string | null {
   return id !== undefined && method !== undefined && method !== 'initialize' ? id : null
 }
 
-function answerId(message: string): number | string | null {
-  const { id, method } = JSON.parse(message) as { id?: number | string | null; method?: string }
-  return method === undefined ? (id ?? null) : null
+/** The request that a message answers, null for none, and whether the text was changed before that was worked out. */
+function answerOf(message: string): { id: number | string | null; isOvertaken: boolean } {
+  const { id, method, error } = JSON.parse(message) as {
+    id?: number | string | null
+    method?: string
+    error?: { code: number }
+  }
+  if (method !== undefined) return { id: null, isOvertaken: false }
+  return { id: id ?? null, isOvertaken: error?.code === CONTENT_MODIFIED }
+}
+
+/** The answer that there is nothing to tell. */
+function nothing(id: number | string | null): string {
+  return JSON.stringify({ jsonrpc: '2.0', id, result: null })
 }

@@ -3,10 +3,7 @@ import type { KeyboardEvent } from 'react'
 import { useStudio, useStudioState } from '../studio/context'
 import { programIn, stationOf } from '../studio/document_names'
 import type { StudioDocument } from '../studio/documents'
-import { countsOf } from '../studio/line_results'
-import { resultWords } from '../text/line_results'
 import { words } from './editor_words'
-import { useLineResults } from './use_line_results'
 
 /** With more texts than these a list takes the place of tabs. */
 const MOST_TABS = 5
@@ -29,7 +26,7 @@ export function DocumentBar({ documents, shown }: DocumentsProps) {
   return (
     <div className="program-bar">
       <Choice documents={documents} shown={shown} />
-      <ResultCounts document={shown?.name ?? ''} />
+      <ResultCounts />
       {other ? (
         <button type="button" title={words.simulateTitle} onClick={() => studio.commands.run('run.now')}>
           {words.simulate}
@@ -53,15 +50,9 @@ export function DocumentBar({ documents, shown }: DocumentsProps) {
 }
 
 /** How many lines have which result, for who does not see the marks beside them, and for all others. */
-function ResultCounts({ document }: { document: string }) {
-  const results = useLineResults(document)
-  if (results.size === 0) return null
-  const { valid, pending, stale } = countsOf(results)
-  return (
-    <span className="program-results" role="status" title={resultWords.title}>
-      {resultWords.summary(valid, pending, stale)}
-    </span>
-  )
+function ResultCounts() {
+  const counts = useStudioState(state => state.counts)
+  return counts && <span className="program-results quiet" role="status" {...counts} />
 }
 
 function DocumentList({ documents, shown }: DocumentsProps) {

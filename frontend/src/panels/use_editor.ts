@@ -2,9 +2,8 @@
 import { type RefObject, useEffect, useRef, useState } from 'react'
 import type { ProgramEditor } from '../editor/program_editor'
 import { useStudio, useStudioState } from '../studio/context'
-import type { LineContent } from '../studio/line_results'
+import type { LineContent } from '../studio/line_contents'
 import type { Place, Studio } from '../studio/studio'
-import { useLineResults } from './use_line_results'
 
 export type Loading = 'loading' | 'ready' | { readonly failed: string }
 
@@ -44,7 +43,8 @@ function optionsOf(studio: Studio) {
     onChange: (document: string, text: string) => studio.edit(document, text),
     onLine: (document: string, line: number) => studio.showLine(document, line),
     onProblems: (problems: Parameters<Studio['setProblems']>[1]) => studio.setProblems('lsp', problems),
-    onLines: (document: string, lines: readonly LineContent[]) => studio.setLines(document, lines),
+    onLines: (document: string, lines: readonly LineContent[]) =>
+      studio.store.setState(state => ({ lines: { ...state.lines, [document]: lines } })),
     onShow: (document: string) => studio.store.setState({ document }),
   }
 }
@@ -95,8 +95,7 @@ function useMarks(editor: ProgramEditor | null): void {
   const name = useStudioState(state => state.document)
   const found = useStudioState(state => state.found)
   useEffect(() => editor?.markFound(found.filter(one => one.document === name)), [editor, found, name])
-  const results = useLineResults(name)
-  useEffect(() => editor?.markResults(results), [editor, results])
+  useEffect(() => editor?.followResults(studio.store, name), [studio, editor, name])
   useEffect(() => editor?.markStale(stale ? 'stale' : 'current'), [editor, stale])
   useEffect(() => editor?.markGhost(ghost?.document === name ? ghost.line : null), [editor, ghost, name])
   useEffect(() => {

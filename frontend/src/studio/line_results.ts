@@ -1,5 +1,6 @@
 /** Which results of lines are those of the text as it stands: what they hang on is compared with the run. */
-import type { RunStatus } from '../wire/messages'
+import type { LineContent } from './line_contents'
+import type { StudioState, StudioStore } from './state'
 
 export const LINE_RESULTS = ['valid', 'pending', 'stale'] as const
 export type LineResult = (typeof LINE_RESULTS)[number]
@@ -8,15 +9,6 @@ export type LineResult = (typeof LINE_RESULTS)[number]
 export type LineResults = ReadonlyMap<number, LineResult>
 
 export const NO_RESULTS: LineResults = new Map()
-
-/** A line on which the robot moves, grips or waits, from 0, and what its result hangs on; empty with errors. */
-export interface LineContent {
-  readonly line: number
-  readonly content: string
-}
-
-/** What the results of a program's lines hang on in the newest good run, by document. */
-export type RunContents = RunStatus['results']
 
 /** Whether a run is on its way that will be one of the text. */
 export type Expectation = 'run' | 'nothing'
@@ -41,6 +33,31 @@ export function lineResults(
     return keys.has(content) ? 'valid' : otherwise
   }
   return new Map(lines.map(({ line, content }) => [line + 1, result(content)]))
+}
+
+const NO_LINES = [] as const
+
+/** What the results of a document follow from. */
+export function causesOf({ lines, results, changed, status }: StudioState, document: string) {
+  const isComing = changed || status?.state === 'waiting' || status?.state === 'running'
+  return [lines[document] ?? NO_LINES, results[document], isComing ? 'run' : 'nothing'] as const
+}
+
+/** Tell the results of a document now and whenever they change; return how to end that. */
+export function onLineResults(
+  store: StudioStore,
+  document: string,
+  tell: (results: LineResults) => void,
+): () => void {
+  let known: readonly unknown[] = []
+  const look = () => {
+    const causes = causesOf(store.getState(), document)
+    if (causes.every((cause, place) => cause === known[place])) return
+    known = causes
+    tell(lineResults(...causes))
+  }
+  look()
+  return store.subscribe(look)
 }
 
 /** How many lines have each result. */

@@ -13,7 +13,7 @@ import type {
   Welcome,
 } from '../wire/messages'
 import type { StudioDocument } from './documents'
-import type { LineContent, RunContents } from './line_results'
+import type { LineContent, ResultCounts, RunContents } from './line_contents'
 import { DEFAULT_LOOK, type Look } from './look'
 import type { Problem } from './problems'
 
@@ -57,6 +57,8 @@ export interface StudioState {
   /** What the results of lines hang on, of all texts and of the newest good run, by document. */
   readonly lines: Readonly<Record<string, readonly LineContent[]>>
   readonly results: RunContents
+  /** Of the document that is shown; null while none of its lines has a result. */
+  readonly counts: ResultCounts | null
   /** Counts the runs shown; 0 before the first. */
   readonly shown: number
   /** So many times more has been told of a run that was shown. */
@@ -115,6 +117,7 @@ const START: StudioState = {
   status: null,
   lines: {},
   results: {},
+  counts: null,
   shown: 0,
   looked: 0,
   changed: false,

@@ -22,7 +22,6 @@ import { isTaskText, programIn, stationOf } from './document_names'
 import type { StudioDocument } from './documents'
 import { Jog } from './jog'
 import { LineGhost } from './line_ghost'
-import type { LineContent } from './line_results'
 import { driveLiveRuns } from './live_player'
 import type { Look } from './look'
 import { Loop } from './loop'
@@ -354,12 +353,6 @@ export class Studio {
   /** All findings of one source (`lsp`, `run`, …); they take the place of its earlier ones. */
   setProblems(source: string, problems: readonly Problem[]): void {
     this.#board.setProblems(source, problems)
-  }
-
-  /** What the results of the lines of a document hang on, as the language server has it. */
-  setLines(document: string, lines: readonly LineContent[]): void {
-    const known = this.store.getState().lines
-    this.store.setState({ lines: { ...known, [document]: lines } })
   }
 
   /** Findings of one source, which belong to texts of a moment. */

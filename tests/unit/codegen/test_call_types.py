@@ -55,9 +55,11 @@ def test_numba_is_asked_once_for_the_same_types(known: Context, monkeypatch: pyt
 
     monkeypatch.setattr(Function, "get_call_type", ask)
     calls = [(operator.floordiv, pair) for pair in NUMBERS]
-    for _ in range(3):
-        assert [given(known, *call) for call in calls]
-    assert asked.count(operator.floordiv) == len(NUMBERS)
+    first = [given(known, *call) for call in calls]  # the process may have compiled some of these before
+    assert asked.count(operator.floordiv) <= len(NUMBERS)
+    asked.clear()
+    assert [given(known, *call) for call in calls] == first
+    assert asked == []
 
 
 def test_a_call_that_cannot_be_is_refused_each_time(known: Context) -> None:
