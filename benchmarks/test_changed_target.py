@@ -67,4 +67,4 @@ def test_a_changed_target_among_a_thousand(benchmark: Any, fidelity: Fidelity) -
     measure.figure("milliseconds, 95 of 100", 1e3 * seconds[19])
     measure.figure("of the time of the first run", seconds[10] / whole, most=0.5)
     assert all(len(one.events) == len(recording.events) for _, one in found)
-    assert len(programmer.known.plans.anew) == 2
+    assert len(programmer.known.plans.anew) <= 3  # it, the next one, and the `mov` before it

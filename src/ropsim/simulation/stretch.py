@@ -18,7 +18,7 @@ from ropsim.flow import (
 from ropsim.icr import Finished
 from ropsim.simulation.steps import Step, Steps
 
-MOST_AHEAD = 200
+MOST_AHEAD = 50
 """Moves that are looked at behind a stretch at most: a program may go on without an end."""
 
 _NEEDED_FOR = {
