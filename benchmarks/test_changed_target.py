@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 from measuring import Measure
 
-from ropsim.core import keep_from_collection
+from ropsim.core import collect_seldom, keep_from_collection
 from ropsim.flow import Fidelity, Recording
 from ropsim.simulation import KeptRuns, RunOptions
 from ropsim.workbench import Workspace, open_overlaid
@@ -43,6 +43,7 @@ class Programmer:
     def run(self, fidelity: Fidelity, shift: int) -> tuple[float, Recording]:
         """Change a target and run; return the processor time of both [s], and the recording."""
         lines = list(self._lines)
+        collect_seldom()  # as the studio's worker does
         place = self._random.randrange(MOVES)
         lines[place] = target(place, shift)
         start = process_time()

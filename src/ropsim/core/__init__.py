@@ -28,6 +28,7 @@ from ropsim.core.suggest import did_you_mean as did_you_mean
 from ropsim.core.suggest import near as near
 from ropsim.core.toml_values import toml_values as toml_values
 from ropsim.core.turns import turn as turn
+from ropsim.core.without_collection import collect_seldom as collect_seldom
 from ropsim.core.without_collection import keep_from_collection as keep_from_collection
 from ropsim.core.without_collection import kept_from_collection as kept_from_collection
 from ropsim.core.without_collection import without_collection as without_collection

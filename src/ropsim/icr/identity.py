@@ -8,6 +8,8 @@ from ropsim.icr.opcodes import OPCODES, OperandKind
 from ropsim.icr.program import Procedure, Program, Step, Variable
 from ropsim.icr.writer import disassemble
 
+_OF_VARIABLES = frozenset(name for name, one in OPCODES.items() if one.operands == (OperandKind.VARIABLE,))
+
 
 def program_id(program: Program) -> str:
     """Return the SHA-256 of what a program means: of the canonical text of its plain form."""
@@ -81,8 +83,7 @@ def _plain_procedure(procedure: Procedure, shared: dict[str, str]) -> Procedure:
 
 
 def _takes_variable(step: Step) -> bool:
-    opcode = OPCODES.get(step.mnemonic)
-    return opcode is not None and opcode.operands == (OperandKind.VARIABLE,) and len(step.operands) == 1
+    return step.mnemonic in _OF_VARIABLES and len(step.operands) == 1
 
 
 def _is_shared(step: Step, procedure: Procedure) -> bool:

@@ -68,15 +68,15 @@ def _read_simple(kind: Type, word: Token) -> Value | None:
 def written(constant: Constant) -> str:
     """Return `TYPE value ...`; REALs in the shortest form that reads back to the same number."""
     value = constant.value
-    if isinstance(value, bool):
-        text = "TRUE" if value else "FALSE"
-    elif isinstance(value, str):
-        text = quoted(value)
-    elif isinstance(value, tuple):
+    if isinstance(value, tuple):
         text = " ".join(map(repr, value))
         width = WIDTHS[Type.POSE]
         if constant.type is Type.POSE and len(value) > width:
             text = " ".join((*map(repr, value[:width]), _EXTERNAL, *map(repr, value[width:])))
+    elif isinstance(value, bool):
+        text = "TRUE" if value else "FALSE"
+    elif isinstance(value, str):
+        text = quoted(value)
     else:
         text = repr(value)
     return f"{constant.type.value} {text}"

@@ -32,6 +32,9 @@ class OperandKind(Enum):
     POSTURE = "posture"
     DIRECTION = "direction"
 
+    __hash__ = object.__hash__
+    """Each kind is one object, as each `Type` is."""
+
 
 POSTURE = re.compile(r"[a-z][a-z0-9_]*(?:-[a-z][a-z0-9_]*)*\Z")
 """Words of a posture with dashes between, as postures are named."""

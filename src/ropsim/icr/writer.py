@@ -51,7 +51,7 @@ def _procedure(procedure: Procedure) -> list[str]:
         if here != line:
             records.append(f"  LINE {here}")
             line = here
-        records.append("  " + _step(step, labels))
+        records.append(f"  {_step(step, labels)}")
     if len(procedure.code) in labels:
         records.append(f"{labels[len(procedure.code)]}:")
     return [*records, "END"]
@@ -67,6 +67,8 @@ def _labels(procedure: Procedure) -> dict[int, str]:
 
 
 def _step(step: Step, labels: dict[int, str]) -> str:
+    if not step.operands:
+        return step.mnemonic
     opcode = OPCODES.get(step.mnemonic)
     if opcode is None or len(opcode.operands) != len(step.operands):
         words = [named(one) if isinstance(one, str) else repr(one) for one in step.operands]

@@ -8,7 +8,7 @@ from typing import BinaryIO, Protocol
 
 import msgspec
 
-from ropsim.core import kept_from_collection
+from ropsim.core import collect_seldom, kept_from_collection
 from ropsim.lsp.attention import SupersededError, nobody_calls
 from ropsim.lsp.framing import FrameFault, FrameReader, framed
 from ropsim.lsp.inbox import Ended, Inbox
@@ -19,9 +19,6 @@ from ropsim.lsp.workshop import Workshop
 from ropsim.userfiles import kept_by_user
 
 _CHUNK = 65536
-
-#: New objects between two searches for garbage; a compilation makes fewer, so it is not held up.
-_GARBAGE_AFTER = 200_000
 
 
 class _Source(Protocol):
@@ -36,7 +33,7 @@ def serve(source: _Source, sink: BinaryIO) -> int:
         sink: takes the answers.
     """
     gc.freeze()
-    gc.set_threshold(_GARBAGE_AFTER, 10, 10)
+    collect_seldom()
     inbox: queue.SimpleQueue[bytes | FrameFault | None] = queue.SimpleQueue()
     threading.Thread(target=_read, args=(source, inbox), daemon=True).start()
     state, workshop, waiting = State(), Workshop(kept_by_user()), Inbox()

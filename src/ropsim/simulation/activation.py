@@ -33,7 +33,8 @@ class Activations:
     def begin(self, origin: Origin, tick: int) -> None:
         """Take notice that an instruction begins at a tick: the tasks around it are active from then on."""
         for depth, (name, serial) in enumerate(zip(origin.calls, origin.call_serials, strict=True)):
-            self.by_serial.setdefault(serial, Activation(name, depth, tick, tick))
+            if serial not in self.by_serial:
+                self.by_serial[serial] = Activation(name, depth, tick, tick)
 
     def events(self, station: str, control_hz: int) -> list[TaskEvent]:
         """Return one event per activation below `main` of the program of a station."""

@@ -95,6 +95,8 @@ class CellRun:
 
     def next_device(self, until: int) -> DeviceRun | None:
         """Return the device that acts next and not after a tick, None where none does."""
+        if not self.devices:
+            return None
         due = [one for one in self.devices.values() if NEVER < one.due <= until]
         return min(due, key=lambda one: (one.due, one.device.name), default=None)
 
@@ -181,11 +183,15 @@ class CellRun:
     def override(self, tick: int) -> float:
         """Return the speed override in force at a tick of the cell's clock, from 0 (hold) to 1."""
         self.asked = max(self.asked, tick)
+        if not self.overrides:
+            return 1.0
         number = bisect_right(self.overrides, (tick, math.inf))
         return self.overrides[number - 1][1] if number else 1.0
 
     def slice(self, at: StationRun) -> int:
         """Return for how many control ticks a station may move on before somebody looks or intervenes."""
+        if not self.overrides and self.stop_tick is None:
+            return at.stride
         number = bisect_right(self.overrides, (at.due, math.inf))
         ahead = [tick for tick, _ in self.overrides[number : number + 1]]
         if self.stop_tick is not None and self.stop_tick > at.due:

@@ -69,6 +69,8 @@ def kept(run: CellRun, name: str, moment: Moment) -> Placements | None:
 
 def look_for_pulls(run: CellRun, until: int, programs: Mapping[str, Program]) -> None:
     """Find parts that are pulled by two grippers up to a tick of the cell's clock (S743)."""
+    if not run.clasps:
+        return
     step = max(1, run.hz // LOOKS)
     for hand, clasp in tuple(run.clasps.items()):
         for tick in range(clasp.seen + step, until + 1, step):

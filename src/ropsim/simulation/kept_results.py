@@ -1,5 +1,6 @@
 """Results that are kept from run to run by what they are the results of, within a room."""
 
+from collections import Counter
 from collections.abc import Hashable
 from dataclasses import dataclass
 from typing import Generic, TypeVar
@@ -35,6 +36,7 @@ class KeptResults(Generic[V]):
         self._run = 0
         self._dropped = 0
         self._entries: dict[Hashable, _Entry[V]] = {}
+        self._of_run = Counter[int]()  # how many entries each run has asked for last
 
     @property
     def used(self) -> int:
@@ -51,7 +53,10 @@ class KeptResults(Generic[V]):
         entry = self._entries.get(key)
         if entry is None:
             return None
-        entry.run = self._run
+        if entry.run != self._run:
+            self._of_run[entry.run] -= 1
+            self._of_run[self._run] += 1
+            entry.run = self._run
         return entry.value
 
     def put(self, key: Hashable, value: V, size: int) -> None:
@@ -63,15 +68,21 @@ class KeptResults(Generic[V]):
             size: how much room it takes [bytes].
         """
         before = self._entries.pop(key, None)
-        self._room += before.size if before else 0
+        if before is not None:
+            self._room += before.size
+            self._of_run[before.run] -= 1
         if size > self._room and self._dropped < self._run:  # once: in a run nothing becomes older
             self._drop(self._run - 1)
             self._dropped = self._run
         if size <= self._room:
             self._entries[key] = _Entry(value, size, self._run)
+            self._of_run[self._run] += 1
             self._room -= size
 
     def _drop(self, since: int) -> None:
         """Forget what no run from one on has asked for."""
+        older = [run for run in self._of_run if run < since]
+        if not sum(self._of_run.pop(run) for run in older):
+            return
         self._entries = {key: one for key, one in self._entries.items() if one.run >= since}
         self._room = self._most - sum(one.size for one in self._entries.values())

@@ -30,6 +30,8 @@ def without_corrections(paths: Sequence[PathSpan], ticks: Array, points: Array, 
         points: attained TCP positions in the base frame [m], shape (k, 3).
         turned: orientations R_BT of the command pose, which a correction leaves as they are, shape (k, 3, 3).
     """
+    if all(span.correction is None for span in paths):
+        return points
     seen = np.array(points)
     for correction, rows in _corrected(paths, ticks):
         seen[rows] -= correction.at(ticks[rows])[:, None] * (turned[rows] @ correction.direction)

@@ -61,17 +61,17 @@ class Polling:
             again: whether it looks from where the program has looked at this tick already.
         """
         self.looked = tuple(sorted(self.reads)) if again else ()
+        if not isinstance(step, WaitInstruction | SyncInstruction):
+            self.state = self.found = None
+            if isinstance(step, MoveInstruction | GripInstruction):
+                self.reads.clear()
+            return None
         if isinstance(step, WaitInstruction):
             self.waited = tick
         pauses_here = again and self.waited != tick  # else at its wait, which takes less than a tick
         if isinstance(step, SyncInstruction) and not pauses_here:
             known = self.found.reads if self.found else {}
             return self.found if all(known.get(name) == read for name, read in self.reads.items()) else None
-        if not isinstance(step, WaitInstruction | SyncInstruction):
-            self.state = self.found = None
-            if isinstance(step, MoveInstruction | GripInstruction):
-                self.reads.clear()
-            return None
         state = _bare(machine.snapshot())
         same = state == self.state
         if same:

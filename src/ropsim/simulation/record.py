@@ -26,6 +26,7 @@ from ropsim.flow import (
 )
 from ropsim.icr import Program, code_lines, line_contents_of_all, program_id
 from ropsim.kinematics import forward_batch
+from ropsim.motion import Line, distances_from
 from ropsim.simulation.arrivals import Arrivals, are_untouched, arrivals
 from ropsim.simulation.cell_run import CellRun
 from ropsim.simulation.channels import (
@@ -51,7 +52,7 @@ from ropsim.simulation.station_facts import station_facts, with_law
 from ropsim.simulation.station_run import StationRun
 from ropsim.simulation.track import Track
 from ropsim.simulation.verdicts import verdicts
-from ropsim.spatial import Array, quaternions_from_matrices
+from ropsim.spatial import Array
 from ropsim.version import __version__
 
 
@@ -114,12 +115,14 @@ def _station_channels(at: StationRun, logged: Mapping[str, Array], rows: Array) 
             for name, values in log.items()
         }
     log["q_error"] = log["q_ref"] - log["q"]
-    robot, X_MT = at.station.robot, at.tool_frames.rows(ticks)
-    attained = forward_batch(robot, log["q"]) @ X_MT
-    command = attained if log["q_ref"] is log["q"] else forward_batch(robot, log["q_ref"]) @ X_MT
+    robot = at.station.robot
+    attained, turned = at.tool_frames.on(ticks, forward_batch(robot, log["q"]))
+    command, commanded = attained, turned
+    if log["q_ref"] is not log["q"]:
+        command, commanded = at.tool_frames.on(ticks, forward_batch(robot, log["q_ref"]))
     points = without_corrections(at.paths, ticks, attained[:, :3, 3], command[:, :3, :3])
     error = path_errors(at.paths, ticks, log["q"], points)
-    name, last, turned = at.station.name, at.tick, _turned(attained)
+    name, last = at.station.name, at.tick
     carried = {}
     if any(span.correction for span in at.paths):
         carried["correction"] = correction_channel(name, corrections(at.paths, ticks))
@@ -131,15 +134,11 @@ def _station_channels(at: StationRun, logged: Mapping[str, Array], rows: Array) 
     return {
         **joint_channels(name, robot, log),
         **pose_channels(name, "attained", attained, turned),
-        **pose_channels(name, "command", command, turned if command is attained else _turned(command)),
+        **pose_channels(name, "command", command, commanded),
         "path_error": path_error_channel(name, error),
         **carried,
         **held,
     }
-
-
-def _turned(matrices: Array) -> Array:
-    return quaternions_from_matrices(matrices[:, :3, :3])
 
 
 def _facts(run: CellRun, programs: Mapping[str, Program], options: RunOptions, arrived: Arrivals) -> RunFacts:
@@ -227,11 +226,20 @@ def path_errors(paths: list[PathSpan], ticks: Array, q: Array, attained: Array) 
     """
     errors = np.full(len(ticks), np.nan)
     places = np.searchsorted(ticks, [(span.start, span.end) for span in paths], side="right").tolist()
+    lines: list[tuple[Line, int, int]] = []
     for span, (first, last) in zip(paths, places, strict=True):
-        if last > first:
-            points = attained[first:last]
-            seen = span.frame.positions(q[first:last], points) if span.frame else points
-            errors[first:last] = span.path.distance(seen)
+        if last <= first:
+            continue
+        if isinstance(span.path, Line) and not span.frame:
+            lines.append((span.path, first, last))  # of these there are many: they are looked at together
+            continue
+        points = attained[first:last]
+        seen = span.frame.positions(q[first:last], points) if span.frame else points
+        errors[first:last] = span.path.distance(seen)
+    if lines:
+        rows = np.concatenate([np.arange(first, last) for _, first, last in lines])
+        counts = [last - first for _, first, last in lines]
+        errors[rows] = distances_from([line for line, _, _ in lines], counts, attained[rows])
     return errors
 
 
@@ -240,12 +248,13 @@ def _with_errors(events: list[Event], at: StationRun, rows: Array, errors: Array
     ticks = rows / at.cell_ticks
     spans = [(one.start, one.settled) for one in at.moves]
     places = np.searchsorted(ticks, spans, side="right").tolist()
+    known = np.where(np.isnan(errors), 0.0, errors)  # where there is no path it is NaN
 
     def with_error(event: Event) -> Event:
         if not isinstance(event, MoveEvent) or event.motion == MotionKind.PTP:
             return event
         first, last = places[event.ordinal]
-        most = np.fmax.reduce(errors[first:last], initial=0.0)  # where there is no path it is NaN
+        most = known[first:last].max(initial=0.0)
         return replace(event, path_error_max=float(most))
 
     return [with_error(event) for event in events]

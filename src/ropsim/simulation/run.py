@@ -43,7 +43,7 @@ def run(cell: Cell, programs: Mapping[str, Program], options: RunOptions) -> Rec
     while state.at_work:
         if are_endless(state, options):
             end_waits(state, programs)
-        name = min(state.at_work, key=lambda one: (state.stations[one].due, one))
+        name = _least_far(state)
         if device := state.next_device(until=state.stations[name].due):
             act(state, device)
             continue
@@ -58,6 +58,13 @@ def run(cell: Cell, programs: Mapping[str, Program], options: RunOptions) -> Rec
     look_for_pulls(state, state.tick, programs)
     state.watch.ended(state)
     return recording_of(state, programs, options)
+
+
+def _least_far(state: CellRun) -> str:
+    """Return the station at work that has come least far, the first by name of those."""
+    if len(state.at_work) == 1:
+        return next(iter(state.at_work))
+    return min(state.at_work, key=lambda one: (state.stations[one].due, one))
 
 
 def _work_on(state: CellRun, name: str, programs: Mapping[str, Program]) -> None:

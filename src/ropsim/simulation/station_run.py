@@ -55,6 +55,7 @@ class StationRun:
         dismissed: whether it has served those of other stations, which have ended; the program is over then.
         cut_short: whether `last_tick` ended its standing still, or a hand its move; the program is over then.
         hands: names of the bodies of its tools.
+        hz: rate of the joint controller [Hz].
     """
 
     station: Station
@@ -83,14 +84,11 @@ class StationRun:
     dismissed: bool = False
     cut_short: bool = False
     hands: frozenset[str] = field(init=False)
+    hz: int = field(init=False)
 
     def __post_init__(self) -> None:
         self.hands = frozenset(tool_body(name, self.station.name) for name in self.station.tools)
-
-    @property
-    def hz(self) -> int:
-        """Return the rate of the joint controller [Hz]."""
-        return self.station.controller.rates.control_hz
+        self.hz = self.station.controller.rates.control_hz
 
     @property
     def is_over(self) -> bool:
@@ -163,7 +161,10 @@ class StationRun:
 
     def track(self, name: str, value: float) -> None:
         """Let a piecewise constant channel have a new value from now on; before its first one it is 0."""
-        self.tracks.setdefault(name, Track([0], [0.0])).set(self.tick, value)
+        track = self.tracks.get(name)
+        if track is None:
+            track = self.tracks[name] = Track([0], [0.0])
+        track.set(self.tick, value)
 
     def when(self, since: int) -> tuple[float, float, str]:
         """Return time [s], duration [s] and station of an event that began at tick `since` and ends now."""

@@ -53,6 +53,8 @@ class Stretch:
 
     def said_before(self, number: int) -> tuple[MessageInstruction, ...]:
         """Return what is said when a move begins; for the number of moves, when the last one has ended."""
+        if not self.messages:
+            return ()
         return tuple(text for before, text in self.messages if before == number)
 
 

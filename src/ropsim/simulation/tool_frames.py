@@ -2,10 +2,24 @@
 
 from bisect import bisect_left
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
+from ropsim.simulation.tool_poses_kernel import tool_poses
 from ropsim.spatial import Array, Pose
+
+
+class ToolPoses(NamedTuple):
+    """Poses X_BT of the tool in the base frame.
+
+    Attributes:
+        matrices: shape (k, 4, 4).
+        quaternions: the orientations (w, x, y, z), w >= 0, shape (k, 4).
+    """
+
+    matrices: Array
+    quaternions: Array
 
 
 @dataclass(slots=True)
@@ -39,8 +53,15 @@ class ToolFrames:
         """Return X_MT in force during the control period that ends at a tick."""
         return self.poses[max(bisect_left(self.ticks, tick) - 1, 0)]
 
-    def rows(self, ticks: Array) -> Array:
-        """Return X_MT at each of some ticks, shape (k, 4, 4) for (k,)."""
-        which = np.maximum(np.searchsorted(np.array(self.ticks), ticks, side="left") - 1, 0)
-        matrices: Array = np.stack([pose.matrix() for pose in self.poses])
-        return np.asarray(matrices[which])
+    def on(self, ticks: Array, flanges: Array) -> ToolPoses:
+        """Return where the tool is.
+
+        Args:
+            ticks: shape (k,).
+            flanges: X_BM at these, shape (k, 4, 4).
+        """
+        which = np.maximum(np.searchsorted(np.array(self.ticks), ticks, side="left") - 1.0, 0.0)
+        tools: Array = np.stack([pose.matrix() for pose in self.poses])
+        matrices, quaternions = np.empty((len(ticks), 4, 4)), np.empty((len(ticks), 4))
+        tool_poses(np.ascontiguousarray(flanges), tools, which, matrices, np.empty((4, 4)), quaternions)
+        return ToolPoses(matrices, quaternions)

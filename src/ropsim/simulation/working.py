@@ -67,14 +67,14 @@ def work(run: CellRun, at: StationRun, program: Program, options: RunOptions) ->
     serving, looks = Serving(), Looks()
     yield from _while_held(run, at)
     step = steps.take()
-    while not isinstance(step, Finished) and not (at.is_over or at.in_vain or at.dismissed):
-        if not is_needed(run, at) and serving.comes_round(machine, step):
-            at.dismissed = True
-            break
-        again = isinstance(step, SyncInstruction) and looks.comes_round(machine.code_place, at.tick)
-        at.polled = world.polling.look(machine, step, at.tick, again=again)
-        stretch = gather(step, steps) if isinstance(step, MoveInstruction) else None
-        with _blamed(at):
+    with _blamed(at):
+        while not isinstance(step, Finished) and not (at.is_over or at.in_vain or at.dismissed):
+            if not is_needed(run, at) and serving.comes_round(machine, step):
+                at.dismissed = True
+                break
+            again = isinstance(step, SyncInstruction) and looks.comes_round(machine.code_place, at.tick)
+            at.polled = world.polling.look(machine, step, at.tick, again=again)
+            stretch = gather(step, steps) if isinstance(step, MoveInstruction) else None
             if stretch:
                 yield from move(run, at, stretch, world)
             else:

@@ -143,16 +143,16 @@ def quaternions_from_matrices(rotations: Array) -> Array:
     The largest of the four components is found first and divides the others (Shepperd 1978), so that no
     rotation loses accuracy.
     """
-    r = rotations
-    trace = r[:, 0, 0] + r[:, 1, 1] + r[:, 2, 2]
-    outer = np.empty((len(r), 4, 4))  # 4·q·qᵀ
-    outer[:, 0, 0] = 1.0 + trace
+    r = np.ascontiguousarray(rotations.transpose(1, 2, 0))
+    trace = r[0, 0] + r[1, 1] + r[2, 2]
+    outer = np.empty((4, 4, len(rotations)))  # 4·q·qᵀ
+    outer[0, 0] = 1.0 + trace
     for i in range(3):
         j, k = (i + 1) % 3, (i + 2) % 3
-        outer[:, i + 1, i + 1] = 1.0 + 2.0 * r[:, i, i] - trace
-        outer[:, 0, i + 1] = outer[:, i + 1, 0] = r[:, k, j] - r[:, j, k]
-        outer[:, j + 1, k + 1] = outer[:, k + 1, j + 1] = r[:, k, j] + r[:, j, k]
-    largest = np.argmax(np.diagonal(outer, axis1=1, axis2=2), axis=1)
-    q = outer[np.arange(len(r)), largest]
+        outer[i + 1, i + 1] = 1.0 + 2.0 * r[i, i] - trace
+        outer[0, i + 1] = outer[i + 1, 0] = r[k, j] - r[j, k]
+        outer[j + 1, k + 1] = outer[k + 1, j + 1] = r[k, j] + r[j, k]
+    largest = np.argmax(np.diagonal(outer).T, axis=0)
+    q = outer[largest, :, np.arange(len(rotations))]
     q /= np.linalg.norm(q, axis=1, keepdims=True)
     return np.asarray(np.where(q[:, :1] < 0.0, -q, q))

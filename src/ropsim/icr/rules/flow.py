@@ -8,6 +8,7 @@ from ropsim.icr import diagnostics as kinds
 from ropsim.icr.opcodes import ENDS_FLOW, OPCODES
 from ropsim.icr.program import Procedure, Program, Step, text_place
 from ropsim.icr.stack import Fault, Stack, effect
+from ropsim.icr.types import Constant
 
 JUMPS = {"JMP", "JF", "JT"}
 _PREFIXES = {"TRIG.DIST", "TRIG.TIME", "GUARD", "TRACK"}
@@ -77,11 +78,14 @@ def stacks(program: Program, procedure: Procedure) -> dict[int, Stack]:
 
 def _flow(program: Program, procedure: Procedure) -> tuple[dict[int, _State], list[Diagnostic]]:
     states = {0: _State((), 0)}
+    known: dict[tuple[object, _State], _State | Fault] = {}
     found: list[Diagnostic] = []
     work = [0]
     while work:
         index = work.pop()
-        after = _after(program, procedure, procedure.code[index], states[index])
+        step, before = procedure.code[index], states[index]
+        alike = _without_value(step), before
+        after = known.get(alike) or known.setdefault(alike, _after(program, procedure, step, before))
         if isinstance(after, Fault):
             place = text_place(program, procedure, index)
             found.append(after.kind.at(place, after.message, hint=after.hint))
@@ -96,6 +100,12 @@ def _flow(program: Program, procedure: Procedure) -> tuple[dict[int, _State], li
                 message = f"ways join here with {_shown(states[target])} and with {_shown(after)}"
                 found.append(kinds.JOIN_DIFFERS.at(text_place(program, procedure, target), message))
     return states, found
+
+
+def _without_value(step: Step) -> object:
+    """Return what an instruction is for the types on the stack: constants of one type are alike."""
+    operand = step.operands[0] if step.operands else None
+    return (step.mnemonic, operand.type) if isinstance(operand, Constant) else step
 
 
 def _after(program: Program, procedure: Procedure, step: Step, before: _State) -> _State | Fault:

@@ -1,5 +1,6 @@
 """Line: the TCP on a straight way while the tool turns; or the tool turning about a TCP that stands."""
 
+from collections.abc import Sequence
 from dataclasses import field
 
 import numpy as np
@@ -68,10 +69,26 @@ class Line:
 
     def distance(self, points: Array) -> Array:
         """Return how far points, shape (k, 3) [m], are from the segment, shape (k,) [m]."""
-        offsets = points - self.X_start.position
-        square = float(self.way @ self.way)
-        r = np.clip(offsets @ self.way / square, 0.0, 1.0) if square else np.zeros(len(points))
-        return np.asarray(np.linalg.norm(offsets - r[:, None] * self.way, axis=1))
+        return distances_from([self], [len(points)], points)
 
     def _between(self, r: Array) -> Array:
         return (1.0 - r)[:, None] * self.X_start.position + r[:, None] * self.X_end.position
+
+
+def distances_from(lines: Sequence[Line], counts: Sequence[int], points: Array) -> Array:
+    """Return how far points are from the segments to which they belong, shape (k,) [m].
+
+    Args:
+        lines: the segments.
+        counts: how many of the points belong to each of them, k in all.
+        points: in the order of the lines, in their reference frame [m], shape (k, 3).
+    """
+    starts = np.array([one.X_start.position for one in lines])
+    ways = np.array([one.way for one in lines])
+    squares = (ways * ways).sum(axis=1)
+    per_way = ways / np.where(squares > 0.0, squares, np.inf)[:, None]
+    which = np.repeat(np.arange(len(lines)), counts)
+    offsets = points - starts[which]
+    r = np.clip((offsets * per_way[which]).sum(axis=1), 0.0, 1.0)
+    across = offsets - r[:, None] * ways[which]
+    return np.asarray(np.sqrt((across * across).sum(axis=1)))

@@ -3,7 +3,7 @@
 import contextlib
 from multiprocessing.connection import Connection
 
-from ropsim.core import RopsimError, keep_from_collection
+from ropsim.core import RopsimError, collect_seldom, keep_from_collection
 from ropsim.studio.desk.desk import Desk
 from ropsim.studio.desk.line import Cancelled, Line
 from ropsim.studio.desk.mailbox import Mailbox, StopAsked, given_up
@@ -18,6 +18,7 @@ def main(connection: Connection) -> None:
     Args:
         connection: this process's end of the pipe; it carries `Request` and `Answer`.
     """
+    collect_seldom()
     desk = Desk(workspace=Workspace(kept_by_user()))
     mailbox = Mailbox(connection)
     with contextlib.suppress(StopAsked):

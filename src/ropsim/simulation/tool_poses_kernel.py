@@ -1,0 +1,53 @@
+"""Poses of the tool at the rows of a recording, in plain loops that numba compiles."""
+
+import math
+
+from ropsim.codegen import kernel
+from ropsim.spatial import Array
+
+
+@kernel("void(f8[:,:,::1], f8[:,:,::1], f8[::1], f8[:,:,::1], f8[:,::1], f8[:,::1])")
+def tool_poses(
+    flanges: Array, tools: Array, which: Array, poses: Array, square: Array, quaternions: Array
+) -> None:
+    """Write the poses of the tool, and their orientations as unit quaternions.
+
+    The largest of the four components is found first and divides the others (Shepperd 1978), so that no
+    rotation loses accuracy.
+
+    Args:
+        flanges: X_BM at each row, shape (k, 4, 4).
+        tools: the tool frames X_MT, shape (m, 4, 4).
+        which: number of the one that is in force at each row, shape (k,).
+        poses: becomes X_BT, shape (k, 4, 4).
+        square: room for 4·q·qᵀ, shape (4, 4).
+        quaternions: becomes (w, x, y, z), w >= 0, shape (k, 4).
+    """
+    for row in range(flanges.shape[0]):
+        tool = int(which[row])
+        for i in range(4):
+            for j in range(4):
+                total = flanges[row, i, 0] * tools[tool, 0, j]
+                for m in range(1, 4):
+                    total += flanges[row, i, m] * tools[tool, m, j]
+                poses[row, i, j] = total
+        r = poses[row]
+        trace = r[0, 0] + r[1, 1] + r[2, 2]
+        square[0, 0] = 1.0 + trace
+        for i in range(3):
+            j, k = (i + 1) % 3, (i + 2) % 3
+            square[i + 1, i + 1] = 1.0 + 2.0 * r[i, i] - trace
+            square[0, i + 1] = square[i + 1, 0] = r[k, j] - r[j, k]
+            square[j + 1, k + 1] = square[k + 1, j + 1] = r[k, j] + r[j, k]
+        largest = 0
+        for i in range(1, 4):
+            if square[i, i] > square[largest, largest]:
+                largest = i
+        length = 0.0
+        for i in range(4):
+            length += square[largest, i] * square[largest, i]
+        length = math.sqrt(length)
+        if square[largest, 0] < 0.0:
+            length = -length
+        for i in range(4):
+            quaternions[row, i] = square[largest, i] / length
