@@ -1,6 +1,6 @@
 """Whether derivatives that a user's path tells are those of its places, by differences."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from itertools import pairwise
 from typing import TypeVar
@@ -19,8 +19,9 @@ _LOOKS = 9
 """Places at which derivatives are compared."""
 _ASIDE = (np.sqrt(5.0) - 1.0) / 2.0
 """Where in its part of the path each of them lies: at no simple share of it, where pieces may meet."""
-_STEP = 1e-4
-"""Share of a path over which derivatives are compared with differences."""
+_STEPS = (1e-4, 1e-5, 1e-6)
+"""Shares of a path over which derivatives are compared with differences. Where a path weaves, those over a
+longer share are far off; what is no derivative is off over all of them."""
 _ALIKE = 1e-2
 """Share of the size of derivatives by which they may differ from differences."""
 
@@ -36,11 +37,13 @@ def wrong_tool_derivatives(
         points: places of it, by which the size of derivatives is known.
         move: what it is for.
     """
-    around = _around(entity, path.tool, ToolPoints, path.length, move)
-    if isinstance(around, Refusal):
-        return around
-    moved = tuple(_moved(one.matrices, other.matrices) for one, other in pairwise(around))
-    return _unlike(entity, path.length, points, around, moved, move)
+    return _unlike(
+        entity, path.length, points, partial(_around, entity, path.tool, ToolPoints), _shifts, move
+    )
+
+
+def _shifts(around: Sequence[ToolPoints]) -> tuple[Array, ...]:
+    return tuple(_moved(one.matrices, other.matrices) for one, other in pairwise(around))
 
 
 def _moved(one: Array, other: Array) -> Array:
@@ -61,11 +64,12 @@ def wrong_joint_derivatives(
         points: places of it, by which the size of derivatives is known.
         move: what it is for.
     """
-    around = _around(entity, path.joints, JointPoints, path.length, move)
-    if isinstance(around, Refusal):
-        return around
-    moved = tuple(other.q - one.q for one, other in pairwise(around))
-    return _unlike(entity, path.length, points, around, moved, move)
+    around = partial(_around, entity, path.joints, JointPoints)
+    return _unlike(entity, path.length, points, around, _joint_shifts, move)
+
+
+def _joint_shifts(around: Sequence[JointPoints]) -> tuple[Array, ...]:
+    return tuple(other.q - one.q for one, other in pairwise(around))
 
 
 def _middles(length: float) -> Array:
@@ -73,13 +77,17 @@ def _middles(length: float) -> Array:
 
 
 def _around(
-    entity: object, look: Callable[[Array], P], kind: type[P], length: float, move: MoveInstruction
+    entity: object,
+    look: Callable[[Array], P],
+    kind: type[P],
+    length: float,
+    step: float,
+    move: MoveInstruction,
 ) -> tuple[P, P, P] | Refusal:
-    """Return what a path tells before, at and behind the places."""
+    """Return what a path tells a step before, at and a step behind the places."""
     found: list[P] = []
-    for offset in (-_STEP, 0.0, _STEP):
-        places = _middles(length) + offset * length
-        points = guarded(entity, partial(look, places), (kind,), move)
+    for offset in (-step, 0.0, step):
+        points = guarded(entity, partial(look, _middles(length) + offset), (kind,), move)
         if isinstance(points, Refusal):
             return points
         found.append(points)
@@ -89,34 +97,53 @@ def _around(
 def _unlike(
     entity: object,
     length: float,
-    points: JointPoints | ToolPoints,
-    around: tuple[P, P, P],
-    moved: Sequence[Array],
+    points: P,
+    around: Callable[[float, float, MoveInstruction], tuple[P, P, P] | Refusal],
+    shifts: Callable[[Sequence[P]], tuple[Array, ...]],
     move: MoveInstruction,
 ) -> Refusal | None:
-    """Return C603 where derivatives differ from differences on either side: pieces may meet on one.
+    """Return C603 where derivatives differ from differences over any step, and on either side.
+
+    Pieces may meet on one of the sides.
 
     Args:
         entity: who is named.
         length: of the path.
         points: of it, by which the size of derivatives is known.
-        around: what it tells before, at and behind the places.
-        moved: how it goes from each of these to the next one, shape (k, m).
+        around: tells of a length, a step and the move what the path tells there.
+        shifts: how it goes from each of these to the next one, shape (k, m).
         move: what it is for.
     """
+    size = float(np.abs(points.d1).max())
+    allowed = {"d1": _ALIKE * size, "d2": _ALIKE * (float(np.abs(points.d2).max()) + size / length)}
+    off = {name: np.full(_LOOKS, np.inf) for name in allowed}
+    for share in _STEPS:
+        found = around(length, share * length, move)
+        if isinstance(found, Refusal):
+            return found
+        for name, sides in _sides(found, shifts(found), share * length).items():
+            least = np.minimum(*(np.abs(side).max(axis=1) for side in sides))
+            off[name] = np.fmin(off[name], least)
+        if all((off[name] <= most).all() for name, most in allowed.items()):
+            return None
+    name = next(name for name, most in allowed.items() if not (off[name] <= most).all())
+    row = int(np.argmax(off[name]))
+    place, far = _middles(length)[row], off[name][row]
+    said = f"returned `{name}` that is not the derivative at place {place:.3g}: off by {far:.3g}"
+    return refused(entity, said, move)
+
+
+def _sides(around: tuple[P, P, P], moved: Sequence[Array], step: float) -> Mapping[str, tuple[Array, Array]]:
+    """Return how far derivatives are from differences on either side, shape (k, m) each.
+
+    Args:
+        around: what a path tells before, at and behind the places.
+        moved: how it goes from each of these to the next one.
+        step: from one to the next.
+    """
     before, at, behind = around
-    step, size = _STEP * length, float(np.abs(points.d1).max())
     bend = at.d2 * (step / 2.0)
-    found = {
+    return {
         "d1": (at.d1 - bend - moved[0] / step, at.d1 + bend - moved[1] / step),
         "d2": (at.d2 - (at.d1 - before.d1) / step, at.d2 - (behind.d1 - at.d1) / step),
     }
-    allowed = {"d1": _ALIKE * size, "d2": _ALIKE * (float(np.abs(points.d2).max()) + size / length)}
-    for name, sides in found.items():
-        off = np.minimum(*(np.abs(side).max(axis=1) for side in sides))
-        row = int(np.argmax(off))
-        if not off[row] <= allowed[name]:
-            place = _middles(length)[row]
-            said = f"returned `{name}` that is not the derivative at place {place:.3g}: off by {off[row]:.3g}"
-            return refused(entity, said, move)
-    return None

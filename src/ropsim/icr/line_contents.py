@@ -1,6 +1,6 @@
 """What the results of the lines of a program hang on: a key for each line, equal where its result must be."""
 
-from collections.abc import Callable, Hashable, Iterable, Mapping
+from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping
 from hashlib import sha256
 from typing import Any
 
@@ -22,6 +22,7 @@ from ropsim.icr.program import Procedure, Program
 from ropsim.icr.state import Finished
 from ropsim.icr.world import PassingWorld, StillWorld
 from ropsim.spatial import bits_without
+from ropsim.version import __version__
 
 MOST = 5_000
 """Robot instructions that are looked at one by one; what comes behind hangs on the whole code."""
@@ -34,42 +35,54 @@ _BITS: Mapping[type, Callable[[Any], Hashable]] = {kind: bits_without(kind, "ori
 _UNSEEN = frozenset({"", "HALT", "STOP"})  # the robot stands before these, and the program learns nothing
 
 
-def line_contents_of_all(programs: Mapping[str, Program], around: str) -> Mapping[str, Mapping[int, str]]:
+def line_contents_of_all(
+    programs: Mapping[str, Program], *around: str, channels: str = ""
+) -> Mapping[str, Mapping[int, str]]:
     """Return what the lines of programs that run side by side hang on, also on each other as a whole.
 
     Args:
         programs: by station, in the order of the cell.
         around: what else they hang on.
+        channels: what inputs say in the run.
     """
     ids = {station: program_id(program) for station, program in programs.items()}
     return {
-        station: line_contents(program, around, *(one for name, one in ids.items() if name != station))
+        station: line_contents(program, *around, *_others(ids, station), channels=channels)
         for station, program in programs.items()
     }
 
 
-def line_contents(program: Program, *around: str, world: StillWorld | None = None) -> Mapping[int, str]:
+def _others(ids: Mapping[str, str], station: str) -> Iterator[str]:
+    return (one for name, one in ids.items() if name != station)
+
+
+def line_contents(
+    program: Program, *around: str, channels: str = "", world: StillWorld | None = None
+) -> Mapping[int, str]:
     """Return for each line on which the robot moves, grips or waits what its result hangs on.
 
     Two programs in which a line has one key do the same up to the end of the stretch of the last pass of that
     line, and on to the next move of the joints, whose posture may look ahead. Up to the first look at an
     input, at the time or at the pose of the arm that is known without a run; what can come behind it hangs on
-    the whole code, and so does what a program does after `MOST` instructions.
+    the whole code, and so does what a program does after `MOST` instructions. From the first instruction on
+    that reads a channel, what that says counts, too. Another version of ropsim has other results.
 
     Args:
         program: in which the verifier finds nothing.
         around: what else the results hang on, such as the cell and the programs of other stations.
+        channels: what inputs say in the run, as far as that is known.
         world: of the dry run; a `PassingWorld` where it is None.
 
     Returns:
         By line (from 1) of the source, in the order in which they are passed first; those behind the first
         look, and those that are never passed, follow in the order of the text.
     """
-    run = _Run(program, around, world or PassingWorld())
-    found = {line: run.key_behind(end) for line, end in run.ends().items()}
+    around = (__version__, *around)
+    run = _Run(program, around, channels, world or PassingWorld())
+    found = {line: run.key_behind(end) for line, end in run.ends().items() if run.is_known(end)}
     later = {program.procedures[procedure].lines[index] for procedure, index in run.later}
     others = sorted(line for line in _acting_lines(program) if line in later or line not in found)
-    rest = _key((*around, program_id(program))) if others else ""
+    rest = _key((*around, channels, program_id(program))) if others else ""
     return {
         **{line: key for line, key in found.items() if line not in later},
         **dict.fromkeys(others, rest),
@@ -84,9 +97,11 @@ class _Run:
         later: instructions of the code (procedure, index) that can come behind the look.
     """
 
-    def __init__(self, program: Program, around: tuple[str, ...], world: StillWorld) -> None:
+    def __init__(self, program: Program, around: tuple[str, ...], channels: str, world: StillWorld) -> None:
         self._program = program
         self._around = around
+        self._channels = channels
+        self._is_cut = False
         self.steps: list[Instruction] = []
         self.later: frozenset[tuple[int, int]] = frozenset()
         self._keys: list[str] = []
@@ -102,11 +117,17 @@ class _Run:
             if isinstance(step, Finished) or _is_look(step) or len(self.steps) >= MOST:
                 callers, procedure, index = machine.code_place
                 self.later = frozenset(_reached(self._program, (*callers, (procedure, index))))
+                self._is_cut = isinstance(step, Finished) or not _is_look(step)
                 return
             world.carry_out(step)
-            key = _key((key, type(step).__name__, _BITS[type(step)](step), step.origin.visit))
+            read = self._channels if _reads(step) else ""
+            key = _key((key, type(step).__name__, _BITS[type(step)](step), step.origin.visit, read))
             self.steps.append(step)
             self._keys.append(key)
+
+    def is_known(self, number: int) -> bool:
+        """Return whether nothing but what is known can follow upon the steps up to this one."""
+        return not self._is_cut or number + 1 < len(self.steps)
 
     def key_behind(self, number: int) -> str:
         """Return what the steps up to this one hang on, and what is seen of the one behind it."""
@@ -153,6 +174,13 @@ def _is_look(step: Instruction) -> bool:
     if isinstance(step, AwaitInstruction):
         return step.timeout is not None
     return isinstance(step, SyncInstruction) and step.before not in _UNSEEN
+
+
+def _reads(step: Instruction) -> bool:
+    """Return whether what a channel says has a say in how a step goes."""
+    if isinstance(step, MoveInstruction):
+        return step.guard is not None or step.tracking is not None
+    return isinstance(step, AwaitInstruction)
 
 
 def _flows(step: Instruction) -> bool:

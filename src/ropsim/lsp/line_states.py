@@ -76,8 +76,9 @@ def contents_of(
     if around.is_broken:
         return {}
     beside = tuple(_programs_beside(document, around, documents, workshop))
-    cell = around.cell.content if around.cell is not None else ""
-    return workshop.line_contents(document, documents, (cell, *beside))
+    cell = around.cell
+    content, channels = (cell.content, cell.input_changes) if cell is not None else ("", "")
+    return workshop.line_contents(document, documents, (content, *beside), channels)
 
 
 def recorded_of(

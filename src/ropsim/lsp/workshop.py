@@ -221,16 +221,16 @@ class Workshop:
         return self.workspace.code_lines(_source(document), self.surroundings(document, documents).at)
 
     def line_contents(
-        self, document: Document, documents: Mapping[str, Document], around: tuple[str, ...]
+        self, document: Document, documents: Mapping[str, Document], around: tuple[str, ...], channels: str
     ) -> Mapping[int, str]:
         """Return what results of lines hang on, see `icr.line_contents`; nothing for a text with errors."""
         code = self.workspace.code(_source(document), self.surroundings(document, documents).at)
         if code is None:
             return {}
-        made_of = code, around
+        made_of = code, (*around, channels)
         known = self._contents.get(document.uri)
         if known is None or not _are_same(known[1], made_of):
-            found = icr.line_contents(code, *around, world=self.attention.world())
+            found = icr.line_contents(code, *around, channels=channels, world=self.attention.world())
             self._contents[document.uri] = known = document, made_of, found
         return known[2]
 

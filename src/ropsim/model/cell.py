@@ -90,6 +90,11 @@ class Cell:
         signals = {name: replace(one, changes=()) for name, one in self.signals.items()}
         return fingerprint(replace(self, name="", stations=stations, signals=signals))
 
+    @property
+    def input_changes(self) -> str:
+        """Return the fingerprint of when its inputs change by themselves, and to what."""
+        return fingerprint({name: one.changes for name, one in self.signals.items() if one.changes})
+
     def external_at(self, location: str, station: Station) -> tuple[float, ...]:
         """Return the values of the external axes of a station at a location [rad | m]; empty for none."""
         given = self.external.get(location)

@@ -1,4 +1,4 @@
-"""Diagnostics of simulated runs (S720 to S749, S751 to S753); servo, inputs, arms without drives: others."""
+"""Diagnostics of simulated runs (S720 to S749, S751 to S754); servo, inputs, arms without drives: others."""
 
 from ropsim.core import Severity, define
 
@@ -43,6 +43,20 @@ Where contact or a part is looked for, let the target lie beyond the place where
 the plot of the signal. A signal of the cell file needs `changes`, a device, a sensor or a key that makes it
 true. Where the condition need not come true, write `timeout` with a time after which the motion ends all the
 same.
+""",
+)
+
+GUARD_HELD_BEFORE = define(
+    "S754",
+    "guard-held-before",
+    Severity.WARNING,
+    "the condition that ends a motion was true before the motion began",
+    """
+`until` ends a motion where its condition comes true. Here it was true already when the motion began, so the
+arm did not go, and `store` holds the place where it stood. What a program looks for is not found in this way.
+
+Let the signal become false before: wait for that (`wait until not part_ok`), go back from what is touched, or
+give the motion another condition. Where it may be true at once, ask before: `if not part_ok then ...`.
 """,
 )
 

@@ -53,6 +53,7 @@ class Follower:
         correcting: corrects the path of the move that is made by a sensor; None where nothing does.
         lookout: looks at the condition of the move that is made; None where it has none.
         ended: whether a condition has ended the move, or a correction that the joints cannot keep; it brakes.
+        ended_at: place at which the condition of the move was seen to end it, negative for none.
         passed: places to which it has come [control ticks of motion time], each with its tick.
     """
 
@@ -64,6 +65,7 @@ class Follower:
     correcting: Correcting | None = None
     lookout: Lookout | None = None
     ended: bool = False
+    ended_at: float = -1.0
     passed: list[tuple[float, int]] = field(default_factory=list)
 
     def __post_init__(self) -> None:
@@ -88,7 +90,8 @@ class Follower:
         """
         at = self.at
         while self.clock.place < place:
-            self.ended = self.ended or (self.lookout is not None and self.lookout.ends())
+            if not self.ended and self.lookout is not None and self.lookout.ends():
+                self.ended, self.ended_at = True, self.clock.place
             self.ended = self.ended or (self.correcting is not None and self.correcting.is_lost)
             override = self.run.override(at.due)
             over = self._is_over(override)

@@ -2,7 +2,7 @@
 
 from ropsim.core import Diagnostic, frozen_dataclass
 from ropsim.flow import Comparison, Guard, MoveInstruction
-from ropsim.simulation.diagnostics import GUARD_NOT_MET
+from ropsim.simulation.diagnostics import GUARD_HELD_BEFORE, GUARD_NOT_MET
 from ropsim.simulation.station_run import StationRun
 from ropsim.simulation.world import SimulatedWorld
 
@@ -45,6 +45,16 @@ class Lookout:
             label=f"pass {move.origin.visit}",
             hint="let the target lie beyond the place that is looked for, or write `timeout`",
             data={"pass": move.origin.visit, "channel": self.guard.channel, "time_s": self.world.now()},
+        )
+
+    def held_before(self, move: MoveInstruction) -> Diagnostic:
+        """Return S754: the condition of a move was true before it began, so that the arm did not go."""
+        return GUARD_HELD_BEFORE.at(
+            move.origin.span,
+            f"`{self._condition}` was true before the motion began: the arm did not go",
+            label=f"pass {move.origin.visit}",
+            hint="let it become false before the motion, or ask for it in front of the motion",
+            data={"pass": move.origin.visit, "channel": self.guard.channel, "time_s": self.since},
         )
 
     @property

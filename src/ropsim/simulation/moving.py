@@ -81,15 +81,15 @@ def _follow(
     for number, one in enumerate(planned.moves):
         _say(run, at, texts[number])
         put_in_force(run, at, one.move)
-        since, ordinal = at.tick, len(at.moves)
+        since, ordinal, first = at.tick, len(at.moves), follower.clock.place
         at.track("move", ordinal)
         world.q_met = None
         follower.lookout = Lookout(one.move.guard, world, at, at.time) if one.move.guard else None
         tracking = one.move.tracking
         follower.correcting = Correcting(at, world, one, tracking, planned.reference) if tracking else None
         yield from _to(run, at, follower, one)
-        if follower.lookout and not (follower.ended or at.cut_short):
-            run.findings += filter(None, (follower.lookout.missed(one.move),))
+        if follower.lookout:
+            run.findings += _told_by(follower.lookout, follower, one, first)
         run.findings += follower.correcting.findings() if follower.correcting else ()
         end = at.tick
         if number == len(planned.moves) - 1 and not at.cut_short:
@@ -114,6 +114,15 @@ def _follow(
         if at.cut_short:
             break
     _enter_paths(at, planned, follower)
+
+
+def _told_by(lookout: Lookout, follower: Follower, one: PlannedMove, first: float) -> tuple[Diagnostic, ...]:
+    """Return what is found of the condition of a move that has ended; it began at a place of the plan."""
+    if follower.at.cut_short:
+        return ()
+    if follower.ended_at == first and lookout.world.guard_met:
+        return (lookout.held_before(one.move),)
+    return () if follower.ended else tuple(filter(None, (lookout.missed(one.move),)))
 
 
 def _commanded(at: StationRun, X_MT: Pose) -> tuple[float, ...]:

@@ -52,7 +52,7 @@ from ropsim.simulation.station_facts import station_facts, with_law
 from ropsim.simulation.station_run import StationRun
 from ropsim.simulation.track import Track
 from ropsim.simulation.verdicts import verdicts
-from ropsim.spatial import Array
+from ropsim.spatial import Array, fingerprint
 from ropsim.version import __version__
 
 
@@ -94,9 +94,21 @@ def recording_of(run: CellRun, programs: Mapping[str, Program], options: RunOpti
     content = RunContent(
         run.cell.content,
         {name: code_lines(one) for name, one in programs.items()},
-        LateMapping(lambda: line_contents_of_all(programs, run.cell.content)),
+        _line_contents(run, programs),
     )
     return Recording(time, channels, tuple(events), findings, run.time, facts, tuple(run.placements), content)
+
+
+def _line_contents(run: CellRun, programs: Mapping[str, Program]) -> Mapping[str, Mapping[int, str]]:
+    """Return what the results of lines hang on, once asked for; what a hand did is of this run alone."""
+    cell, overrides, inputs = run.cell, overrides_taken(run), tuple(inputs_taken(run))
+
+    def found() -> Mapping[str, Mapping[int, str]]:
+        around = (cell.content, *((fingerprint(overrides),) if overrides else ()))
+        channels = fingerprint((cell.input_changes, inputs)) if inputs else cell.input_changes
+        return line_contents_of_all(programs, *around, channels=channels)
+
+    return LateMapping(found)
 
 
 def _rows(run: CellRun, logs: Mapping[str, Mapping[str, Array]]) -> Array:

@@ -16,6 +16,7 @@ from ropsim.controller import (
     plan_move,
 )
 from ropsim.controller.kinds import TOOL_PATHS
+from ropsim.controller.path_derivatives import wrong_tool_derivatives
 from ropsim.controller.path_faults import faults_of_tool_path
 from ropsim.flow import ModalState, MotionKind, MoveInstruction
 from ropsim.motion import Line, OrientationMode, ToolPoints
@@ -59,6 +60,28 @@ def chain_with(first: float = 1.0, second: float = 0.0, start: float = 0.0, end:
     planner = CHAIN.planner
     assert isinstance(planner, StandardPathPlanner)
     return replace(CHAIN, planner=replace(planner, kinds={**planner.kinds, "LIN": make}))
+
+
+@dataclass(frozen=True)
+class Woven(Told):
+    """A line that goes up and down 2 mm a hundred times, as a weld is woven, and tells that exactly."""
+
+    def tool(self, s: Array) -> ToolPoints:
+        points, k = super().tool(s), 2.0 * np.pi * 100.0 / self.length
+        shifts = (1.0 - np.cos(k * s), k * np.sin(k * s), k * k * np.cos(k * s))
+        woven = ToolPoints(*(np.array(one) for one in (points.matrices, points.d1, points.d2)))
+        woven.matrices[:, 2, 3] += 1e-3 * shifts[0]
+        woven.d1[:, 2] += 1e-3 * shifts[1]
+        woven.d2[:, 2] += 1e-3 * shifts[2]
+        return woven
+
+
+@pytest.mark.parametrize(("first", "second"), [(1.0, 0.0), (1.5, 0.0), (1.0, 1e4)])
+def test_a_woven_path_is_refused_only_where_its_derivatives_are_others(first: float, second: float) -> None:
+    line, move = Line(HERE, THERE), lin(THERE)
+    path = Woven(line, first, second)
+    found = wrong_tool_derivatives(path, path, path.tool(np.linspace(0.0, path.length, 997)), move)
+    assert (found is None) == ((first, second) == (1.0, 0.0))
 
 
 def test_a_path_that_is_what_it_says_is_flown() -> None:

@@ -1,5 +1,7 @@
 """What the results of lines hang on: keys change where something before or in the stretch of a line does."""
 
+import sys
+
 import pytest
 
 from ropsim.icr import line_contents, line_contents_of_all
@@ -91,3 +93,41 @@ def test_cells_and_programs_of_other_stations_count() -> None:
     assert three is not None
     first, other = (line_contents_of_all({"left": one, "right": beside}, "") for beside in (two, three))
     assert not set(first["left"].values()) & set(other["left"].values())
+
+
+READS = """program main
+units mm, s
+signal go = input 1
+mov (400, 0, 300)
+wait until go
+lin (400, 0, 200)
+mov (300, 0, 300)
+"""
+
+
+@pytest.mark.parametrize(
+    ("text", "same"), [(READS, [4]), (READS.replace("wait until go", "lin (400, 0, 250) until go"), [])]
+)
+def test_from_the_first_instruction_on_that_reads_a_channel_what_it_says_counts(
+    text: str, same: list[int]
+) -> None:
+    code = compile(text).icr
+    assert code is not None
+    known, found = (line_contents(code, channels=one) for one in ("on after 1.5 s", "on after 9.5 s"))
+    assert sorted(line for line, key in known.items() if found[line] == key) == same
+
+
+@pytest.mark.parametrize(("word", "same"), [("blend 20", [3, 4]), ("fine", [3, 4, 5])])
+def test_a_stretch_that_is_not_known_to_its_end_hangs_on_the_whole_program(
+    monkeypatch: pytest.MonkeyPatch, word: str, same: list[int]
+) -> None:
+    monkeypatch.setattr(sys.modules["ropsim.icr.line_contents"], "MOST", 4)
+    line = f"lin (400, 0, 200) {word}\n"
+    known = f"program main\nunits mm, s\nmov (400, 0, 300)\nwait 1\n{line * 5}"
+    assert unchanged(known, known + line) == same
+
+
+def test_another_version_has_other_results(monkeypatch: pytest.MonkeyPatch) -> None:
+    before = keys(TEXT)
+    monkeypatch.setattr(sys.modules["ropsim.icr.line_contents"], "__version__", "0.0.0")
+    assert not set(before.values()) & set(keys(TEXT).values())

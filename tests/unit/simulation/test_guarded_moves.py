@@ -116,3 +116,23 @@ def test_a_motion_that_was_ended_by_hand_says_nothing_of_its_condition() -> None
     recording = run(CELL, {"robot": code}, RunOptions(Fidelity.KINEMATIC, watch=Stopping()))
     assert recording.duration < 3.0
     assert guards(recording) == []
+
+
+@pytest.mark.parametrize(
+    ("condition", "seen"),
+    [("touch", "touch is on"), ("force > 15", "force > 15"), ("not never", "never is off")],
+)
+def test_a_condition_that_is_true_before_the_motion_begins_is_told(condition: str, seen: str) -> None:
+    recording = recorded("wait 4 s", APPROACH, "", f"lin (500, 0, 200) {SLOW} until {condition}")
+    (found,) = [one for one in recording.findings if one.code == "S754"]
+    assert found.span is not None
+    assert found.span.line == 6
+    assert found.message == f"`{seen}` was true before the motion began: the arm did not go"
+    search = recording.events_of(MoveEvent)[-1]
+    assert (search.motion, search.travel) == ("LIN", 0.0)
+
+
+def test_a_condition_that_comes_true_on_the_way_or_a_time_that_is_over_says_nothing_of_that() -> None:
+    on_the_way = recorded(APPROACH, f"lin (500, 0, 200) {SLOW} until touch", "wait 1 s")
+    over = recorded(APPROACH, f"lin (500, 0, 200) {SLOW} until never timeout 0.5 s")
+    assert not {"S754", "S746"} & {one.code for one in (*on_the_way.findings, *over.findings)}
