@@ -248,7 +248,7 @@ class Database:
 
     def _end_version(self, *, is_new: bool) -> None:
         self._version += is_new
-        if len(self._answers) > self._limit:
+        if len(self._answers) > self._limit and not self._running:  # an answer is still to be kept by who asks
             self._forget()
 
     def _forget(self) -> None:

@@ -193,3 +193,28 @@ def test_a_database_for_one_state_gives_the_same_answers() -> None:
         db.ask(count),
     ]
     assert len(once) == 4
+
+
+def test_inputs_that_are_given_within_a_question_give_up_no_answer_that_runs() -> None:
+    def noise(db: Database, number: int) -> object:
+        return db.read(("x", number))
+
+    def middle(db: Database) -> object:
+        db.give({"between": db.read("use")})
+        return db.read("text")
+
+    def above(db: Database) -> object:
+        return db.ask(middle)
+
+    db = Database(limit=10)
+    db.give({"text": "old", "use": 0})
+    db.ask(middle)
+    for version in range(9):  # in which nobody asks for the one in the middle
+        db.give({("x", 0): version})
+        db.ask(noise, 0)
+    db.give({"use": 1})
+    for number in range(20):
+        db.ask(noise, number)
+    assert db.ask(above) == "old"
+    db.give({"text": "new"})
+    assert db.ask(above) == "new"
