@@ -248,7 +248,8 @@ class Database:
 
     def _end_version(self, *, is_new: bool) -> None:
         self._version += is_new
-        if len(self._answers) > self._limit and not self._running:  # an answer is still to be kept by who asks
+        # as long as questions are asked, who asked them is still to keep the answers
+        if len(self._answers) > self._limit and not self._running:
             self._forget()
 
     def _forget(self) -> None:

@@ -41,6 +41,9 @@ mov (500, -200, 300)
 lin (500, 0, 300){zone} speed 200 mm/s
 lin (500, 0, 100){zone} speed 200 mm/s
 mov (500, 200, 100) speed 50 %
+mov (500, -200, 300)
+close
+mov (500, 0, 300)
 """
 OPTIONS = RunOptions(Fidelity.KINEMATIC)
 
@@ -168,6 +171,17 @@ def test_a_program_without_zones_has_none_to_take_away(tmp_path: Path, change: s
     assert [one.change for one in found.alternatives] == ["speed=50%"]
     (note,) = found.notes
     assert (note.code, note.message.split(":")[0]) == ("X897", "no zone in this program")
+
+
+def test_a_program_that_grips_nothing_asks_for_no_payload(tmp_path: Path) -> None:
+    folder = project(tmp_path).folder
+    main_task = folder / "programs" / "main.task"
+    lines = main_task.read_text().splitlines()
+    main_task.write_text("\n".join(line for line in lines if line.strip() not in {"open", "close"}) + "\n")
+    found = open_project(folder).what_if(["payload=30kg", "speed=50%"], options=OPTIONS)
+    assert [one.change for one in found.alternatives] == ["speed=50%"]
+    (note,) = found.notes
+    assert (note.code, note.message.split(":")[0]) == ("X897", "no part is gripped in this run")
 
 
 def test_a_program_that_does_not_come_to_its_end_is_compared_with_nothing(

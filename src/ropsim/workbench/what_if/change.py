@@ -29,7 +29,7 @@ NOTHING_COMPARED = define(
 A what-if run compares cycle times. Where the program as it is does not come to its end, because a move is
 skipped, a program is ended or waits in vain, it has no cycle time that another one could be compared with:
 mend what is found first. `zones=stop` and `zones=each` compare with what is there: they need a zone that is
-flown in the run.
+flown in the run. `payload=3kg` needs a part that is gripped in it.
 """,
 )
 

@@ -6,7 +6,7 @@ from dataclasses import replace
 from pathlib import PurePath
 
 from ropsim.core import Diagnostic
-from ropsim.flow import MoveEvent, Recording
+from ropsim.flow import GripEvent, MoveEvent, Recording
 from ropsim.icr import Program
 from ropsim.model import Cell
 from ropsim.simulation import RunOptions, run
@@ -43,7 +43,7 @@ def compare(
     if not summary.cycle_time_valid:
         return Comparison(summary.cycle_time, (), (_unfinished(),))
     wanted = list(_single(changes, recording))
-    notes = (_without_zones(recording),) if any(map(_is_of_zones, changes)) and not _flown(recording) else ()
+    notes = tuple(_in_vain(changes, recording))
     cells = [changed_cell(cell, change) for change in wanted]
     several = len({change.source for change in wanted if change.source}) > 1
     known = {content_of(found) for found in recording.findings}
@@ -60,13 +60,36 @@ def compare(
 
 
 def _single(changes: Sequence[Change | Subject], recording: Recording) -> Iterable[Change]:
-    """Yield the changes one by one; those of zones where some are flown, `each` as one for each line."""
-    flown = _flown(recording)
+    """Yield the changes one by one; those of zones where some are flown, `each` as one for each line.
+
+    What parts weigh is changed where some are gripped.
+    """
+    flown, grips = _flown(recording), _grips(recording)
     for change in changes:
         if isinstance(change, Subject):
             yield from (Change(change, line=line, source=source) for source, line in flown)
-        elif flown or not _is_of_zones(change):
+        elif grips if _is_of_parts(change) else flown or not _is_of_zones(change):
             yield change
+
+
+def _in_vain(changes: Iterable[Change | Subject], recording: Recording) -> Iterable[Diagnostic]:
+    """Yield why changes are not tried."""
+    if any(map(_is_of_zones, changes)) and not _flown(recording):
+        yield _without_zones(recording)
+    if any(map(_is_of_parts, changes)) and not _grips(recording):
+        yield NOTHING_COMPARED.at(
+            None,
+            "no part is gripped in this run: what parts weigh changes nothing",
+            hint="`tool=…kg` changes the mass of the tools",
+        )
+
+
+def _is_of_parts(change: Change | Subject) -> bool:
+    return isinstance(change, Change) and change.subject is Subject.PAYLOAD
+
+
+def _grips(recording: Recording) -> bool:
+    return any(one.part for one in recording.events_of(GripEvent))
 
 
 def _is_of_zones(change: Change | Subject) -> bool:
