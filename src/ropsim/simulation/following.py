@@ -100,7 +100,7 @@ class Follower:
                 at.is_held = False
                 return
             at.is_held = self.is_held and override == 0.0
-            self._slice(place)
+            self._slice(place, 0.0 if over or self.ended else override)
             yield
 
     def tick_at(self, place: int) -> int:
@@ -123,11 +123,9 @@ class Follower:
         at = self.at
         return at.in_vain or self.run.is_stopped(at.due) or (at.is_over and override < 1.0)
 
-    def _slice(self, place: int) -> None:
+    def _slice(self, place: int, override: float) -> None:
+        """Go on towards a place at the rate that is asked for, until somebody has to be looked at again."""
         run, at = self.run, self.at
-        override = run.override(at.due)
-        if self.ended or self._is_over(override):
-            override = 0.0
         every = at.station.controller.rates.interpolation_ticks
         reads = self.lookout is not None or self.correcting is not None
         longest = min(run.slice(at), every) if reads else run.slice(at)

@@ -16,6 +16,9 @@ MOST_BYTES = 200_000_000
 _OF_A_MOVE = 10_000
 """What a move takes beside its reference rows, about [bytes]."""
 
+_MOST_MOVES = 100
+"""Keys of moves that are remembered from stretch to stretch."""
+
 _content = bits_without(MoveInstruction, "origin", "modal")
 
 
@@ -39,6 +42,7 @@ class KeptPlans:
         self.cell = cell
         self.anew: list[tuple[MoveInstruction, ...]] = []
         self._modal: tuple[ModalState | None, Hashable] = (None, None)
+        self._moves: dict[int, tuple[MoveInstruction, Hashable]] = {}
         self._kept: KeptResults[tuple[tuple[MoveInstruction, ...], PlannedStretch]] = KeptResults(most)
 
     @property
@@ -60,7 +64,7 @@ class KeptPlans:
             order: the moves, and where the arm stands.
         """
         moves = (*order.moves, *order.ahead)
-        asked = tuple([(_content(move), self._modal_bits(move.modal), move.origin.visit) for move in moves])
+        asked = tuple([self._bits(move) for move in moves])
         key = (station, order.q_start.tobytes(), fingerprint(order.payload), asked, len(order.ahead))
         kept = self._kept.get(key)
         found = on_lines_of(moves, *kept) if kept else None
@@ -69,6 +73,16 @@ class KeptPlans:
             found = planned_anew(station, chain, order)
             self._kept.put(key, (moves, found), _size(found))
         return found
+
+    def _bits(self, move: MoveInstruction) -> Hashable:
+        """Return the key of a move, which may be known from the stretch that it was ahead of."""
+        known = self._moves.get(id(move))
+        if known is None or known[0] is not move:
+            if len(self._moves) > _MOST_MOVES:
+                self._moves.clear()
+            known = move, (_content(move), self._modal_bits(move.modal), move.origin.visit)
+            self._moves[id(move)] = known
+        return known[1]
 
     def _modal_bits(self, modal: ModalState) -> Hashable:
         """Return the key of a modal state, mostly that of the move before."""

@@ -40,7 +40,7 @@ from ropsim.simulation.channels import (
     track_channel,
 )
 from ropsim.simulation.consequences import with_causes
-from ropsim.simulation.inputs import input_events
+from ropsim.simulation.inputs import input_events, with_inputs
 from ropsim.simulation.load_findings import has_rated_payloads, load_findings
 from ropsim.simulation.move_span import PathSpan
 from ropsim.simulation.path_corrections import corrections, without_corrections
@@ -105,7 +105,7 @@ def _line_contents(run: CellRun, programs: Mapping[str, Program]) -> Mapping[str
 
     def found() -> Mapping[str, Mapping[int, str]]:
         around = (cell.content, *((fingerprint(overrides),) if overrides else ()))
-        channels = fingerprint((cell.input_changes, inputs)) if inputs else cell.input_changes
+        channels = with_inputs(cell, inputs).input_changes
         return line_contents_of_all(programs, *around, channels=channels)
 
     return LateMapping(found)
