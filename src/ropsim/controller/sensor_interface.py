@@ -1,9 +1,10 @@
 """The sensor interface of the simulation: inputs by script, key or sensor, outputs as programs set them."""
 
 import math
-from bisect import bisect_right
+from bisect import bisect_left, bisect_right
 from collections.abc import Mapping
 from dataclasses import replace
+from operator import itemgetter
 
 from ropsim.controller.entities import Sample
 from ropsim.controller.measuring import is_on, measure
@@ -14,9 +15,9 @@ _NO_SAMPLE = Sample(value=False, valid=False, age=math.inf)
 
 
 def with_change(signal: Signal, time: float, value: float) -> Signal:
-    """Return a signal with one change more; among changes at one time [s] the one added last holds."""
-    place = bisect_right(signal.changes, time, key=lambda change: change[0])
-    return replace(signal, changes=(*signal.changes[:place], (time, value), *signal.changes[place:]))
+    """Return a signal with one change more, in place of those at the same time [s]."""
+    first, behind = (side(signal.changes, time, key=itemgetter(0)) for side in (bisect_left, bisect_right))
+    return replace(signal, changes=(*signal.changes[:first], (time, value), *signal.changes[behind:]))
 
 
 class CellSensors:
