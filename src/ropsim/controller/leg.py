@@ -5,6 +5,7 @@ import numpy as np
 from ropsim.controller.entities import Refusal
 from ropsim.controller.entity_faults import guarded
 from ropsim.controller.motion_chain import MotionChain
+from ropsim.controller.move_check import check_duration
 from ropsim.controller.path_faults import unusable_path, unusable_tool_path
 from ropsim.controller.planned_faults import unusable_plan
 from ropsim.controller.planned_path import PlannedPath
@@ -61,6 +62,8 @@ def leg_of(chain: MotionChain, move: MoveInstruction, q_start: Array) -> Leg | R
         wrong = unusable_tool_path(planner, planned.tool, move)
         if wrong:
             return wrong
+        if late := check_duration(move, planned.least_time):  # before samples of such a way fill the memory
+            return Refusal(late)
     if planned.tool is not None and joints is None:
         traced = trace(chain, planned.tool, q_start, move, planned.coordination)
         if isinstance(traced, Refusal):

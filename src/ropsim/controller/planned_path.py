@@ -2,7 +2,7 @@
 
 from ropsim.controller.coordination import Coordination
 from ropsim.core import Diagnostic
-from ropsim.motion import JointMotionLimits, JointPath, ToolLimits, ToolPath
+from ropsim.motion import Arc, Curve, JointMotionLimits, JointPath, Line, Standing, ToolLimits, ToolPath
 from ropsim.spatial import Pose, record
 
 
@@ -40,3 +40,16 @@ class PlannedPath:
     X_MT: Pose
     findings: tuple[Diagnostic, ...] = ()
     coordination: Coordination | None = None
+
+    @property
+    def least_time(self) -> float:
+        """Return a time [s] that the path of the tool takes at least, 0 where it tells none.
+
+        The length of a path is a way [m], or an angle [rad] where the TCP stands; at its greatest speed it is
+        gone in no less.
+        """
+        path, limits = self.tool, self.limits.tool
+        if path is None or isinstance(path, Standing):
+            return 0.0
+        moves = isinstance(path, Arc | Curve) or (isinstance(path, Line) and path.moves)
+        return path.length / (limits.speed if moves else max(limits.speed, limits.orientation_speed))

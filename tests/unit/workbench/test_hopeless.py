@@ -6,6 +6,7 @@ import pytest
 
 from ropsim.controller import joint_fit
 from ropsim.flow import MoveEvent, Recording
+from ropsim.motion import Arc
 from ropsim.simulation import Fidelity, RunOptions
 from ropsim.workbench import open_project
 
@@ -52,3 +53,39 @@ def test_a_load_that_cannot_be_held_is_told_without_trying_speeds(
     tool = "[tools.weight]\nposition = [0, 0, 150]\nmass = 60.0\n"
     found = ran(tmp_path, "set tool weight\nmov (700, 0, 300)\nlin (700, 0, 200)\n", CELL + tool)
     assert "M564" in {one.code for one in found.findings}, [str(one) for one in found.findings]
+
+
+@pytest.mark.parametrize("angle", ["1e6", "1e7"])
+def test_an_arc_of_far_too_many_turns_is_refused_before_it_is_sampled(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, angle: str
+) -> None:
+    sampled: list[int] = []
+    monkeypatch.setattr(Arc, "tool", lambda _, s: sampled.append(len(s)))
+    arc = f"circ via (520, 50, 600) to (500, 100, 600) angle {angle}"
+    found = ran(tmp_path, f"mov (500, 0, 600)\n{arc}\nmov (500, 0, 650)\n")
+    (refused,) = (one for one in found.findings if one.is_error)
+    assert (refused.code, refused.span and refused.span.line) == ("M513", 4)
+    assert sum(sampled) < 1000
+    assert len(found.events_of(MoveEvent)) == 2
+
+
+@pytest.mark.parametrize(
+    ("via", "to", "said"),
+    [
+        ("(500, 100, 600), (500, y, 600)", "(550, 100, 600)", "point 1 and point 2"),
+        ("(500, 100, 600), (520, 150, 600)", "(520, y + 50, 600)", "point 2 and the target"),
+        ("(500, y, 600)", "(500, 100, 600; rpy 180 0 20)", "point 1 and the target"),
+    ],
+)
+def test_points_of_a_curve_that_are_at_one_place_are_told_in_the_run_as_by_the_compiler(
+    tmp_path: Path, via: str, to: str, said: str
+) -> None:
+    found = ran(tmp_path, f"mov (500, 0, 600)\ny = 100 mm\nspline via {via} to {to}\n")
+    (refused,) = (one for one in found.findings if one.is_error)
+    assert (refused.code, refused.span and refused.span.line) == ("M567", 5)
+    assert f"{said} are at one place" in refused.message
+
+
+def test_a_curve_may_begin_at_its_first_point(tmp_path: Path) -> None:
+    found = ran(tmp_path, "mov (500, 0, 600)\nspline via (500, 0, 600), (520, 60, 600) to (550, 100, 600)\n")
+    assert found.ok
