@@ -12,12 +12,25 @@ def test_parts_count_where_they_lie_and_the_whole_counts_elsewhere() -> None:
     part = Traced(length, np.array([[5.0, 5.0], [6.0, 5.0]]))
     path = Refined(whole, np.array([begin]), (part,))
     assert path.length == whole.length
-    s = np.array([0.0, 0.2, 0.25, 0.5, 0.75, 0.8, 1.0]) * whole.length
-    inside = np.array([False, False, True, True, True, False, False])
+    s = np.array([0.0, 0.2, 0.25, 0.3, 0.5, 0.7, 0.75, 0.8, 1.0]) * whole.length
+    inside = np.array([False, False, False, True, True, True, False, False, False])
     found, plain, exact = path.joints(s), whole.joints(s), part.joints(s[inside] - begin)
     for name in ("q", "d1", "d2"):
-        np.testing.assert_array_equal(getattr(found, name)[~inside], getattr(plain, name)[~inside])
         np.testing.assert_array_equal(getattr(found, name)[inside], getattr(exact, name))
+        np.testing.assert_allclose(getattr(found, name)[~inside], getattr(plain, name)[~inside], atol=1e-12)
+
+
+@pytest.mark.parametrize("place", [0.25, 0.75])
+def test_where_a_part_begins_and_ends_values_and_two_derivatives_go_on(place: float) -> None:
+    whole = JointLine(np.zeros(2), np.array([1.0, 2.0]))
+    rows = whole.joints(np.linspace(0.25, 0.75, 9) * whole.length).q
+    part = Traced(0.5 * whole.length, rows + 1e-8 * np.sin(np.arange(18.0).reshape(9, 2)))
+    path = Refined(whole, np.array([0.25 * whole.length]), (part,))
+    aside = 1e-9 * whole.length
+    points = path.joints(place * whole.length + np.array([-aside, aside]))
+    for one, slope in ((points.q, points.d1), (points.d1, points.d2)):
+        np.testing.assert_allclose(one[1] - one[0], 2.0 * aside * slope[0], atol=1e-12)
+    np.testing.assert_allclose(points.d2[1], points.d2[0], atol=1e-9)
 
 
 @pytest.mark.parametrize(("aside", "slope"), [(0.0, 0.0), (1e-6, 0.0), (0.0, 1e-4)])
