@@ -129,9 +129,13 @@ class Body:
         place = line.statement or line
         return line.logical.span(self.report.source, place.start, place.end)
 
-    def warn(self, kind: Kind, place: Placed, message: str, hint: str = "") -> None:
+    def warn(self, kind: Kind, place: Placed, message: str, hint: str = "", fix: str | None = None) -> None:
         """Report a finding and go on."""
-        self.report.at(kind, self.line, place, message, hint)
+        self.report.at(kind, self.line, place, message, hint, fix=fix)
+
+    def written(self, place: Placed) -> str:
+        """Return the text of a node of the line in hand."""
+        return self.line.logical.text[place.start : place.end]
 
     def fail(
         self, kind: Kind, place: Placed, message: str, hint: str = "", fix: str | None = None

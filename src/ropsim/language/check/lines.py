@@ -4,7 +4,7 @@ from collections.abc import Callable
 from typing import Any
 
 from ropsim.core import maker
-from ropsim.language.check import actions, assignments, calls, jumps, motions, values
+from ropsim.language.check import actions, assignments, calls, jumps, motions, never_run, values
 from ropsim.language.check.body import Body
 from ropsim.language.check.types import BOOL
 from ropsim.language.findings import syntax as kinds
@@ -62,6 +62,7 @@ def _wait_until(body: Body, node: syntax.WaitCondition) -> Block:
 
 def _one_line_if(body: Body, node: syntax.If) -> Block:
     condition = values.expect(body, node.condition, BOOL, "the condition of `if`")
+    never_run.check_condition(body, node, node.condition, condition)
     return (_if(((condition, statement(body, node.body)),), (), body.statement_span, ()),)
 
 

@@ -5,7 +5,7 @@ from contextlib import nullcontext
 
 from ropsim.language.blocks import Block as SyntaxBlock
 from ropsim.language.blocks import Section
-from ropsim.language.check import lines, loops, settings, values
+from ropsim.language.check import lines, loops, never_run, settings, values
 from ropsim.language.check.body import Body, Loop, RejectedError
 from ropsim.language.check.silent import tells_nothing
 from ropsim.language.check.types import BOOL
@@ -58,6 +58,7 @@ def _block(body: Body, tree: SyntaxBlock) -> Block:
                 return _if(body, tree)
             case syntax.While():
                 condition = loops.while_condition(body, node)
+                never_run.check_condition(body, node, node.condition, condition)
                 inner = _loop_body(body, first)
                 body.line = first.header
                 return loops.while_loop(body, condition, inner)
@@ -87,9 +88,12 @@ def _only_checked(body: Body, tree: SyntaxBlock) -> Block:
 def _if(body: Body, tree: SyntaxBlock) -> Block:
     branches, places = [], []
     otherwise: Block = ()
+    is_decided = False
     for number, section in enumerate(tree.sections):
         body.line = section.header
         node = section.header.statement
+        if is_decided and node is not None:
+            never_run.check_other(body, node)
         if isinstance(node, syntax.If | syntax.ElseIf):
             try:
                 condition = values.expect(
@@ -99,6 +103,9 @@ def _if(body: Body, tree: SyntaxBlock) -> Block:
                 body.has_gaps = True
                 walk(body, section.body)
                 continue
+            if not is_decided:
+                never_run.check_condition(body, node, node.condition, condition)
+            is_decided = is_decided or never_run.is_always_true(body, node.condition, condition)
             places.append(body.statement_span)
             branches.append((condition, walk(body, section.body)))
         else:
@@ -116,6 +123,7 @@ def _if(body: Body, tree: SyntaxBlock) -> Block:
 def _repeat(body: Body, tree: SyntaxBlock, node: syntax.Repeat) -> Block:
     first = tree.sections[0]
     count = loops.count_of(body, node)
+    never_run.check_count(body, node, count)
     inner = _loop_body(body, first)
     until, place = None, None
     closer = tree.closer
@@ -132,6 +140,7 @@ def _repeat(body: Body, tree: SyntaxBlock, node: syntax.Repeat) -> Block:
 
 def _for(body: Body, section: Section, node: syntax.For) -> Block:
     variable, first, last, step = loops.for_header(body, node)
+    never_run.check_way(body, node, first, last, step)
     name = node.name.text
     scope = nullcontext() if body.find(name) is variable else body.with_name(name, variable)
     with scope, body.in_loop(Loop(variable=variable.name)):

@@ -246,3 +246,24 @@ lengths, or two angles, contradict each other: `units cm, mm`. Name one of them,
 behind the numbers that have it: `lin (300, 20, 2.5 cm)`.
 """,
 )
+NEVER_RUN = define(
+    "T341",
+    "lines-never-run",
+    Severity.WARNING,
+    "a loop or a branch that never runs",
+    """
+The numbers that stand there tell it before the program runs: a `repeat` whose count is less than 1, a `for`
+whose last value lies behind the first one, a condition that is always false. To count down,
+a `for` needs a `step`.
+
+```
+for i = 10 to 1            # never runs
+endf
+for i = 10 to 1 step -1    # ten times
+endf
+```
+
+A branch behind a condition that is always true is told as well. A condition with the name of a constant is
+taken for a switch, `if dry_run then …` with `const dry_run = false`, and nothing is said.
+""",
+)

@@ -1,0 +1,92 @@
+"""Loops and branches that never run, which the numbers written there tell before the program runs."""
+
+from ropsim.language.check import fold
+from ropsim.language.check.body import Body
+from ropsim.language.check.silent import words_of
+from ropsim.language.check.types import Value
+from ropsim.language.findings import types as kinds
+from ropsim.language.syntax import nodes
+from ropsim.language.syntax import statements as syntax
+from ropsim.program import Constant, Expression
+
+
+def check_count(body: Body, node: syntax.Repeat, count: Expression | None) -> None:
+    """Warn of a `repeat` whose count is known and less than 1 (T341)."""
+    number = fold.number_of(count) if count is not None else None
+    if node.count is None or number is None or number >= 1:
+        return
+    written = body.written(node.count)
+    shown = written if written == f"{number:g}" else f"{written}`, which is `{number:g}"
+    message = f"the lines of this loop never run, its count is `{shown}`"
+    body.warn(kinds.NEVER_RUN, node, message, "write a count of at least 1, or leave the loop out")
+
+
+def check_condition(body: Body, node: syntax.Statement, condition: nodes.Node, found: Expression) -> None:
+    """Warn of a `while`, `if` or `elseif` whose condition is always false (T341)."""
+    if not _is_always(body, condition, found, fold.FALSE):
+        return
+    word = body.line.head
+    lines = "its lines never run" if isinstance(node, syntax.While) else "what it leads to never runs"
+    message = f"the condition of `{word}` is always false: {lines}"
+    hint = "write a condition that may come true, or put `#` before what is not to run"
+    body.warn(kinds.NEVER_RUN, node, message, hint)
+
+
+def is_always_true(body: Body, condition: nodes.Node, found: Expression) -> bool:
+    """Return whether no branch behind one with this condition runs."""
+    return _is_always(body, condition, found, fold.TRUE)
+
+
+def check_other(body: Body, node: syntax.Statement) -> None:
+    """Warn of a branch behind one whose condition is always true (T341)."""
+    message = f"the condition above is always true: what `{body.line.head}` leads to never runs"
+    body.warn(kinds.NEVER_RUN, node, message, "write a condition that may be false, or leave this branch out")
+
+
+def check_way(body: Body, node: syntax.For, first: Expression, last: Expression, step: Expression) -> None:
+    """Warn of a `for` whose last value lies behind the first one, seen along its step (T341)."""
+    start, end, way = fold.number_of(first), fold.number_of(last), fold.number_of(step)
+    if start is None or end is None or not way or (end - start) * way >= 0:
+        return
+    first_text, last_text = body.written(node.first), body.written(node.last)
+    message = f"the lines of this loop never run: `{first_text} to {last_text}` counts "
+    message += f"{'down' if way > 0 else 'up'}, and its step counts {'up' if way > 0 else 'down'}"
+    turned = _turned(body, node)
+    if not turned:
+        body.warn(kinds.NEVER_RUN, node, message, "turn the sign of the step")
+    elif _names_constant(body, first_text) or _names_constant(body, last_text):
+        hint = f"give the constant another value, or write `step {turned}` for the other way"
+        body.warn(kinds.NEVER_RUN, node, message, hint)
+    elif way > 0:
+        fix = f"for {node.name.text} = {first_text} to {last_text} step {turned}"
+        body.warn(kinds.NEVER_RUN, node, message, f"write `step {turned}`", fix)
+    else:
+        said = body.written(node.step) if node.step is not None else ""
+        hint = f"write `for {node.name.text} = {last_text} to {first_text} step {said}`, or `step {turned}`"
+        body.warn(kinds.NEVER_RUN, node, message, hint)
+
+
+def _is_always(body: Body, condition: nodes.Node, found: Expression, truth: Constant) -> bool:
+    """Return whether a condition is known as it stands there.
+
+    One that names a constant of the text is a switch, which is there to be off now and then.
+    """
+    if not isinstance(found, Constant) or found.value is not truth.value:
+        return False
+    return not _names_constant(body, body.written(condition))
+
+
+def _names_constant(body: Body, written: str) -> bool:
+    return any(isinstance(body.find(word), Value) for word in words_of(written))
+
+
+def _turned(body: Body, node: syntax.For) -> str:
+    """Return the step with the other sign as it is written, empty where it is no number alone."""
+    match node.step:
+        case None:
+            return "-1"
+        case nodes.Number() as number:
+            return f"-{body.written(number)}"
+        case nodes.Unary(op="neg", operand=nodes.Number() as number):
+            return body.written(number)
+    return ""
