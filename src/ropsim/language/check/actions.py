@@ -112,7 +112,7 @@ def wait(body: Body, node: syntax.WaitTime) -> Block:
     _refuse_signal(body, node.duration)
     value = values.check(body, node.duration)
     duration = convert.to(body, value, TIME, node.duration, "the time of `wait`")
-    plausible.check_wait(body, value, duration, node.duration)
+    plausible.check_time(body, "wait", value, duration, node.duration)
     number = fold.number_of(duration)
     if number is not None and number < 0.0:
         body.fail(
@@ -131,7 +131,9 @@ def wait_until(body: Body, node: syntax.WaitCondition, otherwise: Block) -> Bloc
         body.warn(kinds.NOTHING_CHANGES, node.condition, message, "let it read a signal, or write `if`")
     timeout = None
     if node.timeout is not None:
-        timeout = values.expect(body, node.timeout, TIME, "the time of `timeout`")
+        value = values.check(body, node.timeout)
+        timeout = convert.to(body, value, TIME, node.timeout, "the time of `timeout`")
+        plausible.check_time(body, "timeout", value, timeout, node.timeout)
         number = fold.number_of(timeout)
         if number is not None and number < 0.0:
             body.fail(

@@ -3,7 +3,7 @@
 from functools import lru_cache
 
 from ropsim.icr import MAX_AXES
-from ropsim.language.check import arithmetic, components, convert, fold, functions, plausible, poses, values
+from ropsim.language.check import arithmetic, components, convert, fold, functions, poses, radians, values
 from ropsim.language.check.body import Body, Expressions
 from ropsim.language.check.types import (
     ANGLE,
@@ -97,15 +97,15 @@ def _state(body: Body, node: nodes.State) -> Value:
 def _joints(body: Body, node: nodes.Joints) -> Value:
     _check_count(body, node)
     expressions: list[Expression] = []
-    angles = []
+    angles: list[nodes.Node] = []
     axes = body.world.environment.axes
     for k, item in enumerate(node.values):
         value = values.check(body, item)
         is_length = axes[k] == "length" if k < len(axes) else known(value.type) == LENGTH
         expressions.append(convert.to(body, value, LENGTH if is_length else ANGLE, item, f"joint {k + 1}"))
         if not is_length:
-            angles.append(value)
-    plausible.check_joints(body, angles, node)
+            angles.append(item)
+    radians.check_joints(body, node, angles)
     numbers = tuple(float(n) for n in map(fold.number_of, expressions) if n is not None)
     if len(numbers) < len(expressions):
         return Value(MakeJoints(tuple(expressions)), JOINTS)

@@ -3,7 +3,7 @@
 from typing import NoReturn
 
 from ropsim.flow import Comparison
-from ropsim.language.check import fold, values
+from ropsim.language.check import convert, fold, plausible, values
 from ropsim.language.check.body import Body
 from ropsim.language.check.readings import reading
 from ropsim.language.check.types import BOOL, TIME
@@ -101,7 +101,9 @@ def _refuse(body: Body, node: nodes.Node) -> NoReturn:
 def _timeout(body: Body, node: syntax.Motion) -> Expression | None:
     if node.timeout is None:
         return None
-    timeout = values.expect(body, node.timeout, TIME, "the time of `timeout`")
+    value = values.check(body, node.timeout)
+    timeout = convert.to(body, value, TIME, node.timeout, "the time of `timeout`")
+    plausible.check_time(body, "timeout", value, timeout, node.timeout)
     number = fold.number_of(timeout)
     if number is not None and number <= 0.0:
         message = f"the `timeout` of a motion must be greater than zero, found {number:g} s"

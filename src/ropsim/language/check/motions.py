@@ -10,6 +10,7 @@ from ropsim.language.check import (
     fold,
     guards,
     poses,
+    radians,
     settings,
     trackings,
     values,
@@ -67,8 +68,7 @@ def motion(body: Body, node: syntax.Motion) -> Block:
     if node.word in _CURVED:
         for point, expression in zip(node.via, via, strict=True):
             _refuse_own(body, node, point, expression, target)
-    chosen = settings.gather(body, node.modifiers)
-    settings.check_effect(body, node, chosen)
+    chosen = settings.of_motion(body, node)
     triggers = tuple(_trigger(body, one) for one in node.triggers) if node.triggers else ()
     angle = _angle(body, node)
     ends, corrected = guards.guard(body, node), trackings.tracking(body, node)
@@ -177,6 +177,7 @@ def _angle(body: Body, node: syntax.Motion) -> Expression | None:
         body.fail(kinds.ARGUMENTS, given[1], "`angle` is given twice")
     (setting,) = given
     assert setting.value is not None
+    radians.check_arc(body, setting)
     if node.word != "circ":
         hint = "leave it out, or write `circ via point to target angle …`"
         body.fail(kinds.WRONG_TYPE, setting, f"`{node.word}` has no `angle`, only arcs have one", hint)

@@ -31,6 +31,15 @@ def fitting_real(body: Body, node: Node, wanted: units.Dimension) -> float | Non
     return -number if number else None  # whether 0 has a sign depends on its type
 
 
+def bare(node: Node) -> float | None:
+    """Return a number that stands alone without a unit, as it is written; it may have a minus."""
+    if isinstance(node, Number):
+        return node.value if not node.unit else None
+    if isinstance(node, Unary) and isinstance(node.operand, Number) and node.op == "neg":
+        return -node.operand.value if not node.operand.unit else None
+    return None
+
+
 def _in_units(body: Body, node: Number, wanted: units.Dimension) -> float | None:
     if node.unit:
         dimension, factor = units.UNITS[node.unit]

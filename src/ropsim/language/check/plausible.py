@@ -1,7 +1,6 @@
-"""Numbers that seem to be meant in another unit."""
+"""Times, speeds and accelerations that seem to be meant in another unit."""
 
-from collections.abc import Sequence
-from math import degrees, pi
+from collections.abc import Callable
 
 from ropsim.language.check import fold, units
 from ropsim.language.check.body import Body
@@ -12,62 +11,86 @@ from ropsim.program import Expression
 
 LONGEST_WAIT = 100.0
 """From this on a wait without unit is taken for one in milliseconds [s]."""
-SLOWEST = 0.001
+SLOWEST = {units.SPEED: 0.005, units.ACCELERATION: 0.05}
 """Below this a bare speed or acceleration is taken for one in metres, or for a share [m/s, m/s²]."""
+SLOWEST_IN_METRES = 0.001
+"""The same where it is in metres anyhow [m/s, m/s²]."""
 FASTEST = 50.0
 """Above this a bare speed or acceleration is taken for one in millimetres [m/s, m/s²]."""
 
+Doubt = Callable[[Body, str, Value, Expression, units.Dimension, nodes.Node], None]
+"""Warns of a speed or an acceleration that is hardly meant."""
 
-_DIGITS = 0.005
-"""Difference at which two decimals of a right angle in radians are recognised."""
 
-
-def check_wait(body: Body, value: Value, duration: Expression, place: nodes.Node) -> None:
-    """Warn of a long wait without unit (T338)."""
+def check_time(body: Body, word: str, value: Value, duration: Expression, place: nodes.Node) -> None:
+    """Warn of a long time without unit behind `wait` or `timeout` (T338)."""
     number, written = fold.number_of(duration), fold.number_of(value.expression)
     if value.is_bare and number is not None and written is not None and number >= LONGEST_WAIT:
-        message = f"`wait {written:g}` without a unit takes {number:g} s"
-        body.warn(kinds.OTHER_UNIT, place, message, f"write `wait {written:g} ms`, or `wait {written:g} s`")
+        takes = "takes" if word == "wait" else "is"
+        message = f"`{word} {written:g}` without a unit {takes} {number:g} s"
+        unit = body.world.units.name(units.TIME) or "s"
+        body.warn(
+            kinds.OTHER_UNIT, place, message, f"write `{word} {written:g} ms`, or `{word} {written:g} {unit}`"
+        )
 
 
 def check_rate(
     body: Body, word: str, value: Value, rate: Expression, dimension: units.Dimension, place: nodes.Node
 ) -> None:
-    """Warn of a speed or acceleration without unit, or a speed with one, that no arm makes (T338)."""
+    """Warn of a speed or acceleration for several motions that no arm makes (T338)."""
+    written = fold.number_of(value.expression)
+    share = f", or for joints `{word} {written * 100:g} %`" if written is not None and written <= 1.0 else ""
+    _check(body, (word, share), value, rate, dimension, place)
+
+
+def check_path_rate(
+    body: Body, word: str, value: Value, rate: Expression, dimension: units.Dimension, place: nodes.Node
+) -> None:
+    """Warn of one for a path of the tool, which knows no share (T338)."""
+    _check(body, (word, ""), value, rate, dimension, place)
+
+
+def believe(*_: object) -> None:
+    """Say nothing of one that the motion does not use; that is said by itself (T309)."""
+
+
+def _check(
+    body: Body,
+    said: tuple[str, str],
+    value: Value,
+    rate: Expression,
+    dimension: units.Dimension,
+    place: nodes.Node,
+) -> None:
+    """Warn of a bare one that is too small or too large, and of a speed that is too large with its unit.
+
+    Args:
+        body: where it stands.
+        said: its word, and what else a number of at most 1 may mean.
+        value: as it is written.
+        rate: the same in SI units.
+        dimension: speed or acceleration.
+        place: of the value.
+    """
+    word, share = said
     number, written = fold.number_of(rate), fold.number_of(value.expression)
     if not value.is_bare and dimension == units.SPEED and number is not None and number > FASTEST:
         message = f"`{word}` is {number:g} m/s, no arm is faster than {FASTEST:g} m/s"
         hint = f"write `{word} {number:g} mm/s`, or the speed of a robot"
         body.warn(kinds.OTHER_UNIT, place, message, hint)
         return
-    if not value.is_bare or number is None or written is None or SLOWEST <= number <= FASTEST:
+    if not value.is_bare or number is None or written is None:
+        return
+    slowest = SLOWEST_IN_METRES if body.world.units.factor(dimension) == 1.0 else SLOWEST[dimension]
+    if slowest <= number <= FASTEST:
         return
     unit, bare = units.SI.name(dimension), body.world.units.name(dimension)
     message = f"`{word} {written:g}` without a unit is " + (
         f"{written:g} {bare}" if bare else f"{number:g} {unit}"
     )
-    body.warn(kinds.OTHER_UNIT, place, message, f"write the unit: {_meant(word, written, number, unit)}")
-
-
-def _meant(word: str, written: float, number: float, unit: str) -> str:
-    """Return what may have been meant by a speed or acceleration that is too small or too large."""
+    meant = f"`{word} {written:g} {unit}`{share}"
     if number > FASTEST:
-        return f"`{word} {written:g} mm{unit[1:]}`"
-    share = f", or for joints `{word} {written * 100:g} %`" if written <= 1.0 else ""
-    return f"`{word} {written:g} {unit}`{share}"
-
-
-def check_joints(body: Body, angles: Sequence[Value], place: nodes.Node) -> None:
-    """Warn of joint angles in degrees of which one has the digits of a right angle in radians (T338)."""
-    if body.world.units.angle == 1.0 or not all(value.is_bare for value in angles):
-        return
-    written = [fold.number_of(value.expression) for value in angles]
-    sizes = [abs(number) for number in written if number is not None]
-    if len(sizes) < len(angles) or max(sizes, default=0.0) > 2.0 * pi:
-        return
-    for size in sizes:
-        for turn in (pi / 2.0, pi):
-            if abs(size - turn) < _DIGITS:
-                message = f"`joints(…)` has {size:g}°, the digits of {degrees(turn):g}° in radians"
-                body.warn(kinds.OTHER_UNIT, place, message, "write degrees, or `rad` behind each number")
-                return
+        meant = f"`{word} {written:g} mm{unit[1:]}`"
+    elif not share and bare != unit:
+        meant += f", or `{word} {written:g} {bare}`" if bare else ""
+    body.warn(kinds.OTHER_UNIT, place, message, f"write the unit: {meant}")

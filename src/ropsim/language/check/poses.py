@@ -1,7 +1,18 @@
 """Locations: tuples with their orientations, and the operators that move and re-base them."""
 
 from ropsim.icr import MAX_EXTERNAL
-from ropsim.language.check import components, convert, fold, numerals, postures, turns, units, values
+from ropsim.language.check import (
+    components,
+    convert,
+    fold,
+    metres,
+    numerals,
+    postures,
+    radians,
+    turns,
+    units,
+    values,
+)
 from ropsim.language.check.body import Body
 from ropsim.language.check.types import ANGLE, JOINTS, LENGTH, POSE, Type, Value, article, known, valued
 from ropsim.language.findings import types as kinds
@@ -26,6 +37,7 @@ def location(body: Body, node: nodes.Tuple) -> Value:
         RejectedError: the tuple is not a location.
     """
     X_CT = _pose(body, node, _DOWN)
+    metres.check_place(body, node)
     X_KT = X_CT if body.X_KC == fold.IDENTITY else fold.compose(fold.pose(body.X_KC), X_CT)
     if node.posture is not None:
         X_KT = fold.in_posture(X_KT, postures.request(body, node.posture))
@@ -69,6 +81,7 @@ def moved(body: Body, value: Value, node: nodes.Binary) -> Value:
     base = convert.to(body, value, POSE, node.left, f"the left side of `{node.op}`")
     if node.op == "above":
         distance = _length(body, node.right, "the distance of `above`")
+        metres.check_length(body, "above", node.right, node.right)
         back = fold.vector(fold.real(0.0), fold.real(0.0), fold.unary("neg", distance, ValueType.REAL))
         return Value(fold.compose(base, fold.make_pose(back, components.UPRIGHT)), POSE, X_KF=value.X_KF)
     if node.op == "rel":
@@ -172,6 +185,8 @@ def _pose(body: Body, node: nodes.Tuple, default: Expression) -> Expression:
             "write three numbers before `;`",
         )
     position = _position(body, node)
+    if count > 3:
+        radians.check_angles(body, node)
     if count == 5:
         return components.polar(
             body, position, _angle(body, node, 3, "pitch"), _angle(body, node, 4, "roll"), None

@@ -3,7 +3,7 @@
 from functools import lru_cache
 from typing import Any
 
-from ropsim.language.check import convert, fold, plausible, units, values
+from ropsim.language.check import convert, fold, metres, plausible, units, values
 from ropsim.language.check.body import Body
 from ropsim.language.check.types import LENGTH, Type, Value, article, known, real
 from ropsim.language.findings import types as kinds
@@ -25,11 +25,21 @@ _WHAT = {"speed": "the value of `speed`", "acc": "the value of `acc`"}
 _ELSEWHERE = ("frame", "angle")
 """Words of settings that are no value of a move."""
 _NOTHING = Settings()
+_LEAST, _MOST = 5.0, 100.0
+"""A bare number between these is taken for a share where one is meant [%]."""
+_OF_TOOL = {"speed": "speed 200 mm/s", "acc": "acc 1000 mm/s2"}
 _ALLOWED = {"speed": "a speed (mm/s, deg/s) or a share (%)", "acc": "an acceleration (mm/s2) or a share (%)"}
 
 
-def gather(body: Body, settings: tuple[Setting, ...]) -> Settings:
+def gather(
+    body: Body, settings: tuple[Setting, ...], doubt: plausible.Doubt = plausible.check_rate
+) -> Settings:
     """Return the record of several settings, without `frame` and `angle`.
+
+    Args:
+        body: where they stand.
+        settings: of a motion, a block, or until further notice.
+        doubt: warns of speeds and accelerations.
 
     Raises:
         RejectedError: a value has the wrong dimension or is out of range.
@@ -39,7 +49,7 @@ def gather(body: Body, settings: tuple[Setting, ...]) -> Settings:
     chosen: dict[str, Any] = {}
     elsewhere: set[str] = set()
     for setting in settings:
-        name, value = (setting.word, None) if setting.word in _ELSEWHERE else _one(body, setting)
+        name, value = (setting.word, None) if setting.word in _ELSEWHERE else _one(body, setting, doubt)
         if name in chosen or name in elsewhere:
             body.fail(kinds.ARGUMENTS, setting, f"`{setting.word}` is given twice", "leave one of them out")
         if value is None:
@@ -49,23 +59,45 @@ def gather(body: Body, settings: tuple[Setting, ...]) -> Settings:
     return Settings(**chosen)
 
 
-def check_effect(body: Body, motion: Motion, settings: Settings) -> None:
-    """Warn about modifiers that the motion does not use."""
+def of_motion(body: Body, motion: Motion) -> Settings:
+    """Return the record of the modifiers of a motion, and warn about those that it does not use (T309).
+
+    Raises:
+        RejectedError: a value has the wrong dimension or is out of range.
+    """
     if not motion.modifiers:
-        return
+        return _NOTHING
     if motion.word == "mov":
-        idle = {"speed": settings.path_speed or settings.orientation_speed, "acc": settings.path_acceleration}
-        hint = "give it in %"
+        found = gather(body, motion.modifiers, plausible.believe)
+        idle = {"speed": found.path_speed or found.orientation_speed, "acc": found.path_acceleration}
+        of_other = _share
     else:
-        idle = {"speed": settings.ptp_speed, "acc": settings.ptp_acceleration}
-        hint = "give it in mm/s or mm/s2"
+        found = gather(body, motion.modifiers, plausible.check_path_rate)
+        idle = {"speed": found.ptp_speed, "acc": found.ptp_acceleration}
+        of_other = _of_path
     for modifier in motion.modifiers:
         if idle.get(modifier.word) is not None:
             message = f"`{motion.word}` does not use this `{modifier.word}`; it goes without it"
-            body.warn(kinds.NO_EFFECT, modifier, message, hint)
+            hint, fix = of_other(modifier)
+            body.warn(kinds.NO_EFFECT, modifier, message, hint, fix)
+    return found
 
 
-def _one(body: Body, setting: Setting) -> tuple[str, Expression | str]:
+def _share(setting: Setting) -> tuple[str, str | None]:
+    """Return hint and fix for a speed or acceleration that is no share where one is meant."""
+    number = setting.value.value if isinstance(setting.value, Number) and not setting.value.unit else None
+    if number is None or not (number <= 1.0 or _LEAST <= number <= _MOST):
+        return f"give it in %: `{setting.word} 30 %`", None
+    text = f"{setting.word} {number * 100 if number <= 1.0 else number:g} %"
+    return f"write `{text}`", text
+
+
+def _of_path(setting: Setting) -> tuple[str, None]:
+    """Return hint and fix for a share where a speed or acceleration of the tool is meant."""
+    return f"give it in mm/s or mm/s2: `{_OF_TOOL[setting.word]}`", None
+
+
+def _one(body: Body, setting: Setting, doubt: plausible.Doubt) -> tuple[str, Expression | str]:
     """Return which value of a move a setting is, and the value."""
     if setting.word == "tool":
         assert setting.name is not None
@@ -80,13 +112,14 @@ def _one(body: Body, setting: Setting) -> tuple[str, Expression | str]:
     if setting.word == "blend":
         zone = values.expect(body, setting.value, LENGTH, "the distance of `blend`")
         _check_range(body, setting, zone, units.LENGTH)
+        metres.check_length(body, setting.word, setting.value, setting.value)
         return "zone", zone
     value = values.check(body, setting.value)
     wanted = _wanted(body, setting, value)
     dimension = wanted.dimension
     expression = convert.to(body, value, wanted, setting.value, _WHAT[setting.word])
     _check_range(body, setting, expression, dimension)
-    plausible.check_rate(body, setting.word, value, expression, dimension, setting.value)
+    doubt(body, setting.word, value, expression, dimension, setting.value)
     return _FIELDS[setting.word, dimension], expression
 
 

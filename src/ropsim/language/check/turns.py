@@ -2,7 +2,7 @@
 
 import math
 
-from ropsim.language.check import components, convert, fold, values
+from ropsim.language.check import components, convert, fold, radians, values
 from ropsim.language.check.body import Body
 from ropsim.language.check.types import ANGLE, NUMBER, POSE, Type
 from ropsim.language.findings import types as kinds
@@ -26,6 +26,8 @@ def oriented(body: Body, position: Expression, terms: tuple[nodes.Turn, ...]) ->
     Raises:
         RejectedError: a term is wrong.
     """
+    for term in terms:
+        radians.check_term(body, term)
     polar = [t for t in terms if t.word in _POLAR]
     if polar:
         if len(polar) < len(terms) or len({t.word for t in polar}) < len(polar):

@@ -99,7 +99,8 @@ NO_EFFECT = define(
     "a setting that this motion does not use",
     """
 `mov` goes from pose to pose with all joints together: its speed and acceleration are shares of the
-joint limits (`speed 30 %`). `lin` keeps a path: its speed is that of the TCP (`speed 150 mm/s`).
+joint limits (`speed 30 %`). `lin` keeps a path: its speed is that of the TCP (`speed 150 mm/s`). A bare
+number is a speed of the TCP; `mov p speed 0.5` has the fix `speed 50 %`.
 """,
 )
 NO_RETURN = define(
@@ -211,8 +212,21 @@ A number without unit counts in the unit of `units` for its dimension, times in 
 more than eight minutes, where other controllers wait 500 ms; `speed 0.2` under `units mm` is 0.2 mm/s, where
 0.2 m/s or a fifth of what the joints can do was meant. Write the unit behind the number, and nothing is said.
 
-A speed of more than 50 m/s is doubted with its unit, too, since no arm makes it, and so are joint coordinates
-in degrees of which one has the digits of a right angle in radians, 1.57 or 3.14.
+What is doubted:
+
+- times of 100 s and more behind `wait` and `timeout`;
+- speeds below 5 mm/s and accelerations below 50 mm/s2 under `units mm`, and both above 50 in SI units; a
+  speed of more than 50 m/s is doubted with its unit, too, since no arm makes it;
+- angles in degrees with four or more digits of a multiple of 45° in radians, as `rz 1.5708`, or with three
+  where all numbers beside it are as small, as `rpy 0 0 3.14`;
+- under `units mm`, places, patterns, frames and tools whose numbers are all below 2 and not all whole, and
+  such distances behind `above` and `blend`: these are mostly in metres. Small shifts by `offset` and `rel`
+  are usual.
+
+```
+lin (0.5, -0.25, 0.3) blend 0.05 acc 1.2                   # half a millimetre?
+lin (0.5 m, -0.25 m, 0.3 m) blend 0.05 m acc 1.2 m/s2
+```
 """,
 )
 NO_TYPE = define(
