@@ -1,7 +1,7 @@
 """Statements that give variables values: `=`, `load`, `var` and calls with a result."""
 
 from ropsim.core import maker
-from ropsim.language.check import calls, components, convert, first_values, fold, poses, values
+from ropsim.language.check import calls, components, convert, facing, first_values, fold, poses, values
 from ropsim.language.check.body import Body, Made, RejectedError
 from ropsim.language.check.types import (
     ANGLE,
@@ -34,6 +34,7 @@ def assign(body: Body, node: syntax.Assign) -> Block:
     if isinstance(node.value, nodes.Function) and node.value.name.text in body.world.signatures:
         return _assign_call(body, node, node.value)
     value = values.check(body, node.value)
+    facing.check_target(body, node.value)
     variable = target(body, node.name, _type_of(body, value))
     if known(variable.type) == INT:
         first_values.look(body, node, value)
@@ -82,6 +83,7 @@ def initial(body: Body, node: syntax.VariableDeclaration) -> Block:
     if node.value is None or not isinstance(symbol, Variable):
         return ()
     value = values.check(body, node.value)
+    facing.check_target(body, node.value)
     expression = convert.to(body, value, symbol.type, node.value, f"the value of `{node.name.text}`")
     return (Assign(symbol.name, poses.kept(value, expression), body.statement_span),)
 

@@ -5,7 +5,7 @@ from dataclasses import replace
 from typing import NoReturn
 
 from ropsim.core import did_you_mean
-from ropsim.language.check import components, convert, poses, values
+from ropsim.language.check import components, convert, facing, poses, values
 from ropsim.language.check.body import Body, RejectedError
 from ropsim.language.check.types import POSE, Value, known
 from ropsim.language.check.world import Formal, Signature
@@ -215,6 +215,7 @@ def _argument(body: Body, signature: Signature, formal: Formal, bound: dict[str,
     if known(formal.type) == POSE and isinstance(node, nodes.Number) and node.is_whole and not node.unit:
         return _reference(body, node)
     value = values.check(body, node)
+    facing.check_target(body, node)
     return poses.kept(value, convert.to(body, value, formal.type, node, what))
 
 

@@ -7,7 +7,7 @@ from types import NoneType
 from ropsim.core import Diagnostic, frozen_dataclass
 from ropsim.icr import Location, composed, external_part, pose_part
 from ropsim.language.blocks import Block
-from ropsim.language.check import convert, fold, hidden, metres, poses, values
+from ropsim.language.check import convert, facing, fold, hidden, metres, poses, values
 from ropsim.language.check.body import Body, RejectedError
 from ropsim.language.check.expressions import EXPRESSIONS
 from ropsim.language.check.types import INT, JOINTS, NAMED, POSE, AnyType, Unknown, Value, closed, known
@@ -292,6 +292,7 @@ def _symbol(body: Body, node: _SymbolNode) -> Symbol:
     match node:
         case syntax.LocationDeclaration():
             value = values.check(body, node.value)
+            facing.check_target(body, node.value)
             if known(value.type) not in (POSE, JOINTS):
                 convert.to(body, value, POSE, node.value, "the value of a location")
             return _fixed(body, value, node.value, "a location")
@@ -336,6 +337,7 @@ def _pattern(body: Body, node: syntax.PatternDeclaration) -> Pattern:
             body.fail(kinds.OUT_OF_RANGE, count, f"a count of a grid must be 1 to 10000, found {number:g}")
         counts[k] = int(number)
     first = values.expect(body, node.origin, POSE, "the first location")
+    facing.check_target(body, node.origin)
     inner, posture, moving = fold.opened(first)
     numbers = convert.constant(body, inner, node.origin, "the first location")
     origin = fold.location_of(numbers)

@@ -1,6 +1,6 @@
 """Ways out: `break`, `continue` and `return`."""
 
-from ropsim.language.check import convert, fold, poses, values
+from ropsim.language.check import convert, facing, fold, poses, values
 from ropsim.language.check.body import Body, RejectedError
 from ropsim.language.check.types import article
 from ropsim.language.findings import syntax as kinds
@@ -42,5 +42,6 @@ def return_statement(body: Body, node: syntax.Return) -> Block:
             f"`return` needs a value: task `{body.task}` returns {article(body.result)}",
         )
     value = values.check(body, node.value)
+    facing.check_target(body, node.value)
     expression = convert.to(body, value, body.result, node.value, "the value of `return`")
     return (Return(poses.kept(value, expression), body.statement_span),)

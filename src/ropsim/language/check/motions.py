@@ -7,6 +7,7 @@ from ropsim.language.check import (
     actions,
     assignments,
     convert,
+    facing,
     fold,
     guards,
     poses,
@@ -119,6 +120,7 @@ def _point(body: Body, node: syntax.Motion, place: Node, what: str) -> Expressio
         value = Value(Home(), JOINTS)
     else:
         value = values.check(body, place)
+    facing.check_target(body, place)
     kind = known(value.type)
     _refuse_coordinate(body, place, kind)
     wanted = JOINTS if kind == JOINTS and node.word == "mov" else POSE

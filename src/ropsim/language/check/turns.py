@@ -15,6 +15,8 @@ _UNTURNED = fold.pose(fold.IDENTITY)
 _ZERO = fold.real(0.0)
 _POLAR = ("pitch", "roll", "yaw")
 _STRAIGHT_DOWN = math.pi / 2.0
+_NOT_UNIT = 1e-3
+"""A quaternion whose length differs more than this from 1 is hardly meant."""
 
 
 def oriented(body: Body, position: Expression, terms: tuple[nodes.Turn, ...]) -> Expression:
@@ -97,6 +99,10 @@ def _quaternion(body: Body, term: nodes.Turn) -> Expression:
             "the quaternion has no direction: all its numbers are zero",
             "the upright one is `quat 1 0 0 0`",
         )
+    if abs(length - 1.0) > _NOT_UNIT:
+        text = "quat " + " ".join(f"{round(number / length, 7) + 0.0:.7g}" for number in (w, x, y, z))
+        message = f"the length of this quaternion is {length:g}, not 1"
+        body.warn(kinds.NOT_OF_UNIT_LENGTH, term, message, f"write `{text}`", text)
     return fold.pose((0.0, 0.0, 0.0, *quaternion.normalize((w, x, y, z))))
 
 

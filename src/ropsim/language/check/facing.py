@@ -1,0 +1,64 @@
+"""Locations with a turn about z alone, which points the tool up where most mean down."""
+
+from ropsim.core import frozen_dataclass
+from ropsim.language.check import numerals
+from ropsim.language.check.body import Body
+from ropsim.language.findings import types as kinds
+from ropsim.language.syntax import nodes
+from ropsim.spatial import PoseTuple, quaternion
+
+_UPRIGHT = 0.5
+"""From this on the z of a frame points up: the cosine of 60°."""
+
+
+@frozen_dataclass
+class _Terms:
+    """The orientation terms of a location."""
+
+    start: int
+    end: int
+
+
+def check_target(body: Body, node: nodes.Node) -> None:
+    """Warn of a location for the tool whose orientation is `rz` alone (T342).
+
+    A step of `rel` or of a grid, a frame, and what is moved by `above`, `offset` and `rel` are not looked at.
+    """
+    match node:
+        case nodes.External(operand=operand):
+            check_target(body, operand)
+        case nodes.Rebase(operand=nodes.Tuple() as inner, frame=frame):
+            _check(body, inner, *body.frame(frame))
+        case nodes.Tuple():
+            _check(body, node, body.X_KC, body.moving)
+
+
+def _check(body: Body, node: nodes.Tuple, X_KF: PoseTuple, moving: str) -> None:
+    if not _turns_about_z(node.turns) or moving:
+        return
+    X_BF = quaternion.compose(body.world.X_BK, X_KF)
+    if quaternion.rotate(X_BF[3:], (0.0, 0.0, 1.0))[2] < _UPRIGHT:
+        return
+    place = _Terms(node.turns[0].start, node.turns[-1].end)
+    written = body.written(place)
+    upright = f"rpy 0 0 0, {written}"
+    if len(node.turns) == 1:
+        upright = f"rpy 0 0 {body.written(node.turns[0].values[0])}"
+    message = f"`{written}` points the tool up, along z of the frame; without terms `(x, y, z)` points down"
+    hint = f"write `down, {written}`, or `{upright}` where up is meant"
+    body.warn(kinds.POINTS_UP, place, message, hint, f"down, {written}")
+
+
+def _turns_about_z(turns: tuple[nodes.Turn, ...]) -> bool:
+    """Return whether terms are `rz`, and `rx` or `ry` of 0 beside it."""
+    words = [term.word for term in turns]
+    others = [term for term in turns if term.word in ("rx", "ry")]
+    return (
+        "rz" in words
+        and len(others) + words.count("rz") == len(words)
+        and all(_is_zero(term.values[0]) for term in others)
+    )
+
+
+def _is_zero(node: nodes.Node) -> bool:
+    return numerals.bare(node) == 0.0 or (isinstance(node, nodes.Number) and node.value == 0.0)
