@@ -120,10 +120,11 @@ class StandardPathPlanner:
         branches = self._branches(move, X_BM, there)
         if isinstance(branches, Refusal):
             return branches
-        if move.posture is not None:
-            branches = wished(self.robot, branches, move.posture)
-            if not (self._range.excess(branches) == 0.0).all(axis=1).any():
-                return Refusal((no_such_posture(move, self.robot),))
+        if move.posture is not None and self._range.inside(branches).any():
+            as_asked = wished(self.robot, branches, move.posture)
+            if not self._range.inside(as_asked).any():
+                return Refusal((no_such_posture(move, self.robot, branches, q_start, self._range),))
+            branches = as_asked
         choice = choose(self.robot, branches, q_start, self._range, so_far.limits.joints)
         if choice is None:
             return Refusal((out_of_range(move, branches, self._range),))
@@ -195,7 +196,7 @@ class StandardPathPlanner:
         branches = self._branches(move, X_BT @ X_MT.inverse(), there)
         if isinstance(branches, Refusal):
             return branches
-        if not (self._range.excess(branches) == 0.0).all(axis=1).any():
+        if not self._range.inside(branches).any():
             return Refusal((out_of_range(move, branches, self._range),))
         return there, X_BT
 

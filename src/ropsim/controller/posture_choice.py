@@ -51,6 +51,11 @@ class JointRange:
         own = np.where(beyond <= LIMIT_SLACK, 0.0, beyond)
         return np.concatenate((own, self.coupled.excess(q)), axis=1) if self.coupled.joints else own
 
+    def inside(self, q: Array) -> Array:
+        """Return which rows lie within all limits, false for NaN; q of the axes [rad | m], shape (k, n)."""
+        within: Array = (self.excess(q) == 0.0).all(axis=1)
+        return within
+
     def values(self, q: Array) -> Array:
         """Return the coordinates of all joints [rad | m], shape (k, n + m), for those of the axes (k, n)."""
         return np.concatenate((q, self.coupled.values(q)), axis=1)
@@ -105,7 +110,7 @@ def turned_branches(branches: Array, limits: JointRange) -> Array:
         turn * row for row in np.diag(_TURN * (limits.revolute > 0.0)) for turn in (-1.0, 1.0) if row.any()
     ]
     rows = np.concatenate([branches, *(branches + step for step in steps)])
-    within: Array = rows[(limits.excess(rows) == 0.0).all(axis=1)]  # false for NaN
+    within: Array = rows[limits.inside(rows)]
     return within
 
 
@@ -124,7 +129,7 @@ def choose(
         limits: of the joints.
         motion: speed, acceleration and jerk limits of the move.
     """
-    inside = (limits.excess(branches) == 0.0).all(axis=1)  # false for NaN
+    inside = limits.inside(branches)
     if not inside.any():
         return None
     kept = [row for row in _start_rows(robot, q_start) if inside[row]]

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from ropsim.controller.posture_choice import JointRange
 from ropsim.controller.wording import coordinate, passes
 from ropsim.core import Diagnostic
 from ropsim.flow import MoveInstruction, PostureRequest
@@ -42,15 +43,52 @@ def difference(robot: RobotModel, q_end: Array, q_other: Array) -> str:
     return f"joint `{axis.name}` goes to {here} instead of {there}"
 
 
-def no_such_posture(move: MoveInstruction, robot: RobotModel) -> Diagnostic:
-    """Return M568 for a move whose target is not reached in the posture and with the turns asked for."""
+def no_such_posture(
+    move: MoveInstruction, robot: RobotModel, branches: Array, q_start: Array, limits: JointRange
+) -> Diagnostic:
+    """Return M568 for a move whose target is not reached in the posture and with the turns asked for.
+
+    Args:
+        move: the instruction.
+        robot: the arm.
+        branches: all that reach the target, some within the limits, as `wished` takes them [rad | m], (b, n).
+        q_start: where the move begins [rad | m], shape (n,).
+        limits: of the joints.
+    """
     return POSTURE_OUT_OF_REACH.at(
         move.origin.span,
         f"`{robot.name}` does not reach the target {asked_of(move)} within its joint limits",
         label=passes(move.origin),
-        hint="leave out the word or the turn that matters least, or move the target",
+        hint=_possible_instead(move.posture or PostureRequest(), robot, branches, q_start, limits),
         data={"pass": move.origin.visit},
     )
+
+
+def _possible_instead(
+    request: PostureRequest, robot: RobotModel, branches: Array, q_start: Array, limits: JointRange
+) -> str:
+    """Return in words how the target is reached, the nearest to what was asked for first."""
+    turned = wished(robot, branches, PostureRequest((), request.turns))
+    q = turned if limits.inside(turned).any() else branches
+    postures = solver_of(robot).postures
+
+    def distance(row: int) -> tuple[int, int, float]:
+        missing = set(request.words) - set(postures[row].words)
+        turns = zip(_turns(robot, q[row]), request.turns, strict=False)
+        apart = sum(abs(here - asked) for here, asked in turns)
+        return len(missing), apart, float(np.abs(q[row] - q_start).sum())
+
+    rows = sorted(np.flatnonzero(limits.inside(q)).tolist(), key=distance)
+    shown = dict.fromkeys(_as_terms(robot, request, postures[row], q[row]) for row in rows)
+    ways = " or ".join(f"`{one}`" for one in shown if one)
+    return f"possible here: {ways}" if ways else "leave `turns` out, or move the target"
+
+
+def _as_terms(robot: RobotModel, request: PostureRequest, name: Posture, q: Array) -> str:
+    """Return the terms with which a target asks for a branch, with as many turns as were asked for."""
+    turns = _turns(robot, q)[: len(request.turns)]
+    words = [f"config ({', '.join(name.words)})"] if name.words else []
+    return ", ".join(words + ([f"turns ({', '.join(map(str, turns))})"] if turns else []))
 
 
 def other_posture(move: MoveInstruction, robot: RobotModel, q_end: Array) -> tuple[Diagnostic, ...]:
@@ -77,10 +115,14 @@ def other_posture(move: MoveInstruction, robot: RobotModel, q_end: Array) -> tup
 
 def is_as_wished(robot: RobotModel, q: Array, request: PostureRequest) -> bool:
     """Return whether joint coordinates [rad | m], shape (n,), have a posture and turns that are asked for."""
-    turns = [int(np.floor((q[axis] + np.pi) / _TURN)) for axis in _arm_axes(robot)]
     return _has_words(posture(robot, q), request) and all(
-        here == asked for here, asked in zip(turns, request.turns, strict=False)
+        here == asked for here, asked in zip(_turns(robot, q), request.turns, strict=False)
     )
+
+
+def _turns(robot: RobotModel, q: Array) -> list[int]:
+    """Return the whole turns of the axes of the arm."""
+    return [int(np.floor((q[axis] + np.pi) / _TURN)) for axis in _arm_axes(robot)]
 
 
 def _has_words(name: Posture, request: PostureRequest) -> bool:

@@ -90,8 +90,9 @@ POSTURE_OUT_OF_REACH = define(
 `config (…)` asks for a posture and `turns (…)` for whole turns of the axes. The arm reaches the target, but
 not in that way within its joint limits. The move is skipped.
 
-**How to mend it.** `ropsim robot ik` lists all postures of a pose with what exceeds which limit. Ask for one
-of those within the limits, or leave out the word or the turn that matters least.
+**How to mend it.** The hint names the postures in which the target is reached, the nearest to that asked for
+first: write one of them, or leave out the word or the turn that matters least. `ropsim robot ik` lists all
+postures of a pose with what exceeds which limit.
 """,
 )
 
