@@ -24,17 +24,15 @@ def check_target(body: Body, node: nodes.Node) -> None:
 
     A step of `rel` or of a grid, a frame, and what is moved by `above`, `offset` and `rel` are not looked at.
     """
-    match node:
-        case nodes.External(operand=operand):
-            check_target(body, operand)
-        case nodes.Rebase(operand=nodes.Tuple() as inner, frame=frame):
-            _check(body, inner, *body.frame(frame))
-        case nodes.Tuple():
-            _check(body, node, body.X_KC, body.moving)
+    match node.operand if isinstance(node, nodes.External) else node:
+        case nodes.Tuple(turns=turns) as located if _turns_about_z(turns):
+            _check(body, located, body.X_KC, body.moving)
+        case nodes.Rebase(operand=nodes.Tuple(turns=turns) as located, frame=frame) if _turns_about_z(turns):
+            _check(body, located, *body.frame(frame))
 
 
 def _check(body: Body, node: nodes.Tuple, X_KF: PoseTuple, moving: str) -> None:
-    if not _turns_about_z(node.turns) or moving:
+    if moving:
         return
     X_BF = quaternion.compose(body.world.X_BK, X_KF)
     if quaternion.rotate(X_BF[3:], (0.0, 0.0, 1.0))[2] < _UPRIGHT:
@@ -51,13 +49,13 @@ def _check(body: Body, node: nodes.Tuple, X_KF: PoseTuple, moving: str) -> None:
 
 def _turns_about_z(turns: tuple[nodes.Turn, ...]) -> bool:
     """Return whether terms are `rz`, and `rx` or `ry` of 0 beside it."""
-    words = [term.word for term in turns]
-    others = [term for term in turns if term.word in ("rx", "ry")]
-    return (
-        "rz" in words
-        and len(others) + words.count("rz") == len(words)
-        and all(_is_zero(term.values[0]) for term in others)
-    )
+    has_z = False
+    for term in turns:
+        if term.word == "rz":
+            has_z = True
+        elif term.word not in ("rx", "ry") or not _is_zero(term.values[0]):
+            return False
+    return has_z
 
 
 def _is_zero(node: nodes.Node) -> bool:

@@ -15,10 +15,7 @@ _MILLIMETRE = 0.001
 
 def check_place(body: Body, node: nodes.Node) -> None:
     """Warn of three bare numbers in parentheses that put something nearly at its origin (T338)."""
-    if not isinstance(node, nodes.Tuple):
-        return
-    places = [item.value for item in node.items[:3]]
-    if not _is_near(body, places):
+    if not isinstance(node, nodes.Tuple) or not _is_near(body, places := [i.value for i in node.items[:3]]):
         return
     shown = ", ".join(map(body.written, places))
     rest = body.line.logical.text[places[-1].end : node.end]
@@ -38,12 +35,10 @@ def check_length(body: Body, word: str, node: nodes.Node, place: Placed) -> None
 
 def _is_near(body: Body, values: Iterable[nodes.Node]) -> bool:
     """Return whether all lengths are bare numbers in millimetres that look like metres."""
-    if body.world.units.factor(units.LENGTH) != _MILLIMETRE:
-        return False
     has_fraction = False
     for one in values:
         number = numerals.bare(one)
         if number is None or abs(number) >= _NEAR:
             return False
         has_fraction = has_fraction or number % 1.0 != 0.0
-    return has_fraction
+    return has_fraction and body.world.units.factor(units.LENGTH) == _MILLIMETRE

@@ -33,7 +33,7 @@ def check_joints(body: Body, node: nodes.Joints, angles: Sequence[nodes.Node]) -
 def check_term(body: Body, term: nodes.Turn) -> None:
     """Warn of an orientation term in radians (T338)."""
     if term.values and term.word != "quat":
-        _check(body, term, f"{term.word} {term.axes}".rstrip(), term.values, pi)
+        _check(body, term, term.word, term.values, pi)
 
 
 def check_arc(body: Body, setting: Setting) -> None:
@@ -62,7 +62,8 @@ def _check(body: Body, place: Placed, word: str, values: Sequence[nodes.Node], m
     number, turn = found
     message = f"`{body.written(place)}` has {number:g}°, the digits of {turn:g}° in radians"
     meant = f"`{word} {turn:g} deg`" if len(values) == 1 else "degrees"
-    text = f"{word} {' '.join(_in_radians(body, values))}"
+    before = body.line.logical.text[place.start : values[0].start]
+    text = f"{before}{' '.join(_in_radians(body, values))}"
     body.warn(kinds.OTHER_UNIT, place, message, f"write {meant}, or `{text}`")
 
 
@@ -78,13 +79,19 @@ def _suspect(body: Body, values: Sequence[nodes.Node], most: float) -> tuple[flo
         values: angles that belong together.
         most: size up to which few digits are enough, if that of all numbers is [rad].
     """
-    if body.world.units.angle == 1.0:
+    found, largest = [], 0.0
+    for one in values:
+        number = numerals.bare(one)
+        if number is None:
+            return None
+        size = abs(number)
+        largest = max(largest, size)
+        if size % 1.0:
+            found.append(number)
+    if not found or body.world.units.angle == 1.0:
         return None
-    numbers = [number for one in values if (number := numerals.bare(one)) is not None]
-    if len(numbers) < len(values):
-        return None
-    enough = _LIKELY if max(map(abs, numbers), default=0.0) <= most + _ROUNDED else _CERTAIN
-    for number in numbers:
+    enough = _LIKELY if largest <= most + _ROUNDED else _CERTAIN
+    for number in found:
         turn = _turn(abs(number), enough)
         if turn:
             return number, degrees(turn if number > 0.0 else -turn)
@@ -94,7 +101,7 @@ def _suspect(body: Body, values: Sequence[nodes.Node], most: float) -> tuple[flo
 def _turn(size: float, enough: int) -> float:
     """Return the multiple of an eighth of a turn whose digits a size has, 0 where it has too few of them."""
     nearest = round(size / _STEP)
-    if size == 0.0 or not 1 <= nearest <= _LAST:
+    if not 1 <= nearest <= _LAST:
         return 0.0
     whole, _, decimals = f"{size!r}".partition(".")
     if len((whole + decimals).lstrip("0")) < enough:
