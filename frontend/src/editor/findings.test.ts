@@ -52,6 +52,18 @@ describe('findings of the language server', () => {
   })
 })
 
+describe('a mistake in several places', () => {
+  const further = { ...FOUND, data: { ...FOUND.data, firstLine: 2 } }
+
+  it('has a mark at each of them', () => {
+    expect(marksOf([FOUND, further], doc, at => at)).toHaveLength(2)
+  })
+
+  it('is one problem', () => {
+    expect(problemsOf([FOUND, further], 'programs/main.task')).toHaveLength(1)
+  })
+})
+
 describe('hover texts', () => {
   it('keep the tags of our own Markdown', () => {
     const html =

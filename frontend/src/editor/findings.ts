@@ -21,6 +21,8 @@ export interface WireDiagnostic {
   readonly message: string
   readonly data?: {
     readonly hint?: string
+    /** Line of the finding of which this one is a further place. */
+    readonly firstLine?: number
     readonly fix?: { readonly title: string; readonly range: WireRange; readonly newText: string }
   }
 }
@@ -80,9 +82,10 @@ function same(a: WireRange, b: WireRange): boolean {
   )
 }
 
-/** The findings of a document for the list of problems; a hint stands apart from its message there. */
+/** The findings of a document for the list of problems, each mistake once; a hint stands apart from its message there. */
 export function problemsOf(published: readonly WireDiagnostic[], document: string): readonly Problem[] {
-  return published.map(found => {
+  const mistakes = published.filter(found => found.data?.firstLine === undefined)
+  return mistakes.map(found => {
     const hint = found.data?.hint ?? ''
     const tail = hint ? `\n${hint}` : ''
     const message =

@@ -9,6 +9,8 @@ from ropsim.language.environment import NO_SIGNATURES as NO_SIGNATURES
 from ropsim.language.environment import Environment as Environment
 from ropsim.language.environment import TaskSignature as TaskSignature
 from ropsim.language.form import formatted as formatted
+from ropsim.language.further_places import FIRST_LINE as FIRST_LINE
+from ropsim.language.further_places import each_place as each_place
 from ropsim.language.line_findings import line_findings as line_findings
 from ropsim.language.literals import literals_on as literals_on
 from ropsim.language.marked_words import Mark as Mark

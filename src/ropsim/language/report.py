@@ -1,19 +1,17 @@
 """Collects the diagnostics of one compilation; knows how to turn offsets into spans."""
 
 from collections.abc import Iterable
-from dataclasses import replace
 from typing import Protocol
 
-from ropsim.core import Diagnostic, Kind, Label, Severity, Span, TextEdit
+from ropsim.core import Diagnostic, Kind, Severity, Span, TextEdit
 from ropsim.language.findings import names
 from ropsim.language.findings import syntax as kinds
+from ropsim.language.further_places import with_place
 from ropsim.language.text import Line
 
 MAX_FINDINGS = 200
 MAX_HINTS = 100
 """More hints are left out: a right program with many of them runs."""
-MAX_PLACES = 20
-"""Further places that one finding tells."""
 
 _OF_NAMES = frozenset(
     kind.code
@@ -65,7 +63,7 @@ class Report:
         self.found: list[Diagnostic] = []
         self.log: list[Diagnostic] = []
         self.muted = False
-        self._first: dict[str, int] = {}
+        self._first: dict[tuple[str, str | None], int] = {}
         self._hints = 0
 
     def at(
@@ -87,16 +85,17 @@ class Report:
         self.at(kind, line, line, message, hint)
 
     def add(self, diagnostic: Diagnostic) -> None:
-        """Keep a diagnostic; the first one of an unknown name takes the further places of that name.
+        """Keep a diagnostic; the first one of an unknown name takes the further places with the same fix.
 
         Raises:
             TooManyFindingsError: the list is full.
         """
         self.log.append(diagnostic)
         if diagnostic.code in _OF_NAMES:
-            first = self._first.setdefault(diagnostic.message, len(self.found))
+            mended = diagnostic.fix.replacement if diagnostic.fix is not None else None
+            first = self._first.setdefault((diagnostic.message, mended), len(self.found))
             if first < len(self.found):
-                self.found[first] = _with_place(self.found[first], diagnostic.span)
+                self.found[first] = with_place(self.found[first], diagnostic.span)
                 return
         if diagnostic.severity is Severity.HINT:
             self._hints += 1
@@ -133,10 +132,3 @@ class Report:
 
         unique = {(d.code, d.span, d.message): d for d in self.found}
         return tuple(sorted(unique.values(), key=place))
-
-
-def _with_place(first: Diagnostic, place: Span | None) -> Diagnostic:
-    """Return a finding that holds at a further place, too; of many places the first ones are told."""
-    if place is None or len(first.secondary) >= MAX_PLACES:
-        return first if first.notes else replace(first, notes=("It stands in more places.",))
-    return replace(first, secondary=(*first.secondary, Label(place, "here, too")))

@@ -23,12 +23,12 @@ def actions(
 ) -> list[Json]:
     """Return what can be done, fixes of findings first; of the kinds that are asked for, where some are."""
     first, last = params.range.start.line, params.range.end.line
-    checked = workshop.checked(document, documents).diagnostics
-    near = (one for one in checked if findings.touches(one.span, first, last))
+    found = workshop.findings(document, documents)
+    near = (one for one in found if findings.touches(one.span, first, last))
     made = [action for one in near for action in findings.code_actions(one, document)]
     wanted = params.context.only if params.context is not None else None
     refactors = wanted is None or any(kind.startswith("refactor") for kind in wanted)
-    if is_program(document) and refactors and not any(one.is_error for one in checked):
+    if is_program(document) and refactors and not any(one.is_error for one in found):
         for make in _MADE:
             made += make(document, params, documents, workshop)
     return [one for one in made if wanted is None or _is_of(str(one["kind"]), wanted)]

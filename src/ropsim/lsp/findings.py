@@ -3,6 +3,7 @@
 import re
 
 from ropsim.core import Diagnostic, Severity, Span, TextEdit
+from ropsim.language import FIRST_LINE
 from ropsim.lsp.document import Document
 from ropsim.lsp.messages import Json
 
@@ -32,6 +33,8 @@ def diagnostic(found: Diagnostic, document: Document) -> Json:
     if related:
         made["relatedInformation"] = related
     data: Json = {"hint": found.hint}
+    if FIRST_LINE in found.data:
+        data["firstLine"] = found.data[FIRST_LINE]
     edit = fix_of(found, document)
     if edit is not None:
         data["fix"] = {"title": fix_title(edit), **_change(edit, document)}

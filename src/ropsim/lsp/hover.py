@@ -167,7 +167,7 @@ def _finding(
 ) -> list[str]:
     """Return what kind of finding marks a place."""
     column = document.column(position)
-    for one in workshop.checked(document, documents).diagnostics:
+    for one in workshop.findings(document, documents):
         span = one.span
         if span is None or not findings.touches(span, position.line, position.line):
             continue

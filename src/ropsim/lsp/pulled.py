@@ -14,7 +14,7 @@ from ropsim.lsp.workshop import Workshop
 
 def findings_of(document: Document, documents: Mapping[str, Document], workshop: Workshop) -> list[Json]:
     """Return the findings of a document in the protocol's form."""
-    return [findings.diagnostic(one, document) for one in workshop.checked(document, documents).diagnostics]
+    return [findings.diagnostic(one, document) for one in workshop.findings(document, documents)]
 
 
 def pulled(

@@ -162,6 +162,10 @@ class Workshop:
         self._called[document.uri] = checked
         return checked
 
+    def findings(self, document: Document, documents: Mapping[str, Document]) -> tuple[Diagnostic, ...]:
+        """Return the findings of a document: of a mistake in several places one for each of them."""
+        return tuple(language.each_place(self.checked(document, documents).diagnostics))
+
     def at_first_sight(self, document: Document) -> tuple[Diagnostic, ...] | None:
         """Return what is wrong with single lines of a long program that has never been checked.
 

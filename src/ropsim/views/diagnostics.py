@@ -10,6 +10,8 @@ from ropsim.views.style import Style, Tone, paint
 
 TONES = {Severity.ERROR: Tone.ERROR, Severity.WARNING: Tone.WARNING, Severity.HINT: Tone.HINT}
 """The tone of each severity."""
+MAX_PLACES = 20
+"""Further places that are shown of one finding."""
 
 
 @frozen_dataclass
@@ -49,6 +51,7 @@ def diagnostics_text(
 
 def _group_text(group: FindingGroup, sources: Mapping[str, SourceText], style: Style) -> str:
     diagnostic = group.first
+    hidden = len(diagnostic.secondary) - MAX_PLACES
     tone = TONES[diagnostic.severity]
     head = paint(f"{diagnostic.severity.value}[{diagnostic.code}]", tone, style)
     title = paint(f"{diagnostic.slug}: {clean(diagnostic.message)}", Tone.STRONG, style)
@@ -60,6 +63,9 @@ def _group_text(group: FindingGroup, sources: Mapping[str, SourceText], style: S
         lines.append(f"{arrow} {clean(str(place.span))}")
         source = sources.get(place.span.source)
         lines += snippet(source, place.span, place.marks, gutter, style) if source else _labels(place)
+    if hidden > 0:
+        note = f"{plural(hidden, 'further place')} {'is' if hidden == 1 else 'are'} not shown"
+        lines.append(f"{' ' * gutter} {paint('=', Tone.GUTTER, style)} note: {note}")
     for word, text in _remarks(group):
         lines.append(f"{' ' * gutter} {paint('=', Tone.GUTTER, style)} {word}: {clean(text)}")
     return "\n".join(lines)
@@ -67,11 +73,12 @@ def _group_text(group: FindingGroup, sources: Mapping[str, SourceText], style: S
 
 def _places(diagnostic: Diagnostic, tone: Tone) -> tuple[_Place, ...]:
     """Return the primary place first; labels on its own lines join it."""
+    further = diagnostic.secondary[:MAX_PLACES]
     if diagnostic.span is None:
-        return tuple(_place(label, ":::") for label in diagnostic.secondary)
+        return tuple(_place(label, ":::") for label in further)
     span = diagnostic.span
-    joined = [label for label in diagnostic.secondary if _same_line(label.span, span)]
-    others = [label for label in diagnostic.secondary if not _same_line(label.span, span)]
+    joined = [label for label in further if _same_line(label.span, span)]
+    others = [label for label in further if not _same_line(label.span, span)]
     marks = [Mark(span, diagnostic.label, "^", tone)]
     marks += [Mark(label.span, label.text, "-", Tone.GUTTER) for label in joined]
     return (_Place("-->", span, tuple(marks)), *(_place(label, ":::") for label in others))

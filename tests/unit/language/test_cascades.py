@@ -147,7 +147,16 @@ def test_an_unknown_name_is_told_once_with_its_other_places() -> None:
     assert found.span is not None
     assert (found.span.line, [one.span.line for one in found.secondary]) == (2, [3, 4])
     many = only("mov nowhere\n" * 500)
-    assert (len(many.secondary), many.notes) == (20, ("It stands in more places.",))
+    assert (len(many.secondary), many.notes) == (200, ("It stands in more places.",))
+
+
+def test_an_unknown_name_that_is_mended_in_two_ways_is_told_twice() -> None:
+    head = "program p\nunits mm\n"
+    task = "task T(n: length)\n {0} = n\n m = infed\n m = {0}\n m = m + infed\nendp\n"
+    found = compiled(f"{head}{task.format('infedd')}T 3\nmov infed\nmov infed").diagnostics
+    unknown = [one for one in found if one.code == "N202"]
+    fixes = [(one.fix.replacement if one.fix else "", len(one.secondary)) for one in unknown]
+    assert fixes == [("infedd", 1), ("infeed", 1)]
 
 
 def test_two_unknown_names_are_two_mistakes() -> None:

@@ -9,7 +9,7 @@ from ropsim.lsp import State, Workshop, answer
 from ropsim.lsp.messages import Call, ErrorCode, Fault, read_message
 from ropsim.lsp.state import Phase
 from ropsim.workbench import new_project, new_robot_project, open_project
-from support.editors import Editor, place, uri_of
+from support.editors import Editor, applied, place, uri_of
 from support.robot_files import TWO_JOINTS
 
 BARE = "file:///nowhere-at-all/x.task"
@@ -100,6 +100,26 @@ def test_hints_of_syntax_and_names_become_fixes(line: str, mended: str) -> None:
     text = f"program p\nunits mm, deg, s\nframe shelf = (0, 0, 1)\n{line}\n"
     found = Editor().open(BARE, text)
     assert [one["data"]["fix"]["newText"] for one in found] == [mended]
+
+
+def test_each_place_of_an_unknown_name_has_a_finding_with_its_own_fix() -> None:
+    text = "program p\nunits mm\nloc foo = (1, 2, 3)\nlin fo\nlin foo\nlin fo above 3\n"
+    editor = Editor()
+    found = editor.open(BARE, text)
+    assert [(one["code"], one["range"]["start"]["line"]) for one in found] == [("N202", 3), ("N202", 5)]
+    assert [one["data"]["fix"]["range"]["start"]["line"] for one in found] == [3, 5]
+    first, second = found
+    assert ("firstLine" in first["data"], second["data"]["firstLine"]) == (False, 4)
+    assert second["relatedInformation"][0]["location"]["range"] == first["range"]
+    span = {"start": place(5, 0), "end": place(5, 0)}
+    (action,) = editor.ask("textDocument/codeAction", textDocument={"uri": BARE}, range=span)
+    edits = action["edit"]["changes"][BARE]
+    assert applied(text, edits) == text.replace("lin fo above", "lin foo above")
+
+
+def test_the_pointer_tells_of_a_further_place_what_is_wrong_there() -> None:
+    marked = "program p\nunits mm\nloc foo = (1, 2, 3)\nlin fo\nlin f|o"
+    assert "N202" in Editor().at_mark("hover", BARE, marked)["contents"]["value"]
 
 
 def test_a_near_name_in_quotes_keeps_its_quotes() -> None:

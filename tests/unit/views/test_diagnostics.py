@@ -1,4 +1,5 @@
 import re
+from dataclasses import replace
 
 from ropsim.core import Diagnostic, Label, Severity, SourceText, Span, TextEdit
 from ropsim.views import Style, diagnostic_text, diagnostics_text
@@ -143,3 +144,10 @@ def test_colour_changes_nothing_but_colour() -> None:
 def test_a_span_of_a_whole_line_marks_the_text_between_its_blanks() -> None:
     text = diagnostic_text(error(Span.whole_line(SOURCE.name, 14)), SOURCES, Style.PLAIN)
     assert mark_of(text) == ("  mov slot(i, j)", "  ^^^^^^^^^^^^^^ here")
+
+
+def test_of_many_further_places_the_first_ones_are_shown() -> None:
+    further = tuple(Label(SOURCE.span(line, 1, 1), "here, too") for line in range(20, 41))
+    text = diagnostic_text(replace(error(SOURCE.span(14, 3, 3)), secondary=further), SOURCES, Style.PLAIN)
+    assert text.count("here, too") == 20
+    assert "= note: 1 further place is not shown" in text
