@@ -15,34 +15,51 @@ LITERALS: Mapping[str, tuple[str, ...]] = {
     "speed": ("100 mm/s", "0.5 m/s"),
     "accel": ("500 mm/s2", "1 m/s2"),
     "force": ("10 N",),
+    "share": ("50 %", "100 %"),
     "bool": ("true", "false"),
 }
 
-#: What the word before a place asks for.
+#: The units of each kind of number.
+UNITS_OF: Mapping[str, tuple[str, ...]] = {
+    "length": ("mm", "cm", "m", "inch"),
+    "angle": ("deg", "rad"),
+    "time": ("s", "ms", "min"),
+    "speed": ("mm/s", "m/s", "cm/s"),
+    "angular speed": ("deg/s", "rad/s"),
+    "accel": ("mm/s2", "m/s2", "cm/s2"),
+    "force": ("N",),
+    "share": ("%",),
+}
+
+_JOINT_VERB = r"^\s*(?:\d+\.\s*)?movj?"
+_VERB = r"(?:mov[jlc]?|lin|circ|spline)"
+
+#: What the word before a place asks for; a `target` is a location or joint coordinates.
 _AFTER = tuple(
     (re.compile(pattern, re.IGNORECASE), type_)
     for pattern, type_ in (
-        (r"^\s*(?:\d+\.\s*)?(?:mov[jlc]?|lin|circ|spline)\s+(?:to\s+)?$|\blike\s+$|\bfrom\s+$", "loc"),
-        (r"\bvia\s+$|\bvia\b.*(?:,|\bto)\s+$", "loc"),
+        (rf"{_JOINT_VERB}\s+(?:to\s+)?$|{_JOINT_VERB}\s+via\s+(?:[^;(]*(?:,|\bto)\s+)?$", "target"),
+        (r"^\s*loc\s+\w+\s*:?=\s*$", "target"),
+        (rf"^\s*(?:\d+\.\s*)?{_VERB}\s+(?:to\s+)?$", "loc"),
+        (r"\blike\s+$|\bfrom\s+$", "loc"),
+        (r"\bvia\s+$|\bvia\b.*(?:,|\bto)\s+$|^\s*spline\b[^(]*,\s*$", "loc"),
+        (r"\bjoints\s*\([^()]*$|\([^()]*;[^()]*$", "angle"),
+        (rf"\b(?:{_VERB}|via|to|offset|rel|step)\s*\([^()]*$", "length"),
         (r"\b(?:above|blend|at)\s+$|\btrack\s+\w+\s*=\s*$", "length"),
         (r"\bgain\s+$", "num"),
         (r"^\s*wait\s+$|\btimeout\s+$", "time"),
-        (r"\buntil\s+(?:not\s+)?$", "bool"),
+        (r"\buntil\s+$|^\s*(?:if|elseif|while)\s+$|\b(?:and|or|not)\s+$", "bool"),
+        (rf"{_JOINT_VERB}\b.*\b(?:speed|acc)\s+$", "share"),
         (r"\bspeed\s+$", "speed"),
         (r"\bacc\s+$", "accel"),
         (r"\b(?:rx|ry|rz|pitch|roll|yaw|angle)\s+$", "angle"),
     )
 )
+_TYPED = re.compile(r"^\s*(?:const|var)\s+\w+\s*:\s*([a-z]+)\s*:?=\s*$", re.IGNORECASE | re.ASCII)
 _DECLARED = r"\b{name}\s*:\s*([a-z]+)"
 _VALUE = re.compile(r"=\s*-?[\d.]+\s*([A-Za-z]+(?:/[A-Za-z]+\d?)?|°)?", re.ASCII)
-_UNITS = {
-    **dict.fromkeys(("mm", "cm", "m", "in"), "length"),
-    **dict.fromkeys(("deg", "rad", "°"), "angle"),
-    **dict.fromkeys(("s", "ms", "min"), "time"),
-    **dict.fromkeys(("mm/s", "m/s", "cm/s"), "speed"),
-    **dict.fromkeys(("mm/s2", "m/s2"), "accel"),
-    "N": "force",
-}
+_JOINTS = re.compile(r"=\s*joints\b", re.IGNORECASE)
+_UNITS = {"°": "angle", **{unit: type_ for type_, units in UNITS_OF.items() for unit in units}}
 _BY_ROLE = {Role.LOCATION: "loc", Role.SIGNAL: "bool"}
 
 
@@ -61,11 +78,16 @@ def in_call(lead: str, tasks: Mapping[str, TaskForm]) -> str:
 
 def expected(lead: str, tasks: Mapping[str, TaskForm]) -> str:
     """Return the type that the end of a line asks for, empty where any may stand."""
+    typed = _TYPED.match(lead)
+    if typed is not None:
+        return typed[1].lower()
     return in_call(lead, tasks) or next((type_ for pattern, type_ in _AFTER if pattern.search(lead)), "")
 
 
 def type_of(known: Known) -> str:
     """Return the type of a name, empty where the text does not tell."""
+    if known.role is Role.LOCATION and _JOINTS.search(known.text):
+        return "joints"
     if known.role in _BY_ROLE:
         return _BY_ROLE[known.role]
     declared = re.search(_DECLARED.format(name=re.escape(known.name)), known.text)
@@ -78,8 +100,11 @@ def type_of(known: Known) -> str:
 def may_give(wanted: str, type_: str) -> bool:
     """Return whether an expression with a name of a type can be of the type that is wanted; empty: any.
 
-    Locations are made of nothing else, truth values of comparisons, quantities of each other by arithmetic.
+    Locations and joint coordinates are made of nothing else, truth values of comparisons, quantities of each
+    other by arithmetic.
     """
-    if wanted == "loc":
-        return type_ in ("loc", "")
-    return type_ != "loc" or wanted in ("", "bool")
+    if wanted == "target":
+        return type_ in ("loc", "joints", "")
+    if wanted in ("loc", "joints"):
+        return type_ in (wanted, "")
+    return type_ not in ("loc", "joints") or wanted in ("", "bool")

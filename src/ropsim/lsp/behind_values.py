@@ -1,0 +1,85 @@
+"""Words of the language that go on behind a whole value, by the statement in which it stands."""
+
+import re
+from collections.abc import Iterator
+
+from ropsim import language
+from ropsim.lsp import words
+from ropsim.lsp.items import KEYWORD, item, some_words, word_items
+from ropsim.lsp.messages import Json
+
+MOTION = re.compile(r"^\s*(?:\d+\.\s*)?(?:mov[jlc]?|lin|circ|spline)\b", re.IGNORECASE)
+"""The verb of a motion at the beginning of a line."""
+
+_SET_NAME = re.compile(r"^\s*set\s+\w+\s+$|\bdo\s+set\s+\w+\s+$", re.IGNORECASE | re.ASCII)
+_ON_THE_WAY = re.compile(r"\b(?:via|spline)\b(?:(?!\bto\b).)*$", re.IGNORECASE)
+_BEHIND_TARGET = re.compile(
+    rf"\b(?:{'|'.join((*words.MODIFIERS, *sorted(language.BEHIND_TARGETS), 'until'))})\b", re.IGNORECASE
+)
+_UNTIL = re.compile(r"\buntil\b(?:(?!\btimeout\b).)*$", re.IGNORECASE)
+_QUIET = re.compile(r"^\s*(?:set|with|wait|repeat|open|close|store|for\s+each)\b", re.IGNORECASE)
+_ONLY_WITH = {
+    "angle": re.compile(r"\b(?:circ|movc)\b", re.IGNORECASE),
+    "along": re.compile(r"\btrack\b", re.IGNORECASE),
+    "gain": re.compile(r"\btrack\b", re.IGNORECASE),
+    "timeout": re.compile(r"\buntil\b", re.IGNORECASE),
+}
+"""What a line must have said for a word behind its target."""
+_STATES = ("on", "off")
+_PLACED = ("above", "offset", "rel", "in")
+_LOGIC = ("and", "or", "is", "mod")
+
+_HEADS = tuple(
+    (re.compile(rf"^\s*(?:{pattern})\b", re.IGNORECASE), wanted)
+    for pattern, wanted in (
+        ("if|elseif", (*_LOGIC, "then")),
+        ("while", (*_LOGIC, "do")),
+        ("until", _LOGIC),
+        ("for", ("to", "mod")),
+    )
+)
+
+
+def behind_value(line: str) -> Iterator[Json]:
+    """Yield what may follow a value at the end of a statement that is being typed."""
+    if line.count("(") > line.count(")"):
+        is_call = not MOTION.match(line)
+        yield from some_words(words.INNER, (*(_PLACED if is_call else ()), "mod"), "3")
+    elif _SET_NAME.search(line):
+        yield from (item(state, KEYWORD, f"set OUTPUT {state}", "") for state in _STATES)
+    elif MOTION.match(line):
+        yield from _in_motion(line)
+    elif _UNTIL.search(line) and not line.lstrip().lower().startswith("until"):
+        yield from some_words(words.INNER, _LOGIC, "1")
+        yield from some_words(words.MOTIONS, ("timeout",), "1")
+    elif not _QUIET.match(line):
+        yield from _in_expression(line)
+
+
+def _in_motion(line: str) -> Iterator[Json]:
+    if _UNTIL.search(line):
+        yield from some_words(words.INNER, _LOGIC, "1")
+        yield from some_words(words.MOTIONS, ("timeout",), "1")
+        return
+    if _ON_THE_WAY.search(line):
+        yield from some_words(words.INNER, ("to",), "1")
+    else:
+        yield from word_items(words.MODIFIERS, KEYWORD, "1")
+        own = (name for name in words.MOTIONS if name in language.BEHIND_TARGETS)
+        fit = (name for name in own if name not in _ONLY_WITH or _ONLY_WITH[name].search(line))
+        yield from some_words(words.MOTIONS, fit, "2")
+        yield item("until", KEYWORD, "until SIGNAL", "Ends the motion when the condition holds.", "2")
+    if not _BEHIND_TARGET.search(line):
+        yield from some_words(words.INNER, _PLACED, "3")
+        yield from word_items(words.LOCATIONS, KEYWORD, "3")
+
+
+def _in_expression(line: str) -> Iterator[Json]:
+    of_head = next((wanted for pattern, wanted in _HEADS if pattern.match(line)), None)
+    if of_head is not None:
+        yield from some_words(words.INNER, of_head, "1")
+        return
+    yield from some_words(words.INNER, _PLACED, "1")
+    yield from word_items(words.LOCATIONS, KEYWORD, "1")
+    if not re.match(r"\s*(?:loc|frame|tool|pattern)\b", line, re.IGNORECASE):
+        yield from some_words(words.INNER, _LOGIC, "2")

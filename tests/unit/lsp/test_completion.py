@@ -1,0 +1,129 @@
+"""What completion offers compiles where it is offered, and the likeliest comes first."""
+
+from pathlib import Path
+
+import pytest
+
+from ropsim import language
+from ropsim.lsp.expected import UNITS_OF
+from ropsim.workbench import new_project
+from support.editors import Editor, uri_of
+
+BARE = "file:///nowhere-at-all/x.task"
+HEAD = """program t
+units mm, deg, s
+const gap = 12 mm
+loc p = (500, 0, 600)
+loc q = joints(0, 0, 0, 0, 0, 0)
+frame shelf = (1, 2, 3)
+signal lamp = output 3
+signal force = analog input 4
+n = 3
+print n
+"""
+
+
+def labels(marked: str, uri: str = BARE, head: str = HEAD) -> list[str]:
+    items = Editor().at_mark("completion", uri, head + marked)["items"]
+    return [item["label"] for item in sorted(items, key=lambda item: item["sortText"])]
+
+
+@pytest.fixture
+def program(tmp_path: Path) -> str:
+    folder = tmp_path / "cell"
+    new_project(folder, "first_cell")
+    cell = folder / "cell.toml"
+    frame = "\n[frames.pallet]\nposition = [400, 0, 500]\n"
+    more = f"{frame}[signals.part_ok]\ninput = 1\n[signals.glue]\noutput = 1\n"
+    cell.write_text(cell.read_text("utf-8") + more, "utf-8")
+    return uri_of(folder / "programs" / "x.task")
+
+
+@pytest.mark.parametrize("verb", ["mov", "lin", "mov to", "lin to", "mov via p to", "circ via (1, 2, 3) to"])
+def test_every_target_that_is_offered_compiles(program: str, verb: str) -> None:
+    offered = [one for one in labels(f"{verb} |", program) if one not in ("via", "joints(")]
+    assert {"p", "pick_up", "here"} <= set(offered)
+    for target in offered:
+        found = Editor().open(program, f"{HEAD}{verb} {target}\n")
+        assert [one["message"] for one in found if one["severity"] == 1] == [], target
+
+
+def test_a_joint_move_is_offered_joint_targets_and_others_are_not() -> None:
+    assert labels("mov |") == ["p", "q", "here", "home", "joints(", "via"]
+    assert labels("lin |") == ["p", "here", "via"]
+    assert labels("if force > 3 then mov |")[0] == "p"
+
+
+def test_only_outputs_can_be_set(program: str) -> None:
+    for line in ("set |", "lin p at 3 mm after start do set |"):
+        signals = [one for one in labels(line, program) if one in ("glue", "part_ok", "lamp", "force")]
+        assert signals == ["glue", "lamp"]
+    assert labels("set lamp |") == ["off", "on"]
+
+
+@pytest.mark.parametrize(
+    ("line", "first"),
+    [
+        ("lin p speed 100 |", ["mm/s", "deg/s", "m/s"]),
+        ("mov p speed 100 |", ["%"]),
+        ("set speed 100 |", ["mm/s", "deg/s", "m/s", "cm/s", "rad/s", "%"]),
+        ("lin p at 3 |", ["mm", "s", "cm"]),
+        ("lin p above 3 |", ["mm", "cm", "m", "inch"]),
+        ("wait 3 |", ["s", "ms", "min"]),
+        ("lin p acc 3 |", ["mm/s2", "m/s2"]),
+        ("const k: length = 3 |", ["mm", "cm"]),
+        ("mov joints(10 |", ["deg", "rad"]),
+        ("lin p until lamp timeout 3|", []),
+        ("x = 3 |", ["deg", "deg/s"]),
+    ],
+)
+def test_units_that_fit_come_first(line: str, first: list[str]) -> None:
+    offered = labels(line)
+    assert offered[: len(first)] == first
+    assert set(offered) >= language.UNIT_WORDS - {"%"} or not first
+
+
+def test_the_units_of_the_text_come_first_of_those_that_fit() -> None:
+    head = HEAD.replace("units mm, deg, s", "units m, rad, s  # mm")
+    assert labels("lin p speed 100 |", head=head)[:2] == ["m/s", "rad/s"]
+    assert labels("lin p above 3m|", head=head)[:2] == ["m", "mm"]
+
+
+def test_the_units_of_each_kind_are_those_of_the_language() -> None:
+    assert {unit for units in UNITS_OF.values() for unit in units} <= language.UNIT_WORDS
+
+
+@pytest.mark.parametrize(
+    "line", ["lin p |", "lin p speed 100 mm/s |", "lin (1, 2, 3) |", "lin p above gap |"]
+)
+def test_behind_a_target_no_value_is_offered(line: str) -> None:
+    offered = labels(line)
+    assert offered[0] == "acc"
+    assert set(offered).isdisjoint({"p", "lamp", "gap", "n", "and", "do", "true", "sqrt", "here", "along"})
+    assert ("above" in offered) is ("speed" not in line)
+
+
+@pytest.mark.parametrize(
+    ("line", "words"),
+    [
+        ("if lamp |", ["and", "is", "mod", "or", "then"]),
+        ("while lamp |", ["and", "do", "is", "mod", "or"]),
+        ("wait until lamp |", ["and", "is", "mod", "or", "timeout"]),
+        ("lin p until lamp |", ["and", "is", "mod", "or", "timeout"]),
+        ("for i = n |", ["mod", "to"]),
+        ("lin via p |", ["to", "above", "external", "in", "offset", "rel"]),
+        ("x = (n |", ["above", "in", "mod", "offset", "rel"]),
+        ("loc z = p |", ["above", "external", "in", "offset", "rel"]),
+        ("repeat n |", []),
+    ],
+)
+def test_a_value_is_followed_by_words_that_go_on(line: str, words: list[str]) -> None:
+    assert labels(line) == words
+
+
+@pytest.mark.parametrize("line", ["x = |", "print |", "x = n + |", "x = (n, |"])
+def test_an_expression_begins_with_a_value(line: str) -> None:
+    offered = labels(line)
+    assert offered[0] == "force"
+    assert {"n", "gap", "not", "true", "sqrt"} <= set(offered)
+    assert set(offered).isdisjoint(language.INNER_WORDS - {"not", "true", "false", "here"})
