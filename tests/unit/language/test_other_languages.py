@@ -156,3 +156,24 @@ def test_a_task_of_the_program_is_no_word_of_another_language() -> None:
     text = "program p\ntask Loop(n: int)\n open\nendp\nLoop 3 3"
     assert only(text).hint == ""
     assert only("end = 3 3").hint == ""
+
+
+@pytest.mark.parametrize(
+    ("line", "mended"),
+    [
+        ("wait part_ok", "wait until part_ok"),
+        ("wait force", "wait until force > 0"),
+        ("wait not part_ok", "wait until not part_ok"),
+        ("wait part_ok timeout 3 s", "wait until part_ok timeout 3 s"),
+        ("wait part_ok and not part_ok", "wait until part_ok and not part_ok"),
+        ("if part_ok then wait part_ok is on", "if part_ok then wait until part_ok is on"),
+        ("MoveJ infeed", "mov infeed"),
+    ],
+)
+def test_a_condition_that_is_waited_for_is_mended_by_until(line: str, mended: str) -> None:
+    head = "signal force = analog input 3\n"
+    (found,) = compiled(head + line).diagnostics
+    assert found.fix is not None
+    span = found.fix.span
+    assert line[: span.column - 1] + found.fix.replacement + line[span.end_column - 1 :] == mended
+    assert compiled(head + mended).diagnostics == ()

@@ -2,7 +2,7 @@
 
 import pytest
 
-from support.tasks import codes, only
+from support.tasks import codes, compiled, only
 
 
 @pytest.mark.parametrize(
@@ -89,6 +89,28 @@ def test_what_a_way_leads_to_is_reached(text: str) -> None:
 def test_a_bare_number_that_looks_like_another_unit_is_a_warning(text: str, hint: str) -> None:
     found = only(text if text.startswith("units") else f"units mm\n{text}")
     assert (found.code, found.is_error, found.hint) == ("T338", False, hint)
+
+
+@pytest.mark.parametrize(
+    ("line", "mended"),
+    [
+        ("wait 500", "wait 500 ms"),
+        ("set speed 0.2", "set speed 0.2 m/s"),
+        ("lin infeed speed 0.5 blend 3 mm", "lin infeed speed 0.5 m/s blend 3 mm"),
+        ("mov infeed speed 0.5", "mov infeed speed 50 %"),
+        ("lin infeed speed 150 m/s", "lin infeed speed 150 mm/s"),
+        ("lin infeed acc 0.9", "lin infeed acc 0.9 m/s2"),
+        ("wait 250 + 250", ""),
+        ("set speed 0.12345678", ""),
+    ],
+)
+def test_a_number_that_is_written_out_gets_the_unit_that_is_likely_meant(line: str, mended: str) -> None:
+    found = next(one for one in compiled(f"units mm\n{line}").diagnostics if one.code == "T338")
+    assert (found.fix is not None) is bool(mended)
+    if found.fix is not None:
+        span = found.fix.span
+        assert line[: span.column - 1] + found.fix.replacement + line[span.end_column - 1 :] == mended
+        assert codes(f"units mm\n{mended}") == []
 
 
 @pytest.mark.parametrize(

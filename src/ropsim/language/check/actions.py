@@ -35,10 +35,13 @@ def _refuse_signal(body: Body, node: Node) -> None:
     """
     if not isinstance(node, Name) or body.is_tolerant:
         return
-    symbol, hint = body.find(node.text), f"signals are read by name: write `wait until {node.text}`"
+    symbol, condition = body.find(node.text), node.text
+    if isinstance(symbol, SignalUse) and symbol.type is not ValueType.BOOL:
+        condition += " > 0"
+    hint = f"signals are read by name: write `wait until {condition}`"
     if isinstance(symbol, SignalUse):
         message = f"the time of `wait` must be a time, found the signal `{node.text}`"
-        body.fail(kinds.WRONG_TYPE, node, message, hint)
+        body.fail(kinds.WRONG_TYPE, node, message, hint, f"until {condition}")
     if symbol is None and not did_you_mean(node.text, values.visible(body)):
         body.fail(name_kinds.UNKNOWN_NAME, node, f"there is no name `{node.text}`", hint)
 

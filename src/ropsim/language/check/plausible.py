@@ -29,9 +29,8 @@ def check_time(body: Body, word: str, value: Value, duration: Expression, place:
         takes = "takes" if word == "wait" else "is"
         message = f"`{word} {written:g}` without a unit {takes} {number:g} s"
         unit = body.world.units.name(units.TIME) or "s"
-        body.warn(
-            kinds.OTHER_UNIT, place, message, f"write `{word} {written:g} ms`, or `{word} {written:g} {unit}`"
-        )
+        hint = f"write `{word} {written:g} ms`, or `{word} {written:g} {unit}`"
+        body.warn(kinds.OTHER_UNIT, place, message, hint, mended(place, written, "ms"))
 
 
 def check_rate(
@@ -77,7 +76,7 @@ def _check(
     if not value.is_bare and dimension == units.SPEED and number is not None and number > FASTEST:
         message = f"`{word}` is {number:g} m/s, no arm is faster than {FASTEST:g} m/s"
         hint = f"write `{word} {number:g} mm/s`, or the speed of a robot"
-        body.warn(kinds.OTHER_UNIT, place, message, hint)
+        body.warn(kinds.OTHER_UNIT, place, message, hint, mended(place, number, "mm/s"))
         return
     if not value.is_bare or number is None or written is None:
         return
@@ -88,9 +87,14 @@ def _check(
     message = f"`{word} {written:g}` without a unit is " + (
         f"{written:g} {bare}" if bare else f"{number:g} {unit}"
     )
-    meant = f"`{word} {written:g} {unit}`{share}"
-    if number > FASTEST:
-        meant = f"`{word} {written:g} mm{unit[1:]}`"
-    elif not share and bare != unit:
-        meant += f", or `{word} {written:g} {bare}`" if bare else ""
-    body.warn(kinds.OTHER_UNIT, place, message, f"write the unit: {meant}")
+    meant = f"mm{unit[1:]}" if number > FASTEST else unit
+    hint = f"write the unit: `{word} {written:g} {meant}`"
+    if number <= FASTEST:
+        hint += share or (f", or `{word} {written:g} {bare}`" if bare and bare != unit else "")
+    body.warn(kinds.OTHER_UNIT, place, message, hint, mended(place, written, meant))
+
+
+def mended(place: nodes.Node, number: float, unit: str) -> str | None:
+    """Return a number with a unit in place of one that is written out; None where another thing stands."""
+    text = f"{number:g}"
+    return f"{text} {unit}" if isinstance(place, nodes.Number) and float(text) == number else None

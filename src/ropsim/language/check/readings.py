@@ -4,6 +4,7 @@ import math
 
 from ropsim.language.check import convert, fold, units, values
 from ropsim.language.check.body import Body
+from ropsim.language.check.plausible import mended
 from ropsim.language.check.types import Type, Value, article, known
 from ropsim.language.findings import types as kinds
 from ropsim.language.syntax import nodes
@@ -57,4 +58,5 @@ def check_reading(body: Body, signal: str, value: Value, place: nodes.Node) -> N
         return
     si, unit = units.SI.name(dimension), body.world.units.name(dimension)
     message = f"`{signal}` measures a {measure}, and {number:g} without a unit counts as {number:g} {si} here"
-    body.warn(kinds.READING, place, message, f"write `{number:g} {unit or si}`, or `{number:g} {si}`")
+    hint = f"write `{number:g} {unit or si}`, or `{number:g} {si}`"
+    body.warn(kinds.READING, place, message, hint, mended(place, number, unit or si))

@@ -192,6 +192,8 @@ class Cursor:
         shown = token.text if len(token.text) <= 40 else token.text[:37] + "…"
         self.fault(kinds.UNEXPECTED, token.start, token.end, f"expected {expected}, found `{shown}`", hint)
 
-    def fault(self, kind: Kind, start: int, end: int, message: str, hint: str = "") -> NoReturn:
+    def fault(
+        self, kind: Kind, start: int, end: int, message: str, hint: str = "", fix: str = ""
+    ) -> NoReturn:
         """Raise a fault of any kind."""
-        raise LineFaultError(Fault(kind, start, end, message, hint))
+        raise LineFaultError(Fault(kind, start, end, message, hint, fix))

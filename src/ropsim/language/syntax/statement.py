@@ -1,6 +1,7 @@
 """One statement by its first word: the table of the readers, and the lines that hold another statement."""
 
 from collections.abc import Callable
+from typing import NoReturn
 
 from ropsim.core import did_you_mean
 from ropsim.language.findings import syntax as kinds
@@ -122,14 +123,20 @@ def _wait_time(cursor: Cursor, head: Token) -> Statement:
     """Read the time of a wait; a condition there is told as one."""
     first = cursor.token
     if first.word == "not":
-        cursor.fail("a time or `until`", WAIT_CONDITION)
+        _condition(cursor, first)
     duration = total(cursor)
     if cursor.word in _CONDITIONAL:
-        cursor.fail("the end of the line", WAIT_CONDITION)
+        _condition(cursor, first)
     if first.kind == "word" and cursor.token.kind == "word" and did_you_mean(first.text, ("until",)):
         message = f"expected a time or `until`, found `{first.text}`"
         cursor.fault(kinds.UNEXPECTED, first.start, first.end, message, "did you mean `until`?")
     return WaitTime(duration, head.start, cursor.end)
+
+
+def _condition(cursor: Cursor, first: Token) -> NoReturn:
+    """Refuse a condition where a time is waited for; `until` before its first word mends it."""
+    message = f"expected a time or `until`, found the condition `{first.text} …`"
+    cursor.fault(kinds.UNEXPECTED, first.start, first.end, message, WAIT_CONDITION, f"until {first.text}")
 
 
 def _simple(cursor: Cursor) -> Statement:
