@@ -11,17 +11,17 @@ class ParameterForm:
         name: as the text writes it.
         type: word of the language, such as `loc` or `length`.
         unit: unit of a bare number in its place, empty where there is none.
-        is_optional: whether a call may leave it out.
+        default: what it is where a call leaves it out, as the text writes it; empty where none may.
     """
 
     name: str
     type: str
     unit: str = ""
-    is_optional: bool = False
+    default: str = ""
 
     def __str__(self) -> str:
         unit = f" [{self.unit}]" if self.unit else ""
-        return f"{self.name}: {self.type}{unit}{' = …' if self.is_optional else ''}"
+        return f"{self.name}: {self.type}{unit}{f' = {self.default}' if self.default else ''}"
 
 
 @frozen_dataclass

@@ -18,7 +18,9 @@ _NAME = re.compile(r"[^\W\d]\w*|'((?:[^'\\]|\\.|'')*+)'", re.DOTALL)
 """A name, bare or in quotes as the group."""
 _DOC = re.compile(r"\bdoc\(\s*\"((?:[^\"\\]|\\.)*)\"")
 _PARAMETERS = re.compile(r"\bparams\(\s*\[([^\]]*)\]")
-_PARAMETER = re.compile(r"([A-Z_]\w*)\s*-\s*([a-z]\w*)\s*(=)?")
+_PARAMETER = re.compile(
+    r"([A-Z_]\w*)\s*-\s*([a-z]\w*)\s*(?:(=)\s*(-?[\w.]+(?:\s*\*\s*\w+)?(?=\s*(?:,|$)))?)?"
+)
 _WORD = re.compile(r"[^\W\d]\w*")
 _BY_STATE = frozenset(("part", "tool", "device", "thing"))
 
@@ -29,7 +31,7 @@ class ToldTask:
 
     Attributes:
         name: how it is called.
-        parameters: those that a call passes, in words such as `clear: length = …`.
+        parameters: those that a call passes, in words such as `clear: length = 50 mm`.
         doc: what it is for; empty where nothing says so.
         span: of the name, in its text.
     """
@@ -81,13 +83,18 @@ def _task(text: SourceText, name: re.Match[str], end: int) -> ToldTask:
     return ToldTask(
         _read(name),
         tuple(
-            f"{one.lower()}: {kind}{' = …' if default else ''}"
-            for one, kind, default in _PARAMETER.findall(listed[1] if listed else "")
+            f"{one.lower()}: {kind}{f' = {_default(value)}' if given else ''}"
+            for one, kind, given, value in _PARAMETER.findall(listed[1] if listed else "")
             if kind not in _BY_STATE
         ),
         " ".join(doc[1].split()) if doc else "",
         Span.on_line(text.name, line, column, behind - begin),
     )
+
+
+def _default(value: str) -> str:
+    """Return a default in words of the task language: `50 mm` for `50*mm`; dots for what is no number."""
+    return " ".join(value.replace("*", " ").split()) or "…"
 
 
 @lru_cache(maxsize=1)

@@ -48,7 +48,15 @@ def test_a_task_without_end_reaches_to_the_next_or_the_end() -> None:
 def test_tasks_tell_how_they_are_called_also_in_a_wrong_text() -> None:
     compiled = language.compile("units mm\ntask T(a, d: length = 3)\n  mov a above d\nendp\nlin\n")
     assert not compiled.ok
-    assert str(compiled.tasks["T"]) == "T(a: loc, d: length [mm] = …)"
+    assert str(compiled.tasks["T"]) == "T(a: loc, d: length [mm] = 3)"
+
+
+def test_a_default_is_told_as_it_is_written() -> None:
+    head = "task T(q: loc, a = gap, b: loc = (1, 2, 3; down), t = \\\n  3 s)\n"
+    task = f"{head}  mov q above a\n  mov b\n  wait t\nendp\n"
+    compiled = language.compile(f"program p\nunits mm\nconst gap = 3 mm\n{task}T (1, 2, 3)\n")
+    told = "T(q: loc, a: length [mm] = gap, b: loc = (1, 2, 3; down), t: time [s] = 3 s)"
+    assert (str(compiled.tasks["T"]), compiled.diagnostics) == (told, ())
 
 
 def test_a_task_of_a_library_has_no_places_of_a_deleted_one_of_its_name() -> None:

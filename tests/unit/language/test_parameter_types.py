@@ -50,7 +50,7 @@ def test_a_parameter_that_is_handed_on_has_the_type_that_the_callee_tells() -> N
 
 @pytest.mark.parametrize(("default", "type_"), [("3", "int"), ("3.5", "num"), ("3 mm", "length [mm]")])
 def test_a_default_tells_where_nothing_else_does(default: str, type_: str) -> None:
-    assert form(f"task T(n = {default})\n  print n\nendp\nT\n") == f"T(n: {type_} = …)"
+    assert form(f"task T(n = {default})\n  print n\nendp\nT\n") == f"T(n: {type_} = {default})"
 
 
 def test_in_a_classic_text_callers_may_tell() -> None:

@@ -82,7 +82,7 @@ def test_a_task_is_offered_with_its_signature_and_its_comment() -> None:
     items = Editor().at_mark("completion", BARE, HEAD + "call |")["items"]
     pick, *library = items
     assert {one["label"] for one in library} >= {"pick", "palletize"}
-    assert pick["detail"] == "(part: loc, clear: length [mm] = …, n: int = …) -> int"
+    assert pick["detail"] == "(part: loc, clear: length [mm] = 60, n: int = 2) -> int"
     assert pick["documentation"]["value"] == "Takes a part from above. needs gripper open"
 
 
@@ -203,7 +203,7 @@ def test_variables_of_a_task_are_offered_inside_of_it_only() -> None:
 
 def test_hover_tells_how_a_task_is_called() -> None:
     told = hover(BARE, HEAD + "Pi|ck corner")
-    assert "task Pick(part: loc, clear: length [mm] = …, n: int = …) -> int" in told
+    assert "task Pick(part: loc, clear: length [mm] = 60, n: int = 2) -> int" in told
     assert "Takes a part" in told
     assert "needs gripper open" in told
 

@@ -50,7 +50,7 @@ def marked(part: str) -> str:
         ("part a|bove", "location above d"),
         ("lin pa|rt", "parameter of type loc, line 7"),
         ("(1, 2|, 3)", "goes at the first of 3 times to (98, 1, 3) mm"),
-        ("= G|o(", "task Go(part: loc, clear: length [mm] = …, n: int = …) -> int"),
+        ("= G|o(", "task Go(part: loc, clear: length [mm] = 20 mm, n: int = 2) -> int"),
         ("ner, cle|ar", "parameter of type length, line 7"),
     ],
 )
@@ -109,7 +109,7 @@ def test_the_argument_that_is_typed_is_marked(call: str, active: int) -> None:
     answer = Editor().at_mark("signatureHelp", BARE, TEXT + call)
     assert answer["activeParameter"] == active
     (signature,) = answer["signatures"]
-    assert signature["label"] == "Go(part: loc, clear: length [mm] = …, n: int = …) -> int"
+    assert signature["label"] == "Go(part: loc, clear: length [mm] = 20 mm, n: int = 2) -> int"
     assert all(one["label"] in signature["label"] for one in signature["parameters"])
     assert signature["documentation"]["value"] == "needs gripper open"
 

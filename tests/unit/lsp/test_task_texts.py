@@ -104,5 +104,5 @@ def test_words_are_proposed_where_they_fit(desk: Desk) -> None:
     assert desk.proposed(f"{begin}body([mov(|") == []
     items = desk.editor.at_mark("completion", desk.program, "program p\nunits mm\n|")["items"]
     pick = next(one for one in items if one["label"] == "pick")
-    assert pick["detail"] == "(l: location, clear: length = …)"
+    assert pick["detail"] == "(l: location, clear: length = 50 mm)"
     assert "from above" in pick["documentation"]["value"]

@@ -214,7 +214,7 @@ def test_texts_tell_at_a_glance_what_prolog_reads_in_them() -> None:
     for task in base.tasks():
         assert told[task.name].doc == task.doc
         assert len(told[task.name].parameters) == len(task.passed)
-    assert str(told["pick"]) == "pick(l: location, clear: length = …)"
+    assert str(told["pick"]) == "pick(l: location, clear: length = 50 mm)"
     span = told["pick"].span
     assert (Path(span.source).name, span.line, span.column) == ("pick.pl", 3, 6)
 

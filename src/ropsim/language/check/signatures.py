@@ -106,11 +106,18 @@ def _explicit(body: Body, parameters: tuple[syntax.Parameter, ...]) -> tuple[For
             body.warn(name_kinds.DUPLICATE, parameter.name, message, "rename one of them")
             continue
         kind = NAMED[parameter.type.text] if parameter.type is not None else Unknown()
-        default = None
+        default, written = None, ""
         if parameter.default is not None:
             default = _default(body, parameter.name.text, parameter.default, kind)
-        formals.append(Formal(parameter.name.text, kind, default))
+            written = _written(body, parameter.default)
+        formals.append(Formal(parameter.name.text, kind, default, written))
     return tuple(formals)
+
+
+def _written(body: Body, node: nodes.Node) -> str:
+    """Return a default as it stands in the header, on one line."""
+    text = " ".join(body.line.logical.text[node.start : node.end].split())
+    return text if len(text) <= _SHOWN else f"{text[:_SHOWN]} …"
 
 
 def _default(body: Body, name: str, node: nodes.Node, kind: AnyType) -> Expression:
@@ -169,7 +176,7 @@ def form_of(signature: Signature, units: UnitSystem) -> TaskForm:
             formal.name,
             word_of(settled(formal.type)),
             units.name(settled(formal.type).dimension),
-            formal.default is not None,
+            _default_words(formal, units),
         )
         for formal in signature.formals
     )
@@ -177,10 +184,21 @@ def form_of(signature: Signature, units: UnitSystem) -> TaskForm:
     return TaskForm(signature.name, parameters, result, signature.is_known)
 
 
+def _default_words(formal: Formal, units: UnitSystem) -> str:
+    """Return the default of a parameter in words of the language; empty for none."""
+    number = fold.number_of(formal.default) if formal.default is not None else None
+    if formal.default is None or formal.written or number is None:
+        return formal.written or ("" if formal.default is None else "…")
+    return f"{number / units.factor(settled(formal.type).dimension):.6g}"
+
+
 def word_of(kind: Type) -> str:
     """Return a type in a word of the language."""
     return _WORDS.get((kind.value, kind.dimension)) or str(kind)
 
+
+_SHOWN = 40
+"""Characters of a default that a form of a task shows."""
 
 _WORDS = {(kind.value, kind.dimension): word for word, kind in reversed(NAMED.items())}
 """Words of types; of two for one the first counts."""

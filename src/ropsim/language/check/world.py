@@ -20,11 +20,13 @@ class Formal:
         name: of the parameter.
         type: declared, or a cell that the body tells.
         default: value where the call gives none.
+        written: the same as the header writes it; empty for tasks of other texts.
     """
 
     name: str
     type: AnyType
     default: Expression | None = None
+    written: str = ""
 
 
 @frozen_dataclass
