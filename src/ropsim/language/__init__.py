@@ -16,6 +16,8 @@ from ropsim.language.literals import literals_on as literals_on
 from ropsim.language.marked_words import Mark as Mark
 from ropsim.language.marked_words import Marked as Marked
 from ropsim.language.marked_words import marked_words as marked_words
+from ropsim.language.motion_places import MotionPlaces as MotionPlaces
+from ropsim.language.motion_places import motion_places as motion_places
 from ropsim.language.outline import Definition as Definition
 from ropsim.language.outline import Outline as Outline
 from ropsim.language.outline import Role as Role

@@ -1,6 +1,5 @@
 """What is said about the word or the move under the pointer."""
 
-import re
 from collections.abc import Iterator, Mapping
 
 from ropsim.core import catalogue
@@ -13,16 +12,17 @@ from ropsim.lsp.found_name import FoundName, found_name
 from ropsim.lsp.knowledge import place_words
 from ropsim.lsp.last_run import last_run
 from ropsim.lsp.line_words import line_words
+from ropsim.lsp.markdown import code, plain
 from ropsim.lsp.messages import Json
+from ropsim.lsp.motion_hover import motion_hover, resolved_words
 from ropsim.lsp.programs import is_program
 from ropsim.lsp.protocol import AtPosition, Position
 from ropsim.lsp.types_of import type_of_meaning
 from ropsim.lsp.workshop import Workshop
 from ropsim.model import Station
 from ropsim.spatial import Pose
-from ropsim.workbench import Resolved, TaskTexts, location_of
+from ropsim.workbench import TaskTexts, location_of
 
-_MARKS = re.compile(r"([\\`*_{}\[\]<>#|&])")
 _ROLES = {
     Space.SYMBOL: (Role.LOCATION, Role.SIGNAL),
     Space.FRAME: (Role.FRAME,),
@@ -73,12 +73,10 @@ def _about(
     word = names.word_at(document, params.position)
     known = words.meaning_of(word[0]) if word is not None else None
     if known is not None:
-        yield from (_code(known.form), plain(known.meaning))
-    target = workshop.target(document, documents, params.position.line)
-    if target is not None:
-        station = workshop.named(document, documents).station
-        passes = f" at the first of {target.visits} times" if target.visits > 1 else ""
-        yield f"goes{passes} to " + _places(target, station)
+        yield from (code(known.form), plain(known.meaning))
+    moved = motion_hover(document, params.position, documents, workshop)
+    if moved:
+        yield plain(moved)
 
 
 def _of_run(
@@ -99,7 +97,7 @@ def _of_text(
     outline = workshop.outline(document)
     if meaning.space is Space.TASK:
         form = checked.tasks.get(meaning.name)
-        yield _code(names.task_words(form) if form is not None else meaning.line)
+        yield code(names.task_words(form) if form is not None else meaning.line)
         yield from map(plain, names.task_notes(outline, meaning.name))
         return
     type_ = type_of_meaning(meaning, workshop.uses(document, documents), checked)
@@ -107,13 +105,13 @@ def _of_text(
     if meaning.definition is None:
         yield plain(f"{kind}: an implicit parameter of the task {meaning.task}")
         return
-    yield _code(meaning.line)
+    yield code(meaning.line)
     yield plain(f"{kind}, line {meaning.definition.line}")
     around = workshop.named(document, documents)
     if meaning.role is Role.LOCATION:
         resolved = location_of(document.text, outline, meaning.name, around.environment)
         if resolved is not None:
-            yield _places(resolved, around.station)
+            yield plain(resolved_words(resolved, around.station))
 
 
 def _of_cell(
@@ -122,7 +120,7 @@ def _of_cell(
     """Yield what is known of a name that the cell gives, or a task that lies elsewhere."""
     form = workshop.checked(document, documents).tasks.get(found.name) if found.space is Space.TASK else None
     if form is not None:
-        yield _code(names.task_words(form))
+        yield code(names.task_words(form))
         yield from tuple(_of_task(found.name, workshop.named(document, documents).tasks))[1:]
     around = workshop.named(document, documents)
     for one in names.of_cell(around):
@@ -144,22 +142,10 @@ def _of_task(name: str, tasks: TaskTexts) -> Iterator[str]:
     """Yield what is known of a task of a knowledge base: how it is called, what it is for, where it is."""
     told = tasks.told.get(name)
     if told is not None:
-        yield _code(f"task {told}")
+        yield code(f"task {told}")
         if told.doc:
             yield plain(told.doc)
         yield plain(f"task of {place_words(told)}")
-
-
-def _places(resolved: Resolved, station: Station | None) -> str:
-    """Return a location in the world frame, or in that of the base without a cell, and in its own."""
-    if resolved.moving:
-        return plain(f"{names.pose_words(resolved.X_FT)} in {resolved.moving}, which moves")
-    X_WB = station.X_WB if station is not None else Pose()
-    known = "the world frame" if station is not None else "the base frame"
-    parts = [f"{names.pose_words(X_WB @ resolved.X_BT)} in {known}"]
-    if resolved.frame:
-        parts.append(f"{names.pose_words(resolved.X_FT)} in {resolved.frame}")
-    return plain("; ".join(parts))
 
 
 def _finding(
@@ -179,13 +165,3 @@ def _finding(
                 f"{one.severity.value} **{one.code}** {plain(kind.summary)} (`ropsim explain {one.code}`)"
             ]
     return []
-
-
-def plain(text: str) -> str:
-    """Return text of a user so that Markdown shows it as it stands."""
-    return _MARKS.sub(r"\\\1", text)
-
-
-def _code(text: str) -> str:
-    fence = "`" * (3 + max((len(run) for run in re.findall(r"`{3,}", text)), default=0))
-    return f"{fence}task\n{text}\n{fence}"

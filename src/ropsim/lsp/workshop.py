@@ -19,17 +19,17 @@ from ropsim.workbench import (
     NOWHERE,
     AtStation,
     CheckedText,
+    LineMoves,
     Reading,
-    Resolved,
     RobotFile,
     TaskTexts,
     Workspace,
     around_programs,
+    moves_by_line,
     read_robot,
     read_robot_files,
     read_task_texts,
     robots_read,
-    targets_by_line,
     text_findings,
 )
 
@@ -108,7 +108,7 @@ class Workshop:
         self._called: dict[str, CheckedText] = {}
         self._recorded: dict[Path, tuple[list[int], tuple[RecordedProgram, ...]]] = {}
         self.attention = Attention()
-        self._targets: dict[str, tuple[Document, tuple[object, object], Mapping[int, Resolved]]] = {}
+        self._moves: dict[str, tuple[Document, tuple[object, object], Mapping[int, LineMoves]]] = {}
         self._contents: dict[str, tuple[Document, tuple[object, object], Mapping[int, str]]] = {}
         self.told_tokens: dict[str, tuple[str, tuple[int, ...]]] = {}
 
@@ -198,23 +198,27 @@ class Workshop:
         """Return words of the language, numbers, texts and comments of a document."""
         return self.workspace.marked(_source(document), self.named(document, documents).outside)
 
-    def target(self, document: Document, documents: Mapping[str, Document], line: int) -> Resolved | None:
-        """Return where the move on a line (from 0) goes first, by the last text without errors.
+    def motion(self, document: Document, line: int) -> language.MotionPlaces | None:
+        """Return where the motion on a line (from 0) writes its places."""
+        return language.motion_places(_source(document), line + 1, self.lines)
 
-        None for a line without a move to a pose, and for one that has changed since then.
+    def moves(self, document: Document, documents: Mapping[str, Document], line: int) -> LineMoves | None:
+        """Return what a line (from 0) moves first, by the last text without errors.
+
+        None for a line without a move, and for one that has changed since then.
         """
         around = self.named(document, documents)
         code = self.workspace.code(_source(document), around.at)
         made_of = code, around.environment
-        known = self._targets.get(document.uri)
+        known = self._moves.get(document.uri)
         if code is not None and (known is None or not _are_same(known[1], made_of)):
-            found = targets_by_line(code, around.environment, self.attention.world)
-            self._targets[document.uri] = known = document, made_of, found
+            found = moves_by_line(code, self.attention.world)
+            self._moves[document.uri] = known = document, made_of, found
         if known is None:
             return None
-        good, _, targets = known
+        good, _, moves = known
         is_unchanged = code is not None or good.line(line) == document.line(line)
-        return targets.get(line + 1) if is_unchanged else None
+        return moves.get(line + 1) if is_unchanged else None
 
     def code_id(self, document: Document, documents: Mapping[str, Document]) -> str:
         """Return the identity of the code that a document compiles to, empty where it has errors."""
@@ -254,7 +258,7 @@ class Workshop:
     def forget(self, uri: str) -> None:
         """Forget what was made of a document."""
         self._called.pop(uri, None)
-        self._targets.pop(uri, None)
+        self._moves.pop(uri, None)
         self._contents.pop(uri, None)
         self.told_tokens.pop(uri, None)
         self.workspace.forget(_source(Document(uri, 0, "")).name)

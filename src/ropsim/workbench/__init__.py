@@ -24,6 +24,8 @@ from ropsim.workbench.knowledge import open_knowledge as open_knowledge
 from ropsim.workbench.knowledge import task_findings as task_findings
 from ropsim.workbench.knowledge import text_findings as text_findings
 from ropsim.workbench.knowledge import world_state as world_state
+from ropsim.workbench.line_moves import LineMoves as LineMoves
+from ropsim.workbench.line_moves import moves_by_line as moves_by_line
 from ropsim.workbench.named_robot import NamedRobot as NamedRobot
 from ropsim.workbench.named_robot import RobotFileError as RobotFileError
 from ropsim.workbench.named_robot import built_in_robots as built_in_robots
@@ -42,7 +44,7 @@ from ropsim.workbench.project_diagnostics import NOT_WRITABLE as NOT_WRITABLE
 from ropsim.workbench.replay import pack_of as pack_of
 from ropsim.workbench.resolved import Resolved as Resolved
 from ropsim.workbench.resolved import location_of as location_of
-from ropsim.workbench.resolved import targets_by_line as targets_by_line
+from ropsim.workbench.resolved import places_of as places_of
 from ropsim.workbench.robot_files import Reading as Reading
 from ropsim.workbench.robot_files import RobotFile as RobotFile
 from ropsim.workbench.robot_files import read_robot as read_robot

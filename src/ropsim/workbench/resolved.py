@@ -1,7 +1,8 @@
-"""Where the locations of a text are, by compiler and dry run: declared ones, and those that lines move to."""
+"""Where the locations of a text are, by compiler and dry run: declared ones, and those that moves lead to."""
 
 import re
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator
+from dataclasses import replace
 
 from ropsim import icr, language
 from ropsim.core import frozen_dataclass
@@ -11,9 +12,6 @@ from ropsim.spatial import Pose
 
 #: ICR instructions after which the dry run of a text ends: a fraction of a second.
 BUDGET = 100_000
-
-#: Makes the world of a dry run from the values of inputs.
-Worlds = Callable[[Mapping[str, bool | int | float]], icr.StillWorld]
 
 _HEADS = re.compile(r"\s*(?:program|units|classic|strict)\b", re.IGNORECASE)
 _SET_FRAME = re.compile(r"\s*set\s+frame\s+\w+\s*$", re.IGNORECASE)
@@ -33,14 +31,12 @@ class Resolved:
         frame: name of the frame in which the program gives it, empty for the base frame.
         X_FT: the same pose in that frame.
         moving: name of a frame that external axes move, in which alone the pose is known; empty for none.
-        visits: how often a dry run comes to the line.
     """
 
     X_BT: Pose
     frame: str
     X_FT: Pose
     moving: str = ""
-    visits: int = 1
 
 
 def location_of(text: str, outline: language.Outline, name: str, environment: Environment) -> Resolved | None:
@@ -60,41 +56,10 @@ def location_of(text: str, outline: language.Outline, name: str, environment: En
     return _resolved(moves[0], environment, frame[1] if frame else "", moves[1] if frame else None)
 
 
-def targets_by_line(
-    code: icr.Program, environment: Environment, world: Worlds = icr.PassingWorld
-) -> Mapping[int, Resolved]:
-    """Return where the moves of each line (from 1) go first.
-
-    What is waited for comes. Lines to which the program does not come with all inputs off are looked for with
-    all of them on: so it passes a wait for several, and goes the way of an `if` that needs one.
-
-    Args:
-        code: of the program.
-        environment: what it can name.
-        world: makes the world of a dry run from the values of inputs.
-    """
-    found: dict[int, MoveInstruction] = {}
-    visits: dict[int, int] = {}
-    for moves in _runs(code, world):
-        known = frozenset(found)
-        for move in moves:
-            line = move.origin.span.line if move.origin.span is not None else 0
-            if line not in known:
-                found.setdefault(line, move)
-                visits[line] = visits.get(line, 0) + 1
-    made = {
-        line: _resolved(move, environment, move.modal.frame, None, visits[line])
-        for line, move in found.items()
-    }
-    return {line: one for line, one in made.items() if one is not None}
-
-
-def _runs(code: icr.Program, world: Worlds) -> Iterator[tuple[MoveInstruction, ...]]:
-    """Yield the moves of dry runs, with all on/off inputs off, and on where there are some."""
-    yield icr.run_verified(code, world({}), BUDGET).moves
-    inputs = {one.name: True for one in code.channels if one.kind == "DI"}
-    if inputs:
-        yield icr.run_verified(code, world(inputs), BUDGET).moves
+def places_of(move: MoveInstruction, environment: Environment) -> tuple[Resolved | None, ...]:
+    """Return the places that a move leads to, points on its way first; None for what is no pose."""
+    through = (replace(move, target=pose) for pose in move.via)
+    return tuple(_resolved(one, environment, one.modal.frame, None) for one in (*through, move))
 
 
 def _heads(text: str) -> Iterator[str]:
@@ -122,15 +87,14 @@ def _resolved(
     environment: Environment,
     frame: str,
     origin: MoveInstruction | None,
-    visits: int = 1,
 ) -> Resolved | None:
     if not isinstance(move.target, Pose):
         return None
     modal = move.modal
     if modal.frame in environment.moving:
-        return Resolved(move.target, modal.frame, move.target, modal.frame, visits)
+        return Resolved(move.target, modal.frame, move.target, modal.frame)
     X_BT = modal.X_BK @ move.target
     if origin is not None and isinstance(origin.target, Pose):
         X_BF = origin.modal.X_BK @ origin.target
-        return Resolved(X_BT, frame, X_BF.inverse() @ X_BT, visits=visits)
-    return Resolved(X_BT, modal.frame, move.target, visits=visits)
+        return Resolved(X_BT, frame, X_BF.inverse() @ X_BT)
+    return Resolved(X_BT, modal.frame, move.target)

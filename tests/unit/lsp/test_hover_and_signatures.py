@@ -158,3 +158,28 @@ def test_a_name_of_the_cell_tells_its_pose_in_the_world_and_from_the_base(tmp_pa
     assert "in the world frame" in told
     assert "(400, 300, 560) mm" in told
     assert "in the base frame" in told
+
+
+@pytest.mark.parametrize(
+    ("line", "told"),
+    [
+        ("circ via (500, 5|0, 600) to (450, 0, 610)", "leads through (500, 50, 600) mm"),
+        ("circ via (500, 50, 600) to (450, |0, 610)", "goes to (450, 0, 610) mm"),
+        ("ci|rc via (500, 50, 600) to (450, 0, 610)", "goes to (450, 0, 610) mm"),
+        ("mov via (500, |0, 600), (510, 0, 610) to (520, 0, 620)", "passes (500, 0, 600) mm"),
+        ("mov via (500, 0, 600), (510, 0, |610) to (520, 0, 620)", "passes (510, 0, 610) mm"),
+        ("m|ov via (500, 0, 600), (510, 0, 610) to (520, 0, 620)", "goes to (520, 0, 620) mm"),
+        ("mov via home, (510, |0, 610) to (520, 0, 620)", "passes (510, 0, 610) mm"),
+        ("spline via (1|0, 0, 600), (20, 10, 600) to (30, 0, 620)", "leads through (10, 0, 600) mm"),
+        ("spline via (10, 0, 600), (20, 1|0, 600) to (30, 0, 620)", "leads through (20, 10, 600) mm"),
+        ("if true then lin via (1|0, 0, 600) to (30, 0, 620)", "passes (10, 0, 600) mm"),
+        ("lin via (10, 0, 600), \\\n  (20, |0, 600) to (30, 0, 620)", "passes (20, 0, 600) mm"),
+    ],
+)
+def test_each_place_of_a_motion_has_its_own_pose(line: str, told: str) -> None:
+    head = "program p\nunits mm, deg\nmov (400, 0, 600)\n"
+    assert told in hover(f"{head}{line}\n")
+    loop = f"{head}for k = 1 to 3\n  {line}\nendf\n"
+    verb, _, rest = told.partition(" to " if " to " in told else " (" if "passes" in told else " through")
+    assert f"{verb} at the first of 3 times" in hover(loop)
+    assert rest in hover(loop)

@@ -10,10 +10,11 @@ from ropsim.query import Outcome
 from ropsim.workbench import (
     Project,
     Workspace,
+    moves_by_line,
     new_project,
     open_overlaid,
     open_project,
-    targets_by_line,
+    places_of,
 )
 from support.robot_files import PUMA560
 
@@ -117,8 +118,9 @@ def test_findings_code_and_names_of_a_text_come_from_one_compilation() -> None:
     assert workspace.code_id(PROGRAM, at)
     code = workspace.code(PROGRAM, at)
     assert code is not None
-    targets = targets_by_line(code, workspace.environment(at))
-    assert targets[2].X_BT.position.tolist() == pytest.approx([0.3, 0.2, 0.5])
+    (target,) = places_of(moves_by_line(code)[2].first[0], workspace.environment(at))
+    assert target is not None
+    assert target.X_BT.position.tolist() == pytest.approx([0.3, 0.2, 0.5])
     assert [one.function for one in workspace.events or []].count("translated") == 1
 
 
