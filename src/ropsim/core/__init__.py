@@ -26,6 +26,7 @@ from ropsim.core.source import SourceText as SourceText
 from ropsim.core.span import Span as Span
 from ropsim.core.suggest import did_you_mean as did_you_mean
 from ropsim.core.suggest import near as near
+from ropsim.core.toml_values import MOST_KEY_PARTS as MOST_KEY_PARTS
 from ropsim.core.toml_values import toml_values as toml_values
 from ropsim.core.turns import turn as turn
 from ropsim.core.without_collection import collect_seldom as collect_seldom

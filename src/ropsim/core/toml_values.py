@@ -3,7 +3,7 @@
 import re
 import tomllib
 
-MOST_PARTS = 64
+MOST_KEY_PARTS = 64
 """Parts of a dotted key; the parser of the standard library takes time in their square."""
 
 _QUOTED = re.compile(r'"(?:[^"\\\n]++|\\.)*+(")?|' + r"'[^'\n]*+(')?")
@@ -34,8 +34,8 @@ def _check_keys(text: str) -> None:
     for piece in between:
         at += len(piece) + 1
         parts = parts + 1 if _PART.fullmatch(piece) else 0
-        if parts > MOST_PARTS:
+        if parts > MOST_KEY_PARTS:
             line = text.count("\n", 0, at) + 1
             column = at - text.rfind("\n", 0, at)
-            message = f"a key has more than {MOST_PARTS} parts (at line {line}, column {column})"
+            message = f"a key has more than {MOST_KEY_PARTS} parts (at line {line}, column {column})"
             raise tomllib.TOMLDecodeError(message)

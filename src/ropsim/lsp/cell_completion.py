@@ -4,18 +4,15 @@ import re
 from collections.abc import Iterator
 
 from ropsim.cellfile import meaning_of
-from ropsim.lsp.cell_place import Asked, asked_in, section_at
+from ropsim.lsp.cell_place import Asked, asked_in
 from ropsim.lsp.document import Document
 from ropsim.lsp.messages import Json
 from ropsim.lsp.protocol import Position
 from ropsim.lsp.workshop import Surroundings
-from ropsim.tomltext import Path, Question, Sort
+from ropsim.tomltext import Path, Question, Sort, unfinished_at
 
 _PROPERTY, _VALUE, _MODULE = 10, 12, 9
-_INLINE = re.compile(r"\s*([\w-]+)\s*=\s*\{(.*)$")
-_GIVEN = re.compile(r"\s*([\w-]+)\s*=\s*(.*)$")
 _HEADER = re.compile(r"\s*(\[\[?)\s*([\w-]*)$")
-_REMARK = re.compile(r"""(?:[^"'#]|"[^"]*"|'[^']*')*+#""")
 _KEY = re.compile(r"\s*[\w-]*$")
 _SECTIONS = {Sort.SECTION: "[", Sort.NAMED: "[", Sort.SECTIONS: "[["}
 
@@ -23,7 +20,7 @@ _SECTIONS = {Sort.SECTION: "[", Sort.NAMED: "[", Sort.SECTIONS: "[["}
 def proposed_in_cell(
     document: Document, position: Position, around: Surroundings, trigger: str
 ) -> list[Json]:
-    """Return what can be written at a place; the line is left out of what is read, as it is being typed.
+    """Return what can be written at a place; what is being typed is left out of what is read.
 
     Args:
         document: the cell file.
@@ -31,43 +28,19 @@ def proposed_in_cell(
         around: its project.
         trigger: the sign that has just been typed, where it is what asks: then no keys are offered.
     """
-    number = position.line
-    before = document.line(number)[: document.column(position)]
-    if _REMARK.match(before):
+    place = unfinished_at(document.lines(), position.line, document.column(position))
+    asked = asked_in(place.rest, around)
+    if place.key is not None:
+        question = asked.questions.get(place.key)
+        return list(_values(question, place.typed)) if question is not None else []
+    header = _HEADER.match(document.line(position.line)[: document.column(position)])
+    if place.table is None:
         return []
-    header = _HEADER.match(before)
     if header is not None:
-        asked = asked_in(_with_line(document, number, ""), around)
         return list(_sections(asked, header[1]))
-    section, rest, stub = section_at(document, number), before, ""
-    inline = _INLINE.match(before)
-    if inline is not None and "{" not in inline[2]:
-        section, stub = (*section, inline[1]), f"{inline[1]} = {{}}"
-        rest = _last_item(inline[2])
-    asked = asked_in(_with_line(document, number, stub), around)
-    given = _GIVEN.match(rest)
-    if given is not None:
-        question = asked.questions.get((*section, given[1]))
-        return list(_values(question, given[2])) if question is not None else []
-    if trigger or not _KEY.match(rest):
+    if trigger or not _KEY.match(place.typed):
         return []
-    return list(_keys(asked, section, document, number))
-
-
-def _with_line(document: Document, number: int, text: str) -> str:
-    lines = [document.line(one) for one in range(len(document.starts))]
-    lines[number] = text
-    return "\n".join(lines)
-
-
-def _last_item(inside: str) -> str:
-    """Return what stands behind the last comma that is in no list."""
-    depth, start = 0, 0
-    for at, sign in enumerate(inside):
-        depth += {"[": 1, "]": -1}.get(sign, 0)
-        if sign == "," and depth == 0:
-            start = at + 1
-    return inside[start:]
+    return list(_keys(asked, place.table, place.others))
 
 
 def _sections(asked: Asked, bracket: str) -> Iterator[Json]:
@@ -78,13 +51,8 @@ def _sections(asked: Asked, bracket: str) -> Iterator[Json]:
             yield _item(label, _MODULE, question.form, (key,))
 
 
-def _keys(asked: Asked, section: Path, document: Document, number: int) -> Iterator[Json]:
+def _keys(asked: Asked, section: Path, there: frozenset[str]) -> Iterator[Json]:
     """Yield the keys of a section that are not there yet, those that must be there first."""
-    there = {
-        given[1]
-        for at in range(len(document.starts))
-        if at != number and section_at(document, at) == section and (given := _GIVEN.match(document.line(at)))
-    }
     for key, question in asked.keys_of(section).items():
         path = (*section, key)
         if key in there or (not section and question.sort in _SECTIONS):

@@ -11,8 +11,6 @@ from ropsim.lsp.workshop import CELL_FILE, Surroundings
 from ropsim.tomltext import Path, Positions, Question, positions
 from ropsim.workbench import robots_read
 
-_HEADER = re.compile(r"\s*(\[\[?)\s*([^\[\]#\"']+?)\s*\]\]?\s*(?:#.*)?$")
-
 
 @frozen_dataclass
 class Asked:
@@ -62,28 +60,6 @@ def path_at(document: Document, position: Position, places: Positions) -> Path |
         if span.line == line and span.column <= column <= span.end_column
     ]
     return max(found, key=len, default=None)
-
-
-def section_at(document: Document, number: int) -> Path:
-    """Return the path of the section in which a line (from 0) stands; of its own where it is a header."""
-    counts: dict[Path, int] = {}
-    section: Path = ()
-    for at in range(number + 1):
-        match = _HEADER.match(document.line(at))
-        if match is None:
-            continue
-        path: Path = ()
-        names = [one.strip() for one in match[2].split(".")]
-        for name in names[:-1]:
-            path = (*path, name)
-            if path in counts:
-                path = (*path, counts[path] - 1)
-        path = (*path, names[-1])
-        if match[1] == "[[":
-            counts[path] = counts.get(path, 0) + 1
-            path = (*path, counts[path] - 1)
-        section = path
-    return section
 
 
 def name_span(document: Document, span: Span, name: str) -> Span | None:

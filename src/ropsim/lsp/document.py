@@ -3,7 +3,7 @@
 import re
 import sys
 from bisect import bisect_right
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import field, replace
 from itertools import accumulate
 from pathlib import Path
@@ -82,6 +82,10 @@ class Document:
         if not 0 <= number < len(self.starts):
             return ""
         return self.text[self.starts[number] : self.end(number)]
+
+    def lines(self) -> Iterator[str]:
+        """Yield all lines."""
+        return map(self.line, range(len(self.starts)))
 
     def end(self, number: int) -> int:
         """Return the offset after the last character of line `number` (from 0), without its line end."""

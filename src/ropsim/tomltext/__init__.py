@@ -42,6 +42,8 @@ from ropsim.tomltext.shapes import read_colour as read_colour
 from ropsim.tomltext.shapes import read_look as read_look
 from ropsim.tomltext.shapes import read_material as read_material
 from ropsim.tomltext.shapes import read_shapes as read_shapes
+from ropsim.tomltext.unfinished import Unfinished as Unfinished
+from ropsim.tomltext.unfinished import unfinished_at as unfinished_at
 from ropsim.tomltext.units import read_units as read_units
 from ropsim.tomltext.words import cut as cut
 from ropsim.tomltext.words import float_of as float_of

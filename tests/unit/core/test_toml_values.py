@@ -4,7 +4,7 @@ import pytest
 
 from ropsim.cellfile.cell import read_cell
 from ropsim.core import SourceText, toml_values
-from ropsim.core.toml_values import MOST_PARTS
+from ropsim.core.toml_values import MOST_KEY_PARTS
 
 
 @pytest.mark.parametrize(
@@ -23,8 +23,8 @@ def test_a_key_of_too_many_parts_is_refused_with_its_place(key: str, form: str) 
 
 
 def test_the_longest_allowed_key_is_read() -> None:
-    value: object = toml_values("a" + ".b" * (MOST_PARTS - 1) + " = 1")
-    for _ in range(MOST_PARTS):
+    value: object = toml_values("a" + ".b" * (MOST_KEY_PARTS - 1) + " = 1")
+    for _ in range(MOST_KEY_PARTS):
         assert isinstance(value, dict)
         (value,) = value.values()
     assert value == 1

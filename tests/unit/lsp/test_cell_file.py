@@ -5,6 +5,7 @@ from typing import Any
 
 import pytest
 
+from ropsim.lsp.document import Document
 from ropsim.workbench import new_project
 from support.editors import Editor, applied, place, uri_of
 
@@ -93,6 +94,55 @@ def test_keys_of_an_inline_table_are_offered_in_it(folder: Path) -> None:
     found = labels(folder, text)
     assert {"capture", "fingers"} <= set(found)
     assert "com" not in found
+
+
+def test_keys_are_offered_behind_lists_over_several_lines_and_texts_with_brackets(folder: Path) -> None:
+    text = text_of(folder)
+    for behind in (
+        "shapes = [{ prism = { outline = [\n  [0, 0], [10, 0],\n  [10, 20]\n], length = 5 } }]\n|\n",
+        'name = """\n[locations.a]\n"""\n|\n',
+    ):
+        found = labels(folder, f"{text}\n[[objects]]\n{behind}")
+        assert {"colour", "parent", "size"} <= set(found), behind
+
+
+def test_keys_of_a_location_with_a_name_in_quotes_are_those_of_a_location(folder: Path) -> None:
+    found = labels(folder, f'{text_of(folder)}\n[locations."over there"]\nposition = [1, 2, 3]\n|')
+    assert {"down", "frame", "rpy"} <= set(found)
+    assert "colour" not in found
+
+
+@pytest.mark.parametrize("begun", ["shapes = [\n  { |", "shapes = [{ |", "shapes = [\n  { |\n]\n"])
+def test_keys_of_a_form_are_offered_in_a_list_of_forms(folder: Path, begun: str) -> None:
+    text = text_of(folder).replace("[tools.jaws]\n", f"[tools.jaws]\n{begun}\n")
+    assert {"box", "cylinder", "position", "colour"} <= set(labels(folder, text))
+
+
+def test_keys_that_an_inline_table_has_are_not_offered_in_it_again(folder: Path) -> None:
+    text = text_of(folder).replace("close_time = 0.2, capture = 5 }", "|, capture = 5 }")
+    found = labels(folder, text)
+    assert "close_time" in found
+    assert not {"open_time", "capture"} & set(found)
+
+
+def test_completion_looks_at_each_line_of_a_long_file_a_few_times(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    more = "".join(f"\n[locations.p{n}]\nposition = [400, {n % 9}, 600]\n" for n in range(200))
+    editor, uri, text = Editor(), uri_of(folder / "cell.toml"), text_of(folder) + more
+    editor.open(uri, text)
+    count, looked_at = text.count("\n"), 0
+    line = Document.line
+
+    def counted(document: Document, number: int) -> str:
+        nonlocal looked_at
+        looked_at += 1
+        return line(document, number)
+
+    monkeypatch.setattr(Document, "line", counted)
+    answer = editor.ask("textDocument/completion", textDocument={"uri": uri}, position=place(count, 0))
+    assert "rpy" in {one["label"] for one in answer["items"]}
+    assert looked_at < 3 * count
 
 
 def test_sections_are_offered_by_their_brackets(folder: Path) -> None:
