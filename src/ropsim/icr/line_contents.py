@@ -18,7 +18,7 @@ from ropsim.flow import (
 from ropsim.icr.identity import program_id
 from ropsim.icr.machine import Machine, MachineOptions
 from ropsim.icr.opcodes import OPCODES, OperandKind
-from ropsim.icr.program import Procedure, Program
+from ropsim.icr.program import Program
 from ropsim.icr.state import Finished
 from ropsim.icr.world import PassingWorld, StillWorld
 from ropsim.spatial import bits_without
@@ -228,15 +228,22 @@ def _acting_lines(program: Program) -> set[int]:
 
 def _libraries_that_act(program: Program) -> frozenset[str]:
     """Return the procedures without lines of the source that act, themselves or by what they call."""
-    bodies = {one.name: one for one in program.procedures if not any(one.lines)}
-
-    def acts(procedure: Procedure, seen: frozenset[str]) -> bool:
-        called = {str(one.operands[0]) for one in procedure.code if one.mnemonic == "CALL"} - seen
-        return any(_acts(one.mnemonic) for one in procedure.code) or any(
-            acts(bodies[name], seen | called) for name in called & bodies.keys()
-        )
-
-    return frozenset(name for name, one in bodies.items() if acts(one, frozenset({name})))
+    callers: dict[str, list[str]] = {}
+    waiting = []
+    for one in program.procedures:
+        if any(one.lines):
+            continue
+        for step in one.code:
+            if step.mnemonic == "CALL":
+                callers.setdefault(str(step.operands[0]), []).append(one.name)
+        if any(_acts(step.mnemonic) for step in one.code):
+            waiting.append(one.name)
+    found = set(waiting)
+    while waiting:
+        new = set(callers.get(waiting.pop(), ())) - found
+        found |= new
+        waiting.extend(new)
+    return frozenset(found)
 
 
 def _acts(mnemonic: str) -> bool:

@@ -1,7 +1,7 @@
 """The last recorded run of exactly the program of a document, told by the lines that it has now."""
 
 from collections.abc import Mapping
-from itertools import chain, takewhile
+from itertools import takewhile
 
 from ropsim.core import frozen_dataclass
 from ropsim.lsp.document import Document
@@ -53,7 +53,7 @@ def last_run(document: Document, documents: Mapping[str, Document], workshop: Wo
     around = workshop.surroundings(document, documents)
     stamps = recordings_in(around.folder) if around.folder is not None else ()
     code = workshop.code_id(document, documents) if stamps else ""
-    programs = chain.from_iterable(map(workshop.recorded, stamps))
+    programs = workshop.recorded.programs(stamps)
     found = next((one for one in programs if code and one.icr_id == code), None)
     if found is None:
         return _up_to_a_change(document, documents, workshop)

@@ -2,7 +2,6 @@
 
 from collections.abc import Iterator, Mapping
 from enum import StrEnum
-from itertools import chain
 from pathlib import Path
 
 from ropsim.core import frozen_dataclass
@@ -87,7 +86,7 @@ def recorded_of(
     """Yield what was recorded of the program of a document, whatever its text was, the newest run first."""
     around, path = workshop.surroundings(document, documents), document.path
     stamps = recordings_in(around.folder) if around.folder is not None else ()
-    programs = chain.from_iterable(map(workshop.recorded, stamps))
+    programs = workshop.recorded.programs(stamps)
     return (one for one in programs if path is not None and Path(one.source).name == path.name)
 
 

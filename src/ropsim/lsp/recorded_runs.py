@@ -1,6 +1,6 @@
 """What the recordings in the `out` folder of a project say of the times of tasks and lines."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import field
 from pathlib import Path
 
@@ -48,6 +48,29 @@ def recordings_in(folder: Path) -> tuple[Stamp, ...]:
     except OSError:
         return ()
     return tuple(stamp for _, stamp in sorted(found, reverse=True)[:MOST])
+
+
+class RecordedRuns:
+    """Reads recordings once, and keeps of each project those that were asked for last and no others.
+
+    Attributes:
+        kept: the programs of recordings, by the folder that they are in.
+    """
+
+    def __init__(self) -> None:
+        self.kept: dict[Path, dict[Stamp, tuple[RecordedProgram, ...]]] = {}
+
+    def programs(self, stamps: Sequence[Stamp]) -> Iterator[RecordedProgram]:
+        """Yield the programs of recordings of one project; one is read when it is come to."""
+        if not stamps:
+            return
+        folder = stamps[0][0].parent
+        known = self.kept.get(folder, {})
+        kept = self.kept[folder] = {stamp: known[stamp] for stamp in stamps if stamp in known}
+        for stamp in stamps:
+            if stamp not in kept:
+                kept[stamp] = programs_in(stamp[0])
+            yield from kept[stamp]
 
 
 def programs_in(place: Path) -> tuple[RecordedProgram, ...]:

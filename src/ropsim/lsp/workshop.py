@@ -11,7 +11,7 @@ from ropsim.cellfile import robot_files
 from ropsim.core import Diagnostic, SourceText, frozen_dataclass
 from ropsim.lsp.attention import Attention
 from ropsim.lsp.document import Document
-from ropsim.lsp.recorded_runs import RecordedProgram, Stamp, programs_in
+from ropsim.lsp.recorded_runs import RecordedRuns
 from ropsim.model import Cell, Station
 from ropsim.userfiles import UNREADABLE, KeptAnswers, read_text_file
 from ropsim.workbench import (
@@ -98,6 +98,7 @@ class Workshop:
 
     Attributes:
         workspace: keeps what is made of texts.
+        recorded: what recordings say.
         attention: ends long work for a text where a newer one waits.
         told_tokens: name and numbers of the last answer about the words of each document.
     """
@@ -106,7 +107,7 @@ class Workshop:
         self.workspace = Workspace(kept)
         self._surroundings: dict[tuple[Path, str], Surroundings] = {}
         self._called: dict[str, CheckedText] = {}
-        self._recorded: dict[Path, tuple[list[int], tuple[RecordedProgram, ...]]] = {}
+        self.recorded = RecordedRuns()
         self.attention = Attention()
         self._moves: dict[str, tuple[Document, tuple[object, object], Mapping[int, LineMoves]]] = {}
         self._contents: dict[str, tuple[Document, tuple[object, object], Mapping[int, str]]] = {}
@@ -246,14 +247,6 @@ class Workshop:
         """Return the lines of the last text without errors that had a result and say the same now."""
         good, _, contents = self._contents.get(document.uri, (document, (None, None), {}))
         return tuple(line for line in contents if good.line(line - 1) == document.line(line - 1))
-
-    def recorded(self, stamp: Stamp) -> tuple[RecordedProgram, ...]:
-        """Return the programs of a recording, which is read anew where its file has changed."""
-        place, *state = stamp
-        known = self._recorded.get(place)
-        if known is None or known[0] != state:
-            known = self._recorded[place] = (state, programs_in(place))
-        return known[1]
 
     def forget(self, uri: str) -> None:
         """Forget what was made of a document."""

@@ -1,10 +1,12 @@
 """What the results of lines hang on: keys change where something before or in the stretch of a line does."""
 
 import sys
+from dataclasses import replace
 
 import pytest
 
 from ropsim.icr import line_contents, line_contents_of_all
+from ropsim.icr.world import StillWorld
 from ropsim.language import compile
 
 TEXT = """program main
@@ -131,3 +133,22 @@ def test_another_version_has_other_results(monkeypatch: pytest.MonkeyPatch) -> N
     before = keys(TEXT)
     monkeypatch.setattr(sys.modules["ropsim.icr.line_contents"], "__version__", "0.0.0")
     assert not set(before.values()) & set(keys(TEXT).values())
+
+
+@pytest.mark.parametrize(("last", "acting"), [("wait 0.5", ["a39 1", "b0 2"]), ("print n", [])])
+def test_of_tasks_without_lines_those_act_whose_calls_end_in_an_act(last: str, acting: list[str]) -> None:
+    """Each task calls two of the level below, so there are more ways to the last one than can be walked."""
+    lines = ["program main", "units mm, s"]
+    for name in "ab":
+        lines += [f"task {name}0(n: num)", f"  {last}", "endp"]
+    for level in range(1, 40):
+        for name in "ab":
+            lines += [f"task {name}{level}(n: num)", f"  a{level - 1} n", f"  b{level - 1} n", "endp"]
+    text = "\n".join((*lines, "a39 1", "b0 2", ""))
+    code = compile(text).icr
+    assert code is not None
+    without = tuple(
+        one if one.name == "main" else replace(one, lines=(0,) * len(one.lines)) for one in code.procedures
+    )
+    found = line_contents(replace(code, procedures=without), world=StillWorld())
+    assert sorted(text.split("\n")[line - 1] for line in found) == acting

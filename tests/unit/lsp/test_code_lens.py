@@ -1,5 +1,6 @@
 """Times of tasks from recorded runs."""
 
+import os
 from pathlib import Path
 from typing import Any
 
@@ -8,6 +9,7 @@ import pytest
 
 from ropsim import icr, language
 from ropsim.flow import Recording, RunFacts, StationFacts, TaskEvent
+from ropsim.lsp.recorded_runs import MOST
 from ropsim.lsp.workshop import Workshop
 from ropsim.records import write_recording
 from ropsim.workbench import environment_of, new_project, open_project
@@ -80,3 +82,17 @@ def test_a_recording_that_is_written_again_is_read_again(folder: Path) -> None:
 def test_a_file_that_is_no_recording_tells_nothing(folder: Path) -> None:
     (folder / "out" / "run.npz").write_bytes(b"PK no")
     assert lenses(folder) == []
+
+
+def test_of_recordings_that_are_gone_or_too_old_nothing_is_kept(folder: Path) -> None:
+    editor = Editor()
+    for number in range(2 * MOST):
+        place = record(folder, f"run_{number}.npz", TEXT.replace("60", f"{number + 61}"), 1.25)
+        os.utime(place, ns=(number * 10**9, number * 10**9))
+        assert lenses(folder, TEXT, editor) == []
+    assert sum(map(len, editor.workshop.recorded.kept.values())) == MOST
+    for place in (folder / "out").glob("*.npz"):
+        place.unlink()
+    place = record(folder, "run.npz", TEXT, 1.25)
+    assert lenses(folder, TEXT, editor) == [(3, "1.25 s in the last recorded run")]
+    assert [stamp[0] for known in editor.workshop.recorded.kept.values() for stamp in known] == [place]
