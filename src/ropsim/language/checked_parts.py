@@ -5,7 +5,7 @@ from itertools import chain
 from typing import TypeVar
 
 from ropsim.core import Diagnostic, Span, frozen_dataclass
-from ropsim.language.check.body import Made
+from ropsim.language.check.body import Made, Unfit
 from ropsim.language.check.one_part import CheckedPart
 from ropsim.program import Block, Local, SignalUse
 
@@ -21,6 +21,7 @@ class CheckedParts:
         locals: variables that they make, by name.
         found: findings, in the order in which they were made.
         made: variables that an assignment made first, and where.
+        unfit: values among what was found that do not fit first values in parts above.
         read: names of the variables that are read.
         signals: that they name, by name.
         calls: tasks that they call, and where.
@@ -32,6 +33,7 @@ class CheckedParts:
     locals: Mapping[str, Local]
     found: tuple[Diagnostic, ...]
     made: Mapping[str, Made]
+    unfit: tuple[Unfit, ...]
     read: frozenset[str]
     signals: Mapping[str, SignalUse]
     calls: tuple[tuple[str, Span], ...]
@@ -46,6 +48,7 @@ def joined(parts: Sequence[CheckedPart], impossible: Iterable[tuple[Diagnostic, 
         first_of({local.name: local for local in one.locals} for one in parts),
         tuple(chain.from_iterable(one.found for one in parts)),
         first_of(one.made for one in parts),
+        tuple(chain.from_iterable(one.unfit for one in parts)),
         frozenset().union(*(one.read for one in parts)),
         {signal.name: signal for one in parts for signal in one.signals},
         tuple(chain.from_iterable(one.calls for one in parts)),

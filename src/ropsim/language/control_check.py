@@ -9,6 +9,7 @@ from itertools import chain
 
 from ropsim.core import Diagnostic, frozen_dataclass
 from ropsim.language import questions
+from ropsim.language.check.first_values import with_first_values
 from ropsim.language.check.near_names import near_names, seen_variables, unread_variables
 from ropsim.language.check.one_part import CheckedPart, Left
 from ropsim.language.check.outcome import Outcome
@@ -210,6 +211,9 @@ def _types_by_name(types: Mapping[str, Type]) -> _TypesOf:
 def _outcome(db: Database, stages: Sequence[_Stage], check: _Check, told: Together) -> Outcome:
     parts = [one.found for one in stages]
     found = [*chain.from_iterable(one.found for one in parts)]
+    unfit = [*chain.from_iterable(one.unfit for one in parts)]
+    if unfit:
+        found = [*with_first_values(found, unfit, first_of(one.made for one in parts))]
 
     def visible() -> Iterator[str]:
         declared = db.ask(questions.names_in, "symbols")

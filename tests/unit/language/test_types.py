@@ -5,6 +5,7 @@ from dataclasses import replace
 
 import pytest
 
+from ropsim.language import LineCache, compile
 from ropsim.program import Assign, Constant, Repeat, ValueType, Wait
 from support.tasks import CELL, codes, compiled, only
 
@@ -154,6 +155,12 @@ MODERN = "program p\nunits mm, deg, s\n"
         ("m = 7\nm = m / 2\nprint m", "m = 7.0\nm = m / 2\nprint m"),
         ("m = 7\nm = m * 0.5\nprint m", "m = 7.0\nm = m * 0.5\nprint m"),
         ("m = 7\nm = 2.5\nprint m", "m = 7.0\nm = 2.5\nprint m"),
+        ("m = -7\nm = m / 2\nprint m", "m = -7.0\nm = m / 2\nprint m"),
+        ("if part_ok then m = 7\nm = m / 2\nprint m", "if part_ok then m = 7.0\nm = m / 2\nprint m"),
+        (
+            "m = -3\nrepeat 2\n  m = m / 2\nendr\nprint m",
+            "m = -3.0\nrepeat 2\n  m = m / 2\nendr\nprint m",
+        ),
         (
             "if part_ok\n  m = 7\n  m = m / 2\n  print m\nendif",
             "if part_ok\n  m = 7.0\n  m = m / 2\n  print m\nendif",
@@ -177,7 +184,7 @@ def test_a_variable_has_the_type_of_its_first_value(lines: str, fixed: str) -> N
 @pytest.mark.parametrize(
     ("lines", "hint"),
     [
-        ("m = 0\nrepeat 3\n  m = m + 0.5\nendr\nprint m", "give that a fraction"),
+        ("for i = 1 to 3\n  i = i / 2\n  print i\nendf", "a variable of its own"),
         ("m = 3\nm = 5 mm\nprint m", "write a unit there"),
         ("var m: int = 3\nm = 2.5\nprint m", "use `round( )`"),
         ("task T(m: int)\n  m = 2.5\n  print m\nendp\nT 3", "use `round( )`"),
@@ -187,6 +194,43 @@ def test_what_a_variable_cannot_keep_is_told(lines: str, hint: str) -> None:
     (found,) = compiled(MODERN + lines).diagnostics
     assert (found.code, found.fix) == ("T304", None)
     assert hint in found.hint
+
+
+@pytest.mark.parametrize(
+    ("first", "later", "hint"),
+    [
+        ("2 * 3", "m / 2", "multiply it by `1.0`"),
+        ("7 mod 2", "2.5", "multiply it by `1.0`"),
+        ("round(7.2)", "m / 2", "multiply it by `1.0`"),
+        ("Count()", "m / 2", "use `round( )` here"),
+        ("2 * 3", "5 mm", "let it begin with a length"),
+    ],
+)
+@pytest.mark.parametrize("far", ["", "repeat 2\n  print 1\nendr\n"])
+def test_a_first_value_that_is_worked_out_is_marked(first: str, later: str, hint: str, far: str) -> None:
+    """In the same part of the text and in one above."""
+    task = "task Count() -> int\n  return 3\nendp\n"
+    text = f"{MODERN}{task}m = {first}\n{far}m = {later}\nprint m\n"
+    (found,) = compiled(text).diagnostics
+    assert (found.code, found.fix) == ("T304", None)
+    assert hint in found.hint
+    (label,) = found.secondary
+    assert text.split("\n")[label.span.line - 1][label.span.column - 1 :] == first
+    if "1.0" in hint:
+        assert compiled(text.replace(f"m = {first}", f"m = {first} * 1.0")).icr is not None
+
+
+def test_of_a_counter_with_a_variable_of_its_own_no_other_of_its_name_is_marked() -> None:
+    lines = "for i = 1 to 3\n  i = i / 2\nendf\ni = 2\nprint i"
+    (found,) = compiled(MODERN + lines).diagnostics
+    assert (found.code, found.secondary, found.fix) == ("T304", (), None)
+
+
+def test_an_edit_of_the_first_value_is_seen_by_the_finding_far_below() -> None:
+    cache, far = LineCache(), "".join(f"lin (500, {n}, 300)\n" for n in range(200))
+    for first in ("2 * 3", "-7", "2 * 4", "7.0"):
+        text = f"{MODERN}n = 1\nm = {first}\n{far}m = m / 2\nprint m + n\n"
+        assert compile(text, cache=cache).diagnostics == compile(text).diagnostics
 
 
 def test_in_a_classic_text_lines_behind_tell_the_type() -> None:

@@ -37,7 +37,7 @@ def assign(body: Body, node: syntax.Assign) -> Block:
     facing.check_target(body, node.value)
     variable = target(body, node.name, _type_of(body, value))
     if known(variable.type) == INT:
-        first_values.look(body, node, value)
+        first_values.look(body, node, variable, value)
     expression = convert.to(body, value, variable.type, node.value, f"the value of `{node.name.text}`")
     return (_assign(variable.name, poses.kept(value, expression), body.statement_span),)
 
@@ -101,8 +101,9 @@ def target(body: Body, name: nodes.Name, kind: AnyType) -> Variable:
         if body.world.is_strict and symbol is None:
             hint = f"write `var {name.text}: type` outside the tasks, or make it a parameter"
             body.fail(kinds.UNDECLARED, name, f"`{name.text}` is not declared", hint)
-        body.made.setdefault(name.text, _made(body.report.source, body.line, name))
-        return body.declare(name.text, kind)
+        variable = body.declare(name.text, kind)
+        body.made.setdefault(name.text, _made(body.report.source, body.line, name, variable.name))
+        return variable
     body.fail(
         name_kinds.NOT_ASSIGNABLE,
         name,

@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from typing import Any, NoReturn
 
-from ropsim.core import Kind, Span, did_you_mean, frozen_dataclass, maker
+from ropsim.core import Diagnostic, Kind, Span, did_you_mean, frozen_dataclass, maker
 from ropsim.language.check.fold import IDENTITY
 from ropsim.language.check.sight import NOTHING_BEFORE, Sight
 from ropsim.language.check.types import AnyType, Type, Unknown, Value, known
@@ -38,11 +38,27 @@ class Loop:
 
 @frozen_dataclass
 class Made:
-    """Where an assignment has made a variable: unit, line, and place of the name."""
+    """Where an assignment has made a variable: unit, line, place of the name, and that in the program."""
 
     unit: str
     line: Line
     place: Name
+    variable: str
+
+
+@frozen_dataclass
+class Unfit:
+    """A value that a variable cannot keep whose first value stands in a part above.
+
+    Attributes:
+        finding: that tells it, without the first value.
+        variable: its name in the structured program.
+        kind: of the value.
+    """
+
+    finding: Diagnostic
+    variable: str
+    kind: Type
 
 
 Expressions = Mapping[type, Callable[["Body", Any], Value]]
@@ -74,6 +90,7 @@ class Body:
         sight: what this part of a body sees of what stands before it.
         looked_around: whether all names were asked for and `sight` did not tell them.
         made: variables that an assignment made, and where.
+        unfit: values that do not fit first values in parts above.
         read: names of the variables that are read.
         used_signals: signals that are named.
         joint_count: how many coordinates `joints(…)` has, 0 as long as there is none.
@@ -110,6 +127,7 @@ class Body:
         self.is_tolerant = False
         self.has_gaps = False
         self.made: dict[str, Made] = {}
+        self.unfit: list[Unfit] = []
         self.read: set[str] = set()
         self.used_signals: dict[str, SignalUse] = {}
         self.joint_count = sight.joint_count or world.joint_count

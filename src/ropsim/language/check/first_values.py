@@ -1,20 +1,25 @@
 """Variables that have their types from their first values: whole numbers, and values that are none later."""
 
-from ropsim.core import Label, TextEdit
-from ropsim.language.check import fold, units
-from ropsim.language.check.body import Body, Made, RejectedError
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import replace
+
+from ropsim.core import Diagnostic, Label, TextEdit
+from ropsim.language.check import fold, functions, units
+from ropsim.language.check.body import Body, Made, RejectedError, Unfit
 from ropsim.language.check.types import NUMBER, Type, Value, article, known
+from ropsim.language.check.world import Variable
 from ropsim.language.findings import types as kinds
 from ropsim.language.syntax import nodes
 from ropsim.language.syntax import statements as syntax
 
 
-def look(body: Body, node: syntax.Assign, value: Value) -> None:
+def look(body: Body, node: syntax.Assign, variable: Variable, value: Value) -> None:
     """Report a value that is no whole number, for a variable whose first value is one.
 
     Args:
         body: being checked.
         node: a later assignment.
+        variable: that it assigns.
         value: that is assigned.
 
     Raises:
@@ -23,35 +28,67 @@ def look(body: Body, node: syntax.Assign, value: Value) -> None:
     kind, name = known(value.type), node.name.text
     if not isinstance(kind, Type) or not _has_fraction(kind, value):
         return
-    is_plain = kind.dimension == units.NUMBER
+    made, before = body.made.get(name), body.sight.names.get(name)
+    is_made_here = made is not None and made.variable == variable.name
+    if not is_made_here and (body.task or name in body.world.symbols):
+        return  # a parameter, a counter, or a variable that is declared
     message = f"`{name}` keeps whole numbers, as its first value is one; found {_shown(kind, value)}"
-    made = body.made.get(name)
-    if made is None and not body.task and name not in body.world.symbols:  # it stands in a part far above
-        hint = "give that a fraction, as in `7.0`, or use `round( )` here" if is_plain else "give that a unit"
-        body.fail(kinds.NOT_WHOLE, node.value, message, hint)
-    first = _first_number(made)
-    if made is None or first is None:
-        return
-    line = made.line.logical
-    place = line.span(body.report.source, first.start, first.end)
-    written = line.text[first.start : first.end]
-    found = kinds.NOT_WHOLE.at(
-        body.line.logical.span(body.report.source, node.value.start, node.value.end),
-        message,
-        secondary=(Label(place, "its first value"),),
-        hint=f"write `{written}.0` there, or use `round( )` here" if is_plain else "write a unit there",
-        fix=TextEdit(place, f"{written}.0") if is_plain else None,
-    )
+    is_plain = kind.dimension == units.NUMBER
+    hint = "use `round( )` here, or a variable of its own" if is_plain else "use a variable of its own"
+    found = kinds.NOT_WHOLE.at(body.span(node.value), message, hint=hint)
+    if made is not None and is_made_here:
+        found = _with_first(found, made, kind)
+    elif before is not None and before.symbol is variable:
+        body.unfit.append(Unfit(found, variable.name, kind))
     body.report.add(found)
     raise RejectedError
 
 
-def _first_number(made: Made | None) -> nodes.Number | None:
-    """Return the whole number without unit that was assigned first, None for anything else."""
-    match made.line.statement if made else None:
-        case syntax.Assign(value=nodes.Number(is_whole=True, unit="") as number, member=None):
-            return number
-    return None
+def with_first_values(
+    found: Iterable[Diagnostic], unfit: Iterable[Unfit], made: Mapping[str, Made]
+) -> Iterator[Diagnostic]:
+    """Yield findings, those of unfit values with the first values of their variables."""
+    by_finding = {one.finding: one for one in unfit}
+    by_variable = {one.variable: one for one in made.values()}
+    for finding in found:
+        one = by_finding.get(finding)
+        first = by_variable.get(one.variable) if one is not None else None
+        yield _with_first(finding, first, one.kind) if one is not None and first is not None else finding
+
+
+def _with_first(finding: Diagnostic, made: Made, kind: Type) -> Diagnostic:
+    """Return a finding with the first value of the variable, and what that would have to be."""
+    value = _first_value(made)
+    place = made.place if value is None else value
+    line = made.line.logical
+    span = line.span(made.unit, place.start, place.end)
+    is_plain, written = kind.dimension == units.NUMBER, line.text[place.start : place.end]
+    fix = None
+    if value is not None and _is_numeral(value):
+        fix = TextEdit(span, f"{written}.0") if is_plain else None
+        hint = f"write `{written}.0` there, or use `round( )` here" if is_plain else "write a unit there"
+    elif is_plain and isinstance(value, nodes.Function) and value.name.text.lower() not in functions.NAMES:
+        hint = "use `round( )` here, or a variable of its own"  # a call of a task is no part of an expression
+    elif is_plain:
+        hint = "multiply it by `1.0` there, or use `round( )` here"
+    else:
+        hint = f"let it begin with {article(kind)}, or use a variable of its own here"
+    return replace(finding, secondary=(Label(span, "its first value"),), hint=hint, fix=fix)
+
+
+def _first_value(made: Made) -> nodes.Node | None:
+    """Return the value that an assignment gave first, None where something else did."""
+    statement = made.line.statement
+    while isinstance(statement, syntax.If | syntax.WaitCondition):
+        statement = statement.body if isinstance(statement, syntax.If) else statement.otherwise
+    return statement.value if isinstance(statement, syntax.Assign) else None
+
+
+def _is_numeral(value: nodes.Node) -> bool:
+    """Return whether a value is a whole number without unit, with or without a sign."""
+    while isinstance(value, nodes.Unary) and value.op == "neg":
+        value = value.operand
+    return isinstance(value, nodes.Number) and value.is_whole and not value.unit
 
 
 def _has_fraction(kind: Type, value: Value) -> bool:

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from ropsim.core import Diagnostic, Span, frozen_dataclass, maker
 from ropsim.language.check import structures
-from ropsim.language.check.body import Body, Made, settled
+from ropsim.language.check.body import Body, Made, Unfit, settled
 from ropsim.language.check.expressions import EXPRESSIONS
 from ropsim.language.check.reached import goes_on, late
 from ropsim.language.check.sight import Seen, Sight
@@ -84,6 +84,7 @@ class CheckedPart:
         locals: variables that it makes.
         found: findings, in the order in which they were made.
         made: variables that an assignment made, and where.
+        unfit: values among what was found that do not fit first values in parts above.
         read: names of the variables that are read.
         signals: that it names.
         calls: tasks that it calls, and where.
@@ -97,6 +98,7 @@ class CheckedPart:
     locals: tuple[Local, ...]
     found: tuple[Diagnostic, ...]
     made: Mapping[str, Made]
+    unfit: tuple[Unfit, ...]
     read: frozenset[str]
     signals: tuple[SignalUse, ...]
     calls: tuple[tuple[str, Span], ...]
@@ -185,6 +187,7 @@ def _checked(body: Body, part: Part) -> CheckedPart:
         body.locals(()),
         tuple(report.log),
         body.made,
+        tuple(body.unfit),
         frozenset(body.read),
         tuple(body.used_signals.values()),
         tuple((one.task, one.span) for one in walk(block) if isinstance(one, Call)),
