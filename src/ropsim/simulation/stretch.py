@@ -19,7 +19,9 @@ from ropsim.icr import Finished
 from ropsim.simulation.steps import Step, Steps
 
 MOST_AHEAD = 50
-"""Moves that are looked at behind a stretch at most: a program may go on without an end."""
+"""Paths of the tool that are looked at behind a stretch at most: a program may go on without an end."""
+_MOST_STEPS = 1000
+"""Steps that are looked at for them: it may also tell the operator something without an end."""
 
 _NEEDED_FOR = {
     "HALT": "the program ends",
@@ -93,7 +95,9 @@ def _ahead(moves: Sequence[MoveInstruction], steps: Steps) -> tuple[MoveInstruct
     last = moves[-1]
     if last.guard or last.tracking or not any(one.kind == MotionKind.PTP for one in moves):
         return ()
-    for number in range(MOST_AHEAD):
+    for number in range(_MOST_STEPS):
+        if len(found) == MOST_AHEAD:
+            break
         match steps.ahead(number):
             case MoveInstruction(kind=kind, tracking=None) as move if kind != MotionKind.PTP:
                 found.append(move)

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 from dataclasses import replace
+from itertools import cycle
 
 import pytest
 
@@ -93,6 +94,12 @@ def test_paths_of_the_tool_behind_the_stop_are_known_ahead(
 
 def test_a_program_without_an_end_is_looked_at_so_far() -> None:
     assert len(gather(ptp(None), Steps(lambda: LINE)).ahead) == MOST_AHEAD
+    assert gather(ptp(None), Steps(lambda: HELLO)).ahead == ()
+
+
+def test_what_is_told_between_paths_leaves_as_many_of_them_known_ahead() -> None:
+    told_between = cycle((HELLO, HELLO, LINE))
+    assert len(gather(ptp(None), Steps(lambda: next(told_between))).ahead) == MOST_AHEAD
 
 
 def test_moves_with_a_zone_go_on_up_to_the_first_without() -> None:
