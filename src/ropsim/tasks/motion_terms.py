@@ -26,9 +26,11 @@ def motion_term(line: statements.Motion, names: Mapping[str, str]) -> Term:
             begin: tuple[Term, ...] = (*via, target)
         case "spline":
             begin = (via, target)
-        case _:
+        case "mov" | "lin":
             begin = (target,)
             modifiers = (*((Struct("via", (via,)),) if via else ()), *modifiers)
+        case _:
+            raise NoTermError(f"a motion with `{word}`")
     return Struct(word, (*begin, modifiers) if modifiers else begin)
 
 

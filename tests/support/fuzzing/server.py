@@ -47,7 +47,7 @@ _FURTHER: list[dict[str, object]] = [
     {"jsonrpc": "2.0", "id": 40, "method": "workspace/symbol", "params": {"query": "a"}},
     {"jsonrpc": "2.0", "method": "$/cancelRequest", "params": {"id": 40}},
 ]
-_SESSION: list[dict[str, object]] = [
+SESSION: list[dict[str, object]] = [
     {"jsonrpc": "2.0", "id": 1, "method": "initialize", "params": {"capabilities": {}}},
     {"jsonrpc": "2.0", "method": "initialized", "params": {}},
     {"jsonrpc": "2.0", "method": "textDocument/didOpen", "params": _OPEN},
@@ -67,7 +67,7 @@ _SESSION: list[dict[str, object]] = [
     {"jsonrpc": "2.0", "id": 7, "method": "shutdown"},
     {"jsonrpc": "2.0", "method": "exit"},
 ]
-_STREAM = b"".join(framed(json.dumps(message).encode()) for message in _SESSION)
+_STREAM = b"".join(framed(json.dumps(message).encode()) for message in SESSION)
 
 
 def _take(content: bytes) -> str:
@@ -92,7 +92,7 @@ def _take(content: bytes) -> str:
 def _made(random: Random) -> bytes:
     if random.random() < 0.15:
         return mutated(random, _STREAM, (*BYTES, *TEXT))
-    messages = list(_SESSION[:-2]) if random.random() < 0.9 else list(_SESSION)
+    messages = list(SESSION[:-2]) if random.random() < 0.9 else list(SESSION)
     sent: list[object] = list(messages)
     for _ in range(random.choice((1, 1, 2, 4))):
         place = random.randrange(2, len(sent))

@@ -223,6 +223,11 @@ def test_a_path_of_a_kind_without_an_instruction_is_unsound() -> None:
         compiled(Move(helix, place(0.3), Settings(), at(1), (place(0.1),)))
 
 
+def test_a_curve_with_an_angle_is_unsound() -> None:
+    with pytest.raises(LoweringError, match="a curve goes on no circle"):
+        compiled(Move(MotionKind.SPLINE, place(0.3), Settings(), at(1), (place(0.1),), real(1.0)))
+
+
 def test_a_task_called_inside_with_inherits_the_settings_and_with_takes_them_back() -> None:
     block = With(Settings(ptp_speed=real(0.5)), (Call("a", (), at(2)),), at(1))
     moves = icr.run(compiled(block, Call("a", (), at(3)), tasks=(task("a", mov(0.1)),))).moves

@@ -98,7 +98,7 @@ def test_a_program_without_an_end_is_looked_at_so_far() -> None:
 
 
 def test_what_is_told_between_paths_leaves_as_many_of_them_known_ahead() -> None:
-    told_between = cycle((HELLO, HELLO, LINE))
+    told_between: Iterator[Step] = cycle((HELLO, HELLO, LINE))
     assert len(gather(ptp(None), Steps(lambda: next(told_between))).ahead) == MOST_AHEAD
 
 

@@ -17,6 +17,7 @@ from ropsim.spatial import Pose
 from ropsim.tasks import TaskCall, library, program_text, stored_clause, task_text, version_of, words
 from ropsim.tasks.body_terms import body_terms
 from ropsim.tasks.body_text import body_lines
+from ropsim.tasks.expression_terms import NoTermError
 from ropsim.tasks.expression_text import NotTextError
 from support.knowledge import CELL, base
 
@@ -163,6 +164,13 @@ task(bead(A, M, B), [params([A-location, M-location, B-location]), body([
     assert known.findings == ()
     made = library(known, CELL, ["bead"])
     assert (list(made.tasks), made.refused) == (["bead"], {})
+
+
+def test_a_motion_of_another_word_has_no_term() -> None:
+    (line,) = (one.statement for one in read(SourceText("", "lin a"), LineCache()))
+    assert isinstance(line, statements.Motion)
+    with pytest.raises(NoTermError, match="`helix`"):
+        body_terms(iter((replace(line, word="helix"),)), BACK)
 
 
 def test_statements_for_editors_are_those_that_are_read() -> None:

@@ -147,21 +147,29 @@ def _single(scope: Scope, move: Move, point: sir.Expression) -> None:
 
 
 def _curved(scope: Scope, move: Move) -> None:
-    """Emit an arc or a smooth curve.
-
-    Raises:
-        LoweringError: no instruction makes a path of this kind.
-    """
-    if move.kind not in (MotionKind.CIRC, MotionKind.SPLINE):
-        raise unsound(f"no instruction makes a path of kind `{move.kind}`", move.span)
-    if move.kind == MotionKind.CIRC and len(move.via) != 1:
-        raise unsound(f"an arc leads through one point, not {len(move.via)}", move.span)
+    """Emit a path that leads through its points: an arc, a smooth curve."""
+    mnemonic, *operands = _through_points(move)
     for point in (*move.via, move.target):
         _evaluate(scope, move, point)
     if move.angle is not None:
         evaluate(scope, move.angle, Type.REAL)
     _prefix(scope, _operands(scope, move.triggers, move.guard, move.tracking))
-    if move.kind == MotionKind.SPLINE:
-        scope.emitter.emit("MOVE.SPL", len(move.via) + 1)
-    else:
-        scope.emitter.emit("MOVE.CIRC" if move.angle is None else "MOVE.CIRC.A")
+    scope.emitter.emit(mnemonic, *operands)
+
+
+def _through_points(move: Move) -> tuple[str] | tuple[str, int]:
+    """Return the instruction of a path that leads through its points; a new kind has its case here.
+
+    Raises:
+        LoweringError: no instruction makes a path of this kind, or through so many points.
+    """
+    match move.kind:
+        case MotionKind.CIRC if len(move.via) != 1:
+            raise unsound(f"an arc leads through one point, not {len(move.via)}", move.span)
+        case MotionKind.CIRC:
+            return ("MOVE.CIRC" if move.angle is None else "MOVE.CIRC.A",)
+        case MotionKind.SPLINE if move.angle is not None:
+            raise unsound("a curve goes on no circle, so it has no angle", move.span)
+        case MotionKind.SPLINE:
+            return "MOVE.SPL", len(move.via) + 1
+    raise unsound(f"no instruction makes a path of kind `{move.kind}`", move.span)
