@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 
 from ropsim.core import Label, Span, frozen_dataclass
 from ropsim.language.findings import syntax as kinds
+from ropsim.language.reach import reach
 from ropsim.language.report import Report
 from ropsim.language.syntax.statements import (
     Broken,
@@ -115,6 +116,8 @@ def build(lines: Iterable[Line], report: Report, cut: tuple[str, ...] = ()) -> T
         if type(line.statement) not in STEERING:
             stack[-1].body.append(line)
             continue
+        if line.fault is not None and _is_one_line(line):
+            stack[-1].cut.append("if")  # an `endif` shows that the block was meant
         opener = opened(line)
         closes = closed(line)
         if opener == "task":
@@ -139,6 +142,7 @@ def _open(stack: list[_Open], word: str, line: Line, report: Report) -> None:
 
 
 def _close(stack: list[_Open], word: str, line: Line, report: Report) -> None:
+    _close_doubtful(stack, word, line, report)
     if word == ANY and len(stack) > 1:
         opener = stack[-1].opener
         _pop(stack, line)
@@ -160,6 +164,17 @@ def _close(stack: list[_Open], word: str, line: Line, report: Report) -> None:
     taken = [pair for pair in stack[-1].ended if word in (ANY, opened(pair[0]))]
     place = _span(report, line)
     report.add(kinds.UNOPENED.at(place, message, hint=hint, secondary=_ended_early(report, taken[-1:])))
+
+
+def _close_doubtful(stack: list[_Open], word: str, line: Line, report: Report) -> None:
+    """Close blocks of wrong openers that stand further right than an end of a block further out."""
+    ends = [depth for depth in range(1, len(stack)) if word in (ANY, stack[depth].word)]
+    while len(ends) > 1 and _is_doubtful(stack[ends[-1]]) and _indent(line) < _indent(stack[ends[-1]].opener):
+        _close_down_to(stack, ends.pop(), report)
+
+
+def _is_doubtful(frame: _Open) -> bool:
+    return frame.opener.fault is not None
 
 
 def _next_section(stack: list[_Open], line: Line, report: Report) -> None:
@@ -185,7 +200,7 @@ def _close_down_to(stack: list[_Open], depth: int, report: Report) -> None:
     cut: list[str] = []
     while len(stack) > depth:
         frame = stack[-1]
-        if not isinstance(frame.opener.statement, Broken):  # that line has its own finding
+        if not _is_doubtful(frame):  # that line has its own finding
             _unclosed(frame, report)
         cut.append(frame.word)
         _pop(stack, None)
@@ -225,9 +240,14 @@ def _indent(line: Line) -> int:
 
 
 def _pop(stack: list[_Open], closer: Line | None) -> None:
-    block = stack.pop().close(closer)
+    frame = stack.pop()
+    behind: list[Line | Block] = []
+    if closer is None and frame.word != "task":
+        firsts = [one if isinstance(one, Line) else one.opener for one in frame.body]
+        size = reach(frame.header, firsts)
+        frame.body, behind = frame.body[:size], frame.body[size:]
     if len(stack) <= MAX_DEPTH:  # what lies deeper was reported where it begins
-        stack[-1].body.append(block)
+        stack[-1].body += [frame.close(closer), *behind]
 
 
 def opened(line: Line) -> str:
@@ -240,6 +260,10 @@ def opened(line: Line) -> str:
         head = statement.head
         return "" if head == "if" and _ONE_LINE_IF.search(line.logical.text) else head
     return word
+
+
+def _is_one_line(line: Line) -> bool:
+    return isinstance(line.statement, If) and line.statement.body is not None
 
 
 def closed(line: Line) -> str:

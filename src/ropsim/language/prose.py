@@ -53,7 +53,7 @@ def absorb(
     read = list(lines)
     heads = [line.statement for line in read if isinstance(line.statement, TaskHeader)]
     runs_on = _runs_on(heads[-1], manner) if heads else manner.runs_on
-    is_doubtful = any(type(line.statement) in _DOUBTFUL for line in read)
+    is_doubtful = any(line.fault is not None or type(line.statement) in _DOUBTFUL for line in read)
     absorbed = tuple(_absorbed(read, task_names, report, manner) if is_doubtful else read)
     return absorbed, manner if manner.runs_on is runs_on else replace(manner, runs_on=runs_on)
 

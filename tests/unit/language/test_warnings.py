@@ -97,7 +97,6 @@ def test_a_bare_number_that_looks_like_another_unit_is_a_warning(text: str, hint
         ("wait 500", "wait 500 ms"),
         ("set speed 0.2", "set speed 0.2 m/s"),
         ("lin infeed speed 0.5 blend 3 mm", "lin infeed speed 0.5 m/s blend 3 mm"),
-        ("mov infeed speed 0.5", "mov infeed speed 50 %"),
         ("lin infeed speed 150 m/s", "lin infeed speed 150 mm/s"),
         ("lin infeed acc 0.9", "lin infeed acc 0.9 m/s2"),
         ("wait 250 + 250", ""),

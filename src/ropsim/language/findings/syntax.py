@@ -85,7 +85,8 @@ UNCLOSED = define(
 `end` closes the innermost block that is open. Where one is missing further in, the `end` that was meant
 for this block has closed an inner one; the finding shows it.
 
-The block is closed where the surrounding block ends, so that everything else is still checked.
+The block is taken to end where its lines stop being indented, before the first declaration, or else where the
+surrounding block ends, so that everything else is still checked.
 """,
 )
 UNOPENED = define(

@@ -8,6 +8,7 @@ from ropsim.language.cache import LineCache
 from ropsim.language.chunks import chunks
 from ropsim.language.form.told import told
 from ropsim.language.report import Report, TooManyFindingsError
+from ropsim.language.syntax.statements import If
 from ropsim.language.text import Line, read
 
 
@@ -50,7 +51,9 @@ def _with_physical(
 
 
 def _is_sound(lines: Iterable[Line]) -> bool:
-    report = Report("")
+    report, lines = Report(""), tuple(lines)
+    if any(line.fault is not None and isinstance(line.statement, If) for line in lines):
+        return False  # what is in which block was meant, not written
     try:
         tree = build((line for line in lines if line.statement is not None), report)
     except TooManyFindingsError:

@@ -28,9 +28,12 @@ class Cursor:
         token: the token that comes next; its kind is `end` after the last one.
         word: its lower-case word or sign, empty for numbers, texts and the end.
         index: its place.
+        mended: the first fault behind which the line was read on, as it was meant.
     """
 
-    __slots__ = ("arguments_at", "depth", "index", "length", "line", "operators", "token", "tokens", "word")
+    __slots__ = (
+        "arguments_at", "depth", "index", "length", "line", "mended", "operators", "token", "tokens", "word",
+    )  # fmt: skip
 
     def __init__(self, tokens: list[Token], line: str) -> None:
         self.tokens = [*tokens, _END]
@@ -42,6 +45,7 @@ class Cursor:
         self.index = 0
         self.token = self.tokens[0]
         self.word = self.token[1]
+        self.mended: Fault | None = None
 
     @property
     def at_end(self) -> bool:
@@ -193,7 +197,23 @@ class Cursor:
         self.fault(kinds.UNEXPECTED, token.start, token.end, f"expected {expected}, found `{shown}`", hint)
 
     def fault(
-        self, kind: Kind, start: int, end: int, message: str, hint: str = "", fix: str = ""
+        self, kind: Kind, start: int, end: int, message: str, hint: str = "", *, fix: str = ""
     ) -> NoReturn:
-        """Raise a fault of any kind."""
+        """Raise a fault of any kind; `fix` would replace the marked text."""
         raise LineFaultError(Fault(kind, start, end, message, hint, fix))
+
+    def mend(self, fault: Fault) -> None:
+        """Note a fault and read on: what was meant is known."""
+        if self.mended is None:
+            self.mended = fault
+
+    def unexpected(self, expected: str, hint: str, fix: str) -> Fault:
+        """Return the fault that `expected` was expected in place of the next token, which `fix` replaces."""
+        token = self.token
+        message = f"expected {expected}, found `{token.text}`"
+        return Fault(kinds.UNEXPECTED, token.start, token.end, message, hint, fix)
+
+    def new_line(self, *words: str) -> str:
+        """Return what begins a line below this one, indented by two blanks."""
+        line = self.line
+        return "".join(("\n", line[: len(line) - len(line.lstrip())], "  ", *words))

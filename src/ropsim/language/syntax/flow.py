@@ -1,6 +1,7 @@
 """Lines that steer the flow of a program, call tasks, assign and print."""
 
 from ropsim.core import did_you_mean
+from ropsim.language.syntax import headers
 from ropsim.language.syntax.cursor import Cursor
 from ropsim.language.syntax.expressions import expression, item, listed, total
 from ropsim.language.syntax.lexer import Token
@@ -40,6 +41,7 @@ def elseif(cursor: Cursor, head: Token) -> Statement:
     """Read `elseif condition [then]`."""
     condition = expression(cursor)
     cursor.accept("then")
+    headers.section_body(cursor, "endif")
     return ElseIf(condition, head.start, cursor.end)
 
 
@@ -47,19 +49,23 @@ def else_statement(cursor: Cursor, head: Token) -> Statement:
     """Read `else`."""
     if cursor.word == "if":
         cursor.fail("the end of the line", ELSE_IF)
+    headers.section_body(cursor, "endif")
     return Else(head.start, cursor.end)
 
 
 def while_statement(cursor: Cursor, head: Token) -> Statement:
     """Read `while condition [do]`."""
     condition = expression(cursor)
-    cursor.accept("do")
+    headers.loop_body(cursor, "endw")
     return While(condition, head.start, cursor.end)
 
 
 def repeat(cursor: Cursor, head: Token) -> Statement:
     """Read `repeat [count]`."""
-    count = None if cursor.at_end else expression(cursor)
+    count = None
+    if not cursor.at_end and not headers.begins_statement(cursor):
+        count = expression(cursor)
+    headers.repeated(cursor)
     return Repeat(count, head.start, cursor.end)
 
 
@@ -69,6 +75,7 @@ def for_statement(cursor: Cursor, head: Token) -> Statement:
         name = cursor.name("the name of a variable")
         cursor.expect("in")
         chosen = cursor.name("the name of a pattern")
+        headers.loop_body(cursor, "endf")
         return ForEach(name, chosen, head.start, cursor.end)
     if cursor.token.kind != "word":
         cursor.fail("`each` or the name of a variable", FOR)
@@ -82,7 +89,7 @@ def for_statement(cursor: Cursor, head: Token) -> Statement:
     cursor.expect("to")
     last = total(cursor)
     step = total(cursor) if cursor.accept("step") else None
-    cursor.accept("do")
+    headers.loop_body(cursor, "endf")
     return For(name, first, last, step, head.start, cursor.end)
 
 

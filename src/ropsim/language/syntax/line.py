@@ -38,7 +38,7 @@ def parse_line(line: str) -> tuple[Statement | None, Fault | None]:
     if special and special[1]:
         return _contract(line, special.start(1)), None
     try:
-        return _read(line, special.end() if special else 0), None
+        return _read(line, special.end() if special else 0)
     except LineFaultError as error:
         head = _HEAD.match(line)
         word, name = (head.group(1).lower(), head.group(2) or "") if head else ("", "")
@@ -48,17 +48,20 @@ def parse_line(line: str) -> tuple[Statement | None, Fault | None]:
         return Broken(word, name, start, len(line.rstrip())), error.fault
 
 
-def _read(line: str, start: int) -> Statement | None:
-    """Return the statement of a line that begins at an offset."""
+def _read(line: str, start: int) -> tuple[Statement | None, Fault | None]:
+    """Return the statement of a line that begins at an offset, and what was mended in it."""
     found = tokens(" " * start + line[start:] if start else line)
     if found and found[-1].word == ".":
         found.pop()
     if not found:
-        return None
+        return None, None
     cursor = Cursor(found, line)
-    result = statement(cursor)
-    cursor.finish()
-    return result
+    try:
+        result = statement(cursor)
+        cursor.finish()
+    except LineFaultError as error:
+        raise LineFaultError(cursor.mended or error.fault) from None
+    return result, cursor.mended
 
 
 def _contract(line: str, start: int) -> ContractClause:

@@ -3,6 +3,7 @@
 from ropsim.core import did_you_mean, maker
 from ropsim.language.syntax.cursor import Cursor
 from ropsim.language.syntax.expressions import expression, total
+from ropsim.language.syntax.headers import section_body
 from ropsim.language.syntax.lexer import Token
 from ropsim.language.syntax.nodes import Literal, Name
 from ropsim.language.syntax.other_languages import SET
@@ -38,6 +39,7 @@ def with_statement(cursor: Cursor, head: Token) -> Statement:
     settings = [setting(cursor)]
     while cursor.accept(","):
         settings.append(setting(cursor))
+    section_body(cursor, "endwith")
     return With(tuple(settings), head.start, cursor.end)
 
 

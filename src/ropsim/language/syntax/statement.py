@@ -5,7 +5,7 @@ from typing import NoReturn
 
 from ropsim.core import did_you_mean
 from ropsim.language.findings import syntax as kinds
-from ropsim.language.syntax import declarations, flow, motion, setting
+from ropsim.language.syntax import declarations, flow, headers, motion, setting
 from ropsim.language.syntax.cursor import Cursor
 from ropsim.language.syntax.expressions import expression, total
 from ropsim.language.syntax.lexer import Token
@@ -78,6 +78,12 @@ def statement(cursor: Cursor) -> Statement:
         return reader(cursor, token)
     if token.word == END and cursor.look(1).kind == "end":
         return flow.closer(cursor, cursor.advance())
+    if token.word == END and cursor.look(2).kind == "end":
+        cursor.advance()
+        closer = headers.ended(cursor, token)
+        if closer is not None:
+            return closer
+        cursor.go(-1)
     if token.word in NOT_YET:
         cursor.not_yet(token, token.word)
     if token.word in RESERVED:
@@ -96,7 +102,7 @@ def if_statement(cursor: Cursor, head: Token) -> Statement:
     """Read `if condition [then [statement]]`."""
     condition = expression(cursor)
     body = None
-    if cursor.accept("then") and not cursor.at_end:
+    if not cursor.at_end and headers.then(cursor) and not cursor.at_end:
         body = _simple(cursor)
     return If(condition, body, head.start, cursor.end)
 
@@ -115,6 +121,8 @@ def wait(cursor: Cursor, head: Token) -> Statement:
     if cursor.accept("timeout"):
         timeout = total(cursor)
         if cursor.accept("else"):
+            if cursor.at_end:
+                cursor.fail("a statement", "a statement stands behind `else`")
             otherwise = _simple(cursor)
     return WaitCondition(condition, timeout, otherwise, head.start, cursor.end)
 
@@ -136,7 +144,7 @@ def _wait_time(cursor: Cursor, head: Token) -> Statement:
 def _condition(cursor: Cursor, first: Token) -> NoReturn:
     """Refuse a condition where a time is waited for; `until` before its first word mends it."""
     message = f"expected a time or `until`, found the condition `{first.text} …`"
-    cursor.fault(kinds.UNEXPECTED, first.start, first.end, message, WAIT_CONDITION, f"until {first.text}")
+    cursor.fault(kinds.UNEXPECTED, first.start, first.end, message, WAIT_CONDITION, fix=f"until {first.text}")
 
 
 def _simple(cursor: Cursor) -> Statement:

@@ -78,6 +78,14 @@ VERBS = (
 )  # fmt: skip
 """Statement words worth suggesting for a misspelt one."""
 
+ACTIONS = frozenset(
+    (
+        "mov", "movj", "lin", "movl", "circ", "movc", "spline", "open", "close", "load", "set", "wait",
+        "if", "while", "repeat", "for", "with", "break", "continue", "return", "stop", "call", "print",
+    )
+)  # fmt: skip
+"""Statement words that stand in no other statement: one behind the end of a statement begins another one."""
+
 RESERVED = HEADS | frozenset(
     [
         "and",
