@@ -158,6 +158,8 @@ def _close(stack: list[_Open], word: str, line: Line, report: Report) -> None:
     if cut and word in (ANY, *cut):  # its opener was reported as not closed when an outer block ended
         cut.remove(cut[-1] if word == ANY else word)
         return
+    if line.fault is not None:  # that line has its own finding
+        return
     what = "block" if word == ANY else f"`{word}`"
     message = f"`{line.head}` closes nothing: no {what} is open here"
     hint = "remove it" if word == ANY else f"remove it, or write the `{word}`"

@@ -10,6 +10,7 @@ from ropsim.language.findings import names as kinds
 from ropsim.language.prose import edit_distance
 from ropsim.language.syntax.fault import Fault
 from ropsim.language.syntax.line import LOOP_NAME
+from ropsim.language.syntax.other_languages import ENDS
 from ropsim.language.syntax.statements import Broken, Call
 from ropsim.language.syntax.words import END, HEADS, OPENERS
 from ropsim.language.text import Line
@@ -83,6 +84,8 @@ def _foreign(line: Line, task_names: Container[str]) -> str:
 
 def _meant(line: Line, word: str, ends: Counter[str]) -> str:
     """Return the word that was meant, empty where the text does not tell."""
+    if word in ENDS and line.logical.text[line.start : line.end].strip().lower() == word:
+        return ENDS[word]
     spare = ends[ANY] + sum(min(ends[one], 0) for one in OPENERS)  # of the `end`s that close any block
     words = [one for one in OPENERS if ends[one] > 0 or spare > 0]
     words += [one for one, opener in _CLOSES.items() if ends[opener] < 0 and spare < 0]

@@ -17,12 +17,15 @@ REPLACED = {
     "go": "mov",
     "Move": "mov",
     "Jump": "mov",
+    **dict.fromkeys(("linear", "MoveP", "lmove", "moveline"), "lin"),
+    **dict.fromkeys(("moveto", "joint", "jmove", "movejoint"), "mov"),
 }
 SAID = {
     "MoveAbsJ": "`mov joints(…)`",
     "MoveC": "`circ via a to b`",
     "movec": "`circ via a to b`",
     "SCIRC": "`circ via a to b`",
+    **dict.fromkeys(("circular", "circle"), "`circ via a to b`"),
     "TriggIO": "`lin p at 3 mm after start do set NAME on`",
     "TriggL": "`lin p at 3 mm after start do set NAME on`",
     "TriggJ": "`lin p at 3 mm after start do set NAME on`",

@@ -109,7 +109,6 @@ def test_the_middle_of_an_if_is_known_without_a_blank_behind_it(middle: str) -> 
         ("lin a unitl go", "until"),
         ("lin a until go timeot 3", "timeout"),
         ("lin a speed 30 accc 20", "acc"),
-        ("lin a speed 30 befor 20", "before"),
         ("wait until go timeot 3", "timeout"),
         ("set speeed 20", "speed"),
     ],

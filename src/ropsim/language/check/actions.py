@@ -11,7 +11,7 @@ from ropsim.language.check.world import Poison
 from ropsim.language.findings import names as name_kinds
 from ropsim.language.findings import types as kinds
 from ropsim.language.syntax import statements as syntax
-from ropsim.language.syntax.nodes import Name, Node
+from ropsim.language.syntax.nodes import Name, Node, Number
 from ropsim.program import (
     Block,
     Grip,
@@ -97,8 +97,23 @@ def output(body: Body, node: syntax.SetSignal) -> Output:
         )
     body.used_signals[symbol.name] = symbol
     wanted = BOOL if symbol.type is ValueType.BOOL else NUMBER
+    if wanted == BOOL:
+        _refuse_number(body, node)
     value = values.expect(body, node.value, wanted, f"the value of `{node.name.text}`")
     return Output(symbol.name, value, body.statement_span)
+
+
+def _refuse_number(body: Body, node: syntax.SetSignal) -> None:
+    """Report a digital output that is set to 1 or 0.
+
+    Raises:
+        RejectedError: it is.
+    """
+    value = node.value
+    if isinstance(value, Number) and not value.unit and value.value in (0.0, 1.0):
+        level = "on" if value.value else "off"
+        message = f"the value of `{node.name.text}` must be a truth value, found a number"
+        body.fail(kinds.WRONG_TYPE, value, message, f"write `{level}`", fix=level)
 
 
 def set_mode(body: Body, node: syntax.SetMode) -> Block:

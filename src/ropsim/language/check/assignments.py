@@ -1,7 +1,17 @@
 """Statements that give variables values: `=`, `load`, `var` and calls with a result."""
 
 from ropsim.core import maker
-from ropsim.language.check import calls, components, convert, facing, first_values, fold, poses, values
+from ropsim.language.check import (
+    calls,
+    components,
+    convert,
+    facing,
+    first_values,
+    fold,
+    other_values,
+    poses,
+    values,
+)
 from ropsim.language.check.body import Body, Made, RejectedError
 from ropsim.language.check.types import (
     ANGLE,
@@ -35,6 +45,9 @@ def assign(body: Body, node: syntax.Assign) -> Block:
         return _assign_call(body, node, node.value)
     value = values.check(body, node.value)
     facing.check_target(body, node.value)
+    symbol = body.find(node.name.text)
+    if isinstance(symbol, SignalUse) and not symbol.is_input:
+        other_values.refuse_assignment(body, node)
     variable = target(body, node.name, _type_of(body, value))
     if known(variable.type) == INT:
         first_values.look(body, node, variable, value)

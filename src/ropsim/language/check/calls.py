@@ -13,6 +13,7 @@ from ropsim.language.findings import names as name_kinds
 from ropsim.language.findings import types as kinds
 from ropsim.language.syntax import nodes
 from ropsim.language.syntax import statements as syntax
+from ropsim.language.syntax.line import parse_line
 from ropsim.language.syntax.other_languages import HINTS
 from ropsim.language.syntax.words import VERBS
 from ropsim.program import Call, Expression
@@ -68,21 +69,30 @@ def unknown_task(body: Body, name: nodes.Name) -> NoReturn:
     if reason is not None:
         message = f"the task `{name.text}` of the knowledge base cannot be called: {reason}"
         body.fail(name_kinds.REFUSED_TASK, name, message, "put the task right in its text")
-    hint = _near_task(name.text, (*body.world.signatures, *environment.listed))
+    hint = _near_task(body, name, (*body.world.signatures, *environment.listed))
     fix = hint.split("`")[1] if hint.startswith("did you mean") else None
+    if fix is not None and not _can_be_read(body, name, fix):
+        fix = None
     body.fail(name_kinds.UNKNOWN_TASK, name, f"Task not defined: `{name.text}`", hint, fix=fix)
 
 
-def _near_task(name: str, tasks: Iterable[str]) -> str:
+def _near_task(body: Body, name: nodes.Name, tasks: Iterable[str]) -> str:
     """Return what may have been meant; a word of another robot language is looked up, not guessed."""
-    word = name.lower()
+    word = name.text.lower()
     if word in HINTS and word not in map(str.lower, tasks):
         return HINTS[word]
-    return (
-        did_you_mean(name, tasks)
-        or did_you_mean(name, VERBS)
-        or "define it with `task`, or assign a variable with `=`"
-    )
+    if near := did_you_mean(name.text, tasks):
+        return near
+    near = did_you_mean(name.text, VERBS)
+    if near and _can_be_read(body, name, near.split("`")[1]):
+        return near
+    return "define it with `task`, or assign a variable with `=`"
+
+
+def _can_be_read(body: Body, name: nodes.Name, word: str) -> bool:
+    """Return whether the line with another word for a name is a statement."""
+    text = body.line.logical.text
+    return parse_line(text[: name.start] + word + text[name.end :])[1] is None
 
 
 _COORDINATES = (3, 5, 6)
@@ -169,12 +179,31 @@ def _bind(
                 body.fail(
                     kinds.ARGUMENTS, item.name, f"task `{signature.name}` has no parameter `{name}`", hint
                 )
+        if name in bound and item.name is None:
+            _refuse_order(body, node, items)
         if name in bound:
             body.fail(kinds.ARGUMENTS, item.name or item.value, f"parameter `{name}` is given twice")
         bound[name] = item.value
     if any(f.default is None and f.name not in bound for f in signature.formals):
         _wrong_count(body, node, signature, len(items))
     return bound
+
+
+def _refuse_order(body: Body, node: syntax.Call, items: tuple[nodes.Item, ...]) -> NoReturn:
+    """Report an argument by place behind one by name whose place it takes.
+
+    Raises:
+        RejectedError: always.
+    """
+    text = body.line.logical.text
+    placed = [text[one.value.start : one.value.end] for one in items if one.name is None]
+    named = [text[one.name.start : one.value.end] for one in items if one.name is not None]
+    written = ", ".join((*placed, *named))
+    hint, fix = "write the arguments by place first, those by name behind them", None
+    if written.count("(") == written.count(")"):
+        hint, fix = f"{hint}: `{node.name.text} {written}`", f"{node.name.text} {written}"
+    place = replace(node.name, end=node.end)
+    body.fail(kinds.ARGUMENTS, place, "an argument by place stands behind one by name", hint, fix=fix)
 
 
 def _wrong_count(body: Body, node: syntax.Call, signature: Signature, found: int) -> NoReturn:

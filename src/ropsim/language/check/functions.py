@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from typing import NoReturn
 
-from ropsim.language.check import arithmetic, convert, fold, units, values
+from ropsim.language.check import arithmetic, convert, fold, other_values, units, values
 from ropsim.language.check.body import Body
 from ropsim.language.check.types import ANGLE, INT, LENGTH, NUMBER, POSE, Type, Value, article, known
 from ropsim.language.findings import names as name_kinds
@@ -45,6 +45,7 @@ def _no_function(body: Body, node: nodes.Function) -> NoReturn:
     if signature is not None:
         hint = "give its header a result: `-> type`"
         body.fail(name_kinds.UNKNOWN_FUNCTION, node.name, f"task `{node.name.text}` returns no value", hint)
+    other_values.refuse_function(body, node)
     body.unknown(name_kinds.UNKNOWN_FUNCTION, node.name, "function", _FUNCTIONS)
 
 

@@ -51,7 +51,11 @@ def gather(
     for setting in settings:
         name, value = (setting.word, None) if setting.word in _ELSEWHERE else _one(body, setting, doubt)
         if name in chosen or name in elsewhere:
-            body.fail(kinds.ARGUMENTS, setting, f"`{setting.word}` is given twice", "leave one of them out")
+            words = [one.word for one in settings]
+            message = f"`{setting.word}` is given twice"
+            if words.count(setting.word) == 1 and name == "zone":
+                message = "`fine` and `blend` exclude each other"
+            body.fail(kinds.ARGUMENTS, setting, message, "leave one of them out")
         if value is None:
             elsewhere.add(name)
         else:

@@ -1,7 +1,7 @@
 """The value of an expression, of a wanted type or any; the values of names."""
 
 from ropsim.core import maker
-from ropsim.language.check import convert, numerals
+from ropsim.language.check import convert, numerals, other_values
 from ropsim.language.check.body import Body, RejectedError
 from ropsim.language.check.types import (
     ANGLE,
@@ -19,7 +19,7 @@ from ropsim.language.check.world import Pattern, Poison, Variable
 from ropsim.language.findings import names as name_kinds
 from ropsim.language.findings import types as kinds
 from ropsim.language.syntax import nodes
-from ropsim.language.syntax.other_languages import data_hint
+from ropsim.language.syntax.statements import Motion
 from ropsim.program import (
     Expression,
     SignalUse,
@@ -110,9 +110,14 @@ def name(body: Body, node: nodes.Name) -> Value:
         message = f"`{node.text}` is the variable of a loop that has ended"
         hint = f"give `{node.text}` a value before the loop, or copy it to another variable inside"
         body.fail(name_kinds.UNKNOWN_NAME, node, message, hint)
-    if hint := data_hint(node.text):
-        body.fail(name_kinds.UNKNOWN_NAME, node, f"there is no name `{node.text}`", hint)
-    body.unknown(name_kinds.UNKNOWN_NAME, node, "name", visible(body))
+    other_values.refuse_name(body, node)
+    body.unknown(name_kinds.UNKNOWN_NAME, node, "name", [*visible(body), *_targets(body)])
+
+
+def _targets(body: Body) -> tuple[str, ...]:
+    """Return the words that are targets of the line in hand only."""
+    statement = body.line.statement
+    return ("home",) if isinstance(statement, Motion) and statement.word == "mov" else ()
 
 
 def visible(body: Body) -> list[str]:

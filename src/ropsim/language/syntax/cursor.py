@@ -5,17 +5,13 @@ from typing import NoReturn
 from ropsim.core import Kind, did_you_mean
 from ropsim.language.findings import syntax as kinds
 from ropsim.language.syntax.fault import Fault, LineFaultError
-from ropsim.language.syntax.lexer import UNITS, Token
+from ropsim.language.syntax.lexer import Token
 from ropsim.language.syntax.nodes import Name
-from ropsim.language.syntax.other_languages import DECIMAL, LEFT_OVER, MEMBERS, NO_VALUE, data_hint
-from ropsim.language.syntax.other_languages import UNITS as WRITTEN_OUT
-from ropsim.language.syntax.words import INSIDE, NOT_YET_MODIFIERS, RESERVED
+from ropsim.language.syntax.other_languages import MEMBERS, NO_VALUE
+from ropsim.language.syntax.words import RESERVED
 
 MAX_OPERATORS = 100
 MAX_NESTING = 30
-
-_POSTURE_WORDS = {"config": "(left, up)", "turns": "(0, -1)"}
-"""Terms of a location, which people look for behind it; each with an example."""
 
 _END = Token("end", "", "", 0, 0)
 
@@ -138,36 +134,6 @@ class Cursor:
         self.expect(")")
         self.depth -= 1
 
-    def finish(self) -> None:
-        """Make sure that nothing is left over."""
-        if self.at_end:
-            return
-        token = self.token
-        before = self.look(-1)
-        if token.word in _POSTURE_WORDS:
-            hint = f"write `(x, y, z; {token.word} {_POSTURE_WORDS[token.word]})`"
-            message = f"`{token.word}` stands in a location, behind its `;`"
-            self.fault(kinds.UNEXPECTED, token.start, token.end, message, hint)
-        is_foreign = token.kind == "word" and token.word not in INSIDE
-        meant = self.decimal_hint() or LEFT_OVER.get(token.word, "")
-        if is_foreign:
-            meant = data_hint(token.text) or did_you_mean(token.text, INSIDE)
-        if before.kind == "number" and is_foreign and (token.word in WRITTEN_OUT or not meant):
-            written = WRITTEN_OUT.get(token.word, "")
-            near = f"write `{written}`" if written else did_you_mean(token.text, UNITS)
-            hint = near or "units are " + " ".join(UNITS)
-            self.fault(kinds.UNEXPECTED, token.start, token.end, f"unknown unit `{token.text}`", hint)
-        if token.word in NOT_YET_MODIFIERS:
-            self.not_yet(token, token.word)
-        self.fail("the end of the line", meant)
-
-    def decimal_hint(self) -> str:
-        """Return what to write where a decimal comma comes next, as in `0,5`; empty elsewhere."""
-        before, comma, behind = self.look(-1), self.token, self.look(1)
-        is_decimal = comma.word == "," and before.kind == behind.kind == "number"
-        is_tight = before.end == comma.start and comma.end == behind.start
-        return DECIMAL.format(before.text, behind.text) if is_decimal and is_tight else ""
-
     def not_yet(self, token: Token, what: str) -> NoReturn:
         """Refuse a part of the language that this version does not have."""
         self.fault(
@@ -213,7 +179,8 @@ class Cursor:
         message = f"expected {expected}, found `{token.text}`"
         return Fault(kinds.UNEXPECTED, token.start, token.end, message, hint, fix)
 
-    def new_line(self, *words: str) -> str:
-        """Return what begins a line below this one, indented by two blanks."""
+    @property
+    def below(self) -> str:
+        """Return what begins a line below this one, as far to the right."""
         line = self.line
-        return "".join(("\n", line[: len(line) - len(line.lstrip())], "  ", *words))
+        return "\n" + line[: len(line) - len(line.lstrip())]

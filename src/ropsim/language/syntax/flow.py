@@ -1,6 +1,7 @@
 """Lines that steer the flow of a program, call tasks, assign and print."""
 
 from ropsim.core import did_you_mean
+from ropsim.language.findings import syntax as kinds
 from ropsim.language.syntax import headers
 from ropsim.language.syntax.cursor import Cursor
 from ropsim.language.syntax.expressions import expression, item, listed, total
@@ -81,7 +82,10 @@ def for_statement(cursor: Cursor, head: Token) -> Statement:
         cursor.fail("`each` or the name of a variable", FOR)
     name = cursor.name("`each` or the name of a variable")
     if cursor.word not in ("=", ":="):
-        cursor.fail("`=`", did_you_mean(name.text, ("each",)) or FOR)
+        if near := did_you_mean(name.text, ("each",)):
+            message = f"expected `each` or `=` behind a name, found `{name.text}`"
+            cursor.fault(kinds.UNEXPECTED, name.start, name.end, message, near)
+        cursor.fail("`=`", FOR)
     cursor.expect_equals()
     first = total(cursor)
     if cursor.word in (",", "."):

@@ -82,7 +82,7 @@ def _body_below(cursor: Cursor, missing: str, closer: str) -> None:
     below = "write it on a line of its own"
     hint = f"write `{missing}`, and `{token.text} …` on a line of its own" if missing else below
     expected = f"`{missing}`" if missing else "the end of the line"
-    fix = missing + cursor.new_line(token.text)
+    fix = missing + f"{cursor.below}  {token.text}"
     cursor.mend(cursor.unexpected(expected, f"{hint}; the block ends with `{closer}`", fix))
     cursor.go(cursor.length - cursor.index)
 

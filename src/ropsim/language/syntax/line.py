@@ -1,10 +1,12 @@
 """One logical line to one statement, or to what is wrong with it; it never raises."""
 
 import re
+from dataclasses import replace
 
 from ropsim.language.findings import syntax as kinds
 from ropsim.language.syntax.cursor import Cursor
 from ropsim.language.syntax.fault import Fault, LineFaultError
+from ropsim.language.syntax.left_over import finish
 from ropsim.language.syntax.lexer import tokens
 from ropsim.language.syntax.statement import statement
 from ropsim.language.syntax.statements import Broken, ContractClause, Statement
@@ -23,6 +25,7 @@ LOOP_NAME = re.compile(
 )
 """The variable of a loop, in a line whose first words may be wrong."""
 
+_NEAR = re.compile(r"did you mean `(\w+)`\?")
 _COMMENT = re.compile(r"#|//")
 
 
@@ -45,7 +48,7 @@ def parse_line(line: str) -> tuple[Statement | None, Fault | None]:
         loop = LOOP_NAME.match(line) if word == "for" else None
         name = next(filter(None, loop.groups()), name) if loop else name
         start = len(line) - len(line.lstrip())
-        return Broken(word, name, start, len(line.rstrip())), error.fault
+        return Broken(word, name, start, len(line.rstrip())), _confirmed(line, error.fault)
 
 
 def _read(line: str, start: int) -> tuple[Statement | None, Fault | None]:
@@ -58,10 +61,25 @@ def _read(line: str, start: int) -> tuple[Statement | None, Fault | None]:
     cursor = Cursor(found, line)
     try:
         result = statement(cursor)
-        cursor.finish()
+        finish(cursor)
     except LineFaultError as error:
         raise LineFaultError(cursor.mended or error.fault) from None
     return result, cursor.mended
+
+
+def _confirmed(line: str, fault: Fault) -> Fault:
+    """Return a fault whose near word is left out where the line with it is wrong at the same place."""
+    near = _NEAR.fullmatch(fault.hint)
+    if near is None or fault.fix:
+        return fault
+    word = near[1]
+    special = _SPECIAL.match(line)
+    try:
+        _read(line[: fault.start] + word + line[fault.end :], special.end() if special else 0)
+    except LineFaultError as error:
+        if error.fault.start <= fault.start + len(word):
+            return replace(fault, hint="")
+    return replace(fault, fix=word)
 
 
 def _contract(line: str, start: int) -> ContractClause:

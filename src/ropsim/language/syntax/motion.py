@@ -6,7 +6,9 @@ from ropsim.core import maker
 from ropsim.language.findings import syntax as kinds
 from ropsim.language.syntax.cursor import Cursor
 from ropsim.language.syntax.expressions import expression, listed, total
+from ropsim.language.syntax.left_over import finish
 from ropsim.language.syntax.lexer import Token
+from ropsim.language.syntax.misplaced import refuse
 from ropsim.language.syntax.nodes import Name, Node
 from ropsim.language.syntax.setting import QUANTITIES, quantity, set_statement, setting
 from ropsim.language.syntax.statements import (
@@ -20,7 +22,7 @@ from ropsim.language.syntax.statements import (
     Trigger,
 )
 from ropsim.language.syntax.tracking import tracking
-from ropsim.language.syntax.words import NOT_YET, NOT_YET_MODIFIERS, VIA
+from ropsim.language.syntax.words import ACTIONS, NOT_YET, NOT_YET_MODIFIERS, VIA
 
 _MODIFIERS = (*QUANTITIES, "fine", "tool")
 _ENDINGS = ("until", "timeout", "store")
@@ -74,6 +76,7 @@ def _target_follows(cursor: Cursor) -> None:
 def _motion(cursor: Cursor, head: Token, via: tuple[Node, ...]) -> Motion:
     """Read the target and its modifiers."""
     target = expression(cursor)
+    behind = cursor.index
     modifiers: list[Setting] = []
     triggers: list[Trigger] = []
     ending, corrected = _Ending(), None
@@ -94,7 +97,8 @@ def _motion(cursor: Cursor, head: Token, via: tuple[Node, ...]) -> Motion:
         elif word in _MODIFIERS:
             modifiers.append(setting(cursor))
         else:
-            cursor.finish()
+            refuse(cursor, head, cursor.tokens[behind] if behind < cursor.index else None)
+            finish(cursor)
     word = _CANONICAL.get(head.word, head.word)
     ends = ending.condition, ending.timeout, ending.store
     settings, outputs = tuple(modifiers), tuple(triggers)
@@ -156,7 +160,7 @@ def _trigger(cursor: Cursor) -> Trigger:
 def gripper(cursor: Cursor, head: Token) -> Statement:
     """Read `open|close [tool]`."""
     tool = None
-    if cursor.token.kind == "word":
+    if cursor.token.kind == "word" and cursor.word not in ACTIONS and cursor.word != "else":
         if cursor.word in ("to", "force", "speed", "timeout", "expect"):
             cursor.not_yet(cursor.token, cursor.word)
         tool = cursor.name("the name of a tool")

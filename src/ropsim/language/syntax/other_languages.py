@@ -27,6 +27,16 @@ _MODAL = "settings stand behind `set` or a target: `set speed 500 mm/s`, `lin p 
 _NEXT = "a `for` ends with `endf`"
 _GRIPPER = "the gripper is opened and closed by `open` and `close`"
 
+ENDS: Mapping[str, str] = {
+    **dict.fromkeys(("endproc", "endprocedure", "endfunc", "endfunction", "endsub", "enddef"), "endp"),
+    **dict.fromkeys(("endwhile", "wend"), "endw"),
+    **dict.fromkeys(("endfor", "endforeach"), "endf"),
+    **dict.fromkeys(("endswitch", "endselect", "endcase", "fi"), "endif"),
+    "endrepeat": "endr",
+    **dict.fromkeys(("endloop", "endblock"), "end"),
+}
+"""What ends blocks elsewhere, alone on its line, and what does here."""
+
 HINTS: Mapping[str, str] = {
     "movel": _LIN,
     "moves": _LIN,
@@ -34,9 +44,12 @@ HINTS: Mapping[str, str] = {
     "movej": _MOV,
     "ptp": _MOV,
     "sptp": _MOV,
+    **dict.fromkeys(("linear", "movep", "lmove", "moveline"), _LIN),
+    **dict.fromkeys(("moveto", "joint", "jmove", "movejoint"), _MOV),
     "moveabsj": _JOINTS,
     "movec": _CIRCLE,
     "scirc": _CIRCLE,
+    **dict.fromkeys(("circular", "circle"), _CIRCLE),
     "triggio": _TRIGGER,
     "triggl": _TRIGGER,
     "triggj": _TRIGGER,
@@ -98,6 +111,8 @@ HINTS: Mapping[str, str] = {
 
 WAIT_FOR = _WAIT_UNTIL
 """What to write for `WAIT FOR`."""
+WAIT_WORDS = frozenset(("for", "sec", "secs", "second", "seconds", "time"))
+"""What stands elsewhere between `wait` and a time."""
 WAIT_LEVEL: Mapping[str, str] = {
     "on": _WAIT_UNTIL,
     "off": "inputs are read by name: write `wait until not NAME`",
@@ -124,6 +139,11 @@ MEMBERS = "a comma stands between values: `(a, b)`"
 """What to write for a value right behind another one in parentheses."""
 SET = _SET
 """What to write for `set NAME to …`."""
+LEVELS: Mapping[str, str] = {
+    **dict.fromkeys(("high", "true"), "on"),
+    **dict.fromkeys(("low", "false"), "off"),
+}
+"""Levels of digital outputs, and what they are called here."""
 LEFT_OVER: Mapping[str, str] = {
     ";": "each statement stands on a line of its own, without `;`",
     ":": "leave the `:` out",
@@ -155,14 +175,6 @@ DECIMAL = "decimals are written with a point: `{0}.{1}`"
 """What to write for `0,5`."""
 
 _TIGHT_COUNTS = re.compile(r"(?:x[0-9]+)+")
-_DATA = re.compile(r"([vz])([0-9]+)")
-_OF_DATA: Mapping[str, str] = {"v": "write `speed {0} mm/s`", "z": "write `blend {0} mm`"}
-
-
-def data_hint(name: str) -> str:
-    """Return what to write for speed and zone data such as `v500` and `z10`; empty for other names."""
-    found = _DATA.fullmatch(name.lower())
-    return _OF_DATA[found[1]].format(found[2]) if found else ""
 
 
 def grid_hint(first: str, rest: str) -> str:

@@ -1,12 +1,16 @@
 """Lines that change how the next moves are made, and lines that set outputs."""
 
+from typing import NoReturn
+
 from ropsim.core import did_you_mean, maker
+from ropsim.language.findings import syntax as kinds
 from ropsim.language.syntax.cursor import Cursor
 from ropsim.language.syntax.expressions import expression, total
+from ropsim.language.syntax.fault import LineFaultError
 from ropsim.language.syntax.headers import section_body
 from ropsim.language.syntax.lexer import Token
 from ropsim.language.syntax.nodes import Literal, Name
-from ropsim.language.syntax.other_languages import SET
+from ropsim.language.syntax.other_languages import LEVELS, SET
 from ropsim.language.syntax.statements import SetMode, SetSignal, Setting, Statement, With
 
 QUANTITIES = ("speed", "acc", "blend")
@@ -28,10 +32,25 @@ def set_statement(cursor: Cursor, head: Token) -> Statement:
         return SetSignal(name, expression(cursor), head.start, cursor.end)
     state = cursor.token
     if state.word not in ("on", "off"):
-        said = SET if state.word == "to" else ""
-        cursor.fail("`on`, `off` or `=`", did_you_mean(name.text, _SETTINGS) or said)
+        _refuse(cursor, name)
     cursor.advance()
     return SetSignal(name, Literal(state.word, state.start, state.end), head.start, cursor.end)
+
+
+def _refuse(cursor: Cursor, name: Name) -> NoReturn:
+    """Refuse what stands behind the name of an output, or a setting that is misspelt."""
+    state = cursor.token
+    near = did_you_mean(name.text, _SETTINGS) if state.kind in ("number", "word") else ""
+    if near and state.word not in LEVELS:
+        message = f"expected a setting or the name of an output, found `{name.text}`"
+        cursor.fault(kinds.UNEXPECTED, name.start, name.end, message, near)
+    if level := LEVELS.get(state.word):
+        raise LineFaultError(cursor.unexpected("`on`, `off` or `=`", f"write `{level}`", level))
+    if state.kind == "number":
+        cursor.fail(
+            "`on`, `off` or `=`", f"a digital output is set `on` or `off`, an analog one `= {state.text}`"
+        )
+    cursor.fail("`on`, `off` or `=`", SET if state.word == "to" else "")
 
 
 def with_statement(cursor: Cursor, head: Token) -> Statement:

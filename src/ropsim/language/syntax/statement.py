@@ -8,7 +8,7 @@ from ropsim.language.findings import syntax as kinds
 from ropsim.language.syntax import declarations, flow, headers, motion, setting
 from ropsim.language.syntax.cursor import Cursor
 from ropsim.language.syntax.expressions import expression, total
-from ropsim.language.syntax.lexer import Token
+from ropsim.language.syntax.lexer import Token, number_parts
 from ropsim.language.syntax.nodes import Node
 from ropsim.language.syntax.other_languages import (
     COMMENT,
@@ -16,6 +16,7 @@ from ropsim.language.syntax.other_languages import (
     WAIT_CONDITION,
     WAIT_FOR,
     WAIT_LEVEL,
+    WAIT_WORDS,
 )
 from ropsim.language.syntax.statements import (
     Assign,
@@ -35,7 +36,7 @@ from ropsim.language.syntax.statements import (
     WaitCondition,
     WaitTime,
 )
-from ropsim.language.syntax.words import END, NOT_YET, RESERVED, VERBS
+from ropsim.language.syntax.words import END, NOT_YET, RESERVED
 
 _SIMPLE = (
     Motion, Gripper, Load, SetSignal, SetMode, WaitTime, WaitCondition, Jump, Return, Stop, Print, Call,
@@ -67,13 +68,13 @@ def statement(cursor: Cursor) -> Statement:
             f"a statement cannot start with `{token.text[:40]}`",
             COMMENT if _begins_comment(token.word, cursor.look(1).word) else _START,
         )
+    if token.word in RESERVED and cursor.look(1).word in ("=", ":="):
+        hint = f"`{token.text}` is a word of the language; choose another name for the variable"
+        cursor.fault(
+            kinds.STATEMENT_START, token.start, token.end, f"`{token.text}` cannot be assigned", hint
+        )
     reader = _STATEMENTS.get(token.word)
     if reader is not None:
-        if cursor.look(1).word in ("=", ":="):
-            hint = f"`{token.text}` is a word of the language; choose another name for the variable"
-            cursor.fault(
-                kinds.STATEMENT_START, token.start, token.end, f"`{token.text}` cannot be assigned", hint
-            )
         cursor.advance()
         return reader(cursor, token)
     if token.word == END and cursor.look(1).kind == "end":
@@ -87,7 +88,8 @@ def statement(cursor: Cursor) -> Statement:
     if token.word in NOT_YET:
         cursor.not_yet(token, token.word)
     if token.word in RESERVED:
-        hint = did_you_mean(token.text, VERBS) or "this word belongs inside a statement"
+        is_home = token.word == "home" and cursor.look(1).kind == "end"
+        hint = "write `mov home`" if is_home else "this word belongs inside a statement"
         cursor.fault(
             kinds.STATEMENT_START,
             token.start,
@@ -109,7 +111,12 @@ def if_statement(cursor: Cursor, head: Token) -> Statement:
 
 def wait(cursor: Cursor, head: Token) -> Statement:
     """Read `wait t` or `wait until condition [timeout t [else statement]]`."""
-    if cursor.token.word == "for":
+    first, time = cursor.token, cursor.look(1)
+    if first.word in WAIT_WORDS and time.kind == "number":
+        written = time.text if number_parts(time.text)[1] else f"{time.text} s"
+        message, hint = f"expected a time or `until`, found `{first.text}`", f"write `{head.text} {written}`"
+        cursor.fault(kinds.UNEXPECTED, first.start, time.end, message, hint, fix=written)
+    if first.word == "for":
         cursor.fail("a time or `until`", WAIT_FOR)
     if not cursor.accept("until"):
         return _wait_time(cursor, head)

@@ -86,6 +86,9 @@ ACTIONS = frozenset(
 )  # fmt: skip
 """Statement words that stand in no other statement: one behind the end of a statement begins another one."""
 
+MOTIONS = frozenset(("mov", "movj", "lin", "movl", "circ", "movc", "spline"))
+"""Words that start a motion."""
+
 RESERVED = HEADS | frozenset(
     [
         "and",

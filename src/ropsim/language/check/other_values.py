@@ -1,0 +1,117 @@
+"""Values that other languages write in another way, and what they are here."""
+
+import re
+from typing import NoReturn
+
+from ropsim.core import frozen_dataclass
+from ropsim.language.check.body import Body
+from ropsim.language.findings import names as kinds
+from ropsim.language.syntax import nodes
+from ropsim.language.syntax import statements as syntax
+from ropsim.language.syntax.other_settings import data_hint
+
+_SHIFTS = {"offs": "offset", "reltool": "rel"}
+"""Functions of a location and three lengths, and the operators that they are here."""
+_COMPOSED = ("pose_trans", "pose_add")
+_POSES = ("crobt", "cpos", "get_actual_tcp_pose", "get_target_tcp_pose")
+"""Functions that tell where the arm is."""
+_STEPS = {
+    "offset": "a location is shifted by `offset`: `p offset (0, 0, 60)`",
+    "rel": "a step in the axes of the tool is written `rel`: `p rel (0, 0, 60)`",
+}
+_RATE = re.compile(r"(?<![\w.])(\d+(?:\.\d+)?)[ \t]*(mm|cm|m|deg|rad)[ \t]*/[ \t]*$", re.ASCII)
+_SECONDS = ("s", "sec", "secs", "second", "seconds")
+_MINUTES = ("min", "minute", "minutes")
+
+
+@frozen_dataclass
+class _Place:
+    """Where something stands in its line."""
+
+    start: int
+    end: int
+
+
+def refuse_function(body: Body, node: nodes.Function) -> None:
+    """Report a function of another language.
+
+    Raises:
+        RejectedError: it is one.
+    """
+    word = node.name.text.lower()
+    message = f"there is no function `{node.name.text}`"
+    if word in _POSES:
+        body.fail(
+            kinds.UNKNOWN_FUNCTION, node, message, "where the arm is, is `here`: write `here`", fix="here"
+        )
+    operator = _SHIFTS.get(word, "rel" if word in _COMPOSED else "")
+    if not operator:
+        return
+    written = [_written(body, one) for one in node.arguments]
+    if all(map(_is_balanced, written)) and len(written) == (2 if word in _COMPOSED else 4):
+        behind = written[1] if word in _COMPOSED else f"({', '.join(written[1:])})"
+        fix = f"{written[0]} {operator} {behind}"
+        body.fail(kinds.UNKNOWN_FUNCTION, node, message, f"write `{fix}`", fix=fix)
+    body.fail(kinds.UNKNOWN_FUNCTION, node.name, message, _STEPS[operator])
+
+
+def refuse_name(body: Body, node: nodes.Name) -> None:
+    """Report a name that means nothing as a value here, and something else in other languages or places.
+
+    Raises:
+        RejectedError: it is one.
+    """
+    if hint := data_hint(node.text):
+        body.fail(kinds.UNKNOWN_NAME, node, f"there is no name `{node.text}`", hint)
+    _refuse_rate(body, node)
+    world = body.world
+    if node.text in world.frames or node.text in world.environment.moving:
+        fix = f"(0, 0, 0) in {node.text}"
+        message, hint = f"`{node.text}` is a frame, no value", f"a location in it is written `{fix}`"
+        body.fail(kinds.UNKNOWN_NAME, node, message, hint, fix=fix)
+    if node.text in world.tools:
+        message, hint = f"`{node.text}` is a tool, no value", f"it stands behind `tool`: `tool {node.text}`"
+        body.fail(kinds.UNKNOWN_NAME, node, message, hint)
+
+
+def _refuse_rate(body: Body, node: nodes.Name) -> None:
+    """Report a unit of speed that is written with blanks, with a long word or for minutes."""
+    found = _RATE.search(body.line.logical.text[: node.start])
+    word = node.text.lower()
+    if found is None or word not in (*_SECONDS, *_MINUTES):
+        return
+    place, said = _Place(found.start(), node.end), body.line.logical.text[found.start() : node.end]
+    message = (
+        f"there is no unit `{found[2]}/{node.text}`" if word != "s" else f"there is no name `{node.text}`"
+    )
+    if word in _SECONDS:
+        fix = f"{found[1]} {found[2]}/s"
+        hint = f"a unit is written without blanks: `{fix}`" if word == "s" else f"write `{fix}`"
+        body.fail(kinds.UNKNOWN_NAME, place, message, hint, fix=fix)
+    hint = f"speeds are per second: `{said}` is `{float(found[1]) / 60:.6g} {found[2]}/s`"
+    body.fail(kinds.UNKNOWN_NAME, place, message, hint)
+
+
+def refuse_assignment(body: Body, node: syntax.Assign) -> NoReturn:
+    """Report an output that is given a value like a variable.
+
+    Raises:
+        RejectedError: always.
+    """
+    name = node.name.text
+    value = node.value
+    level = ""
+    if isinstance(value, nodes.Literal) and value.word in ("on", "off", "true", "false"):
+        level = "on" if value.word in ("on", "true") else "off"
+    behind = level or f"= {body.line.logical.text[value.start : node.end]}"
+    fix = f"set {name} {behind}"
+    message = f"`{name}` cannot be assigned: it is an output, which `set` sets"
+    body.fail(kinds.NOT_ASSIGNABLE, node, message, f"write `{fix}`", fix=fix)
+
+
+def _written(body: Body, node: nodes.Node) -> str:
+    return body.line.logical.text[node.start : node.end]
+
+
+def _is_balanced(text: str) -> bool:
+    return text.count("(") == text.count(")")

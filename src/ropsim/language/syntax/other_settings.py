@@ -1,0 +1,93 @@
+"""Speeds, accelerations and zones as other languages write them behind a target."""
+
+import re
+from collections.abc import Mapping, Sequence
+
+from ropsim.core import frozen_dataclass
+from ropsim.language.syntax.lexer import Token, number_parts
+
+_WORDS: Mapping[str, str] = {
+    **dict.fromkeys(("vel", "velocity", "feed", "feedrate"), "speed"),
+    **dict.fromkeys(("accel", "acceleration"), "acc"),
+    **dict.fromkeys(("zone", "radius", "approx", "corner"), "blend"),
+}
+"""Settings, and what they are called here."""
+_EXAMPLES: Mapping[str, str] = {
+    "speed": "write `speed 500 mm/s`",
+    "acc": "write `acc 2 m/s2`",
+    "blend": "a zone is a distance from the target: write `blend 10 mm`",
+}
+_SHARES: Mapping[str, str] = {"speed": "write `speed 50 %`", "acc": "write `acc 50 %`"}
+"""The same behind the target of `mov`."""
+_LETTERS: Mapping[str, tuple[str, str]] = {"v": ("speed", "m/s"), "a": ("acc", "m/s2"), "r": ("blend", "m")}
+"""Settings that are a letter and `=`, with their units where they have none."""
+_ZONES = frozenset(("c_dis", "c_ptp", "c_vel", "c_ori", "c_spl", "a_dis", "a_vel", "a_ori"))
+_TERMINATION = re.compile(r"cnt([0-9]*)")
+_DATA = re.compile(r"([vz])([0-9]+)")
+_OF_DATA: Mapping[str, str] = {"v": "speed {0} mm/s", "z": "blend {0} mm"}
+_OF_JOINTS = ("mov", "movj")
+
+
+@frozen_dataclass
+class Meant:
+    """What some words of another language are here.
+
+    Attributes:
+        hint: what to write.
+        fix: what stands in their place, empty where they do not tell it.
+        count: how many tokens they are.
+    """
+
+    hint: str
+    fix: str
+    count: int
+
+
+def meant(line: Sequence[Token], at: int) -> Meant | None:
+    """Return what the tokens of a motion mean from a place on; None where nobody knows."""
+    token, behind = line[at], line[at + 1 : at + 3]
+    if fix := data(token.text):
+        return _exact(fix, 1)
+    if token.word in _ZONES:
+        return Meant(_EXAMPLES["blend"], "", 1)
+    if found := _TERMINATION.fullmatch(token.word):
+        return _exact("fine", 1) if found[1] == "0" else Meant(_EXAMPLES["blend"], "", 1)
+    if token.word in _LETTERS and len(behind) == 2 and behind[0].word in ("=", ":="):
+        return _by_letter(line[0].word, token, behind[1])
+    word = _WORDS.get(token.word)
+    if word is None or (behind and behind[0].word in ("=", ":=", ".")):
+        return None
+    if behind and behind[0].word == "fine":
+        return _exact("fine", 2)
+    if behind and (fix := data(behind[0].text)):
+        return _exact(fix, 2)
+    if behind and behind[0].kind in ("number", "word"):
+        return _exact(word, 1)
+    return Meant(_example(line[0].word, word), "", 1)
+
+
+def data(name: str) -> str:
+    """Return what speed and zone data such as `v500` and `z10` are here; empty for other names."""
+    found = _DATA.fullmatch(name.lower())
+    return _OF_DATA[found[1]].format(found[2]) if found else ""
+
+
+def data_hint(name: str) -> str:
+    """Return what to write for such data; empty for other names."""
+    text = data(name)
+    return f"write `{text}`" if text else ""
+
+
+def _by_letter(head: str, letter: Token, value: Token) -> Meant:
+    word, unit = _LETTERS[letter.word]
+    if value.kind != "number" or (head in _OF_JOINTS and word in _SHARES):
+        return Meant(_example(head, word), "", 3)
+    return _exact(f"{word} {value.text}" if number_parts(value.text)[1] else f"{word} {value.text} {unit}", 3)
+
+
+def _example(head: str, word: str) -> str:
+    return _SHARES[word] if head in _OF_JOINTS and word in _SHARES else _EXAMPLES[word]
+
+
+def _exact(text: str, count: int) -> Meant:
+    return Meant(f"write `{text}`", text, count)
