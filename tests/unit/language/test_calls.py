@@ -184,3 +184,9 @@ def test_a_classic_text_asks_the_first_parameter() -> None:
     classic = "task Grip(l: loc)\n  lin l\nendp\n"
     for call in ("Grip(300, 0, 100)", "Grip (300, 0, 100)", "Grip (infeed)", "Grip(infeed)"):
         assert compiled(classic + call).icr is not None, call
+
+
+def test_each_call_inside_an_expression_is_told() -> None:
+    text = "program p\nunits mm\ntask Top(q: loc) -> length\n  return q.z\nendp\n"
+    found = compiled(text + "h = Top(infeed) + 1\ng = Top(infeed) + 1\nprint h, g\nlin infeed above Top(infeed)").diagnostics
+    assert [(one.code, one.span.line) for one in found if one.span] == [("N225", 6), ("N225", 7), ("N225", 9)]

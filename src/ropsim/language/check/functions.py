@@ -37,7 +37,7 @@ def _no_function(body: Body, node: nodes.Function) -> NoReturn:
     if signature is not None and signature.result is not None:
         hint = f"assign the result to a variable first: `v = {node.name.text}(…)`"
         body.fail(
-            name_kinds.UNKNOWN_FUNCTION,
+            name_kinds.CALL_INSIDE,
             node.name,
             f"task `{node.name.text}` is called inside an expression",
             hint,

@@ -107,8 +107,24 @@ UNKNOWN_FUNCTION = define(
     Severity.ERROR,
     "a function that the language does not have",
     """
-Functions are `dist sqrt sin cos tan asin acos atan2 abs min max round trunc`. A task that returns a
-value can be called as the whole right-hand side of an assignment only: `x = Height(part)`.
+Functions are `dist sqrt sin cos tan asin acos atan2 abs min max round trunc`. A task can be called in an
+assignment if its header tells what it returns: `task Height(part: loc) -> length`.
+""",
+)
+CALL_INSIDE = define(
+    "N225",
+    "call-inside-expression",
+    Severity.ERROR,
+    "a task that is called inside an expression",
+    """
+A task that returns a value is called as the whole right-hand side of an assignment only, so that each line
+carries out one thing. Give the value a variable first:
+
+```
+h = Height(part) + 10 mm     <- inside an expression
+h = Height(part)
+h = h + 10 mm
+```
 """,
 )
 UNKNOWN_TYPE = define(
