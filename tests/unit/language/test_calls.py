@@ -7,7 +7,7 @@ import pytest
 from ropsim.core import Span
 from ropsim.flow import MessageInstruction, MotionKind, MoveInstruction
 from ropsim.icr import run
-from ropsim.language import TaskSignature
+from ropsim.language import TaskSignature, formatted
 from ropsim.program import Assign, Call, Constant, Local, Move, Settings, Task, ValueType, Variable
 from support.tasks import CELL, codes, compiled
 
@@ -188,5 +188,72 @@ def test_a_classic_text_asks_the_first_parameter() -> None:
 
 def test_each_call_inside_an_expression_is_told() -> None:
     text = "program p\nunits mm\ntask Top(q: loc) -> length\n  return q.z\nendp\n"
-    found = compiled(text + "h = Top(infeed) + 1\ng = Top(infeed) + 1\nprint h, g\nlin infeed above Top(infeed)").diagnostics
+    calls = "h = Top(infeed) + 1\ng = Top(infeed) + 1\nprint h, g\nlin infeed above Top(infeed)"
+    found = compiled(text + calls).diagnostics
     assert [(one.code, one.span.line) for one in found if one.span] == [("N225", 6), ("N225", 7), ("N225", 9)]
+
+
+RESULTS = """program p
+units mm, deg, s
+task Top(q: loc, clear: length = 0) -> length
+  return q.z + clear
+endp
+task Sum(x: length, y: length, z: length) -> length
+  return x + y + z
+endp
+task Visit(q: loc, clear: length = 0)
+  lin q above clear
+endp
+"""
+
+
+@pytest.mark.parametrize(
+    ("statement", "right"),
+    [
+        ("Top (300, 0, 100)", True),
+        ("Top ((300, 0, 100))", True),
+        ("Top(300, 0, 100)", False),
+        ("Top((300, 0, 100), 5)", True),
+        ("Top ((300, 0, 100), 5)", False),
+        ("Top (infeed)", True),
+        ("Top(300, 0, 100; down)", True),
+        ("Top (300, 0, 100; down)", True),
+        ("Top (q = infeed)", False),
+        ("Top(q = infeed)", True),
+        ("Sum(300, 0, 100)", True),
+        ("Sum (300, 0, 100)", False),
+    ],
+)
+def test_a_blank_before_the_parenthesis_means_the_same_in_statements_and_assignments(
+    statement: str, right: bool
+) -> None:
+    assigned = compiled(f"{RESULTS}h = {statement}\nprint h").diagnostics
+    stated = compiled(f"{RESULTS}{statement}").diagnostics
+    assert [one.code for one in assigned if one.is_error] == [] if right else ["T303"]
+    assert [(one.code, one.message) for one in assigned if one.is_error] == [
+        (one.code, one.message) for one in stated if one.is_error
+    ]
+
+
+@pytest.mark.parametrize("arguments", ["(300, 0, 200) above 20", "(infeed) above 20", "((300, 0, 200)), 5"])
+def test_nothing_follows_a_list_of_arguments(arguments: str) -> None:
+    (found,) = (one for one in compiled(f"{RESULTS}Visit{arguments}").diagnostics if one.is_error)
+    assert found.code == "T303"
+    assert found.fix is not None
+    assert found.fix.replacement == "Visit ("
+    assert compiled(f"{RESULTS}Visit {arguments}").ok
+    assert compiled(f"{RESULTS.replace('program p', 'classic')}Visit{arguments}").ok
+
+
+def test_a_list_of_a_classic_text_stays_one_in_an_assignment() -> None:
+    text = "classic\nunits mm, deg, s\ntask T(q: loc, a: num, b: num) -> num\n  return a + b\nendp\n"
+    twice = "task U(q: loc)\n  x = T(1, 20, 30)\n  print x\nendp\nU infeed\n"
+    assert compiled(text + twice).ok
+    top = "classic\nunits mm, deg, s\ntask T(q: loc) -> length\n  return q.z\nendp\n"
+    assert compiled(top + "x = T(300, 0, 100)\ny = T (300, 0, 100)\nprint x, y").ok
+
+
+def test_the_form_of_a_text_keeps_the_blank_before_the_arguments_of_an_assigned_call() -> None:
+    text = f"{RESULTS}h = Top (300, 0, 100)\nk = Top(infeed)\nm = min(3, 4)\nprint h, k, m\n"
+    assert formatted(text) == text
+    assert formatted(text.replace("min(3", "min (3")) == text

@@ -54,7 +54,7 @@ task Pick(q: loc, clear: length = 60mm) -> length
   return q.x.
 end
 Pick infeed, n = 2
-y = Pick(infeed, 3)
+y = Pick (infeed, 3)
 Pick (1, 2, 3)
 print "a  b", x <> -3
 spline via a,

@@ -180,7 +180,7 @@ def _assign_in_frame(body: Body, name: str, index: int, value: Expression) -> Bl
 
 def _assign_call(body: Body, node: syntax.Assign, call: nodes.Function) -> Block:
     signature = body.world.signatures[call.name.text]
-    statement = calls.call(body, calls.as_call(call))
+    statement = calls.call(body, calls.as_call(call, signature))
     if signature.result is None and signature.name in body.world.without_result:
         raise RejectedError
     if signature.result is None:

@@ -40,9 +40,18 @@ def call(body: Body, node: syntax.Call) -> Call:
     return Call(signature.name, arguments, body.statement_span)
 
 
-def as_call(node: nodes.Function) -> syntax.Call:
-    """Return the call of a task whose result is assigned, `v = T(…)`, as a statement of its own."""
-    return syntax.Call(node.name, tuple(map(_item, node.arguments)), node.start, node.end)
+def as_call(node: nodes.Function, signature: Signature) -> syntax.Call:
+    """Return the call of a task whose result is assigned, `v = T(…)`, as a statement of its own.
+
+    A parenthesis that touches the name is the list of its arguments where the task takes so many; else it is
+    what it is in a statement.
+    """
+    items = tuple(map(_item, node.arguments))
+    is_apart = node.opening > node.name.end
+    is_one = len(items) == 1 and items[0].name is None
+    if not is_one and (is_apart or len(items) > len(signature.formals)):
+        items = (nodes.Item(None, nodes.Tuple(items, (), None, node.opening, node.end)),)
+    return syntax.Call(node.name, items, -1 if is_apart else node.end, node.start, node.end)
 
 
 def _item(argument: nodes.Node) -> nodes.Item:
@@ -103,8 +112,13 @@ def listed(body: Body, node: syntax.Call) -> tuple[nodes.Item, ...]:
     """Return the arguments of a call in a modern text: a parenthesis that touches the name is their list.
 
     Raises:
-        RejectedError: behind a blank stands a parenthesis that is no value.
+        RejectedError: behind a blank stands a parenthesis that is no value, or something behind the list.
     """
+    if 0 <= node.closing < node.end:
+        opening = replace(node.name, end=node.name.end + 1)
+        message = "nothing follows the list of the arguments, a parenthesis that touches the name of a task"
+        hint = f"behind a blank it is one value: `{node.name.text} (…) …`"
+        body.fail(kinds.ARGUMENTS, opening, message, hint, fix=f"{node.name.text} (")
     inside = _only(node.arguments)
     if inside is None or not _is_apart(node):
         return node.arguments if inside is None else inside.items

@@ -87,7 +87,8 @@ def _statement(statement: syntax.Statement | None, found: Uses, signatures: Mapp
             found.written.update(name.text for name in statement.names)
         case syntax.Assign():
             if isinstance(statement.value, nodes.Function) and statement.value.name.text in signatures:
-                _call(calls.as_call(statement.value), found, signatures)
+                signature = signatures[statement.value.name.text]
+                _call(calls.as_call(statement.value, signature), found, signatures)
             else:
                 _read(statement.value, found)
             if statement.member is not None:

@@ -6,7 +6,7 @@ from typing import Any
 
 from ropsim.language.syntax.nodes import Name
 
-_PLACES = frozenset(("start", "end"))
+_PLACES = frozenset(("start", "end", "opening", "closing"))
 
 
 def shape(node: object) -> object:

@@ -4,6 +4,7 @@ from collections.abc import Sequence
 
 from ropsim.language.syntax.lexer import Token
 from ropsim.language.syntax.words import MOTION_MODIFIERS, RESERVED
+from ropsim.language.vocabulary import FUNCTIONS
 
 _CONTEXTUAL = MOTION_MODIFIERS | frozenset(
     [
@@ -66,7 +67,8 @@ def _has_arguments(line: Sequence[Token], number: int, written: str) -> bool:
     is_header = head == "task" or (line[0].kind == "ordinal" and line[1].word == "task")
     if is_header:
         return True
-    is_called = number == 1 or line[number - 2].word in ("call", "then", "else", "do")
+    before = line[number - 2].word if number > 1 else "call"
+    is_called = before in ("call", "then", "else", "do") or (before in ("=", ":=") and word not in FUNCTIONS)
     if is_called or word in _CONTEXTUAL:
         return _was_touching(line, number, written)
     return True

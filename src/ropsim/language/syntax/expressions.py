@@ -245,10 +245,15 @@ def _binary(cursor: Cursor, left: Node, op: str, operand: Callable[[Cursor], Nod
 
 
 def _function(cursor: Cursor, name: Name) -> Function:
+    opening = cursor.start
     cursor.open_parenthesis()
     arguments = () if cursor.word == ")" else listed(cursor)
+    location = _terms(cursor) if cursor.accept(";") else None
     cursor.close_parenthesis()
-    return Function(name, arguments, name.start, cursor.end)
+    if location is not None:  # one argument, which stands in the parentheses
+        items = tuple(_item(None, one) for one in arguments)
+        arguments = (_tuple(items, *location, opening, cursor.end),)
+    return Function(name, arguments, opening, name.start, cursor.end)
 
 
 def _external(cursor: Cursor, operand: Node) -> External:

@@ -153,6 +153,7 @@ def _is_argument(cursor: Cursor) -> bool:
 
 def _arguments(cursor: Cursor, name: Name, start: int) -> Statement:
     arguments = []
+    closing = _closing(cursor) if cursor.word == "(" and cursor.start == name.end else -1
     cursor.arguments_at = cursor.index
     if not cursor.at_end:
         arguments.append(item(cursor))
@@ -160,4 +161,14 @@ def _arguments(cursor: Cursor, name: Name, start: int) -> Statement:
             arguments.append(item(cursor))
         if name.text.lower() not in HINTS and _is_argument(cursor):
             cursor.fail("`,` or the end of the line", ARGUMENTS)
-    return Call(name, tuple(arguments), start, cursor.end)
+    return Call(name, tuple(arguments), closing, start, cursor.end)
+
+
+def _closing(cursor: Cursor) -> int:
+    """Return the place behind the parenthesis that comes next."""
+    depth = 0
+    for token in cursor.tokens[cursor.index : cursor.length]:
+        depth += (token.word == "(") - (token.word == ")")
+        if not depth:
+            return token.end
+    return -1

@@ -95,10 +95,11 @@ class State:
 
 @frozen_dataclass
 class Function:
-    """`name(arguments)`: a fixed function, or a task that returns a value."""
+    """`name(arguments)`: a fixed function, or a task that returns a value; `opening` is its parenthesis."""
 
     name: Name
     arguments: tuple["Node", ...]
+    opening: int
     start: int
     end: int
 

@@ -19,7 +19,7 @@ MOST_DIGITS = 12
 """Characters of a number; one of no more is small enough for the language."""
 
 _CUT = re.compile(r"(?<![\w./])([A-Za-z_]+\d\w*|\d+(?:\.\d+)?(?![\d_.eE]))", re.ASCII).split
-_PLACES = ("start", "end")
+_PLACES = ("start", "end", "opening", "closing")
 _BEHIND_DIGITS = ":"
 """Stands behind all digits and before all letters."""
 

@@ -136,10 +136,14 @@ class Print:
 
 @frozen_dataclass
 class Call:
-    """`[call] task arguments`."""
+    """`[call] task arguments`.
+
+    `closing` is the place behind the parenthesis that touches the name, -1 without one.
+    """
 
     name: Name
     arguments: tuple[Item, ...]
+    closing: int
     start: int
     end: int
 
