@@ -24,7 +24,6 @@ class Part(Enum):
     READ = "read"
     CALLED = "called"
     ARGUMENT = "parameter of the task that is called"
-    PERHAPS_ARGUMENT = "parameter of the task that is called, or else read"
     FRAME = "frame"
     TOOL = "tool"
 
@@ -70,11 +69,7 @@ def _header(header: syntax.TaskHeader) -> Iterator[Mention]:
 
 
 def _assign(statement: syntax.Assign) -> Iterator[Mention]:
-    value = statement.value
-    if isinstance(value, nodes.Function) and value.name.text.lower() not in NAMES:
-        yield from _task_value(value)
-    else:
-        yield from _read(value)
+    yield from _read(statement.value)
     yield Mention(statement.name, Part.WRITTEN if statement.member is None else Part.CHANGED)
 
 
@@ -153,22 +148,14 @@ def _arguments(call: syntax.Call) -> Iterator[Mention]:
         only = items[0].value
         if isinstance(only, nodes.Tuple) and not only.turns and any(one.name for one in only.items):
             items = only.items
+    yield from _listed(items, call.name)
+
+
+def _listed(items: tuple[nodes.Item, ...], task: Name) -> Iterator[Mention]:
     for item in items:
         if item.name is not None:
-            yield Mention(item.name, Part.ARGUMENT, call.name.text)
+            yield Mention(item.name, Part.ARGUMENT, task.text)
         yield from _read(item.value)
-
-
-def _task_value(value: nodes.Function) -> Iterator[Mention]:
-    """Yield the names of `T(…)` where the result of a task is assigned."""
-    yield Mention(value.name, Part.CALLED)
-    for argument in value.arguments:
-        match argument:
-            case nodes.Binary(op="=", left=Name() as name, right=right):
-                yield Mention(name, Part.PERHAPS_ARGUMENT, value.name.text)
-                yield from _read(right)
-            case _:
-                yield from _read(argument)
 
 
 def _read(node: Node | None) -> Iterator[Mention]:
@@ -190,8 +177,7 @@ def _read(node: Node | None) -> Iterator[Mention]:
         case nodes.Function():
             if node.name.text.lower() not in NAMES:
                 yield Mention(node.name, Part.CALLED)
-            for inner in node.arguments:
-                yield from _read(inner)
+            yield from _listed(node.arguments, node.name)
         case nodes.Joints(values=values):
             for inner in values:
                 yield from _read(inner)

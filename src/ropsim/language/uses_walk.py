@@ -174,12 +174,10 @@ class Walk:
 
     def _mention(self, line: Line, one: Mention, scope: Scope) -> None:
         name, part = one.name, one.part
-        if part in (Part.ARGUMENT, Part.PERHAPS_ARGUMENT):
+        if part is Part.ARGUMENT:
             parameter = self._parameters.get(one.callee, {}).get(name.text)
             if parameter is not None:
                 self._use(line, name, Act.READS, parameter, scope)
-            elif part is Part.PERHAPS_ARGUMENT:
-                self._symbol(line, name, scope)
         elif part is Part.DECLARED:
             space, _ = _ROLES[type(line.statement)]
             meaning = self._known.get((space, name.text)) or self._nobodys(space, name.text)

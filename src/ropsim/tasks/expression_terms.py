@@ -47,7 +47,7 @@ def term_of(node: nodes.Node, names: Mapping[str, str]) -> Term:  # noqa: PLR091
         case nodes.Member(operand=operand, name=name):
             return Struct("coordinate", (term_of(operand, names), Atom(name.text)))
         case nodes.Function(name=name, arguments=arguments):
-            return Struct(name.text.lower(), tuple(term_of(one, names) for one in arguments))
+            return Struct(name.text.lower(), tuple(_argument(one, names) for one in arguments))
         case nodes.Joints(values=values):
             return Struct("joints", tuple(term_of(one, names) for one in values))
         case nodes.Tuple():

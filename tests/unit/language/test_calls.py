@@ -9,7 +9,7 @@ from ropsim.flow import MessageInstruction, MotionKind, MoveInstruction
 from ropsim.icr import run
 from ropsim.language import TaskSignature, formatted
 from ropsim.program import Assign, Call, Constant, Local, Move, Settings, Task, ValueType, Variable
-from support.tasks import CELL, codes, compiled
+from support.tasks import CELL, codes, compiled, only
 
 HEAD = """program p
 units mm, deg, s
@@ -110,6 +110,14 @@ n = 3
         ("Show(7, (n = 3))", "7 true"),
         ("k = Show(7, (n = 3))", "7 true"),
         ("Show(7, same = (n = 3 and true))", "7 true"),
+        ("k = Show(7, same = (n = 3 and true))", "7 true"),
+        ("Show(7, same = n = 3 or n = 4)", "7 true"),
+        ("k = Show(7, same = n = 3 or n = 4)", "7 true"),
+        ("k = Show(7, same = not n < 3)", "7 true"),
+        ("k = Show(n + 1, n + 1 = 4)", "4 true"),
+        ("Show(7, same := true)", "7 true"),
+        ("k = Show(n := 7, same := n <> 3)", "7 false"),
+        ("Show n := 7, same := true", "7 true"),
     ],
 )
 def test_one_sign_gives_arguments_by_name_and_two_compare(call: str, expected: str) -> None:
@@ -123,6 +131,25 @@ def test_one_sign_gives_arguments_by_name_and_two_compare(call: str, expected: s
 )
 def test_a_comparison_is_never_an_argument_by_name(call: str) -> None:
     assert codes(BOTH + call) == ["T301"]
+
+
+def test_an_argument_by_name_does_not_read_a_variable_of_that_name() -> None:
+    text = BOTH + "same = false\nk = Show(7, same = true or false)"
+    result = compiled(text)
+    assert result.icr is not None
+    assert [m.text for m in run(result.icr).instructions if isinstance(m, MessageInstruction)] == ["7 true"]
+    assert "nothing reads the variable `same`" in [one.message for one in result.diagnostics]
+
+
+@pytest.mark.parametrize("value", ["abs(n = 3)", "min(n := 3, 4)", "max(4, n = 3)"])
+def test_a_function_takes_values_without_names(value: str) -> None:
+    text = "program p\nn = 3\nx = {}\nprint x, n"
+    found = only(text.format(value))
+    assert (found.code, found.label) == ("T303", "")
+    assert found.span is not None
+    assert text.format(value).splitlines()[2][found.span.column - 1] == "n"
+    assert "without names" in found.message
+    assert codes(text.format(value.replace("n = ", "").replace("n := ", ""))) == []
 
 
 def test_a_parenthesis_that_is_no_list_of_arguments_holds_a_comparison() -> None:

@@ -120,3 +120,11 @@ def test_every_use_stands_where_its_name_stands(path: Path) -> None:
         assert written == one.meaning.name
         if one.act is Act.DEFINES:
             assert one.meaning.role is not Role.TASK or one.span == one.meaning.definition
+
+
+@pytest.mark.parametrize("call", ["    T(2, n = n or b)", "k = T(2, n = n or b)", "k = T(2, n := n or b)"])
+def test_a_name_before_the_value_of_an_argument_is_the_parameter_in_every_call(call: str) -> None:
+    text = HEAD + f"task T(x: num, n: bool) -> num\n  return x\nendp\nn = true\nb = true\n{call}\n"
+    found = uses(text)
+    assert [line for line, _, _ in places(found, 3, 16)] == [3, 8]
+    assert [line for line, _, _ in places(found, 6, 1)] == [6, 8]

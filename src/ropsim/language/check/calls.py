@@ -46,20 +46,12 @@ def as_call(node: nodes.Function, signature: Signature) -> syntax.Call:
     A parenthesis that touches the name is the list of its arguments where the task takes so many; else it is
     what it is in a statement.
     """
-    items = tuple(map(_item, node.arguments))
+    items = node.arguments
     is_apart = node.opening > node.name.end
     is_one = len(items) == 1 and items[0].name is None
     if not is_one and (is_apart or len(items) > len(signature.formals)):
         items = (nodes.Item(None, nodes.Tuple(items, (), None, node.opening, node.end)),)
     return syntax.Call(node.name, items, -1 if is_apart else node.end, node.start, node.end)
-
-
-def _item(argument: nodes.Node) -> nodes.Item:
-    """Return an argument; what reads as a comparison `name = value` in an expression is one by name here."""
-    match argument:
-        case nodes.Binary(op="=", left=nodes.Name() as name, right=value):
-            return nodes.Item(name, value)
-    return nodes.Item(None, argument)
 
 
 def with_result(statement: Call, variable: str) -> Call:

@@ -29,6 +29,10 @@ def call(body: Body, node: nodes.Function) -> Value:
             f"`{node.name.text}` takes {count} value{'s' if count > 1 else ''}, found {len(node.arguments)}"
         )
         body.fail(kinds.ARGUMENTS, node, message)
+    for argument in node.arguments:
+        if argument.name is not None:
+            message = f"`{node.name.text}` takes values without names, found `{argument.name.text} =`"
+            body.fail(kinds.ARGUMENTS, argument.name, message, "write the value alone")
     return make(body, node)
 
 
@@ -50,24 +54,24 @@ def _no_function(body: Body, node: nodes.Function) -> NoReturn:
 
 
 def _distance(body: Body, node: nodes.Function) -> Value:
-    a, b = (values.expect(body, n, POSE, "an operand of `dist`") for n in node.arguments)
+    a, b = (values.expect(body, n, POSE, "an operand of `dist`") for n in node.values)
     return Value(Binary("distance", a, b, _REAL), LENGTH)
 
 
 def _angle_function(body: Body, node: nodes.Function) -> Value:
     name = node.name.text.lower()
-    angle = values.expect(body, node.arguments[0], ANGLE, f"the operand of `{name}`")
+    angle = values.expect(body, node.values[0], ANGLE, f"the operand of `{name}`")
     return Value(fold.unary(name, angle, _REAL), NUMBER)
 
 
 def _arc_function(body: Body, node: nodes.Function) -> Value:
     name = node.name.text.lower()
-    number = values.expect(body, node.arguments[0], NUMBER, f"the operand of `{name}`")
+    number = values.expect(body, node.values[0], NUMBER, f"the operand of `{name}`")
     return Value(fold.unary(name, number, _REAL), ANGLE)
 
 
 def _atan2(body: Body, node: nodes.Function) -> Value:
-    y, x = (values.check(body, n) for n in node.arguments)
+    y, x = (values.check(body, n) for n in node.values)
     a, b, kind = arithmetic.alike(body, "atan2", y, x, node)
     if kind == INT:
         a, b = fold.to_real(a), fold.to_real(b)
@@ -75,7 +79,7 @@ def _atan2(body: Body, node: nodes.Function) -> Value:
 
 
 def _root(body: Body, node: nodes.Function) -> Value:
-    argument = node.arguments[0]
+    argument = node.values[0]
     value = values.check(body, argument)
     kind = known(value.type)
     dimension = kind.dimension if isinstance(kind, Type) and kind.value is _REAL else units.NUMBER
@@ -91,7 +95,7 @@ def _root(body: Body, node: nodes.Function) -> Value:
 
 
 def _absolute(body: Body, node: nodes.Function) -> Value:
-    argument = node.arguments[0]
+    argument = node.values[0]
     value = values.check(body, argument)
     kind = known(value.type)
     if isinstance(kind, Type) and not kind.is_number:
@@ -105,8 +109,8 @@ def _absolute(body: Body, node: nodes.Function) -> Value:
 
 def _extreme(body: Body, node: nodes.Function) -> Value:
     name = node.name.text.lower()
-    left, right = (values.check(body, n) for n in node.arguments)
-    for value, argument in ((left, node.arguments[0]), (right, node.arguments[1])):
+    left, right = (values.check(body, n) for n in node.values)
+    for value, argument in ((left, node.values[0]), (right, node.values[1])):
         kind = known(value.type)
         if isinstance(kind, Type) and not kind.is_number:
             body.fail(kinds.WRONG_TYPE, argument, f"`{name}` needs numbers, found {article(kind)}")
@@ -117,11 +121,11 @@ def _extreme(body: Body, node: nodes.Function) -> Value:
 
 def _to_whole(body: Body, node: nodes.Function) -> Value:
     name = node.name.text.lower()
-    value = values.check(body, node.arguments[0])
+    value = values.check(body, node.values[0])
     kind = known(value.type)
     if kind == INT:
         return value
-    expression = convert.to(body, value, NUMBER, node.arguments[0], f"the operand of `{name}`")
+    expression = convert.to(body, value, NUMBER, node.values[0], f"the operand of `{name}`")
     return Value(fold.unary(name, expression, ValueType.INT), INT, is_bare=True)
 
 

@@ -181,9 +181,7 @@ def _inner(node: nodes.Node) -> tuple[nodes.Node | None, ...]:
             return (node.operand,)
         case nodes.External():
             return node.operand, *node.values
-        case nodes.Function():
-            return node.arguments
-        case nodes.Joints():
+        case nodes.Function() | nodes.Joints():
             return node.values
         case nodes.Tuple():
             turned = [part for turn in node.turns for part in (*turn.values, turn.like)]

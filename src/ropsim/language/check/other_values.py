@@ -47,7 +47,7 @@ def refuse_function(body: Body, node: nodes.Function) -> None:
     operator = _SHIFTS.get(word, "rel" if word in _COMPOSED else "")
     if not operator:
         return
-    written = [_written(body, one) for one in node.arguments]
+    written = [_written(body, one.value) for one in node.arguments]
     if all(map(_is_balanced, written)) and len(written) == (2 if word in _COMPOSED else 4):
         behind = written[1] if word in _COMPOSED else f"({', '.join(written[1:])})"
         fix = f"{written[0]} {operator} {behind}"

@@ -54,6 +54,7 @@ _OPERATORS = frozenset(
 )
 """Words and signs by which an expression goes on behind a value."""
 _OF_NAMES = frozenset(".[")
+_GIVING = frozenset(("=", ":="))
 _AXES = frozenset(a + b + c for a in "XYZ" for b in "XYZ" for c in "XYZ" if a != b != c)
 
 _number, _name, _item = maker(Number), maker(Name), maker(Item)
@@ -247,12 +248,11 @@ def _binary(cursor: Cursor, left: Node, op: str, operand: Callable[[Cursor], Nod
 def _function(cursor: Cursor, name: Name) -> Function:
     opening = cursor.start
     cursor.open_parenthesis()
-    arguments = () if cursor.word == ")" else listed(cursor)
+    arguments = () if cursor.word == ")" else items(cursor)
     location = _terms(cursor) if cursor.accept(";") else None
     cursor.close_parenthesis()
     if location is not None:  # one argument, which stands in the parentheses
-        items = tuple(_item(None, one) for one in arguments)
-        arguments = (_tuple(items, *location, opening, cursor.end),)
+        arguments = (_item(None, _tuple(arguments, *location, opening, cursor.end)),)
     return Function(name, arguments, opening, name.start, cursor.end)
 
 
@@ -284,26 +284,34 @@ def parenthesis(cursor: Cursor) -> Node:
     start = cursor.start
     member = item if cursor.index == cursor.arguments_at else _unnamed
     cursor.open_parenthesis()
-    items: list[Item] = []
+    members: list[Item] = []
     if cursor.word != ")":
-        items.append(member(cursor))
+        members.append(member(cursor))
         while cursor.accept(","):
-            items.append(member(cursor))
+            members.append(member(cursor))
     turns: tuple[Turn, ...] = ()
     posture = None
     if cursor.accept(";"):
         turns, posture = _terms(cursor)
     cursor.close_parenthesis()
-    if len(items) == 1 and not turns and posture is None and items[0].name is None:
-        only = items[0].value
+    if len(members) == 1 and not turns and posture is None and members[0].name is None:
+        only = members[0].value
         return replace(only, op="==") if isinstance(only, Binary) and only.op == "=" else only
-    return _tuple(tuple(items), turns, posture, start, cursor.end)
+    return _tuple(tuple(members), turns, posture, start, cursor.end)
+
+
+def items(cursor: Cursor) -> tuple[Item, ...]:
+    """Read one or more arguments of a call between commas."""
+    found = [item(cursor)]
+    while cursor.accept(","):
+        found.append(item(cursor))
+    return tuple(found)
 
 
 def item(cursor: Cursor) -> Item:
-    """Read `[name =] value`."""
+    """Read `[name =] value`: at the start of an argument a name before `=` or `:=` is that of a parameter."""
     token = cursor.token
-    if token.kind == "word" and cursor.look(1).word == "=" and token.word not in RESERVED:
+    if token.kind == "word" and cursor.look(1).word in _GIVING and token.word not in RESERVED:
         cursor.go(2)
         return Item(Name(token.text, token.start, token.end), expression(cursor))
     return Item(None, expression(cursor))

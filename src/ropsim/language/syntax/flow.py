@@ -4,9 +4,9 @@ from ropsim.core import did_you_mean
 from ropsim.language.findings import syntax as kinds
 from ropsim.language.syntax import headers
 from ropsim.language.syntax.cursor import Cursor
-from ropsim.language.syntax.expressions import expression, item, listed, total
+from ropsim.language.syntax.expressions import expression, items, listed, total
 from ropsim.language.syntax.lexer import Token
-from ropsim.language.syntax.nodes import Name
+from ropsim.language.syntax.nodes import Item, Name
 from ropsim.language.syntax.other_languages import ARGUMENTS, ELSE_IF, FOR, HINTS, STEP
 from ropsim.language.syntax.statements import (
     Assign,
@@ -152,16 +152,14 @@ def _is_argument(cursor: Cursor) -> bool:
 
 
 def _arguments(cursor: Cursor, name: Name, start: int) -> Statement:
-    arguments = []
     closing = _closing(cursor) if cursor.word == "(" and cursor.start == name.end else -1
+    arguments: tuple[Item, ...] = ()
     cursor.arguments_at = cursor.index
     if not cursor.at_end:
-        arguments.append(item(cursor))
-        while cursor.accept(","):
-            arguments.append(item(cursor))
+        arguments = items(cursor)
         if name.text.lower() not in HINTS and _is_argument(cursor):
             cursor.fail("`,` or the end of the line", ARGUMENTS)
-    return Call(name, tuple(arguments), closing, start, cursor.end)
+    return Call(name, arguments, closing, start, cursor.end)
 
 
 def _closing(cursor: Cursor) -> int:

@@ -98,15 +98,20 @@ class Function:
     """`name(arguments)`: a fixed function, or a task that returns a value; `opening` is its parenthesis."""
 
     name: Name
-    arguments: tuple["Node", ...]
+    arguments: tuple["Item", ...]
     opening: int
     start: int
     end: int
 
+    @property
+    def values(self) -> tuple["Node", ...]:
+        """Return the arguments without the names of parameters."""
+        return tuple(argument.value for argument in self.arguments)
+
 
 @frozen_dataclass
 class Item:
-    """A member of a parenthesis; `name` is None unless written `name = value`."""
+    """An argument, or a member of a parenthesis; `name` is None unless written `name = value`."""
 
     name: Name | None
     value: "Node"
