@@ -33,6 +33,7 @@ def mended(text: str) -> str:
         ("for i = 2 * 5 to 1 + 3", "step -1"),
         ("for i = 9 mm to 1 mm step 2 mm", "step -2 mm"),
         ("for i = 0.9 to 0.1 step 0.2", "step -0.2"),
+        ("FOR i = (10) to (1)", "step -1"),
     ],
 )
 def test_a_for_that_would_count_down_has_the_step_for_it_as_fix(header: str, step: str) -> None:
@@ -40,6 +41,11 @@ def test_a_for_that_would_count_down_has_the_step_for_it_as_fix(header: str, ste
     assert told(text) == ("T341", 1, f"write `{step}`")
     assert mended(text) == f"{header.partition(' step')[0]} {step}\n print i\nendf"
     assert codes(HEAD + mended(text)) == []
+
+
+def test_the_fix_of_a_for_keeps_the_word_behind_it() -> None:
+    assert mended("for i = 3 to 1 do\n print i\nendf") == "for i = 3 to 1 step -1 do\n print i\nendf"
+    assert mended("for i = 3 to 1 step (1) do\n print i\nendf").startswith("for i = 3 to 1 step (-1) do")
 
 
 def test_a_for_that_would_count_up_with_a_step_down_is_told_both_ways_out() -> None:
@@ -67,6 +73,8 @@ def test_a_repeat_that_counts_less_than_one_is_told(count: str) -> None:
         ("while false\n open\nendw", 1),
         ("while 1 > 2\n open\nendw", 1),
         ("if false then open", 1),
+        ("if false and part_ok then open", 1),
+        ("while part_ok and (false or 1 > 2)\n open\nendw", 1),
         ("if false\n open\nendif", 1),
         ("if part_ok\n open\nelseif false\n close\nendif", 3),
         ("repeat 3\n if not true then stop\nendr", 2),
@@ -97,6 +105,8 @@ def test_a_branch_behind_a_condition_that_is_always_true_is_told(branch: str) ->
         "const dry_run = true\nwhile not dry_run\n close\nendw",
         "if infeed.z > 5 then open",
         "if true then open",
+        "if false or part_ok then open",
+        "if part_ok and true\n open\nelse\n close\nendif",
         "n = 3\nwhile n > 5\n n = n + 1\nendw",
     ],
 )

@@ -1,5 +1,7 @@
 """Loops and branches that never run, which the numbers written there tell before the program runs."""
 
+import re
+
 from ropsim.language.check import fold
 from ropsim.language.check.body import Body
 from ropsim.language.check.silent import words_of
@@ -7,7 +9,10 @@ from ropsim.language.check.types import Value
 from ropsim.language.findings import types as kinds
 from ropsim.language.syntax import nodes
 from ropsim.language.syntax import statements as syntax
-from ropsim.program import Constant, Expression
+from ropsim.program import Binary, Constant, Expression
+
+_DO = re.compile(r"\s+do$", re.IGNORECASE)
+"""The word that may end a `for`."""
 
 
 def check_count(body: Body, node: syntax.Repeat, count: Expression | None) -> None:
@@ -58,8 +63,7 @@ def check_way(body: Body, node: syntax.For, first: Expression, last: Expression,
         hint = f"give the constant another value, or write `step {turned}` for the other way"
         body.warn(kinds.NEVER_RUN, node, message, hint)
     elif way > 0:
-        fix = f"for {node.name.text} = {first_text} to {last_text} step {turned}"
-        body.warn(kinds.NEVER_RUN, node, message, f"write `step {turned}`", fix)
+        body.warn(kinds.NEVER_RUN, node, message, f"write `step {turned}`", _with_step(body, node, turned))
     else:
         said = body.written(node.step) if node.step is not None else ""
         hint = f"write `for {node.name.text} = {last_text} to {first_text} step {said}`, or `step {turned}`"
@@ -71,13 +75,31 @@ def _is_always(body: Body, condition: nodes.Node, found: Expression, truth: Cons
 
     One that names a constant of the text is a switch, which is there to be off now and then.
     """
-    if not isinstance(found, Constant) or found.value is not truth.value:
-        return False
-    return not _names_constant(body, body.written(condition))
+    return _is(found, truth) and not _names_constant(body, body.written(condition))
+
+
+def _is(found: Expression, truth: Constant) -> bool:
+    """Return whether a condition has this value whatever signals and variables say."""
+    match found:
+        case Constant(value=value):
+            return value is truth.value
+        case Binary(op="and" | "or" as op, left=left, right=right):
+            one_is_enough = (op == "or") is truth.value
+            return (any if one_is_enough else all)(_is(side, truth) for side in (left, right))
+    return False
 
 
 def _names_constant(body: Body, written: str) -> bool:
     return any(isinstance(body.find(word), Value) for word in words_of(written))
+
+
+def _with_step(body: Body, node: syntax.For, step: str) -> str:
+    """Return the line of a loop with another step."""
+    line = body.written(node)
+    if node.step is not None:
+        return line[: node.step.start - node.start] + step + line[node.step.end - node.start :]
+    end = _DO.search(line)
+    return f"{line[: end.start()]} step {step}{end[0]}" if end else f"{line} step {step}"
 
 
 def _turned(body: Body, node: syntax.For) -> str:
