@@ -13,6 +13,7 @@ from ropsim.language.syntax.statements import Setting
 _STEP = pi / 4.0
 _LAST = 8
 """Multiples of an eighth of a turn that are known by their digits."""
+_LARGEST = (_LAST + 0.5) * _STEP
 _CERTAIN = 4
 """So many digits tell radians, whatever stands beside them."""
 _LIKELY = 3
@@ -86,7 +87,7 @@ def _suspect(body: Body, values: Sequence[nodes.Node], most: float) -> tuple[flo
             return None
         size = abs(number)
         largest = max(largest, size)
-        if size % 1.0:
+        if size < _LARGEST and size % 1.0:
             found.append(number)
     if not found or body.world.units.angle == 1.0:
         return None

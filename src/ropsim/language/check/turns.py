@@ -99,11 +99,12 @@ def _quaternion(body: Body, term: nodes.Turn) -> Expression:
             "the quaternion has no direction: all its numbers are zero",
             "the upright one is `quat 1 0 0 0`",
         )
+    unit = quaternion.normalize((w, x, y, z))
     if abs(length - 1.0) > _NOT_UNIT:
         text = "quat " + " ".join(f"{round(number / length, 7) + 0.0:.7g}" for number in (w, x, y, z))
         message = f"the length of this quaternion is {length:g}, not 1"
         body.warn(kinds.NOT_OF_UNIT_LENGTH, term, message, f"write `{text}`", text)
-    return fold.pose((0.0, 0.0, 0.0, *quaternion.normalize((w, x, y, z))))
+    return fold.pose((0.0, 0.0, 0.0, *unit))
 
 
 def _rotation_vector(body: Body, term: nodes.Turn) -> Expression:
