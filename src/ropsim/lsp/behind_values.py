@@ -11,7 +11,7 @@ from ropsim.lsp.messages import Json
 MOTION = re.compile(r"^\s*(?:\d+\.\s*)?(?:mov[jlc]?|lin|circ|spline)\b", re.IGNORECASE)
 """The verb of a motion at the beginning of a line."""
 
-_SET_NAME = re.compile(r"^\s*set\s+\w+\s+$|\bdo\s+set\s+\w+\s+$", re.IGNORECASE | re.ASCII)
+_SET_NAME = re.compile(r"(?:^|\bdo)\s*set\s+(\w+)\s+$", re.IGNORECASE | re.ASCII)
 _ON_THE_WAY = re.compile(r"\b(?:via|spline)\b(?:(?!\bto\b).)*$", re.IGNORECASE)
 _BEHIND_TARGET = re.compile(
     rf"\b(?:{'|'.join((*words.MODIFIERS, *sorted(language.BEHIND_TARGETS), 'until'))})\b", re.IGNORECASE
@@ -45,7 +45,7 @@ def behind_value(line: str) -> Iterator[Json]:
     if line.count("(") > line.count(")"):
         is_call = not MOTION.match(line)
         yield from some_words(words.INNER, (*(_PLACED if is_call else ()), "mod"), "3")
-    elif _SET_NAME.search(line):
+    elif (named := _SET_NAME.search(line)) is not None and named[1].lower() not in words.MODIFIERS:
         yield from (item(state, KEYWORD, f"set OUTPUT {state}", "") for state in _STATES)
     elif MOTION.match(line):
         yield from _in_motion(line)

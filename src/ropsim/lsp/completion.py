@@ -13,19 +13,31 @@ from ropsim.lsp.cell_completion import proposed_in_cell
 from ropsim.lsp.cell_place import is_cell_file
 from ropsim.lsp.document import Document
 from ropsim.lsp.expected import expected, in_call
-from ropsim.lsp.items import FIELD, KEYWORD, KINDS, LITERAL, TYPE, UNIT, item, name_item, word_items
+from ropsim.lsp.items import (
+    FIELD,
+    KEYWORD,
+    KINDS,
+    LITERAL,
+    TYPE,
+    UNIT,
+    item,
+    name_item,
+    some_words,
+    word_items,
+)
 from ropsim.lsp.knowledge import not_named, proposed_in_tasks, task_item
 from ropsim.lsp.line_place import Place, place_of, statement_of
 from ropsim.lsp.messages import Json
 from ropsim.lsp.names import Known
 from ropsim.lsp.programs import is_program
 from ropsim.lsp.protocol import CompletionAt, Position
-from ropsim.lsp.unit_order import ordered_units, own_units
+from ropsim.lsp.unit_order import is_counted, ordered_units, own_units
 from ropsim.lsp.values import NO_VALUES, values
 from ropsim.lsp.workshop import Workshop
 from ropsim.workbench import CheckedText, environment_of
 
 _SIDES = ("after start", "before end")
+_DIRECTIONS = ("analog", "input", "output")
 _QUIET_TRIGGERS = (" ", ",", "(")
 _MEMBERS = ("x", "y", "z", "rx", "ry", "rz", "col", "row", "layer")
 _NO_PLACE = re.compile(r'^(?:[^"#/]|/(?!/)|"(?:[^"\\]|\\.)*+")*+(?:#|//|")')
@@ -39,6 +51,8 @@ _WORDS: Mapping[Place, tuple[Json, ...]] = {
     Place.MODIFIER: tuple(word_items(words.MODIFIERS, KEYWORD, "1")),
     Place.SETTING: tuple(word_items(words.MODIFIERS, KEYWORD, "1")),
     Place.SIDE: tuple(item(side, KEYWORD, "the end from which is counted", "") for side in _SIDES),
+    Place.EACH: tuple(some_words(words.INNER, ("in",), "1")),
+    Place.DIRECTION: tuple(item(one, KEYWORD, words.STATEMENTS["signal"].form, "") for one in _DIRECTIONS),
     Place.TRIGGER: (item("set", KEYWORD, "set OUTPUT on|off|= value", words.STATEMENTS["set"].meaning),),
     Place.STATEMENT: tuple(word_items(words.STATEMENTS, KEYWORD, "2")),
 }
@@ -47,6 +61,7 @@ _ROLES = {
     Place.TOOL: Role.TOOL,
     Place.FRAME: Role.FRAME,
     Place.STATEMENT: Role.VARIABLE,
+    Place.VARIABLE: Role.VARIABLE,
 }
 
 
@@ -100,7 +115,8 @@ def proposed(
         return [item(word, LITERAL, "posture", "") for part in parts for word in part]
     if place is Place.UNIT:
         units = ordered_units(lead, checked.tasks, own_units(document.text))
-        ordered = [item(unit, UNIT, "unit", "", f"0{at:02}") for at, unit in enumerate(units)]
+        group = "5" if is_counted(lead) else "0"
+        ordered = [item(unit, UNIT, "unit", "", f"{group}{at:02}") for at, unit in enumerate(units)]
         return [*ordered, *behind_value(lead)]
     offered = list(_offered(place, lead, list(known.values()), checked, workshop.outline(document)))
     if place in (Place.TASK, Place.STATEMENT):
@@ -131,9 +147,10 @@ def _offered(
             yield from (name_item(one) for one in known if one.role not in NO_VALUES)
         case Place.FRAME:
             yield item("base", KINDS[Role.FRAME], "the base frame", "")
-        case Place.OUTPUT | Place.SETTING:
+        case Place.OUTPUT | Place.SETTING | Place.INPUT:
             signals = (one for one in known if one.role is Role.SIGNAL)
-            yield from (name_item(one, "0") for one in signals if not _INPUT.search(one.text))
+            wanted = place is Place.INPUT
+            yield from (name_item(one, "0") for one in signals if _is_input(one) is wanted)
         case Place.TASK | Place.STATEMENT:
             yield from _tasks(checked, outline)
         case Place.BEHIND_VALUE:
@@ -144,6 +161,10 @@ def _offered(
 
 def _named(known: list[Known], role: Role) -> Iterator[Json]:
     yield from (name_item(one) for one in known if one.role is role)
+
+
+def _is_input(signal: Known) -> bool:
+    return _INPUT.search(signal.text) is not None
 
 
 def _tasks(checked: CheckedText, outline: language.Outline) -> Iterator[Json]:

@@ -20,6 +20,10 @@ class Place(Enum):
     SIDE = "end of a way from which is counted"
     TRIGGER = "what is done on the way"
     OUTPUT = "output"
+    INPUT = "input"
+    DIRECTION = "direction of a signal"
+    VARIABLE = "variable"
+    EACH = "where `for each` takes from"
     TASK = "task"
     SETTING = "output or setting"
     MODIFIER = "setting"
@@ -39,6 +43,12 @@ _PLACES = tuple(
         (r"^\s*units\b.*$", Place.UNITS),
         (r"^\s*(?:task|const|var)\b.*(?::|->)\s*$", Place.TYPE),
         (r"^\s*(?:program|loc|frame|tool|signal|const|var|pattern|task)\s+$", Place.NOTHING),
+        (r"^\s*(?:stop|needs|assumes|load)\s+|^\s*(?:var\s+\w+|for\s+\w+)\s+$", Place.NOTHING),
+        (r"^\s*var\s+\w+\s*:\s*\w+\s+$|\btrack\s+\w+\s+$", Place.NOTHING),
+        (r"^\s*signal\s+\w+\s*=\s*(?:analog\s+)?$", Place.DIRECTION),
+        (r"^\s*for\s+each\s+\w+\s+$", Place.EACH),
+        (r"\bstore\s+$", Place.VARIABLE),
+        (r"\btrack\s+$", Place.INPUT),
         (r"^\s*(?:for\s+each\s+\w+\s+in)\s+$", Place.PATTERN),
         (r"^\s*(?:\d+\.\s*)?$", Place.STATEMENT),
         (r"\bat\s(?:(?!\bdo\b).)*[^\d\s(,=+*/-]\s+$", Place.SIDE),
@@ -52,6 +62,7 @@ _PLACES = tuple(
         (r"(?<![\w.])\d+(?:\.\d+)?(?:e[+-]?\d+)?\s*$", Place.UNIT),
         (r"[A-Za-z_]\w*\.$", Place.MEMBER),
         (r"\bconfig\s*\([^()]*$", Place.POSTURE),
+        (r"\b(?:rx|ry|rz|pitch|roll|yaw|like)\s+$", Place.VALUE),
         (r"\([^()]*;[^()]*$", Place.TURN),
     )
 )

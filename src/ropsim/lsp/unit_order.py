@@ -10,6 +10,7 @@ from ropsim.lsp.expected import UNITS_OF, expected
 
 _NUMBER = re.compile(r"(?:-\s*)?\d+(?:\.\d+)?(?:e[+-]?\d+)?\s*$", re.IGNORECASE | re.ASCII)
 _OWN = re.compile(r"^[ \t]*units\b([^\n#]*)", re.IGNORECASE | re.MULTILINE)
+_COUNTED = re.compile(r"^\s*(?:for|repeat|if|elseif|while)\b", re.IGNORECASE)
 _LIMITS = {"speed": ("speed", "angular speed"), "accel": ("accel",)}
 
 
@@ -32,6 +33,11 @@ def ordered_units(lead: str, tasks: Mapping[str, TaskForm], own: Iterable[str]) 
     known = frozenset(own)
     others = [unit for unit in sorted(language.UNIT_WORDS - {"%"}, key=str.lower) if unit not in fitting]
     return [*_own_first(fitting, known), *_own_first(others, known)]
+
+
+def is_counted(lead: str) -> bool:
+    """Return whether the number at the end of a statement is more likely one without a unit."""
+    return _COUNTED.match(lead) is not None
 
 
 def _own_first(units: list[str], own: frozenset[str]) -> list[str]:

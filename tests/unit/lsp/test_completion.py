@@ -115,10 +115,26 @@ def test_behind_a_target_no_value_is_offered(line: str) -> None:
         ("x = (n |", ["above", "in", "mod", "offset", "rel"]),
         ("loc z = p |", ["above", "external", "in", "offset", "rel"]),
         ("repeat n |", []),
+        ("for each b |", ["in"]),
+        ("set fine |", []),
+        ("signal more = |", ["analog", "input", "output"]),
+        ("signal more = analog |", ["analog", "input", "output"]),
+        ("lin p track |", ["force"]),
+        ("lin p store |", ["n"]),
+        ("var k |", []),
+        ("stop |", []),
     ],
 )
 def test_a_value_is_followed_by_words_that_go_on(line: str, words: list[str]) -> None:
     assert labels(line) == words
+
+
+def test_a_number_that_counts_is_followed_by_words_first() -> None:
+    assert labels("for i = 1 |")[:2] == ["mod", "to"]
+    assert "then" in labels("if n > 3 |")[:5]
+    assert "p" not in labels("repeat |")
+    assert labels("x = dist(p, |")[0] == "p"
+    assert labels("lin (1, 2, 3; rz |")[0] == "90 deg"
 
 
 @pytest.mark.parametrize("line", ["x = |", "print |", "x = n + |", "x = (n, |"])
