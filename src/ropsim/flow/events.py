@@ -63,6 +63,7 @@ class MoveEvent(Event):
         flown: distance from the target at which the path went on to the next move [m]; 0 where it stopped.
         blending: part of `travel` within its own zone or that of the move before [s].
         critical: limit that sets its time; None where it reaches none, as in a zone.
+        path_speed: that in force for its path of the tool, of program or cell [m/s]; None where it has none.
         path_error_max: largest distance of the TCP from the path of the tool [m]; None where there is none.
         target: where the command puts the TCP if the move goes to its end, in the base frame [m], three
             numbers; empty where it is not known.
@@ -79,6 +80,7 @@ class MoveEvent(Event):
     flown: float = 0.0
     blending: float = 0.0
     critical: CriticalLimit | None = None
+    path_speed: float | None = None
     path_error_max: float | None = None
     target: tuple[float, ...] = ()
 

@@ -12,6 +12,7 @@ from ropsim.core import Diagnostic
 from ropsim.flow import (
     MessageEvent,
     MessageInstruction,
+    MotionKind,
     MoveEvent,
     MoveInstruction,
     OutputEvent,
@@ -107,6 +108,7 @@ def _follow(
             flown=one.zone,
             blending=follower.blended(since, end) / at.hz,
             critical=motion.critical[number],
+            path_speed=_path_speed(at, one.move),
             target=_commanded(at, one.X_MT) if tracking else motion.places[number],
         )
         run.note(at, since, done)
@@ -123,6 +125,14 @@ def _told_by(lookout: Lookout, follower: Follower, one: PlannedMove, first: floa
     if follower.ended_at == first and lookout.world.guard_met:
         return (lookout.held_before(one.move),)
     return () if follower.ended else tuple(filter(None, (lookout.missed(one.move),)))
+
+
+def _path_speed(at: StationRun, move: MoveInstruction) -> float | None:
+    """Return the speed that program or cell give for the path of the tool [m/s]; None in joint space."""
+    if move.kind == MotionKind.PTP:
+        return None
+    controller, given = at.station.controller, move.modal.path_speed
+    return (controller.path.speed if given is None else given) * controller.speed_override
 
 
 def _commanded(at: StationRun, X_MT: Pose) -> tuple[float, ...]:

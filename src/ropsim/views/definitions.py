@@ -29,6 +29,9 @@ DEFINITIONS: Mapping[str, str] = MappingProxyType(
         "path repeatability, RT<sub>p</sub>": "Of several passes of one path, the largest l̄ + 3 S over 50 "
         "points of it, with the distances l of the passes from their middle in the plane at right angles to "
         "the path (8.3). The simulation has no noise: passes differ by what was before them and by payload.",
+        "given speed": "Path speed that the program, or the cell, gives for the move. Where the command "
+        "speed stays below it, the way is too short for acceleration and jerk, or joints and corners do not "
+        "allow it.",
         "path velocity accuracy, AV": "(mean attained speed − command speed) / command speed, over the "
         "middle half of the time in which the commanded speed of the move is within 1 % of "
         "its largest value; its fluctuation FV is the largest minus the least attained speed there (8.6).",

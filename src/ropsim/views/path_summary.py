@@ -17,6 +17,9 @@ from ropsim.spatial import Array
 from ropsim.views.accuracy import SpeedFigures, largest_angle, path_repeatability, speed_figures
 from ropsim.views.channels import StationView, rms, station_views
 
+REACHED = 0.99
+"""Share of a given speed from which on it is reached."""
+
 Indices = npt.NDArray[np.intp]
 
 
@@ -35,6 +38,7 @@ class PathMove:
         max_angle: largest angle between attained and commanded orientation at one place of the path [rad];
             NaN where it is not known.
         speeds: AV and FV.
+        given: path speed that program or cell give [m/s]; NaN where the recording does not tell it.
     """
 
     station: str
@@ -46,6 +50,12 @@ class PathMove:
     rms_error: float
     max_angle: float
     speeds: SpeedFigures
+    given: float = math.nan
+
+    @property
+    def falls_short(self) -> bool:
+        """Return whether its command does not come to the speed that is given for it."""
+        return self.speeds.command < REACHED * self.given
 
 
 @frozen_dataclass
@@ -129,6 +139,14 @@ class PathSummary:
         return largest_speed_error(self.moves)
 
     @property
+    def slow(self) -> tuple[PathMove, ...]:
+        """Return the moves that do not come to the speed that is given for them, in order of time.
+
+        Their ways are too short for their acceleration and jerk, or joints and corners do not allow it.
+        """
+        return tuple(move for move in self.moves if move.falls_short)
+
+    @property
     def mean_speed_accuracy(self) -> float:
         """Return the mean AV of the moves that have one, a share; NaN where none has."""
         known = [move.speeds.accuracy for move in self.moves if math.isfinite(move.speeds.accuracy)]
@@ -204,12 +222,12 @@ class _Run:
 def _lines(station: StationView, error: Array) -> Iterator[PathLine]:
     """Yield the moves of a station by source line; `error` are its path errors, shape (n,)."""
     inside = np.flatnonzero(np.isfinite(error))
-    ordinals, visits, run = station.ordinals(), _visits(station), _Run.of(station, error)
+    ordinals, events, run = station.ordinals(), _events(station), _Run.of(station, error)
     moves: dict[int, list[tuple[PathMove, tuple[Array, Array]]]] = {}
     for piece in np.split(inside, np.flatnonzero(np.diff(ordinals[inside]) != 0) + 1):
         if piece.size:
             ordinal = int(ordinals[piece[0]])
-            move = _move(run, piece, ordinal, visits.get(ordinal, 0))
+            move = _move(run, piece, ordinal, events.get(ordinal))
             command, attained = run.ways
             moves.setdefault(move.line, []).append((move, (command[piece], attained[piece])))
     for line, passes in moves.items():
@@ -217,8 +235,8 @@ def _lines(station: StationView, error: Array) -> Iterator[PathLine]:
         yield PathLine(station.facts.name, line, tuple(move for move, _ in passes), repeats)
 
 
-def _move(run: _Run, piece: Indices, ordinal: int, visit: int) -> PathMove:
-    """Return the figures of the samples `piece`."""
+def _move(run: _Run, piece: Indices, ordinal: int, event: MoveEvent | None) -> PathMove:
+    """Return the figures of the samples `piece`; the event is None of a move that has not ended."""
     station, (command, attained), (wanted, had) = run.station, run.ways, run.turned
     worst = int(piece[np.argmax(run.error[piece])])
     angle = largest_angle(station.time[piece], (command[piece], wanted[piece]), (attained[piece], had[piece]))
@@ -226,19 +244,20 @@ def _move(run: _Run, piece: Indices, ordinal: int, visit: int) -> PathMove:
         station.facts.name,
         ordinal,
         station.line(worst),
-        visit,
+        event.visit if event else 0,
         float(station.time[worst]),
         float(run.error[worst]),
         rms(run.error[piece]),
         angle,
         speed_figures(run.speeds[0][piece], run.speeds[1][piece]),
+        math.nan if event is None or event.path_speed is None else event.path_speed,
     )
 
 
-def _visits(station: StationView) -> dict[int, int]:
-    """Return the loop pass of each move of a station, by its ordinal."""
+def _events(station: StationView) -> dict[int, MoveEvent]:
+    """Return the moves of a station as they were carried out, by their ordinals."""
     return {
-        event.ordinal: event.visit
+        event.ordinal: event
         for event in station.recording.events
         if isinstance(event, MoveEvent) and event.station == station.facts.name
     }

@@ -46,6 +46,7 @@ def _path(path: PathSummary, style: Style) -> list[str]:
         f"  worst at t = {seconds(worst.time)} s{place_text(worst.line, worst.visit)}",
         *_orientation(path),
         *_repeats(path),
+        *_slow(path),
         *_speeds(path),
     ]
 
@@ -65,6 +66,17 @@ def _repeats(path: PathSummary) -> list[str]:
         return []
     passes = f"{len(line.moves)} passes of line {line.line}" if line.line else f"{len(line.moves)} passes"
     return [f"  path repeatability RT: max {with_unit(line.repeatability, MILLIMETRES, 3)} ({passes})"]
+
+
+def _slow(path: PathSummary) -> list[str]:
+    if not path.slow:
+        return []
+    least = min(path.slow, key=lambda move: move.speeds.command / move.given)
+    speeds = f"{with_unit(least.speeds.command, MILLIMETRES_PER_SECOND, 0)} of " + with_unit(
+        least.given, MILLIMETRES_PER_SECOND, 0
+    )
+    many = plural(len(path.slow), "move")
+    return [f"  given speed not reached in {many}: {speeds}{place_text(least.line, least.visit)}"]
 
 
 def _speeds(path: PathSummary) -> list[str]:

@@ -5,7 +5,14 @@ import numpy as np
 import pytest
 
 from ropsim.flow import Channel, MotionKind, MoveEvent, Origin, Recording
+from ropsim.model import Tool
+from ropsim.robots import default_controller, load
+from ropsim.simulation import Fidelity, RunOptions, run
 from ropsim.views import summarize
+from ropsim.views.style import Style
+from ropsim.views.terminal_accuracy import accuracy_lines
+from support.cells import one_station
+from support.compiled import code_of
 from support.recordings import empty_recording, facts, pick_and_place
 
 RATE = 100.0
@@ -72,3 +79,24 @@ def test_run_without_straight_moves_has_no_path_figures() -> None:
     path = summarize(empty_recording()).path
     assert path.worst is None
     assert math.isnan(path.max_error)
+
+
+@pytest.mark.parametrize(("given", "slow"), [(0.2, 0), (0.25, 1), (None, 0)])
+def test_a_move_whose_given_speed_its_command_does_not_come_to_is_told(
+    given: float | None, slow: int
+) -> None:
+    recording = line_run(0.19)
+    (event,) = recording.events_of(MoveEvent)
+    summary = summarize(replace(recording, events=(replace(event, path_speed=given),)))
+    assert len(summary.path.slow) == slow
+    told = "\n".join(accuracy_lines(summary, Style.PLAIN)).replace("\xa0", " ")
+    assert ("given speed not reached in 1 move: 200 mm/s of 250 mm/s" in told) == bool(slow)
+
+
+@pytest.mark.parametrize(("words", "speed"), [("speed 600 mm/s", 0.6), ("", 0.25)])
+def test_a_move_tells_the_speed_that_program_or_cell_give(words: str, speed: float) -> None:
+    cell = one_station("c", load("puma560"), default_controller("puma560"), tools={"": Tool("")})
+    code = code_of(cell, "mov (500, 0, 300)", f"lin (500, 60, 300) {words}")
+    recording = run(cell, {"robot": code}, RunOptions(Fidelity.KINEMATIC))
+    assert [one.path_speed for one in recording.events_of(MoveEvent)] == [None, speed]
+    assert len(summarize(recording).path.slow) == (1 if words else 0)
