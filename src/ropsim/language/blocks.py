@@ -3,6 +3,7 @@
 import re
 from collections.abc import Iterable
 from dataclasses import dataclass, field
+from itertools import pairwise
 
 from ropsim.core import Label, Span, frozen_dataclass
 from ropsim.language.findings import syntax as kinds
@@ -112,13 +113,16 @@ def build(lines: Iterable[Line], report: Report, cut: tuple[str, ...] = ()) -> T
     """Return the tree of a text, or of a part of one before which `cut` was reported."""
     top = _Open("", Line.empty(), cut=list(cut))
     stack = [top]
-    for line in lines:
+    for line, following in pairwise((*lines, Line.empty())):
         if type(line.statement) not in STEERING:
             stack[-1].body.append(line)
             continue
-        if line.fault is not None and _is_one_line(line):
-            stack[-1].cut.append("if")  # an `endif` shows that the block was meant
         opener = opened(line)
+        if line.fault is not None and _is_one_line(line):
+            if _goes_on(line, following):
+                opener = "if"
+            else:
+                stack[-1].cut.append("if")  # an `endif` shows that the block was meant
         closes = closed(line)
         if opener == "task":
             _close_down_to(stack, 1, report)
@@ -266,6 +270,12 @@ def opened(line: Line) -> str:
 
 def _is_one_line(line: Line) -> bool:
     return isinstance(line.statement, If) and line.statement.body is not None
+
+
+def _goes_on(line: Line, following: Line) -> bool:
+    """Return whether a block was meant though a statement stands on the line of its condition."""
+    shift = _indent(following) - _indent(line)
+    return following.statement is not None and (shift > 0 or (shift == 0 and "if" in middle(following)))
 
 
 def closed(line: Line) -> str:

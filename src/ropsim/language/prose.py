@@ -97,7 +97,8 @@ def _absorbed(
                 fault = line.fault
                 is_prose = clause and not runs_on and _is_prose(line, task_names)
                 hint = _ENDS if is_prose else _hint(line, fault, task_names)
-                report.at(fault.kind, line, fault, fault.message, hint, fix=fault.fix or None)
+                fix = fault.fix if hint == fault.hint else ""
+                report.at(fault.kind, line, fault, fault.message, hint, fix=fix or None)
             if clause:
                 yield clause
                 yield from swallowed
@@ -146,7 +147,9 @@ def _hint(line: Line, fault: Fault, task_names: Collection[str]) -> str:
     """Return the hint of a fault; for a word of another language, what to write here."""
     head = line.head
     is_own = _ASSIGNED.match(line.logical.text) or head in map(str.lower, task_names)
-    return HINTS[head] if fault.kind is kinds.UNEXPECTED and head in HINTS and not is_own else fault.hint
+    is_told = head == END and fault.hint  # what stands behind it tells more
+    is_foreign = fault.kind is kinds.UNEXPECTED and head in HINTS and not is_own
+    return HINTS[head] if is_foreign and not is_told else fault.hint
 
 
 def _is_open(clause: Line) -> bool:

@@ -134,6 +134,8 @@ def test_an_end_further_left_ends_the_outer_block() -> None:
 
 
 def test_a_condition_with_lines_below_it_is_a_block_though_a_statement_stands_behind_it() -> None:
+    inner = "  if part_ok print 1\n  else\n    open\n  endif\n"
+    assert codes(f"{HEAD}if part_ok then\n{inner}endif\n{BEHIND}") == ["L101"]
     assert codes(f"{HEAD}if part_ok print 1\n  open\nendif\n{BEHIND}") == ["L101"]
 
 

@@ -48,6 +48,7 @@ SAID = {
     "gripper": "`open` and `close`",
     "grasp": "`open` and `close`",
     **dict.fromkeys(("def", "PROC", "procedure", "function", "func", "Sub"), "`task Name(parameter: type)`"),
+    **dict.fromkeys(("ENDMODULE", "endprogram"), "leave this one out"),
     "BEGIN": "leave `begin` out",
     "next": "`endf`",
     **dict.fromkeys(("speed", "vel", "acc", "accel", "blend", "zone"), "`set speed 500 mm/s`"),

@@ -49,6 +49,15 @@ MEANT = [
     ("wait for 500 ms", "wait 500 ms"),
     ("set glue high", "set glue on"),
     ("set glue LOW", "set glue off"),
+    ("set glue to off", "set glue off"),
+    ("lin base", "lin (0, 0, 0) in base"),
+    ("k = 3 print k", "k = 3\nprint k"),
+    ("print 1 k = 3", "print 1\nk = 3"),
+    ("for i in 1 to 3\n  print i\nendf", "for i = 1 to 3\n  print i\nendf"),
+    (
+        "pattern g = grid 2 x 2 from p step (1, 0, 0), (0, 1, 0)\nfor s in g\n  lin s\nendf",
+        "pattern g = grid 2 x 2 from p step (1, 0, 0), (0, 1, 0)\nfor each s in g\n  lin s\nendf",
+    ),
     ("set glue = 1", "set glue on"),
     ("set glue = 0", "set glue off"),
     ("glue = on", "set glue on"),
@@ -85,6 +94,12 @@ SAID = [
     ("Bar 3", "define it with `task`"),
     ("call Bar(p)", "define it with `task`"),
     ("home", "`mov home`"),
+    ("set glue", "`set NAME on`"),
+    ("set glue on for 0.5 s", "`wait 0.5 s`"),
+    ("set glue on 0.5", "`wait 0.5 s`"),
+    ("lin pallet.p", "`(0, 0, 0) in pallet`"),
+    ("end program", "a program ends with its last line"),
+    ("lin {X 300, Y 0, Z 100}", "`(x, y, z)`"),
 ]
 
 

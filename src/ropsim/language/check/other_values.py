@@ -65,9 +65,11 @@ def refuse_name(body: Body, node: nodes.Name) -> None:
         body.fail(kinds.UNKNOWN_NAME, node, f"there is no name `{node.text}`", hint)
     _refuse_rate(body, node)
     world = body.world
-    if node.text in world.frames or node.text in world.environment.moving:
-        fix = f"(0, 0, 0) in {node.text}"
+    if node.text in (*world.frames, *world.environment.moving, "base"):
+        fix: str | None = f"(0, 0, 0) in {node.text}"
         message, hint = f"`{node.text}` is a frame, no value", f"a location in it is written `{fix}`"
+        if body.line.logical.text[node.end : node.end + 1] == ".":
+            fix = None
         body.fail(kinds.UNKNOWN_NAME, node, message, hint, fix=fix)
     if node.text in world.tools:
         message, hint = f"`{node.text}` is a tool, no value", f"it stands behind `tool`: `tool {node.text}`"

@@ -1,29 +1,23 @@
-"""Lines that steer the flow of a program, call tasks, assign and print."""
+"""Lines that branch and jump, call tasks, assign and print."""
 
 from ropsim.core import did_you_mean
-from ropsim.language.findings import syntax as kinds
 from ropsim.language.syntax import headers
 from ropsim.language.syntax.cursor import Cursor
-from ropsim.language.syntax.expressions import expression, items, listed, total
+from ropsim.language.syntax.expressions import expression, items, listed
 from ropsim.language.syntax.lexer import Token
 from ropsim.language.syntax.nodes import Item, Name
-from ropsim.language.syntax.other_languages import ARGUMENTS, ELSE_IF, FOR, HINTS, STEP
+from ropsim.language.syntax.other_languages import ARGUMENTS, ELSE_IF, HINTS, STEP
 from ropsim.language.syntax.statements import (
     Assign,
     Call,
     Closer,
     Else,
     ElseIf,
-    For,
-    ForEach,
     Jump,
     Print,
-    Repeat,
     Return,
     Statement,
     Stop,
-    Until,
-    While,
 )
 from ropsim.language.syntax.words import INSIDE, RESERVED
 
@@ -31,11 +25,6 @@ from ropsim.language.syntax.words import INSIDE, RESERVED
 def closer(cursor: Cursor, head: Token) -> Statement:
     """Read `endp` and its like, or `end` alone."""
     return Closer("endp" if head.word == "endtask" else head.word, head.start, cursor.end)
-
-
-def until(cursor: Cursor, head: Token) -> Statement:
-    """Read `until condition`."""
-    return Until(expression(cursor), head.start, cursor.end)
 
 
 def elseif(cursor: Cursor, head: Token) -> Statement:
@@ -52,49 +41,6 @@ def else_statement(cursor: Cursor, head: Token) -> Statement:
         cursor.fail("the end of the line", ELSE_IF)
     headers.section_body(cursor, "endif")
     return Else(head.start, cursor.end)
-
-
-def while_statement(cursor: Cursor, head: Token) -> Statement:
-    """Read `while condition [do]`."""
-    condition = expression(cursor)
-    headers.loop_body(cursor, "endw")
-    return While(condition, head.start, cursor.end)
-
-
-def repeat(cursor: Cursor, head: Token) -> Statement:
-    """Read `repeat [count]`."""
-    count = None
-    if not cursor.at_end and not headers.begins_statement(cursor):
-        count = expression(cursor)
-    headers.repeated(cursor)
-    return Repeat(count, head.start, cursor.end)
-
-
-def for_statement(cursor: Cursor, head: Token) -> Statement:
-    """Read `for each name in pattern` or `for name = first to last [step s]`."""
-    if cursor.accept("each"):
-        name = cursor.name("the name of a variable")
-        cursor.expect("in")
-        chosen = cursor.name("the name of a pattern")
-        headers.loop_body(cursor, "endf")
-        return ForEach(name, chosen, head.start, cursor.end)
-    if cursor.token.kind != "word":
-        cursor.fail("`each` or the name of a variable", FOR)
-    name = cursor.name("`each` or the name of a variable")
-    if cursor.word not in ("=", ":="):
-        if near := did_you_mean(name.text, ("each",)):
-            message = f"expected `each` or `=` behind a name, found `{name.text}`"
-            cursor.fault(kinds.UNEXPECTED, name.start, name.end, message, near)
-        cursor.fail("`=`", FOR)
-    cursor.expect_equals()
-    first = total(cursor)
-    if cursor.word in (",", "."):
-        cursor.fail("`to`", FOR)
-    cursor.expect("to")
-    last = total(cursor)
-    step = total(cursor) if cursor.accept("step") else None
-    headers.loop_body(cursor, "endf")
-    return For(name, first, last, step, head.start, cursor.end)
 
 
 def jump(cursor: Cursor, head: Token) -> Statement:

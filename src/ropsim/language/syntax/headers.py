@@ -5,6 +5,7 @@ from ropsim.language.findings import syntax as kinds
 from ropsim.language.syntax.cursor import Cursor
 from ropsim.language.syntax.fault import Fault
 from ropsim.language.syntax.lexer import UNITS, Token
+from ropsim.language.syntax.other_languages import END_OF_PROGRAM
 from ropsim.language.syntax.other_languages import UNITS as WRITTEN_OUT
 from ropsim.language.syntax.statements import Closer
 from ropsim.language.syntax.words import ACTIONS, END, OPENERS, RESERVED
@@ -90,6 +91,8 @@ def _body_below(cursor: Cursor, missing: str, closer: str) -> None:
 def ended(cursor: Cursor, head: Token) -> Closer | None:
     """Read what ends a block in two words, as `end while`; None where it is something else."""
     kind = cursor.token
+    if kind.word in ("program", "module") and cursor.look(1).kind == "end":
+        cursor.fail("the end of the line", END_OF_PROGRAM)
     closer = _ENDED.get(kind.word)
     if closer is None or cursor.look(1).kind != "end":
         return None

@@ -6,6 +6,7 @@ from ropsim.core import did_you_mean
 from ropsim.language.findings import syntax as kinds
 from ropsim.language.syntax.cursor import Cursor
 from ropsim.language.syntax.fault import Fault, LineFaultError
+from ropsim.language.syntax.headers import begins_statement
 from ropsim.language.syntax.lexer import UNITS, Token
 from ropsim.language.syntax.other_languages import DECIMAL, LEFT_OVER
 from ropsim.language.syntax.other_languages import UNITS as WRITTEN_OUT
@@ -75,12 +76,12 @@ def _second_setting(cursor: Cursor, token: Token, head: Token) -> Fault | None:
     """Return the fault of what stands behind the setting of a `set`."""
     if head.word != "set":
         return None
-    behind = cursor.look(1)
+    behind, is_output = cursor.look(1), cursor.tokens[1].word not in _SETTINGS
     if token.word in _SETTINGS:
         hint, fix = "each `set` has one setting: write the next one below", f"{cursor.below}set {token.text}"
     elif token.word == "," and behind.word in _SETTINGS:
         hint, fix = "each `set` has one setting: write the next one below", f"{cursor.below}set"
-    elif token.word == "," and behind.kind == "number":
+    elif "number" in (token.kind, behind.kind) and token.word in ("", ",", "for") and is_output:
         hint, fix = "nothing stands behind what is set; a time is a line of its own: `wait 0.5 s`", ""
     else:
         return None
@@ -97,9 +98,9 @@ def _comma(cursor: Cursor, comma: Token, head: Token) -> Fault | None:
     return Fault(kinds.UNEXPECTED, comma.start, behind.end, message, hint, f" {behind.text}")
 
 
-def _statement(cursor: Cursor, token: Token, _: Token) -> Fault | None:
+def _statement(cursor: Cursor, token: Token, head: Token) -> Fault | None:
     """Return the fault of a second statement on a line."""
-    if token.word not in ACTIONS:
+    if not begins_statement(cursor) or (token.word not in ACTIONS and head.word in MOTIONS):
         return None
     hint = "each statement stands on a line of its own"
     return cursor.unexpected("the end of the line", hint, cursor.below + token.text)

@@ -137,6 +137,7 @@ def _bad(line: str, at: int) -> Fault:
         "!": "write `not`",
         "^": "there is no power: write `x * x`",
         "°": "write `deg`",
+        **dict.fromkeys("{}", "there are no braces: a location is `(x, y, z)`, and a block ends with `end`"),
         "\u00a0": "this is a non-breaking space; type an ordinary one",
     }.get(character, "leave it out; other languages' letters may stand in comments and texts")
     if character in "!'" and not line[:at].strip():

@@ -37,6 +37,9 @@ ENDS: Mapping[str, str] = {
 }
 """What ends blocks elsewhere, alone on its line, and what does here."""
 
+END_OF_PROGRAM = "a program ends with its last line: leave this one out"
+"""What to do with the end of a program or module."""
+
 HINTS: Mapping[str, str] = {
     "movel": _LIN,
     "moves": _LIN,
@@ -80,6 +83,7 @@ HINTS: Mapping[str, str] = {
     "function": _TASK,
     "func": _TASK,
     "sub": _TASK,
+    **dict.fromkeys(("endmodule", "endprogram"), END_OF_PROGRAM),
     "begin": "a block begins with its own line, `if …`, `repeat …`, `task …`; leave `begin` out",
     "end": _CLOSER,
     "loop": _LOOP,

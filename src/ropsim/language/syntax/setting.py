@@ -44,13 +44,20 @@ def _refuse(cursor: Cursor, name: Name) -> NoReturn:
     if near and state.word not in LEVELS:
         message = f"expected a setting or the name of an output, found `{name.text}`"
         cursor.fault(kinds.UNEXPECTED, name.start, name.end, message, near)
-    if level := LEVELS.get(state.word):
-        raise LineFaultError(cursor.unexpected("`on`, `off` or `=`", f"write `{level}`", level))
+    if state.word in LEVELS:
+        here = LEVELS[state.word]
+        raise LineFaultError(cursor.unexpected("`on`, `off` or `=`", f"write `{here}`", here))
     if state.kind == "number":
         cursor.fail(
             "`on`, `off` or `=`", f"a digital output is set `on` or `off`, an analog one `= {state.text}`"
         )
-    cursor.fail("`on`, `off` or `=`", SET if state.word == "to" else "")
+    level = cursor.look(1)
+    if state.word == "to" and level.word in ("on", "off"):
+        message = "expected `on`, `off` or `=`, found `to`"
+        cursor.fault(
+            kinds.UNEXPECTED, state.start, level.end, message, f"write `{level.text}`", fix=level.text
+        )
+    cursor.fail("`on`, `off` or `=`", SET if state.word == "to" or cursor.at_end else "")
 
 
 def with_statement(cursor: Cursor, head: Token) -> Statement:

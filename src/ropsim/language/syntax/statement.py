@@ -5,7 +5,7 @@ from typing import NoReturn
 
 from ropsim.core import did_you_mean
 from ropsim.language.findings import syntax as kinds
-from ropsim.language.syntax import declarations, flow, headers, motion, setting
+from ropsim.language.syntax import declarations, flow, headers, loops, motion, setting
 from ropsim.language.syntax.cursor import Cursor
 from ropsim.language.syntax.expressions import expression, total
 from ropsim.language.syntax.lexer import Token, number_parts
@@ -199,10 +199,10 @@ _STATEMENTS: dict[str, Callable[[Cursor, Token], Statement]] = {
     "if": if_statement,
     "elseif": flow.elseif,
     "else": flow.else_statement,
-    "while": flow.while_statement,
-    "repeat": flow.repeat,
-    "until": flow.until,
-    "for": flow.for_statement,
+    "while": loops.while_statement,
+    "repeat": loops.repeat,
+    "until": loops.until,
+    "for": loops.for_statement,
     "break": flow.jump,
     "continue": flow.jump,
     "return": flow.return_statement,
