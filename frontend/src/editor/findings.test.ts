@@ -1,4 +1,5 @@
-import { Text } from '@codemirror/state'
+import { EditorState, Text, type TransactionSpec } from '@codemirror/state'
+import type { EditorView } from '@codemirror/view'
 import { describe, expect, it } from 'vitest'
 import { marksOf, problemsOf, type WireDiagnostic } from './findings'
 import { sanitizeHTML } from './sanitize'
@@ -49,6 +50,30 @@ describe('findings of the language server', () => {
       hint: 'did you mean `release`?',
       severity: 'error',
     })
+  })
+})
+
+describe('a fix of more than the marked text', () => {
+  const whole = { start: { line: 1, character: 0 }, end: { line: 1, character: 8 } }
+  const fix = { title: 'replace by `lin x`', range: whole, newText: 'lin x' }
+  const [mark] = marksOf([{ ...FOUND, data: { fix } }], doc, at => at)
+
+  function done(text: string, from: number): string {
+    let state = EditorState.create({ doc: text })
+    const dispatch = (spec: TransactionSpec) => {
+      state = state.update(spec).state
+    }
+    const view = { state, dispatch } as unknown as EditorView
+    mark?.actions?.[0]?.apply(view, from, from + 6)
+    return state.doc.toString()
+  }
+
+  it('is made where that text has moved to', () => {
+    expect(done('program p\n\nrelase x\nrelase x', 11)).toBe('program p\n\nlin x\nrelase x')
+  })
+
+  it('is left where that text is another one now', () => {
+    expect(done('program p\nrelase y', 10)).toBe('program p\nrelase y')
   })
 })
 

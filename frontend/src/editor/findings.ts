@@ -56,30 +56,29 @@ export function marksOf(
     const from = map(offsetOf(doc, found.range.start))
     const to = Math.max(map(offsetOf(doc, found.range.end)), from)
     const mark = { from, to, severity: severityOf(found), message: found.message, source: found.code ?? '' }
-    const actions = actionsOf(found)
+    const actions = actionsOf(found, doc)
     return actions.length > 0 ? { ...mark, actions } : mark
   })
 }
 
-function actionsOf(found: WireDiagnostic): Action[] {
+/** The fix of a finding; one of more than the marked text is made where that text still stands. */
+function actionsOf(found: WireDiagnostic, doc: Text): Action[] {
   const fix = found.data?.fix
-  if (!fix || !same(fix.range, found.range)) return []
-  const apply = (view: EditorView, from: number, to: number) =>
+  if (!fix) return []
+  const [start, end] = [offsetOf(doc, fix.range.start), offsetOf(doc, fix.range.end)]
+  const before = start - offsetOf(doc, found.range.start)
+  const behind = end - offsetOf(doc, found.range.end)
+  const old = doc.sliceString(start, end)
+  const apply = (view: EditorView, from: number, to: number) => {
+    const place = { from: from + before, to: to + behind }
+    if ((before || behind) && view.state.sliceDoc(place.from, place.to) !== old) return
     view.dispatch({
-      changes: { from, to, insert: fix.newText },
-      selection: { anchor: from + fix.newText.length },
+      changes: { ...place, insert: fix.newText },
+      selection: { anchor: place.from + fix.newText.length },
       userEvent: 'input.fix',
     })
+  }
   return [{ name: fix.title.replace(/`([^`]*)`/g, '“$1”'), apply }]
-}
-
-function same(a: WireRange, b: WireRange): boolean {
-  return (
-    a.start.line === b.start.line &&
-    a.start.character === b.start.character &&
-    a.end.line === b.end.line &&
-    a.end.character === b.end.character
-  )
 }
 
 /** The findings of a document for the list of problems, each mistake once; a hint stands apart from its message there. */

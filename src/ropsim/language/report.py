@@ -91,8 +91,9 @@ class Report:
             TooManyFindingsError: the list is full.
         """
         self.log.append(diagnostic)
-        if diagnostic.code in _OF_NAMES:
-            mended = diagnostic.fix.replacement if diagnostic.fix is not None else None
+        fix = diagnostic.fix
+        if diagnostic.code in _OF_NAMES and (fix is None or fix.span == diagnostic.span):
+            mended = fix.replacement if fix is not None else None
             first = self._first.setdefault((diagnostic.message, mended), len(self.found))
             if first < len(self.found):
                 self.found[first] = with_place(self.found[first], diagnostic.span)

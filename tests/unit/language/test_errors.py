@@ -133,11 +133,14 @@ SWITCHES = replace(
 )
 
 
+READ_PLACED = "signals are read by name: write `wait until placed`"
+
+
 @pytest.mark.parametrize(
     ("line", "code", "hint"),
     [
         ("mov infeed speed 150 mm", "T302", "its unit is of another sort: write one of those in parentheses"),
-        ("wait placed", "N202", "signals are read by name: write `wait until placed`"),
+        ("wait placed", "N202", f"{READ_PLACED}, and declare it in the cell file: `[signals.placed]`"),
         ("wait ready", "T301", "signals are read by name: write `wait until ready`"),
         ("wait until ready on", "L101", "inputs are read by name: write `wait until NAME`"),
         ("wait until ready off", "L101", "inputs are read by name: write `wait until not NAME`"),

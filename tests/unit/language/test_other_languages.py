@@ -2,6 +2,7 @@
 
 import pytest
 
+from ropsim import language
 from ropsim.language.syntax.other_languages import HINTS
 from support.tasks import compiled, only
 
@@ -181,3 +182,51 @@ def test_a_condition_that_is_waited_for_is_mended_by_until(line: str, mended: st
     span = found.fix.span
     assert line[: span.column - 1] + found.fix.replacement + line[span.end_column - 1 :] == mended
     assert compiled(head + mended).diagnostics == ()
+
+
+@pytest.mark.parametrize(
+    ("line", "mended"),
+    [
+        ("MoveL infeed, v500, z10", "lin infeed speed 500 mm/s blend 10 mm"),
+        ("MoveL infeed above 30, v500, fine, jaws", "lin infeed above 30 speed 500 mm/s fine tool jaws"),
+        ("movej(infeed, z10)", "mov infeed blend 10 mm"),
+        ("if part_ok then MoveL infeed, fine", "if part_ok then lin infeed fine"),
+        ("SetDO glue, 1", "set glue on"),
+        ("set_digital_out(glue, 0)", "set glue off"),
+        ("Reset glue", "set glue off"),
+        ("WaitDI part_ok, 0", "wait until not part_ok"),
+        ("WaitUntil part_ok", "wait until part_ok"),
+        ("WaitTime 0.5", "wait 0.5 s"),
+        ("sleep(0.5)", "wait 0.5 s"),
+        ("delay 500 ms", "wait 500 ms"),
+        ("speed 500 mm/s", "set speed 500 mm/s"),
+        ("zone 10 mm", "set blend 10 mm"),
+        ("exit", "stop"),
+    ],
+)
+def test_a_simple_line_of_another_language_is_written_anew(line: str, mended: str) -> None:
+    head = "program p\nunits mm\nsignal glue = output 1\n"
+    first, second = language.each_place(compiled(f"{head}{line}\n{line}").diagnostics)
+    for found, number in ((first, 4), (second, 5)):
+        assert found.fix is not None
+        span = found.fix.span
+        assert (found.code, span.line) == ("N201", number)
+        assert line[: span.column - 1] + found.fix.replacement + line[span.end_column - 1 :] == mended
+    assert compiled(f"{head}{mended}").diagnostics == ()
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "SetDO part_ok, 1",
+        "SetDO nowhere, 1",
+        "delay 500",
+        "x = sleep(3)",
+        "WaitTime 3 mm",
+        "exit 3",
+        "Reset glue, 1",
+    ],
+)
+def test_a_line_that_tells_too_little_has_no_fix(line: str) -> None:
+    found = next(one for one in compiled(f"program p\nunits mm\n{line}").diagnostics if one.code[0] == "N")
+    assert found.fix is None

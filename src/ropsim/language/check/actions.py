@@ -43,7 +43,9 @@ def _refuse_signal(body: Body, node: Node) -> None:
         message = f"the time of `wait` must be a time, found the signal `{node.text}`"
         body.fail(kinds.WRONG_TYPE, node, message, hint, f"until {condition}")
     if symbol is None and not did_you_mean(node.text, values.visible(body)):
-        body.fail(name_kinds.UNKNOWN_NAME, node, f"there is no name `{node.text}`", hint)
+        hint += f", and declare it in the cell file: `[signals.{node.text}]`"
+        message = f"there is no name `{node.text}`"
+        body.fail(name_kinds.UNKNOWN_NAME, node, message, hint, f"until {condition}")
 
 
 def _refuse_undeclared(body: Body, kind: Kind, name: Name, what: str, candidates: Iterable[str]) -> None:

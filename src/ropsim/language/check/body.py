@@ -166,6 +166,16 @@ class Body:
         self.report.at(kind, self.line, place, message, hint, fix=fix)
         raise RejectedError
 
+    def reject(self, finding: Diagnostic) -> NoReturn:
+        """Report a finding that is made elsewhere and give up the statement.
+
+        Raises:
+            RejectedError: always.
+        """
+        if not self.report.muted:
+            self.report.add(finding)
+        raise RejectedError
+
     # --- names
 
     def find(self, name: str) -> Symbol | None:

@@ -2,11 +2,13 @@
 
 from collections.abc import Callable, Iterable
 from dataclasses import replace
+from functools import partial
 from typing import NoReturn
 
-from ropsim.core import did_you_mean
+from ropsim.core import TextEdit, did_you_mean
 from ropsim.language.check import components, convert, facing, poses, values
 from ropsim.language.check.body import Body, RejectedError
+from ropsim.language.check.foreign_lines import translated
 from ropsim.language.check.types import POSE, Value, known
 from ropsim.language.check.world import Formal, Signature
 from ropsim.language.findings import names as name_kinds
@@ -28,7 +30,7 @@ def call(body: Body, node: syntax.Call) -> Call:
     """
     signature = body.world.signatures.get(node.name.text)
     if signature is None:
-        unknown_task(body, node.name)
+        unknown_task(body, node)
     if not signature.is_known:
         raise RejectedError
     if body.world.is_classic:
@@ -59,22 +61,29 @@ def with_result(statement: Call, variable: str) -> Call:
     return replace(statement, result=variable)
 
 
-def unknown_task(body: Body, name: nodes.Name) -> NoReturn:
+def unknown_task(body: Body, node: syntax.Call) -> NoReturn:
     """Report that a task is not defined, in the words of paper 1.
 
     Raises:
         RejectedError: always.
     """
-    environment = body.world.environment
+    name, environment = node.name, body.world.environment
     reason = environment.refused.get(name.text)
     if reason is not None:
         message = f"the task `{name.text}` of the knowledge base cannot be called: {reason}"
         body.fail(name_kinds.REFUSED_TASK, name, message, "put the task right in its text")
     hint = _near_task(body, name, (*body.world.signatures, *environment.listed))
+    message = f"Task not defined: `{name.text}`"
+    line = translated(body, node) if hint == HINTS.get(name.text.lower()) else None
+    if line is not None:
+        span = partial(body.line.logical.span, body.report.source)
+        edit = TextEdit(span(node.start, node.end), line)
+        place = span(name.start, name.end)
+        body.reject(name_kinds.UNKNOWN_TASK.at(place, message, hint=hint, fix=edit))
     fix = hint.split("`")[1] if hint.startswith("did you mean") else None
     if fix is not None and not _can_be_read(body, name, fix):
         fix = None
-    body.fail(name_kinds.UNKNOWN_TASK, name, f"Task not defined: `{name.text}`", hint, fix=fix)
+    body.fail(name_kinds.UNKNOWN_TASK, name, message, hint, fix=fix)
 
 
 def _near_task(body: Body, name: nodes.Name, tasks: Iterable[str]) -> str:

@@ -1,0 +1,137 @@
+"""Whole lines of other robot languages, where they are simple, in the words of this one."""
+
+import re
+from collections.abc import Callable, Mapping, Sequence
+from functools import partial
+
+from ropsim.language.check.body import Body
+from ropsim.language.syntax import nodes
+from ropsim.language.syntax import statements as syntax
+from ropsim.program import SignalUse, ValueType
+
+_SPEED, _ZONE = re.compile(r"v(\d+)"), re.compile(r"z(\d+)")
+_TIMES = ("", "s", "ms", "min")
+
+Values = Sequence[nodes.Node]
+
+
+def translated(body: Body, node: syntax.Call) -> str | None:
+    """Return a line as it is written here; None for words of nobody, and where the line tells too little."""
+    write = _LINES.get(node.name.text.lower())
+    if write is None or not _is_statement(body, node) or any(item.name for item in node.arguments):
+        return None
+    values = [item.value for item in node.arguments]
+    if len(values) == 1 and isinstance(values[0], nodes.Tuple) and values[0].start == node.name.end:
+        values = [item.value for item in values[0].items]
+    return write(body, values)
+
+
+def _is_statement(body: Body, node: syntax.Call) -> bool:
+    """Return whether a call is all of its line, or of what stands behind `then`."""
+    statement: object = body.line.statement
+    while isinstance(statement, syntax.If):
+        statement = statement.body
+    return statement is node
+
+
+def _text(body: Body, node: nodes.Node) -> str:
+    return body.line.logical.text[node.start : node.end]
+
+
+def _setting(word: str, body: Body, values: Values) -> str | None:
+    match values:
+        case [nodes.Number() as number]:
+            return f"set {word} {_text(body, number)}"
+    return None
+
+
+def _pause(bare: str, body: Body, values: Values) -> str | None:
+    """Return a wait; `bare` is the unit of a number without one, empty where languages differ."""
+    match values:
+        case [nodes.Number(unit=unit) as number] if unit in _TIMES and (unit or bare):
+            return f"wait {_text(body, number)}{'' if unit else f' {bare}'}"
+    return None
+
+
+def _output(body: Body, values: Values) -> str | None:
+    match values:
+        case [nodes.Name(text=name), nodes.Number(value=0.0 | 1.0, unit="") as level]:
+            return _switched(body, name, "on" if level.value else "off")
+    return None
+
+
+def _reset(body: Body, values: Values) -> str | None:
+    match values:
+        case [nodes.Name(text=name)]:
+            return _switched(body, name, "off")
+    return None
+
+
+def _switched(body: Body, name: str, level: str) -> str | None:
+    signal = _signal(body, name)
+    return f"set {name} {level}" if signal is not None and not signal.is_input else None
+
+
+def _input(body: Body, values: Values) -> str | None:
+    match values:
+        case [nodes.Name(text=name)] if _signal(body, name) is not None:
+            return f"wait until {name}"
+        case [nodes.Name(text=name), nodes.Number(value=0.0 | 1.0, unit="") as level]:
+            return f"wait until {'' if level.value else 'not '}{name}" if _signal(body, name) else None
+    return None
+
+
+def _signal(body: Body, name: str) -> SignalUse | None:
+    symbol = body.find(name)
+    return symbol if isinstance(symbol, SignalUse) and symbol.type is ValueType.BOOL else None
+
+
+def _move(verb: str, body: Body, values: Values) -> str | None:
+    """Return a motion with its speed, zone and tool; a speed says nothing of the joints of `mov`."""
+    if len(values) < 2 or not all(isinstance(one, nodes.Name) for one in values[1:]):
+        return None
+    words = [_word(body, verb, _text(body, one)) for one in values[1:]]
+    return " ".join((verb, _text(body, values[0]), *words)) if all(words) else None
+
+
+def _word(body: Body, verb: str, text: str) -> str:
+    """Return what a word behind the target of a motion of RAPID says here; empty for nothing."""
+    speed, zone = _SPEED.fullmatch(text), _ZONE.fullmatch(text)
+    if speed is not None:
+        return f"speed {speed[1]} mm/s" if verb == "lin" else ""
+    if zone is not None:
+        return f"blend {zone[1]} mm"
+    return "fine" if text == "fine" else f"tool {text}" if text in body.world.tools else ""
+
+
+def _stop(_: Body, values: Values) -> str | None:
+    return None if values else "stop"
+
+
+_LINES: Mapping[str, Callable[[Body, Values], str | None]] = {
+    "movel": partial(_move, "lin"),
+    "moves": partial(_move, "lin"),
+    "slin": partial(_move, "lin"),
+    "movej": partial(_move, "mov"),
+    "ptp": partial(_move, "mov"),
+    "sptp": partial(_move, "mov"),
+    "setdo": _output,
+    "set_digital_out": _output,
+    "set_standard_digital_out": _output,
+    "reset": _reset,
+    "waitdi": _input,
+    "waituntil": _input,
+    "waittime": partial(_pause, "s"),
+    "sleep": partial(_pause, "s"),
+    "delay": partial(_pause, ""),
+    "pause": partial(_pause, ""),
+    "halt": _stop,
+    "exit": _stop,
+    "quit": _stop,
+    "speed": partial(_setting, "speed"),
+    "vel": partial(_setting, "speed"),
+    "acc": partial(_setting, "acc"),
+    "accel": partial(_setting, "acc"),
+    "blend": partial(_setting, "blend"),
+    "zone": partial(_setting, "blend"),
+}
