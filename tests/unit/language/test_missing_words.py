@@ -147,3 +147,20 @@ def test_a_statement_stands_behind_else(line: str) -> None:
     assert (found.code, found.hint) == ("L101", "a statement stands behind `else`")
     assert found.span is not None
     assert found.span.column >= len("wait until part_ok timeout 3 else")
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "task T() -> length\n  while part_ok return 3 mm\n  endw\nendp\nx = T()\nprint x",
+        "repeat 3 q = infeed\nendr\nlin q",
+        "if part_ok q = infeed\nlin infeed",
+    ],
+)
+def test_what_a_statement_on_the_line_of_a_header_makes_is_not_missed(text: str) -> None:
+    assert codes(f"{HEAD}{text}") == ["L101"]
+
+
+def test_implicit_parameters_that_a_wrong_line_may_name_are_not_missed() -> None:
+    task = "task Twice\n  repeat 2 lin l\n  endr\nendp\n"
+    assert codes(f"{task}Twice infeed\n") == ["L101"]

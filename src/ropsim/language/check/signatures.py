@@ -89,7 +89,7 @@ def _has_wrong_line(block: Block, task_names: Container[str]) -> bool:
         for item in section.body:
             line = item.opener if isinstance(item, Block) else item
             statement = line.statement
-            if isinstance(statement, syntax.Broken) and line.fault is not None:
+            if line.fault is not None:
                 return True
             if isinstance(statement, syntax.Call) and statement.name.text not in task_names:
                 return True

@@ -11,6 +11,7 @@ from ropsim.language.check.silent import tells_nothing
 from ropsim.language.check.types import BOOL
 from ropsim.language.findings import syntax as kinds
 from ropsim.language.syntax import statements as syntax
+from ropsim.language.syntax.line import parse_line
 from ropsim.language.text import Line
 from ropsim.program import Block, If, Repeat, Statement, With
 from ropsim.program import For as ForStatement
@@ -52,6 +53,7 @@ def _block(body: Body, tree: SyntaxBlock) -> Block:
     """Return the structured statement of a block; where its header is wrong its lines are still checked."""
     first = tree.sections[0]
     node = first.header.statement
+    _poison_dropped(body, tree.sections)
     try:
         match node:
             case syntax.If():
@@ -73,6 +75,17 @@ def _block(body: Body, tree: SyntaxBlock) -> Block:
     except RejectedError:
         lines.poison_targets(body, node)
     return _only_checked(body, tree)
+
+
+def _poison_dropped(body: Body, sections: Iterable[Section]) -> None:
+    """Give names a meaning that statements on the lines of headers make: those are wrong and left out."""
+    for header in (section.header for section in sections):
+        if header.fault is None:
+            continue
+        body.has_gaps = True
+        dropped, fault = parse_line(header.logical.text[header.fault.start :])
+        if fault is None:
+            lines.poison_targets(body, dropped)
 
 
 def _only_checked(body: Body, tree: SyntaxBlock) -> Block:
