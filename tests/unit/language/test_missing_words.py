@@ -47,7 +47,23 @@ def test_another_word_in_the_place_of_then_keeps_the_block(word: str) -> None:
     assert codes(applied(text, found)) == []
 
 
-@pytest.mark.parametrize("line", ["if part_ok Foo a", "if 1 = 1 Foo a"])
+@pytest.mark.parametrize("line", ["if part_ok Foo a", "if 1 = 1 Foo a", "if part_ok Foo(a)"])
+def test_a_call_of_a_task_with_a_capital_letter_lacks_then(line: str) -> None:
+    text = f"{HEAD}{line}\n{BEHIND}"
+    found = only(text)
+    assert found.hint == "write `then`"
+    assert codes(applied(text, found)) == []
+
+
+@pytest.mark.parametrize(("word", "sign"), [("EQ", "="), ("equals", "="), ("gt", ">"), ("NE", "<>")])
+def test_comparisons_are_signs(word: str, sign: str) -> None:
+    text = f"{HEAD}k = 3\nif k {word} 3 then\n  lin a\nendif\n{BEHIND}"
+    found = only(text)
+    assert found.hint == f"write `{sign}`"
+    assert codes(applied(text, found)) == []
+
+
+@pytest.mark.parametrize("line", ["if part_ok foo a", "if 1 = 1 foo a"])
 def test_a_call_behind_a_condition_lacks_then(line: str) -> None:
     found = only(f"{HEAD}{line}\n{BEHIND}")
     assert "stands behind `then`" in found.hint

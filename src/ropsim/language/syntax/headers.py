@@ -3,9 +3,9 @@
 from ropsim.core import did_you_mean
 from ropsim.language.findings import syntax as kinds
 from ropsim.language.syntax.cursor import Cursor
-from ropsim.language.syntax.fault import Fault
+from ropsim.language.syntax.fault import Fault, LineFaultError
 from ropsim.language.syntax.lexer import UNITS, Token
-from ropsim.language.syntax.other_languages import END_OF_PROGRAM
+from ropsim.language.syntax.other_languages import COMPARISONS, END_OF_PROGRAM
 from ropsim.language.syntax.other_languages import UNITS as WRITTEN_OUT
 from ropsim.language.syntax.statements import Closer
 from ropsim.language.syntax.words import ACTIONS, END, OPENERS, RESERVED
@@ -33,7 +33,10 @@ def then(cursor: Cursor) -> bool:
     if cursor.accept("then"):
         return True
     token = cursor.token
-    if begins_statement(cursor):
+    if token.word in COMPARISONS:
+        here = COMPARISONS[token.word]
+        raise LineFaultError(cursor.unexpected("`then` or the end of the line", f"write `{here}`", here))
+    if begins_statement(cursor) or _is_task(cursor):
         cursor.mend(cursor.unexpected("`then`", "write `then`", f"then {token.text}"))
         return True
     if token.word == "do" or (token.kind == "word" and did_you_mean(token.text, ("then",))):
@@ -46,6 +49,13 @@ def then(cursor: Cursor) -> bool:
             "`then` or the end of the line", "a statement on the line of an `if` stands behind `then`"
         )
     return False
+
+
+def _is_task(cursor: Cursor) -> bool:
+    """Return whether the next token has the capital letter of the name of a task."""
+    text = cursor.token.text
+    is_name = cursor.token.kind == "word" and cursor.word not in RESERVED and not text.isupper()
+    return is_name and text[:1].isupper() and not _is_unit(cursor)
 
 
 def _is_unit(cursor: Cursor) -> bool:

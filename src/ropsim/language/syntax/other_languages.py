@@ -127,6 +127,15 @@ WAIT_CONDITION = "a wait for a condition is written `wait until CONDITION`"
 """What to write where a condition stands behind `wait`."""
 ELSE_IF = "write it as one word: `elseif CONDITION`"
 """What to write for `else if`."""
+COMPARISONS: Mapping[str, str] = {
+    **dict.fromkeys(("eq", "equal", "equals"), "="),
+    **dict.fromkeys(("ne", "neq"), "<>"),
+    **dict.fromkeys(("gt", "greater"), ">"),
+    **dict.fromkeys(("lt", "less"), "<"),
+    **dict.fromkeys(("ge", "gte"), ">="),
+    **dict.fromkeys(("le", "lte"), "<="),
+}
+"""Comparisons that are words, and their signs here."""
 STEP = "write `{0} = {0} + 1`: an assignment names the variable on both sides"
 """What to write for `x++` and `x += 1`."""
 FOR = "write `for i = FIRST to LAST`, or `for each b in PATTERN`"
