@@ -53,15 +53,17 @@ def _way_out(positions: Callable[[Array], Array], zone: float, clip: float) -> f
     """Return the first way at which the distance from the place at way 0 is `zone`, at most `clip`."""
     if zone <= 0.0 or clip <= 0.0:
         return 0.0
-    centre = positions(np.zeros(1))[0]
+    ways = _GRID * clip
+    places = positions(ways)
+
+    def squares(points: Array) -> Array:
+        # the square of the distance is smooth at the centre, too, and on a line a parabola
+        return np.asarray(np.sum(np.square(points - places[0]), axis=1) - zone * zone)
 
     def beyond(ways: Array) -> Array:
-        # the square of the distance is smooth at the centre, too, and on a line a parabola
-        squares: Array = np.sum(np.square(positions(ways) - centre), axis=1) - zone * zone
-        return squares
+        return squares(positions(ways))
 
-    ways = _GRID * clip
-    found = _first_outside(ways, beyond(ways), zone, beyond)
+    found = _first_outside(ways, squares(places), zone, beyond)
     if found is None:
         return clip
     low, width = found
