@@ -40,7 +40,7 @@ def code_of(engine: Engine, goal: str, limits: Limits | None = None) -> str:
         "loop",
         "stubborn",
         "repeat, fail",
-        "X is 7 ** (7 ** 8)",
+        "X is 7 ** (7 ** 10)",
         "between(1, inf, X), X < 0",
         "length(L, N), N < 0",
     ],

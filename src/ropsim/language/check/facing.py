@@ -42,7 +42,7 @@ def _check(body: Body, node: nodes.Tuple, X_KF: PoseTuple, moving: str) -> None:
     upright = f"rpy 0 0 0, {written}"
     if len(node.turns) == 1:
         upright = f"rpy 0 0 {body.written(node.turns[0].values[0])}"
-    message = f"`{written}` points the tool up, along z of the frame; without terms `(x, y, z)` points down"
+    message = "`rz` alone points the tool up, along z of the frame; without terms `(x, y, z)` points down"
     hint = f"write `down, {written}`, or `{upright}` where up is meant"
     body.warn(kinds.POINTS_UP, place, message, hint, f"down, {written}")
 

@@ -17,7 +17,7 @@ def check_place(body: Body, node: nodes.Node) -> None:
     """Warn of three bare numbers in parentheses that put something nearly at its origin (T338)."""
     if not isinstance(node, nodes.Tuple) or not _is_near(body, places := [i.value for i in node.items[:3]]):
         return
-    shown = ", ".join(map(body.written, places))
+    shown = ", ".join(f"{numerals.bare(one):g}" for one in places)
     rest = body.line.logical.text[places[-1].end : node.end]
     meant = (f"`({', '.join(f'{body.written(one)} {unit}' for one in places)}{rest}`" for unit in ("m", "mm"))
     message = f"`({shown})` without a unit is in mm, hardly away from its origin"
@@ -29,7 +29,8 @@ def check_length(body: Body, word: str, node: nodes.Node, place: Placed) -> None
     if not _is_near(body, (node,)):
         return
     written = body.written(node)
-    message = f"`{word} {written}` without a unit is {written} mm"
+    number = f"{numerals.bare(node):g}"
+    message = f"`{word} {number}` without a unit is {number} mm"
     body.warn(kinds.OTHER_UNIT, place, message, f"write `{word} {written} m`, or `{word} {written} mm`")
 
 

@@ -11,6 +11,7 @@ from ropsim.language.syntax import nodes
 from ropsim.language.syntax import statements as syntax
 from ropsim.program import Binary, Constant, Expression
 
+_WORD = re.compile(r"-?[\w.]+")
 _DO = re.compile(r"\s+do$", re.IGNORECASE)
 """The word that may end a `for`."""
 
@@ -20,9 +21,9 @@ def check_count(body: Body, node: syntax.Repeat, count: Expression | None) -> No
     number = fold.number_of(count) if count is not None else None
     if node.count is None or number is None or number >= 1:
         return
-    written = body.written(node.count)
-    shown = written if written == f"{number:g}" else f"{written}`, which is `{number:g}"
-    message = f"the lines of this loop never run, its count is `{shown}`"
+    shown = _shown(body, node.count, number)
+    told = shown if shown == f"{number:g}" else f"{shown}`, which is `{number:g}"
+    message = f"the lines of this loop never run, its count is `{told}`"
     body.warn(kinds.NEVER_RUN, node, message, "write a count of at least 1, or leave the loop out")
 
 
@@ -53,7 +54,7 @@ def check_way(body: Body, node: syntax.For, first: Expression, last: Expression,
     start, end, way = fold.number_of(first), fold.number_of(last), fold.number_of(step)
     if start is None or end is None or not way or (end - start) * way >= 0:
         return
-    first_text, last_text = body.written(node.first), body.written(node.last)
+    first_text, last_text = _shown(body, node.first, start), _shown(body, node.last, end)
     message = f"the lines of this loop never run: `{first_text} to {last_text}` counts "
     message += f"{'down' if way > 0 else 'up'}, and its step counts {'up' if way > 0 else 'down'}"
     turned = _turned(body, node)
@@ -68,6 +69,12 @@ def check_way(body: Body, node: syntax.For, first: Expression, last: Expression,
         said = body.written(node.step) if node.step is not None else ""
         hint = f"write `for {node.name.text} = {last_text} to {first_text} step {said}`, or `step {turned}`"
         body.warn(kinds.NEVER_RUN, node, message, hint)
+
+
+def _shown(body: Body, node: nodes.Node, number: float) -> str:
+    """Return a number as it is written, where that is one word; else the number itself."""
+    written = body.written(node)
+    return written if _WORD.fullmatch(written) else f"{number:g}"
 
 
 def _is_always(body: Body, condition: nodes.Node, found: Expression, truth: Constant) -> bool:

@@ -61,7 +61,7 @@ def _check(body: Body, place: Placed, word: str, values: Sequence[nodes.Node], m
     if found is None:
         return
     number, turn = found
-    message = f"`{body.written(place)}` has {number:g}°, the digits of {turn:g}° in radians"
+    message = f"`{word}` has {number:g}°, the digits of {turn:g}° in radians"
     meant = f"`{word} {turn:g} deg`" if len(values) == 1 else "degrees"
     before = body.line.logical.text[place.start : values[0].start]
     text = f"{before}{' '.join(_in_radians(body, values))}"
