@@ -12,11 +12,10 @@ MOTION = re.compile(r"^\s*(?:\d+\.\s*)?(?:mov[jlc]?|lin|circ|spline)\b", re.IGNO
 """The verb of a motion at the beginning of a line."""
 
 _SET_NAME = re.compile(r"(?:^|\bdo)\s*set\s+(\w+)\s+$", re.IGNORECASE | re.ASCII)
-_ON_THE_WAY = re.compile(r"\b(?:via|spline)\b(?:(?!\bto\b).)*$", re.IGNORECASE)
 _BEHIND_TARGET = re.compile(
     rf"\b(?:{'|'.join((*words.MODIFIERS, *sorted(language.BEHIND_TARGETS), 'until'))})\b", re.IGNORECASE
 )
-_UNTIL = re.compile(r"\buntil\b(?:(?!\btimeout\b).)*$", re.IGNORECASE)
+_WORD = re.compile(r"\w+", re.ASCII)
 _QUIET = re.compile(r"^\s*(?:set|with|wait|repeat|open|close|store|for\s+each)\b", re.IGNORECASE)
 _ONLY_WITH = {
     "angle": re.compile(r"\b(?:circ|movc)\b", re.IGNORECASE),
@@ -49,19 +48,25 @@ def behind_value(line: str) -> Iterator[Json]:
         yield from (item(state, KEYWORD, f"set OUTPUT {state}", "") for state in _STATES)
     elif MOTION.match(line):
         yield from _in_motion(line)
-    elif _UNTIL.search(line) and not line.lstrip().lower().startswith("until"):
+    elif _is_last(line, ("until",), "timeout") and not line.lstrip().lower().startswith("until"):
         yield from some_words(words.INNER, _LOGIC, "1")
         yield from some_words(words.MOTIONS, ("timeout",), "1")
     elif not _QUIET.match(line):
         yield from _in_expression(line)
 
 
+def _is_last(line: str, wanted: tuple[str, ...], other: str) -> bool:
+    """Return whether one of some words stands in a line, with no other word behind it."""
+    found = (word.lower() for word in reversed(_WORD.findall(line)))
+    return next((word for word in found if word in wanted or word == other), other) != other
+
+
 def _in_motion(line: str) -> Iterator[Json]:
-    if _UNTIL.search(line):
+    if _is_last(line, ("until",), "timeout"):
         yield from some_words(words.INNER, _LOGIC, "1")
         yield from some_words(words.MOTIONS, ("timeout",), "1")
         return
-    if _ON_THE_WAY.search(line):
+    if _is_last(line, ("via", "spline"), "to"):
         yield from some_words(words.INNER, ("to",), "1")
     else:
         yield from word_items(words.MODIFIERS, KEYWORD, "1")

@@ -10,7 +10,6 @@ _CALL = re.compile(
     r"^\s*(?:\d+\.\s*)?(?:.*\b(?:then|else)\s+)?(?:call\s+)?([A-Za-z_]\w*)([ (].*)$",
     re.ASCII | re.IGNORECASE,
 )
-_BEFORE = re.compile(r"([A-Za-z_]\w*)\s*$", re.ASCII)
 _NAMED = re.compile(r"\s*([A-Za-z_]\w*)\s*=(?!=)", re.ASCII)
 _TEXT = re.compile(r'"(?:[^"\\]|\\.)*+("?)')
 _NO_PLACE = re.compile(r'["#]|//')
@@ -49,8 +48,7 @@ def call_place(lead: str, tasks: Mapping[str, TaskForm]) -> CallPlace | None:
     if _NO_PLACE.search(bare):  # in a text that goes on, or in a comment
         return None
     for start in reversed(_open_brackets(bare)):
-        before = _BEFORE.search(bare[:start])
-        form = tasks.get(before[1]) if before is not None else None
+        form = tasks.get(_word_before(bare, start))
         if form is not None:
             touches = bare[start - 1 : start] not in (" ", "\t")
             arguments = bare[start + 1 :]
@@ -58,6 +56,17 @@ def call_place(lead: str, tasks: Mapping[str, TaskForm]) -> CallPlace | None:
     call = _CALL.match(bare)
     form = tasks.get(call[1]) if call is not None else None
     return _place(form, call[2]) if call is not None and form is not None else None
+
+
+def _word_before(text: str, place: int) -> str:
+    """Return the word before a place, blanks between left out; empty for none."""
+    end = place
+    while end and text[end - 1].isspace():
+        end -= 1
+    begin = end
+    while begin and (text[begin - 1].isalnum() or text[begin - 1] == "_"):
+        begin -= 1
+    return text[begin:end]
 
 
 def _open_brackets(text: str) -> list[int]:

@@ -42,7 +42,7 @@ _AFTER = tuple(
         (r"^\s*loc\s+\w+\s*:?=\s*$", "target"),
         (rf"^\s*(?:\d+\.\s*)?{_VERB}\s+(?:to\s+)?$", "loc"),
         (r"\blike\s+$|\bfrom\s+$", "loc"),
-        (r"\bvia\s+$|\bvia\b.*(?:,|\bto)\s+$|^\s*spline\b[^(]*,\s*$", "loc"),
+        (r"\bvia\s+$|^(?=.*\bvia\b).*(?:,|\bto)\s+$|^\s*spline\b[^(]*,\s*$", "loc"),
         (r"\bjoints\s*\([^()]*$|\([^()]*;[^()]*$", "angle"),
         (rf"\b(?:{_VERB}|via|to|offset|rel|step)\s*\([^()]*$", "length"),
         (r"\b(?:above|blend|at)\s+$|\btrack\s+\w+\s*=\s*$", "length"),

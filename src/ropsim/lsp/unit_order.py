@@ -8,7 +8,7 @@ from ropsim.language import TaskForm
 from ropsim.lsp.behind_values import MOTION
 from ropsim.lsp.expected import UNITS_OF, expected
 
-_NUMBER = re.compile(r"(?:-\s*)?\d+(?:\.\d+)?(?:e[+-]?\d+)?\s*$", re.IGNORECASE | re.ASCII)
+_NUMBER = re.compile(r"(?<![\d.])(?:-\s*)?\d+(?:\.\d+)?(?:e[+-]?\d+)?\s*$", re.IGNORECASE | re.ASCII)
 _OWN = re.compile(r"^[ \t]*units\b([^\n#]*)", re.IGNORECASE | re.MULTILINE)
 _COUNTED = re.compile(r"^\s*(?:for|repeat|if|elseif|while)\b", re.IGNORECASE)
 _LIMITS = {"speed": ("speed", "angular speed"), "accel": ("accel",)}
