@@ -1,6 +1,7 @@
 """Statements that act: grippers, outputs, waits, messages."""
 
 from collections.abc import Iterable
+from dataclasses import replace
 
 from ropsim.core import Kind, did_you_mean
 from ropsim.flow import GripAction
@@ -12,6 +13,7 @@ from ropsim.language.findings import names as name_kinds
 from ropsim.language.findings import types as kinds
 from ropsim.language.syntax import statements as syntax
 from ropsim.language.syntax.nodes import Name, Node, Number
+from ropsim.language.syntax.setting import QUANTITIES
 from ropsim.program import (
     Block,
     Grip,
@@ -84,6 +86,10 @@ def output(body: Body, node: syntax.SetSignal) -> Output:
         raise RejectedError
     if not isinstance(symbol, SignalUse):
         outputs = [n for n, s in body.world.symbols.items() if isinstance(s, SignalUse) and not s.is_input]
+        if symbol is None and node.name.text in QUANTITIES:
+            place = replace(node.name, end=node.value.start)
+            message, hint = f"there is no output `{node.name.text}`", "a setting stands without `=`"
+            body.fail(name_kinds.UNKNOWN_SIGNAL, place, message, hint, fix=f"{node.name.text} ")
         if symbol is not None:
             hint = "to assign a variable leave out `set`"
             body.fail(name_kinds.UNKNOWN_SIGNAL, node.name, f"`{node.name.text}` is no output", hint)

@@ -56,6 +56,7 @@ def comparison(body: Body, node: nodes.Binary, left: Value, right: Value) -> Val
         RejectedError: the operands do not go together.
     """
     if node.op in ("=", "==", "<>") and BOOL in (known(left.type), known(right.type)):
+        refuse_level(body, node)
         a = convert.to(body, left, BOOL, node.left, f"the left side of `{node.op}`")
         b = convert.to(body, right, BOOL, node.right, f"the right side of `{node.op}`")
         return Value(fold.binary(_COMPARE[node.op], a, b, _BOOL), BOOL)
@@ -69,6 +70,19 @@ def comparison(body: Body, node: nodes.Binary, left: Value, right: Value) -> Val
     else:
         a, b, _ = alike(body, node.op, left, right, node)
     return valued(fold.binary(_COMPARE[node.op], a, b, _BOOL), BOOL, is_bare=False, X_KF=None)
+
+
+def refuse_level(body: Body, node: nodes.Binary) -> None:
+    """Report a truth value that is compared with 1 or 0.
+
+    Raises:
+        RejectedError: it is.
+    """
+    for one in (node.right, node.left):
+        if isinstance(one, nodes.Number) and not one.unit and one.value in (0.0, 1.0):
+            level = "on" if one.value else "off"
+            message = f"a truth value is compared with the number `{one.value:g}`"
+            body.fail(kinds.WRONG_TYPE, one, message, f"write `{level}`", fix=level)
 
 
 def _is_measured(signal: Value, quantity: Value) -> bool:
@@ -153,6 +167,8 @@ def _number(body: Body, value: Value, node: nodes.Node, op: str) -> AnyType:
                 if op in "+-"
                 else "compare locations by `dist(a, b)`"
             )
+        if kind.value is ValueType.STR and op == "+":
+            hint = "texts are not joined: `print` shows values behind commas"
         body.fail(kinds.WRONG_TYPE, node, f"`{op}` needs numbers, found {article(kind)}", hint)
     return kind
 

@@ -145,6 +145,10 @@ def _assign_member(body: Body, node: syntax.Assign, member: nodes.Name) -> Block
     symbol = body.find(node.name.text)
     if symbol is None:
         values.name(body, node.name)
+    if isinstance(symbol, Value) and known(symbol.type) == POSE:
+        message = f"`{node.name.text}` cannot be assigned: it is {_what(symbol)}"
+        hint = f"copy it first: `q = {node.name.text}`, then `q.{member.text} = …`"
+        body.fail(name_kinds.NOT_ASSIGNABLE, node.name, message, hint)
     variable = target(body, node.name, POSE)
     body.read.add(variable.name)
     kind = known(variable.type)

@@ -3,7 +3,7 @@
 from typing import NoReturn
 
 from ropsim.flow import Comparison
-from ropsim.language.check import convert, fold, plausible, values
+from ropsim.language.check import arithmetic, convert, fold, plausible, values
 from ropsim.language.check.body import Body
 from ropsim.language.check.readings import reading
 from ropsim.language.check.types import BOOL, TIME
@@ -48,6 +48,7 @@ def _condition(body: Body, node: nodes.Node) -> tuple[str, Comparison, Expressio
         case nodes.Binary(op="=" | "==" | "<>", left=left, right=right):
             side, other = (right, left) if _signal(body, left) is None else (left, right)
             _level(body, side, fold.TRUE)
+            arithmetic.refuse_level(body, node)
             value = values.expect(body, other, BOOL, f"what `{node.op}` compares a signal with")
             return _level(body, side, value if node.op != "<>" else fold.unary("not", value, ValueType.BOOL))
         case nodes.Binary(op="<" | ">", left=left, right=right):

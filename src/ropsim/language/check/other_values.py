@@ -8,11 +8,12 @@ from ropsim.language.check.body import Body
 from ropsim.language.findings import names as kinds
 from ropsim.language.syntax import nodes
 from ropsim.language.syntax import statements as syntax
-from ropsim.language.syntax.other_settings import data_hint
+from ropsim.language.syntax.other_languages import LEVELS
+from ropsim.language.syntax.other_settings import data
 
-_SHIFTS = {"offs": "offset", "reltool": "rel"}
+_SHIFTS = {"offs": "offset", "reltool": "rel", "pose_add": "offset"}
 """Functions of a location and three lengths, and the operators that they are here."""
-_COMPOSED = ("pose_trans", "pose_add")
+_COMPOSED = ("pose_trans",)
 _POSES = ("crobt", "cpos", "get_actual_tcp_pose", "get_target_tcp_pose")
 """Functions that tell where the arm is."""
 _STEPS = {
@@ -61,8 +62,14 @@ def refuse_name(body: Body, node: nodes.Name) -> None:
     Raises:
         RejectedError: it is one.
     """
-    if hint := data_hint(node.text):
-        body.fail(kinds.UNKNOWN_NAME, node, f"there is no name `{node.text}`", hint)
+    message = f"there is no name `{node.text}`"
+    if text := data(node.text):
+        setting, _, value = text.partition(" ")
+        is_behind = body.line.logical.text[: node.start].rstrip().lower().endswith(setting)
+        body.fail(kinds.UNKNOWN_NAME, node, message, f"write `{text}`", fix=value if is_behind else None)
+    if node.text.lower() in ("high", "low"):
+        level = LEVELS[node.text.lower()]
+        body.fail(kinds.UNKNOWN_NAME, node, message, f"write `{level}`", fix=level)
     _refuse_rate(body, node)
     world = body.world
     if node.text in (*world.frames, *world.environment.moving, "base"):

@@ -93,8 +93,11 @@ class Cursor:
 
     def expect_equals(self) -> None:
         """Step over `=` or `:=`."""
-        if not (self.accept("=") or self.accept(":=")):
+        if self.accept("=") or self.accept(":="):
+            return
+        if self.word != "(":
             self.fail("`=`")
+        self.mend(self.unexpected("`=`", "write `=`", "= ("))
 
     def name(self, what: str) -> Name:
         """Return the name that must come next; `what` says of what, as in "a task name"."""

@@ -2,8 +2,10 @@
 
 from ropsim.core import did_you_mean
 from ropsim.language.findings import names as name_kinds
+from ropsim.language.findings import syntax as kinds
 from ropsim.language.syntax.cursor import Cursor
 from ropsim.language.syntax.expressions import expression, listed, total
+from ropsim.language.syntax.fault import Fault
 from ropsim.language.syntax.lexer import UNITS, Token, text_value
 from ropsim.language.syntax.nodes import Name, Node
 from ropsim.language.syntax.other_languages import grid_hint
@@ -30,6 +32,7 @@ TYPES = (
 )  # fmt: skip
 _ORDERS = ("row", "column", "snake")
 _UNIT_NAMES = frozenset(UNITS)
+_TYPES = frozenset(TYPES)
 
 
 def program(cursor: Cursor, head: Token) -> Statement:
@@ -90,16 +93,14 @@ def signal(cursor: Cursor, head: Token) -> Statement:
 
 def constant(cursor: Cursor, head: Token) -> Statement:
     """Read `const name [: type] = value`."""
-    name = cursor.name("the name of a constant")
-    kind = _type(cursor) if cursor.accept(":") else None
+    name, kind = _typed(cursor, "the name of a constant")
     cursor.expect_equals()
     return ConstantDeclaration(name, kind, expression(cursor), head.start, cursor.end)
 
 
 def variable(cursor: Cursor, head: Token) -> Statement:
     """Read `var name [: type] [= value]`."""
-    name = cursor.name("the name of a variable")
-    kind = _type(cursor) if cursor.accept(":") else None
+    name, kind = _typed(cursor, "the name of a variable")
     value: Node | None = None
     if cursor.accept("=") or cursor.accept(":="):
         value = expression(cursor)
@@ -167,9 +168,26 @@ def _quoted_name(cursor: Cursor, token: Token) -> Name:
     return Name(text, token.start, token.end)
 
 
+def _typed(cursor: Cursor, what: str) -> tuple[Name, Name | None]:
+    """Read `name [: type]`; a type before the name, or without `:`, is read as meant."""
+    first, second = cursor.token, cursor.look(1)
+    if second.kind != "word" or _TYPES.isdisjoint((first.word, second.word)):
+        name = cursor.name(what)
+        return name, _type(cursor) if cursor.accept(":") else None
+    type_, name_ = (first, second) if first.word in TYPES else (second, first)
+    fix = f"{name_.text}: {type_.word}"
+    if name_.word in RESERVED:
+        return cursor.name(what), None
+    message = (
+        f"expected {what}, found `{first.text}`" if type_ is first else f"expected `:`, found `{second.text}`"
+    )
+    cursor.mend(Fault(kinds.UNEXPECTED, first.start, second.end, message, f"write `{fix}`", fix))
+    cursor.go(2)
+    return Name(name_.text, name_.start, name_.end), Name(type_.word, type_.start, type_.end)
+
+
 def _parameter(cursor: Cursor) -> Parameter:
-    name = cursor.name("the name of a parameter")
-    kind = _type(cursor) if cursor.accept(":") else None
+    name, kind = _typed(cursor, "the name of a parameter")
     default = total(cursor) if cursor.accept("=") or cursor.accept(":=") else None
     return Parameter(name, kind, default)
 

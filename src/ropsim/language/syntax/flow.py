@@ -78,6 +78,8 @@ def plain(cursor: Cursor) -> Statement:
     if cursor.word == "." and cursor.look(1).kind == "word":
         cursor.advance()
         token = cursor.advance()
+        if cursor.word in ("+", "-") and cursor.look(1).word == "=":
+            cursor.fail("`=`", STEP.format(f"{name.text}.{token.text}"))
         cursor.expect_equals()
         member = Name(token.text, token.start, token.end)
         return Assign(name, member, expression(cursor), name.start, cursor.end)

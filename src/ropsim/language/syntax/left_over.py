@@ -37,7 +37,7 @@ def _refuse(cursor: Cursor) -> None:
         hint = f"write `(x, y, z; {token.word} {_POSTURE_WORDS[token.word]})`"
         message = f"`{token.word}` stands in a location, behind its `;`"
         cursor.fault(kinds.UNEXPECTED, token.start, token.end, message, hint)
-    for reader in (_decimal, _setting_of_other_languages, _second_setting, _comma, _statement, _unit):
+    for reader in (_decimal, _setting_of_other_languages, _second_setting, _comma, _with, _statement, _unit):
         fault = reader(cursor, token, head)
         if fault is not None:
             raise LineFaultError(fault)
@@ -96,6 +96,18 @@ def _comma(cursor: Cursor, comma: Token, head: Token) -> Fault | None:
     message = "expected the end of the line, found `,`"
     hint = "what follows a target stands without commas"
     return Fault(kinds.UNEXPECTED, comma.start, behind.end, message, hint, f" {behind.text}")
+
+
+def _with(cursor: Cursor, token: Token, head: Token) -> Fault | None:
+    """Return the fault of a `with` before the settings of a motion."""
+    behind = cursor.look(1)
+    if token.word != "with" or head.word not in MOTIONS or behind.word not in _BEHIND_TARGETS:
+        return None
+    message, hint = (
+        "expected the end of the line, found `with`",
+        "settings stand behind a target without `with`",
+    )
+    return Fault(kinds.UNEXPECTED, token.start, behind.end, message, hint, behind.text)
 
 
 def _statement(cursor: Cursor, token: Token, head: Token) -> Fault | None:

@@ -132,7 +132,7 @@ def _bad(line: str, at: int) -> Fault:
         "–": "use `-` for minus",
         "−": "use `-` for minus",
         "×": "use `*`, or `x` between the counts of a grid",
-        "&": "write `and`",
+        "&": "write `and`; between values of `print` a comma",
         "|": "write `or`",
         "!": "write `not`",
         "^": "there is no power: write `x * x`",

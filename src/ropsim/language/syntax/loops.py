@@ -7,7 +7,7 @@ from ropsim.language.syntax.cursor import Cursor
 from ropsim.language.syntax.expressions import expression, total
 from ropsim.language.syntax.fault import Fault
 from ropsim.language.syntax.lexer import Token
-from ropsim.language.syntax.nodes import Name
+from ropsim.language.syntax.nodes import Name, Node
 from ropsim.language.syntax.other_languages import FOR
 from ropsim.language.syntax.statements import For, ForEach, Repeat, Statement, Until, While
 
@@ -26,6 +26,8 @@ def while_statement(cursor: Cursor, head: Token) -> Statement:
 
 def repeat(cursor: Cursor, head: Token) -> Statement:
     """Read `repeat [count]`."""
+    if cursor.word == "until":
+        cursor.fail("a count or the end of the line", "`until` ends the loop: it stands below its lines")
     count = None
     if not cursor.at_end and not headers.begins_statement(cursor):
         count = expression(cursor)
@@ -78,8 +80,27 @@ def _counted(cursor: Cursor, head: Token, name: Name) -> Statement:
     first = total(cursor)
     if cursor.word in (",", "."):
         cursor.fail("`to`", FOR)
-    cursor.expect("to")
-    last = total(cursor)
-    step = total(cursor) if cursor.accept("step") else None
+    last = _down(cursor, cursor.advance()) if cursor.word == "downto" else _up(cursor)
+    if cursor.word == "by":
+        cursor.mend(cursor.unexpected("`step`", "write `step`", "step"))
+    step = None
+    if cursor.word in ("step", "by"):
+        cursor.advance()
+        step = total(cursor)
     headers.loop_body(cursor, "endf")
     return For(name, first, last, step, head.start, cursor.end)
+
+
+def _up(cursor: Cursor) -> Node:
+    cursor.expect("to")
+    return total(cursor)
+
+
+def _down(cursor: Cursor, word: Token) -> Node:
+    """Read the last value behind `downto`, which is `to` and a step of -1."""
+    start = cursor.start
+    last = total(cursor)
+    fix = f"to {cursor.line[start : cursor.end]} step -1"
+    message = f"expected `to`, found `{word.text}`"
+    cursor.mend(Fault(kinds.UNEXPECTED, word.start, cursor.end, message, f"write `{fix}`", fix))
+    return last

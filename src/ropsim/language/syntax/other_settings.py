@@ -72,10 +72,9 @@ def data(name: str) -> str:
     return _OF_DATA[found[1]].format(found[2]) if found else ""
 
 
-def data_hint(name: str) -> str:
-    """Return what to write for such data; empty for other names."""
-    text = data(name)
-    return f"write `{text}`" if text else ""
+def called(word: str) -> str:
+    """Return what a setting of another language is called here, empty for other words."""
+    return _WORDS.get(word, "")
 
 
 def _by_letter(head: str, letter: Token, value: Token) -> Meant:

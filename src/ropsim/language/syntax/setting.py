@@ -11,6 +11,7 @@ from ropsim.language.syntax.headers import section_body
 from ropsim.language.syntax.lexer import Token
 from ropsim.language.syntax.nodes import Literal, Name
 from ropsim.language.syntax.other_languages import LEVELS, SET
+from ropsim.language.syntax.other_settings import called, data
 from ropsim.language.syntax.statements import SetMode, SetSignal, Setting, Statement, With
 
 QUANTITIES = ("speed", "acc", "blend")
@@ -40,6 +41,10 @@ def set_statement(cursor: Cursor, head: Token) -> Statement:
 def _refuse(cursor: Cursor, name: Name) -> NoReturn:
     """Refuse what stands behind the name of an output, or a setting that is misspelt."""
     state = cursor.token
+    word = called(name.text.lower()) if state.kind == "number" else ""
+    if fix := word or data(name.text):
+        message = f"expected a setting or the name of an output, found `{name.text}`"
+        cursor.fault(kinds.UNEXPECTED, name.start, name.end, message, f"write `{fix}`", fix=fix)
     near = did_you_mean(name.text, _SETTINGS) if state.kind in ("number", "word") else ""
     if near and state.word not in LEVELS:
         message = f"expected a setting or the name of an output, found `{name.text}`"
@@ -65,6 +70,9 @@ def with_statement(cursor: Cursor, head: Token) -> Statement:
     settings = [setting(cursor)]
     while cursor.accept(","):
         settings.append(setting(cursor))
+    if cursor.word in _SETTINGS:
+        fix = f", {cursor.token.text}"
+        raise LineFaultError(cursor.unexpected("`,`", "a comma stands between settings", fix))
     section_body(cursor, "endwith")
     return With(tuple(settings), head.start, cursor.end)
 
@@ -89,4 +97,7 @@ def setting(cursor: Cursor) -> Setting:
         cursor.advance()
         name: Name = cursor.name(f"the name of a {word}")
         return Setting(word, None, name, token.start, cursor.end)
-    cursor.fail("`frame`, `tool`, `speed`, `acc`, `blend` or `fine`")
+    expected = "`frame`, `tool`, `speed`, `acc`, `blend` or `fine`"
+    if fix := called(word) or data(word):
+        raise LineFaultError(cursor.unexpected(expected, f"write `{fix}`", fix))
+    cursor.fail(expected)
