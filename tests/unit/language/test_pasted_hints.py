@@ -114,6 +114,8 @@ SAID = [
     ("Bar 3", "define it with `task`"),
     ("call Bar(p)", "define it with `task`"),
     ("home", "`mov home`"),
+    ("mov a, b, c", "`lin via a, b to c speed 100 mm/s`"),
+    ("lin from a to b", ""),
     ("p.x = 3", "copy it first: `q = p`"),
     ("p.z += 10", "`p.z = p.z + 1`"),
     ('print "a" + 3', "behind commas"),

@@ -44,7 +44,7 @@ def _refuse(cursor: Cursor) -> None:
     if token.word in NOT_YET_MODIFIERS:
         cursor.not_yet(token, token.word)
     hint = LEFT_OVER.get(token.word, "") or _WORDS.get(token.word, "")
-    if token.kind == "word" and not hint:
+    if token.kind == "word" and len(token.text) > 1 and not hint:
         hint = did_you_mean(token.text, INSIDE)
     cursor.fail("the end of the line", hint)
 
@@ -91,8 +91,12 @@ def _second_setting(cursor: Cursor, token: Token, head: Token) -> Fault | None:
 def _comma(cursor: Cursor, comma: Token, head: Token) -> Fault | None:
     """Return the fault of a comma between a target and what stands behind it."""
     behind = cursor.look(1)
-    if comma.word != "," or head.word not in MOTIONS or behind.word not in _BEHIND_TARGETS:
+    if comma.word != "," or head.word not in MOTIONS or behind.kind != "word":
         return None
+    if behind.word not in _BEHIND_TARGETS:
+        hint = "points on the way stand behind `via`, settings without commas: "
+        hint += "`lin via a, b to c speed 100 mm/s`"
+        return cursor.unexpected("the end of the line", hint, "")
     message = "expected the end of the line, found `,`"
     hint = "what follows a target stands without commas"
     return Fault(kinds.UNEXPECTED, comma.start, behind.end, message, hint, f" {behind.text}")
