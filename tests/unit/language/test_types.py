@@ -1,10 +1,13 @@
 """Types and units: bare numbers, dimensions, whole numbers."""
 
 import math
+import re
 from dataclasses import replace
 
 import pytest
 
+from ropsim.flow import MessageInstruction
+from ropsim.icr import run
 from ropsim.language import LineCache, compile
 from ropsim.program import Assign, Constant, Repeat, ValueType, Wait
 from support.tasks import CELL, codes, compiled, only
@@ -161,6 +164,8 @@ MODERN = "program p\nunits mm, deg, s\n"
             "m = -3\nrepeat 2\n  m = m / 2\nendr\nprint m",
             "m = -3.0\nrepeat 2\n  m = m / 2\nendr\nprint m",
         ),
+        ("var m = 7\nm = m / 2\nprint m", "var m = 7.0\nm = m / 2\nprint m"),
+        ("strict\nvar m = 0\nm = m + 0.5\nprint m", "strict\nvar m = 0.0\nm = m + 0.5\nprint m"),
         (
             "if part_ok\n  m = 7\n  m = m / 2\n  print m\nendif",
             "if part_ok\n  m = 7.0\n  m = m / 2\n  print m\nendif",
@@ -186,14 +191,51 @@ def test_a_variable_has_the_type_of_its_first_value(lines: str, fixed: str) -> N
     [
         ("for i = 1 to 3\n  i = i / 2\n  print i\nendf", "a variable of its own"),
         ("m = 3\nm = 5 mm\nprint m", "write a unit there"),
-        ("var m: int = 3\nm = 2.5\nprint m", "use `round( )`"),
-        ("task T(m: int)\n  m = 2.5\n  print m\nendp\nT 3", "use `round( )`"),
+        ("var m = 3\nm = m + 5 mm\nprint m", "write a unit there"),
+        ("var m: int = 3\nm = 2.5\nprint m", "declare it as `var m: num`, or use `round( )` here"),
+        ("var m: int = 3\nm = 2 mm * 3 s\nprint m", "declare it with a first value in that unit"),
+        ("task T(m: int)\n  m = 2.5\n  print m\nendp\nT 3", "use `round( )` or `trunc( )`"),
     ],
 )
 def test_what_a_variable_cannot_keep_is_told(lines: str, hint: str) -> None:
     (found,) = compiled(MODERN + lines).diagnostics
     assert (found.code, found.fix) == ("T304", None)
     assert hint in found.hint
+    assert ("first value is one" in found.message) == lines.startswith(("m = ", "var m =", "for"))
+
+
+@pytest.mark.parametrize(
+    ("lines", "word"),
+    [
+        ("task T\n  m = m / 2\n  print m\nendp\nvar m = 7\nT", "num"),
+        ("task T\n  m = m / 2\n  print m\nendp\nvar m: int = 7\nT", "num"),
+        ("m = 0.5\nvar m = 3\nprint m", "num"),
+        ("task T\n  m = 5 mm\nendp\nvar m = 3\nT\nprint m", "length"),
+        ("task T\n  m = 20 mm/s\nendp\nvar m = 3\nT\nprint m", "speed"),
+    ],
+)
+def test_a_declared_variable_has_the_type_of_its_first_value_everywhere(lines: str, word: str) -> None:
+    """The hint, in the place of the declaration, is what the line needs."""
+    (found,) = compiled(MODERN + lines).diagnostics
+    assert (found.code, found.fix) == ("T304", None)
+    assert "keeps whole numbers, as it is declared" in found.message
+    pasted = found.hint.split("`")[1]
+    assert pasted == f"var m: {word}"
+    assert compiled(MODERN + re.sub(r"var m(: int)?", pasted, lines)).icr is not None
+
+
+def test_a_parameter_is_not_what_its_name_is_declared_as() -> None:
+    text = MODERN + "var m = 3\ntask T(m: int)\n  m = m / 2\n  print m\nendp\nT 3\nprint m"
+    (found,) = [one for one in compiled(text).diagnostics if one.is_error]
+    assert found.message.startswith("the value of `m` must be a whole number")
+
+
+def test_a_declared_variable_keeps_its_type_where_no_line_needs_another() -> None:
+    text = MODERN + "var n = 7\nvar x = 7.0\nvar d = 2 mm\nn = n + 1\nx = x / 2\nd = d / 4\nprint n, x, d"
+    assert compiled(text).diagnostics == ()
+    code = compiled(text).icr
+    assert code is not None
+    assert [m.text for m in run(code).instructions if isinstance(m, MessageInstruction)] == ["8 3.5 0.5 mm"]
 
 
 @pytest.mark.parametrize(
@@ -210,7 +252,14 @@ def test_what_a_variable_cannot_keep_is_told(lines: str, hint: str) -> None:
 def test_a_first_value_that_is_worked_out_is_marked(first: str, later: str, hint: str, far: str) -> None:
     """In the same part of the text and in one above."""
     task = "task Count() -> int\n  return 3\nendp\n"
-    text = f"{MODERN}{task}m = {first}\n{far}m = {later}\nprint m\n"
+    assert_marked(f"{MODERN}{task}m = {first}\n{far}m = {later}\nprint m\n", first, hint)
+
+
+def test_a_first_value_that_is_worked_out_is_marked_where_it_is_declared() -> None:
+    assert_marked(f"{MODERN}var m = 2 * 3\nm = m / 2\nprint m\n", "2 * 3", "multiply it by `1.0`")
+
+
+def assert_marked(text: str, first: str, hint: str) -> None:
     (found,) = compiled(text).diagnostics
     assert (found.code, found.fix) == ("T304", None)
     assert hint in found.hint
@@ -234,5 +283,9 @@ def test_an_edit_of_the_first_value_is_seen_by_the_finding_far_below() -> None:
 
 
 def test_in_a_classic_text_lines_behind_tell_the_type() -> None:
-    for lines in ("m = 7\nm = m / 2\nprint m", "d = 5\nlin infeed above d\nd = 2 cm\nlin infeed above d"):
+    for lines in (
+        "m = 7\nm = m / 2\nprint m",
+        "var m = 7\nm = m / 2\nprint m",
+        "d = 5\nlin infeed above d\nd = 2 cm\nlin infeed above d",
+    ):
         assert compiled(lines).diagnostics == (), lines

@@ -38,7 +38,7 @@ class Loop:
 
 @frozen_dataclass
 class Made:
-    """Where an assignment has made a variable: unit, line, place of the name, and that in the program."""
+    """Where a line has made a variable: unit, line, place of the name, and that in the program."""
 
     unit: str
     line: Line
@@ -91,6 +91,7 @@ class Body:
         looked_around: whether all names were asked for and `sight` did not tell them.
         made: variables that an assignment made, and where.
         unfit: values that do not fit first values in parts above.
+        declared: variables of all tasks that lines of this part declare, and where.
         read: names of the variables that are read.
         used_signals: signals that are named.
         joint_count: how many coordinates `joints(…)` has, 0 as long as there is none.
@@ -128,6 +129,7 @@ class Body:
         self.has_gaps = False
         self.made: dict[str, Made] = {}
         self.unfit: list[Unfit] = []
+        self.declared: dict[str, Made] = {}
         self.read: set[str] = set()
         self.used_signals: dict[str, SignalUse] = {}
         self.joint_count = sight.joint_count or world.joint_count

@@ -325,7 +325,7 @@ def _variable_type(body: Body, node: syntax.VariableDeclaration) -> AnyType:
     if node.value is None:
         return Unknown()
     value = values.check(body, node.value)
-    return Unknown() if value.is_bare else value.type
+    return Unknown() if value.is_bare and body.world.is_classic else value.type
 
 
 def _pattern(body: Body, node: syntax.PatternDeclaration) -> Pattern:

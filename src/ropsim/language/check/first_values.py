@@ -4,9 +4,9 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 
 from ropsim.core import Diagnostic, Label, TextEdit
-from ropsim.language.check import fold, functions, units
+from ropsim.language.check import fold, functions, signatures, units
 from ropsim.language.check.body import Body, Made, RejectedError, Unfit
-from ropsim.language.check.types import NUMBER, Type, Value, article, known
+from ropsim.language.check.types import NAMED, NUMBER, Type, Value, article, known
 from ropsim.language.check.world import Variable
 from ropsim.language.findings import types as kinds
 from ropsim.language.syntax import nodes
@@ -30,13 +30,16 @@ def look(body: Body, node: syntax.Assign, variable: Variable, value: Value) -> N
         return
     made, before = body.made.get(name), body.sight.names.get(name)
     is_made_here = made is not None and made.variable == variable.name
-    if not is_made_here and (body.task or name in body.world.symbols):
-        return  # a parameter, a counter, or a variable that is declared
+    is_declared = name not in body.names and name in body.world.symbols
+    if body.task and not (is_made_here or is_declared):
+        return  # a parameter or a counter
     message = f"`{name}` keeps whole numbers, as its first value is one; found {_shown(kind, value)}"
     is_plain = kind.dimension == units.NUMBER
     hint = "use `round( )` here, or a variable of its own" if is_plain else "use a variable of its own"
     found = kinds.NOT_WHOLE.at(body.span(node.value), message, hint=hint)
-    if made is not None and is_made_here:
+    if is_declared:
+        found = _with_declaration(found, body.declared.get(name), name, kind)
+    elif made is not None and is_made_here:
         found = _with_first(found, made, kind)
     elif before is not None and before.symbol is variable:
         body.unfit.append(Unfit(found, variable.name, kind))
@@ -54,6 +57,15 @@ def with_first_values(
         one = by_finding.get(finding)
         first = by_variable.get(one.variable) if one is not None else None
         yield _with_first(finding, first, one.kind) if one is not None and first is not None else finding
+
+
+def _with_declaration(finding: Diagnostic, declared: Made | None, name: str, kind: Type) -> Diagnostic:
+    """Return a finding with the first value of the declaration, where that is in sight and has no type."""
+    statement = declared.line.statement if declared is not None else None
+    if declared is not None and isinstance(statement, syntax.VariableDeclaration) and not statement.type:
+        return _with_first(finding, declared, kind)
+    message = finding.message.replace("as its first value is one", "as it is declared")
+    return replace(finding, message=message, hint=_other_declaration(name, kind))
 
 
 def _with_first(finding: Diagnostic, made: Made, kind: Type) -> Diagnostic:
@@ -77,11 +89,11 @@ def _with_first(finding: Diagnostic, made: Made, kind: Type) -> Diagnostic:
 
 
 def _first_value(made: Made) -> nodes.Node | None:
-    """Return the value that an assignment gave first, None where something else did."""
+    """Return the value that an assignment or a declaration gave first, None where something else did."""
     statement = made.line.statement
     while isinstance(statement, syntax.If | syntax.WaitCondition):
         statement = statement.body if isinstance(statement, syntax.If) else statement.otherwise
-    return statement.value if isinstance(statement, syntax.Assign) else None
+    return statement.value if isinstance(statement, syntax.Assign | syntax.VariableDeclaration) else None
 
 
 def _is_numeral(value: nodes.Node) -> bool:
@@ -89,6 +101,15 @@ def _is_numeral(value: nodes.Node) -> bool:
     while isinstance(value, nodes.Unary) and value.op == "neg":
         value = value.operand
     return isinstance(value, nodes.Number) and value.is_whole and not value.unit
+
+
+def _other_declaration(name: str, kind: Type) -> str:
+    """Return how a variable can be declared that is to keep values of a type."""
+    word = signatures.word_of(kind)
+    if word not in NAMED:
+        return "declare it with a first value in that unit"
+    hint = f"declare it as `var {name}: {word}`"
+    return f"{hint}, or use `round( )` here" if kind.dimension == units.NUMBER else hint
 
 
 def _has_fraction(kind: Type, value: Value) -> bool:

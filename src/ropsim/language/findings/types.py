@@ -42,8 +42,8 @@ NOT_WHOLE = define(
     "a number with a fraction or a dimension where a count is needed",
     """
 Counts of `repeat`, of a grid and parameters of type `int` are whole numbers; `6.0` is allowed, `6.5` is
-not. In a modern text a variable has its type from its first value: after `m = 7` it keeps whole numbers,
-after `m = 7.0` any number, after `m = 7 mm` lengths.
+not. In a modern text a variable has its type from its first value: after `m = 7`, or `var m = 7`, it
+keeps whole numbers, after `m = 7.0` any number, after `m = 7 mm` lengths.
 
 **How to mend it.** Let the first value have a fraction or the unit, or use `round(x)` or `trunc(x)` to make a
 whole number.
