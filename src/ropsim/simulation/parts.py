@@ -96,10 +96,8 @@ def payload(carried: Mapping[str, Pose], parts: Mapping[str, Part], tool: Tool |
 
 
 def _to_the_micrometre(X: Pose) -> Pose:
-    """Return a pose with its numbers rounded to millionths, and one sign of its quaternion."""
-    turn = np.round(X.orientation, _DIGITS) + 0.0  # no zero has a sign
-    leading = turn[np.flatnonzero(turn)[0]]
-    return Pose(np.round(X.position, _DIGITS) + 0.0, turn if leading > 0.0 else -turn + 0.0)
+    """Return a pose with its numbers rounded to millionths; the sign of its quaternion tells no body."""
+    return Pose(np.round(X.position, _DIGITS) + 0.0, np.round(X.orientation, _DIGITS))  # no zero has a sign
 
 
 def _successors(state: Placements, cell: Cell, taken: str) -> dict[str, Seat]:

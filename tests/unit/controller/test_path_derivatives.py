@@ -2,9 +2,11 @@
 
 from dataclasses import dataclass, replace
 
+import numpy as np
 import pytest
 
 from ropsim.controller import MotionPlan, Refusal, StandardJointInterpolator, plan_move
+from ropsim.controller.path_derivatives import wrong_joint_derivatives
 from ropsim.flow import JointSamples
 from ropsim.motion import JointPath, JointPoints
 from ropsim.spatial import Array
@@ -60,3 +62,30 @@ def test_a_path_that_tells_other_derivatives_than_it_has_is_refused(telling: Tel
     assert found.diagnostics[0].code == "C603"
     assert told in found.diagnostics[0].message
     assert "Tell" in found.diagnostics[0].message
+
+
+@dataclass(frozen=True)
+class Weaving:
+    """A joint that goes to and fro; the derivatives may have another sign than its way has."""
+
+    times: int
+    d1: float = 1.0
+    d2: float = 1.0
+    length: float = 1.0
+
+    def joints(self, s: Array) -> JointPoints:
+        w = 2.0 * np.pi * self.times
+        phase = w * np.asarray(s)[:, None]
+        return JointPoints(np.sin(phase) / w, self.d1 * np.cos(phase), -self.d2 * w * np.sin(phase))
+
+
+def found_of(path: Weaving) -> Refusal | None:
+    return wrong_joint_derivatives(path, path, path.joints(np.linspace(0.0, 1.0, 20_011)), LINE)
+
+
+@pytest.mark.parametrize("times", [1, 30, 300, 1000, 2500])
+def test_however_often_a_path_weaves_its_derivatives_are_known_for_what_they_are(times: int) -> None:
+    """2,500 times, a millionth of the path is 1/400 of a turn: only with its bend the slope is that."""
+    assert found_of(Weaving(times)) is None
+    assert found_of(Weaving(times, d1=-1.0)) is not None
+    assert found_of(Weaving(times, d2=-1.0)) is not None

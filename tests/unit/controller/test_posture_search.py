@@ -124,6 +124,20 @@ def test_a_posture_that_is_not_to_blame_is_not_blamed() -> None:
     assert "M589" not in [one.code for one in done.findings]
 
 
+def test_a_posture_is_not_blamed_for_what_cannot_be_followed_in_any() -> None:
+    """Three lines that turn the tool by 3 rad each, more than is left of the range of joint 6 at its end."""
+    q = np.array([0.2, 1.1, -2.9, -0.4, -0.9, -4.3])
+    first = interface_pose(q)
+    lines = [lin(first @ _about_z(angle), ZONE, 1) for angle in (3.0, 6.0, 9.0)]
+    words = posture(PUMA, q).words
+    for wish in (None, PostureRequest(words)):
+        legs, refusal = legs_of(CHAIN, [replace(ptp(first, ZONE, 1), posture=wish), *lines], (), q - 0.01)
+        assert refusal is not None
+        assert refusal.diagnostics[0].code == "M503"
+        assert len(legs) == 3
+        assert "M589" not in [one.code for leg in legs for one in leg.findings]
+
+
 def test_the_plan_is_the_same_every_time() -> None:
     one, other = planned_stretch(STRETCH), planned_stretch(STRETCH)
     assert one.reference.q.tobytes() == other.reference.q.tobytes()

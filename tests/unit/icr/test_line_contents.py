@@ -82,6 +82,15 @@ def test_what_is_waited_for_is_no_look() -> None:
     assert unchanged(text, text.replace("lin (300", "lin (310")) == [4, 5, 6, 7]
 
 
+@pytest.mark.parametrize("late", ["print 1", "lin (300, 0, 250)", "stop"])
+def test_what_is_waited_for_no_longer_than_a_time_is_a_look(late: str) -> None:
+    """What comes behind is another one where the time was up."""
+    text = TEXT.replace("wait 0.5", f"wait until go timeout 1 s else {late}")
+    text = text.replace("mov", "signal go = input 1\nmov", 1)
+    assert unchanged(text, text.replace("lin (300, 0, 200)", "lin (310, 0, 200)")) == [4, 5, 6]
+    assert unchanged(text, text.replace("timeout 1", "timeout 2")) == [4, 5, 6]
+
+
 def test_a_program_without_an_end_has_keys_too() -> None:
     endless = TEXT.replace("mov (300", "repeat\nmov (300") + "endr\n"
     assert unchanged(endless, endless.replace("lin (300", "lin (310")) == [3, 4, 5, 6]

@@ -207,6 +207,19 @@ def test_the_other_blank_is_told(call: str, told: str, hint: str) -> None:
         assert compiled(VISIT + call.replace("Visit (", found.fix.replacement)).icr is not None
 
 
+@pytest.mark.parametrize("names", [("a = ", "b = ", "c = "), ("", "", "c = "), ("a = ", "", "")])
+def test_a_parenthesis_with_a_name_in_it_is_no_location_behind_a_blank(names: tuple[str, ...]) -> None:
+    head = "program p\nunits mm\ntask Sum(a: length, b: length, c: length)\n  print a + b + c\nendp\n"
+    values = ", ".join(f"{name}{number}" for number, name in enumerate(names, 1))
+    (found,) = compiled(f"{head}Sum ({values})").diagnostics
+    assert found.message == "a parenthesis behind a blank is one value, and this one is none"
+    assert found.fix is not None
+    assert found.fix.replacement == "Sum("
+    code = compiled(f"{head}Sum({values})").icr
+    assert code is not None
+    assert [m.text for m in run(code).instructions if isinstance(m, MessageInstruction)] == ["6 mm"]
+
+
 def test_a_classic_text_asks_the_first_parameter() -> None:
     classic = "task Grip(l: loc)\n  lin l\nendp\n"
     for call in ("Grip(300, 0, 100)", "Grip (300, 0, 100)", "Grip (infeed)", "Grip(infeed)"):

@@ -157,6 +157,22 @@ def test_what_a_loop_does_between_two_looks_parts_its_waits() -> None:
     assert len(ran(signals, *loop).events_of(WaitEvent)) == 2
 
 
+def test_a_line_that_waits_for_other_inputs_in_each_pass_tells_which() -> None:
+    signals = [pulse("a"), pulse("b"), pulse("c", (0.1, 1.0))]
+    loop = (
+        "n = 0",
+        "while not c",
+        "if n = 0 then",
+        "if a then print 0",
+        "else",
+        "if b then print 0",
+        "endif",
+    )
+    waits = looking(ran(signals, *loop, "n = 1 - n", "endw", "print 1"))
+    assert {one.looked for one in waits} == {("a", "c"), ("b", "c")}
+    assert len({one.span.line for one in waits if one.span}) == 1
+
+
 def test_a_wait_by_looking_that_the_end_of_the_run_cuts_short_is_told() -> None:
     recording = ran([pulse("a"), pulse("b")], "repeat", "if a or b then break", "endr")
     waits = recording.events_of(WaitEvent)

@@ -65,7 +65,20 @@ def test_a_grasped_part_adds_its_mass_at_its_centre() -> None:
     np.testing.assert_allclose(load.com, [0.0, 0.0, 0.5 * 0.12 / 1.5], atol=1e-12)
 
 
-@pytest.mark.parametrize("turn", [(1.0, 0.0, 0.0, 0.0), (0.0, 1.0, 0.0, 0.0), (0.5, -0.5, 0.5, 0.5)])
+TURNS = [
+    (1.0, 0.0, 0.0, 0.0),
+    (0.0, 1.0, 0.0, 0.0),
+    (0.0, 0.0, -1.0, 0.0),
+    (0.0, 0.0, 0.0, 1.0),
+    (0.0, 0.6, -0.8, 0.0),
+    (0.0, -0.6, 0.0, -0.8),
+    (0.0, 0.48, -0.6, 0.64),
+    (0.6, 0.0, -0.8, 0.0),
+    (0.5, -0.5, 0.5, 0.5),
+]
+
+
+@pytest.mark.parametrize("turn", TURNS)
 def test_a_part_is_the_same_body_however_the_arm_came_to_where_it_was_taken(
     turn: tuple[float, float, float, float],
 ) -> None:
