@@ -54,6 +54,8 @@ def check_way(body: Body, node: syntax.For, first: Expression, last: Expression,
     start, end, way = fold.number_of(first), fold.number_of(last), fold.number_of(step)
     if start is None or end is None or not way or (end - start) * way >= 0:
         return
+    if body.line.fault is not None:
+        return  # what was meant is told with that
     first_text, last_text = _shown(body, node.first, start), _shown(body, node.last, end)
     message = f"the lines of this loop never run: `{first_text} to {last_text}` counts "
     message += f"{'down' if way > 0 else 'up'}, and its step counts {'up' if way > 0 else 'down'}"
