@@ -1,51 +1,19 @@
 """Matches the openers and closers of blocks; every mismatch stays a finding of its own place."""
 
-import re
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 from itertools import pairwise
 
 from ropsim.core import Label, Span, frozen_dataclass
+from ropsim.language.block_ends import ANY, STEERING, closed, middle, opened
 from ropsim.language.findings import syntax as kinds
 from ropsim.language.reach import reach
 from ropsim.language.report import Report
-from ropsim.language.syntax.statements import (
-    Broken,
-    Closer,
-    Else,
-    ElseIf,
-    For,
-    ForEach,
-    If,
-    Repeat,
-    TaskHeader,
-    Until,
-    While,
-    With,
-)
+from ropsim.language.syntax.statements import If
 from ropsim.language.syntax.words import END, OPENERS
 from ropsim.language.text import Line
 
 MAX_DEPTH = 32
-
-ANY = "block"
-"""What `end` closes: the innermost block, whichever it is."""
-
-_CLOSES: dict[str, str] = {word: opener for opener, words in OPENERS.items() for word in words}
-_OPENS: dict[type, str] = {
-    TaskHeader: "task",
-    Repeat: "repeat",
-    If: "if",
-    While: "while",
-    For: "for",
-    ForEach: "for",
-    With: "with",
-}
-STEERING = frozenset({*_OPENS, Broken, Closer, Until, Else, ElseIf})
-"""Statements that may open, close or divide a block."""
-_MIDDLE = {"else": ("if", "try"), "elseif": ("if",), "catch": ("try",)}
-_ASSIGNED = re.compile(r"\s*\w+\s*:?=")
-_ONE_LINE_IF = re.compile(r"\bthen\s+[^\s#/]", re.IGNORECASE)
 
 
 @frozen_dataclass
@@ -256,18 +224,6 @@ def _pop(stack: list[_Open], closer: Line | None) -> None:
         stack[-1].body += [frame.close(closer), *behind]
 
 
-def opened(line: Line) -> str:
-    """Return the word of the block that a line opens, empty for none."""
-    statement = line.statement
-    word = _OPENS.get(type(statement), "")
-    if isinstance(statement, If):
-        return word if statement.body is None else ""
-    if isinstance(statement, Broken) and statement.head in OPENERS:
-        head = statement.head
-        return "" if head == "if" and _ONE_LINE_IF.search(line.logical.text) else head
-    return word
-
-
 def _is_one_line(line: Line) -> bool:
     return isinstance(line.statement, If) and line.statement.body is not None
 
@@ -276,24 +232,3 @@ def _goes_on(line: Line, following: Line) -> bool:
     """Return whether a block was meant though a statement stands on the line of its condition."""
     shift = _indent(following) - _indent(line)
     return following.statement is not None and (shift > 0 or (shift == 0 and "if" in middle(following)))
-
-
-def closed(line: Line) -> str:
-    """Return the opener of the block that a line closes, `ANY` for `end`, empty for none."""
-    match line.statement:
-        case Closer(word=word):
-            return ANY if word == END else _CLOSES[word]
-        case Until():
-            return "repeat"
-        case Broken(head=head):
-            is_end = head == END and not _ASSIGNED.match(line.logical.text)
-            return ANY if is_end else _CLOSES.get(head, "")
-    return ""
-
-
-def middle(line: Line) -> tuple[str, ...]:
-    """Return the openers of the blocks that a line may divide, as `else` does; empty for none."""
-    match line.statement:
-        case Else() | ElseIf() | Broken():
-            return _MIDDLE.get(line.head, ())
-    return ()

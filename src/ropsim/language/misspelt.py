@@ -5,7 +5,7 @@ from collections import Counter
 from collections.abc import Container, Iterable, Iterator, Sequence
 from dataclasses import replace
 
-from ropsim.language.blocks import ANY, STEERING, closed, opened
+from ropsim.language.block_ends import ANY, STEERING, closed, opened
 from ropsim.language.findings import names as kinds
 from ropsim.language.prose import edit_distance
 from ropsim.language.syntax.fault import Fault

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from enum import Enum
 
 from ropsim.core import SourceText, Span, frozen_dataclass
-from ropsim.language.blocks import ANY, closed, opened
+from ropsim.language.block_ends import ANY, closed, opened
 from ropsim.language.cache import LineCache
 from ropsim.language.syntax import statements as syntax
 from ropsim.language.syntax.nodes import Name

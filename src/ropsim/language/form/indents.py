@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable, Iterator
 
-from ropsim.language.blocks import ANY, closed, middle, opened
+from ropsim.language.block_ends import ANY, closed, middle, opened
 from ropsim.language.text import Line
 
 
