@@ -1,5 +1,6 @@
 """Laws of calls: a list of arguments means the same whether the result of the task is kept or dropped."""
 
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -52,6 +53,25 @@ WRONG = st.lists(
     max_size=4,
 )
 LISTS = st.one_of(RIGHT, WRONG).map(", ".join)
+LOCATION = (
+    HEAD.replace("x: num", "l: loc").replace("print x", "print l").replace("return x", "return l.x / 1 mm")
+)
+"""The same with a location in the first place."""
+PLACES = [
+    "300, 0, 100",
+    "(300, 0, 100)",
+    "(300, 0, 100), b",
+    "(300, 0, 100), q = 3",
+    "l = (300, 0, 100)",
+    "300, 0, 100; rz 5",
+    "300, 0, 100, 3, 4",
+    "1, 2",
+    "infeed",
+    "infeed, q = 7, n = not n",
+    "infeed; rz 5",
+    "infeed, n = false, q = 3",
+    "",
+]
 
 
 def told(result: Compiled) -> list[tuple[object, ...]]:
@@ -59,12 +79,23 @@ def told(result: Compiled) -> list[tuple[object, ...]]:
     return [(one.code, one.message, one.hint, one.span) for one in result.diagnostics]
 
 
-@EXAMPLES
-@given(LISTS)
-def test_a_list_of_arguments_means_the_same_whether_the_result_is_kept_or_not(arguments: str) -> None:
-    dropped = compiled(f"{HEAD}    T({arguments}){TAIL}")
-    kept = compiled(f"{HEAD}k = T({arguments}){TAIL}")
+def assert_alike(head: str, call: str) -> None:
+    dropped = compiled(f"{head}    {call}{TAIL}")
+    kept = compiled(f"{head}k = {call}{TAIL}")
     assert told(dropped) == told(kept)
     assert (dropped.icr is None) == (kept.icr is None)
     if dropped.icr is not None and kept.icr is not None:
         assert icr.disassemble(dropped.icr).replace("POP", "STORE k") == icr.disassemble(kept.icr)
+
+
+@EXAMPLES
+@given(LISTS)
+def test_a_list_of_arguments_means_the_same_whether_the_result_is_kept_or_not(arguments: str) -> None:
+    assert_alike(HEAD, f"T({arguments})")
+
+
+@pytest.mark.parametrize("head", [HEAD, LOCATION])
+@pytest.mark.parametrize("blank", ["", " "])
+@pytest.mark.parametrize("arguments", PLACES)
+def test_a_parenthesis_is_the_same_location_or_list(head: str, blank: str, arguments: str) -> None:
+    assert_alike(head, f"T{blank}({arguments})")

@@ -10,7 +10,7 @@ _CALL = re.compile(
     r"^\s*(?:\d+\.\s*)?(?:.*\b(?:then|else)\s+)?(?:call\s+)?([A-Za-z_]\w*)([ (].*)$",
     re.ASCII | re.IGNORECASE,
 )
-_NAMED = re.compile(r"\s*([A-Za-z_]\w*)\s*=(?!=)", re.ASCII)
+_NAMED = re.compile(r"\s*([A-Za-z_]\w*)\s*:?=(?!=)", re.ASCII)
 _TEXT = re.compile(r'"(?:[^"\\]|\\.)*+("?)')
 _NO_PLACE = re.compile(r'["#]|//')
 

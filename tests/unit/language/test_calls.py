@@ -207,6 +207,46 @@ def test_the_other_blank_is_told(call: str, told: str, hint: str) -> None:
         assert compiled(VISIT + call.replace("Visit (", found.fix.replacement)).icr is not None
 
 
+BLANKS = """program p
+units mm
+task Visit(q: loc, n: int = 1)
+  repeat n
+    lin q
+  endr
+endp
+task Pair(q: loc, n: length)
+  lin q above n
+endp
+task Sum(a: length, b: length, c: length)
+  print a + b + c
+endp
+task Four(q: loc, a: length, b: length, c: length = 0)
+  lin q above (a + b + c)
+endp
+"""
+
+
+@pytest.mark.parametrize(
+    ("task", "arguments", "other"),
+    [
+        ("Visit", "(300, 0, 100)", "Visit (300, 0, 100)"),
+        ("Pair", "(300, 0, 100)", ""),
+        ("Pair", " (300, 0, 100)", ""),
+        ("Sum", " (300, 0, 100)", "Sum(300, 0, 100)"),
+        ("Sum", "(1, 2, 3, 4, 5)", ""),
+        ("Four", "(a = 1, b = 2, c = 3)", ""),
+    ],
+)
+def test_the_other_blank_is_proposed_where_the_arguments_fit_then(
+    task: str, arguments: str, other: str
+) -> None:
+    (found,) = [one for one in compiled(f"{BLANKS}{task}{arguments}").diagnostics if one.is_error]
+    assert "takes " in found.message
+    assert ("the parenthesis is" in found.hint) == bool(other)
+    if other:
+        assert compiled(BLANKS + other).icr is not None
+
+
 @pytest.mark.parametrize("names", [("a = ", "b = ", "c = "), ("", "", "c = "), ("a = ", "", "")])
 def test_a_parenthesis_with_a_name_in_it_is_no_location_behind_a_blank(names: tuple[str, ...]) -> None:
     head = "program p\nunits mm\ntask Sum(a: length, b: length, c: length)\n  print a + b + c\nendp\n"

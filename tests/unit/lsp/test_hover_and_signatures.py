@@ -101,6 +101,8 @@ def test_where_a_move_goes_is_told_of_the_last_text_without_errors() -> None:
         ("Go(corner, |", 1),
         ("Go(corner above dist(corner, high|), 2", 0),
         ("x = Go((1, 2, 3), n = |", 2),
+        ("x = Go((1, 2, 3), n := |", 2),
+        ("Go corner, n := 2, clear := |", 1),
         ("if true then Go corner, n = 2, clear = |", 1),
         ("Go corner, 1, 2, 3|", 3),
     ],

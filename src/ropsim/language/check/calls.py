@@ -222,22 +222,30 @@ def _refuse_order(body: Body, node: syntax.Call, items: tuple[nodes.Item, ...]) 
 
 
 def _wrong_count(body: Body, node: syntax.Call, signature: Signature, found: int) -> NoReturn:
-    needed = sum(formal.default is None for formal in signature.formals)
-    most = len(signature.formals)
+    needed, most = _counts(signature)
     allowed = str(most) if needed == most else f"{needed} to {most}"
     message = (
         f"task `{signature.name}` takes {allowed} argument{'' if allowed == '1' else 's'}, found {found}"
     )
-    body.fail(kinds.ARGUMENTS, node, message, _other_blank(node) or _parameters(signature))
+    body.fail(kinds.ARGUMENTS, node, message, _other_blank(node, signature) or _parameters(signature))
 
 
-def _other_blank(node: syntax.Call) -> str:
-    """Return what a blank before the parenthesis would change, where there is one around all arguments."""
+def _counts(signature: Signature) -> tuple[int, int]:
+    """Return how many arguments a task takes at least and at most."""
+    return sum(formal.default is None for formal in signature.formals), len(signature.formals)
+
+
+def _other_blank(node: syntax.Call, signature: Signature) -> str:
+    """Return what a blank before the parenthesis would change, where that makes the arguments fit."""
     if (inside := _only(node.arguments)) is None:
         return ""
+    needed, most = _counts(signature)
     if _is_apart(node):
+        if not needed <= len(inside.items) <= most:
+            return ""
         return f"without the blank, `{node.name.text}(…)`, the parenthesis is the list of arguments"
-    if len(inside.items) in _COORDINATES:
+    takes_one = needed <= 1 <= most and known(signature.formals[0].type) == POSE
+    if takes_one and len(inside.items) in _COORDINATES and not any(item.name for item in inside.items):
         return f"with a blank between, `{node.name.text} (…)`, the parenthesis is one location"
     return ""
 
