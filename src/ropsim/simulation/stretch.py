@@ -89,11 +89,10 @@ def _ahead(moves: Sequence[MoveInstruction], steps: Steps) -> tuple[MoveInstruct
     """Return the paths of the tool that follow upon moves in the posture that the last PTP of them takes.
 
     They go up to the next PTP. Nothing is known of what comes behind a move that a condition ends or a sensor
-    corrects, nor behind anything for which the arm has to stand.
+    corrects, which is no PTP, nor behind anything for which the arm has to stand.
     """
     found: list[MoveInstruction] = []
-    last = moves[-1]
-    if last.guard or last.tracking or not any(one.kind == MotionKind.PTP for one in moves):
+    if moves[-1].guard or not any(one.kind == MotionKind.PTP for one in moves):
         return ()
     for number in range(_MOST_STEPS):
         if len(found) == MOST_AHEAD:

@@ -77,6 +77,7 @@ GUARDED = replace(LINE, guard=Guard("part", Comparison.IS, True))
         (replace(ptp(None), guard=GUARDED.guard), (LINE, END), ()),
         (FIRST, (LINE, LINE, END), (LINE,)),
         (LINE, (LINE, END), ()),
+        (TRACKED, (LINE, LINE, END), ()),
     ],
 )
 def test_paths_of_the_tool_behind_the_stop_are_known_ahead(
