@@ -21,7 +21,8 @@ class CheckedParts:
         locals: variables that they make, by name.
         found: findings, in the order in which they were made.
         made: variables that an assignment made first, and where.
-        unfit: values among what was found that do not fit first values in parts above.
+        declared: variables of all tasks that they declare by their first values, and where.
+        unfit: values among what was found that do not fit first values that stand elsewhere.
         read: names of the variables that are read.
         signals: that they name, by name.
         calls: tasks that they call, and where.
@@ -33,6 +34,7 @@ class CheckedParts:
     locals: Mapping[str, Local]
     found: tuple[Diagnostic, ...]
     made: Mapping[str, Made]
+    declared: Mapping[str, Made]
     unfit: tuple[Unfit, ...]
     read: frozenset[str]
     signals: Mapping[str, SignalUse]
@@ -48,6 +50,7 @@ def joined(parts: Sequence[CheckedPart], impossible: Iterable[tuple[Diagnostic, 
         first_of({local.name: local for local in one.locals} for one in parts),
         tuple(chain.from_iterable(one.found for one in parts)),
         first_of(one.made for one in parts),
+        first_of(one.declared for one in parts),
         tuple(chain.from_iterable(one.unfit for one in parts)),
         frozenset().union(*(one.read for one in parts)),
         {signal.name: signal for one in parts for signal in one.signals},

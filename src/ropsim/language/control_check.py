@@ -213,7 +213,8 @@ def _outcome(db: Database, stages: Sequence[_Stage], check: _Check, told: Togeth
     found = [*chain.from_iterable(one.found for one in parts)]
     unfit = [*chain.from_iterable(one.unfit for one in parts)]
     if unfit:
-        found = [*with_first_values(found, unfit, first_of(one.made for one in parts))]
+        firsts = first_of(table for one in parts for table in (one.made, one.declared))
+        found = [*with_first_values(found, unfit, firsts.values())]
 
     def visible() -> Iterator[str]:
         declared = db.ask(questions.names_in, "symbols")

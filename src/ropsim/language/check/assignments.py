@@ -95,7 +95,9 @@ def initial(body: Body, node: syntax.VariableDeclaration) -> Block:
     symbol = body.world.symbols.get(node.name.text)
     if node.value is None or not isinstance(symbol, Variable):
         return ()
-    body.declared[node.name.text] = _made(body.report.source, body.line, node.name, symbol.name)
+    if node.type is None:
+        declared = _made(body.report.source, body.line, node.name, symbol.name)
+        body.declared.setdefault(symbol.name, declared)
     value = values.check(body, node.value)
     facing.check_target(body, node.value)
     expression = convert.to(body, value, symbol.type, node.value, f"the value of `{node.name.text}`")

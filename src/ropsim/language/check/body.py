@@ -38,7 +38,7 @@ class Loop:
 
 @frozen_dataclass
 class Made:
-    """Where a line has made a variable: unit, line, place of the name, and that in the program."""
+    """Where a variable has its first value: unit, line, place of the name, and that in the program."""
 
     unit: str
     line: Line
@@ -48,7 +48,7 @@ class Made:
 
 @frozen_dataclass
 class Unfit:
-    """A value that a variable cannot keep whose first value stands in a part above.
+    """A value that a variable cannot keep whose first value stands elsewhere.
 
     Attributes:
         finding: that tells it, without the first value.
@@ -90,8 +90,8 @@ class Body:
         sight: what this part of a body sees of what stands before it.
         looked_around: whether all names were asked for and `sight` did not tell them.
         made: variables that an assignment made, and where.
-        unfit: values that do not fit first values in parts above.
-        declared: variables of all tasks that lines of this part declare, and where.
+        declared: variables of all tasks that lines of this part declare by their first values, and where.
+        unfit: values that do not fit first values that stand elsewhere.
         read: names of the variables that are read.
         used_signals: signals that are named.
         joint_count: how many coordinates `joints(…)` has, 0 as long as there is none.
@@ -128,8 +128,8 @@ class Body:
         self.is_tolerant = False
         self.has_gaps = False
         self.made: dict[str, Made] = {}
-        self.unfit: list[Unfit] = []
         self.declared: dict[str, Made] = {}
+        self.unfit: list[Unfit] = []
         self.read: set[str] = set()
         self.used_signals: dict[str, SignalUse] = {}
         self.joint_count = sight.joint_count or world.joint_count

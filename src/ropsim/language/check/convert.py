@@ -84,26 +84,29 @@ def _real(body: Body, value: Value, wanted: Type, place: Placed, what: str) -> E
         body.fail(kinds.OUT_OF_RANGE, place, f"the value cannot be computed: {error}", "check the numbers")
 
 
-def _whole(body: Body, value: Value, found: Type, place: Placed, what: str) -> Expression:
-    if found.value is _INT:
-        return value.expression
+def has_fraction(found: Type, value: Value) -> bool:
+    """Return whether a value, of type `found`, is a number that may be no whole one."""
     number = fold.number_of(value.expression)
-    if found.dimension == units.NUMBER and number is not None and fold.is_whole(number):
-        return fold.whole(int(number))
+    is_whole = found.dimension == units.NUMBER and number is not None and fold.is_whole(number)
+    return found.value is _REAL and not is_whole
+
+
+def shown(found: Type, value: Value) -> str:
+    """Return what a message says of a number, of type `found`, that may be no whole one."""
+    number = fold.number_of(value.expression)
     if found.dimension != units.NUMBER:
-        body.fail(
-            kinds.NOT_WHOLE,
-            place,
-            f"{what} must be a whole number, found {article(found)}",
-            "divide by one unit and `round` it",
-        )
-    shown = f"{number:g}" if number is not None else "a number that may have a fraction"
-    body.fail(
-        kinds.NOT_WHOLE,
-        place,
-        f"{what} must be a whole number, found {shown}",
-        "use `round( )` or `trunc( )`",
-    )
+        return article(found)
+    return f"{number:g}" if number is not None else "a number that may have a fraction"
+
+
+def _whole(body: Body, value: Value, found: Type, place: Placed, what: str) -> Expression:
+    if has_fraction(found, value):
+        is_plain = found.dimension == units.NUMBER
+        message = f"{what} must be a whole number, found {shown(found, value)}"
+        hint = "use `round( )` or `trunc( )`" if is_plain else "divide by one unit and `round` it"
+        body.fail(kinds.NOT_WHOLE, place, message, hint)
+    number = fold.number_of(value.expression)
+    return value.expression if found.value is _INT or number is None else fold.whole(int(number))
 
 
 def constant(body: Body, expression: Expression, place: Placed, what: str) -> Constant:

@@ -84,7 +84,8 @@ class CheckedPart:
         locals: variables that it makes.
         found: findings, in the order in which they were made.
         made: variables that an assignment made, and where.
-        unfit: values among what was found that do not fit first values in parts above.
+        declared: variables of all tasks that it declares by their first values, and where.
+        unfit: values among what was found that do not fit first values that stand elsewhere.
         read: names of the variables that are read.
         signals: that it names.
         calls: tasks that it calls, and where.
@@ -98,6 +99,7 @@ class CheckedPart:
     locals: tuple[Local, ...]
     found: tuple[Diagnostic, ...]
     made: Mapping[str, Made]
+    declared: Mapping[str, Made]
     unfit: tuple[Unfit, ...]
     read: frozenset[str]
     signals: tuple[SignalUse, ...]
@@ -187,6 +189,7 @@ def _checked(body: Body, part: Part) -> CheckedPart:
         body.locals(()),
         tuple(report.log),
         body.made,
+        body.declared,
         tuple(body.unfit),
         frozenset(body.read),
         tuple(body.used_signals.values()),
