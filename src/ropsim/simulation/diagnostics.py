@@ -53,7 +53,8 @@ GUARD_HELD_BEFORE = define(
     "the condition that ends a motion was true before the motion began",
     """
 `until` ends a motion where its condition comes true. Here it was true already when the motion began, so the
-arm did not go, and `store` holds the place where it stood. What a program looks for is not found in this way.
+arm did not go, or, where it came through a zone, braked at once. `store` holds the place where the motion
+began. What a program looks for is not found in this way.
 
 Let the signal become false before: wait for that (`wait until not part_ok`), go back from what is touched, or
 give the motion another condition. Where it may be true at once, ask before: `if not part_ok then ...`.

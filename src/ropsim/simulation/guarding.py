@@ -47,11 +47,16 @@ class Lookout:
             data={"pass": move.origin.visit, "channel": self.guard.channel, "time_s": self.world.now()},
         )
 
-    def held_before(self, move: MoveInstruction) -> Diagnostic:
-        """Return S754: the condition of a move was true before it began, so that the arm did not go."""
+    def held_before(self, move: MoveInstruction, came: str) -> Diagnostic:
+        """Return S754: the condition of a move was true before it began.
+
+        Args:
+            move: the instruction.
+            came: what the arm did then.
+        """
         return GUARD_HELD_BEFORE.at(
             move.origin.span,
-            f"`{self._condition}` was true before the motion began: the arm did not go",
+            f"`{self._condition}` was true before the motion began: {came}",
             label=f"pass {move.origin.visit}",
             hint="let it become false before the motion, or ask for it in front of the motion",
             data={"pass": move.origin.visit, "channel": self.guard.channel, "time_s": self.since},

@@ -123,7 +123,8 @@ def _told_by(lookout: Lookout, follower: Follower, one: PlannedMove, first: floa
     if follower.at.cut_short:
         return ()
     if follower.ended_at == first and lookout.world.guard_met:
-        return (lookout.held_before(one.move),)
+        came = "the arm came through a zone and braked at once" if first > 0.0 else "the arm did not go"
+        return (lookout.held_before(one.move, came),)
     return () if follower.ended else tuple(filter(None, (lookout.missed(one.move),)))
 
 

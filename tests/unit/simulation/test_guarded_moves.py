@@ -136,3 +136,18 @@ def test_a_condition_that_comes_true_on_the_way_or_a_time_that_is_over_says_noth
     on_the_way = recorded(APPROACH, f"lin (500, 0, 200) {SLOW} until touch", "wait 1 s")
     over = recorded(APPROACH, f"lin (500, 0, 200) {SLOW} until never timeout 0.5 s")
     assert not {"S754", "S746"} & {one.code for one in (*on_the_way.findings, *over.findings)}
+
+
+def test_of_a_motion_that_begins_in_a_zone_it_is_told_that_the_arm_brakes() -> None:
+    way = (
+        f"lin (500, 0, 250) {SLOW} blend 20",
+        f"lin (500, 100, 250) {SLOW} until not never store seen",
+        "print seen",
+    )
+    recording = recorded(APPROACH, *way)
+    (found,) = [one for one in recording.findings if one.code == "S754"]
+    assert found.message.endswith(
+        "was true before the motion began: the arm came through a zone and braked at once"
+    )
+    gone = recording.events_of(MoveEvent)[-1]
+    assert gone.travel > 0.0
