@@ -71,15 +71,19 @@ def test_what_a_way_leads_to_is_reached(text: str) -> None:
     ("text", "hint"),
     [
         ("wait 500", "write `wait 500 ms`, or `wait 500 s`"),
-        ("set speed 0.2", "write the unit: `speed 0.2 m/s`, or for joints `speed 20 %`"),
+        ("set speed 0.2", "write the unit: `speed 0.2 m/s`, or `speed 0.2 mm/s`, or for joints `speed 20 %`"),
         ("set speed 4", "write the unit: `speed 4 m/s`, or `speed 4 mm/s`"),
-        ("set acc 1", "write the unit: `acc 1 m/s2`, or for joints `acc 100 %`"),
+        ("set acc 1", "write the unit: `acc 1 m/s2`, or `acc 1 mm/s2`, or for joints `acc 100 %`"),
         ("lin infeed speed 0.5", "write the unit: `speed 0.5 m/s`, or `speed 0.5 mm/s`"),
         ("lin infeed acc 1.2", "write the unit: `acc 1.2 m/s2`, or `acc 1.2 mm/s2`"),
         ("wait until part_ok timeout 5000", "write `timeout 5000 ms`, or `timeout 5000 s`"),
         ("lin infeed until part_ok timeout 500", "write `timeout 500 ms`, or `timeout 500 s`"),
-        ("units min\nwait 5", "write `wait 5 ms`, or `wait 5 min`"),
-        ("with acc 0.9\n open\nendwith", "write the unit: `acc 0.9 m/s2`, or for joints `acc 90 %`"),
+        ("units inch\nlin infeed speed 0.1", "write the unit: `speed 0.1 m/s`, or `speed 2.54 mm/s`"),
+        ("units inch\nlin infeed speed 0.05", "write the unit: `speed 0.05 m/s`, or `speed 1.27 mm/s`"),
+        (
+            "with acc 0.9\n open\nendwith",
+            "write the unit: `acc 0.9 m/s2`, or `acc 0.9 mm/s2`, or for joints `acc 90 %`",
+        ),
         ("units m\nset speed 200", "write the unit: `speed 200 mm/s`"),
         ("lin infeed speed 150 m/s", "write `speed 150 mm/s`, or the speed of a robot"),
         ("mov joints(0, 1.3, -3.14, 0, -1.3, 0)", "write degrees, or `rad` behind each number"),
@@ -94,7 +98,12 @@ def test_a_bare_number_that_looks_like_another_unit_is_a_warning(text: str, hint
 @pytest.mark.parametrize(
     ("line", "mended"),
     [
-        ("wait 500", "wait 500 ms"),
+        ("wait 500", ""),
+        ("wait 3600", ""),
+        ("wait until part_ok timeout 300", ""),
+        ("set speed 3", ""),
+        ("lin infeed acc 20", ""),
+        ("lin infeed acc 1", ""),
         ("set speed 0.2", "set speed 0.2 m/s"),
         ("lin infeed speed 0.5 blend 3 mm", "lin infeed speed 0.5 m/s blend 3 mm"),
         ("lin infeed speed 150 m/s", "lin infeed speed 150 mm/s"),
@@ -133,6 +142,19 @@ def test_a_number_that_is_written_out_gets_the_unit_that_is_likely_meant(line: s
 )
 def test_usual_numbers_and_those_with_a_unit_are_believed(line: str) -> None:
     assert codes(f"units mm\n{line}") == []
+
+
+@pytest.mark.parametrize(
+    ("unit", "line"),
+    [
+        ("min", "wait until part_ok timeout 2"),
+        ("ms", "wait 120000"),
+        ("ms", "lin infeed until part_ok timeout 300000"),
+        ("s", "wait 3600"),
+    ],
+)
+def test_times_are_believed_where_the_text_names_their_unit(unit: str, line: str) -> None:
+    assert codes(f"units mm, deg, {unit}\n{line}") == []
 
 
 def test_a_task_that_nothing_reaches_is_a_hint() -> None:

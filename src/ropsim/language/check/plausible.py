@@ -23,14 +23,18 @@ Doubt = Callable[[Body, str, Value, Expression, units.Dimension, nodes.Node], No
 
 
 def check_time(body: Body, word: str, value: Value, duration: Expression, place: nodes.Node) -> None:
-    """Warn of a long time without unit behind `wait` or `timeout` (T338)."""
+    """Warn of a long time without unit behind `wait` or `timeout`, where `units` names none for times (T338).
+
+    There is no fix: `wait 3600` and `timeout 300` may well be in seconds.
+    """
     number, written = fold.number_of(duration), fold.number_of(value.expression)
-    if value.is_bare and number is not None and written is not None and number >= LONGEST_WAIT:
+    if not value.is_bare or number is None or written is None or body.world.units.names_time:
+        return
+    if number >= LONGEST_WAIT:
         takes = "takes" if word == "wait" else "is"
         message = f"`{word} {written:g}` without a unit {takes} {number:g} s"
-        unit = body.world.units.name(units.TIME) or "s"
-        hint = f"write `{word} {written:g} ms`, or `{word} {written:g} {unit}`"
-        body.warn(kinds.OTHER_UNIT, place, message, hint, mended(place, written, "ms"))
+        shown = _digits(body, place, written)
+        body.warn(kinds.OTHER_UNIT, place, message, f"write `{word} {shown} ms`, or `{word} {shown} s`")
 
 
 def check_rate(
@@ -38,15 +42,15 @@ def check_rate(
 ) -> None:
     """Warn of a speed or acceleration for several motions that no arm makes (T338)."""
     written = fold.number_of(value.expression)
-    share = f", or for joints `{word} {written * 100:g} %`" if written is not None and written <= 1.0 else ""
-    _check(body, (word, share), value, rate, dimension, place)
+    shares = (f"for joints `{word} {written * 100:g} %`",) if written is not None and written <= 1.0 else ()
+    _check(body, word, shares, value, rate, dimension, place)
 
 
 def check_path_rate(
     body: Body, word: str, value: Value, rate: Expression, dimension: units.Dimension, place: nodes.Node
 ) -> None:
     """Warn of one for a path of the tool, which knows no share (T338)."""
-    _check(body, (word, ""), value, rate, dimension, place)
+    _check(body, word, (), value, rate, dimension, place)
 
 
 def believe(*_: object) -> None:
@@ -55,7 +59,8 @@ def believe(*_: object) -> None:
 
 def _check(
     body: Body,
-    said: tuple[str, str],
+    word: str,
+    shares: tuple[str, ...],
     value: Value,
     rate: Expression,
     dimension: units.Dimension,
@@ -65,13 +70,13 @@ def _check(
 
     Args:
         body: where it stands.
-        said: its word, and what else a number of at most 1 may mean.
+        word: of the setting.
+        shares: what else a number of at most 1 may mean.
         value: as it is written.
         rate: the same in SI units.
         dimension: speed or acceleration.
         place: of the value.
     """
-    word, share = said
     number, written = fold.number_of(rate), fold.number_of(value.expression)
     if not value.is_bare and dimension == units.SPEED and number is not None and number > FASTEST:
         message = f"`{word}` is {number:g} m/s, no arm is faster than {FASTEST:g} m/s"
@@ -87,11 +92,26 @@ def _check(
     message = f"`{word} {written:g}` without a unit is " + (
         f"{written:g} {bare}" if bare else f"{number:g} {unit}"
     )
-    meant = f"mm{unit[1:]}" if number > FASTEST else unit
-    hint = f"write the unit: `{word} {written:g} {meant}`"
-    if number <= FASTEST:
-        hint += share or (f", or `{word} {written:g} {bare}`" if bare and bare != unit else "")
-    body.warn(kinds.OTHER_UNIT, place, message, hint, mended(place, written, meant))
+    shown = _digits(body, place, written)
+    if number > FASTEST:
+        meant, is_certain = f"mm{unit[1:]}", True
+        readings = [f"`{word} {shown} {meant}`"]
+    else:
+        meant, is_certain = unit, _is_share_of_one(body, place, written) and bare not in ("", unit)
+        as_written = f"{shown} {bare}" if bare else f"{number * 1000.0:g} mm{unit[1:]}"
+        readings = [*dict.fromkeys((f"`{word} {shown} {unit}`", f"`{word} {as_written}`")), *shares]
+    hint = f"write the unit: {', or '.join(readings)}"
+    body.warn(kinds.OTHER_UNIT, place, message, hint, mended(place, written, meant) if is_certain else None)
+
+
+def _is_share_of_one(body: Body, place: nodes.Node, written: float) -> bool:
+    """Return whether a number is below 1 and has a point, as nobody writes one in millimetres."""
+    return written < 1.0 and "." in body.written(place)
+
+
+def _digits(body: Body, place: nodes.Node, number: float) -> str:
+    """Return a number as it is written, or what is worked out."""
+    return body.written(place) if isinstance(place, nodes.Number) else f"{number:g}"
 
 
 def mended(place: nodes.Node, number: float, unit: str) -> str | None:

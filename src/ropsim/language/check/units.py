@@ -91,12 +91,14 @@ class UnitSystem:
         angle: radians per unit.
         time: seconds per unit.
         others: dimension -> SI factor, for units given outright, such as `mm/s`.
+        names_time: whether the text says in which unit times are.
     """
 
     length: float
     angle: float
     time: float = 1.0
     others: tuple[tuple[Dimension, float], ...] = ()
+    names_time: bool = False
 
     def factor(self, dimension: Dimension) -> float:
         """Return how many SI units a bare number of `dimension` counts.
@@ -150,7 +152,7 @@ class UnitSystem:
         if dimension == ANGLE:
             return replace(self, angle=factor)
         if dimension == TIME:
-            return replace(self, time=factor)
+            return replace(self, time=factor, names_time=True)
         return replace(self, others=((dimension, factor), *self.others))
 
 
