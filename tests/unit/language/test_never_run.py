@@ -30,8 +30,9 @@ def mended(text: str) -> str:
     [
         ("for i = 10 to 1", "step -1"),
         ("for i = 10 to 1 step 2", "step -2"),
-        ("for i = 2 * 5 to 1 + 3", "step -1"),
+        ("for i = 10 to -1", "step -1"),
         ("for i = 9 mm to 1 mm step 2 mm", "step -2 mm"),
+        ("for i = 9 mm to -1mm step 2 mm", "step -2 mm"),
         ("for i = 0.9 to 0.1 step 0.2", "step -0.2"),
         ("FOR i = (10) to (1)", "step -1"),
     ],
@@ -55,13 +56,31 @@ def test_a_for_that_would_count_up_with_a_step_down_is_told_both_ways_out() -> N
         assert codes(f"{HEAD}{header}\n print i\nendf") == []
 
 
-def test_a_bound_that_is_a_constant_of_the_text_is_told_without_a_fix() -> None:
-    found = only(f"{HEAD}const n = 0\nfor i = 1 to n\n print i\nendf")
+def test_the_values_of_a_for_are_shown_as_they_are_written() -> None:
+    text = "for z = 0  mm to 100mm step -10 mm\n print z\nendf"
+    first, second = "for z = 100 mm to 0 mm step -10 mm", "step 10 mm"
+    assert told(text) == ("T341", 1, f"write `{first}`, or `{second}`")
+    assert "`0 mm to 100 mm` counts up" in only(HEAD + text).message
+    for header in (first, f"for z = 0 mm to 100 mm {second}"):
+        assert codes(f"{HEAD}{header}\n print z\nendf") == []
+
+
+def test_values_of_a_for_that_are_worked_out_are_not_shown_and_there_is_no_fix() -> None:
+    up = only(f"{HEAD}for i = 2 * 5 to 1 + 3\n print i\nendf")
+    assert up.message.endswith("from the first value to the last one it counts down, and its step counts up")
+    assert (up.hint, up.fix) == ("write `step -1`", None)
+    down = only(f"{HEAD}for z = 10 mm + 5 mm to 2 * 20 mm step -1 mm\n print z\nendf")
+    assert (down.hint, down.fix) == ("write the values the other way round, or `step 1 mm`", None)
+
+
+@pytest.mark.parametrize("limit", ["n", "n - 1", "(n)", "2 * n"])
+def test_a_bound_with_a_constant_of_the_text_is_told_without_a_fix(limit: str) -> None:
+    found = only(f"{HEAD}const n = 0\nfor i = 1 to {limit}\n print i\nendf")
     assert (found.code, found.fix) == ("T341", None)
     assert found.hint == "give the constant another value, or write `step -1` for the other way"
 
 
-@pytest.mark.parametrize("count", ["0", "-1", "2 - 2", "n"])
+@pytest.mark.parametrize("count", ["0", "-1", "2 - 2"])
 def test_a_repeat_that_counts_less_than_one_is_told(count: str) -> None:
     text = f"const n = 0\nopen\nrepeat {count}\n close\nendr\nprint n"
     assert told(text) == ("T341", 3, "write a count of at least 1, or leave the loop out")
@@ -103,6 +122,8 @@ def test_a_branch_behind_a_condition_that_is_always_true_is_told(branch: str) ->
         "while true\n open\nendw",
         "const dry_run = false\nif dry_run then open\nif not dry_run\n close\nelse\n open\nendif",
         "const dry_run = true\nwhile not dry_run\n close\nendw",
+        "const passes = 0\nrepeat passes\n open\nendr",
+        "const passes = 1\nrepeat passes - 1\n open\nendr",
         "if infeed.z > 5 then open",
         "if true then open",
         "if false or part_ok then open",

@@ -2,7 +2,7 @@
 
 import re
 
-from ropsim.language.check import fold
+from ropsim.language.check import fold, numerals
 from ropsim.language.check.body import Body
 from ropsim.language.check.silent import words_of
 from ropsim.language.check.types import Value
@@ -12,18 +12,20 @@ from ropsim.language.syntax import statements as syntax
 from ropsim.program import Binary, Constant, Expression
 
 _WORD = re.compile(r"-?[\w.]+")
+_DIGITS = re.compile(r"[\d.]+(?:[eE][+-]?\d+)?")
+_AROUND_POINT = re.compile(r"\s*\.\s*|(?<=^-)\s+")
 _DO = re.compile(r"\s+do$", re.IGNORECASE)
 """The word that may end a `for`."""
 
 
 def check_count(body: Body, node: syntax.Repeat, count: Expression | None) -> None:
-    """Warn of a `repeat` whose count is known and less than 1 (T341)."""
+    """Warn of a `repeat` whose count is known and less than 1, and names no constant, a switch (T341)."""
     number = fold.number_of(count) if count is not None else None
     if node.count is None or number is None or number >= 1:
         return
-    shown = _shown(body, node.count, number)
-    told = shown if shown == f"{number:g}" else f"{shown}`, which is `{number:g}"
-    message = f"the lines of this loop never run, its count is `{told}`"
+    if _names_constant(body, body.written(node.count)):
+        return
+    message = f"the lines of this loop never run, its count is `{number:g}`"
     body.warn(kinds.NEVER_RUN, node, message, "write a count of at least 1, or leave the loop out")
 
 
@@ -56,27 +58,40 @@ def check_way(body: Body, node: syntax.For, first: Expression, last: Expression,
         return
     if body.line.fault is not None:
         return  # what was meant is told with that
-    first_text, last_text = _shown(body, node.first, start), _shown(body, node.last, end)
-    message = f"the lines of this loop never run: `{first_text} to {last_text}` counts "
+    limits = _shown(body, node.first), _shown(body, node.last)
+    values = f"`{limits[0]} to {limits[1]}`" if all(limits) else "from the first value to the last one it"
+    message = f"the lines of this loop never run: {values} counts "
     message += f"{'down' if way > 0 else 'up'}, and its step counts {'up' if way > 0 else 'down'}"
-    turned = _turned(body, node)
+    turned, fix = _turned(body, node), None
     if not turned:
-        body.warn(kinds.NEVER_RUN, node, message, "turn the sign of the step")
-    elif _names_constant(body, first_text) or _names_constant(body, last_text):
+        hint = "turn the sign of the step"
+    elif any(_names_constant(body, body.written(limit)) for limit in (node.first, node.last)):
         hint = f"give the constant another value, or write `step {turned}` for the other way"
-        body.warn(kinds.NEVER_RUN, node, message, hint)
     elif way > 0:
-        body.warn(kinds.NEVER_RUN, node, message, f"write `step {turned}`", _with_step(body, node, turned))
+        hint = f"write `step {turned}`"
+        is_plain = all(numerals.is_alone(limit) for limit in (node.first, node.last))
+        fix = _with_step(body, node, turned) if is_plain else None
+    elif all(limits) and node.step is not None:
+        other = f"for {node.name.text} = {limits[1]} to {limits[0]} step {body.written(node.step)}"
+        hint = f"write `{other}`, or `step {turned}`"
     else:
-        said = body.written(node.step) if node.step is not None else ""
-        hint = f"write `for {node.name.text} = {last_text} to {first_text} step {said}`, or `step {turned}`"
-        body.warn(kinds.NEVER_RUN, node, message, hint)
+        hint = f"write the values the other way round, or `step {turned}`"
+    body.warn(kinds.NEVER_RUN, node, message, hint, fix)
 
 
-def _shown(body: Body, node: nodes.Node, number: float) -> str:
-    """Return a number as it is written, where that is one word; else the number itself."""
-    written = body.written(node)
-    return written if _WORD.fullmatch(written) else f"{number:g}"
+def _shown(body: Body, node: nodes.Node) -> str:
+    """Return a value as it is written, where that is one word or a number with a unit; else nothing.
+
+    It does not depend on the blanks that are written.
+    """
+    match node:
+        case nodes.Number(unit=unit):
+            digits = _DIGITS.match(body.written(node))
+            return " ".join(filter(None, (digits[0], unit))) if digits else ""
+        case nodes.Unary(op="neg", operand=nodes.Number() as number):
+            return f"-{_shown(body, number)}"
+    written = _AROUND_POINT.sub(lambda found: found[0].strip(), body.written(node))
+    return written if _WORD.fullmatch(written) else ""
 
 
 def _is_always(body: Body, condition: nodes.Node, found: Expression, truth: Constant) -> bool:

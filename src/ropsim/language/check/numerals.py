@@ -40,6 +40,11 @@ def bare(node: Node) -> float | None:
     return None
 
 
+def is_alone(node: Node) -> bool:
+    """Return whether a number stands alone, with a unit or without; it may have a minus."""
+    return isinstance(node.operand if isinstance(node, Unary) and node.op == "neg" else node, Number)
+
+
 def _in_units(body: Body, node: Number, wanted: units.Dimension) -> float | None:
     if node.unit:
         dimension, factor = units.UNITS[node.unit]

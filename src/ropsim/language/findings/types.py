@@ -278,7 +278,8 @@ endf
 ```
 
 A branch behind a condition that is always true is told as well. A condition with the name of a constant is
-taken for a switch, `if dry_run then …` with `const dry_run = false`, and nothing is said.
+taken for a switch, `if dry_run then …` with `const dry_run = false`, and so is a count, `repeat passes` with
+`const passes = 0`: nothing is said then.
 """,
 )
 POINTS_UP = define(
