@@ -61,6 +61,7 @@ class Environment:
         external: the same for each external axis of the robot.
         postures: the words that a posture of the arm may have, for each of its parts; empty where they have
             no names, None where nobody knows the arm.
+        up: z of the world in the base frame [unit vector].
     """
 
     frames: Mapping[str, PoseTuple] = field(default_factory=dict)
@@ -83,6 +84,7 @@ class Environment:
     measured: Mapping[str, str] = field(default_factory=dict)
     told: Mapping[str, str] = field(default_factory=dict)
     postures: tuple[tuple[str, ...], ...] | None = None
+    up: tuple[float, float, float] = (0.0, 0.0, 1.0)
 
 
 NO_SIGNATURES = Environment()

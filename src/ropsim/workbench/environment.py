@@ -15,7 +15,7 @@ from ropsim.model import (
     in_base,
 )
 from ropsim.program import SignalUse, ValueType
-from ropsim.spatial import Pose, PoseTuple
+from ropsim.spatial import Pose, PoseTuple, quaternion
 
 _READINGS = {DistanceSensor: "length", ForceSensor: "force"}
 _MEASURES = {JointType.REVOLUTE: "angle", JointType.PRISMATIC: "length"}
@@ -64,6 +64,7 @@ def environment_of(cell: Cell | None, station: Station | None = None) -> Environ
         told={name: device.name for device in cell.devices.values() for name in device.tells},
         others_tools=frozenset(cell.tools) - set(at.tools),
         postures=_postures(at.robot),
+        up=quaternion.rotate(at.X_WB.inverse().as_tuple()[3:], (0.0, 0.0, 1.0)),
     )
 
 

@@ -114,3 +114,12 @@ def test_programs_are_told_in_which_frame_each_location_is_given() -> None:
     given = environment_of(cell).given
     angles = {name: math.degrees(quaternion.to_zyx(frame[3:])[0]) for name, frame in given.items()}
     assert angles == pytest.approx({"corner": -60.0, "free": -90.0})
+
+
+@pytest.mark.parametrize(
+    ("rpy", "up"), [("[0, 0, 90]", (0, 0, 1)), ("[180, 0, 0]", (0, 0, -1)), ("[0, 90, 0]", (-1, 0, 0))]
+)
+def test_programs_are_told_where_up_is(rpy: str, up: tuple[int, int, int]) -> None:
+    turned = HEAD.replace("positioner", f"base = {{ rpy = {rpy} }}\npositioner")
+    cell, _ = read_cell(SourceText("cell.toml", turned), "folder")
+    assert environment_of(cell).up == pytest.approx(up)

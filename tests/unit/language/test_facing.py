@@ -67,6 +67,29 @@ def test_in_a_frame_of_the_cell_whose_z_points_down_nothing_is_said() -> None:
     assert codes(f"{HEAD}set frame ceiling\nmov (450, 0, 700; rz 30)", HANGING) == []
 
 
+UNDER_CEILING = replace(CELL, frames={"table": (0.4, 0.0, 1.5, 0.0, 1.0, 0.0, 0.0)}, up=(0.0, 0.0, -1.0))
+
+
+@pytest.mark.parametrize(
+    ("line", "expected"),
+    [
+        ("mov (450, 0, 700; rz 30)", []),
+        ("set frame table\nmov (450, 0, 700; rz 30) in base", []),
+        ("frame shelf = (0, 0, 900)\nmov (0, 0, 20; rz 30) in shelf", []),
+        ("mov (0, 0, 500; rz 30) in table", ["T342"]),
+        ("set frame table\nmov (0, 0, 500; rz 30)", ["T342"]),
+        ("mov (0, 0, 500; down, rz 30) in table", []),
+    ],
+)
+def test_for_an_arm_on_the_ceiling_up_is_that_of_the_world(line: str, expected: list[str]) -> None:
+    assert codes(HEAD + line, UNDER_CEILING) == expected
+
+
+def test_for_an_arm_on_the_wall_nothing_is_said_in_its_base_frame() -> None:
+    on_wall = replace(CELL, up=(1.0, 0.0, 0.0))
+    assert codes(f"{HEAD}mov (450, 0, 700; rz 30)", on_wall) == []
+
+
 @pytest.mark.parametrize(
     ("written", "unit"),
     [

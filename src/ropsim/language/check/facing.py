@@ -8,7 +8,7 @@ from ropsim.language.syntax import nodes
 from ropsim.spatial import PoseTuple, quaternion
 
 _UPRIGHT = 0.5
-"""From this on the z of a frame points up: the cosine of 60°."""
+"""From this on the z of a frame points up in the world: the cosine of 60°."""
 
 
 @frozen_dataclass
@@ -35,7 +35,8 @@ def _check(body: Body, node: nodes.Tuple, X_KF: PoseTuple, moving: str) -> None:
     if moving:
         return
     X_BF = quaternion.compose(body.world.X_BK, X_KF)
-    if quaternion.rotate(X_BF[3:], (0.0, 0.0, 1.0))[2] < _UPRIGHT:
+    frame_z_B = quaternion.rotate(X_BF[3:], (0.0, 0.0, 1.0))
+    if sum(a * b for a, b in zip(frame_z_B, body.world.environment.up, strict=True)) < _UPRIGHT:
         return
     place = _Terms(node.turns[0].start, node.turns[-1].end)
     written = body.written(place)

@@ -297,7 +297,7 @@ lin (450, 0, 300; rpy 0 0 30)       # up and turned, if that is meant
 ```
 
 Steps of `rel` and frames are turned by `rz` as they stand, and nothing is said of them, nor of locations in
-frames whose z does not point up.
+frames whose z does not point up in the world, as that of the base of an arm on the ceiling.
 """,
 )
 NOT_OF_UNIT_LENGTH = define(
