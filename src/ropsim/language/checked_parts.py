@@ -22,7 +22,8 @@ class CheckedParts:
         found: findings, in the order in which they were made.
         made: variables that an assignment made first, and where.
         declared: variables of all tasks that they declare by their first values, and where.
-        unfit: values among what was found that do not fit first values that stand elsewhere.
+        unfit: values among what was found that do not fit first values.
+        quantities: variables with whole numbers that stand where a quantity is wanted, with its unit.
         read: names of the variables that are read.
         signals: that they name, by name.
         calls: tasks that they call, and where.
@@ -36,6 +37,7 @@ class CheckedParts:
     made: Mapping[str, Made]
     declared: Mapping[str, Made]
     unfit: tuple[Unfit, ...]
+    quantities: frozenset[tuple[str, str]]
     read: frozenset[str]
     signals: Mapping[str, SignalUse]
     calls: tuple[tuple[str, Span], ...]
@@ -52,6 +54,7 @@ def joined(parts: Sequence[CheckedPart], impossible: Iterable[tuple[Diagnostic, 
         first_of(one.made for one in parts),
         first_of(one.declared for one in parts),
         tuple(chain.from_iterable(one.unfit for one in parts)),
+        frozenset().union(*(one.quantities for one in parts)),
         frozenset().union(*(one.read for one in parts)),
         {signal.name: signal for one in parts for signal in one.signals},
         tuple(chain.from_iterable(one.calls for one in parts)),

@@ -214,7 +214,9 @@ def _outcome(db: Database, stages: Sequence[_Stage], check: _Check, told: Togeth
     unfit = [*chain.from_iterable(one.unfit for one in parts)]
     if unfit:
         firsts = first_of(table for one in parts for table in (one.made, one.declared))
-        found = [*with_first_values(found, unfit, firsts.values())]
+        quantities = chain.from_iterable(one.quantities for one in parts)
+        shared = {name for one in parts for name in one.declared} if db.read(questions.ORDER) else set[str]()
+        found = [*with_first_values(found, unfit, firsts.values(), quantities, shared)]
 
     def visible() -> Iterator[str]:
         declared = db.ask(questions.names_in, "symbols")

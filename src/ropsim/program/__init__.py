@@ -95,4 +95,5 @@ from ropsim.program.statements import While as While
 from ropsim.program.statements import With as With
 from ropsim.program.types import ValueType as ValueType
 from ropsim.program.walk import signals_of as signals_of
+from ropsim.program.walk import variables_of as variables_of
 from ropsim.program.walk import walk as walk

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from dataclasses import fields, is_dataclass
 
-from ropsim.program.expressions import Expression, SignalValue
+from ropsim.program.expressions import Expression, SignalValue, Variable
 from ropsim.program.statements import Block, For, If, Repeat, Statement, WaitUntil, While, With
 
 _HOLDING = frozenset({If, While, Repeat, For, With, WaitUntil})
@@ -36,11 +36,20 @@ def walk(block: Block) -> Iterator[Statement]:
 
 def signals_of(expression: Expression) -> Iterator[str]:
     """Yield the signals that an expression reads."""
+    return (one.name for one in _leaves(expression) if isinstance(one, SignalValue))
+
+
+def variables_of(expression: Expression) -> Iterator[str]:
+    """Yield the variables that an expression reads."""
+    return (one.name for one in _leaves(expression) if isinstance(one, Variable))
+
+
+def _leaves(expression: Expression) -> Iterator[SignalValue | Variable]:
     work: list[object] = [expression]
     while work:
         part = work.pop()
-        if isinstance(part, SignalValue):
-            yield part.name
+        if isinstance(part, SignalValue | Variable):
+            yield part
         elif isinstance(part, tuple):
             work += part
         elif is_dataclass(part):

@@ -192,6 +192,45 @@ def test_a_variable_has_the_type_of_its_first_value(lines: str, fixed: str) -> N
 
 
 @pytest.mark.parametrize(
+    ("lines", "meant"),
+    [
+        ("m = 300\nlin (m, 0, 100)\nm = m + 12.5\nprint m", "300 mm"),
+        ("m = 300\nm = m + 12.5\nlin (m, 0, 100)", "300 mm"),
+        ("m = 300\nrepeat 2\n  lin (2 * m, 0, 100)\n  m = m / 2\nendr", "300 mm"),
+        ("task T\n  m = 3\n  m = m * 1.5\n  wait m\nendp\nT", "3 s"),
+        ("m = 3\nm = m * 1.5\nlin infeed speed m", "3 mm/s"),
+        ("m = 3\nm = m * 1.5\nlin (300, 0, 100; down, rz m)", "3 deg"),
+    ],
+)
+def test_a_first_value_of_what_is_used_as_a_quantity_gets_its_unit(lines: str, meant: str) -> None:
+    (found,) = compiled(MODERN + lines).diagnostics
+    assert (found.code, found.fix) == ("T304", None)
+    assert found.hint.startswith(f"write `{meant}` there, as it is used")
+    number = meant.partition(" ")[0]
+    assert compiled(MODERN + lines.replace(f"m = {number}", f"m = {meant}", 1)).icr is not None
+
+
+def test_a_first_value_of_nothing_gets_the_unit_of_what_is_added() -> None:
+    (found,) = compiled(f"{MODERN}m = 0\nm = m + 10 mm\nlin infeed above m").diagnostics
+    assert found.fix is not None
+    assert (found.code, found.fix.replacement) == ("T304", "0 mm")
+    assert compiled(f"{MODERN}m = 0 mm\nm = m + 10 mm\nlin infeed above m").icr is not None
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        "m = 3\nlin (m, 0, 100)\nwait m\nm = m / 2",
+        "var m = 3\ntask T\n  wait m\nendp\nm = m / 2\nT",
+        "m = 2 * 3\nm = m / 2\nwait m",
+    ],
+)
+def test_where_no_first_value_is_certain_there_is_no_fix(lines: str) -> None:
+    (found,) = compiled(MODERN + lines).diagnostics
+    assert (found.code, found.fix) == ("T304", None)
+
+
+@pytest.mark.parametrize(
     ("lines", "hint"),
     [
         ("m = 3\nm = 5 mm\nprint m", "write a unit there"),

@@ -48,17 +48,21 @@ class Made:
 
 @frozen_dataclass
 class Unfit:
-    """A value that a variable cannot keep whose first value stands elsewhere.
+    """A value that a variable cannot keep because of its first value.
 
     Attributes:
         finding: that tells it, without the first value.
         variable: its name in the structured program.
         kind: of the value.
+        unit: in which the text has values of this kind, empty where that has no name.
+        is_bare: whether the value takes the unit of the place where it stands.
     """
 
     finding: Diagnostic
     variable: str
     kind: Type
+    unit: str
+    is_bare: bool
 
 
 Expressions = Mapping[type, Callable[["Body", Any], Value]]
@@ -91,7 +95,8 @@ class Body:
         looked_around: whether all names were asked for and `sight` did not tell them.
         made: variables that an assignment made, and where.
         declared: variables of all tasks that lines of this part declare by their first values, and where.
-        unfit: values that do not fit first values that stand elsewhere.
+        unfit: values that do not fit first values.
+        quantities: variables with whole numbers that stand where a quantity is wanted, each with its unit.
         read: names of the variables that are read.
         used_signals: signals that are named.
         joint_count: how many coordinates `joints(…)` has, 0 as long as there is none.
@@ -130,6 +135,7 @@ class Body:
         self.made: dict[str, Made] = {}
         self.declared: dict[str, Made] = {}
         self.unfit: list[Unfit] = []
+        self.quantities: set[tuple[str, str]] = set()
         self.read: set[str] = set()
         self.used_signals: dict[str, SignalUse] = {}
         self.joint_count = sight.joint_count or world.joint_count

@@ -5,7 +5,7 @@ from ropsim.language.check.body import Body
 from ropsim.language.check.types import AnyType, Type, Unknown, Value, article, bind, known
 from ropsim.language.findings import types as kinds
 from ropsim.language.report import Placed
-from ropsim.program import Constant, Expression, ValueType
+from ropsim.program import Constant, Expression, ValueType, variables_of
 
 _REAL, _INT = ValueType.REAL, ValueType.INT
 
@@ -77,6 +77,9 @@ def _real(body: Body, value: Value, wanted: Type, place: Placed, what: str) -> E
         body.warn(
             kinds.BARE, place, f"{what} is {article(wanted)} without unit", "write the unit behind the number"
         )
+    if not isinstance(expression, Constant):
+        unit = body.world.units.name(wanted.dimension)
+        body.quantities.update((name, unit) for name in variables_of(expression))
     factor = body.world.units.factor(wanted.dimension)
     try:
         return fold.scaled(expression, factor)

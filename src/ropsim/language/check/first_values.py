@@ -1,6 +1,6 @@
 """Variables that have their types from their first values: whole numbers, and values that are none later."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Container, Iterable, Iterator
 from dataclasses import replace
 
 from ropsim.core import Diagnostic, Label, TextEdit
@@ -40,44 +40,81 @@ def look(body: Body, node: syntax.Assign, variable: Variable, value: Value) -> N
         return  # a parameter
     message = f"`{name}` keeps whole numbers, {reason}; found {convert.shown(kind, value)}"
     found = kinds.NOT_WHOLE.at(body.span(node.value), message, hint=hint)
-    if made is not None and is_made_here:
-        found = _with_first(found, made, kind)
-    else:
-        body.unfit.append(Unfit(found, variable.name, kind))
+    unit = body.world.units.name(kind.dimension)
+    body.unfit.append(Unfit(found, variable.name, kind, unit, value.is_bare))
     body.reject(found)
 
 
 def with_first_values(
-    found: Iterable[Diagnostic], unfit: Iterable[Unfit], firsts: Iterable[Made]
+    found: Iterable[Diagnostic],
+    unfit: Iterable[Unfit],
+    firsts: Iterable[Made],
+    quantities: Iterable[tuple[str, str]],
+    shared: Container[str],
 ) -> Iterator[Diagnostic]:
-    """Yield findings, those of unfit values with the first values of their variables."""
+    """Yield findings, those of unfit values with the first values of their variables.
+
+    Args:
+        found: in order.
+        unfit: those among them.
+        firsts: where variables have their first values.
+        quantities: variables that stand where a quantity is wanted, each with the unit.
+        shared: variables that may stand elsewhere, too.
+    """
     by_finding = {one.finding: one for one in unfit}
     by_variable = {one.variable: one for one in firsts}
+    units_of: dict[str, set[str]] = {}
+    for name, unit in quantities:
+        units_of.setdefault(name, set()).add(unit)
     for finding in found:
         one = by_finding.get(finding)
         first = by_variable.get(one.variable) if one is not None else None
-        yield _with_first(finding, first, one.kind) if one is not None and first is not None else finding
+        if one is None or first is None:
+            yield finding
+            continue
+        with_first = _with_first(one, first, units_of.get(one.variable, set()))
+        yield replace(with_first, fix=None) if one.variable in shared else with_first
 
 
-def _with_first(finding: Diagnostic, made: Made, kind: Type) -> Diagnostic:
-    """Return a finding with the first value of the variable, and what that would have to be."""
-    value = _first_value(made)
+def _with_first(unfit: Unfit, made: Made, used_in: Collection[str]) -> Diagnostic:
+    """Return a finding with the first value of the variable, and what that would have to be.
+
+    Args:
+        unfit: the value that does not fit.
+        made: the first value.
+        used_in: units of the quantities as which the variable is used.
+    """
+    finding, kind, value = unfit.finding, unfit.kind, _first_value(made)
     place = made.place if value is None else value
     line = made.line.logical
     span = line.span(made.unit, place.start, place.end)
     is_plain, written = kind.dimension == units.NUMBER, line.text[place.start : place.end]
     fix = None
-    if _is_numeral(value):
-        fix = TextEdit(span, f"{written}.0") if is_plain else None
-        hint = f"write `{written}.0` there, or use `round( )` here" if is_plain else "write a unit there"
-    elif is_plain and _is_call(value):
-        hint = _other_value(kind)  # a call of a task is no part of an expression
-    elif is_plain:
-        hint = "multiply it by `1.0` there, or use `round( )` here"
+    if not _is_numeral(value):
+        hint = _other_first(kind, value, used_in)
+    elif not is_plain and written == "0" and unfit.unit and {unfit.unit}.issuperset(used_in):
+        fix = TextEdit(span, f"0 {unfit.unit}")
+        hint = f"write `{fix.replacement}` there"
+    elif not is_plain:
+        hint = "write a unit there"
+    elif not used_in:
+        fix = TextEdit(span, f"{written}.0")
+        hint = f"write `{fix.replacement}` there, or use `round( )` here"
+    elif unfit.is_bare and len(used_in) == 1 and all(used_in):
+        hint = f"write `{written} {''.join(used_in)}` there, as it is used, or use `round( )` here"
     else:
-        hint = f"let it begin with {article(kind)}, or use a variable of its own here"
+        hint = _other_value(kind)
     message, labels = finding.message.replace(_DECLARED, _BEGUN), (Label(span, "its first value"),)
     return replace(finding, message=message, secondary=labels, hint=hint, fix=fix)
+
+
+def _other_first(kind: Type, value: nodes.Node | None, used_in: Collection[str]) -> str:
+    """Return what can be done where the first value is no numeral."""
+    if kind.dimension != units.NUMBER:
+        return f"let it begin with {article(kind)}, or use a variable of its own here"
+    if used_in or _is_call(value):
+        return _other_value(kind)  # a call of a task is no part of an expression
+    return "multiply it by `1.0` there, or use `round( )` here"
 
 
 def _first_value(made: Made) -> nodes.Node | None:

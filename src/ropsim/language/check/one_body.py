@@ -6,6 +6,7 @@ from contextlib import suppress
 from ropsim.language.check import hidden, structures
 from ropsim.language.check.body import Body, Told, settled
 from ropsim.language.check.expressions import EXPRESSIONS
+from ropsim.language.check.first_values import with_first_values
 from ropsim.language.check.near_names import near_names, seen_variables, unread_variables
 from ropsim.language.check.outcome import Outcome
 from ropsim.language.check.reached import late
@@ -49,7 +50,7 @@ def checked_task(world: World, task: TaskText, signature: Signature, types: Mapp
         block,
         made.locals if made is not None else (),
         made,
-        tuple(report.log),
+        tuple(with_first_values(report.log, body.unfit, body.made.values(), body.quantities, ())),
         tuple(unread_variables(body.made, body.read)),
         tuple(body.used_signals.values()),
         tuple((one.task, one.span) for one in walk(block) if isinstance(one, Call)),

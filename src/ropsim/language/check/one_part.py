@@ -85,7 +85,8 @@ class CheckedPart:
         found: findings, in the order in which they were made.
         made: variables that an assignment made, and where.
         declared: variables of all tasks that it declares by their first values, and where.
-        unfit: values among what was found that do not fit first values that stand elsewhere.
+        unfit: values among what was found that do not fit first values.
+        quantities: variables with whole numbers that stand where a quantity is wanted, with its unit.
         read: names of the variables that are read.
         signals: that it names.
         calls: tasks that it calls, and where.
@@ -101,6 +102,7 @@ class CheckedPart:
     made: Mapping[str, Made]
     declared: Mapping[str, Made]
     unfit: tuple[Unfit, ...]
+    quantities: frozenset[tuple[str, str]]
     read: frozenset[str]
     signals: tuple[SignalUse, ...]
     calls: tuple[tuple[str, Span], ...]
@@ -191,6 +193,7 @@ def _checked(body: Body, part: Part) -> CheckedPart:
         body.made,
         body.declared,
         tuple(body.unfit),
+        frozenset(body.quantities),
         frozenset(body.read),
         tuple(body.used_signals.values()),
         tuple((one.task, one.span) for one in walk(block) if isinstance(one, Call)),
