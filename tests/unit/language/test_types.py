@@ -223,6 +223,8 @@ def test_a_first_value_of_nothing_gets_the_unit_of_what_is_added() -> None:
         "m = 3\nlin (m, 0, 100)\nwait m\nm = m / 2",
         "var m = 3\ntask T\n  wait m\nendp\nm = m / 2\nT",
         "m = 2 * 3\nm = m / 2\nwait m",
+        "m = 300\nm = m + 12.5\nk = m * 2\nlin (k, 0, 100)",
+        "m = 300\nk = m * 2\nlin (k, 0, 100)\nm = m + 12.5\nprint m",
     ],
 )
 def test_where_no_first_value_is_certain_there_is_no_fix(lines: str) -> None:

@@ -11,10 +11,13 @@ from ropsim.language.check.world import Variable
 from ropsim.language.findings import types as kinds
 from ropsim.language.syntax import nodes
 from ropsim.language.syntax import statements as syntax
+from ropsim.program import variables_of
 
 
 def look(body: Body, node: syntax.Assign, variable: Variable, value: Value) -> None:
     """Report a value that is no whole number, for a variable that keeps whole numbers and is no parameter.
+
+    Variables of which it is worked out are noted: with another first value they would change this one, too.
 
     Args:
         body: being checked.
@@ -26,6 +29,8 @@ def look(body: Body, node: syntax.Assign, variable: Variable, value: Value) -> N
         RejectedError: it was reported.
     """
     kind, name = known(value.type), node.name.text
+    others = (one for one in variables_of(value.expression) if one != variable.name)
+    body.quantities.update((one, "") for one in others)  # this one is what they are
     if not isinstance(kind, Type) or not convert.has_fraction(kind, value):
         return
     made = body.made.get(name)
@@ -58,7 +63,8 @@ def with_first_values(
         found: in order.
         unfit: those among them.
         firsts: where variables have their first values.
-        quantities: variables that stand where a quantity is wanted, each with the unit.
+        quantities: variables that stand where a quantity is wanted, each with the unit, empty where none
+            is certain.
         shared: variables that may stand elsewhere, too.
     """
     by_finding = {one.finding: one for one in unfit}
