@@ -67,8 +67,7 @@ METRES = [
     ("lin infeed {}", "blend 0.05", "blend 0.05 m"),
     ("frame f = {}\nset frame f\nopen", "(0.4, 0, 0)", "(0.4 m, 0 m, 0 m)"),
     ("tool t = {}\nset tool t\nopen", "(0, 0, 0.145)", "(0 m, 0 m, 0.145 m)"),
-    (f"{GRID} (0, 0, 0) step {{}}, (0, 60, 0)\n{BOXES}", "(0.06, 0, 0)", "(0.06 m, 0 m, 0 m)"),
-    (f"{GRID} {{}} step (60, 0, 0), (0, 60, 0)\n{BOXES}", "(0.4, 0, 0.1)", "(0.4 m, 0 m, 0.1 m)"),
+    (f"{GRID} {{}} step (60 mm, 0, 0), (0, 60 mm, 0)\n{BOXES}", "(0.4, 0, 0.1)", "(0.4 m, 0 m, 0.1 m)"),
 ]
 
 
@@ -91,7 +90,17 @@ def test_a_length_in_metres_is_told_and_each_text_of_the_hint_compiles(
         "mov (0.5, 0, 300)",
         "mov (0.5 m, 0, 0)",
         "mov (0.5 mm, 0 mm, 0.1 mm)",
+        f"{GRID} (300, 0, 0) step (1.27, 0, 0), (0, 1.27, 0)\n{BOXES}",
+        f"{GRID} (0, 0, 0) step (1.27, 0, 0), (0, 1.27, 0)\n{BOXES}",
+        "frame f = (0.3, -0.2, 0; rz 0.5)\nset frame f\nopen",
+        "frame f = (0.3, -0.2, 0, 0, 0, 0.5)\nset frame f\nopen",
+        "lin (0, 0, 0.2)",
+        "lin (0.5, 0.2, 0.2) above 20",
+        "lin via (0.5, 0.2, 0.2) to (0.5, 40, 0.2)",
         "lin infeed above 1",
+        "lin infeed above 1.5",
+        "lin infeed above 0.1",
+        "lin infeed blend 0.5",
         "lin infeed above 2.5",
         "lin infeed blend 2",
         "lin infeed offset (0, 0, 0.5)",

@@ -96,6 +96,7 @@ class Body:
         made: variables that an assignment made, and where.
         declared: variables of all tasks that lines of this part declare by their first values, and where.
         unfit: values that do not fit first values.
+        looked_through: the last line of which was asked whether it has a long length, and whether it has.
         quantities: variables with whole numbers that stand where a quantity is wanted, each with its unit.
         read: names of the variables that are read.
         used_signals: signals that are named.
@@ -126,6 +127,7 @@ class Body:
         self.result: Type | None = None
         self.task = task
         self.line = Line.empty()
+        self.looked_through = self.line, False
         self.X_KC = sight.X_KC
         self.moving = sight.moving
         self.loops: list[Loop] = []

@@ -347,7 +347,6 @@ def _pattern(body: Body, node: syntax.PatternDeclaration) -> Pattern:
     steps = []
     for step in node.steps:
         vector = convert.constant(body, poses.shift(body, step, "a step of a grid"), step, "a step of a grid")
-        metres.check_place(body, step)
         assert isinstance(vector.value, tuple)
         x, y, z = vector.value
         turned = quaternion.rotate(X_KF[3:], (x, y, z))
@@ -368,7 +367,7 @@ def _constant_pose(body: Body, node: nodes.Node, what: str) -> PoseTuple:
         return quaternion.compose(X_KF, inner)
     value = fold.location_of(convert.constant(body, poses.transform(body, node), node, what))
     assert value is not None
-    metres.check_place(body, node)
+    metres.check_frame(body, node)
     if external_part(value):
         hint = "locations have them: leave them out here"
         body.fail(kinds.WRONG_TYPE, node, f"{what} has no values of external axes", hint)

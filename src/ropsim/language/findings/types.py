@@ -219,9 +219,10 @@ What is doubted:
   speed of more than 50 m/s is doubted with its unit, too, since no arm makes it;
 - angles in degrees with four or more digits of a multiple of 45° in radians, as `rz 1.5708`, or with three
   where all numbers beside it are as small, as `rpy 0 0 3.14`;
-- under `units mm`, places, patterns, frames and tools whose numbers are all below 2 and not all whole, and
-  such distances behind `above` and `blend`: these are mostly in metres. Small shifts by `offset` and `rel`
-  are usual.
+- under `units mm`, places, frames and tools whose numbers are all below 2 and not all whole, and distances
+  below 0.1 behind `above` and `blend`: these are mostly in metres. Small steps of patterns and shifts by
+  `offset` and `rel` are usual, and so are frames that turn as little as they shift, places on the z of their
+  frame, and small numbers beside a length of 2 mm or more.
 
 ```
 lin (0.5, -0.25, 0.3) blend 0.05 acc 1.2                   # half a millimetre?
