@@ -1,6 +1,7 @@
 """Values that other languages write in another way, and what they are here."""
 
 import re
+from collections.abc import Sequence
 from typing import NoReturn
 
 from ropsim.core import frozen_dataclass
@@ -48,12 +49,33 @@ def refuse_function(body: Body, node: nodes.Function) -> None:
     operator = _SHIFTS.get(word, "rel" if word in _COMPOSED else "")
     if not operator:
         return
-    written = [_written(body, one.value) for one in node.arguments]
-    if all(map(_is_balanced, written)) and len(written) == (2 if word in _COMPOSED else 4):
-        behind = written[1] if word in _COMPOSED else f"({', '.join(written[1:])})"
-        fix = f"{written[0]} {operator} {behind}"
+    values = [one.value for one in node.arguments]
+    fix = _composed(body, values) if word in _COMPOSED else _shifted(body, operator, values)
+    if fix:
         body.fail(kinds.UNKNOWN_FUNCTION, node, message, f"write `{fix}`", fix=fix)
     body.fail(kinds.UNKNOWN_FUNCTION, node.name, message, _STEPS[operator])
+
+
+def _shifted(body: Body, operator: str, values: Sequence[nodes.Node]) -> str:
+    """Return a location and three lengths as they are written here; empty where they tell too little."""
+    written = [_written(body, one) for one in values]
+    if len(written) != 4 or not all(map(_is_balanced, written)):
+        return ""
+    return f"{written[0]} {operator} ({', '.join(written[1:])})"
+
+
+def _composed(body: Body, values: Sequence[nodes.Node]) -> str:
+    """Return two poses, the second one in the first, as they are written here; empty for other values."""
+    written = [_written(body, one) for one in values]
+    if len(written) != 2 or not all(map(_is_balanced, written)) or _is_frame(body, values[1]):
+        return ""
+    first, second = written
+    return f"{second} in {first}" if _is_frame(body, values[0]) else f"{first} rel {second}"
+
+
+def _is_frame(body: Body, node: nodes.Node) -> bool:
+    world = body.world
+    return isinstance(node, nodes.Name) and node.text in (*world.frames, *world.environment.moving, "base")
 
 
 def refuse_name(body: Body, node: nodes.Name) -> None:
@@ -71,14 +93,13 @@ def refuse_name(body: Body, node: nodes.Name) -> None:
         level = LEVELS[node.text.lower()]
         body.fail(kinds.UNKNOWN_NAME, node, message, f"write `{level}`", fix=level)
     _refuse_rate(body, node)
-    world = body.world
-    if node.text in (*world.frames, *world.environment.moving, "base"):
+    if _is_frame(body, node):
         fix: str | None = f"(0, 0, 0) in {node.text}"
         message, hint = f"`{node.text}` is a frame, no value", f"a location in it is written `{fix}`"
         if body.line.logical.text[node.end : node.end + 1] == ".":
             fix = None
         body.fail(kinds.UNKNOWN_NAME, node, message, hint, fix=fix)
-    if node.text in world.tools:
+    if node.text in body.world.tools:
         message, hint = f"`{node.text}` is a tool, no value", f"it stands behind `tool`: `tool {node.text}`"
         body.fail(kinds.UNKNOWN_NAME, node, message, hint)
 
