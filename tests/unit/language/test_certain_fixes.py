@@ -1,0 +1,75 @@
+"""A fix is what was meant for certain; where that is not known, the hint stands without one."""
+
+import re
+from dataclasses import replace
+
+import pytest
+
+from ropsim import icr
+from ropsim.core import Diagnostic
+from ropsim.program import SignalUse, ValueType
+from support.tasks import CELL, compiled
+
+CELL_OF_TWO = replace(
+    CELL,
+    signals={
+        **CELL.signals,
+        "glue": SignalUse("glue", is_input=False, type=ValueType.BOOL),
+        "pump": SignalUse("pump", is_input=False, type=ValueType.REAL),
+    },
+)
+"""With the digital output `glue` and the analog one `pump`."""
+HEAD = (
+    "program p\nunits mm, deg, s\nframe table = (500, 0, 0)\nloc p = (300, 0, 100)\nloc a = (300, 100, 100)\n"
+    "task Foo(q: loc, n: int = 1) -> int\n  lin q\n  return n\nendp\nm = Foo(p)\nprint m\n"
+)
+MEANT = [
+    ("lin pose_trans(table, p)", "lin p in table"),
+    ("mov pose_trans(base, p above 20) above 20", "mov p above 20 in base above 20"),
+    ("lin pose_trans(p, (0, 0, 20))", "lin p rel (0, 0, 20)"),
+    ("movej(pose_trans(table, p))", "mov p in table"),
+]
+UNCERTAIN = [
+    ("lin pose_trans(p, table)", "`p rel (0, 0, 60)`"),
+]
+
+
+def first(text: str) -> Diagnostic:
+    return compiled(text, CELL_OF_TWO).diagnostics[0]
+
+
+def applied(text: str, found: Diagnostic) -> str:
+    fix = found.fix
+    assert fix is not None, found
+    lines = text.split("\n")
+    line = lines[fix.span.line - 1]
+    lines[fix.span.line - 1] = line[: fix.span.column - 1] + fix.replacement + line[fix.span.end_column - 1 :]
+    return "\n".join(lines)
+
+
+def mended(text: str) -> str:
+    """Return a text with all fixes of its errors, one after the other."""
+    for _ in range(5):
+        errors = [one for one in compiled(text, CELL_OF_TWO).diagnostics if one.is_error]
+        if not errors:
+            return text
+        text = applied(text, errors[0])
+    raise AssertionError(text)
+
+
+def code_of(text: str) -> list[str]:
+    result = compiled(text, CELL_OF_TWO)
+    assert result.icr is not None, [str(one) for one in result.diagnostics]
+    return [re.sub(r"@\d+(:\d+)?", "", line) for line in icr.disassemble(result.icr).splitlines()]
+
+
+@pytest.mark.parametrize(("line", "meant"), MEANT)
+def test_what_is_mended_fix_by_fix_is_what_was_meant(line: str, meant: str) -> None:
+    assert code_of(mended(HEAD + line)) == code_of(HEAD + meant)
+
+
+@pytest.mark.parametrize(("line", "said"), UNCERTAIN)
+def test_what_is_not_certain_has_no_fix(line: str, said: str) -> None:
+    found = first(HEAD + line)
+    assert found.fix is None
+    assert said in found.hint
