@@ -28,9 +28,29 @@ MEANT = [
     ("mov pose_trans(base, p above 20) above 20", "mov p above 20 in base above 20"),
     ("lin pose_trans(p, (0, 0, 20))", "lin p rel (0, 0, 20)"),
     ("movej(pose_trans(table, p))", "mov p in table"),
+    ("repeat 3\n  if m > 3 then EXIT\nendr", "repeat 3\n  if m > 3 then break\nendr"),
+    ("exit", "stop"),
+    ("movel(p, a=1.2, v=0.15)", "lin p acc 1.2 m/s2 speed 0.15 m/s"),
+    ("movep(p, a=1.2, v=0.15, r=0.01)", "lin p acc 1.2 m/s2 speed 0.15 m/s blend 0.01 m"),
+    ("movej(p, r=0.01)", "mov p blend 0.01 m"),
+    ("movel(p)", "lin p"),
+    ("movel((300, 0, 100))", "lin (300, 0, 100)"),
 ]
 UNCERTAIN = [
     ("lin pose_trans(p, table)", "`p rel (0, 0, 60)`"),
+    ("task G()\n  exit\nendp\nG()", "out of a loop `break`"),
+    ("jump p", "`mov p above 60`"),
+    ("move p", "a straight line is `lin p`"),
+    ("movej(p, a=1.4, v=1.05)", "`mov p speed 50 % blend 10 mm`"),
+    ("movel(p, t=3)", "`lin p speed 500 mm/s blend 10 mm`"),
+    ("movel(p, 1.2, 0.15)", "`lin p speed 500 mm/s blend 10 mm`"),
+    ("movel(p, v=250)", "`lin p speed 500 mm/s blend 10 mm`"),
+    ("mov p v500", "`speed 50 %`"),
+    ("mov p speed v500", "`speed 50 %`"),
+    ("if m > 3 then mov p speed v500", "`speed 50 %`"),
+    ("mov p vel v500", "`speed 50 %`"),
+    ("lin p v=250", "`speed 500 mm/s`"),
+    ("lin p r=10", "`blend 10 mm`"),
 ]
 
 

@@ -16,12 +16,12 @@ REPLACED = {
     "PTP": "mov",
     "SPTP": "mov",
     "go": "mov",
-    "Move": "mov",
-    "Jump": "mov",
     **dict.fromkeys(("linear", "MoveP", "lmove", "moveline"), "lin"),
     **dict.fromkeys(("moveto", "joint", "jmove", "movejoint"), "mov"),
 }
 SAID = {
+    "Move": "a straight line is `lin p`",
+    "Jump": "`lin here above 60`, `mov p above 60`, `lin p`",
     "MoveAbsJ": "`mov joints(…)`",
     "MoveC": "`circ via a to b`",
     "movec": "`circ via a to b`",

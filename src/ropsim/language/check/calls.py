@@ -81,7 +81,8 @@ def unknown_task(body: Body, node: syntax.Call) -> NoReturn:
         place = span(name.start, name.end)
         body.reject(name_kinds.UNKNOWN_TASK.at(place, message, hint=hint, fix=edit))
     fix = hint.split("`")[1] if hint.startswith("did you mean") else None
-    if fix is not None and not _can_be_read(body, name, fix):
+    is_foreign = hint == HINTS.get(name.text.lower())
+    if fix is not None and ((is_foreign and not _is_bare(node)) or not _can_be_read(body, name, fix)):
         fix = None
     body.fail(name_kinds.UNKNOWN_TASK, name, message, hint, fix=fix)
 
@@ -97,6 +98,21 @@ def _near_task(body: Body, name: nodes.Name, tasks: Iterable[str]) -> str:
     if near and _can_be_read(body, name, near.split("`")[1]):
         return near
     return "define it with `task`, or assign a variable with `=`"
+
+
+def _is_bare(node: syntax.Call) -> bool:
+    """Return whether nothing but one value stands behind a word, in parentheses or without."""
+    if len(node.arguments) != 1 or node.arguments[0].name is not None:
+        return False
+    inside = _only(node.arguments)
+    if inside is None or not inside.items:
+        return True
+    first = inside.items[0].value
+    return not (
+        isinstance(first, nodes.Name | nodes.Function)
+        or _is_place(first)
+        or any(item.name is not None for item in inside.items)
+    )
 
 
 def _can_be_read(body: Body, name: nodes.Name, word: str) -> bool:

@@ -7,6 +7,7 @@ from functools import partial
 from ropsim.language.check.body import Body
 from ropsim.language.syntax import nodes
 from ropsim.language.syntax import statements as syntax
+from ropsim.language.syntax.other_settings import of_letter
 from ropsim.program import SignalUse, ValueType
 
 _SPEED, _ZONE = re.compile(r"v(\d+)"), re.compile(r"z(\d+)")
@@ -18,12 +19,18 @@ Values = Sequence[nodes.Node]
 def translated(body: Body, node: syntax.Call) -> str | None:
     """Return a line as it is written here; None for words of nobody, and where the line tells too little."""
     write = _LINES.get(node.name.text.lower())
-    if write is None or not _is_statement(body, node) or any(item.name for item in node.arguments):
+    if write is None or not _is_statement(body, node):
         return None
-    values = [item.value for item in node.arguments]
-    if len(values) == 1 and isinstance(values[0], nodes.Tuple) and values[0].start == node.name.end:
-        values = [item.value for item in values[0].items]
-    return write(body, values)
+    items = node.arguments
+    inside = items[0].value if len(items) == 1 else None
+    if isinstance(inside, nodes.Tuple) and inside.start == node.name.end:
+        items = inside.items
+    plain = [item.value for item in items if item.name is None]
+    named = [(item.name.text, item.value) for item in items if item.name is not None]
+    if not named:
+        return write(body, plain)
+    verb = _VERBS.get(node.name.text.lower())
+    return _move_with_letters(verb, body, plain, named) if verb else None
 
 
 def _is_statement(body: Body, node: syntax.Call) -> bool:
@@ -94,6 +101,17 @@ def _move(verb: str, body: Body, values: Values) -> str | None:
     return " ".join((verb, _text(body, values[0]), *words)) if all(words) else None
 
 
+def _move_with_letters(
+    verb: str, body: Body, values: Values, named: Sequence[tuple[str, nodes.Node]]
+) -> str | None:
+    """Return a motion of URScript, `movel(p, a=1.2, v=0.15)`."""
+    words = [
+        of_letter(verb, name, _text(body, one)) if isinstance(one, nodes.Number) else ""
+        for name, one in named
+    ]
+    return " ".join((verb, _text(body, values[0]), *words)) if len(values) == 1 and all(words) else None
+
+
 def _word(body: Body, verb: str, text: str) -> str:
     """Return what a word behind the target of a motion of RAPID says here; empty for nothing."""
     speed, zone = _SPEED.fullmatch(text), _ZONE.fullmatch(text)
@@ -108,13 +126,21 @@ def _stop(_: Body, values: Values) -> str | None:
     return None if values else "stop"
 
 
+def _exit(body: Body, values: Values) -> str | None:
+    """Return the way out of a loop; outside of one the end of the program, in a task nobody knows."""
+    if values or (body.task and not body.loops):
+        return None
+    return "break" if body.loops else "stop"
+
+
+_VERBS = {
+    **dict.fromkeys(("movel", "moves", "slin", "movep"), "lin"),
+    **dict.fromkeys(("movej", "ptp", "sptp"), "mov"),
+}
+"""Motions with one target, and what they are here."""
+
 _LINES: Mapping[str, Callable[[Body, Values], str | None]] = {
-    "movel": partial(_move, "lin"),
-    "moves": partial(_move, "lin"),
-    "slin": partial(_move, "lin"),
-    "movej": partial(_move, "mov"),
-    "ptp": partial(_move, "mov"),
-    "sptp": partial(_move, "mov"),
+    **{word: partial(_move, verb) for word, verb in _VERBS.items()},
     "setdo": _output,
     "set_digital_out": _output,
     "set_standard_digital_out": _output,
@@ -126,7 +152,7 @@ _LINES: Mapping[str, Callable[[Body, Values], str | None]] = {
     "delay": partial(_pause, ""),
     "pause": partial(_pause, ""),
     "halt": _stop,
-    "exit": _stop,
+    "exit": _exit,
     "quit": _stop,
     "speed": partial(_setting, "speed"),
     "vel": partial(_setting, "speed"),

@@ -10,7 +10,7 @@ from ropsim.language.findings import names as kinds
 from ropsim.language.syntax import nodes
 from ropsim.language.syntax import statements as syntax
 from ropsim.language.syntax.other_languages import LEVELS
-from ropsim.language.syntax.other_settings import data
+from ropsim.language.syntax.other_settings import data, shared
 
 _SHIFTS = {"offs": "offset", "reltool": "rel", "pose_add": "offset"}
 """Functions of a location and three lengths, and the operators that they are here."""
@@ -87,6 +87,8 @@ def refuse_name(body: Body, node: nodes.Name) -> None:
     message = f"there is no name `{node.text}`"
     if text := data(node.text):
         setting, _, value = text.partition(" ")
+        if share := _share(body, setting):
+            body.fail(kinds.UNKNOWN_NAME, node, message, share)
         is_behind = body.line.logical.text[: node.start].rstrip().lower().endswith(setting)
         body.fail(kinds.UNKNOWN_NAME, node, message, f"write `{text}`", fix=value if is_behind else None)
     if node.text.lower() in ("high", "low"):
@@ -102,6 +104,14 @@ def refuse_name(body: Body, node: nodes.Name) -> None:
     if node.text in body.world.tools:
         message, hint = f"`{node.text}` is a tool, no value", f"it stands behind `tool`: `tool {node.text}`"
         body.fail(kinds.UNKNOWN_NAME, node, message, hint)
+
+
+def _share(body: Body, setting: str) -> str:
+    """Return what to write in a motion of the joints, whose speed is a share; empty elsewhere."""
+    statement: object = body.line.statement
+    while isinstance(statement, syntax.If):
+        statement = statement.body
+    return shared(statement.word, setting) if isinstance(statement, syntax.Motion) else ""
 
 
 def _refuse_rate(body: Body, node: nodes.Name) -> None:

@@ -5,6 +5,8 @@ from collections.abc import Mapping
 
 _LIN = "did you mean `lin`? speed and zone stand behind the target: `lin p speed 500 mm/s blend 10 mm`"
 _MOV = "did you mean `mov`? speed and zone stand behind the target: `mov p speed 50 % blend 10 mm`"
+_MOVE = "a straight line is `lin p`, a way of the joints `mov p`"
+_JUMP = "a way over what stands between has its own moves: `lin here above 60`, `mov p above 60`, `lin p`"
 _JOINTS = "joint coordinates are a target of `mov`: write `mov joints(…)`"
 _CIRCLE = "a circular move names its point on the way first: write `circ via a to b`"
 _TRIGGER = "outputs are set on the way of a motion: write `lin p at 3 mm after start do set NAME on`"
@@ -72,8 +74,8 @@ HINTS: Mapping[str, str] = {
     "delay": _WAIT_TIME,
     "pause": _WAIT_TIME,
     "go": _MOV,
-    "move": _MOV,
-    "jump": _MOV,
+    "move": _MOVE,
+    "jump": _JUMP,
     "arc": _CIRCLE,
     "gripper": _GRIPPER,
     "grasp": _GRIPPER,

@@ -21,6 +21,8 @@ _SHARES: Mapping[str, str] = {"speed": "write `speed 50 %`", "acc": "write `acc 
 """The same behind the target of `mov`."""
 _LETTERS: Mapping[str, tuple[str, str]] = {"v": ("speed", "m/s"), "a": ("acc", "m/s2"), "r": ("blend", "m")}
 """Settings that are a letter and `=`, with their units where they have none."""
+_MOST = {"v": 10.0, "a": 100.0, "r": 1.0}
+"""Values from which on nobody means these units."""
 _ZONES = frozenset(("c_dis", "c_ptp", "c_vel", "c_ori", "c_spl", "a_dis", "a_vel", "a_ori"))
 _TERMINATION = re.compile(r"cnt([0-9]*)")
 _DATA = re.compile(r"([vz])([0-9]+)")
@@ -45,25 +47,25 @@ class Meant:
 
 def meant(line: Sequence[Token], at: int) -> Meant | None:
     """Return what the tokens of a motion mean from a place on; None where nobody knows."""
-    token, behind = line[at], line[at + 1 : at + 3]
+    token, behind, head = line[at], line[at + 1 : at + 3], line[0].word
     if fix := data(token.text):
-        return _exact(fix, 1)
+        return _of_data(head, fix, 1)
     if token.word in _ZONES:
         return Meant(_EXAMPLES["blend"], "", 1)
     if found := _TERMINATION.fullmatch(token.word):
         return _exact("fine", 1) if found[1] == "0" else Meant(_EXAMPLES["blend"], "", 1)
     if token.word in _LETTERS and len(behind) == 2 and behind[0].word in ("=", ":="):
-        return _by_letter(line[0].word, token, behind[1])
+        return _by_letter(head, token, behind[1])
     word = _WORDS.get(token.word)
     if word is None or (behind and behind[0].word in ("=", ":=", ".")):
         return None
     if behind and behind[0].word == "fine":
         return _exact("fine", 2)
     if behind and (fix := data(behind[0].text)):
-        return _exact(fix, 2)
+        return _of_data(head, fix, 2)
     if behind and behind[0].kind in ("number", "word"):
         return _exact(word, 1)
-    return Meant(_example(line[0].word, word), "", 1)
+    return Meant(_example(head, word), "", 1)
 
 
 def data(name: str) -> str:
@@ -72,20 +74,44 @@ def data(name: str) -> str:
     return _OF_DATA[found[1]].format(found[2]) if found else ""
 
 
+def shared(head: str, word: str) -> str:
+    """Return how a setting is written that is a share in this motion; empty where it is none."""
+    return _SHARES.get(word, "") if head in _OF_JOINTS else ""
+
+
+def of_letter(head: str, letter: str, number: str) -> str:
+    """Return what `v=0.25` and its like are here; empty where that is not certain, as for speeds of joints.
+
+    Args:
+        head: first word of the motion as it is written here.
+        letter: what stands before `=`.
+        number: what stands behind it, with or without a unit.
+    """
+    word, unit = _LETTERS.get(letter, ("", ""))
+    digits, own = number_parts(number)
+    if not word or shared(head, word) or (not own and float(digits) >= _MOST[letter]):
+        return ""
+    return f"{word} {number}" if own else f"{word} {number} {unit}"
+
+
 def called(word: str) -> str:
     """Return what a setting of another language is called here, empty for other words."""
     return _WORDS.get(word, "")
 
 
+def _of_data(head: str, fix: str, count: int) -> Meant:
+    """Return what speed and zone data are; a speed of the tool says nothing of the joints of `mov`."""
+    share = shared(head, fix.split(maxsplit=1)[0])
+    return Meant(share, "", count) if share else _exact(fix, count)
+
+
 def _by_letter(head: str, letter: Token, value: Token) -> Meant:
-    word, unit = _LETTERS[letter.word]
-    if value.kind != "number" or (head in _OF_JOINTS and word in _SHARES):
-        return Meant(_example(head, word), "", 3)
-    return _exact(f"{word} {value.text}" if number_parts(value.text)[1] else f"{word} {value.text} {unit}", 3)
+    fix = of_letter(head, letter.word, value.text) if value.kind == "number" else ""
+    return _exact(fix, 3) if fix else Meant(_example(head, _LETTERS[letter.word][0]), "", 3)
 
 
 def _example(head: str, word: str) -> str:
-    return _SHARES[word] if head in _OF_JOINTS and word in _SHARES else _EXAMPLES[word]
+    return shared(head, word) or _EXAMPLES[word]
 
 
 def _exact(text: str, count: int) -> Meant:
