@@ -8,6 +8,7 @@ from ropsim.language import text as texts
 from ropsim.language.prose import is_classic, modes
 from ropsim.language.syntax.statements import ContractClause
 from ropsim.language.text import Parser
+from ropsim.language.then_bodies import placed
 
 MOST = 100
 """Findings that are told at most."""
@@ -23,11 +24,11 @@ def line_findings(source: SourceText, cache: Parser) -> tuple[Diagnostic, ...]:
         source: any text.
         cache: may keep what lines were parsed to.
     """
-    lines = list(texts.read(source, cache))
+    lines = placed(texts.read(source, cache))
     return () if is_classic(modes(lines)) else tuple(islice(_found(source, lines), MOST))
 
 
-def _found(source: SourceText, lines: list[texts.Line]) -> Iterator[Diagnostic]:
+def _found(source: SourceText, lines: tuple[texts.Line, ...]) -> Iterator[Diagnostic]:
     for line in lines:
         fault = line.fault
         if fault is not None and not isinstance(line.statement, ContractClause | None):

@@ -13,6 +13,7 @@ from ropsim.language.line_kinds import is_marked
 from ropsim.language.report import Report, TooManyFindingsError
 from ropsim.language.taken import task_names
 from ropsim.language.text import Line
+from ropsim.language.then_bodies import placed
 from ropsim.query import Database
 
 TASK_NAMES = "names of tasks"
@@ -133,7 +134,7 @@ def read_chunk(
     report = Report("")
     try:
         read = db.ask(parsed, lines).lines if ends is None else db.ask(mended, lines, ends)[0]
-        absorbed, manner = prose.absorb(read, Names(db, CALLABLE), report, manner)
+        absorbed, manner = prose.absorb(placed(read), Names(db, CALLABLE), report, manner)
         tree = blocks.build(absorbed, report, cut)
     except TooManyFindingsError:
         return Read((), (), tuple(report.log), manner, (), looked_above=False, opener=None)

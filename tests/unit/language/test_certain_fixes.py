@@ -36,7 +36,24 @@ MEANT = [
     ("movel(p)", "lin p"),
     ("movel((300, 0, 100))", "lin (300, 0, 100)"),
 ]
+BLOCKS = [
+    ("if m > 3 lin p\n lin a\nendif", "if m > 3 then\n lin p\n lin a\nendif"),
+    ("if m > 3 lin p\nlin a\nendif", "if m > 3 then\n lin p\n lin a\nendif"),
+    ("if m > 3 lin p\nend", "if m > 3 then\n lin p\nend"),
+    ("if m > 3 lin p\nelse\n lin a\nendif", "if m > 3 then\n lin p\nelse\n lin a\nendif"),
+    ("if m > 3 lin p\nelseif m > 2\n lin a\nend", "if m > 3 then\n lin p\nelseif m > 2\n lin a\nend"),
+    ("repeat 3\n if m > 3 lin p\nend", "repeat 3\n if m > 3 then lin p\nend"),
+    ("repeat 3\nif m > 3 lin p\nendr", "repeat 3\nif m > 3 then lin p\nendr"),
+    (
+        "repeat 3\n if m > 3 lin p\n repeat 2\n  lin a\n end\n end\nend",
+        "repeat 3\n if m > 3 then\n lin p\n repeat 2\n  lin a\n end\n end\nend",
+    ),
+    ("if m > 3 lin p\nlin a", "if m > 3 then lin p\nlin a"),
+]
 UNCERTAIN = [
+    ("if m > 3 then\nif m > 4 lin p\nendif", "then `endif`"),
+    ("if m > 3 lin p\n  lin a", "then `endif`"),
+    ("if m > 3 then if m > 4 lin p\n  lin a\nendif", "then `endif`"),
     ("lin pose_trans(p, table)", "`p rel (0, 0, 60)`"),
     ("task G()\n  exit\nendp\nG()", "out of a loop `break`"),
     ("jump p", "`mov p above 60`"),
@@ -83,7 +100,7 @@ def code_of(text: str) -> list[str]:
     return [re.sub(r"@\d+(:\d+)?", "", line) for line in icr.disassemble(result.icr).splitlines()]
 
 
-@pytest.mark.parametrize(("line", "meant"), MEANT)
+@pytest.mark.parametrize(("line", "meant"), MEANT + BLOCKS)
 def test_what_is_mended_fix_by_fix_is_what_was_meant(line: str, meant: str) -> None:
     assert code_of(mended(HEAD + line)) == code_of(HEAD + meant)
 
