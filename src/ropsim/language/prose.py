@@ -147,7 +147,7 @@ def _hint(line: Line, fault: Fault, task_names: Collection[str]) -> str:
     """Return the hint of a fault; for a word of another language, what to write here."""
     head = line.head
     is_own = _ASSIGNED.match(line.logical.text) or head in map(str.lower, task_names)
-    is_told = head == END and fault.hint  # what stands behind it tells more
+    is_told = fault.fix or (head == END and fault.hint)  # what stands behind it tells more
     is_foreign = fault.kind is kinds.UNEXPECTED and head in HINTS and not is_own
     return HINTS[head] if is_foreign and not is_told else fault.hint
 

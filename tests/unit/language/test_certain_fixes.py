@@ -36,6 +36,17 @@ MEANT = [
     ("movel(p)", "lin p"),
     ("movel((300, 0, 100))", "lin (300, 0, 100)"),
 ]
+SEMICOLONS = [
+    ("lin p;", "lin p"),
+    ("lin p; # near", "lin p"),
+    ("MoveL p, v500, z10;", "lin p speed 500 mm/s blend 10 mm"),
+    ("SetDO glue, 1;", "set glue on"),
+    ("WaitTime 0.5;", "wait 0.5 s"),
+    ("lin p; open", "lin p\nopen"),
+    ("lin p; k = Foo(p); print k;", "lin p\nk = Foo(p)\nprint k"),
+    ("repeat 3;\n  open;\nendr;", "repeat 3\n  open\nendr"),
+    ("lin p v500;", "lin p speed 500 mm/s"),
+]
 BLOCKS = [
     ("if m > 3 lin p\n lin a\nendif", "if m > 3 then\n lin p\n lin a\nendif"),
     ("if m > 3 lin p\nlin a\nendif", "if m > 3 then\n lin p\n lin a\nendif"),
@@ -51,6 +62,9 @@ BLOCKS = [
     ("if m > 3 lin p\nlin a", "if m > 3 then lin p\nlin a"),
 ]
 UNCERTAIN = [
+    ("if m > 3 then lin p; open", "line of its own"),
+    ("if m > 3 then lin p open", ""),
+    ("lin (300, 0, 100); rz 30", "without `;`"),
     ("if m > 3 then\nif m > 4 lin p\nendif", "then `endif`"),
     ("if m > 3 lin p\n  lin a", "then `endif`"),
     ("if m > 3 then if m > 4 lin p\n  lin a\nendif", "then `endif`"),
@@ -86,7 +100,7 @@ def applied(text: str, found: Diagnostic) -> str:
 
 def mended(text: str) -> str:
     """Return a text with all fixes of its errors, one after the other."""
-    for _ in range(5):
+    for _ in range(9):
         errors = [one for one in compiled(text, CELL_OF_TWO).diagnostics if one.is_error]
         if not errors:
             return text
@@ -100,7 +114,7 @@ def code_of(text: str) -> list[str]:
     return [re.sub(r"@\d+(:\d+)?", "", line) for line in icr.disassemble(result.icr).splitlines()]
 
 
-@pytest.mark.parametrize(("line", "meant"), MEANT + BLOCKS)
+@pytest.mark.parametrize(("line", "meant"), MEANT + SEMICOLONS + BLOCKS)
 def test_what_is_mended_fix_by_fix_is_what_was_meant(line: str, meant: str) -> None:
     assert code_of(mended(HEAD + line)) == code_of(HEAD + meant)
 
@@ -110,3 +124,9 @@ def test_what_is_not_certain_has_no_fix(line: str, said: str) -> None:
     found = first(HEAD + line)
     assert found.fix is None
     assert said in found.hint
+
+
+def test_a_semicolon_at_the_end_is_told_beside_what_else_is_wrong() -> None:
+    found = compiled(f"{HEAD}MoveL p, v500, z10;", CELL_OF_TWO).diagnostics
+    assert [one.code for one in found] == ["N201", "L101"]
+    assert all(one.fix is not None for one in found)

@@ -36,7 +36,7 @@ def then(cursor: Cursor) -> bool:
     if token.word in COMPARISONS:
         here = COMPARISONS[token.word]
         raise LineFaultError(cursor.unexpected("`then` or the end of the line", f"write `{here}`", here))
-    if begins_statement(cursor) or _is_task(cursor):
+    if begins_statement(cursor) or names_task(cursor):
         cursor.mend(cursor.unexpected("`then`", "write `then`", f"then {token.text}"))
         return True
     if token.word == "do" or (token.kind == "word" and did_you_mean(token.text, ("then",))):
@@ -51,7 +51,7 @@ def then(cursor: Cursor) -> bool:
     return False
 
 
-def _is_task(cursor: Cursor) -> bool:
+def names_task(cursor: Cursor) -> bool:
     """Return whether the next token has the capital letter of the name of a task."""
     text = cursor.token.text
     is_name = cursor.token.kind == "word" and cursor.word not in RESERVED and not text.isupper()

@@ -6,7 +6,7 @@ from ropsim.core import did_you_mean
 from ropsim.language.findings import syntax as kinds
 from ropsim.language.syntax.cursor import Cursor
 from ropsim.language.syntax.fault import Fault, LineFaultError
-from ropsim.language.syntax.headers import begins_statement
+from ropsim.language.syntax.headers import begins_statement, names_task
 from ropsim.language.syntax.lexer import UNITS, Token
 from ropsim.language.syntax.other_languages import DECIMAL, LEFT_OVER
 from ropsim.language.syntax.other_languages import UNITS as WRITTEN_OUT
@@ -17,6 +17,8 @@ _POSTURE_WORDS = {"config": "(left, up)", "turns": "(0, -1)"}
 """Terms of a location, which people look for behind it; each with an example."""
 _SETTINGS = frozenset(("speed", "acc", "blend", "fine", "frame", "tool"))
 _BEHIND_TARGETS = _SETTINGS - {"frame"} | {"angle", "at", "until", "store", "track"}
+_HOLDING = frozenset(("if", "elseif", "else", "wait"))
+"""What holds a statement on its line: whether it holds the next one as well, nobody knows."""
 _WORDS: Mapping[str, str] = {
     "else": "an `else` stands on a line of its own: `if … then`, below it `else`, below that `endif`",
     "then": "leave the `then` out",
@@ -37,7 +39,8 @@ def _refuse(cursor: Cursor) -> None:
         hint = f"write `(x, y, z; {token.word} {_POSTURE_WORDS[token.word]})`"
         message = f"`{token.word}` stands in a location, behind its `;`"
         cursor.fault(kinds.UNEXPECTED, token.start, token.end, message, hint)
-    for reader in (_decimal, _setting_of_other_languages, _second_setting, _comma, _with, _statement, _unit):
+    settings = _setting_of_other_languages, _second_setting
+    for reader in (_semicolon, _decimal, *settings, _comma, _with, _statement, _unit):
         fault = reader(cursor, token, head)
         if fault is not None:
             raise LineFaultError(fault)
@@ -119,7 +122,22 @@ def _statement(cursor: Cursor, token: Token, head: Token) -> Fault | None:
     if not begins_statement(cursor) or (token.word not in ACTIONS and head.word in MOTIONS):
         return None
     hint = "each statement stands on a line of its own"
-    return cursor.unexpected("the end of the line", hint, cursor.below + token.text)
+    fix = cursor.below + token.text if head.word not in _HOLDING else ""
+    return cursor.unexpected("the end of the line", hint, fix)
+
+
+def _semicolon(cursor: Cursor, sign: Token, head: Token) -> Fault | None:
+    """Return the fault of a `;` between two statements."""
+    if sign.word != ";":
+        return None
+    cursor.go(1)
+    behind, is_other = cursor.token, begins_statement(cursor) or names_task(cursor)
+    cursor.go(-1)
+    if not is_other or head.word in _HOLDING:
+        return None
+    message = "expected the end of the line, found `;`"
+    fix = cursor.below + behind.text
+    return Fault(kinds.UNEXPECTED, sign.start, behind.end, message, LEFT_OVER[";"], fix)
 
 
 def _unit(cursor: Cursor, token: Token, _: Token) -> Fault | None:

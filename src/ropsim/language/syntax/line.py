@@ -1,13 +1,15 @@
 """One logical line to one statement, or to what is wrong with it; it never raises."""
 
 import re
+from collections.abc import Sequence
 from dataclasses import replace
 
 from ropsim.language.findings import syntax as kinds
 from ropsim.language.syntax.cursor import Cursor
 from ropsim.language.syntax.fault import Fault, LineFaultError
 from ropsim.language.syntax.left_over import finish
-from ropsim.language.syntax.lexer import tokens
+from ropsim.language.syntax.lexer import Token, tokens
+from ropsim.language.syntax.other_languages import LEFT_OVER
 from ropsim.language.syntax.statement import statement
 from ropsim.language.syntax.statements import Broken, ContractClause, Statement
 
@@ -58,13 +60,23 @@ def _read(line: str, start: int) -> tuple[Statement | None, Fault | None]:
         found.pop()
     if not found:
         return None, None
-    cursor = Cursor(found, line)
+    semicolon = _semicolon(found)
+    cursor = Cursor(found if semicolon is None else found[:-1], line)
     try:
         result = statement(cursor)
         finish(cursor)
     except LineFaultError as error:
         raise LineFaultError(cursor.mended or error.fault) from None
-    return result, cursor.mended
+    return result, cursor.mended or semicolon
+
+
+def _semicolon(found: Sequence[Token]) -> Fault | None:
+    """Return the fault of a `;` at the end of a line, as other languages have it; None where none stands."""
+    if len(found) < 2 or found[-1].word != ";":
+        return None
+    last, sign = found[-2:]
+    message = "expected the end of the line, found `;`"
+    return Fault(kinds.UNEXPECTED, last.start, sign.end, message, LEFT_OVER[";"], last.text)
 
 
 def _confirmed(line: str, fault: Fault) -> Fault:
