@@ -47,6 +47,20 @@ SEMICOLONS = [
     ("repeat 3;\n  open;\nendr;", "repeat 3\n  open\nendr"),
     ("lin p v500;", "lin p speed 500 mm/s"),
 ]
+WORDS = [
+    ("if m > 3 then lin p end if", "if m > 3 then lin p"),
+    ("if m > 3 then lin p endif", "if m > 3 then lin p"),
+    ("if m > 3 lin p endif", "if m > 3 then lin p"),
+    ("for i = 10 downto 1 step 2\n  print i\nendf", "for i = 10 to 1 step -2\n  print i\nendf"),
+    ("for i = 10 downto 1 by -2\n  print i\nendf", "for i = 10 to 1 step -2\n  print i\nendf"),
+    ("if m greater than 3 then lin p", "if m > 3 then lin p"),
+    ("if m less than or equal to 3 then lin p", "if m <= 3 then lin p"),
+    ("if m equal to 3 then lin p", "if m = 3 then lin p"),
+    ("while m > 3 lin p endw", "while m > 3\n  lin p\nendw"),
+    ("repeat 3 lin p endr", "repeat 3\n  lin p\nendr"),
+    ("repeat 3 lin p end repeat", "repeat 3\n  lin p\nendr"),
+    ("repeat 3\n  repeat 2 lin p end\nendr", "repeat 3\n  repeat 2\n    lin p\n  end\nendr"),
+]
 BLOCKS = [
     ("if m > 3 lin p\n lin a\nendif", "if m > 3 then\n lin p\n lin a\nendif"),
     ("if m > 3 lin p\nlin a\nendif", "if m > 3 then\n lin p\n lin a\nendif"),
@@ -62,6 +76,8 @@ BLOCKS = [
     ("if m > 3 lin p\nlin a", "if m > 3 then lin p\nlin a"),
 ]
 UNCERTAIN = [
+    ("for i = 10 downto 1 step m\n  print i\nendf", "`to 1 step -2`"),
+    ("if m > 3 then lin p end while", "leave it out"),
     ("if m > 3 then lin p; open", "line of its own"),
     ("if m > 3 then lin p open", ""),
     ("lin (300, 0, 100); rz 30", "without `;`"),
@@ -114,7 +130,7 @@ def code_of(text: str) -> list[str]:
     return [re.sub(r"@\d+(:\d+)?", "", line) for line in icr.disassemble(result.icr).splitlines()]
 
 
-@pytest.mark.parametrize(("line", "meant"), MEANT + SEMICOLONS + BLOCKS)
+@pytest.mark.parametrize(("line", "meant"), MEANT + SEMICOLONS + WORDS + BLOCKS)
 def test_what_is_mended_fix_by_fix_is_what_was_meant(line: str, meant: str) -> None:
     assert code_of(mended(HEAD + line)) == code_of(HEAD + meant)
 
@@ -124,6 +140,14 @@ def test_what_is_not_certain_has_no_fix(line: str, said: str) -> None:
     found = first(HEAD + line)
     assert found.fix is None
     assert said in found.hint
+
+
+def test_an_end_behind_the_last_statement_of_a_block_stands_below_it() -> None:
+    found = compiled(f"{HEAD}repeat 3\n  lin p endr", CELL_OF_TWO).diagnostics[-1]
+    assert (found.hint, found.fix and found.fix.replacement) == (
+        "the end of a block stands on a line of its own",
+        "\n  endr",
+    )
 
 
 def test_a_semicolon_at_the_end_is_told_beside_what_else_is_wrong() -> None:

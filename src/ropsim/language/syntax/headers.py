@@ -10,6 +10,7 @@ from ropsim.language.syntax.other_languages import UNITS as WRITTEN_OUT
 from ropsim.language.syntax.statements import Closer
 from ropsim.language.syntax.words import ACTIONS, END, OPENERS, RESERVED
 
+_OR_EQUAL = {">": ">=", "<": "<="}
 _TIMES = frozenset(("times", "do", "loop", "x"))
 """What stands behind a count elsewhere."""
 _ENDED = {
@@ -19,6 +20,10 @@ _ENDED = {
     "loop": END,
 }
 """What ends a block, by the word that stands behind `end` elsewhere."""
+
+
+CLOSERS = frozenset(word for words in OPENERS.values() for word in words if word != "until") | {END}
+"""Words that end blocks."""
 
 
 def begins_statement(cursor: Cursor) -> bool:
@@ -34,8 +39,7 @@ def then(cursor: Cursor) -> bool:
         return True
     token = cursor.token
     if token.word in COMPARISONS:
-        here = COMPARISONS[token.word]
-        raise LineFaultError(cursor.unexpected("`then` or the end of the line", f"write `{here}`", here))
+        raise LineFaultError(_comparison(cursor, token))
     if begins_statement(cursor) or names_task(cursor):
         cursor.mend(cursor.unexpected("`then`", "write `then`", f"then {token.text}"))
         return True
@@ -49,6 +53,18 @@ def then(cursor: Cursor) -> bool:
             "`then` or the end of the line", "a statement on the line of an `if` stands behind `then`"
         )
     return False
+
+
+def _comparison(cursor: Cursor, token: Token) -> Fault:
+    """Return the fault of a comparison in words, as `greater than or equal to`."""
+    here, count = COMPARISONS[token.word], 1
+    count += cursor.look(count).word == "than"
+    if here in _OR_EQUAL and (cursor.look(count).word, cursor.look(count + 1).word) == ("or", "equal"):
+        here, count = _OR_EQUAL[here], count + 2
+    count += cursor.look(count).word == "to"
+    message = f"expected `then` or the end of the line, found `{token.text}`"
+    end = cursor.look(count - 1).end
+    return Fault(kinds.UNEXPECTED, token.start, end, message, f"write `{here}`", here)
 
 
 def names_task(cursor: Cursor) -> bool:
@@ -93,9 +109,24 @@ def _body_below(cursor: Cursor, missing: str, closer: str) -> None:
     below = "write it on a line of its own"
     hint = f"write `{missing}`, and `{token.text} …` on a line of its own" if missing else below
     expected = f"`{missing}`" if missing else "the end of the line"
-    fix = missing + f"{cursor.below}  {token.text}"
-    cursor.mend(cursor.unexpected(expected, f"{hint}; the block ends with `{closer}`", fix))
+    end = _end_behind(cursor)
+    message = f"expected {expected}, found `{token.text}`"
+    fix, last = missing + f"{cursor.below}  {token.text}", token
+    if end is not None:  # it stands on the line, too
+        body = cursor.line[token.start : end.start].rstrip()
+        last = cursor.tokens[cursor.length - 1]
+        fix = missing + f"{cursor.below}  {body}{cursor.below}{cursor.line[end.start : last.end]}"
+    hint = f"{hint}; the block ends with `{closer}`"
+    cursor.mend(Fault(kinds.UNEXPECTED, token.start, last.end, message, hint, fix))
     cursor.go(cursor.length - cursor.index)
+
+
+def _end_behind(cursor: Cursor) -> Token | None:
+    """Return the first word of the end of a block at the end of the line, None where none stands there."""
+    before, last = cursor.tokens[cursor.length - 2 : cursor.length]
+    if last.word in CLOSERS:
+        return last
+    return before if before.word == END and last.word in _ENDED else None
 
 
 def ended(cursor: Cursor, head: Token) -> Closer | None:

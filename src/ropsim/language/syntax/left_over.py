@@ -6,12 +6,12 @@ from ropsim.core import did_you_mean
 from ropsim.language.findings import syntax as kinds
 from ropsim.language.syntax.cursor import Cursor
 from ropsim.language.syntax.fault import Fault, LineFaultError
-from ropsim.language.syntax.headers import begins_statement, names_task
+from ropsim.language.syntax.headers import CLOSERS, begins_statement, names_task
 from ropsim.language.syntax.lexer import UNITS, Token
 from ropsim.language.syntax.other_languages import DECIMAL, LEFT_OVER
 from ropsim.language.syntax.other_languages import UNITS as WRITTEN_OUT
 from ropsim.language.syntax.other_settings import meant
-from ropsim.language.syntax.words import ACTIONS, INSIDE, MOTIONS, NOT_YET_MODIFIERS, RESERVED
+from ropsim.language.syntax.words import ACTIONS, END, INSIDE, MOTIONS, NOT_YET_MODIFIERS, RESERVED
 
 _POSTURE_WORDS = {"config": "(left, up)", "turns": "(0, -1)"}
 """Terms of a location, which people look for behind it; each with an example."""
@@ -40,7 +40,7 @@ def _refuse(cursor: Cursor) -> None:
         message = f"`{token.word}` stands in a location, behind its `;`"
         cursor.fault(kinds.UNEXPECTED, token.start, token.end, message, hint)
     settings = _setting_of_other_languages, _second_setting
-    for reader in (_semicolon, _decimal, *settings, _comma, _with, _statement, _unit):
+    for reader in (_semicolon, _end, _decimal, *settings, _comma, _with, _statement, _unit):
         fault = reader(cursor, token, head)
         if fault is not None:
             raise LineFaultError(fault)
@@ -124,6 +124,22 @@ def _statement(cursor: Cursor, token: Token, head: Token) -> Fault | None:
     hint = "each statement stands on a line of its own"
     fix = cursor.below + token.text if head.word not in _HOLDING else ""
     return cursor.unexpected("the end of the line", hint, fix)
+
+
+def _end(cursor: Cursor, token: Token, head: Token) -> Fault | None:
+    """Return the fault of the end of a block behind a statement."""
+    if token.word not in CLOSERS:
+        return None
+    if head.word != "if":
+        hint = "the end of a block stands on a line of its own"
+        return cursor.unexpected("the end of the line", hint, cursor.below + token.text)
+    before, last = cursor.look(-1), cursor.tokens[cursor.length - 1]
+    message = f"expected the end of the line, found `{token.text}`"
+    hint = "an `if` with its statement on the line has no end: leave it out"
+    is_whole = last is token or (cursor.look(1) is last and last.word == "if")
+    if token.word not in ("endif", END) or not is_whole:
+        return Fault(kinds.UNEXPECTED, token.start, token.end, message, hint)
+    return Fault(kinds.UNEXPECTED, before.start, last.end, message, hint, before.text)
 
 
 def _semicolon(cursor: Cursor, sign: Token, head: Token) -> Fault | None:

@@ -7,7 +7,7 @@ from ropsim.language.syntax.cursor import Cursor
 from ropsim.language.syntax.expressions import expression, total
 from ropsim.language.syntax.fault import Fault
 from ropsim.language.syntax.lexer import Token
-from ropsim.language.syntax.nodes import Name, Node
+from ropsim.language.syntax.nodes import Name, Node, Number
 from ropsim.language.syntax.other_languages import FOR
 from ropsim.language.syntax.statements import For, ForEach, Repeat, Statement, Until, While
 
@@ -80,7 +80,10 @@ def _counted(cursor: Cursor, head: Token, name: Name) -> Statement:
     first = total(cursor)
     if cursor.word in (",", "."):
         cursor.fail("`to`", FOR)
-    last = _down(cursor, cursor.advance()) if cursor.word == "downto" else _up(cursor)
+    if cursor.word == "downto":
+        return For(name, first, *_down(cursor, cursor.advance()), head.start, cursor.end)
+    cursor.expect("to")
+    last = total(cursor)
     if cursor.word == "by":
         cursor.mend(cursor.unexpected("`step`", "write `step`", "step"))
     step = None
@@ -91,16 +94,18 @@ def _counted(cursor: Cursor, head: Token, name: Name) -> Statement:
     return For(name, first, last, step, head.start, cursor.end)
 
 
-def _up(cursor: Cursor) -> Node:
-    cursor.expect("to")
-    return total(cursor)
-
-
-def _down(cursor: Cursor, word: Token) -> Node:
-    """Read the last value behind `downto`, which is `to` and a step of -1."""
-    start = cursor.start
+def _down(cursor: Cursor, word: Token) -> tuple[Node, Node | None]:
+    """Read the last value behind `downto`, which is `to` and a negative step."""
+    start, step, size = cursor.start, None, "1"
     last = total(cursor)
-    fix = f"to {cursor.line[start : cursor.end]} step -1"
+    written = cursor.line[start : cursor.end]
+    if cursor.accept("step") or cursor.accept("by"):
+        cursor.accept("-")
+        step = total(cursor)
+        size = cursor.line[step.start : step.end] if isinstance(step, Number) else ""
+    fix = f"to {written} step -{size}" if size else ""
+    hint = f"write `{fix}`" if size else "a loop goes down with a negative step: `to 1 step -2`"
     message = f"expected `to`, found `{word.text}`"
-    cursor.mend(Fault(kinds.UNEXPECTED, word.start, cursor.end, message, f"write `{fix}`", fix))
-    return last
+    cursor.mend(Fault(kinds.UNEXPECTED, word.start, cursor.end, message, hint, fix))
+    headers.loop_body(cursor, "endf")
+    return last, step
