@@ -61,6 +61,14 @@ WORDS = [
     ("repeat 3 lin p end repeat", "repeat 3\n  lin p\nendr"),
     ("repeat 3\n  repeat 2 lin p end\nendr", "repeat 3\n  repeat 2\n    lin p\n  end\nendr"),
 ]
+OUTPUTS = [
+    ("set glue high", "set glue on"),
+    ("set glue FALSE", "set glue off"),
+    ("glue = 1", "set glue on"),
+    ("pump = 2", "set pump = 2"),
+    ("if m > 3 then glue = off", "if m > 3 then set glue off"),
+    ("lin p at 3 mm after start do set glue high", "lin p at 3 mm after start do set glue on"),
+]
 BLOCKS = [
     ("if m > 3 lin p\n lin a\nendif", "if m > 3 then\n lin p\n lin a\nendif"),
     ("if m > 3 lin p\nlin a\nendif", "if m > 3 then\n lin p\n lin a\nendif"),
@@ -76,6 +84,12 @@ BLOCKS = [
     ("if m > 3 lin p\nlin a", "if m > 3 then lin p\nlin a"),
 ]
 UNCERTAIN = [
+    ("pump = on", "`set pump = 1`"),
+    ("pump = 2 V", "`set pump = 1`"),
+    ("set pump high", "`set pump = 1`"),
+    ("set pump true", "`set pump = 1`"),
+    ("set pump on", "`set pump = 1`"),
+    ("glue = 2", "`set glue on`"),
     ("for i = 10 downto 1 step m\n  print i\nendf", "`to 1 step -2`"),
     ("if m > 3 then lin p end while", "leave it out"),
     ("if m > 3 then lin p; open", "line of its own"),
@@ -130,7 +144,7 @@ def code_of(text: str) -> list[str]:
     return [re.sub(r"@\d+(:\d+)?", "", line) for line in icr.disassemble(result.icr).splitlines()]
 
 
-@pytest.mark.parametrize(("line", "meant"), MEANT + SEMICOLONS + WORDS + BLOCKS)
+@pytest.mark.parametrize(("line", "meant"), MEANT + SEMICOLONS + WORDS + OUTPUTS + BLOCKS)
 def test_what_is_mended_fix_by_fix_is_what_was_meant(line: str, meant: str) -> None:
     assert code_of(mended(HEAD + line)) == code_of(HEAD + meant)
 

@@ -10,10 +10,12 @@ from ropsim.language.check.body import Body, RejectedError
 from ropsim.language.check.types import BOOL, NUMBER, STR, TIME, Type, article, known
 from ropsim.language.check.world import Poison
 from ropsim.language.findings import names as name_kinds
+from ropsim.language.findings import syntax as syntax_kinds
 from ropsim.language.findings import types as kinds
 from ropsim.language.syntax import statements as syntax
-from ropsim.language.syntax.nodes import Name, Node, Number
-from ropsim.language.syntax.setting import QUANTITIES
+from ropsim.language.syntax.nodes import Literal, Name, Node, Number
+from ropsim.language.syntax.other_languages import LEVELS
+from ropsim.language.syntax.setting import QUANTITIES, UNLIKE
 from ropsim.program import (
     Block,
     Grip,
@@ -105,10 +107,30 @@ def output(body: Body, node: syntax.SetSignal) -> Output:
         )
     body.used_signals[symbol.name] = symbol
     wanted = BOOL if symbol.type is ValueType.BOOL else NUMBER
+    _refuse_level(body, node, wanted)
     if wanted == BOOL:
         _refuse_number(body, node)
     value = values.expect(body, node.value, wanted, f"the value of `{node.name.text}`")
     return Output(symbol.name, value, body.statement_span)
+
+
+def _refuse_level(body: Body, node: syntax.SetSignal, wanted: Type) -> None:
+    """Report a level of another language, or any level of an analog output.
+
+    Raises:
+        RejectedError: it is one.
+    """
+    value = node.value
+    if not isinstance(value, Literal) or (wanted == BOOL and value.word not in UNLIKE.values()):
+        return
+    if wanted == BOOL:
+        level = LEVELS[value.word]
+        message = f"expected `on`, `off` or `=`, found `{body.written(value)}`"
+        body.fail(syntax_kinds.UNEXPECTED, value, message, f"write `{level}`", fix=level)
+    if value.word in (*LEVELS, *UNLIKE):
+        message = f"the value of `{node.name.text}` must be a number, found a level"
+        hint = f"an analog output is given a number: `set {node.name.text} = 1`"
+        body.fail(kinds.WRONG_TYPE, value, message, hint)
 
 
 def _refuse_number(body: Body, node: syntax.SetSignal) -> None:

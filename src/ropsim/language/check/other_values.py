@@ -11,6 +11,7 @@ from ropsim.language.syntax import nodes
 from ropsim.language.syntax import statements as syntax
 from ropsim.language.syntax.other_languages import LEVELS
 from ropsim.language.syntax.other_settings import data, shared
+from ropsim.program import SignalUse, ValueType
 
 _SHIFTS = {"offs": "offset", "reltool": "rel", "pose_add": "offset"}
 """Functions of a location and three lengths, and the operators that they are here."""
@@ -138,15 +139,29 @@ def refuse_assignment(body: Body, node: syntax.Assign) -> NoReturn:
     Raises:
         RejectedError: always.
     """
-    name = node.name.text
-    value = node.value
-    level = ""
-    if isinstance(value, nodes.Literal) and value.word in ("on", "off", "true", "false"):
-        level = "on" if value.word in ("on", "true") else "off"
-    behind = level or f"= {body.line.logical.text[value.start : node.end]}"
-    fix = f"set {name} {behind}"
+    name, value = node.name.text, node.value
     message = f"`{name}` cannot be assigned: it is an output, which `set` sets"
-    body.fail(kinds.NOT_ASSIGNABLE, node, message, f"write `{fix}`", fix=fix)
+    signal = body.find(name)
+    is_digital = not isinstance(signal, SignalUse) or signal.type is ValueType.BOOL
+    fix = f"set {name} = {body.line.logical.text[value.start : node.end]}"
+    if level := _level(value):
+        fix = f"set {name} {level}" if is_digital else ""
+    elif isinstance(value, nodes.Number) and is_digital:
+        levels = {0.0: "off", 1.0: "on"}
+        fix = f"set {name} {levels[value.value]}" if value.value in levels and not value.unit else ""
+    elif isinstance(value, nodes.Number) and value.unit:
+        fix = ""
+    hint = f"write `{fix}`" if fix else f"write `set {name} on`" if is_digital else f"write `set {name} = 1`"
+    body.fail(kinds.NOT_ASSIGNABLE, node, message, hint, fix=fix or None)
+
+
+def _level(value: nodes.Node) -> str:
+    """Return the level of a digital output that a value is; empty for none."""
+    if isinstance(value, nodes.Literal) and value.word in ("on", "off", "true", "false"):
+        return "on" if value.word in ("on", "true") else "off"
+    if isinstance(value, nodes.Name):
+        return LEVELS.get(value.text.lower(), "")
+    return ""
 
 
 def _written(body: Body, node: nodes.Node) -> str:

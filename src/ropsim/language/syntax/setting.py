@@ -18,6 +18,9 @@ QUANTITIES = ("speed", "acc", "blend")
 """Settings that are a word and a value."""
 
 
+UNLIKE = {"on": "high", "off": "low"}
+"""What stands for levels of other languages: the checker refuses them, as it knows which outputs have any."""
+
 _SETTINGS = (*QUANTITIES, "frame", "tool", "fine")
 
 _setting = maker(Setting)
@@ -32,10 +35,11 @@ def set_statement(cursor: Cursor, head: Token) -> Statement:
     if cursor.accept("=") or cursor.accept(":="):
         return SetSignal(name, expression(cursor), head.start, cursor.end)
     state = cursor.token
-    if state.word not in ("on", "off"):
+    if state.word not in ("on", "off", *LEVELS):
         _refuse(cursor, name)
     cursor.advance()
-    return SetSignal(name, Literal(state.word, state.start, state.end), head.start, cursor.end)
+    level = UNLIKE[LEVELS[state.word]] if state.word in LEVELS else state.word
+    return SetSignal(name, Literal(level, state.start, state.end), head.start, cursor.end)
 
 
 def _refuse(cursor: Cursor, name: Name) -> NoReturn:
@@ -46,12 +50,9 @@ def _refuse(cursor: Cursor, name: Name) -> NoReturn:
         message = f"expected a setting or the name of an output, found `{name.text}`"
         cursor.fault(kinds.UNEXPECTED, name.start, name.end, message, f"write `{fix}`", fix=fix)
     near = did_you_mean(name.text, _SETTINGS) if state.kind in ("number", "word") else ""
-    if near and state.word not in LEVELS:
+    if near:
         message = f"expected a setting or the name of an output, found `{name.text}`"
         cursor.fault(kinds.UNEXPECTED, name.start, name.end, message, near)
-    if state.word in LEVELS:
-        here = LEVELS[state.word]
-        raise LineFaultError(cursor.unexpected("`on`, `off` or `=`", f"write `{here}`", here))
     if state.kind == "number":
         cursor.fail(
             "`on`, `off` or `=`", f"a digital output is set `on` or `off`, an analog one `= {state.text}`"
