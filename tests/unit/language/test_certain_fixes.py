@@ -69,6 +69,23 @@ OUTPUTS = [
     ("if m > 3 then glue = off", "if m > 3 then set glue off"),
     ("lin p at 3 mm after start do set glue high", "lin p at 3 mm after start do set glue on"),
 ]
+TYPES = [
+    ("var real k = 0.5\nprint k", "var k = 0.5\nprint k"),
+    ("const float k = 0.5\nprint k", "const k = 0.5\nprint k"),
+    ('var string k = "a"\nprint k', 'var k: str = "a"\nprint k'),
+    ("task F(float x)\n  lin p above x\nendp\nF(3)", "task F(x)\n  lin p above x\nendp\nF(3)"),
+    ('task F(string x)\n  print x\nendp\nF("a")', 'task F(x: str)\n  print x\nendp\nF("a")'),
+    *(
+        (
+            f"task F(r: loc){given} length\n  lin r\n  return 3 mm\nendp\nk = F(p)\nprint k",
+            "task F(r: loc) -> length\n  lin r\n  return 3 mm\nendp\nk = F(p)\nprint k",
+        )
+        for given in (" return", " returns", ":")
+    ),
+    ("k = Fooo(p, 30)\nprint k", "k = Foo(p, 30)\nprint k"),
+    ("k = 1\nif m > 3 then k = Fooo(p)\nprint k", "k = 1\nif m > 3 then k = Foo(p)\nprint k"),
+    ("k = sqr(4)\nprint k", "k = sqrt(4)\nprint k"),
+]
 BLOCKS = [
     ("if m > 3 lin p\n lin a\nendif", "if m > 3 then\n lin p\n lin a\nendif"),
     ("if m > 3 lin p\nlin a\nendif", "if m > 3 then\n lin p\n lin a\nendif"),
@@ -84,6 +101,7 @@ BLOCKS = [
     ("if m > 3 lin p\nlin a", "if m > 3 then lin p\nlin a"),
 ]
 UNCERTAIN = [
+    ("print Fooo(p)", "there are `abs`"),
     ("pump = on", "`set pump = 1`"),
     ("pump = 2 V", "`set pump = 1`"),
     ("set pump high", "`set pump = 1`"),
@@ -144,7 +162,7 @@ def code_of(text: str) -> list[str]:
     return [re.sub(r"@\d+(:\d+)?", "", line) for line in icr.disassemble(result.icr).splitlines()]
 
 
-@pytest.mark.parametrize(("line", "meant"), MEANT + SEMICOLONS + WORDS + OUTPUTS + BLOCKS)
+@pytest.mark.parametrize(("line", "meant"), MEANT + SEMICOLONS + WORDS + OUTPUTS + TYPES + BLOCKS)
 def test_what_is_mended_fix_by_fix_is_what_was_meant(line: str, meant: str) -> None:
     assert code_of(mended(HEAD + line)) == code_of(HEAD + meant)
 

@@ -3,12 +3,14 @@
 from collections.abc import Callable
 from typing import NoReturn
 
+from ropsim.core import did_you_mean
 from ropsim.language.check import arithmetic, convert, fold, other_values, units, values
 from ropsim.language.check.body import Body
 from ropsim.language.check.types import ANGLE, INT, LENGTH, NUMBER, POSE, Type, Value, article, known
 from ropsim.language.findings import names as name_kinds
 from ropsim.language.findings import types as kinds
 from ropsim.language.syntax import nodes
+from ropsim.language.syntax import statements as syntax
 from ropsim.program import Binary, ValueType
 
 _REAL = ValueType.REAL
@@ -50,7 +52,27 @@ def _no_function(body: Body, node: nodes.Function) -> NoReturn:
         hint = "give its header a result: `-> type`"
         body.fail(name_kinds.UNKNOWN_FUNCTION, node.name, f"task `{node.name.text}` returns no value", hint)
     other_values.refuse_function(body, node)
+    _refuse_misspelt_task(body, node)
     body.unknown(name_kinds.UNKNOWN_FUNCTION, node.name, "function", _FUNCTIONS)
+
+
+def _refuse_misspelt_task(body: Body, node: nodes.Function) -> None:
+    """Report a task whose result is assigned and whose name is nearer than that of any function.
+
+    Raises:
+        RejectedError: it is one.
+    """
+    statement: object = body.line.statement
+    while isinstance(statement, syntax.If):
+        statement = statement.body
+    if not isinstance(statement, syntax.Assign) or statement.value is not node:
+        return
+    tasks = [name for name, one in body.world.signatures.items() if one.result is not None]
+    near = did_you_mean(node.name.text, (*tasks, *_FUNCTIONS))
+    fix = near.split("`")[1] if near else ""
+    if fix in tasks:
+        message = f"there is no function or task `{node.name.text}`"
+        body.fail(name_kinds.UNKNOWN_FUNCTION, node.name, message, near, fix=fix)
 
 
 def _distance(body: Body, node: nodes.Function) -> Value:

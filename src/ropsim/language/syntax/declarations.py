@@ -30,9 +30,13 @@ TYPES = (
     "num", "int", "bool", "str", "length", "angle", "time", "speed", "accel", "force", "loc", "joints",
     "frame", "tool", "signal",
 )  # fmt: skip
+_GIVING = frozenset(("return", "returns", "as", ":"))
+"""What stands elsewhere before the type of the result."""
 _ORDERS = ("row", "column", "snake")
 _UNIT_NAMES = frozenset(UNITS)
-_TYPES = frozenset(TYPES)
+_OTHERS = {**dict.fromkeys(("real", "float", "double"), ""), "string": "str"}
+"""Types of other languages, and what they are here; empty where the value or the task tells it."""
+_TYPES = frozenset((*TYPES, *_OTHERS))
 
 
 def program(cursor: Cursor, head: Token) -> Statement:
@@ -148,8 +152,20 @@ def task(cursor: Cursor, head: Token) -> Statement:
                 listed_parameters.append(_parameter(cursor))
         cursor.expect(")")
         parameters = tuple(listed_parameters)
-    result = _type(cursor) if cursor.accept("->") else None
+    result = _type(cursor) if cursor.accept("->") else _result(cursor)
     return TaskHeader(name, parameters, result, head.start, cursor.end)
+
+
+def _result(cursor: Cursor) -> Name | None:
+    """Read `return type` or `: type` in the place of `-> type`; None where nothing stands there."""
+    sign, type_ = cursor.token, cursor.look(1)
+    if sign.word not in _GIVING or type_.word not in TYPES:
+        return None
+    here, blank = f"-> {type_.word}", " " if sign.start == cursor.end else ""
+    message = f"expected `->`, found `{sign.text}`"
+    cursor.mend(Fault(kinds.UNEXPECTED, sign.start, type_.end, message, f"write `{here}`", blank + here))
+    cursor.go(1)
+    return _type(cursor)
 
 
 def _plain_name(cursor: Cursor) -> Name:
@@ -174,8 +190,9 @@ def _typed(cursor: Cursor, what: str) -> tuple[Name, Name | None]:
     if second.kind != "word" or _TYPES.isdisjoint((first.word, second.word)):
         name = cursor.name(what)
         return name, _type(cursor) if cursor.accept(":") else None
-    type_, name_ = (first, second) if first.word in TYPES else (second, first)
-    fix = f"{name_.text}: {type_.word}"
+    type_, name_ = (first, second) if first.word in _TYPES else (second, first)
+    here = _OTHERS.get(type_.word, type_.word)
+    fix = f"{name_.text}: {here}" if here else name_.text
     if name_.word in RESERVED:
         return cursor.name(what), None
     message = (
@@ -183,7 +200,7 @@ def _typed(cursor: Cursor, what: str) -> tuple[Name, Name | None]:
     )
     cursor.mend(Fault(kinds.UNEXPECTED, first.start, second.end, message, f"write `{fix}`", fix))
     cursor.go(2)
-    return Name(name_.text, name_.start, name_.end), Name(type_.word, type_.start, type_.end)
+    return Name(name_.text, name_.start, name_.end), Name(here, type_.start, type_.end) if here else None
 
 
 def _parameter(cursor: Cursor) -> Parameter:
