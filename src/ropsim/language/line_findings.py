@@ -3,8 +3,9 @@
 from collections.abc import Iterator
 from itertools import islice
 
-from ropsim.core import Diagnostic, SourceText, TextEdit
+from ropsim.core import Diagnostic, SourceText
 from ropsim.language import text as texts
+from ropsim.language.fault_finding import finding_of
 from ropsim.language.prose import is_classic, modes
 from ropsim.language.syntax.statements import ContractClause
 from ropsim.language.text import Parser
@@ -32,6 +33,4 @@ def _found(source: SourceText, lines: tuple[texts.Line, ...]) -> Iterator[Diagno
     for line in lines:
         fault = line.fault
         if fault is not None and not isinstance(line.statement, ContractClause | None):
-            span = line.logical.span(source.name, fault.start, fault.end)
-            edit = TextEdit(span, fault.fix) if fault.fix else None
-            yield fault.kind.at(span, fault.message, hint=fault.hint, fix=edit)
+            yield finding_of(line, fault, source.name)

@@ -6,6 +6,7 @@ from dataclasses import replace
 from types import NoneType
 
 from ropsim.core import frozen_dataclass
+from ropsim.language.fault_finding import finding_of
 from ropsim.language.findings import syntax as kinds
 from ropsim.language.report import Report
 from ropsim.language.syntax.fault import Fault
@@ -98,7 +99,7 @@ def _absorbed(
                 is_prose = clause and not runs_on and _is_prose(line, task_names)
                 hint = _ENDS if is_prose else _hint(line, fault, task_names)
                 fix = fault.fix if hint == fault.hint else ""
-                report.at(fault.kind, line, fault, fault.message, hint, fix=fix or None)
+                report.add(finding_of(line, replace(fault, hint=hint, fix=fix), report.source))
             if clause:
                 yield clause
                 yield from swallowed

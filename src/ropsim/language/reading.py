@@ -4,7 +4,7 @@ from collections import Counter
 from collections.abc import Iterator
 
 from ropsim.core import Diagnostic, frozen_dataclass
-from ropsim.language import blocks, misspelt, prose, units
+from ropsim.language import blocks, missing_ends, misspelt, prose, units
 from ropsim.language import text as texts
 from ropsim.language.blocks import Block
 from ropsim.language.check.tasks import TaskText, task_of
@@ -138,10 +138,11 @@ def read_chunk(
         tree = blocks.build(absorbed, report, cut)
     except TooManyFindingsError:
         return Read((), (), tuple(report.log), manner, (), looked_above=False, opener=None)
+    found = tuple(missing_ends.with_ends(report.log, tree.items))
     tasks = tuple(_task(item) for item in tree.items if isinstance(item, Block) and stands_for_task(item))
     control = tuple(item for item in tree.items if not stands_for_task(item))
     opener = next((one.opener if isinstance(one, Block) else one for one in tree.items), None)
-    return Read(tasks, control, tuple(report.log), manner, tree.cut, tree.looked_above, opener)
+    return Read(tasks, control, found, manner, tree.cut, tree.looked_above, opener)
 
 
 def control_of(db: Database, key: Key, before: int) -> tuple[units.Items, tuple[int, ...], bool]:

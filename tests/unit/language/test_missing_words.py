@@ -86,11 +86,36 @@ def test_a_statement_behind_the_header_of_a_loop_belongs_below(
 ) -> None:
     pattern = "pattern g = grid 2 x 2 from (0, 0, 0) step (1, 0, 0), (0, 1, 0)\n"
     end = f"  close\n{closer}\n" if is_closed else ""
-    found = only(f"{HEAD}{pattern}{header} lin a\n{end}{BEHIND}")
+    text = f"{HEAD}{pattern}{header} lin a\n{end}{BEHIND}"
+    found = only(text)
     assert (found.code, found.span and found.span.line) == ("L101", 9)
     assert (f"write `{missing}`" if missing else "line of its own") in found.hint
-    whole = applied(f"{HEAD}{pattern}{header} lin a\n  close\n{closer}\n{BEHIND}", found)
+    whole = applied(text, found)
     assert "T337" in codes(whole) if header == "repeat" else codes(whole) == []
+
+
+@pytest.mark.parametrize(
+    ("lines", "mended"),
+    [
+        ("repeat 3 open", "repeat 3\n  open\nendr"),
+        ("repeat 3  open # now", "repeat 3\n  open\nendr # now"),
+        ("while part_ok open", "while part_ok do\n  open\nendw"),
+        ("for i = 1 to 3 print i", "for i = 1 to 3 do\n  print i\nendf"),
+        ("repeat 3 open\nendr", "repeat 3\n  open\nendr"),
+        ("while part_ok\n  repeat 3 open\nendw", "while part_ok\n  repeat 3\n    open\n  endr\nendw"),
+    ],
+)
+def test_a_loop_without_an_end_of_its_own_is_ended_by_the_fix(lines: str, mended: str) -> None:
+    text = f"{HEAD}{lines}\n{BEHIND}"
+    (found,) = (one for one in compiled(text).diagnostics if one.is_error)
+    assert applied(text, found) == f"{HEAD}{mended}\n{BEHIND}"
+    assert not [one for one in compiled(applied(text, found)).diagnostics if one.is_error]
+
+
+@pytest.mark.parametrize("lines", ["repeat 3 open\n  close", "repeat 3 while part_ok open"])
+def test_a_loop_whose_end_may_be_meant_in_more_places_has_no_fix(lines: str) -> None:
+    (found,) = (one for one in compiled(f"{HEAD}{lines}\n{BEHIND}").diagnostics if one.is_error)
+    assert found.fix is None
 
 
 def test_statements_behind_branches_belong_below() -> None:

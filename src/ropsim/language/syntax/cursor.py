@@ -177,10 +177,14 @@ class Cursor:
             self.mended = fault
 
     def unexpected(self, expected: str, hint: str, fix: str) -> Fault:
-        """Return the fault that `expected` was expected in place of the next token, which `fix` replaces."""
+        """Return the fault that `expected` was expected in place of the next token, which `fix` replaces.
+
+        A fix that begins another line leaves no blanks at the end of this one.
+        """
         token = self.token
         message = f"expected {expected}, found `{token.text}`"
-        return Fault(kinds.UNEXPECTED, token.start, token.end, message, hint, fix)
+        blanks = token.start - self.end if fix.startswith("\n") else 0
+        return Fault(kinds.UNEXPECTED, token.start, token.end, message, hint, fix, blanks)
 
     @property
     def below(self) -> str:

@@ -14,6 +14,7 @@ class Fault:
         message: as in the diagnostic.
         hint: what to do next.
         fix: what would replace the marked text, empty where nobody knows.
+        blanks: how many blanks before the marked text the fix replaces, too.
     """
 
     kind: Kind
@@ -22,6 +23,7 @@ class Fault:
     message: str
     hint: str = ""
     fix: str = ""
+    blanks: int = 0
 
 
 class LineFaultError(Exception):
