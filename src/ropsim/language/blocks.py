@@ -14,6 +14,7 @@ from ropsim.language.syntax.words import END, OPENERS
 from ropsim.language.text import Line
 
 MAX_DEPTH = 32
+_LOOPS = frozenset(("repeat", "while", "for"))
 
 
 @frozen_dataclass
@@ -125,6 +126,9 @@ def _close(stack: list[_Open], word: str, line: Line, report: Report) -> None:
             _close_down_to(stack, depth + 1, report)
             _pop(stack, line)
             return
+    if _is_doubtful(stack[-1]) and {word, stack[-1].word} <= _LOOPS:  # which loop it is, is its finding
+        _pop(stack, line)
+        return
     stack[-1].looked_at = True
     cut = stack[-1].cut
     if cut and word in (ANY, *cut):  # its opener was reported as not closed when an outer block ended

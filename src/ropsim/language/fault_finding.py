@@ -14,6 +14,6 @@ def finding_of(line: Line, fault: Fault, source: str) -> Diagnostic:
         source: name of the text.
     """
     span = line.logical.span(source, fault.start, fault.end)
-    place = line.logical.span(source, fault.start - fault.blanks, fault.end)
+    place = line.logical.span(source, fault.start - fault.before, fault.end)
     edit = TextEdit(place, fault.fix) if fault.fix else None
     return fault.kind.at(span, fault.message, hint=fault.hint, fix=edit)

@@ -70,4 +70,4 @@ def _ended(header: Line, fault: Fault) -> TextEdit:
     indent = text[: len(text) - len(text.lstrip())]
     closer = OPENERS[opened(header)][0]
     whole = f"{fault.fix}{text[fault.end : header.end]}\n{indent}{closer}"
-    return TextEdit(header.logical.span("", fault.start - fault.blanks, header.end), whole)
+    return TextEdit(header.logical.span("", fault.start - fault.before, header.end), whole)

@@ -118,6 +118,32 @@ def test_a_loop_whose_end_may_be_meant_in_more_places_has_no_fix(lines: str) -> 
     assert found.fix is None
 
 
+@pytest.mark.parametrize("closer", ["endr", "endw", "end"])
+def test_a_repeat_while_is_a_while(closer: str) -> None:
+    text = f"{HEAD}repeat while part_ok\n  lin a\n{closer}\n{BEHIND}"
+    found = only(text)
+    assert found.fix is None
+    assert found.hint == "write `while part_ok`, and `endw` at the end of the loop"
+
+
+@pytest.mark.parametrize(
+    ("line", "mended"),
+    [
+        ("if part_ok then open end if", "if part_ok then open"),
+        ("if part_ok then open endif", "if part_ok then open"),
+        ("if part_ok then print 1 endif # c", "if part_ok then print 1 # c"),
+        ("if part_ok then\n  open\nendif if", "if part_ok then\n  open\nendif"),
+        ("while part_ok\n  lin a\nendw while", "while part_ok\n  lin a\nendw"),
+    ],
+)
+def test_an_end_too_many_on_a_line_is_taken_away(line: str, mended: str) -> None:
+    text = f"{HEAD}{line}\n{BEHIND}"
+    found = only(text)
+    assert (found.code, found.hint[:9]) == ("L101", "remove it")
+    assert applied(text, found) == f"{HEAD}{mended}\n{BEHIND}"
+    assert not [one for one in compiled(applied(text, found)).diagnostics if one.is_error]
+
+
 def test_statements_behind_branches_belong_below() -> None:
     text = f"{HEAD}if part_ok then\n  open\nelseif not part_ok then close\nelse print 1\nendif\n{BEHIND}"
     first, second = compiled(text).diagnostics

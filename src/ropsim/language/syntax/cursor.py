@@ -183,8 +183,14 @@ class Cursor:
         """
         token = self.token
         message = f"expected {expected}, found `{token.text}`"
-        blanks = token.start - self.end if fix.startswith("\n") else 0
-        return Fault(kinds.UNEXPECTED, token.start, token.end, message, hint, fix, blanks)
+        before = token.start - self.end if fix.startswith("\n") else 0
+        return Fault(kinds.UNEXPECTED, token.start, token.end, message, hint, fix, before)
+
+    def leave_out(self, count: int) -> None:
+        """Let the line end before its last tokens."""
+        self.length -= count
+        self.tokens[self.length :] = [_END]
+        self.go(0)
 
     @property
     def below(self) -> str:

@@ -14,7 +14,7 @@ class Fault:
         message: as in the diagnostic.
         hint: what to do next.
         fix: what would replace the marked text, empty where nobody knows.
-        blanks: how many blanks before the marked text the fix replaces, too.
+        before: how many characters before the marked text the fix replaces, too.
     """
 
     kind: Kind
@@ -23,7 +23,7 @@ class Fault:
     message: str
     hint: str = ""
     fix: str = ""
-    blanks: int = 0
+    before: int = 0
 
 
 class LineFaultError(Exception):

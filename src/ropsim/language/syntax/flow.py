@@ -24,6 +24,7 @@ from ropsim.language.syntax.words import INSIDE, RESERVED
 
 def closer(cursor: Cursor, head: Token) -> Statement:
     """Read `endp` and its like, or `end` alone."""
+    headers.ended_again(cursor, head)
     return Closer("endp" if head.word == "endtask" else head.word, head.start, cursor.end)
 
 

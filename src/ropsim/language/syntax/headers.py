@@ -129,6 +129,36 @@ def _end_behind(cursor: Cursor) -> Token | None:
     return before if before.word == END and last.word in _ENDED else None
 
 
+def without_end(cursor: Cursor) -> None:
+    """Leave out an `endif` or `end if` behind the statement of an `if … then` on its line, which has none."""
+    last, before = cursor.tokens[cursor.length - 1], cursor.tokens[cursor.length - 2]
+    if last.word == "endif":
+        count = 1
+    elif last.word == "if" and before.word == END:
+        count = 2
+    else:
+        return
+    first, kept = cursor.tokens[cursor.length - count], cursor.tokens[cursor.length - count - 1]
+    if kept.start < cursor.start:
+        return
+    found = cursor.line[first.start : last.end]
+    message = f"expected the end of the line, found `{found}`"
+    hint = "remove it: `endif` ends an `if` with lines below"
+    before_it = first.start - kept.start
+    cursor.mend(Fault(kinds.UNEXPECTED, first.start, last.end, message, hint, kept.text, before_it))
+    cursor.leave_out(count)
+
+
+def ended_again(cursor: Cursor, head: Token) -> None:
+    """Leave out the word of a block behind the word that ends it, as in `endif if`."""
+    word = cursor.token
+    if word.word in _ENDED and cursor.look(1).kind == "end":
+        message, hint = f"expected the end of the line, found `{word.text}`", "remove it"
+        before = word.start - head.start
+        cursor.mend(Fault(kinds.UNEXPECTED, word.start, word.end, message, hint, head.text, before))
+        cursor.leave_out(1)
+
+
 def ended(cursor: Cursor, head: Token) -> Closer | None:
     """Read what ends a block in two words, as `end while`; None where it is something else."""
     kind = cursor.token

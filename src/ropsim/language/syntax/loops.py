@@ -28,6 +28,9 @@ def repeat(cursor: Cursor, head: Token) -> Statement:
     """Read `repeat [count]`."""
     if cursor.word == "until":
         cursor.fail("a count or the end of the line", "`until` ends the loop: it stands below its lines")
+    if cursor.word == "while":
+        meant = cursor.line[cursor.start : cursor.tokens[cursor.length - 1].end]
+        cursor.fail("a count or the end of the line", f"write `{meant}`, and `endw` at the end of the loop")
     count = None
     if not cursor.at_end and not headers.begins_statement(cursor):
         count = expression(cursor)

@@ -105,6 +105,7 @@ def if_statement(cursor: Cursor, head: Token) -> Statement:
     condition = expression(cursor)
     body = None
     if not cursor.at_end and headers.then(cursor) and not cursor.at_end:
+        headers.without_end(cursor)
         body = _simple(cursor)
     return If(condition, body, head.start, cursor.end)
 
