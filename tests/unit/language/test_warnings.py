@@ -1,5 +1,7 @@
 """Warnings of what compiles and is hardly meant."""
 
+import re
+
 import pytest
 
 from support.tasks import codes, compiled, only
@@ -79,6 +81,8 @@ def test_what_a_way_leads_to_is_reached(text: str) -> None:
         ("wait until part_ok timeout 5000", "write `timeout 5000 ms`, or `timeout 5000 s`"),
         ("lin infeed until part_ok timeout 500", "write `timeout 500 ms`, or `timeout 500 s`"),
         ("units inch\nlin infeed speed 0.1", "write the unit: `speed 0.1 m/s`, or `speed 2.54 mm/s`"),
+        ("units min\nlin infeed speed 20", "write the unit: `speed 20 m/s`, or `speed 3.33333 mm/s`"),
+        ("units mm, min\nlin infeed speed 90", "write the unit: `speed 90 mm/s`, or `speed 1.5 mm/s`"),
         ("units inch\nlin infeed speed 0.05", "write the unit: `speed 0.05 m/s`, or `speed 1.27 mm/s`"),
         (
             "with acc 0.9\n open\nendwith",
@@ -93,6 +97,11 @@ def test_what_a_way_leads_to_is_reached(text: str) -> None:
 def test_a_bare_number_that_looks_like_another_unit_is_a_warning(text: str, hint: str) -> None:
     found = only(text if text.startswith("units") else f"units mm\n{text}")
     assert (found.code, found.is_error, found.hint) == ("T338", False, hint)
+    head = "" if text.startswith("units") else "units mm\n"
+    for meant in hint.split("`")[1::2]:
+        word = meant.partition(" ")[0]
+        if word in ("speed", "acc", "wait", "timeout"):
+            assert codes(head + re.sub(rf"{word} [\d.]+( m/s)?", meant, text)) == []
 
 
 @pytest.mark.parametrize(

@@ -89,17 +89,15 @@ def _check(
     if slowest <= number <= FASTEST:
         return
     unit, bare = units.SI.name(dimension), body.world.units.name(dimension)
-    message = f"`{word} {written:g}` without a unit is " + (
-        f"{written:g} {bare}" if bare else f"{number:g} {unit}"
-    )
-    shown = _digits(body, place, written)
-    if number > FASTEST:
-        meant, is_certain = f"mm{unit[1:]}", True
-        readings = [f"`{word} {shown} {meant}`"]
-    else:
-        meant, is_certain = unit, _is_share_of_one(body, place, written) and bare not in ("", unit)
-        as_written = f"{shown} {bare}" if bare else f"{number * 1000.0:g} mm{unit[1:]}"
-        readings = [*dict.fromkeys((f"`{word} {shown} {unit}`", f"`{word} {as_written}`")), *shares]
+    shown, small = _digits(body, place, written), f"mm{unit[1:]}"
+    meant = small if max(number, written) > FASTEST else unit
+    readings, is_certain = [f"`{word} {shown} {meant}`"], bool(bare)
+    if number <= FASTEST:
+        as_written = f"{shown} {bare}" if bare else f"{number * 1000.0:g} {small}"
+        readings = [*dict.fromkeys((*readings, f"`{word} {as_written}`")), *shares]
+        is_certain = bare not in ("", unit) and _is_share_of_one(body, place, written)
+    measured = f"{number:g} {unit}" if number > FASTEST else f"{number * 1000.0:g} {small}"
+    message = f"`{word} {written:g}` without a unit is {f'{written:g} {bare}' if bare else measured}"
     hint = f"write the unit: {', or '.join(readings)}"
     body.warn(kinds.OTHER_UNIT, place, message, hint, mended(place, written, meant) if is_certain else None)
 
