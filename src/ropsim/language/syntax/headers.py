@@ -117,7 +117,8 @@ def _body_below(cursor: Cursor, missing: str, closer: str) -> None:
         last = cursor.tokens[cursor.length - 1]
         fix = missing + f"{cursor.below}  {body}{cursor.below}{cursor.line[end.start : last.end]}"
     hint = f"{hint}; the block ends with `{closer}`"
-    cursor.mend(Fault(kinds.UNEXPECTED, token.start, last.end, message, hint, fix))
+    blanks = 0 if missing else token.start - cursor.end  # none are left at the end of the line
+    cursor.mend(Fault(kinds.UNEXPECTED, token.start, last.end, message, hint, fix, blanks))
     cursor.go(cursor.length - cursor.index)
 
 
