@@ -159,11 +159,11 @@ def test_usual_numbers_and_those_with_a_unit_are_believed(line: str) -> None:
         ("min", "wait until part_ok timeout 2"),
         ("ms", "wait 120000"),
         ("ms", "lin infeed until part_ok timeout 300000"),
-        ("s", "wait 3600"),
     ],
 )
-def test_times_are_believed_where_the_text_names_their_unit(unit: str, line: str) -> None:
+def test_times_are_believed_where_the_text_names_another_unit(unit: str, line: str) -> None:
     assert codes(f"units mm, deg, {unit}\n{line}") == []
+    assert codes(f"units mm, deg, s\n{line.replace('timeout 2', 'timeout 500')}") == ["T338"]
 
 
 def test_a_task_that_nothing_reaches_is_a_hint() -> None:

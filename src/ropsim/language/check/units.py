@@ -91,7 +91,7 @@ class UnitSystem:
         angle: radians per unit.
         time: seconds per unit.
         others: dimension -> SI factor, for units given outright, such as `mm/s`.
-        names_time: whether the text says in which unit times are.
+        names_time: whether the text says that times are in another unit than seconds.
     """
 
     length: float
@@ -152,7 +152,7 @@ class UnitSystem:
         if dimension == ANGLE:
             return replace(self, angle=factor)
         if dimension == TIME:
-            return replace(self, time=factor, names_time=True)
+            return replace(self, time=factor, names_time=factor != 1.0)
         return replace(self, others=((dimension, factor), *self.others))
 
 

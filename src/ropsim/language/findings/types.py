@@ -214,7 +214,7 @@ more than eight minutes, where other controllers wait 500 ms; `speed 0.2` under 
 
 What is doubted:
 
-- times of 100 s and more behind `wait` and `timeout`, where `units` names no unit of time;
+- times of 100 s and more behind `wait` and `timeout`, where `units` names no other unit of time;
 - speeds below 5 mm/s and accelerations below 50 mm/s2 under `units mm`, and both above 50 in SI units; a
   speed of more than 50 m/s is doubted with its unit, too, since no arm makes it;
 - angles in degrees with four or more digits of a multiple of 45° in radians, as `rz 1.5708`, or with three
