@@ -43,10 +43,13 @@ def assign(body: Body, node: syntax.Assign) -> Block:
         return _assign_member(body, node, node.member)
     if isinstance(node.value, nodes.Function) and node.value.name.text in body.world.signatures:
         return _assign_call(body, node, node.value)
+    symbol = body.find(node.name.text)
+    is_output = isinstance(symbol, SignalUse) and not symbol.is_input
+    if is_output and other_values.is_unlike(body, node.value):
+        other_values.refuse_assignment(body, node)
     value = values.check(body, node.value)
     facing.check_target(body, node.value)
-    symbol = body.find(node.name.text)
-    if isinstance(symbol, SignalUse) and not symbol.is_input:
+    if is_output:
         other_values.refuse_assignment(body, node)
     variable = target(body, node.name, _type_of(body, value))
     if known(variable.type) == INT:

@@ -71,7 +71,10 @@ def _composed(body: Body, values: Sequence[nodes.Node]) -> str:
     if len(written) != 2 or not all(map(_is_balanced, written)) or _is_frame(body, values[1]):
         return ""
     first, second = written
-    return f"{second} in {first}" if _is_frame(body, values[0]) else f"{first} rel {second}"
+    if _is_frame(body, values[0]):
+        return f"{second} in {first}"
+    is_whole = isinstance(values[1], nodes.Name | nodes.Tuple | nodes.Literal)
+    return f"{first} rel {second if is_whole else f'({second})'}"
 
 
 def _is_frame(body: Body, node: nodes.Node) -> bool:
@@ -144,7 +147,7 @@ def refuse_assignment(body: Body, node: syntax.Assign) -> NoReturn:
     signal = body.find(name)
     is_digital = not isinstance(signal, SignalUse) or signal.type is ValueType.BOOL
     fix = f"set {name} = {body.line.logical.text[value.start : node.end]}"
-    if level := _level(value):
+    if level := _level(body, value):
         fix = f"set {name} {level}" if is_digital else ""
     elif isinstance(value, nodes.Number) and is_digital:
         levels = {0.0: "off", 1.0: "on"}
@@ -155,11 +158,16 @@ def refuse_assignment(body: Body, node: syntax.Assign) -> NoReturn:
     body.fail(kinds.NOT_ASSIGNABLE, node, message, hint, fix=fix or None)
 
 
-def _level(value: nodes.Node) -> str:
+def is_unlike(body: Body, value: nodes.Node) -> bool:
+    """Return whether a value is the level of an output in another language."""
+    return isinstance(value, nodes.Name) and bool(_level(body, value))
+
+
+def _level(body: Body, value: nodes.Node) -> str:
     """Return the level of a digital output that a value is; empty for none."""
     if isinstance(value, nodes.Literal) and value.word in ("on", "off", "true", "false"):
         return "on" if value.word in ("on", "true") else "off"
-    if isinstance(value, nodes.Name):
+    if isinstance(value, nodes.Name) and body.find(value.text) is None:
         return LEVELS.get(value.text.lower(), "")
     return ""
 
