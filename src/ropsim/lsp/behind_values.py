@@ -7,6 +7,7 @@ from ropsim import language
 from ropsim.lsp import words
 from ropsim.lsp.items import KEYWORD, item, some_words, word_items
 from ropsim.lsp.messages import Json
+from ropsim.lsp.next_words import sides
 
 MOTION = re.compile(r"^\s*(?:\d+\.\s*)?(?:mov[jlc]?|lin|circ|spline)\b", re.IGNORECASE)
 """The verb of a motion at the beginning of a line."""
@@ -34,9 +35,17 @@ _HEADS = tuple(
         ("if|elseif", (*_LOGIC, "then")),
         ("while", (*_LOGIC, "do")),
         ("until", _LOGIC),
+        (r"for\b.*\bstep", ("do", "mod")),
+        (r"for\b.*\bto", ("step", "do", "mod")),
         ("for", ("to", "mod")),
     )
 )
+_AT = re.compile(r"\bat\s+[^A-Za-z]*$", re.IGNORECASE)
+_VIA_LINES = re.compile(r"^\s*(?:\d+\.\s*)?(?:mov[jl]?|lin)\s+via\b", re.IGNORECASE)
+_GUARD = re.compile(r"\buntil\s+(.*)$", re.IGNORECASE)
+_BARE = re.compile(r"(?:not\s+)?\w+\s+$", re.IGNORECASE)
+_NUMBERS = re.compile(r"[^<>=]+[<>][^>=]", re.IGNORECASE)
+_GRID = re.compile(r"^\s*pattern\b.*\bfrom\b(?!.*\bstep\b)", re.IGNORECASE)
 
 
 def behind_value(line: str) -> Iterator[Json]:
@@ -62,28 +71,50 @@ def _is_last(line: str, wanted: tuple[str, ...], other: str) -> bool:
 
 
 def _in_motion(line: str) -> Iterator[Json]:
-    if _is_last(line, ("until",), "timeout"):
-        yield from some_words(words.INNER, _LOGIC, "1")
-        yield from some_words(words.MOTIONS, ("timeout",), "1")
+    if _AT.search(line):
+        yield from sides()
+        return
+    guard = _GUARD.search(line)
+    if guard is not None and not _BEHIND_TARGET.search(guard[1]):
+        yield from _in_guard(guard[1])
         return
     if _is_last(line, ("via", "spline"), "to"):
         yield from some_words(words.INNER, ("to",), "1")
     else:
-        yield from word_items(words.MODIFIERS, KEYWORD, "1")
+        yield from _settings("1")
         own = (name for name in words.MOTIONS if name in language.BEHIND_TARGETS)
         fit = (name for name in own if name not in _ONLY_WITH or _ONLY_WITH[name].search(line))
         yield from some_words(words.MOTIONS, fit, "2")
-        yield item("until", KEYWORD, "until SIGNAL", "Ends the motion when the condition holds.", "2")
+        if not _VIA_LINES.match(line):
+            yield item("until", KEYWORD, "until SIGNAL", "Ends the motion when the condition holds.", "2")
     if not _BEHIND_TARGET.search(line):
         yield from some_words(words.INNER, _PLACED, "3")
         yield from word_items(words.LOCATIONS, KEYWORD, "3")
 
 
+def _in_guard(condition: str) -> Iterator[Json]:
+    """Yield what follows a condition that ends a motion, or goes on with it."""
+    more = ("is",) if _BARE.match(condition) else ("mod",) if _NUMBERS.match(condition) else ()
+    yield from some_words(words.INNER, more, "1")
+    yield from some_words(words.MOTIONS, ("timeout", "store"), "2")
+    yield from _settings("3")
+    yield from some_words(words.MOTIONS, ("at", "track"), "3")
+
+
+def _settings(group: str) -> Iterator[Json]:
+    """Yield settings that hold for one motion; a frame does not."""
+    yield from some_words(words.MODIFIERS, (name for name in words.MODIFIERS if name != "frame"), group)
+
+
 def _in_expression(line: str) -> Iterator[Json]:
     of_head = next((wanted for pattern, wanted in _HEADS if pattern.match(line)), None)
     if of_head is not None:
-        yield from some_words(words.INNER, of_head, "1")
+        yield from some_words(words.INNER, (word for word in of_head if word in words.INNER), "1")
+        if "step" in of_head:
+            yield item("step", KEYWORD, words.STATEMENTS["for"].form, "Counts by another number than 1.", "1")
         return
+    if _GRID.match(line):
+        yield item("step", KEYWORD, words.STATEMENTS["pattern"].form, "One vector for each count.", "0")
     yield from some_words(words.INNER, _PLACED, "1")
     yield from word_items(words.LOCATIONS, KEYWORD, "1")
     if not re.match(r"\s*(?:loc|frame|tool|pattern)\b", line, re.IGNORECASE):

@@ -12,48 +12,42 @@ from ropsim.lsp.behind_values import behind_value
 from ropsim.lsp.cell_completion import proposed_in_cell
 from ropsim.lsp.cell_place import is_cell_file
 from ropsim.lsp.document import Document
-from ropsim.lsp.expected import expected, in_call
+from ropsim.lsp.expected import expected, in_call, type_of
+from ropsim.lsp.guard_words import begun_guard
 from ropsim.lsp.items import (
-    FIELD,
     KEYWORD,
     KINDS,
     LITERAL,
+    NO_VALUES,
     TYPE,
     UNIT,
     item,
     name_item,
-    some_words,
     word_items,
 )
 from ropsim.lsp.knowledge import not_named, proposed_in_tasks, task_item
 from ropsim.lsp.line_place import Place, place_of, statement_of
+from ropsim.lsp.members import members
 from ropsim.lsp.messages import Json
 from ropsim.lsp.names import Known
+from ropsim.lsp.next_words import next_words
 from ropsim.lsp.programs import is_program
 from ropsim.lsp.protocol import CompletionAt, Position
 from ropsim.lsp.unit_order import is_counted, ordered_units, own_units
-from ropsim.lsp.values import NO_VALUES, values
+from ropsim.lsp.values import values
 from ropsim.lsp.workshop import Workshop
 from ropsim.workbench import CheckedText, environment_of
 
-_SIDES = ("after start", "before end")
-_DIRECTIONS = ("analog", "input", "output")
 _QUIET_TRIGGERS = (" ", ",", "(")
-_MEMBERS = ("x", "y", "z", "rx", "ry", "rz", "col", "row", "layer")
 _NO_PLACE = re.compile(r'^(?:[^"#/]|/(?!/)|"(?:[^"\\]|\\.)*+")*+(?:#|//|")')
 _WORD = f"{string.ascii_letters}{string.digits}_"
 _INPUT = re.compile(r"(?:^|=)\s*(?:analog\s+)?input\b", re.IGNORECASE)
 _WORDS: Mapping[Place, tuple[Json, ...]] = {
     Place.UNITS: tuple(item(unit, UNIT, "unit", "") for unit in sorted(language.UNIT_WORDS - {"%"})),
     Place.TYPE: tuple(word_items(words.TYPES, TYPE, "1")),
-    Place.MEMBER: tuple(item(name, FIELD, "coordinate", "") for name in _MEMBERS),
     Place.TURN: tuple(word_items(words.TURNS, KEYWORD, "1")),
     Place.MODIFIER: tuple(word_items(words.MODIFIERS, KEYWORD, "1")),
     Place.SETTING: tuple(word_items(words.MODIFIERS, KEYWORD, "1")),
-    Place.SIDE: tuple(item(side, KEYWORD, "the end from which is counted", "") for side in _SIDES),
-    Place.EACH: tuple(some_words(words.INNER, ("in",), "1")),
-    Place.DIRECTION: tuple(item(one, KEYWORD, words.STATEMENTS["signal"].form, "") for one in _DIRECTIONS),
-    Place.TRIGGER: (item("set", KEYWORD, "set OUTPUT on|off|= value", words.STATEMENTS["set"].meaning),),
     Place.STATEMENT: tuple(word_items(words.STATEMENTS, KEYWORD, "2")),
 }
 _ROLES = {
@@ -61,7 +55,6 @@ _ROLES = {
     Place.TOOL: Role.TOOL,
     Place.FRAME: Role.FRAME,
     Place.STATEMENT: Role.VARIABLE,
-    Place.VARIABLE: Role.VARIABLE,
 }
 
 
@@ -106,10 +99,16 @@ def proposed(
     if trigger in _QUIET_TRIGGERS and not in_call(line, checked.tasks):
         return []
     lead = statement_of(line)
+    followed = next_words(lead)
+    if followed:
+        return followed
     place = place_of(lead, checked.tasks)
     around = workshop.named(document, documents)
-    of_text = names.of_text(workshop.uses(document, documents), position.line)
+    of_text = names.of_text(workshop.uses(document, documents), position.line, checked)
     known = {(_table_of(one.role), one.name): one for one in chain(names.of_cell(around), of_text)}
+    guard = begun_guard(lead, known.values())
+    if guard is not None:
+        return guard
     if place is Place.POSTURE:
         parts = environment_of(around.cell, around.station).postures or ()
         return [item(word, LITERAL, "posture", "") for part in parts for word in part]
@@ -145,6 +144,11 @@ def _offered(
     match place:
         case Place.TURN:
             yield from (name_item(one) for one in known if one.role not in NO_VALUES)
+        case Place.MEMBER:
+            yield from members(lead, known)
+        case Place.STORE:
+            variables = (one for one in known if one.role is Role.VARIABLE)
+            yield from (name_item(one) for one in variables if type_of(one) in ("loc", ""))
         case Place.FRAME:
             yield item("base", KINDS[Role.FRAME], "the base frame", "")
         case Place.OUTPUT | Place.SETTING | Place.INPUT:

@@ -33,6 +33,7 @@ UNITS_OF: Mapping[str, tuple[str, ...]] = {
 
 _JOINT_VERB = r"^\s*(?:\d+\.\s*)?movj?"
 _VERB = r"(?:mov[jlc]?|lin|circ|spline)"
+_GUARDED = rf"^\s*(?:\d+\.\s*)?{_VERB}\b.*\buntil\s+(?:not\s+)?\w+\s*"
 
 #: What the word before a place asks for; a `target` is a location or joint coordinates.
 _AFTER = tuple(
@@ -41,6 +42,9 @@ _AFTER = tuple(
         (rf"{_JOINT_VERB}\s+(?:to\s+)?$|{_JOINT_VERB}\s+via\s+(?:[^;(]*(?:,|\bto)\s+)?$", "target"),
         (r"^\s*loc\s+\w+\s*:?=\s*$", "target"),
         (rf"^\s*(?:\d+\.\s*)?{_VERB}\s+(?:to\s+)?$", "loc"),
+        (r"^\s*pattern\b.*(?:\bgrid|\bx)\s+$", "count"),
+        (rf"{_GUARDED}[<>]\s*$", "num"),
+        (rf"{_GUARDED}(?:==?|<>)\s*$", "bool"),
         (r"\blike\s+$|\bfrom\s+$", "loc"),
         (r"\bvia\s+$|^(?=.*\bvia\b).*(?:,|\bto)\s+$|^\s*spline\b[^(]*,\s*$", "loc"),
         (r"\bjoints\s*\([^()]*$|\([^()]*;[^()]*$", "angle"),
@@ -60,6 +64,7 @@ _TYPED = re.compile(r"^\s*(?:const|var)\s+\w+\s*:\s*([a-z]+)\s*:?=\s*$", re.IGNO
 _DECLARED = r"\b{name}\s*:\s*([a-z]+)"
 _VALUE = re.compile(r"=\s*-?[\d.]+\s*([A-Za-z]+(?:/[A-Za-z]+\d?)?|°)?", re.ASCII)
 _JOINTS = re.compile(r"=\s*joints\b", re.IGNORECASE)
+_ANALOG = re.compile(r"\banalog\b", re.IGNORECASE)
 _UNITS = {"°": "angle", **{unit: type_ for type_, units in UNITS_OF.items() for unit in units}}
 _BY_ROLE = {Role.LOCATION: "loc", Role.SIGNAL: "bool"}
 
@@ -87,8 +92,12 @@ def expected(lead: str, tasks: Mapping[str, TaskForm]) -> str:
 
 def type_of(known: Known) -> str:
     """Return the type of a name, empty where the text does not tell."""
+    if known.type:
+        return known.type
     if known.role is Role.LOCATION and _JOINTS.search(known.text):
         return "joints"
+    if known.role is Role.SIGNAL and _ANALOG.search(known.text):
+        return "num"
     if known.role in _BY_ROLE:
         return _BY_ROLE[known.role]
     declared = re.search(_DECLARED.format(name=re.escape(known.name)), known.text)
@@ -102,10 +111,12 @@ def may_give(wanted: str, type_: str) -> bool:
     """Return whether an expression with a name of a type can be of the type that is wanted; empty: any.
 
     Locations and joint coordinates are made of nothing else, truth values of comparisons, quantities of each
-    other by arithmetic.
+    other by arithmetic, counts (`count`) of plain numbers.
     """
     if wanted == "target":
         return type_ in ("loc", "joints", "")
     if wanted in ("loc", "joints"):
         return type_ in (wanted, "")
-    return type_ not in ("loc", "joints") or wanted in ("", "bool")
+    if wanted == "count":
+        return type_ in ("int", "num", "")
+    return type_ not in ("loc", "joints", "bool", "str") or wanted in ("", "bool", type_)

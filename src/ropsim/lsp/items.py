@@ -18,7 +18,10 @@ KINDS = {
     Role.VARIABLE: 6,
     Role.PATTERN: 13,
 }
-KEYWORD, FUNCTION, UNIT, TYPE, FIELD, LITERAL = 14, 3, 11, 25, 5, 12
+KEYWORD, FUNCTION, UNIT, TYPE, FIELD, LITERAL, OPERATOR = 14, 3, 11, 25, 5, 12, 24
+
+NO_VALUES = (Role.FRAME, Role.TOOL, Role.PATTERN)
+"""What names of the cell and of the text stand for no value."""
 
 
 def item(label: str, kind: int, detail: str, documentation: str, group: str = "1") -> Json:

@@ -17,13 +17,9 @@ class Place(Enum):
     TYPE = "type"
     PATTERN = "pattern"
     STATEMENT = "statement"
-    SIDE = "end of a way from which is counted"
-    TRIGGER = "what is done on the way"
     OUTPUT = "output"
     INPUT = "input"
-    DIRECTION = "direction of a signal"
-    VARIABLE = "variable"
-    EACH = "where `for each` takes from"
+    STORE = "variable of a location"
     TASK = "task"
     SETTING = "output or setting"
     MODIFIER = "setting"
@@ -43,16 +39,15 @@ _PLACES = tuple(
         (r"^\s*units\b.*$", Place.UNITS),
         (r"^\s*(?:task|const|var)\b.*(?::|->)\s*$", Place.TYPE),
         (r"^\s*(?:program|loc|frame|tool|signal|const|var|pattern|task)\s+$", Place.NOTHING),
+        (r"^\s*task\b(?!.*=[^,)]*$)|^\s*signal\b.*\b(?:input|output)\b", Place.NOTHING),
+        (r"^\s*pattern\b.*\bstep\s+(?:\([^()]*\)\s*,\s*)*$", Place.NOTHING),
+        (r"^\s*pattern\s+\w+\s*=\s*grid(?:\s+\w+\s*x)*\s+$", Place.VALUE),
         (r"^\s*(?:stop|needs|assumes|load)\s+|^\s*(?:var\s+\w+|for\s+\w+)\s+$", Place.NOTHING),
         (r"^\s*var\s+\w+\s*:\s*\w+\s+$|\btrack\s+\w+\s+$", Place.NOTHING),
-        (r"^\s*signal\s+\w+\s*=\s*(?:analog\s+)?$", Place.DIRECTION),
-        (r"^\s*for\s+each\s+\w+\s+$", Place.EACH),
-        (r"\bstore\s+$", Place.VARIABLE),
+        (r"\bstore\s+$", Place.STORE),
         (r"\btrack\s+$", Place.INPUT),
         (r"^\s*(?:for\s+each\s+\w+\s+in)\s+$", Place.PATTERN),
         (r"^\s*(?:\d+\.\s*)?$", Place.STATEMENT),
-        (r"\bat\s(?:(?!\bdo\b).)*[^\d\s(,=+*/-]\s+$", Place.SIDE),
-        (r"\b(?:start|end)\s+do\s+$", Place.TRIGGER),
         (r"\bdo\s+set\s+$", Place.OUTPUT),
         (r"^\s*call\s+$", Place.TASK),
         (r"^\s*set\s+$", Place.SETTING),

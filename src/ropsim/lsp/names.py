@@ -8,9 +8,11 @@ from ropsim.core import frozen_dataclass
 from ropsim.language import Outline, Role, Space, TaskForm, Uses
 from ropsim.lsp.document import Document
 from ropsim.lsp.protocol import Position
+from ropsim.lsp.types_of import type_of_parameter, variable_types
 from ropsim.lsp.workshop import Surroundings
 from ropsim.model import WORLD, JointType, Signal, Station, in_base, still_frames
 from ropsim.spatial import Pose, quaternion
+from ropsim.workbench import CheckedText
 
 _WORD = re.compile(r"[A-Za-z_]\w*", re.ASCII)
 
@@ -26,6 +28,7 @@ class Known:
         origin: `cell` or `text`.
         where: in which frame its pose is given, empty for what has none.
         note: what else there is to say; may be empty.
+        type: in a word of the language, where the compiler knows it; else empty.
     """
 
     name: str
@@ -34,6 +37,7 @@ class Known:
     origin: str
     where: str = ""
     note: str = ""
+    type: str = ""
 
 
 def word_at(document: Document, position: Position) -> tuple[str, int] | None:
@@ -67,11 +71,13 @@ def of_cell(around: Surroundings) -> Iterator[Known]:
         yield Known(name, Role.SIGNAL, signal_words(signal), "cell")
 
 
-def of_text(uses: Uses, line: int) -> Iterator[Known]:
+def of_text(uses: Uses, line: int, checked: CheckedText) -> Iterator[Known]:
     """Yield what the text defines and a statement in line `line` (from 0) can name, tasks left out."""
+    types = variable_types(uses, checked)
     for one in uses.seen_at(line + 1).values():
         if one.role is not None and one.space is not Space.TASK:
-            yield Known(one.name, one.role, one.line or one.role.value, "text")
+            type_ = types.get(one) or type_of_parameter(one, checked)
+            yield Known(one.name, one.role, one.line or one.role.value, "text", type=type_)
 
 
 def pose_words(pose: Pose) -> str:

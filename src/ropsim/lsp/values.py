@@ -6,14 +6,13 @@ from collections.abc import Iterator
 from ropsim.language import Role
 from ropsim.lsp import words
 from ropsim.lsp.expected import LITERALS, may_give, type_of
-from ropsim.lsp.items import FUNCTION, KEYWORD, LITERAL, item, name_item, some_words, word_items
+from ropsim.lsp.items import FUNCTION, KEYWORD, LITERAL, NO_VALUES, item, name_item, some_words, word_items
 from ropsim.lsp.messages import Json
 from ropsim.lsp.names import Known
 
-NO_VALUES = (Role.FRAME, Role.TOOL, Role.PATTERN)
-"""What names of the cell and of the text stand for no value."""
-
+_RUNNING = frozenset((Role.VARIABLE, Role.PARAMETER, Role.SIGNAL))
 _PLACES = frozenset(("loc", "target", "joints"))
+_MEANT = {("target", "loc"), ("target", "joints"), ("num", "int"), ("count", "int"), ("count", "num")}
 _KNOWN_BEFORE = re.compile(r"^\s*(?:loc|frame|tool|const|pattern)\b", re.IGNORECASE)
 _VERB = re.compile(r"^\s*(?:\d+\.\s*)?(?:mov[jlc]?|lin|circ|spline)\s+$", re.IGNORECASE)
 _JOINTS = words.Word("joints(a1, …)", "Joint coordinates, that of the first axis first.")
@@ -27,16 +26,17 @@ def values(lead: str, known: list[Known], wanted: str) -> Iterator[Json]:
         known: all names.
         wanted: the type that the place asks for, empty where any may stand.
     """
+    unfit = (*NO_VALUES, *_RUNNING) if _KNOWN_BEFORE.match(lead) else NO_VALUES
     for one in known:
         type_ = type_of(one)
-        if one.role in NO_VALUES or not may_give(wanted, type_):
+        if one.role in unfit or not may_give(wanted, type_):
             continue
-        is_meant = type_ == wanted or (wanted == "target" and type_ in _PLACES)
+        is_meant = type_ == wanted or (wanted, type_) in _MEANT
         yield name_item(one, "1" if not wanted else "0" if is_meant else "2")
     for place, literal in enumerate(LITERALS.get(wanted, ())):
         yield item(literal, LITERAL, wanted, "", f"1{place}")
     yield from _places(lead, wanted)
-    if wanted not in _PLACES:
+    if wanted not in (*_PLACES, "count"):
         yield from word_items(words.FUNCTIONS, FUNCTION, "4")
     if wanted in ("", "bool"):
         yield from some_words(words.INNER, ("not",), "3")

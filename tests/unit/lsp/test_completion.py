@@ -18,9 +18,18 @@ loc q = joints(0, 0, 0, 0, 0, 0)
 frame shelf = (1, 2, 3)
 signal lamp = output 3
 signal force = analog input 4
+pattern slots = grid 2 from p step (1, 2, 3)
+const twice = 2
 n = 3
 print n
+var lit = true
+var taught = (1, 2, 3)
+task Put(at_place: loc, high: length)
+  lin at_place above high
+endp
 """
+BEHIND = ["acc", "at", "blend", "fine", "speed", "tool", "track"]
+COORDINATES = ["x", "y", "z", "rx", "ry", "rz"]
 
 
 def labels(marked: str, uri: str = BARE, head: str = HEAD) -> list[str]:
@@ -49,8 +58,9 @@ def test_every_target_that_is_offered_compiles(program: str, verb: str) -> None:
 
 
 def test_a_joint_move_is_offered_joint_targets_and_others_are_not() -> None:
-    assert labels("mov |") == ["p", "q", "here", "home", "joints(", "via"]
-    assert labels("lin |") == ["p", "here", "via"]
+    assert labels("mov |") == ["p", "q", "taught", "here", "home", "joints(", "via"]
+    assert labels("lin |") == ["p", "taught", "here", "via"]
+    assert labels("Put |") == ["p", "taught", "here"]
     assert labels("if force > 3 then mov |")[0] == "p"
 
 
@@ -109,7 +119,7 @@ def test_behind_a_target_no_value_is_offered(line: str) -> None:
         ("if lamp |", ["and", "is", "mod", "or", "then"]),
         ("while lamp |", ["and", "do", "is", "mod", "or"]),
         ("wait until lamp |", ["and", "is", "mod", "or", "timeout"]),
-        ("lin p until lamp |", ["and", "is", "mod", "or", "timeout"]),
+        ("lin p until lamp |", ["is", "store", "timeout", *BEHIND]),
         ("for i = n |", ["mod", "to"]),
         ("lin via p |", ["to", "above", "external", "in", "offset", "rel"]),
         ("x = (n |", ["above", "in", "mod", "offset", "rel"]),
@@ -118,9 +128,46 @@ def test_behind_a_target_no_value_is_offered(line: str) -> None:
         ("for each b |", ["in"]),
         ("set fine |", []),
         ("signal more = |", ["analog", "input", "output"]),
-        ("signal more = analog |", ["analog", "input", "output"]),
+        ("signal more = analog |", ["input", "output"]),
+        ("signal more = input |", []),
+        ("signal more = input 3 |", []),
+        ("task T |", []),
+        ("task T(a: length) |", []),
+        ("task T(a: length, |", []),
         ("lin p track |", ["force"]),
-        ("lin p store |", ["n"]),
+        ("lin p store |", ["taught"]),
+        ("circ |", ["via"]),
+        ("circ via p |", ["to", "above", "external", "in", "offset", "rel"]),
+        ("lin p at 3 mm |", ["after start", "before end"]),
+        ("lin p at 3 mm after |", ["start"]),
+        ("lin p at 3 mm before |", ["end"]),
+        ("lin p at 3 mm after start |", ["do"]),
+        ("lin p until |", ["force", "lamp", "not"]),
+        ("lin p until not |", ["lamp"]),
+        ("lin p until force |", ["<", ">"]),
+        ("lin p until lamp is |", ["on", "off", "true", "false", "not"]),
+        ("lin p until lamp is not |", ["on", "off", "true", "false"]),
+        ("lin p until lamp is on |", ["store", "timeout", *BEHIND]),
+        ("lin p until force > n |", ["mod", "store", "timeout", *BEHIND]),
+        ("for i = 1 to n |", ["do", "mod", "step"]),
+        ("for i = 1 to n step n |", ["do", "mod"]),
+        ("pattern pp = |", ["grid"]),
+        ("pattern pp = grid |", ["twice"]),
+        ("pattern pp = grid 2 |", ["x", "from"]),
+        ("pattern pp = grid 2 x |", ["twice"]),
+        ("pattern pp = grid 2 x 2 |", ["x", "from"]),
+        ("pattern pp = grid 2 x 2 x 2 |", ["from"]),
+        ("pattern pp = grid 2 from |", ["p"]),
+        ("pattern pp = grid 2 from p |", ["step", "above", "external", "in", "offset", "rel"]),
+        ("pattern pp = grid 2 from p step |", []),
+        ("pattern pp = grid 2 from p step (1, 2, 3) |", ["order"]),
+        ("pattern pp = grid 2 from p step (1, 2, 3) order |", ["row", "column", "snake"]),
+        ("print p.|", COORDINATES),
+        ("print taught.|", COORDINATES),
+        ("print q.|", []),
+        ("print gap.|", []),
+        ("print shelf.|", []),
+        ("for each b in slots\n  print b.|", ["col", "row", "layer", *COORDINATES]),
         ("var k |", []),
         ("stop |", []),
     ],
@@ -143,3 +190,53 @@ def test_an_expression_begins_with_a_value(line: str) -> None:
     assert offered[0] == "force"
     assert {"n", "gap", "not", "true", "sqrt"} <= set(offered)
     assert set(offered).isdisjoint(language.INNER_WORDS - {"not", "true", "false", "here"})
+
+
+@pytest.mark.parametrize(
+    ("begun", "rest"),
+    [
+        ("circ", "p to (1, 2, 3)"),
+        (
+            "lin p",
+            {"speed": "3 mm/s", "acc": "3 mm/s2", "blend": "3 mm", "fine": "", "store": "h"},
+        ),
+        ("lin p at 3 mm", "do set lamp on"),
+        ("lin p at 3 mm after", "do set lamp on"),
+        ("lin p at 3 mm after start", "set lamp on"),
+        ("lin p until", {"force": "> 3", "not": "lamp"}),
+        ("lin p until force", "3"),
+        ("lin p until lamp", {"is": "on", "timeout": "3 s", "store": "h", "speed": "3 mm/s"}),
+        ("lin p until lamp is", {"not": "on"}),
+        ("lin p until force > n", {"timeout": "3 s", "store": "h", "mod": "2"}),
+        ("lin p store", ""),
+        ("pattern pp = grid 2", {"x": "3 from p step (1, 2, 3), (3, 2, 1)", "from": "p step (1, 2, 3)"}),
+        ("pattern pp = grid", "from p step (1, 2, 3)"),
+        ("pattern pp = grid 2 from", "step (1, 2, 3)"),
+        ("pattern pp = grid 2 from p step (1, 2, 3)", "snake"),
+        ("pattern pp = grid 2 from p step (1, 2, 3) order", ""),
+        ("signal more = analog", "7"),
+        ("print p.", ""),
+        ("for i = 1 to 3", {"step": "2", "do": "", "mod": "2"}),
+    ],
+)
+def test_what_is_offered_goes_on_to_what_compiles(begun: str, rest: str | dict[str, str]) -> None:
+    end = "\nendf\n" if begun.startswith("for") else "\n"
+    start = begun if begun.endswith(".") else f"{begun} "
+    behind = rest if isinstance(rest, dict) else dict.fromkeys(labels(f"{start}|"), rest)
+    assert behind
+    assert behind.keys() <= set(labels(f"{start}|"))
+    for word, more in behind.items():
+        found = Editor().open(BARE, f"{HEAD}{start}{word} {more}{end}")
+        assert [one["message"] for one in found if one["severity"] == 1] == [], word
+
+
+def test_a_motion_is_not_offered_the_frame_that_it_cannot_have() -> None:
+    for line in ("lin p |", "mov p |", "lin p speed 100 mm/s |", "circ via p to p |", "lin p until lamp |"):
+        assert "frame" not in labels(line)
+    assert {"frame", "speed"} <= set(labels("with |"))
+    assert "until" not in labels("lin via p to p |")
+
+
+def test_what_is_known_before_the_program_runs_is_made_of_no_variable() -> None:
+    assert set(labels("const c = |")).isdisjoint({"n", "lit", "taught", "lamp", "force"})
+    assert set(labels("loc z = |")).isdisjoint({"n", "lit", "taught", "lamp", "force"})
