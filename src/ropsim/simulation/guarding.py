@@ -2,9 +2,13 @@
 
 from ropsim.core import Diagnostic, frozen_dataclass
 from ropsim.flow import Comparison, Guard, MoveInstruction
+from ropsim.model import DistanceSensor, ForceSensor, Sensor
 from ropsim.simulation.diagnostics import GUARD_HELD_BEFORE, GUARD_NOT_MET
 from ropsim.simulation.station_run import StationRun
 from ropsim.simulation.world import SimulatedWorld
+
+_SI: dict[type[Sensor], str] = {DistanceSensor: " m", ForceSensor: " N"}
+"""Units of readings, as they stand behind a number."""
 
 
 @frozen_dataclass
@@ -16,12 +20,14 @@ class Lookout:
         world: reads the channel, and is told how the move ended.
         at: the station whose arm moves.
         since: when the move began [s].
+        sensor: measures the channel; None where no sensor does.
     """
 
     guard: Guard
     world: SimulatedWorld
     at: StationRun
     since: float
+    sensor: Sensor | None = None
 
     def ends(self) -> bool:
         """Return whether the move ends now: its condition is true, or its time is over; the world is told."""
@@ -68,4 +74,5 @@ class Lookout:
         if guard.comparison is Comparison.IS:
             return f"{guard.channel} is {'on' if guard.value else 'off'}"
         order = ">" if guard.comparison is Comparison.ABOVE else "<"
-        return f"{guard.channel} {order} {float(guard.value):.6g}"
+        unit = _SI[type(self.sensor)] if self.sensor is not None else ""
+        return f"{guard.channel} {order} {float(guard.value):.6g}{unit}"

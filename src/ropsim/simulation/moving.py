@@ -10,6 +10,7 @@ from ropsim.controller import (
 )
 from ropsim.core import Diagnostic
 from ropsim.flow import (
+    Guard,
     MessageEvent,
     MessageInstruction,
     MotionKind,
@@ -85,7 +86,7 @@ def _follow(
         since, ordinal, first = at.tick, len(at.moves), follower.clock.place
         at.track("move", ordinal)
         world.q_met = None
-        follower.lookout = Lookout(one.move.guard, world, at, at.time) if one.move.guard else None
+        follower.lookout = _lookout(run, at, world, one.move.guard) if one.move.guard else None
         tracking = one.move.tracking
         follower.correcting = Correcting(at, world, one, tracking, planned.reference) if tracking else None
         yield from _to(run, at, follower, one)
@@ -116,6 +117,11 @@ def _follow(
         if at.cut_short:
             break
     _enter_paths(at, planned, follower)
+
+
+def _lookout(run: CellRun, at: StationRun, world: SimulatedWorld, guard: Guard) -> Lookout:
+    signal = run.cell.signals.get(guard.channel)
+    return Lookout(guard, world, at, at.time, signal.sensor if signal is not None else None)
 
 
 def _told_by(lookout: Lookout, follower: Follower, one: PlannedMove, first: float) -> tuple[Diagnostic, ...]:

@@ -64,6 +64,19 @@ def end(recording: Recording) -> np.ndarray:
     return forward(ROBOT, recording.rows("q")[-1]).position
 
 
+@pytest.mark.parametrize(
+    ("condition", "told"),
+    [
+        ("height < 1 mm", "`height < 0.001 m` never came true"),
+        ("height < 290 mm", "`height < 0.29 m` was true before"),
+        ("force > 500 N", "`force > 500 N` never came true"),
+    ],
+)
+def test_the_limit_of_a_condition_is_told_with_the_unit_of_its_sensor(condition: str, told: str) -> None:
+    (found,) = ideal(ABOVE, f"lin (500, 0, 200) speed 200 mm/s until {condition}").findings
+    assert told in found.message
+
+
 def test_the_distance_to_a_table_is_that_of_its_geometry() -> None:
     recording = ideal(
         ABOVE, "print height", "lin (500, 100, 250)", "print height", "mov (500, 0, 500)", "print height"
