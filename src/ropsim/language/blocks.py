@@ -12,6 +12,7 @@ from ropsim.language.report import Report
 from ropsim.language.syntax.statements import If
 from ropsim.language.syntax.words import END, OPENERS
 from ropsim.language.text import Line
+from ropsim.language.then_bodies import begins_block
 
 MAX_DEPTH = 32
 _LOOPS = frozenset(("repeat", "while", "for"))
@@ -88,7 +89,7 @@ def build(lines: Iterable[Line], report: Report, cut: tuple[str, ...] = ()) -> T
             continue
         opener = opened(line)
         if line.fault is not None and _is_one_line(line):
-            if _goes_on(line, following):
+            if begins_block(line) or _goes_on(line, following):
                 opener = "if"
             else:
                 stack[-1].cut.append("if")  # an `endif` shows that the block was meant

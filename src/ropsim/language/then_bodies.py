@@ -10,6 +10,8 @@ from ropsim.language.text import Line
 
 _MISSING = "then "
 """How the fix of a line without it begins."""
+_BLOCK = "then\n"
+"""How the fix begins where lines below belong to the condition, too."""
 _BELOW = "write `then`, and `{0} …` on a line of its own"
 _UNSURE = (
     "`then` stands behind the condition; where lines below belong to it, each statement has its own line, "
@@ -52,6 +54,11 @@ def placed(lines: Iterable[Line]) -> tuple[Line, ...]:
         is_certain = ended.get(place) and not _holds_another(line)
         found[place] = _with_lines_below(line) if is_certain else _without_fix(line)
     return tuple(found)
+
+
+def begins_block(line: Line) -> bool:
+    """Return whether lines below belong to a condition with a statement on its line, as `placed` has told."""
+    return line.fault is not None and line.fault.fix.startswith(_BLOCK)
 
 
 def _ended(read: tuple[Line, ...], stated: Iterable[int]) -> Iterator[tuple[int, bool]]:
@@ -106,7 +113,7 @@ def _with_lines_below(line: Line) -> Line:
     assert line.fault is not None
     word = line.fault.fix.removeprefix(_MISSING)
     text = line.logical.text
-    fix = f"then\n{text[: _indent(line)]}  {word}"
+    fix = f"{_BLOCK}{text[: _indent(line)]}  {word}"
     return replace(line, fault=replace(line.fault, hint=_BELOW.format(word), fix=fix))
 
 

@@ -192,3 +192,9 @@ def test_a_semicolon_at_the_end_is_told_beside_what_else_is_wrong() -> None:
     found = compiled(f"{HEAD}MoveL p, v500, z10;", CELL_OF_TWO).diagnostics
     assert [one.code for one in found] == ["N201", "L101"]
     assert all(one.fix is not None for one in found)
+
+
+def test_both_ends_of_a_condition_without_then_in_another_one_are_right() -> None:
+    text = f"{HEAD}if m > 3 then\n  if m > 4 lin p\n  lin a\n  endif\nendif"
+    assert [one.code for one in compiled(text, CELL_OF_TWO).diagnostics] == ["L101"]
+    assert code_of(mended(text)) == code_of(text.replace("4 lin p", "4 then\n  lin p"))

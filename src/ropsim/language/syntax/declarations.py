@@ -198,7 +198,8 @@ def _typed(cursor: Cursor, what: str) -> tuple[Name, Name | None]:
     message = (
         f"expected {what}, found `{first.text}`" if type_ is first else f"expected `:`, found `{second.text}`"
     )
-    cursor.mend(Fault(kinds.UNEXPECTED, first.start, second.end, message, f"write `{fix}`", fix))
+    hint = f"write `{fix}`" if here else f"leave the type out: `{fix}`"
+    cursor.mend(Fault(kinds.UNEXPECTED, first.start, second.end, message, hint, fix))
     cursor.go(2)
     return Name(name_.text, name_.start, name_.end), Name(here, type_.start, type_.end) if here else None
 
