@@ -20,6 +20,9 @@ from ropsim.views.channels import StationView, rms, station_views
 REACHED = 0.99
 """Share of a given speed from which on it is reached."""
 
+NEAR = 1e-3
+"""Distance from its target from which on a command has come to it, beside that of one sample [m]."""
+
 Indices = npt.NDArray[np.intp]
 
 
@@ -39,6 +42,7 @@ class PathMove:
             NaN where it is not known.
         speeds: AV and FV.
         given: path speed that program or cell give [m/s]; NaN where the recording does not tell it.
+        is_early: whether its command stopped before its target, as a condition ended it.
     """
 
     station: str
@@ -51,11 +55,12 @@ class PathMove:
     max_angle: float
     speeds: SpeedFigures
     given: float = math.nan
+    is_early: bool = False
 
     @property
     def falls_short(self) -> bool:
-        """Return whether its command does not come to the speed that is given for it."""
-        return self.speeds.command < REACHED * self.given
+        """Return whether its command does not come to the speed that is given for it, all the way."""
+        return not self.is_early and self.speeds.command < REACHED * self.given
 
 
 @frozen_dataclass
@@ -251,7 +256,21 @@ def _move(run: _Run, piece: Indices, ordinal: int, event: MoveEvent | None) -> P
         angle,
         speed_figures(run.speeds[0][piece], run.speeds[1][piece]),
         math.nan if event is None or event.path_speed is None else event.path_speed,
+        event is not None and _is_early(run, piece, event),
     )
+
+
+def _is_early(run: _Run, piece: Indices, event: MoveEvent) -> bool:
+    """Return whether the command of a move stopped at another place than its target.
+
+    At the last sample it may still be one sample away from where it stops.
+    """
+    if not event.target or event.flown > 0.0:
+        return False
+    time, speeds = run.station.time[piece], run.speeds[0][piece]
+    sampled = float(np.max(np.diff(time), initial=0.0)) * float(np.max(speeds, initial=0.0))
+    left = np.linalg.norm(run.ways[0][piece[-1]] - np.array(event.target))
+    return bool(left > NEAR + sampled)
 
 
 def _events(station: StationView) -> dict[int, MoveEvent]:

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 from ropsim.flow import Channel, MotionKind, MoveEvent, Origin, Recording
-from ropsim.model import Tool
+from ropsim.model import Signal, Tool
 from ropsim.robots import default_controller, load
 from ropsim.simulation import Fidelity, RunOptions, run
 from ropsim.views import summarize
@@ -100,3 +100,19 @@ def test_a_move_tells_the_speed_that_program_or_cell_give(words: str, speed: flo
     recording = run(cell, {"robot": code}, RunOptions(Fidelity.KINEMATIC))
     assert [one.path_speed for one in recording.events_of(MoveEvent)] == [None, speed]
     assert len(summarize(recording).path.slow) == (1 if words else 0)
+
+
+@pytest.mark.parametrize(
+    ("condition", "slow"), [("", 1), ("until touch", 0), ("until never timeout 0.5 s", 0), ("until never", 1)]
+)
+def test_a_move_that_its_condition_ended_is_not_told_to_be_slow(condition: str, slow: int) -> None:
+    signals = {
+        "touch": Signal("touch", is_input=True, changes=((2.5, 1.0),)),
+        "never": Signal("never", is_input=True),
+    }
+    robot, controller = load("puma560"), default_controller("puma560")
+    cell = one_station("c", robot, controller, tools={"": Tool("")}, start=robot.home, signals=signals)
+    code = code_of(cell, "mov (500, 0, 300)", f"lin (500, 0, 100) speed 900 mm/s acc 100 mm/s2 {condition}")
+    (move,) = (path := summarize(run(cell, {"robot": code}, RunOptions(Fidelity.KINEMATIC))).path).moves
+    assert move.given == 0.9
+    assert len(path.slow) == slow
