@@ -22,7 +22,7 @@ _ONLY_WITH = {
     "angle": re.compile(r"\b(?:circ|movc)\b", re.IGNORECASE),
     "along": re.compile(r"\btrack\b", re.IGNORECASE),
     "gain": re.compile(r"\btrack\b", re.IGNORECASE),
-    "timeout": re.compile(r"\buntil\b", re.IGNORECASE),
+    "timeout": re.compile(r"\buntil\b(?!.*\btimeout\b)", re.IGNORECASE),
 }
 """What a line must have said for a word behind its target."""
 _STATES = ("on", "off")
@@ -41,7 +41,8 @@ _HEADS = tuple(
     )
 )
 _AT = re.compile(r"\bat\s+[^A-Za-z]*$", re.IGNORECASE)
-_VIA_LINES = re.compile(r"^\s*(?:\d+\.\s*)?(?:mov[jl]?|lin)\s+via\b", re.IGNORECASE)
+_UNENDED = re.compile(r"^\s*(?:\d+\.\s*)?(?:(?:mov[jl]?|lin)\s+via\b|.*\buntil\b)", re.IGNORECASE)
+"""Motions that no condition can end, or no other one."""
 _GUARD = re.compile(r"\buntil\s+(.*)$", re.IGNORECASE)
 _BARE = re.compile(r"(?:not\s+)?\w+\s+$", re.IGNORECASE)
 _NUMBERS = re.compile(r"[^<>=]+[<>][^>=]", re.IGNORECASE)
@@ -85,7 +86,7 @@ def _in_motion(line: str) -> Iterator[Json]:
         own = (name for name in words.MOTIONS if name in language.BEHIND_TARGETS)
         fit = (name for name in own if name not in _ONLY_WITH or _ONLY_WITH[name].search(line))
         yield from some_words(words.MOTIONS, fit, "2")
-        if not _VIA_LINES.match(line):
+        if not _UNENDED.match(line):
             yield item("until", KEYWORD, "until SIGNAL", "Ends the motion when the condition holds.", "2")
     if not _BEHIND_TARGET.search(line):
         yield from some_words(words.INNER, _PLACED, "3")

@@ -235,6 +235,7 @@ def test_a_motion_is_not_offered_the_frame_that_it_cannot_have() -> None:
         assert "frame" not in labels(line)
     assert {"frame", "speed"} <= set(labels("with |"))
     assert "until" not in labels("lin via p to p |")
+    assert {"until", "timeout"}.isdisjoint(labels("lin p until lamp timeout 3 s |"))
 
 
 def test_what_is_known_before_the_program_runs_is_made_of_no_variable() -> None:
