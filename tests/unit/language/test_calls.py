@@ -273,6 +273,38 @@ def test_each_call_inside_an_expression_is_told() -> None:
     assert [(one.code, one.span.line) for one in found if one.span] == [("N225", 6), ("N225", 7), ("N225", 9)]
 
 
+TWO = (
+    "program p\nunits mm, deg, s\ntask V(n: int) -> int\n  return n\nendp\n"
+    "task W(n: int) -> int\n  return n\nendp\n"
+)
+
+
+@pytest.mark.parametrize(
+    ("line", "columns"),
+    [
+        ("x = V(1) + W(2)", [5, 12]),
+        ("print V(1), W(2), V(3)", [7, 13, 19]),
+        ("lin (V(1), W(2), 3)", [6, 12]),
+        ("x = max(V(1), W(2))", [9, 15]),
+        ("x = V(W(1))", [7]),
+        ("if V(1) > 1 then x = V(W(2))", [4, 24]),
+        ("loc q = (V(1), W(2), 1)", [10, 16]),
+        ("const x = V(1)", [11]),
+    ],
+)
+def test_each_task_called_inside_an_expression_of_a_line_is_told(line: str, columns: list[int]) -> None:
+    found = compiled(TWO + line).diagnostics
+    assert [(one.code, one.span.column) for one in found if one.span] == [("N225", at) for at in columns]
+
+
+@pytest.mark.parametrize("line", ["var x = V(1)", "var x: int = V(1)"])
+def test_a_declared_variable_is_assigned_the_result_of_a_task_below(line: str) -> None:
+    (found,) = compiled(f"{TWO}{line}\nprint x").diagnostics
+    assert found.hint == "declare `x` without a value, and assign the result below: `x = V(…)`"
+    mended = compiled(f"{TWO}{line.partition(' =')[0]}\nx = V(1)\nprint x").diagnostics
+    assert not [one for one in mended if one.is_error]
+
+
 RESULTS = """program p
 units mm, deg, s
 task Top(q: loc, clear: length = 0) -> length

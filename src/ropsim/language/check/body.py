@@ -1,6 +1,6 @@
 """The state of the checker while it walks through one body: a task or the control statements."""
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Container, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from typing import Any, NoReturn
 
@@ -83,6 +83,7 @@ class Body:
         variables: all parameters and variables, by the names that they have in the structured program.
         past: names of loop variables whose loop has ended.
         references: reference locations of the task, first, second …
+        tasks: names of those that can be called, where `world` does not tell how.
         result: type of the value to return, or None.
         task: name of the task, empty for the control statements.
         line: the line in hand.
@@ -124,6 +125,7 @@ class Body:
         self.past = {name for name, one in sight.names.items() if one.is_past}
         self.numbers = {name: one.number for name, one in sight.names.items()}
         self.references: tuple[str, ...] = ()
+        self.tasks: Container[str] = ()
         self.result: Type | None = None
         self.task = task
         self.line = Line.empty()

@@ -48,7 +48,9 @@ class _Tables:
     tools: dict[str, PoseTuple]
 
 
-def world(parts: tuple[Part, ...], environment: Environment, report: Report) -> Declared:
+def world(
+    parts: tuple[Part, ...], environment: Environment, report: Report, tasks: Container[str]
+) -> Declared:
     """Return what a text and its environment declare; wrong declarations are reported.
 
     Args:
@@ -56,6 +58,7 @@ def world(parts: tuple[Part, ...], environment: Environment, report: Report) -> 
             of the text that does not.
         environment: cell and library.
         report: takes findings.
+        tasks: names of those that can be called.
     """
     top = [
         (part.unit, item)
@@ -90,7 +93,7 @@ def world(parts: tuple[Part, ...], environment: Environment, report: Report) -> 
         X_KF = quaternion.compose(X_KB, environment.given.get(name, fold.IDENTITY))
         symbols[name] = _location(environment.located.get(name, ""), X_KB, X_BL, X_KF)
     symbols.update(environment.signals)
-    count = _declare_all(result, _Tables(symbols, tools), top, report)
+    count = _declare_all(result, _Tables(symbols, tools), top, report, tasks)
     for name, symbol in symbols.items():
         if isinstance(symbol, Variable):
             symbols[name] = replace(symbol, type=closed(symbol.type))
@@ -183,9 +186,16 @@ def _frames(
     return frames, frames.get(chosen, fold.IDENTITY), chosen if chosen in frames else ""
 
 
-def _declare_all(world: World, tables: _Tables, top: Iterable[tuple[str, Line]], report: Report) -> int:
+def _declare_all(
+    world: World,
+    tables: _Tables,
+    top: Iterable[tuple[str, Line]],
+    report: Report,
+    tasks: Container[str],
+) -> int:
     """Enter all declarations; return how many coordinates `joints(…)` has in them."""
     body = Body(world, report, EXPRESSIONS, None)
+    body.tasks = tasks
     declared: set[str] = set()
     tools: set[str] = set()
     units: dict[Dimension, str] = {}

@@ -4,7 +4,7 @@ from collections.abc import Callable
 from typing import NoReturn
 
 from ropsim.core import did_you_mean
-from ropsim.language.check import arithmetic, convert, fold, other_values, units, values
+from ropsim.language.check import arithmetic, calls_inside, convert, fold, other_values, units, values
 from ropsim.language.check.body import Body
 from ropsim.language.check.types import ANGLE, INT, LENGTH, NUMBER, POSE, Type, Value, article, known
 from ropsim.language.findings import names as name_kinds
@@ -40,14 +40,8 @@ def call(body: Body, node: nodes.Function) -> Value:
 
 def _no_function(body: Body, node: nodes.Function) -> NoReturn:
     signature = body.world.signatures.get(node.name.text)
-    if signature is not None and signature.result is not None:
-        hint = f"assign the result to a variable first: `v = {node.name.text}(…)`"
-        body.fail(
-            name_kinds.CALL_INSIDE,
-            node.name,
-            f"task `{node.name.text}` is called inside an expression",
-            hint,
-        )
+    if node.name.text in body.tasks or (signature is not None and signature.result is not None):
+        calls_inside.refuse(body, node)
     if signature is not None:
         hint = "give its header a result: `-> type`"
         body.fail(name_kinds.UNKNOWN_FUNCTION, node.name, f"task `{node.name.text}` returns no value", hint)

@@ -12,6 +12,7 @@ from ropsim.language.environment import Environment
 from ropsim.language.questions.groups import Group, part_groups
 from ropsim.language.questions.inputs import DECLARED, ENVIRONMENT, PART, PARTS
 from ropsim.language.questions.told import inferred
+from ropsim.language.reading import CALLABLE, Names
 from ropsim.language.report import Report, TooManyFindingsError
 from ropsim.language.text import Line
 from ropsim.language.units import CONTROL, Items, Part
@@ -24,7 +25,7 @@ def declared(db: Database) -> Declared:
     environment: Environment = db.read(ENVIRONMENT)
     report = Report(CONTROL)
     try:
-        return declarations.world(tuple(_declaring_parts(db)), environment, report)
+        return declarations.world(tuple(_declaring_parts(db)), environment, report, Names(db, CALLABLE))
     except TooManyFindingsError:
         return Declared(_nothing(environment), tuple(report.log))
 
