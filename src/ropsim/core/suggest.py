@@ -1,11 +1,16 @@
 """Near names: what the user may have meant."""
 
 import difflib
-from collections.abc import Iterable
-from heapq import nsmallest
+from collections.abc import Iterable, Iterator, Mapping
+from functools import lru_cache
+from heapq import merge
+from itertools import islice
 
-MANY = 300
+MANY = 150
 """So many candidates are compared letter by letter; among more of them those that look alike at a glance."""
+
+_LONGEST = 64
+_Index = Mapping[tuple[str, int], list[str]]
 
 
 def near(name: str, candidates: Iterable[str], limit: int = 3) -> tuple[str, ...]:
@@ -14,10 +19,16 @@ def near(name: str, candidates: Iterable[str], limit: int = 3) -> tuple[str, ...
     A candidate with the same letters in another order comes first, then one that `name` begins with, or the
     other way round: `degrees` means `deg`.
     """
-    wanted = name.lower()[:64]
+    return _nearest(name, tuple(candidates), limit)
+
+
+def _nearest(name: str, candidates: tuple[str, ...], limit: int, but: str | None = None) -> tuple[str, ...]:
+    """Return the near candidates, of which `but` is none."""
+    wanted = name.lower()[:_LONGEST]
     by_lower: dict[str, str] = {}
-    for candidate in sorted(_at_a_glance(wanted, tuple(candidates))):
-        by_lower.setdefault(candidate.lower(), candidate)
+    for candidate in sorted(_at_a_glance(wanted, candidates)):
+        if candidate != but:
+            by_lower.setdefault(candidate.lower(), candidate)
     begun = [key for key in by_lower if min(len(key), len(wanted)) >= 3 and _begins(key, wanted)]
     swapped = [key for key in by_lower if sorted(key) == sorted(wanted)]
     close = difflib.get_close_matches(wanted, list(by_lower), n=limit, cutoff=0.6)
@@ -29,8 +40,31 @@ def _at_a_glance(wanted: str, candidates: tuple[str, ...]) -> Iterable[str]:
     """Return all candidates; of very many those of a like length that begin or end with the same letter."""
     if len(candidates) <= MANY:
         return candidates
-    alike = (one for one in candidates if one[:1].lower() == wanted[:1] or one[-1:].lower() == wanted[-1:])
-    return nsmallest(MANY, alike, key=lambda one: (abs(len(one) - len(wanted)), one))
+    return islice(_alike(wanted, _index(candidates)), MANY)
+
+
+def _alike(wanted: str, index: _Index) -> Iterator[str]:
+    """Yield the candidates that begin or end with the same letter as a word, those of its length first."""
+    keys = (f"{wanted[:1]}…", f"…{wanted[-1:]}")
+    for distance in range(_LONGEST):
+        lengths = {len(wanted) - distance, len(wanted) + distance}
+        found = [index.get((key, length), []) for key in keys for length in lengths]
+        last = None
+        for one in merge(*found):
+            if one != last:
+                yield one
+            last = one
+
+
+@lru_cache(maxsize=8)
+def _index(candidates: tuple[str, ...]) -> _Index:
+    """Return candidates by first or last letter and length: many words are looked for among the same ones."""
+    index: dict[tuple[str, int], list[str]] = {}
+    for one in sorted(set(candidates)):
+        word = one.lower()
+        index.setdefault((f"{word[:1]}…", len(one)), []).append(one)
+        index.setdefault((f"…{word[-1:]}", len(one)), []).append(one)
+    return index
 
 
 def _begins(one: str, other: str) -> bool:
@@ -39,5 +73,5 @@ def _begins(one: str, other: str) -> bool:
 
 def did_you_mean(name: str, candidates: Iterable[str]) -> str:
     """Return "did you mean `x`?", or an empty string where nothing but the name itself is near."""
-    close = near(name, (one for one in candidates if one != name), limit=1)
+    close = _nearest(name, tuple(candidates), 1, but=name)
     return f"did you mean `{close[0]}`?" if close else ""

@@ -2,7 +2,7 @@ import difflib
 
 import pytest
 
-from ropsim.core import did_you_mean, near
+from ropsim.core import did_you_mean, near, suggest
 from ropsim.core.suggest import MANY
 
 
@@ -51,3 +51,25 @@ def test_among_very_many_names_the_nearest_is_found_by_a_bounded_number_of_compa
     assert did_you_mean("stakc", [*names, "stack"]) == "did you mean `stack`?"
     assert did_you_mean("kstack", [*names, "stack"]) == "did you mean `stack`?"
     assert max(compared) <= MANY
+
+
+def test_many_words_are_looked_for_among_the_same_names_in_time_linear_in_both(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    compared: list[int] = []
+    matches = difflib.get_close_matches
+
+    def counted(word: str, possibilities: list[str], n: int, cutoff: float) -> list[str]:
+        compared.append(len(possibilities))
+        return matches(word, possibilities, n, cutoff)
+
+    def comparisons(count: int) -> int:
+        compared.clear()
+        suggest._index.cache_clear()
+        names = tuple(f"slot{number}" for number in range(count))
+        assert all(did_you_mean(f"sloot{number}", names) for number in range(count))
+        assert suggest._index.cache_info().misses == 1
+        return sum(compared)
+
+    monkeypatch.setattr(difflib, "get_close_matches", counted)
+    assert comparisons(800) <= 2 * comparisons(400)

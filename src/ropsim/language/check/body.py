@@ -7,6 +7,7 @@ from typing import Any, NoReturn
 from ropsim.core import Diagnostic, Kind, Span, did_you_mean, frozen_dataclass, maker
 from ropsim.language.check.fold import IDENTITY
 from ropsim.language.check.sight import NOTHING_BEFORE, Sight
+from ropsim.language.check.table import Table
 from ropsim.language.check.types import AnyType, Type, Unknown, Value, known
 from ropsim.language.check.world import Poison, Symbol, Variable, World
 from ropsim.language.findings import names as kinds
@@ -145,6 +146,7 @@ class Body:
         self.joint_count = sight.joint_count or world.joint_count
         self.lacks_result = False
         self._told = told
+        self._declared_names: tuple[str, ...] | None = None
 
     # --- findings
 
@@ -199,6 +201,18 @@ class Body:
         if self.sight.around is None:
             self.looked_around = True
         return {**dict.fromkeys(self.sight.around or ()), **self.names}
+
+    def declared_names(self) -> tuple[str, ...]:
+        """Return the names of all declarations that may be written; a table of them is gone through once."""
+        if self._declared_names is not None:
+            return self._declared_names
+        symbols = self.world.symbols
+        found = tuple(
+            name for name, one in symbols.items() if not isinstance(one, Poison) and "__" not in name
+        )
+        if isinstance(symbols, Table):  # others grow while declarations are read
+            self._declared_names = found
+        return found
 
     def enter(self, name: str, kind: AnyType) -> None:
         """Enter a parameter."""
@@ -288,6 +302,8 @@ class Body:
         Raises:
             RejectedError: always.
         """
+        if self.report.muted:  # nobody reads what is near
+            raise RejectedError
         known_names = sorted(candidates)
         hint = did_you_mean(name.text, known_names)
         fix = hint.split("`")[1] if hint else None

@@ -111,7 +111,8 @@ def name(body: Body, node: nodes.Name) -> Value:
         hint = f"give `{node.text}` a value before the loop, or copy it to another variable inside"
         body.fail(name_kinds.UNKNOWN_NAME, node, message, hint)
     other_values.refuse_name(body, node)
-    body.unknown(name_kinds.UNKNOWN_NAME, node, "name", [*visible(body), *_targets(body)])
+    candidates = (*visible(body), *_targets(body)) if not body.report.muted else ()
+    body.unknown(name_kinds.UNKNOWN_NAME, node, "name", candidates)
 
 
 def _targets(body: Body) -> tuple[str, ...]:
@@ -122,8 +123,9 @@ def _targets(body: Body) -> tuple[str, ...]:
 
 def visible(body: Body) -> list[str]:
     """Return all names that an expression could use here."""
-    names = {**body.world.symbols, **body.visible()}.items()
-    return [name for name, symbol in names if not isinstance(symbol, Poison) and "__" not in name]
+    own = body.visible()
+    names = [name for name in body.declared_names() if name not in own]
+    return [*names, *(name for name, one in own.items() if not isinstance(one, Poison) and "__" not in name)]
 
 
 def member(body: Body, node: nodes.Name) -> tuple[int, Type]:
