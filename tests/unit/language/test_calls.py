@@ -273,6 +273,16 @@ def test_each_call_inside_an_expression_is_told() -> None:
     assert [(one.code, one.span.line) for one in found if one.span] == [("N225", 6), ("N225", 7), ("N225", 9)]
 
 
+@pytest.mark.parametrize(
+    ("line", "meant"),
+    [("ope", "open"), ("Tpo infeed", "Top"), ("Tpo(infeed)", "Top"), ("mov part above 3", "")],
+)
+def test_what_is_proposed_may_stand_in_its_place(line: str, meant: str) -> None:
+    text = "program p\nunits mm, deg, s\ntask Top(q: loc)\n  lin q\nendp\nTop infeed\n"
+    (found,) = compiled(text + line).diagnostics
+    assert (found.fix.replacement if found.fix is not None else "") == meant
+
+
 TWO = (
     "program p\nunits mm, deg, s\ntask V(n: int) -> int\n  return n\nendp\n"
     "task W(n: int) -> int\n  return n\nendp\n"

@@ -5,7 +5,7 @@ from dataclasses import replace
 from functools import partial
 from typing import NoReturn
 
-from ropsim.core import TextEdit, did_you_mean
+from ropsim.core import TextEdit, did_you_mean, near
 from ropsim.language.check import components, convert, facing, poses, values
 from ropsim.language.check.body import Body, RejectedError
 from ropsim.language.check.foreign_lines import translated
@@ -13,6 +13,7 @@ from ropsim.language.check.types import POSE, Value, known
 from ropsim.language.check.world import Formal, Signature
 from ropsim.language.findings import names as name_kinds
 from ropsim.language.findings import types as kinds
+from ropsim.language.prose import edit_distance
 from ropsim.language.syntax import nodes
 from ropsim.language.syntax import statements as syntax
 from ropsim.language.syntax.line import parse_line
@@ -74,7 +75,7 @@ def unknown_task(body: Body, node: syntax.Call) -> NoReturn:
     if reason is not None:
         message = f"the task `{name.text}` of the knowledge base cannot be called: {reason}"
         body.fail(name_kinds.REFUSED_TASK, name, message, "put the task right in its text")
-    hint = _near_task(body, name, (*body.world.signatures, *environment.listed))
+    hint = _near_task(body, node, (*body.world.signatures, *environment.listed))
     message = f"Task not defined: `{name.text}`"
     line = translated(body, node) if hint == HINTS.get(name.text.lower()) else None
     if line is not None:
@@ -89,16 +90,17 @@ def unknown_task(body: Body, node: syntax.Call) -> NoReturn:
     body.fail(name_kinds.UNKNOWN_TASK, name, message, hint, fix=fix)
 
 
-def _near_task(body: Body, name: nodes.Name, tasks: Iterable[str]) -> str:
+def _near_task(body: Body, node: syntax.Call, tasks: Iterable[str]) -> str:
     """Return what may have been meant; a word of another robot language is looked up, not guessed."""
-    word = name.text.lower()
+    name, word = node.name, node.name.text.lower()
     if word in HINTS and word not in map(str.lower, tasks):
         return HINTS[word]
-    if near := did_you_mean(name.text, tasks):
-        return near
-    near = did_you_mean(name.text, VERBS)
-    if near and _can_be_read(body, name, near.split("`")[1]):
-        return near
+    others = (task for task in tasks if task != name.text)
+    fitting = [task for task in near(name.text, others) if _may_take(body, node, task)][:1]
+    verbs = [verb for verb in near(name.text, VERBS, limit=1) if _can_be_read(body, name, verb)]
+    nearest = min((*fitting, *verbs), key=lambda one: edit_distance(word, one.lower()), default="")
+    if nearest:
+        return f"did you mean `{nearest}`?"
     return "define it with `task`, or assign a variable with `=`"
 
 
@@ -115,6 +117,17 @@ def _is_bare(node: syntax.Call) -> bool:
         or _is_place(first)
         or any(item.name is not None for item in inside.items)
     )
+
+
+def _may_take(body: Body, node: syntax.Call, task: str) -> bool:
+    """Return whether a task may take as many arguments as a call has."""
+    signature = body.world.signatures.get(task)
+    if signature is None or not signature.is_known:
+        return True
+    needed, most = _counts(signature)
+    inside = _only(node.arguments)
+    counts = {len(node.arguments), len(inside.items) if inside is not None else len(node.arguments)}
+    return any(needed <= count <= most for count in counts)
 
 
 def _can_be_read(body: Body, name: nodes.Name, word: str) -> bool:

@@ -111,8 +111,18 @@ def name(body: Body, node: nodes.Name) -> Value:
         hint = f"give `{node.text}` a value before the loop, or copy it to another variable inside"
         body.fail(name_kinds.UNKNOWN_NAME, node, message, hint)
     other_values.refuse_name(body, node)
-    candidates = (*visible(body), *_targets(body)) if not body.report.muted else ()
+    names = visible(body) if not body.report.muted else ()
+    candidates = (*(one for one in names if not _is_no_place(body, node, one)), *_targets(body))
     body.unknown(name_kinds.UNKNOWN_NAME, node, "name", candidates)
+
+
+def _is_no_place(body: Body, node: nodes.Name, candidate: str) -> bool:
+    """Return whether a name is that of a truth value, where the target of a motion stands."""
+    statement = body.line.statement
+    if not isinstance(statement, Motion) or node.end > statement.target.end:
+        return False
+    symbol = body.find(candidate)
+    return isinstance(symbol, SignalUse) and symbol.type is ValueType.BOOL
 
 
 def _targets(body: Body) -> tuple[str, ...]:
