@@ -14,7 +14,7 @@ from ropsim.language.findings import names as kinds
 from ropsim.language.report import Placed, Report
 from ropsim.language.syntax.nodes import Name
 from ropsim.language.text import Line
-from ropsim.program import Local, SignalUse
+from ropsim.program import Local, SignalUse, ValueType
 from ropsim.spatial import PoseTuple, quaternion
 
 _variable, _local = maker(Variable), maker(Local)
@@ -147,6 +147,7 @@ class Body:
         self.lacks_result = False
         self._told = told
         self._declared_names: tuple[str, ...] | None = None
+        self._truth_signals: frozenset[str] | None = None
 
     # --- findings
 
@@ -213,6 +214,15 @@ class Body:
         if isinstance(symbols, Table):  # others grow while declarations are read
             self._declared_names = found
         return found
+
+    def truth_signals(self) -> frozenset[str]:
+        """Return the names of all signals that are on or off."""
+        if self._truth_signals is None:
+            found = ((name, self.world.symbols.get(name)) for name in self.declared_names())
+            self._truth_signals = frozenset(
+                name for name, one in found if isinstance(one, SignalUse) and one.type is ValueType.BOOL
+            )
+        return self._truth_signals
 
     def enter(self, name: str, kind: AnyType) -> None:
         """Enter a parameter."""

@@ -111,18 +111,16 @@ def name(body: Body, node: nodes.Name) -> Value:
         hint = f"give `{node.text}` a value before the loop, or copy it to another variable inside"
         body.fail(name_kinds.UNKNOWN_NAME, node, message, hint)
     other_values.refuse_name(body, node)
-    names = visible(body) if not body.report.muted else ()
-    candidates = (*(one for one in names if not _is_no_place(body, node, one)), *_targets(body))
+    candidates = [*visible(body), *_targets(body)] if not body.report.muted else []
+    if _is_target(body, node):
+        candidates = [one for one in candidates if one not in body.truth_signals()]
     body.unknown(name_kinds.UNKNOWN_NAME, node, "name", candidates)
 
 
-def _is_no_place(body: Body, node: nodes.Name, candidate: str) -> bool:
-    """Return whether a name is that of a truth value, where the target of a motion stands."""
+def _is_target(body: Body, node: nodes.Name) -> bool:
+    """Return whether a name stands where the target of a motion does, which is no truth value."""
     statement = body.line.statement
-    if not isinstance(statement, Motion) or node.end > statement.target.end:
-        return False
-    symbol = body.find(candidate)
-    return isinstance(symbol, SignalUse) and symbol.type is ValueType.BOOL
+    return isinstance(statement, Motion) and node.end <= statement.target.end
 
 
 def _targets(body: Body) -> tuple[str, ...]:
