@@ -1,9 +1,11 @@
 """Program -> canonical ICR text."""
 
+from ropsim.icr.literals import written
 from ropsim.icr.opcodes import OPCODES, OperandKind
 from ropsim.icr.operands import written_operand
 from ropsim.icr.program import LibraryText, Procedure, Program, Step
 from ropsim.icr.tokens import named, quoted
+from ropsim.icr.types import Constant
 
 
 def disassemble(program: Program) -> str:
@@ -69,6 +71,8 @@ def _labels(procedure: Procedure) -> dict[int, str]:
 def _step(step: Step, labels: dict[int, str]) -> str:
     if not step.operands:
         return step.mnemonic
+    if step.mnemonic == "PUSH" and isinstance(step.operands[0], Constant) and len(step.operands) == 1:
+        return f"PUSH {written(step.operands[0])}"
     opcode = OPCODES.get(step.mnemonic)
     if opcode is None or len(opcode.operands) != len(step.operands):
         words = [named(one) if isinstance(one, str) else repr(one) for one in step.operands]

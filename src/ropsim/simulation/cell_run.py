@@ -40,6 +40,7 @@ class CellRun:
         progress: is told after every move what was done.
         ordered: is told of every stretch before it is planned, with the name of its station.
         plan: plans a stretch.
+        moved: how many moves have been done.
         at_work: the programs that have not ended, by station.
         watch: looks on.
         events: what happened.
@@ -64,6 +65,7 @@ class CellRun:
     progress: Callable[[str], None]
     ordered: Callable[[str, StretchOrder], None]
     plan: Planning
+    moved: int = 0
     at_work: dict[str, Iterator[None]] = field(default_factory=dict)
     watch: Watch = field(default_factory=NobodyWatches)
     events: list[Event] = field(default_factory=list)

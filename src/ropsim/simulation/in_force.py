@@ -12,6 +12,9 @@ def put_in_force(run: CellRun, at: StationRun, step: Instruction) -> None:
     at.is_busy = True
     at.activations.begin(step.origin, at.tick)
     at.track("line", span.line if span else 0)
+    if step.modal is at.modal:
+        return  # its tool is in force
+    at.modal = step.modal
     run.take(at, _tool_in_force(at.station, step.modal), run.parts)
     at.tool_frames.set(at.tick, at.chain.tool_pose(step.modal))
 

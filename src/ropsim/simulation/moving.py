@@ -113,7 +113,8 @@ def _follow(
             target=_commanded(at, one.X_MT) if tracking else motion.places[number],
         )
         run.note(at, since, done)
-        run.progress(f"move {sum(len(one.moves) for one in run.stations.values())}")
+        run.moved += 1
+        run.progress(f"move {run.moved}")
         if at.cut_short:
             break
     _enter_paths(at, planned, follower)

@@ -40,6 +40,7 @@ def run(cell: Cell, programs: Mapping[str, Program], options: RunOptions) -> Rec
     state = start_run(cell, options)
     for name, program in programs.items():
         state.at_work[name] = work(state, state.stations[name], program, options)
+    forgotten = -1
     while state.at_work:
         if are_endless(state, options):
             end_waits(state, programs)
@@ -49,8 +50,10 @@ def run(cell: Cell, programs: Mapping[str, Program], options: RunOptions) -> Rec
             continue
         least = state.stations[name].due
         look_for_pulls(state, least, programs)
-        for at in state.stations.values():
-            at.forget(least)
+        if least != forgotten:
+            forgotten = least
+            for at in state.stations.values():
+                at.forget(least)
         _work_on(state, name, programs)
         if name in state.at_work:
             state.watch.advanced(state)

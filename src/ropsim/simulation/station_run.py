@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 
 from ropsim.controller import MotionChain
-from ropsim.flow import AwaitInstruction, JointReference, Origin
+from ropsim.flow import AwaitInstruction, JointReference, ModalState, Origin
 from ropsim.kinematics import forward, frames_batch
 from ropsim.model import Payload, Station, Tool, external_links, link_name, tool_body
 from ropsim.simulation.activation import Activations
@@ -49,6 +49,7 @@ class StationRun:
         polled: what it looks at again and again, where it does nothing else.
         looked: its wait by looking again and again, as long as that may go on.
         origin: of the instruction in force.
+        modal: the modal state whose tool is in force.
         is_busy: whether that is still being carried out.
         is_held: whether it stands because the override is 0.
         in_vain: whether it stands for what will never come; the program is over then.
@@ -78,6 +79,7 @@ class StationRun:
     polled: Polled | None = None
     looked: LookedWait | None = None
     origin: Origin = field(default_factory=Origin)
+    modal: ModalState | None = None
     is_busy: bool = False
     is_held: bool = False
     in_vain: bool = False
