@@ -69,6 +69,7 @@ def test_an_operator_makes_a_palletizing_program_that_runs(
     form.get_by_role("button", name="Keep the task").click()
     choose(tab, panel, "rest")
     assert "mov(above(L, 20*mm))" in (project / "kb" / "rest.pl").read_text("utf-8")
+    step(panel, 1).get_by_text("rest takes 1 point, given: 0").wait_for()
     step(panel, 1).get_by_role("button", name="Change the task").click()
     panel.get_by_role("form", name="The task rest").get_by_role("button", name="Cancel").click()
     step(panel, 1).get_by_role("button", name="Remove step 1").click()
