@@ -148,7 +148,7 @@ def _close(stack: list[_Open], word: str, line: Line, report: Report) -> None:
 def _close_doubtful(stack: list[_Open], word: str, line: Line, report: Report) -> None:
     """Close blocks of wrong openers that stand further right than an end of a block further out."""
     ends = [depth for depth in range(1, len(stack)) if word in (ANY, stack[depth].word)]
-    while len(ends) > 1 and _is_doubtful(stack[ends[-1]]) and _indent(line) < _indent(stack[ends[-1]].opener):
+    while len(ends) > 1 and _is_doubtful(stack[ends[-1]]) and line.indent < stack[ends[-1]].opener.indent:
         _close_down_to(stack, ends.pop(), report)
 
 
@@ -191,7 +191,7 @@ def _close_down_to(stack: list[_Open], depth: int, report: Report) -> None:
 def _unclosed(frame: _Open, report: Report) -> None:
     """Report a block without end; an `end` that stands as far left as its opener was meant for it."""
     closers = ", ".join(f"`{word}`" for word in OPENERS[frame.word]) + f" or `{END}`"
-    meant = [pair for pair in frame.ended if _indent(pair[1]) <= _indent(frame.opener) < _indent(pair[0])]
+    meant = [pair for pair in frame.ended if pair[1].indent <= frame.opener.indent < pair[0].indent]
     place = _span(report, frame.opener)
     labels = _ended_early(report, (meant or frame.ended)[-1:])
     message = f"`{frame.word}` is not closed"
@@ -214,10 +214,6 @@ def _span(report: Report, line: Line) -> Span:
     return line.logical.span(report.source, line.start, line.end)
 
 
-def _indent(line: Line) -> int:
-    return len(line.logical.text) - len(line.logical.text.lstrip())
-
-
 def _pop(stack: list[_Open], closer: Line | None) -> None:
     frame = stack.pop()
     behind: list[Line | Block] = []
@@ -235,5 +231,5 @@ def _is_one_line(line: Line) -> bool:
 
 def _goes_on(line: Line, following: Line) -> bool:
     """Return whether a block was meant though a statement stands on the line of its condition."""
-    shift = _indent(following) - _indent(line)
+    shift = following.indent - line.indent
     return following.statement is not None and (shift > 0 or (shift == 0 and "if" in middle(following)))

@@ -7,7 +7,6 @@ from ropsim.core import Diagnostic, Span, TextEdit
 from ropsim.language.block_ends import opened
 from ropsim.language.blocks import Block
 from ropsim.language.fault_finding import finding_of
-from ropsim.language.line_kinds import indent_of
 from ropsim.language.syntax.fault import Fault
 from ropsim.language.syntax.line import parse_line
 from ropsim.language.syntax.statements import Broken
@@ -54,20 +53,19 @@ def _goes_on_below(fault: Fault, header: Line) -> bool:
 def _is_longer(block: Block) -> bool:
     """Return whether lines are indented below a header, or its line holds the header of another block."""
     header = block.opener
-    text = header.logical.text
     rest = header.logical.text[header.fault.start : header.end] if header.fault is not None else ""
     dropped, _ = parse_line(rest)
     if dropped is None or isinstance(dropped, Broken) or opened(replace(header, statement=dropped)):
         return True
     first = next(iter(block.sections[0].body), None)
     line = first.opener if isinstance(first, Block) else first
-    return line is not None and indent_of(line.logical.text) > indent_of(text)
+    return line is not None and line.indent > header.indent
 
 
 def _ended(header: Line, fault: Fault) -> TextEdit:
     """Return the fix of a header with the end of its block below."""
     text = header.logical.text
-    indent = text[: len(text) - len(text.lstrip())]
+    indent = text[: header.indent]
     closer = OPENERS[opened(header)][0]
     whole = f"{fault.fix}{text[fault.end : header.end]}\n{indent}{closer}"
     return TextEdit(header.logical.span("", fault.start - fault.before, header.end), whole)

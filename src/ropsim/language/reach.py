@@ -2,7 +2,6 @@
 
 from collections.abc import Sequence
 
-from ropsim.language.line_kinds import indent_of
 from ropsim.language.syntax.statements import DECLARATIONS, Broken
 from ropsim.language.text import Line
 
@@ -20,16 +19,12 @@ def reach(opener: Line, firsts: Sequence[Line]) -> int:
         opener: the line that opens it.
         firsts: the first line of each line or block up to where the block around it ends.
     """
-    left = _indent(opener)
-    is_indented = bool(firsts) and _indent(firsts[0]) > left
+    left = opener.indent
+    is_indented = bool(firsts) and firsts[0].indent > left
     for number, line in enumerate(firsts):
-        if (is_indented and _indent(line) <= left) or _declares(line):
+        if (is_indented and line.indent <= left) or _declares(line):
             return number
     return len(firsts)
-
-
-def _indent(line: Line) -> int:
-    return indent_of(line.logical.text)
 
 
 def _declares(line: Line) -> bool:

@@ -3,7 +3,7 @@
 from collections.abc import Iterable
 from typing import Protocol
 
-from ropsim.core import Diagnostic, Kind, Severity, Span, TextEdit
+from ropsim.core import Diagnostic, Kind, Severity, Span, TextEdit, frozen_dataclass
 from ropsim.language.findings import names
 from ropsim.language.findings import syntax as kinds
 from ropsim.language.further_places import with_place
@@ -26,6 +26,14 @@ _OF_NAMES = frozenset(
     )
 )
 """What is told once for each name: mostly it is declared wrongly, not used wrongly again and again."""
+
+
+@frozen_dataclass
+class Stretch:
+    """A stretch of a line that is no node of its own."""
+
+    start: int
+    end: int
 
 
 class Placed(Protocol):

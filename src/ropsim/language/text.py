@@ -35,6 +35,12 @@ class Line:
         return _EMPTY
 
     @property
+    def indent(self) -> int:
+        """Return how many blanks stand before it."""
+        text = self.logical.text
+        return len(text) - len(text.lstrip())
+
+    @property
     def start(self) -> int:
         """Return the offset of the statement."""
         return self.statement.start if self.statement else 0

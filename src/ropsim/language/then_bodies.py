@@ -49,7 +49,7 @@ def placed(lines: Iterable[Line]) -> tuple[Line, ...]:
             continue
         if place not in ended:
             behind = following.get(place)
-            if behind is None or _indent(read[behind]) <= _indent(line):
+            if behind is None or read[behind].indent <= line.indent:
                 continue
         is_certain = ended.get(place) and not _holds_another(line)
         found[place] = _with_lines_below(line) if is_certain else _without_fix(line)
@@ -65,7 +65,7 @@ def _ended(read: tuple[Line, ...], stated: Iterable[int]) -> Iterator[tuple[int,
     """Yield lines without `then` that an end or `else` below belongs to, and whether that is certain."""
     stack: list[_Open] = []
     for place in stated:
-        line, indent = read[place], _indent(read[place])
+        line, indent = read[place], read[place].indent
         word, end = opened(line), closed(line)
         if word == "task":
             stack.clear()
@@ -113,14 +113,10 @@ def _with_lines_below(line: Line) -> Line:
     assert line.fault is not None
     word = line.fault.fix.removeprefix(_MISSING)
     text = line.logical.text
-    fix = f"{_BLOCK}{text[: _indent(line)]}  {word}"
+    fix = f"{_BLOCK}{text[: line.indent]}  {word}"
     return replace(line, fault=replace(line.fault, hint=_BELOW.format(word), fix=fix))
 
 
 def _without_fix(line: Line) -> Line:
     assert line.fault is not None
     return replace(line, fault=replace(line.fault, hint=_UNSURE, fix=""))
-
-
-def _indent(line: Line) -> int:
-    return len(line.logical.text) - len(line.logical.text.lstrip())

@@ -1,5 +1,7 @@
 """Sensors at the tools of arms, whose readings follow from where the arm is and what stands around it."""
 
+from typing import ClassVar
+
 from ropsim.core import frozen_dataclass
 
 
@@ -16,6 +18,9 @@ class DistanceSensor:
         behind: how far behind the tool centre point it looks from [m]; distances count from the point on, and
             are negative, down to this, where the point is in something.
     """
+
+    measures: ClassVar[str] = "length"
+    unit: ClassVar[str] = "m"
 
     station: str
     range: float
@@ -35,10 +40,13 @@ class ForceSensor:
         travel: of the tip: so deep it goes in at the most [m].
     """
 
+    measures: ClassVar[str] = "force"
+    unit: ClassVar[str] = "N"
+
     station: str
     stiffness: float
     travel: float
 
 
 Sensor = DistanceSensor | ForceSensor
-"""Every kind of sensor that a cell file knows."""
+"""Every kind of sensor that a cell file knows; each says what an analog reading measures, and its SI unit."""

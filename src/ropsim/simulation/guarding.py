@@ -2,13 +2,10 @@
 
 from ropsim.core import Diagnostic, frozen_dataclass
 from ropsim.flow import Comparison, Guard, MoveInstruction
-from ropsim.model import DistanceSensor, ForceSensor, Sensor
+from ropsim.model import Sensor
 from ropsim.simulation.diagnostics import GUARD_HELD_BEFORE, GUARD_NOT_MET
 from ropsim.simulation.station_run import StationRun
 from ropsim.simulation.world import SimulatedWorld
-
-_SI: dict[type[Sensor], str] = {DistanceSensor: " m", ForceSensor: " N"}
-"""Units of readings, as they stand behind a number."""
 
 
 @frozen_dataclass
@@ -74,5 +71,5 @@ class Lookout:
         if guard.comparison is Comparison.IS:
             return f"{guard.channel} is {'on' if guard.value else 'off'}"
         order = ">" if guard.comparison is Comparison.ABOVE else "<"
-        unit = _SI[type(self.sensor)] if self.sensor is not None else ""
+        unit = f" {self.sensor.unit}" if self.sensor is not None else ""
         return f"{guard.channel} {order} {float(guard.value):.6g}{unit}"

@@ -7,8 +7,6 @@ from ropsim.language import NO_SIGNATURES, Environment
 from ropsim.model import (
     WORLD,
     Cell,
-    DistanceSensor,
-    ForceSensor,
     JointType,
     RobotModel,
     Station,
@@ -17,7 +15,6 @@ from ropsim.model import (
 from ropsim.program import SignalUse, ValueType
 from ropsim.spatial import Pose, PoseTuple, quaternion
 
-_READINGS = {DistanceSensor: "length", ForceSensor: "force"}
 _MEASURES = {JointType.REVOLUTE: "angle", JointType.PRISMATIC: "length"}
 
 
@@ -57,7 +54,7 @@ def environment_of(cell: Cell | None, station: Station | None = None) -> Environ
         located=cell.located,
         given=_given(cell, at),
         measured={
-            name: _READINGS[type(signal.sensor)]
+            name: signal.sensor.measures
             for name, signal in cell.signals.items()
             if signal.analog and signal.sensor
         },

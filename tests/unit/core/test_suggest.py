@@ -36,33 +36,30 @@ def test_letters_in_another_order_are_the_same_word() -> None:
     assert did_you_mean("mvo", ["mode", "mov", "move"]) == "did you mean `mov`?"
 
 
-def test_among_very_many_names_the_nearest_is_found_by_a_bounded_number_of_comparisons(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    compared: list[int] = []
+@pytest.fixture
+def compared(monkeypatch: pytest.MonkeyPatch) -> list[int]:
+    """With how many names each word is compared letter by letter, as that goes on."""
+    counts: list[int] = []
     matches = difflib.get_close_matches
 
     def counted(word: str, possibilities: list[str], n: int, cutoff: float) -> list[str]:
-        compared.append(len(possibilities))
+        counts.append(len(possibilities))
         return matches(word, possibilities, n, cutoff)
 
     monkeypatch.setattr(difflib, "get_close_matches", counted)
+    return counts
+
+
+def test_among_very_many_names_the_nearest_is_found_by_a_bounded_number_of_comparisons(
+    compared: list[int],
+) -> None:
     names = [f"{letter}{number}" for letter in ("gap", "slot", "way") for number in range(20_000)]
     assert did_you_mean("stakc", [*names, "stack"]) == "did you mean `stack`?"
     assert did_you_mean("kstack", [*names, "stack"]) == "did you mean `stack`?"
     assert max(compared) <= MANY
 
 
-def test_many_words_are_looked_for_among_the_same_names_in_time_linear_in_both(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    compared: list[int] = []
-    matches = difflib.get_close_matches
-
-    def counted(word: str, possibilities: list[str], n: int, cutoff: float) -> list[str]:
-        compared.append(len(possibilities))
-        return matches(word, possibilities, n, cutoff)
-
+def test_many_words_are_looked_for_among_the_same_names_in_time_linear_in_both(compared: list[int]) -> None:
     def comparisons(count: int) -> int:
         compared.clear()
         suggest._index.cache_clear()
@@ -71,5 +68,4 @@ def test_many_words_are_looked_for_among_the_same_names_in_time_linear_in_both(
         assert suggest._index.cache_info().misses == 1
         return sum(compared)
 
-    monkeypatch.setattr(difflib, "get_close_matches", counted)
     assert comparisons(800) <= 2 * comparisons(400)

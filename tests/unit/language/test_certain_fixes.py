@@ -33,6 +33,7 @@ MEANT = [
     ("movej(pose_trans(table, p))", "mov p in table"),
     ("repeat 3\n  if m > 3 then EXIT\nendr", "repeat 3\n  if m > 3 then break\nendr"),
     ("exit", "stop"),
+    ("if m > 3 then lin p end", "if m > 3 then lin p"),
     ("movel(p, a=1.2, v=0.15)", "lin p acc 1.2 m/s2 speed 0.15 m/s"),
     ("movep(p, a=1.2, v=0.15, r=0.01)", "lin p acc 1.2 m/s2 speed 0.15 m/s blend 0.01 m"),
     ("movej(p, r=0.01)", "mov p blend 0.01 m"),

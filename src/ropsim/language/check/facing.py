@@ -1,22 +1,14 @@
 """Locations with a turn about z alone, which points the tool up where most mean down."""
 
-from ropsim.core import frozen_dataclass
 from ropsim.language.check import numerals
 from ropsim.language.check.body import Body
 from ropsim.language.findings import types as kinds
+from ropsim.language.report import Stretch
 from ropsim.language.syntax import nodes
 from ropsim.spatial import PoseTuple, quaternion
 
 _UPRIGHT = 0.5
 """From this on the z of a frame points up in the world: the cosine of 60°."""
-
-
-@frozen_dataclass
-class _Terms:
-    """The orientation terms of a location."""
-
-    start: int
-    end: int
 
 
 def check_target(body: Body, node: nodes.Node) -> None:
@@ -38,7 +30,7 @@ def _check(body: Body, node: nodes.Tuple, X_KF: PoseTuple, moving: str) -> None:
     frame_z_B = quaternion.rotate(X_BF[3:], (0.0, 0.0, 1.0))
     if sum(a * b for a, b in zip(frame_z_B, body.world.environment.up, strict=True)) < _UPRIGHT:
         return
-    place = _Terms(node.turns[0].start, node.turns[-1].end)
+    place = Stretch(node.turns[0].start, node.turns[-1].end)
     written = body.written(place)
     upright = f"rpy 0 0 0, {written}"
     if len(node.turns) == 1:

@@ -41,14 +41,10 @@ def _is_statement(body: Body, node: syntax.Call) -> bool:
     return statement is node
 
 
-def _text(body: Body, node: nodes.Node) -> str:
-    return body.line.logical.text[node.start : node.end]
-
-
 def _setting(word: str, body: Body, values: Values) -> str | None:
     match values:
         case [nodes.Number() as number]:
-            return f"set {word} {_text(body, number)}"
+            return f"set {word} {body.written(number)}"
     return None
 
 
@@ -56,7 +52,7 @@ def _pause(bare: str, body: Body, values: Values) -> str | None:
     """Return a wait; `bare` is the unit of a number without one, empty where languages differ."""
     match values:
         case [nodes.Number(unit=unit) as number] if unit in _TIMES and (unit or bare):
-            return f"wait {_text(body, number)}{'' if unit else f' {bare}'}"
+            return f"wait {body.written(number)}{'' if unit else f' {bare}'}"
     return None
 
 
@@ -97,8 +93,8 @@ def _move(verb: str, body: Body, values: Values) -> str | None:
     """Return a motion with its speed, zone and tool; a speed says nothing of the joints of `mov`."""
     if len(values) < 2 or not all(isinstance(one, nodes.Name) for one in values[1:]):
         return None
-    words = [_word(body, verb, _text(body, one)) for one in values[1:]]
-    return " ".join((verb, _text(body, values[0]), *words)) if all(words) else None
+    words = [_word(body, verb, body.written(one)) for one in values[1:]]
+    return " ".join((verb, body.written(values[0]), *words)) if all(words) else None
 
 
 def _move_with_letters(
@@ -106,10 +102,10 @@ def _move_with_letters(
 ) -> str | None:
     """Return a motion of URScript, `movel(p, a=1.2, v=0.15)`."""
     words = [
-        of_letter(verb, name, _text(body, one)) if isinstance(one, nodes.Number) else ""
+        of_letter(verb, name, body.written(one)) if isinstance(one, nodes.Number) else ""
         for name, one in named
     ]
-    return " ".join((verb, _text(body, values[0]), *words)) if len(values) == 1 and all(words) else None
+    return " ".join((verb, body.written(values[0]), *words)) if len(values) == 1 and all(words) else None
 
 
 def _word(body: Body, verb: str, text: str) -> str:

@@ -4,9 +4,9 @@ import re
 from collections.abc import Sequence
 from typing import NoReturn
 
-from ropsim.core import frozen_dataclass
 from ropsim.language.check.body import Body
 from ropsim.language.findings import names as kinds
+from ropsim.language.report import Stretch
 from ropsim.language.syntax import nodes
 from ropsim.language.syntax import statements as syntax
 from ropsim.language.syntax.other_languages import LEVELS
@@ -25,14 +25,6 @@ _STEPS = {
 _RATE = re.compile(r"(?<![\w.])(\d+(?:\.\d+)?)[ \t]*(mm|cm|m|deg|rad)[ \t]*/[ \t]*$", re.ASCII)
 _SECONDS = ("s", "sec", "secs", "second", "seconds")
 _MINUTES = ("min", "minute", "minutes")
-
-
-@frozen_dataclass
-class _Place:
-    """Where something stands in its line."""
-
-    start: int
-    end: int
 
 
 def refuse_function(body: Body, node: nodes.Function) -> None:
@@ -59,7 +51,7 @@ def refuse_function(body: Body, node: nodes.Function) -> None:
 
 def _shifted(body: Body, operator: str, values: Sequence[nodes.Node]) -> str:
     """Return a location and three lengths as they are written here; empty where they tell too little."""
-    written = [_written(body, one) for one in values]
+    written = [body.written(one) for one in values]
     if len(written) != 4 or not all(map(_is_balanced, written)):
         return ""
     return f"{written[0]} {operator} ({', '.join(written[1:])})"
@@ -67,7 +59,7 @@ def _shifted(body: Body, operator: str, values: Sequence[nodes.Node]) -> str:
 
 def _composed(body: Body, values: Sequence[nodes.Node]) -> str:
     """Return two poses, the second one in the first, as they are written here; empty for other values."""
-    written = [_written(body, one) for one in values]
+    written = [body.written(one) for one in values]
     if len(written) != 2 or not all(map(_is_balanced, written)) or _is_frame(body, values[1]):
         return ""
     first, second = written
@@ -124,7 +116,7 @@ def _refuse_rate(body: Body, node: nodes.Name) -> None:
     word = node.text.lower()
     if found is None or word not in (*_SECONDS, *_MINUTES):
         return
-    place, said = _Place(found.start(), node.end), body.line.logical.text[found.start() : node.end]
+    place, said = Stretch(found.start(), node.end), body.line.logical.text[found.start() : node.end]
     message = (
         f"there is no unit `{found[2]}/{node.text}`" if word != "s" else f"there is no name `{node.text}`"
     )
@@ -170,10 +162,6 @@ def _level(body: Body, value: nodes.Node) -> str:
     if isinstance(value, nodes.Name) and body.find(value.text) is None:
         return LEVELS.get(value.text.lower(), "")
     return ""
-
-
-def _written(body: Body, node: nodes.Node) -> str:
-    return body.line.logical.text[node.start : node.end]
 
 
 def _is_balanced(text: str) -> bool:

@@ -116,7 +116,7 @@ def _explicit(body: Body, parameters: tuple[syntax.Parameter, ...]) -> tuple[For
 
 def _written(body: Body, node: nodes.Node) -> str:
     """Return a default as it stands in the header, on one line."""
-    text = " ".join(body.line.logical.text[node.start : node.end].split())
+    text = " ".join(body.written(node).split())
     return text if len(text) <= _SHOWN else f"{text[:_SHOWN]} …"
 
 

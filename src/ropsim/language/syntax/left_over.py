@@ -133,13 +133,11 @@ def _end(cursor: Cursor, token: Token, head: Token) -> Fault | None:
     if head.word != "if":
         hint = "the end of a block stands on a line of its own"
         return cursor.unexpected("the end of the line", hint, cursor.below + token.text)
-    before, last = cursor.look(-1), cursor.tokens[cursor.length - 1]
-    message = f"expected the end of the line, found `{token.text}`"
     hint = "an `if` with its statement on the line has no end: leave it out"
-    is_whole = last is token or (cursor.look(1) is last and last.word == "if")
-    if token.word not in ("endif", END) or not is_whole:
-        return Fault(kinds.UNEXPECTED, token.start, token.end, message, hint)
-    return Fault(kinds.UNEXPECTED, before.start, last.end, message, hint, before.text)
+    if token.word != END or cursor.look(1).kind != "end":
+        return cursor.unexpected("the end of the line", hint, "")
+    before, message = cursor.look(-1), f"expected the end of the line, found `{token.text}`"
+    return Fault(kinds.UNEXPECTED, before.start, token.end, message, hint, before.text)
 
 
 def _semicolon(cursor: Cursor, sign: Token, head: Token) -> Fault | None:
