@@ -17,7 +17,7 @@ from ropsim.views.figures import (
 )
 from ropsim.views.html.source_cell import source_cell
 from ropsim.views.markup import table
-from ropsim.views.path_summary import PathLine, PathSummary
+from ropsim.views.path_summary import PathLine, PathMove, PathSummary
 from ropsim.views.station_summary import Figures
 
 T = TypeVar("T", CornerFigures, StopFigures)
@@ -55,8 +55,7 @@ def path_table(path: PathSummary, source: SourceText | None) -> str:
         "at t [s]",
         "angle<br>max [°]",
         "RT<sub>p</sub><br>[mm]",
-        "given speed<br>[mm/s]",
-        "command speed<br>[mm/s]",
+        "command speed,<br>given [mm/s]",
         "worst AV<br>[%]",
         "FV max<br>[mm/s]",
         "source",
@@ -162,12 +161,18 @@ def _path_row(line: PathLine, source: SourceText | None) -> tuple[str, ...]:
         seconds(worst.time),
         fixed(max(angles, default=math.nan), DEGREES, 3),
         fixed(line.repeatability, MILLIMETRES, 3),
-        fixed(line.worst_speed.given if line.worst_speed else math.nan, MILLIMETRES_PER_SECOND, 0),
-        fixed(speeds.command if speeds else math.nan, MILLIMETRES_PER_SECOND, 0),
+        _speed(line.worst_speed),
         fixed(speeds.accuracy if speeds else math.nan, PERCENT, 2),
         fixed(max(fluctuations, default=math.nan), MILLIMETRES_PER_SECOND, 2),
         source_cell(source, line.line),
     )
+
+
+def _speed(move: PathMove | None) -> str:
+    """Return the command speed of a move, and the one that is given for it."""
+    command, given = (move.speeds.command, move.given) if move else (math.nan, math.nan)
+    shown = fixed(command, MILLIMETRES_PER_SECOND, 0)
+    return f"{shown} of {fixed(given, MILLIMETRES_PER_SECOND, 0)}" if math.isfinite(given) else shown
 
 
 def _line(line: int) -> str:
