@@ -6,10 +6,12 @@ from ropsim.codegen.caller import bound as bound
 from ropsim.codegen.emit import Bounds as Bounds
 from ropsim.codegen.emit import SourceFunction as SourceFunction
 from ropsim.codegen.emit import emit as emit
+from ropsim.codegen.emit import row_by_row as row_by_row
 from ropsim.codegen.engine import Engine as Engine
 from ropsim.codegen.engine import default_engine as default_engine
 from ropsim.codegen.given_code import Formula as Formula
 from ropsim.codegen.given_code import GivenCode as GivenCode
+from ropsim.codegen.hoist import CONSTANTS as CONSTANTS
 from ropsim.codegen.hoist import Hoisted as Hoisted
 from ropsim.codegen.hoist import given as given
 from ropsim.codegen.hoist import hoisted as hoisted

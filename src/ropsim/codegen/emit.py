@@ -32,6 +32,7 @@ class Form(Enum):
 
     ANY = "any"
     STRAIGHT_LINE = "straight line"
+    ROW_BY_ROW = "row by row"
 
 
 @frozen_dataclass
@@ -43,7 +44,8 @@ class SourceFunction:
         signature: numba signature, such as `void(f8[::1], f8[::1])`.
         text: `def` statement without decorators; may use `math`, `np` and functions before it.
         bounds: CHECKED for a text that is not ours; an index beyond an array then ends the call.
-        form: STRAIGHT_LINE for what `emit` writes; it is compiled in a third of the time.
+        form: STRAIGHT_LINE for what `emit` writes; it is compiled in a third of the time. ROW_BY_ROW for what
+            `row_by_row` makes of the function before it.
     """
 
     name: str
@@ -90,6 +92,29 @@ def emit(name: str, arguments: Sequence[str], results: Sequence[tuple[str, Scala
     signature = f"void({', '.join('f8[::1]' for _ in arguments)})"
     text = f"def {name}({', '.join(arguments)}):\n{lines}"
     return SourceFunction(name, signature, text, form=Form.STRAIGHT_LINE)
+
+
+def row_by_row(name: str, function: SourceFunction, shared: str) -> SourceFunction:
+    """Return the function of arrays of rows that calls another one for every row; it must stand behind it.
+
+    Compiled code takes several rows at a time, see `ropsim.codegen.lanes`: elementary functions agree with
+    those of Python's `math` to rounding. Rows do not hang on those beside them.
+
+    Args:
+        name: of the function.
+        function: straight-line code that `emit` has written.
+        shared: name of the argument that is the same for all rows; becomes the first one.
+    """
+    arguments = function.text.partition("(")[2].partition(")")[0].split(", ")
+    rows = [one for one in arguments if one != shared]
+    called = ", ".join(one if one == shared else f"{one}[k]" for one in arguments)
+    text = (
+        f"def {name}({', '.join([shared, *rows])}):\n"
+        f"    for k in range({rows[0]}.shape[0]):\n"
+        f"        {function.name}({called})\n"
+    )
+    signature = f"void({', '.join(['f8[::1]', *('f8[:,::1]' for _ in rows)])})"
+    return SourceFunction(name, signature, text, form=Form.ROW_BY_ROW)
 
 
 def _expression(node: Scalar, texts: dict[int, str]) -> str:

@@ -5,6 +5,7 @@ import ast
 from llvmlite import ir
 
 REAL = ir.DoubleType()
+WHOLE = ir.IntType(64)
 _OPERATIONS = {ast.Add: "fadd", ast.Sub: "fsub", ast.Mult: "fmul", ast.Div: "fdiv"}
 _FOREIGN = ("sin", "cos", "tanh")
 """Functions of the C library, which Python's `math` calls, too."""
@@ -20,12 +21,20 @@ class Instructions:
     Args:
         builder: at its end.
         arrays: address of the first element by name.
+        values: those of names that stand for themselves.
     """
 
-    def __init__(self, builder: ir.IRBuilder, arrays: dict[str, ir.Value]) -> None:
+    kind: ir.Type = REAL
+    """Of values."""
+    suffix = "f64"
+    """LLVM's word for it."""
+
+    def __init__(
+        self, builder: ir.IRBuilder, arrays: dict[str, ir.Value], values: dict[str, ir.Value] | None = None
+    ) -> None:
         self.builder = builder
         self._arrays = arrays
-        self._locals: dict[str, ir.Value] = {}
+        self._locals = dict(values or {})
 
     def write(self, line: ast.stmt) -> None:
         """Write a line: a local name or a result gets its value.
@@ -37,55 +46,85 @@ class Instructions:
             case ast.Pass():
                 return
             case ast.Assign(targets=[ast.Name(id=name)], value=value):
-                self._locals[name] = self._value(value)
+                self._locals[name] = self.value(value)
             case ast.Assign(targets=[ast.Subscript() as place], value=value):
-                self.builder.store(self._value(value), self._address(place))
+                self._put(self.value(value), *_place(place))
             case _:
                 raise _unknown(line)
 
-    def _value(self, node: ast.expr) -> ir.Value:
+    def value(self, node: ast.expr) -> ir.Value:
+        """Return the value of an expression.
+
+        Raises:
+            ValueError: it is not straight-line code.
+        """
         match node:
             case ast.Name(id=name) if name in self._locals:
                 return self._locals[name]
             case ast.Constant(value=float(number)):
-                return ir.Constant(REAL, number)
+                return self.number(number)
             case ast.Subscript():
-                return self.builder.load(self._address(node))
+                return self._got(*_place(node))
             case ast.UnaryOp(op=ast.USub(), operand=operand):
-                return self.builder.fneg(self._value(operand))
+                return self.builder.fneg(self.value(operand))
             case ast.BinOp(left=left, op=op, right=right) if type(op) in _OPERATIONS:
                 write = getattr(self.builder, _OPERATIONS[type(op)])
-                return write(self._value(left), self._value(right))
+                return write(self.value(left), self.value(right))
             case ast.Call(func=ast.Attribute(attr=name) | ast.Name(id=name), args=args) if name in _CALLED:
-                return self._call(name, [self._value(one) for one in args])
+                return self._call(name, [self.value(one) for one in args])
             case _:
                 raise _unknown(node)
+
+    def number(self, number: float) -> ir.Value:
+        """Return a number as a value."""
+        return ir.Constant(REAL, number)
+
+    def foreign(self, name: str, values: list[ir.Value]) -> ir.Value:
+        """Return what a function of the C library makes of numbers."""
+        found = self.builder.module.globals.get(name)
+        if found is None:
+            found = ir.Function(self.builder.module, ir.FunctionType(REAL, [REAL]), name)
+        return self.builder.call(found, values)
+
+    def intrinsic(self, name: str, values: list[ir.Value]) -> ir.Value:
+        """Return what an instruction of the processor makes of values."""
+        kind = ir.FunctionType(self.kind, [self.kind] * len(values))
+        return self.builder.call(
+            self.builder.module.declare_intrinsic(f"{name}.{self.suffix}", (), kind), values
+        )
 
     def _call(self, name: str, args: list[ir.Value]) -> ir.Value:
         if name == "float":
             return args[0]
         if name in _INTRINSIC:
-            return self.builder.call(self._module.declare_intrinsic(_INTRINSIC[name], [REAL]), args)
+            return self.intrinsic(_INTRINSIC[name], args)
         if name in _COMPARED:  # as Python has it: the first one unless the second one is smaller, or greater
             first, second = args
             return self.builder.select(
                 self.builder.fcmp_ordered(_COMPARED[name], second, first), second, first
             )
-        foreign = self._module.globals.get(name)
-        if foreign is None:
-            foreign = ir.Function(self._module, ir.FunctionType(REAL, [REAL]), name)
-        return self.builder.call(foreign, args)
+        return self._elementary(name, args)
 
-    @property
-    def _module(self) -> ir.Module:
-        return self.builder.module
+    def _elementary(self, name: str, args: list[ir.Value]) -> ir.Value:
+        return self.foreign(name, args)
 
-    def _address(self, place: ast.Subscript) -> ir.Value:
-        match place:
-            case ast.Subscript(value=ast.Name(id=name), slice=ast.Constant(value=int(number))):
-                return self.builder.gep(self._arrays[name], [ir.Constant(ir.IntType(64), number)])
-            case _:
-                raise _unknown(place)
+    def _got(self, array: str, number: int) -> ir.Value:
+        return self.builder.load(self._address(self._arrays[array], number))
+
+    def _put(self, value: ir.Value, array: str, number: int) -> None:
+        self.builder.store(value, self._address(self._arrays[array], number))
+
+    def _address(self, first: ir.Value, number: int) -> ir.Value:
+        return self.builder.gep(first, [ir.Constant(WHOLE, number)])
+
+
+def _place(node: ast.Subscript) -> tuple[str, int]:
+    """Return the name of an array and the number of one of its elements."""
+    match node:
+        case ast.Subscript(value=ast.Name(id=name), slice=ast.Constant(value=int(number))):
+            return name, number
+        case _:
+            raise _unknown(node)
 
 
 def _unknown(node: ast.AST) -> ValueError:

@@ -54,7 +54,7 @@ import numpy as np
 
 from ropsim.codegen.lone_text import lone_text
 from ropsim.codegen.stages import array_at, inside_as
-from ropsim.codegen.straight_line import straight_line
+from ropsim.codegen.straight_line import straight_line, straight_rows
 """
 
 
@@ -62,8 +62,8 @@ def compiled_source(functions: Sequence[SourceFunction]) -> str:
     """Return the text of a module that knows its functions as compiled ones do; `entry` calls `last`."""
     *inner, last = functions
     parts = [_HEAD, *(_inside(one, inner[:k]) for k, one in enumerate(inner))]
-    if last.form is Form.STRAIGHT_LINE:
-        parts.append(_inside(last, ()))
+    if last.form is not Form.ANY:
+        parts.append(_inside(last, inner))
         taken = ", ".join(f"a{k}" for k in range(len(Signature.parse(last.signature).arguments)))
         last = SourceFunction("last", last.signature, f"def last({taken}):\n    {last.name}({taken})\n")
     parts.append(_inside(last, functions))
@@ -75,6 +75,11 @@ def _inside(function: SourceFunction, before: Sequence[SourceFunction]) -> str:
     """Return the text of a function that only compiled code calls; it may call those before it."""
     if function.form is Form.STRAIGHT_LINE:
         return f'{function.name} = straight_line("""\\\n{function.text}""")\n'
+    if function.form is Form.ROW_BY_ROW:
+        row = before[-1]
+        shared = function.text.partition("(")[2].partition(",")[0]
+        made = f'straight_rows("""\\\n{row.text}""", {function.name!r}, {shared!r})'
+        return f"{function.name} = {made}\n"
     options = f'"{function.signature}", boundscheck={function.bounds is Bounds.CHECKED}'
     others = (one.name for one in before if one.name != function.name)
     if any(re.search(rf"\b{name}\b", function.text) for name in others):

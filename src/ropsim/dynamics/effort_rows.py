@@ -6,6 +6,7 @@ from functools import lru_cache
 import numpy as np
 
 from ropsim.codegen import (
+    CONSTANTS,
     Compiled,
     Engine,
     Formula,
@@ -15,6 +16,7 @@ from ropsim.codegen import (
     bound,
     default_engine,
     load,
+    row_by_row,
 )
 from ropsim.dynamics.arm_functions import identifier
 from ropsim.dynamics.diagnostics import WRONG_SHAPE, StateShapeError
@@ -27,12 +29,8 @@ from ropsim.dynamics.traced_drives import joint_sides, sides_code
 from ropsim.model import Mechanism, Payload
 from ropsim.spatial import Array
 
+_NAME = "effort_rows"
 _SIGNATURE = "void(f8[::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1])"
-_ROWS = """\
-def effort_rows(constants, q, qd, qdd, tau):
-    for k in range(q.shape[0]):
-        efforts(q[k], qd[k], qdd[k], constants, tau[k])
-"""
 _LONG_ROWS = """\
 def effort_rows(constants, q, qd, qdd, tau):
     n = q.shape[1]
@@ -110,14 +108,14 @@ def _effort_rows(robot: Mechanism, payload: Payload | None, engine: Engine) -> E
     structure, numbers = structure_of(robot), arm_numbers(robot, payload)
     if structure.is_long:
         sides = sides_code(structure)
-        inner = (*chain_torque_code(), *sides.functions)
+        inner: tuple[SourceFunction, ...] = (*chain_torque_code(), *sides.functions)
         constants = np.concatenate([sides.constants(numbers), chain_numbers(structure, numbers)])
-        text = _LONG_ROWS.format(count=sides.count)
+        rows = SourceFunction(_NAME, _SIGNATURE, _LONG_ROWS.format(count=sides.count))
     else:
         code = _efforts_code(structure)
-        inner, constants, text = code.functions, code.constants(numbers), _ROWS
-    functions = (*inner, SourceFunction("effort_rows", _SIGNATURE, text))
-    function = load(f"{identifier(robot.name)}_effort_rows", functions, engine)
+        inner, constants = code.functions, code.constants(numbers)
+        rows = row_by_row(_NAME, inner[-1], CONSTANTS)
+    function = load(f"{identifier(robot.name)}_effort_rows", (*inner, rows), engine)
     return EffortRows(robot.n, bound(function, constants))
 
 

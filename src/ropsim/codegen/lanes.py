@@ -1,0 +1,101 @@
+"""Straight-line source for several rows at a time: each of its values becomes a vector, a lane for each row.
+
+Processors work on four or eight numbers with one instruction; where each row needs hundreds of them and no
+row hangs on another one, eight take little longer than one.
+"""
+
+import ast
+
+from llvmlite import ir
+
+from ropsim.codegen.instructions import REAL, WHOLE, Instructions
+from ropsim.codegen.lane_functions import sine_and_cosine, tangent
+from ropsim.codegen.lane_values import LANES, VECTOR, LaneValues
+
+
+class Lanes(LaneValues):
+    """The lines of a function whose arrays are rows of eight lanes, but for one that they share.
+
+    Args:
+        builder: at the end of the function.
+        rows: addresses of the first element of each lane by name.
+        shared: address of the first element of the array that is the same for all of them, by name.
+    """
+
+    def __init__(
+        self, builder: ir.IRBuilder, rows: dict[str, list[ir.Value]], shared: dict[str, ir.Value]
+    ) -> None:
+        super().__init__(builder, shared)
+        self._rows = rows
+        self._read: dict[tuple[str, int], ir.Value] = {}
+        self._angles: dict[ir.Value, tuple[ir.Value, ir.Value]] = {}
+
+    def _got(self, array: str, number: int) -> ir.Value:
+        if (array, number) not in self._read:
+            rows = self._rows.get(array)
+            if rows is None:
+                value = self.spread(self.builder.load(self._address(self._arrays[array], number)))
+            else:
+                value = ir.Constant(VECTOR, ir.Undefined)
+                for lane, row in enumerate(rows):
+                    value = self.with_lane(value, lane, self.builder.load(self._address(row, number)))
+            self._read[array, number] = value
+        return self._read[array, number]
+
+    def _put(self, value: ir.Value, array: str, number: int) -> None:
+        for lane, row in enumerate(self._rows[array]):
+            self.builder.store(self.lane(value, lane), self._address(row, number))
+
+    def _elementary(self, name: str, args: list[ir.Value]) -> ir.Value:
+        (value,) = args
+        if name == "tanh":
+            return self.builder.call(tangent(self.builder.module), args)
+        if value not in self._angles:
+            both = self.builder.call(sine_and_cosine(self.builder.module), args)
+            self._angles[value] = self.builder.extract_value(both, 0), self.builder.extract_value(both, 1)
+        return self._angles[value][name == "cos"]
+
+
+def written_for_rows(module: ir.Module, function: ast.FunctionDef, shared: str) -> ir.Function:
+    """Return the function of addresses, the number of rows and the length of each; written where it is not.
+
+    Args:
+        module: in which it stands.
+        function: of one row.
+        shared: name of the argument that is the same for all of them.
+    """
+    names = [argument.arg for argument in function.args.args]
+    symbol = f"rows.{function.name}"
+    known = module.globals.get(symbol)
+    if known is not None:
+        return known
+    kind = ir.FunctionType(ir.VoidType(), [REAL.as_pointer()] * len(names) + [WHOLE] * len(names))
+    made = ir.Function(module, kind, symbol)
+    made.linkage = "internal"
+    arrays = dict(zip(names, made.args, strict=False))
+    count, *lengths = made.args[len(names) :]
+    start, turn, end = (made.append_basic_block(name) for name in ("start", "turn", "end"))
+    builder = ir.IRBuilder(start)
+    builder.cbranch(builder.icmp_signed(">", count, ir.Constant(WHOLE, 0)), turn, end)
+    builder.position_at_end(turn)
+    first = builder.phi(WHOLE)
+    last = builder.sub(count, ir.Constant(WHOLE, 1))
+    numbers = []
+    for lane in range(LANES):  # behind the last row all lanes write that one
+        row = builder.add(first, ir.Constant(WHOLE, lane))
+        numbers.append(builder.select(builder.icmp_signed("<", row, last), row, last))
+    own = zip((name for name in names if name != shared), lengths, strict=True)
+    rows = {
+        name: [builder.gep(arrays[name], [builder.mul(row, length)]) for row in numbers]
+        for name, length in own
+    }
+    lines: Instructions = Lanes(builder, rows, {shared: arrays[shared]})
+    for line in function.body:
+        lines.write(line)
+    following = builder.add(first, ir.Constant(WHOLE, LANES))
+    first.add_incoming(ir.Constant(WHOLE, 0), start)
+    first.add_incoming(following, builder.block)
+    builder.cbranch(builder.icmp_signed("<", following, count), turn, end)
+    builder.position_at_end(end)
+    builder.ret_void()
+    return made
