@@ -3,6 +3,7 @@
 from ropsim.codegen.caller import Compiled as Compiled
 from ropsim.codegen.caller import StoppedError as StoppedError
 from ropsim.codegen.caller import bound as bound
+from ropsim.codegen.columns import columns as columns
 from ropsim.codegen.emit import Bounds as Bounds
 from ropsim.codegen.emit import SourceFunction as SourceFunction
 from ropsim.codegen.emit import emit as emit

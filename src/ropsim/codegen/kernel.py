@@ -9,6 +9,7 @@ from types import FunctionType
 from typing import Any, TypeVar, cast
 
 from ropsim.codegen.caller import Compiled, bound
+from ropsim.codegen.columns import Columns
 from ropsim.codegen.signature import Signature
 
 F = TypeVar("F", bound=Callable[..., None])
@@ -50,7 +51,7 @@ class Kernel:
 
     def __init__(self, function: Callable[..., None], signature: str) -> None:
         update_wrapper(self, function)
-        self._function, self._signature = cast("FunctionType", function), signature
+        self.function, self._signature = cast("FunctionType", function), signature
         self._made: Compiled | None = None
 
     def __call__(self, *arguments: object) -> None:
@@ -62,7 +63,7 @@ class Kernel:
         return bound(self._made or self._make(), *arguments)
 
     def _make(self) -> Compiled:
-        made = self._made = _compiled(self._function, self._signature)
+        made = self._made = _compiled(self.function, self._signature)
         return made
 
 
@@ -89,9 +90,10 @@ def _reached(function: FunctionType) -> list[FunctionType]:
     waiting = [function]
     while waiting:
         for one in waiting.pop().__globals__.values():
-            if isinstance(one, Kernel) and one._function.__module__ not in found:
-                found[one._function.__module__] = one._function
-                waiting.append(one._function)
+            inner = one.function if isinstance(one, Kernel | Columns) else None
+            if inner and inner.__module__ not in found:
+                found[inner.__module__] = inner
+                waiting.append(inner)
     return list(found.values())
 
 
@@ -124,8 +126,10 @@ def _scope(function: FunctionType) -> dict[str, Any]:
     scope = dict(function.__globals__)
     for name, one in tuple(scope.items()):
         inner = getattr(one, "__wrapped__", one)
-        if isinstance(inner, FunctionType) and inner.__module__ == function.__module__:
+        if isinstance(one, Columns):
+            scope[name] = one.inside
+        elif isinstance(inner, FunctionType) and inner.__module__ == function.__module__:
             scope[name] = inside(FunctionType(inner.__code__, scope, name))
         elif isinstance(one, Kernel):
-            scope[name] = _scope(one._function)[one._function.__name__]
+            scope[name] = _scope(one.function)[one.function.__name__]
     return _scopes.setdefault(texts, scope)

@@ -1,13 +1,13 @@
 """From paths over their length to a motion over time, in a loop that numba compiles."""
 
-from ropsim.codegen import kernel
+from ropsim.codegen import columns, kernel
 from ropsim.motion import (
     SYNCHRONISED,
     TRACED,
-    joint_rows,
-    line_points,
+    joints_in_time,
+    line_in_time,
     rows_at,
-    traced_points,
+    traced_in_time,
 )
 from ropsim.spatial import Array
 
@@ -58,7 +58,7 @@ def add_in_time(
 
 @kernel(
     "void(f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,:,::1], f8[:,::1], f8[::1], f8[:,::1],"
-    " f8[:,:,::1], f8[:,:,::1])"
+    " f8[:,::1], f8[:,:,::1], f8[:,:,::1])"
 )
 def walk_runs(
     runs: Array,
@@ -69,7 +69,8 @@ def walk_runs(
     corners: Array,
     phi: Array,
     law: Array,
-    points: Array,
+    room: Array,
+    held: Array,
     total: Array,
 ) -> None:
     """Write coordinates and derivatives by time of a whole motion; see `WalkTable`.
@@ -83,13 +84,18 @@ def walk_runs(
         corners: joint coordinates where one run ends and the next one has begun, shape (r - 1 or more, n).
         phi: motion times, rising [s], shape (k,).
         law: room to work in, shape (5, k).
-        points: room to work in, shape (3, k, n).
+        room: to work in, shape (COEFFICIENTS, n).
+        held: room to work in, shape (3, k, n).
         total: the motion, shape (3, k, n).
     """
-    last, before = runs.shape[0] - 1, 0
+    last, before, n = runs.shape[0] - 1, 0, total.shape[2]
     for number in range(last + 1):
         first = _behind(phi, runs[number, START]) if number else 0
         until = _behind(phi, runs[number, END]) if number < last else phi.shape[0]
+        for k in range(first, min(before, until)):
+            for order in range(3):
+                for j in range(n):
+                    held[order, k, j] = total[order, k, j]
         if until > first:
             for k in range(first, until):
                 law[TIME, k] = phi[k] - runs[number, START]
@@ -105,61 +111,67 @@ def walk_runs(
             piece = pieces[int(runs[number, FIRST_PIECE] + law[PIECE, begin])]
             for k in range(begin, end):
                 law[PLACE, k] += piece[BEGIN]
-            _points(piece, rows, slopes, law[PLACE, begin:end], points[:, begin:end])
-            add_in_time(
-                points[0, begin:end],
-                points[1, begin:end],
-                points[2, begin:end],
-                law[SPEED, begin:end],
-                law[ACCELERATION, begin:end],
-                begin,
-                before,
-                corners[max(number - 1, 0)],
-                total,
-            )
+            _in_time(piece, rows, slopes, law, begin, end, room, total)
             begin = end
+        corner = corners[max(number - 1, 0)]
+        for k in range(first, min(before, until)):
+            _add(n, held[0, k], held[1, k], held[2, k], corner, total[0, k], total[1, k], total[2, k])
         before = until
 
 
-@kernel("void(i8, f8[:,::1], f8[:,::1], f8[:,:,::1], f8[::1], f8[::1], f8[:,:,::1])")
+@kernel("void(i8, f8[:,::1], f8[:,::1], f8[:,:,::1], f8[:,::1], f8[:,::1], f8[:,:,::1])")
 def points_on(
-    first: int, pieces: Array, rows: Array, slopes: Array, numbers: Array, places: Array, points: Array
+    first: int, pieces: Array, rows: Array, slopes: Array, law: Array, room: Array, points: Array
 ) -> None:
-    """Write the joints and their derivatives by the place at places of the pieces of a run.
+    """Write the joints and their derivatives by time where a time law of a run is.
 
     Args:
         first: piece with which the run begins.
         pieces: of all runs, as for `walk_runs`, and so are rows and slopes.
         rows: see there.
         slopes: see there.
-        numbers: of the pieces of the run at which the places are, rising, shape (k,).
-        places: on these pieces; becomes those on their paths, shape (k,).
+        law: numbers of the pieces of the run, rising, places on these, which become those on their paths,
+            speeds and accelerations, shape (4, k).
+        room: to work in, shape (COEFFICIENTS, n).
         points: where all goes, shape (3, k, n).
     """
     begin = first - first
-    while begin < places.shape[0]:
+    while begin < law.shape[1]:
         end = begin + 1
-        while end < places.shape[0] and numbers[end] == numbers[begin]:
+        while end < law.shape[1] and law[PIECE, end] == law[PIECE, begin]:
             end += 1
-        piece = pieces[first + int(numbers[begin])]
+        piece = pieces[first + int(law[PIECE, begin])]
         for k in range(begin, end):
-            places[k] += piece[BEGIN]
-        _points(piece, rows, slopes, places[begin:end], points[:, begin:end])
+            law[PLACE, k] += piece[BEGIN]
+        _in_time(piece, rows, slopes, law, begin, end, room, points)
         begin = end
 
 
-def _points(piece: Array, rows: Array, slopes: Array, places: Array, points: Array) -> None:
-    """Write the joints and their derivatives at places of a path."""
-    first, count, kind = int(piece[FIRST_ROW]), int(piece[ROWS]), int(piece[KIND])
-    own = rows[first : first + count]
+def _in_time(
+    piece: Array, rows: Array, slopes: Array, law: Array, first: int, until: int, room: Array, total: Array
+) -> None:
+    """Write the joints and their derivatives by time at times on one path."""
+    row, count, kind = int(piece[FIRST_ROW]), int(piece[ROWS]), int(piece[KIND])
+    own = rows[row : row + count]
     if kind == TRACED:
         slope = int(piece[FIRST_SLOPE])
-        there = slopes[:, slope : slope + count]
-        traced_points(own, there, (count - 1) / piece[LENGTH], places, points[0], points[1], points[2])
+        d1, d2 = slopes[0, slope : slope + count], slopes[1, slope : slope + count]
+        traced_in_time(own, d1, d2, (count - 1) / piece[LENGTH], law, first, until, room, total)
     elif kind == SYNCHRONISED:
-        joint_rows(own[0], own[1], own[2:], piece[LENGTH], places, points)
+        joints_in_time(own[0], own[1], own[2:], piece[LENGTH], law, first, until, total)
     else:
-        line_points(own[0], own[1], places, points)
+        line_in_time(own[0], own[1], law, first, until, total)
+
+
+@columns
+def _add(
+    count: int, held: Array, d1: Array, d2: Array, corner: Array, q: Array, qd: Array, qdd: Array
+) -> None:
+    """Add where another path is to where this one is, as far as that is from the corner between them."""
+    for j in range(count):
+        q[j] = q[j] + (held[j] - corner[j])
+        qd[j] = qd[j] + d1[j]
+        qdd[j] = qdd[j] + d2[j]
 
 
 def _behind(phi: Array, time: float) -> int:

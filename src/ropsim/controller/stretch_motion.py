@@ -5,7 +5,7 @@ import numpy as np
 from ropsim.controller.course import Course, Run
 from ropsim.controller.stretch_kernel import FIRST_PIECE, add_in_time, points_on, walk_runs
 from ropsim.controller.walk_table import WalkTable, walk_table
-from ropsim.motion import JointPoints, LawRows, Ways
+from ropsim.motion import COEFFICIENTS, JointPoints, LawRows, Ways
 from ropsim.spatial import Array, frozen, record
 
 
@@ -53,7 +53,8 @@ class StretchMotion:
         if table := self.table:
             numbers = table.runs, table.segments, table.pieces, table.rows, table.slopes
             asked = np.ascontiguousarray(phi, dtype=np.float64)
-            walk_runs(*numbers, corners, asked, np.empty((5, len(phi))), np.empty_like(total), total)
+            law, room = np.empty((5, len(phi))), np.empty((COEFFICIENTS, corners.shape[1]))
+            walk_runs(*numbers, corners, asked, law, room, np.empty_like(total), total)
             return JointPoints(total[0], total[1], total[2])
         for number, run in enumerate(runs):
             first = int(np.searchsorted(phi, run.start)) if number else 0
@@ -74,9 +75,10 @@ class StretchMotion:
         pieces = self.course.runs[number].pieces
         out = np.empty((3, len(rows.places), len(_end(self.course.runs[number]))))
         if table := self.table:
-            numbers, places = rows.pieces.astype(np.float64), rows.places.copy()
+            law, room = np.empty((4, len(rows.places))), np.empty((COEFFICIENTS, out.shape[2]))
+            law[0], law[1], law[2], law[3] = rows.pieces, rows.places, 1.0, 0.0
             first = int(table.runs[number, FIRST_PIECE])
-            points_on(first, table.pieces, table.rows, table.slopes, numbers, places, out)
+            points_on(first, table.pieces, table.rows, table.slopes, law, room, out)
             return JointPoints(out[0], out[1], out[2])
         for piece in np.unique(rows.pieces).tolist():
             here = np.flatnonzero(rows.pieces == piece)

@@ -94,10 +94,13 @@ from ropsim.motion.paths import smoothly as smoothly
 from ropsim.motion.paths import spline as spline
 from ropsim.motion.paths import tool_turn as tool_turn
 from ropsim.motion.paths import traced_with_roughness as traced_with_roughness
+from ropsim.motion.paths.joint_line_kernel import line_in_time as line_in_time
 from ropsim.motion.paths.joint_line_kernel import line_points as line_points
 from ropsim.motion.paths.path_rows import SYNCHRONISED as SYNCHRONISED
 from ropsim.motion.paths.path_rows import TRACED as TRACED
 from ropsim.motion.paths.path_rows import rows_of_path as rows_of_path
+from ropsim.motion.paths.traced_kernel import COEFFICIENTS as COEFFICIENTS
+from ropsim.motion.paths.traced_kernel import traced_in_time as traced_in_time
 from ropsim.motion.paths.traced_kernel import traced_points as traced_points
 from ropsim.motion.profile import Profile as Profile
 from ropsim.motion.profile import ProfileError as ProfileError
@@ -108,6 +111,7 @@ from ropsim.motion.stage import Stage as Stage
 from ropsim.motion.stages import Stages as Stages
 from ropsim.motion.synchronised import SynchronisedJoints as SynchronisedJoints
 from ropsim.motion.synchronised_kernel import joint_rows as joint_rows
+from ropsim.motion.synchronised_kernel import joints_in_time as joints_in_time
 from ropsim.motion.time_law import LawRows as LawRows
 from ropsim.motion.time_law import TimeLaw as TimeLaw
 from ropsim.motion.time_law import plan_stages as plan_stages

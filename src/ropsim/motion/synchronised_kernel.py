@@ -7,7 +7,7 @@ and Robots, section 3.4).
 
 from math import sqrt
 
-from ropsim.codegen import kernel
+from ropsim.codegen import columns, kernel
 from ropsim.motion.time_law_kernel import LEAST, MOST
 from ropsim.spatial import Array
 
@@ -18,9 +18,6 @@ def joint_rows(
 ) -> None:
     """Write coordinates, speeds and accelerations of n joints at k times.
 
-    The second half of a profile is the mirror of its first one: at u from the nearer end there lie behind x1
-    of jerk, x2 of constant acceleration, x3 of negative jerk and x4 of constant speed.
-
     Args:
         q_start: coordinates at the start [rad | m], shape (n,).
         q_end: at the end [rad | m], shape (n,).
@@ -30,23 +27,92 @@ def joint_rows(
         out: where the rows go, shape (3, k, n).
     """
     for k in range(times.shape[0]):
-        time = min(max(times[k], 0.0), duration)
-        mirrored = time > 0.5 * duration
-        u = duration - time if mirrored else time
-        for i in range(q_start.shape[0]):
-            j, tj, ta = shapes[0, i], shapes[1, i], shapes[2, i]
-            x1 = min(u, tj)
-            x2 = min(max(u - tj, 0.0), ta)
-            x3 = min(max(u - (tj + ta), 0.0), tj)
-            x4 = max(u - (2.0 * tj + ta), 0.0)
-            a = j * tj
-            v1, v2, v3 = 0.5 * a * tj, a * (0.5 * tj + ta), a * (tj + ta)
-            way = j * x1 * x1 * x1 / 6.0 + (v1 + 0.5 * a * x2) * x2
-            way += (v2 + (0.5 * a - j * x3 / 6.0) * x3) * x3 + v3 * x4
-            change = j * (x1 - x3)
-            out[0, k, i] = q_end[i] - way if mirrored else q_start[i] + way
-            out[1, k, i] = 0.5 * j * (x1 - x3) * (x1 + x3) + a * (x2 + x3)
-            out[2, k, i] = -change if mirrored else change
+        _profiles(q_start, q_end, shapes, duration, times[k], 1.0, 0.0, out[0, k], out[1, k], out[2, k])
+
+
+@kernel("void(f8[::1], f8[::1], f8[:,::1], f8, f8[:,::1], i8, i8, f8[:,:,::1])")
+def joints_in_time(
+    q_start: Array,
+    q_end: Array,
+    shapes: Array,
+    duration: float,
+    law: Array,
+    first: int,
+    until: int,
+    total: Array,
+) -> None:
+    """Write coordinates and derivatives by time where profiles are walked, see `traced_in_time`.
+
+    Args:
+        q_start: as for `joint_rows`.
+        q_end: see there.
+        shapes: see there.
+        duration: see there.
+        law: times of the profiles, speeds and accelerations in its rows 1 to 3, shape (4 or more, m).
+        first: number of the first time of the motion.
+        until: number behind that of the last one.
+        total: the motion, of which rows first to until are written, shape (3, m, n).
+    """
+    for k in range(first, until):
+        time, v, a = law[1, k], law[2, k], law[3, k]
+        _profiles(q_start, q_end, shapes, duration, time, v, a, total[0, k], total[1, k], total[2, k])
+
+
+def _profiles(
+    q_start: Array,
+    q_end: Array,
+    shapes: Array,
+    duration: float,
+    at: float,
+    v: float,
+    a: float,
+    q: Array,
+    qd: Array,
+    qdd: Array,
+) -> None:
+    """Write all joints at a time of their profiles; the second half is the mirror of the first one."""
+    time = min(max(at, 0.0), duration)
+    if time > 0.5 * duration:
+        _half(q_end.shape[0], duration - time, -1.0, v, a, q_end, shapes, q, qd, qdd)
+    else:
+        _half(q_start.shape[0], time, 1.0, v, a, q_start, shapes, q, qd, qdd)
+
+
+@columns
+def _half(
+    count: int,
+    u: float,
+    sign: float,
+    v: float,
+    a: float,
+    q_end: Array,
+    shapes: Array,
+    q: Array,
+    qd: Array,
+    qdd: Array,
+) -> None:
+    """Write profiles at u from their nearer end, of which jerk x1, x2, negative jerk x3 and x4 lie behind.
+
+    The acceleration is constant in x2, the speed in x4.
+    """
+    for i in range(count):
+        j = shapes[0, i]
+        tj = shapes[1, i]
+        ta = shapes[2, i]
+        x1 = min(u, tj)
+        x2 = min(max(u - tj, 0.0), ta)
+        x3 = min(max(u - (tj + ta), 0.0), tj)
+        x4 = max(u - (2.0 * tj + ta), 0.0)
+        most = j * tj
+        v1 = 0.5 * most * tj
+        v2 = most * (0.5 * tj + ta)
+        v3 = most * (tj + ta)
+        begun = j * x1 * x1 * x1 / 6.0 + (v1 + 0.5 * most * x2) * x2
+        way = begun + ((v2 + (0.5 * most - j * x3 / 6.0) * x3) * x3 + v3 * x4)
+        d1 = 0.5 * j * (x1 - x3) * (x1 + x3) + most * (x2 + x3)
+        q[i] = q_end[i] + sign * way
+        qd[i] = d1 * v
+        qdd[i] = sign * (j * (x1 - x3)) * (v * v) + d1 * a
 
 
 @kernel("void(f8[::1], f8[:,::1], f8[:,::1], f8[::1])")

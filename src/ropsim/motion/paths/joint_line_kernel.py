@@ -1,6 +1,6 @@
 """Rows of a straight way in joint space, in a loop that numba compiles."""
 
-from ropsim.codegen import kernel
+from ropsim.codegen import columns, kernel
 from ropsim.spatial import Array
 
 
@@ -15,6 +15,33 @@ def line_points(q_start: Array, q_end: Array, s: Array, out: Array) -> None:
         out: where the rows go, shape (3, k, n).
     """
     for k in range(s.shape[0]):
-        for j in range(q_start.shape[0]):
-            out[0, k, j] = (1.0 - s[k]) * q_start[j] + s[k] * q_end[j]
-            out[1, k, j], out[2, k, j] = q_end[j] - q_start[j], 0.0
+        _line(q_start.shape[0], s[k], 1.0, 0.0, q_start, q_end, out[0, k], out[1, k], out[2, k])
+
+
+@kernel("void(f8[::1], f8[::1], f8[:,::1], i8, i8, f8[:,:,::1])")
+def line_in_time(q_start: Array, q_end: Array, law: Array, first: int, until: int, total: Array) -> None:
+    """Write coordinates and derivatives by time at times of a motion, see `traced_in_time`.
+
+    Args:
+        q_start: joint coordinates at place 0 [rad | m], shape (n,).
+        q_end: at place 1 [rad | m], shape (n,).
+        law: places, speeds and accelerations in its rows 1 to 3, shape (4 or more, m).
+        first: number of the first time.
+        until: number behind that of the last one.
+        total: the motion, of which rows first to until are written, shape (3, m, n).
+    """
+    for k in range(first, until):
+        s, v, a = law[1, k], law[2, k], law[3, k]
+        _line(q_start.shape[0], s, v, a, q_start, q_end, total[0, k], total[1, k], total[2, k])
+
+
+@columns
+def _line(
+    count: int, s: float, v: float, a: float, q_start: Array, q_end: Array, q: Array, qd: Array, qdd: Array
+) -> None:
+    """Write coordinates at a place that is gone through with the speed v and the acceleration a."""
+    for j in range(count):
+        way = q_end[j] - q_start[j]
+        q[j] = (1.0 - s) * q_start[j] + s * q_end[j]
+        qd[j] = way * v
+        qdd[j] = way * a

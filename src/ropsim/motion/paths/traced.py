@@ -7,7 +7,7 @@ import numpy as np
 from ropsim.motion.paths.differences import derivatives_and_roughness, row_derivatives
 from ropsim.motion.paths.path import JointPoints
 from ropsim.motion.paths.path_rows import TRACED, PathRows
-from ropsim.motion.paths.traced_kernel import traced_points
+from ropsim.motion.paths.traced_kernel import COEFFICIENTS, traced_points
 from ropsim.spatial import Array, frozen, record
 
 _UNKNOWN = frozen([])
@@ -43,10 +43,11 @@ class Traced:
     def joints(self, s: Array) -> JointPoints:
         """Return the joints and their derivatives at places s, shape (k,)."""
         count, n = self.q.shape
-        q, d1, d2 = np.empty((len(s), n)), np.empty((len(s), n)), np.empty((len(s), n))
+        room, out = np.empty((COEFFICIENTS, n)), np.empty((3, len(s), n))
         per_unit = (count - 1) / self.length
-        traced_points(self.q, self.derivatives, per_unit, np.ascontiguousarray(s), q, d1, d2)
-        return JointPoints(q, d1, d2)
+        d1, d2 = self.derivatives
+        traced_points(self.q, d1, d2, per_unit, np.ascontiguousarray(s), room, out)
+        return JointPoints(out[0], out[1], out[2])
 
     def path_rows(self) -> PathRows:
         """Return what compiled loops take of the path."""
