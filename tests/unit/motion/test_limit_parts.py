@@ -214,14 +214,17 @@ def test_a_motion_that_is_beyond_its_bounds_is_slowed_to_them_but_for_rounding()
         assert (asked / bounds.acceleration).max() == pytest.approx(1.0, abs=1e-9)
 
 
-def test_what_a_plan_uses_is_what_it_uses_gone_at_its_own_rate() -> None:
+@pytest.mark.parametrize(("ticks", "n"), [(1, 6), (2, 1), (17, 3), (18, 6), (50, 3), (53, 9)])
+def test_what_a_plan_uses_is_what_it_uses_gone_at_its_own_rate(ticks: int, n: int) -> None:
     random = np.random.default_rng(7)
-    rows, torque = JointPoints(*random.normal(size=(3, 50, 3))), random.normal(size=(50, 3))
-    bounds = JointBounds(*random.uniform(0.5, 2.0, (4, 3)))
+    rows, torque = JointPoints(*random.normal(size=(3, ticks, n))), random.normal(size=(ticks, n))
+    rows.d2[-1] *= 9.0  # the joints rest behind it
+    bounds = JointBounds(*random.uniform(0.5, 2.0, (4, n)))
     whole = strain(rows, torque, bounds, 0.01)
     plain = strain_as_planned(rows, bounds, 0.01)
     assert (plain.used[:3] == whole.used[:3]).all()
     assert not plain.used[3].any()
+    assert (plain.peaks == plain.used.max(axis=1)).all()
     loaded = with_torque(plain, rows, torque, bounds)
     assert (loaded.used == whole.used).all()
     assert (loaded.peaks == whole.peaks).all()

@@ -5,8 +5,15 @@ from dataclasses import dataclass
 import numpy as np
 
 from ropsim.motion.diagnostics import WRONG_PROFILE_REQUEST
-from ropsim.motion.limits.joint_bounds import JointBounds, Quantity
-from ropsim.motion.limits.strain_kernel import by_real_time, strain_of, used_by_motion, used_by_torque
+from ropsim.motion.limits.joint_bounds import JointBounds
+from ropsim.motion.limits.strain_kernel import by_real_time, strain_of
+from ropsim.motion.limits.used_kernel import (
+    AT_ONCE,
+    ROWS_OF_MOTION,
+    ROWS_OF_TORQUE,
+    used_by_motion,
+    used_by_torque,
+)
 from ropsim.motion.limits.ways import Ways, no_ways, steps_allowed
 from ropsim.motion.paths.path import JointPoints
 from ropsim.motion.profile import ProfileError
@@ -81,9 +88,10 @@ def strain_as_planned(rows: JointPoints, bounds: JointBounds, period: float) -> 
         ProfileError: M540, references are no numbers.
     """
     limits = np.array([bounds.speed, bounds.acceleration, period * bounds.jerk])
-    used = np.zeros((len(Quantity), len(rows.q)))
-    used_by_motion(rows.d1, rows.d2, limits, used)
-    return _told(rows, used)
+    k, n = rows.q.shape
+    used, peaks, room = np.zeros((4, k)), np.zeros(4), np.empty((ROWS_OF_MOTION, AT_ONCE * n))
+    used_by_motion(rows.d1.reshape(-1), rows.d2.reshape(-1), limits, room, used, peaks)
+    return _told(rows, used, peaks)
 
 
 def with_torque(plain: Strain, rows: JointPoints, torque: Array, bounds: JointBounds) -> Strain:
@@ -96,14 +104,16 @@ def with_torque(plain: Strain, rows: JointPoints, torque: Array, bounds: JointBo
         bounds: of the joints.
     """
     assert bounds.effort is not None
-    used = plain.used.copy()
-    used_by_torque(torque, bounds.effort, used)
-    return _told(rows, used)
+    used, peaks = plain.used.copy(), plain.peaks.copy()
+    room = np.empty((ROWS_OF_TORQUE, AT_ONCE * torque.shape[1]))
+    used_by_torque(torque.reshape(-1), bounds.effort, room, used, peaks)
+    return _told(rows, used, peaks)
 
 
-def _told(rows: JointPoints, used: Array) -> Strain:
-    _check(rows, used)
-    return Strain(used, used.max(axis=1), np.zeros((len(used), 2)))
+def _told(rows: JointPoints, used: Array, peaks: Array) -> Strain:
+    if not peaks.max() < np.inf:
+        _check(rows, used)
+    return Strain(used, peaks, np.zeros((len(used), 2)))
 
 
 def _check(rows: JointPoints, used: Array) -> None:
