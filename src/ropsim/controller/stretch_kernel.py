@@ -17,6 +17,8 @@ KIND, BEGIN, LENGTH, FIRST_ROW, ROWS, FIRST_SLOPE = range(6)
 """Columns of pieces."""
 PIECE, PLACE, SPEED, ACCELERATION, TIME = range(5)
 """Rows of what time laws tell."""
+AT_ONCE = 512
+"""Times that are looked at together, so that what is known of them stays near the processor."""
 
 
 @kernel("void(f8[:,::1], f8[:,::1], f8[:,::1], f8[::1], f8[::1], i8, i8, f8[::1], f8[:,:,::1])")
@@ -83,39 +85,32 @@ def walk_runs(
         slopes: likewise, shape (2, l or fewer, n).
         corners: joint coordinates where one run ends and the next one has begun, shape (r - 1 or more, n).
         phi: motion times, rising [s], shape (k,).
-        law: room to work in, shape (5, k).
+        law: room to work in, shape (5, AT_ONCE).
         room: to work in, shape (COEFFICIENTS, n).
-        held: room to work in, shape (3, k, n).
+        held: room to work in, shape (3, AT_ONCE, n).
         total: the motion, shape (3, k, n).
     """
-    last, before, n = runs.shape[0] - 1, 0, total.shape[2]
+    last, before = runs.shape[0] - 1, 0
     for number in range(last + 1):
-        first = _behind(phi, runs[number, START]) if number else 0
-        until = _behind(phi, runs[number, END]) if number < last else phi.shape[0]
-        for k in range(first, min(before, until)):
-            for order in range(3):
-                for j in range(n):
-                    held[order, k, j] = total[order, k, j]
-        if until > first:
-            for k in range(first, until):
-                law[TIME, k] = phi[k] - runs[number, START]
-            segment = int(runs[number, SEGMENT])
-            own = segments[:, segment : segment + int(runs[number, SEGMENTS])]
-            times = law[TIME, first:until]
-            rows_at(own, runs[number, DURATION], times, law[:TIME, first:until])
-        begin = first
-        while begin < until:
-            end = begin + 1
-            while end < until and law[PIECE, end] == law[PIECE, begin]:
-                end += 1
-            piece = pieces[int(runs[number, FIRST_PIECE] + law[PIECE, begin])]
-            for k in range(begin, end):
-                law[PLACE, k] += piece[BEGIN]
-            _in_time(piece, rows, slopes, law, begin, end, room, total)
-            begin = end
+        run = runs[number]
+        first = _behind(phi, run[START]) if number else 0
+        until = _behind(phi, run[END]) if number < last else phi.shape[0]
+        own = segments[:, int(run[SEGMENT]) : int(run[SEGMENT] + run[SEGMENTS])]
         corner = corners[max(number - 1, 0)]
-        for k in range(first, min(before, until)):
-            _add(n, held[0, k], held[1, k], held[2, k], corner, total[0, k], total[1, k], total[2, k])
+        for begin in range(first, until, AT_ONCE):
+            count = min(until - begin, AT_ONCE)
+            for k in range(count):
+                law[TIME, k] = phi[begin + k] - run[START]
+            rows_at(own, run[DURATION], law[TIME, :count], law[:TIME, :count])
+            shared = min(before - begin, count)
+            for k in range(shared):
+                _copy(total.shape[2], total[0, begin + k], held[0, k])
+                _copy(total.shape[2], total[1, begin + k], held[1, k])
+                _copy(total.shape[2], total[2, begin + k], held[2, k])
+            _walk(int(run[FIRST_PIECE]), pieces, rows, slopes, law, count, room, begin, total)
+            for k in range(shared):
+                q, qd, qdd = total[0, begin + k], total[1, begin + k], total[2, begin + k]
+                _add(total.shape[2], held[0, k], held[1, k], held[2, k], corner, q, qd, qdd)
         before = until
 
 
@@ -135,20 +130,43 @@ def points_on(
         room: to work in, shape (COEFFICIENTS, n).
         points: where all goes, shape (3, k, n).
     """
-    begin = first - first
-    while begin < law.shape[1]:
+    _walk(first, pieces, rows, slopes, law, law.shape[1], room, 0, points)
+
+
+def _walk(
+    first: int,
+    pieces: Array,
+    rows: Array,
+    slopes: Array,
+    law: Array,
+    count: int,
+    room: Array,
+    row: int,
+    total: Array,
+) -> None:
+    """Write the joints and their derivatives by time at times of a run, of which the first one has a row."""
+    begin = 0
+    while begin < count:
         end = begin + 1
-        while end < law.shape[1] and law[PIECE, end] == law[PIECE, begin]:
+        while end < count and law[PIECE, end] == law[PIECE, begin]:
             end += 1
         piece = pieces[first + int(law[PIECE, begin])]
         for k in range(begin, end):
             law[PLACE, k] += piece[BEGIN]
-        _in_time(piece, rows, slopes, law, begin, end, room, points)
+        _in_time(piece, rows, slopes, law, begin, end, room, row, total)
         begin = end
 
 
 def _in_time(
-    piece: Array, rows: Array, slopes: Array, law: Array, first: int, until: int, room: Array, total: Array
+    piece: Array,
+    rows: Array,
+    slopes: Array,
+    law: Array,
+    first: int,
+    until: int,
+    room: Array,
+    at: int,
+    total: Array,
 ) -> None:
     """Write the joints and their derivatives by time at times on one path."""
     row, count, kind = int(piece[FIRST_ROW]), int(piece[ROWS]), int(piece[KIND])
@@ -156,11 +174,18 @@ def _in_time(
     if kind == TRACED:
         slope = int(piece[FIRST_SLOPE])
         d1, d2 = slopes[0, slope : slope + count], slopes[1, slope : slope + count]
-        traced_in_time(own, d1, d2, (count - 1) / piece[LENGTH], law, first, until, room, total)
+        traced_in_time(own, d1, d2, (count - 1) / piece[LENGTH], law, first, until, room, at, total)
     elif kind == SYNCHRONISED:
-        joints_in_time(own[0], own[1], own[2:], piece[LENGTH], law, first, until, total)
+        joints_in_time(own[0], own[1], own[2:], piece[LENGTH], law, first, until, at, total)
     else:
-        line_in_time(own[0], own[1], law, first, until, total)
+        line_in_time(own[0], own[1], law, first, until, at, total)
+
+
+@columns
+def _copy(count: int, row: Array, out: Array) -> None:
+    """Write a row elsewhere."""
+    for j in range(count):
+        out[j] = row[j]
 
 
 @columns

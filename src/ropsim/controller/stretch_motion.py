@@ -3,7 +3,7 @@
 import numpy as np
 
 from ropsim.controller.course import Course, Run
-from ropsim.controller.stretch_kernel import FIRST_PIECE, add_in_time, points_on, walk_runs
+from ropsim.controller.stretch_kernel import AT_ONCE, FIRST_PIECE, add_in_time, points_on, walk_runs
 from ropsim.controller.walk_table import WalkTable, walk_table
 from ropsim.motion import COEFFICIENTS, JointPoints, LawRows, Ways
 from ropsim.spatial import Array, frozen, record
@@ -53,8 +53,9 @@ class StretchMotion:
         if table := self.table:
             numbers = table.runs, table.segments, table.pieces, table.rows, table.slopes
             asked = np.ascontiguousarray(phi, dtype=np.float64)
-            law, room = np.empty((5, len(phi))), np.empty((COEFFICIENTS, corners.shape[1]))
-            walk_runs(*numbers, corners, asked, law, room, np.empty_like(total), total)
+            n = corners.shape[1]
+            law, room, held = np.empty((5, AT_ONCE)), np.empty((COEFFICIENTS, n)), np.empty((3, AT_ONCE, n))
+            walk_runs(*numbers, corners, asked, law, room, held, total)
             return JointPoints(total[0], total[1], total[2])
         for number, run in enumerate(runs):
             first = int(np.searchsorted(phi, run.start)) if number else 0

@@ -15,6 +15,7 @@ from ropsim.core.files import read_bytes as read_bytes
 from ropsim.core.files import read_own_bytes as read_own_bytes
 from ropsim.core.files import replace_file as replace_file
 from ropsim.core.files import replace_private_file as replace_private_file
+from ropsim.core.freed_memory import keep_freed_memory as keep_freed_memory
 from ropsim.core.frozen_dataclass import frozen_dataclass as frozen_dataclass
 from ropsim.core.frozen_dataclass import frozen_without_equality as frozen_without_equality
 from ropsim.core.frozen_dataclass import maker as maker

@@ -30,7 +30,7 @@ def joint_rows(
         _profiles(q_start, q_end, shapes, duration, times[k], 1.0, 0.0, out[0, k], out[1, k], out[2, k])
 
 
-@kernel("void(f8[::1], f8[::1], f8[:,::1], f8, f8[:,::1], i8, i8, f8[:,:,::1])")
+@kernel("void(f8[::1], f8[::1], f8[:,::1], f8, f8[:,::1], i8, i8, i8, f8[:,:,::1])")
 def joints_in_time(
     q_start: Array,
     q_end: Array,
@@ -39,6 +39,7 @@ def joints_in_time(
     law: Array,
     first: int,
     until: int,
+    at: int,
     total: Array,
 ) -> None:
     """Write coordinates and derivatives by time where profiles are walked, see `traced_in_time`.
@@ -51,11 +52,14 @@ def joints_in_time(
         law: times of the profiles, speeds and accelerations in its rows 1 to 3, shape (4 or more, m).
         first: number of the first time of the motion.
         until: number behind that of the last one.
-        total: the motion, of which rows first to until are written, shape (3, m, n).
+        at: row of the motion for the time 0 of the law.
+        total: the motion, of which rows at + first to at + until are written, shape (3, m, n).
     """
     for k in range(first, until):
         time, v, a = law[1, k], law[2, k], law[3, k]
-        _profiles(q_start, q_end, shapes, duration, time, v, a, total[0, k], total[1, k], total[2, k])
+        _profiles(
+            q_start, q_end, shapes, duration, time, v, a, total[0, at + k], total[1, at + k], total[2, at + k]
+        )
 
 
 def _profiles(

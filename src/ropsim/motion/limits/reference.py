@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ropsim.core import keep_freed_memory
 from ropsim.motion.diagnostics import WRONG_PROFILE_REQUEST
 from ropsim.motion.limits.demand import Demand
 from ropsim.motion.limits.joint_bounds import Effort, JointBounds, torques
@@ -67,6 +68,7 @@ def as_planned(motion: Motion, bounds: JointBounds, effort: Effort | None, perio
     Raises:
         ProfileError: M540, the duration or the period is not above 0, or the motion or its torques are none.
     """
+    keep_freed_memory()
     _check(motion.duration, period)
     phi = np.minimum(tick_times(motion.duration, period), motion.duration)
     rows = motion.at(phi)

@@ -18,8 +18,10 @@ def line_points(q_start: Array, q_end: Array, s: Array, out: Array) -> None:
         _line(q_start.shape[0], s[k], 1.0, 0.0, q_start, q_end, out[0, k], out[1, k], out[2, k])
 
 
-@kernel("void(f8[::1], f8[::1], f8[:,::1], i8, i8, f8[:,:,::1])")
-def line_in_time(q_start: Array, q_end: Array, law: Array, first: int, until: int, total: Array) -> None:
+@kernel("void(f8[::1], f8[::1], f8[:,::1], i8, i8, i8, f8[:,:,::1])")
+def line_in_time(
+    q_start: Array, q_end: Array, law: Array, first: int, until: int, at: int, total: Array
+) -> None:
     """Write coordinates and derivatives by time at times of a motion, see `traced_in_time`.
 
     Args:
@@ -28,11 +30,12 @@ def line_in_time(q_start: Array, q_end: Array, law: Array, first: int, until: in
         law: places, speeds and accelerations in its rows 1 to 3, shape (4 or more, m).
         first: number of the first time.
         until: number behind that of the last one.
-        total: the motion, of which rows first to until are written, shape (3, m, n).
+        at: row of the motion for the time 0 of the law.
+        total: the motion, of which rows at + first to at + until are written, shape (3, m, n).
     """
     for k in range(first, until):
         s, v, a = law[1, k], law[2, k], law[3, k]
-        _line(q_start.shape[0], s, v, a, q_start, q_end, total[0, k], total[1, k], total[2, k])
+        _line(q_start.shape[0], s, v, a, q_start, q_end, total[0, at + k], total[1, at + k], total[2, at + k])
 
 
 @columns

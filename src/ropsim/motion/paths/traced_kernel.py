@@ -87,7 +87,7 @@ def traced_points(
         _quintics(n, place - row, per_unit, 1.0, 0.0, room, out[0, k], out[1, k], out[2, k])
 
 
-@kernel("void(f8[:,::1], f8[:,::1], f8[:,::1], f8, f8[:,::1], i8, i8, f8[:,::1], f8[:,:,::1])")
+@kernel("void(f8[:,::1], f8[:,::1], f8[:,::1], f8, f8[:,::1], i8, i8, f8[:,::1], i8, f8[:,:,::1])")
 def traced_in_time(
     rows: Array,
     d1: Array,
@@ -97,6 +97,7 @@ def traced_in_time(
     first: int,
     until: int,
     room: Array,
+    at: int,
     total: Array,
 ) -> None:
     """Write coordinates and derivatives by time at times of a motion.
@@ -112,7 +113,8 @@ def traced_in_time(
         first: number of the first time.
         until: number behind that of the last one.
         room: to work in, shape (COEFFICIENTS, n).
-        total: the motion, of which rows first to until are written, shape (3, m, n).
+        at: row of the motion for the time 0 of the law.
+        total: the motion, of which rows at + first to at + until are written, shape (3, m, n).
     """
     known, n = -1, rows.shape[1]
     for k in range(first, until):
@@ -122,7 +124,7 @@ def traced_in_time(
             known = row
             _between(rows, d1, d2, row, room)
         v, a = law[2, k], law[3, k]
-        _quintics(n, place - row, per_unit, v, a, room, total[0, k], total[1, k], total[2, k])
+        _quintics(n, place - row, per_unit, v, a, room, total[0, at + k], total[1, at + k], total[2, at + k])
 
 
 def _between(rows: Array, d1: Array, d2: Array, row: int, room: Array) -> None:
