@@ -1,49 +1,147 @@
-"""Bands that caps bring down, in plain loops that numba compiles."""
+"""Bands that caps bring down, and stages from them, in plain loops that numba compiles."""
+
+from math import exp, floor, inf, log, sqrt
+
+import numpy as np
 
 from ropsim.codegen import kernel
+from ropsim.controller.parts_kernel import lay_horizons
 from ropsim.spatial import Array
 
+KIND, VALUE, TICK, JOINT, QUANTITY = range(5)
+"""Rows of caps."""
 
-@kernel("void(f8[:,::1], f8[::1], i8, f8[:,::1], f8[:,::1], f8[:,::1])")
-def bring_down(caps: Array, borders: Array, beside: int, before: Array, bounds: Array, causes: Array) -> None:
-    """Bring the bounds of bands down to caps, and note what each of them was brought down for last.
+
+@kernel(
+    "void(f8[:,::1], i8, f8[:,::1], f8[::1], i8, f8[::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1],"
+    " f8[:,::1])"
+)
+def bring_down(
+    caps: Array,
+    count: int,
+    places: Array,
+    borders: Array,
+    beside: int,
+    steps: Array,
+    planned: Array,
+    before: Array,
+    bounds: Array,
+    causes: Array,
+    counted: Array,
+) -> None:
+    """Bring the bounds of bands down to caps and on to the next step, and note what each was lowered for.
 
     Args:
-        caps: in columns kind, value, place from which and place up to which it counts, joint, quantity; of
-            shape (6, h).
+        caps: in columns kind, value, number of the tick, joint, quantity; of shape (5, h or more).
+        count: of them, h.
+        places: from which and up to which caps of a tick count, of b ticks, shape (2, b).
         borders: places between which the bands lie, shape (c + 1,).
         beside: bands on either side that are brought down with one.
+        steps: logarithms of the steps of each kind in which bounds come down from the planned ones, (3,).
+        planned: the bounds before joints counted, shape (3, c).
         before: the bounds as they are, shape (3, c).
         bounds: the same; become no higher than the caps, shape (3, c).
         causes: joint and quantity of each band; become those of the last cap that binds, shape (2, c).
+        counted: room to work in, shape (2, b).
     """
-    for h in range(caps.shape[1]):
-        kind, value = int(caps[0, h]), caps[1, h]
-        first, last = _bands_of(caps, h, borders, beside)
-        for band in range(first, last + 1):
+    most, last = borders.shape[0] - 2, 0
+    for k in range(places.shape[1]):
+        for end in range(2):
+            last = _band_of(borders, places[end, k], last)
+            counted[end, k] = min(max(last + (beside if end else -beside), 0), most)
+    for h in range(count):
+        kind, value, k = int(caps[KIND, h]), caps[VALUE, h], int(caps[TICK, h])
+        for band in range(int(counted[0, k]), int(counted[1, k]) + 1):
             bounds[kind, band] = min(bounds[kind, band], value)
-    for h in range(caps.shape[1]):
-        kind, value = int(caps[0, h]), caps[1, h]
-        first, last = _bands_of(caps, h, borders, beside)
-        for band in range(first, last + 1):
+    for h in range(count):
+        kind, value, k = int(caps[KIND, h]), caps[VALUE, h], int(caps[TICK, h])
+        for band in range(int(counted[0, k]), int(counted[1, k]) + 1):
             if value == bounds[kind, band] and value < before[kind, band]:
-                causes[0, band], causes[1, band] = caps[4, h], caps[5, h]
+                causes[0, band], causes[1, band] = caps[JOINT, h], caps[QUANTITY, h]
+    for kind in range(bounds.shape[0]):
+        for band in range(bounds.shape[1]):
+            if bounds[kind, band] < before[kind, band]:
+                lower = floor(log(bounds[kind, band] / planned[kind, band]) / steps[kind]) * steps[kind]
+                bounds[kind, band] = planned[kind, band] * exp(lower)
 
 
-def _bands_of(caps: Array, h: int, borders: Array, beside: int) -> tuple[int, int]:
-    """Return the first and the last band that a cap counts in."""
-    most = borders.shape[0] - 2
-    first, last = _behind(borders, caps[2, h]) - 1 - beside, _behind(borders, caps[3, h]) - 1 + beside
-    return min(max(first, 0), most), min(max(last, 0), most)
+@kernel("void(f8[:,::1], f8[:,::1], f8[::1])")
+def least_share(planned: Array, bounds: Array, told: Array) -> None:
+    """Write the least share of its planned rate that a band is left, in ]0, 1].
+
+    Args:
+        planned: bounds of speed, acceleration and jerk before joints counted, shape (3, c).
+        bounds: the same with regard to joints, shape (3, c).
+        told: where the share goes, shape (1,).
+    """
+    told[0] = inf
+    for kind in range(bounds.shape[0]):
+        left = inf
+        for band in range(bounds.shape[1]):
+            left = min(left, bounds[kind, band] / planned[kind, band])
+        told[0] = min(told[0], left if kind == 0 else sqrt(left) if kind == 1 else np.cbrt(left))
 
 
-def _behind(borders: Array, place: float) -> int:
-    """Return the number of borders up to a place, itself included."""
+@kernel("void(f8[::1], f8[:,::1], f8[::1], f8[::1], i8, f8[:,::1], f8[::1], f8[::1])")
+def stages_of(
+    borders: Array,
+    bounds: Array,
+    owners: Array,
+    legs: Array,
+    look_ahead: int,
+    stages: Array,
+    counts: Array,
+    told: Array,
+) -> None:
+    """Write the stages of bands: neighbours on one piece with the same bounds are one.
+
+    Args:
+        borders: places between which the bands lie, shape (c + 1,).
+        bounds: of speed, acceleration and jerk, shape (3, c).
+        owners: number of the piece that a band lies on, rising, shape (c,).
+        legs: number of the move of each piece, rising, shape (p,).
+        look_ahead: how many moves beyond the present one are known.
+        stages: where they go, see `plan_stages`, shape (c, 6).
+        counts: where the number of stages of each piece goes, shape (p,).
+        told: where the number of all goes, shape (1,).
+    """
+    count, last = 0, bounds.shape[1] - 1
+    begin = borders[0]
+    for piece in range(counts.shape[0]):
+        counts[piece] = 0.0
+    for band in range(last + 1):
+        if (
+            band < last
+            and owners[band] == owners[band + 1]
+            and bounds[0, band] == bounds[0, band + 1]
+            and bounds[1, band] == bounds[1, band + 1]
+            and bounds[2, band] == bounds[2, band + 1]
+        ):
+            continue
+        stages[count, 0] = borders[band + 1] - begin
+        for kind in range(3):
+            stages[count, 1 + kind] = bounds[kind, band]
+        counts[int(owners[band])] += 1.0
+        begin = borders[band + 1]
+        count += 1
+    lay_horizons(legs, counts, look_ahead, stages[:count])
+    told[0] = count
+
+
+def _band_of(borders: Array, place: float, near: int) -> int:
+    """Return the band in front of the first border behind a place, looked for first at one and behind it.
+
+    It is -1 in front of all bands, and their number behind them.
+    """
     low, high = 0, borders.shape[0]
+    if near > 0 and near < high and borders[near] <= place:
+        low = near + 1
+        if low < high and borders[low] > place:
+            return near
     while low < high:
         middle = (low + high) // 2
         if borders[middle] <= place:
             low = middle + 1
         else:
             high = middle
-    return low
+    return low - 1

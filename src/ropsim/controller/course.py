@@ -2,8 +2,6 @@
 
 from collections.abc import Sequence
 
-import numpy as np
-
 from ropsim.controller.corners import Overlap
 from ropsim.controller.parts import Part
 from ropsim.controller.pieces import Piece
@@ -83,8 +81,8 @@ def course_of(parts: Sequence[Part], legs: int) -> Course:
         if before and over:
             last = len(before.pieces) - 1
             leave = over.leave - before.pieces[last].begin
-            ends = before.law.duration - float(before.law.times_of(last, np.array([leave]))[0])
-            both = min(ends, float(part.law.times_of(0, np.array([over.enter]))[0]))
+            ends = before.law.duration - before.law.time_of(last, leave)
+            both = min(ends, part.law.time_of(0, over.enter))
         runs.append(Run(part, before.end - both if before else 0.0, both))
         over = part.over
     return Course(tuple(runs), tuple(_ends(runs, legs)))

@@ -1,14 +1,14 @@
 """How slow a path must be walked at control ticks at which joints cannot follow."""
 
+from functools import lru_cache
+
 import numpy as np
-import numpy.typing as npt
 
 from ropsim.controller.joint_caps_kernel import caps_of
 from ropsim.controller.kept_limits import ArmBounds
-from ropsim.motion import ROUNDING, torques
+from ropsim.motion import ROUNDING, JointBounds, torques
 from ropsim.spatial import Array, record
 
-Indices = npt.NDArray[np.intp]
 _CREEP = 0.02
 """Share of the speed at which dry friction is as in motion and nothing else counts."""
 
@@ -18,18 +18,16 @@ class Caps:
     """Bounds along a path that joints set, h of them.
 
     Attributes:
-        kinds: of the bounds: of speed, acceleration or jerk, shape (h,).
-        values: of the bounds along the path, shape (h,).
-        places: between which they count, shape (2, h).
-        joints: that set them, shape (h,).
-        quantities: that they have too little of, by number, shape (h,).
+        rows: in columns kind of the bound (of speed, acceleration or jerk), its value along the path, number
+            of the tick, joint that sets it, and number of the quantity that it has too little of, of shape
+            (5, h or more).
+        count: of them, h.
+        places: between which caps of each tick count, shape (2, b).
     """
 
-    kinds: Indices
-    values: Array
+    rows: Array
+    count: int
     places: Array
-    joints: Indices
-    quantities: Indices
 
 
 @record
@@ -73,16 +71,18 @@ def joint_caps(walked: Walked, arm: ArmBounds, period: float, used: float) -> Ca
         period: of the control ticks [s].
         used: share of the limits that is aimed at, in ]0, 1].
     """
-    b, n = walked.q.shape
-    loads, joints = _loads(walked, arm), arm.joints
-    effort = np.full(n, np.inf) if joints.effort is None else joints.effort
-    limits = np.array([joints.speed, joints.acceleration, period * joints.jerk, effort])
-    rows, told = np.empty((5, 4 * b * n)), np.empty(1)
+    rows, told = np.empty((5, 4 * walked.q.size)), np.empty(1)
     at_path = walked.speeds, walked.accelerations, walked.d1, walked.d2
+    loads, limits = _loads(walked, arm), _limits(arm.joints, period)
     caps_of(*at_path, walked.qd, walked.qdd, loads, limits, period, used, 1.0 + ROUNDING, rows, told)
-    found = rows[:, : int(told[0])]
-    kinds, ticks, numbers, quantities = found[[0, 2, 3, 4]].astype(np.intp)
-    return Caps(kinds, found[1], walked.places[:, ticks], numbers, quantities)
+    return Caps(rows, int(told[0]), walked.places)
+
+
+@lru_cache(maxsize=16)
+def _limits(joints: JointBounds, period: float) -> Array:
+    """Return limits of speed, acceleration, change of acceleration in a tick, and torque, shape (4, n)."""
+    effort = np.full(len(joints.speed), np.inf) if joints.effort is None else joints.effort
+    return np.array([joints.speed, joints.acceleration, period * joints.jerk, effort])
 
 
 def _loads(walked: Walked, arm: ArmBounds) -> Array:

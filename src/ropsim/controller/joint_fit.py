@@ -1,13 +1,15 @@
 """Time laws that joints can follow: where they cannot, a path of the tool is planned with less."""
 
+import math
 from collections.abc import Iterable
 from dataclasses import replace
 
 import numpy as np
-import numpy.typing as npt
 
+from ropsim.controller.band_borders_kernel import MOST_PARTS, band_times
 from ropsim.controller.bands import Bands, bands_of
 from ropsim.controller.course import Course, course_of
+from ropsim.controller.exceeding_kernel import exceeding, walk_at
 from ropsim.controller.joint_caps import Walked, joint_caps
 from ropsim.controller.kept_limits import ArmBounds
 from ropsim.controller.slowed_bands import slowed_in
@@ -15,20 +17,21 @@ from ropsim.controller.stretch_motion import StretchMotion
 from ropsim.motion import (
     LONGEST_DELAY,
     ROUNDING,
+    LawRows,
     Quantity,
     Reference,
     Slowed,
     as_planned,
     demand,
     loaded,
-    places_of,
     too_heavy,
 )
-from ropsim.spatial import record
+from ropsim.spatial import Array, record
 
-Indices = npt.NDArray[np.intp]
 _SPACING = 4e-3
 """Motion time of a band, about [s]."""
+_FEWEST = 8
+"""Ways between the times that even bands would have, at least."""
 _ATTEMPTS = 40
 _ROUNDS = 10
 """How often a part is slowed as a whole that still exceeds a limit then."""
@@ -89,7 +92,7 @@ def fitted(planned: Fit, legs: int, arm: ArmBounds, period: float, look_ahead: i
         return planned
     if planned.reference.strain.peaks[_TORQUE] > 1.0 and _is_too_heavy(planned.reference, arm):
         return planned
-    bands, looked_at = _bands(planned, arm), arm
+    bands, looked_at = _bands(planned), arm
     if planned.reference.strain.peaks[_TORQUE] <= 1.0:
         looked_at = replace(arm, effort=None)  # it takes time, and slower motions hardly need more of it
     for attempt in range(_ATTEMPTS + _ROUNDS):
@@ -103,7 +106,7 @@ def fitted(planned: Fit, legs: int, arm: ArmBounds, period: float, look_ahead: i
         for number, found in ticks.items():
             if attempt < _ATTEMPTS:
                 used = 1.0 - _LESS * (1 + attempt)
-                walked = _walked(now, number, found)
+                walked = _walked(now, number, bands[number].begins, found)
                 bands[number] = bands[number].lowered(joint_caps(walked, looked_at, period, used))
             else:
                 bands[number] = bands[number].slower(1.0 / (now.reference.strain.factor * (1.0 + _LESS)))
@@ -126,41 +129,47 @@ def _is_too_heavy(reference: Reference, arm: ArmBounds) -> bool:
     return too_heavy(asked, reference.phi) is not None
 
 
-def _bands(fit: Fit, arm: ArmBounds) -> dict[int, Bands]:
+def _bands(fit: Fit) -> dict[int, Bands]:
     """Return the bands of all parts that are planned with stages, by their number."""
-    reference = fit.reference
-    places, _ = places_of(fit.motion, arm.joints, _SPACING, reference.phi, reference.strain.rates)
-    runs = enumerate(fit.course.runs)
-    return {number: bands_of(run.part, places - run.start) for number, run in runs if run.part.has_stages}
+    reference, duration = fit.reference, fit.course.duration
+    count = max(math.ceil(duration / _SPACING), _FEWEST)
+    ways, times, told = np.empty((2, count)), np.empty(MOST_PARTS * count + 1), np.empty(1)
+    band_times(reference.strain.used, reference.phi, duration, ways, times, told)
+    times, runs = times[: int(told[0])], enumerate(fit.course.runs)
+    return {number: bands_of(run.part, times, run.start) for number, run in runs if run.part.has_stages}
 
 
-def _exceeding(fit: Fit, numbers: Iterable[int]) -> dict[int, Indices]:
+def _exceeding(fit: Fit, numbers: Iterable[int]) -> dict[int, Array]:
     """Return the control ticks, without 0, at which a limit is exceeded in runs; of those with any."""
     reference, runs = fit.reference, fit.course.runs
-    over = np.flatnonzero((reference.strain.used > 1.0 + ROUNDING).any(axis=0))
-    over = over[over > 0]
-    times, found = reference.phi[over], {}
-    for number in numbers if len(over) else ():
-        first, until = np.searchsorted(times, (runs[number].start, runs[number].end), "right").tolist()
+    spans = np.array([(run.start, run.end) for run in runs])
+    ticks, told = np.empty(len(reference.phi)), np.empty(spans.shape)
+    exceeding(reference.strain.used, 1.0 + ROUNDING, reference.phi, spans, ticks, told)
+    found = {}
+    for number in numbers:
+        first, until = told[number].tolist()
         if first < until:
-            found[number] = over[first:until]
+            found[number] = ticks[int(first) : int(until)]
     return found
 
 
-def _walked(fit: Fit, number: int, ticks: Indices) -> Walked:
+def _walked(fit: Fit, number: int, begins: Array, ticks: Array) -> Walked:
     """Return the path of a run at control ticks and at those before them."""
-    run, reference, pairs = fit.course.runs[number], fit.reference, (ticks - 1, ticks)
-    laws = [run.law.at(reference.phi[row] - run.start) for row in pairs]
-    points = [fit.motion.on_run(number, law) for law in laws]
-    borders, rows = run.part.borders, reference.rows
+    run, reference, b = fit.course.runs[number], fit.reference, len(ticks)
+    rows, law, places = reference.rows, np.empty((4, 2 * b)), np.empty((2, b))
+    motion, qdd = np.empty((2, 2, b, rows.q.shape[1]))
+    tables = run.law.segments, run.law.duration, run.start, begins, reference.phi, ticks
+    walk_at(*tables, rows.q, rows.d1, rows.d2, np.empty(2 * b), law, places, motion, qdd)
+    points = fit.motion.on_run(number, LawRows(law[0].astype(np.int64), law[1], law[2], law[3]))
+    pairs = qdd.shape
     return Walked(
-        np.array([borders[law.pieces] + law.places for law in laws]),
-        np.array([law.speeds for law in laws]),
-        np.array([law.accelerations for law in laws]),
-        np.array([one.d1 for one in points]),
-        np.array([one.d2 for one in points]),
-        rows.q[ticks],
-        rows.d1[ticks],
-        rows.d2[np.stack(pairs)],
-        None if reference.torque is None else reference.torque[ticks],
+        places,
+        law[2].reshape(2, b),
+        law[3].reshape(2, b),
+        points.d1.reshape(pairs),
+        points.d2.reshape(pairs),
+        motion[0],
+        motion[1],
+        qdd,
+        None if reference.torque is None else reference.torque[ticks.astype(np.intp)],
     )

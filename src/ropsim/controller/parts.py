@@ -7,6 +7,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ropsim.controller.corners import Overlap
+from ropsim.controller.parts_kernel import lay_horizons
 from ropsim.controller.pieces import Piece, Walk
 from ropsim.motion import Stages, SynchronisedJoints, TimeLaw, plan_stages
 from ropsim.spatial import Array, record
@@ -88,22 +89,11 @@ def planned_part(
         over: how they go over into the next ones; None where they stop.
         look_ahead: how many moves beyond the present one are known.
     """
-    law = plan_stages(stages, _horizons(pieces, counts, look_ahead))
-    if counts.max() > 1:
-        law = law.in_parts(counts)
-    return Part(tuple(pieces), stages, counts, law, over)
-
-
-def _horizons(pieces: Sequence[Piece], counts: Counts, look_ahead: int) -> Counts:
-    """Return the last stage that is known where a stage ends, of all stages; -1 where that tells nothing.
-
-    Within a piece no more gets known: who can stop after it can stop before.
-    """
-    lasts, legs = np.cumsum(counts) - 1, np.array([piece.leg for piece in pieces])
-    known = np.searchsorted(legs, np.minimum(legs + look_ahead, legs[-1]), "right") - 1
-    horizons = np.full(lasts[-1] + 1, -1)
-    horizons[lasts] = lasts[known]
-    return horizons
+    bounds = np.empty((len(stages), 6))
+    bounds[:, :4] = stages.rows
+    legs, many = np.array([piece.leg for piece in pieces], np.float64), counts.astype(np.float64)
+    lay_horizons(legs, many, look_ahead, bounds)
+    return Part(tuple(pieces), stages, counts, plan_stages(bounds, many), over)
 
 
 def _quickest(pieces: Sequence[Piece], over: Overlap | None, look_ahead: int) -> Part:

@@ -45,8 +45,8 @@ def rows_at(segments: Array, duration: float, times: Array, out: Array) -> None:
         out[3, k] = a + u * j
 
 
-@kernel("void(f8[:,::1], f8[::1], f8[::1], f8[::1], f8[::1])")
-def times_at(segments: Array, ends: Array, pieces: Array, places: Array, out: Array) -> None:
+@kernel("void(f8[:,::1], f8[::1], f8[::1], f8[::1], f8[::1], f8[::1])")
+def times_at(segments: Array, ends: Array, pieces: Array, places: Array, out: Array, told: Array) -> None:
     """Write the time [s] at which the motion is at each of some places of pieces.
 
     Args:
@@ -55,12 +55,18 @@ def times_at(segments: Array, ends: Array, pieces: Array, places: Array, out: Ar
         pieces: index of the piece of each place, best in order, shape (k,).
         places: on it; those outside of it count as its start or end; shape (k,).
         out: where the times go, shape (k,).
+        told: where the number of the times goes, fewer than k up to a place of a piece that there is not.
     """
-    piece, first, beyond = -1, 0, 0
+    piece, first, beyond, low = -1, 0, 0, 0
+    told[0] = places.shape[0]
     for k in range(places.shape[0]):
+        if not 0.0 <= pieces[k] < ends.shape[0]:
+            told[0] = k
+            break
         if piece != int(pieces[k]):
             piece = int(pieces[k])
             first, beyond = _lower(segments, 0, float(piece)), _lower(segments, 0, piece + 1.0)
+            low = first
         place = places[k]
         if place >= segments[7, beyond - 1]:
             out[k] = ends[piece]
@@ -71,13 +77,7 @@ def times_at(segments: Array, ends: Array, pieces: Array, places: Array, out: Ar
         if place <= 0.0:
             out[k] = 0.0 if piece == 0 else ends[piece - 1]
             continue
-        low, high = first, beyond
-        while high - low > 1:
-            middle = (low + high) // 2
-            if segments[2, middle] <= place:
-                low = middle
-            else:
-                high = middle
+        low = _row_of(segments, place, first, beyond, low)
         end = min(_start_of(segments, low + 1), ends[piece])
         out[k] = _time_at(segments, low, place, end)
 
@@ -96,6 +96,22 @@ def _row_at(segments: Array, t: float, row: int) -> int:
     while high - low > 1:
         middle = (low + high) // 2
         if segments[1, middle] <= t:
+            low = middle
+        else:
+            high = middle
+    return low
+
+
+def _row_of(segments: Array, place: float, first: int, beyond: int, row: int) -> int:
+    """Return the last segment of a piece that starts no later than at a place, looked for first at `row`."""
+    low, high = first, beyond
+    if row > first and segments[2, row] <= place:
+        low = row
+        if row + 1 < beyond and segments[2, row + 1] > place:
+            return row
+    while high - low > 1:
+        middle = (low + high) // 2
+        if segments[2, middle] <= place:
             low = middle
         else:
             high = middle

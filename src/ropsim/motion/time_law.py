@@ -7,9 +7,9 @@ import numpy.typing as npt
 
 from ropsim.motion import law_rows_kernel, time_law_kernel
 from ropsim.motion.diagnostics import WRONG_PROFILE_REQUEST
+from ropsim.motion.longer_pieces_kernel import over_longer
 from ropsim.motion.profile import ProfileError
 from ropsim.motion.stage import Stage
-from ropsim.motion.stages import Stages
 from ropsim.motion.time_law_kernel import LEAST, MOST
 from ropsim.spatial import Array, record
 
@@ -115,10 +115,24 @@ class TimeLaw:
         asked = np.ascontiguousarray(places, dtype=np.float64)
         out, numbers = np.empty((2, len(asked)))
         numbers[:] = pieces
-        if len(asked) and not 0.0 <= numbers.min() <= numbers.max() < len(self.ends):
+        told = np.empty(1)
+        law_rows_kernel.times_at(self.segments, self.ends, numbers, asked, out, told)
+        if told[0] < len(asked):
             raise IndexError(f"piece {pieces!r} of {len(self.ends)}")
-        law_rows_kernel.times_at(self.segments, self.ends, numbers, asked, out)
         return out
+
+    def time_of(self, piece: int, place: float) -> float:
+        """Return when the motion is at a place of a piece [s]; see `times_of`.
+
+        Args:
+            piece: index of it.
+            place: value of s.
+        """
+        out, told = np.empty((2, 1))
+        law_rows_kernel.times_at(
+            self.segments, self.ends, np.array((float(piece),)), np.array((place,)), out, told
+        )
+        return float(out[0])
 
     def in_parts(self, counts: npt.ArrayLike) -> "TimeLaw":
         """Return the same motion over longer pieces, each of several pieces of this one with the same unit.
@@ -126,17 +140,7 @@ class TimeLaw:
         Args:
             counts: of how many, in order, each 1 or more; their sum is p.
         """
-        many = np.asarray(counts)
-        firsts = np.append(0, np.cumsum(many[:-1]))
-        last_segments = np.append(np.flatnonzero(np.diff(self.segments[0])), self.segments.shape[1] - 1)
-        gone = np.append(0.0, np.cumsum(self.segments[7, last_segments]))
-        begins = gone[:-1] - np.repeat(gone[firsts], many)
-        numbers, here = np.repeat(np.arange(len(many)), many), self.pieces
-        segments = self.segments.copy()
-        segments[0] = numbers[here]
-        segments[2] += begins[here]
-        segments[7] += begins[here]
-        return TimeLaw(segments, self.ends[np.append(firsts[1:], len(self.ends)) - 1])
+        return _over_longer(self.segments, self.segments.shape[1], self.ends, np.array(counts, np.float64))
 
 
 def plan_time_law(stages: Iterable[Stage]) -> TimeLaw:
@@ -160,27 +164,36 @@ def plan_time_law(stages: Iterable[Stage]) -> TimeLaw:
         Bobrow, Dubowsky and Gibson 1985, Int. J. Robotics Research 4(3), for the passes.
     """
     rows = [(one.length, one.speed, one.acceleration, one.jerk, one.ratio, one.horizon) for one in stages]
-    return _planned(np.array(rows, dtype=np.float64))
+    segments, ends, count = _planned(np.array(rows, dtype=np.float64))
+    return TimeLaw(segments[:, :count].copy(), ends)
 
 
-def plan_stages(stages: Stages, horizons: Indices) -> TimeLaw:
-    """Return what `plan_time_law` does, of stages that stand in rows.
+def plan_stages(bounds: Array, counts: Array) -> TimeLaw:
+    """Return what `plan_time_law` does, of stages that stand in rows, told over pieces of several of them.
 
     Args:
-        stages: in their order, one or more.
-        horizons: of each, see `Stage`, shape (p,).
+        bounds: of the stages, in their order: length, speed, acceleration, jerk, ratio, horizon, see `Stage`;
+            within a piece the ratio is 1; shape (s, 6), one or more.
+        counts: how many stages each piece has, one or more, shape (p,); their sum is s.
 
     Raises:
         ProfileError: M540, as there.
     """
-    bounds = np.ones((len(stages), 6))
-    bounds[:, :4] = stages.rows
-    bounds[:, 5] = horizons
-    return _planned(bounds)
+    rows, ends, count = _planned(bounds)
+    if len(counts) == len(bounds):
+        return TimeLaw(rows[:, :count].copy(), ends)
+    return _over_longer(rows, count, ends, counts)
 
 
-def _planned(bounds: Array) -> TimeLaw:
-    """Return the time law of pieces, rows as for `plan_segments`, shape (p, 6)."""
+def _over_longer(rows: Array, count: int, ends: Array, counts: Array) -> TimeLaw:
+    """Return a time law over longer pieces, from `count` segments over shorter ones; see `over_longer`."""
+    segments, longer_ends = np.empty((8, count)), np.empty(len(counts))
+    over_longer(rows, count, ends, counts, segments, longer_ends)
+    return TimeLaw(segments, longer_ends)
+
+
+def _planned(bounds: Array) -> tuple[Array, Array, int]:
+    """Return segments, the ends of pieces and the number of segments; see `plan_segments`, bounds (p, 6)."""
     p = len(bounds)
     if p == 0:
         raise ProfileError(WRONG_PROFILE_REQUEST.at(None, "a way has no pieces, allowed is one or more"))
@@ -190,7 +203,7 @@ def _planned(bounds: Array) -> TimeLaw:
     count, wrong = told.tolist()
     if count < 0.0:
         raise ProfileError(WRONG_PROFILE_REQUEST.at(None, _wrong_words(int(wrong), bounds[int(wrong)])))
-    return TimeLaw(rows[:, : int(count)].copy(), ends)
+    return rows, ends, int(count)
 
 
 def _wrong_words(piece: int, bounds: Array) -> str:

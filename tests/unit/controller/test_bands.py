@@ -25,17 +25,17 @@ def part() -> Part:
 
 PART = part()
 LENGTH = PART.pieces[0].joints.length
-BANDS = bands_of(PART, np.linspace(-0.1, PART.law.duration + 0.1, 60))
+BANDS = bands_of(PART, np.linspace(-0.1, PART.law.duration + 0.1, 60), 0.0)
 
 
 def caps(kind: int, value: float, first: float, last: float, joint: int = 2) -> Caps:
-    numbers = (np.array([one]) for one in (joint, 3))
-    return Caps(np.array([kind]), np.array([value]), np.array([[first], [last]]), *numbers)
+    rows = np.array([[kind], [value], [0.0], [joint], [3.0]])
+    return Caps(rows, 1, np.array([[first], [last]]))
 
 
 def test_cells_lie_between_the_places_at_given_times() -> None:
     times = np.linspace(0.0, PART.law.duration, 8)
-    bands = bands_of(PART, times)
+    bands = bands_of(PART, times, 0.0)
     assert bands.borders == pytest.approx(PART.law.at(times).places)
     (stage,) = PART.pieces[0].stages
     assert bands.bounds == pytest.approx(
@@ -59,7 +59,7 @@ def test_pieces_with_the_same_bounds_keep_stages_of_their_own() -> None:
         for begin, end in ((0.0, 0.5), (0.5, 1.0))
     ]
     two = part_of(pieces, None, AHEAD)
-    again = bands_of(two, np.linspace(0.0, two.law.duration, 40)).replanned(AHEAD)
+    again = bands_of(two, np.linspace(0.0, two.law.duration, 40), 0.0).replanned(AHEAD)
     assert again.counts.tolist() == [1, 1]
     assert again.stages.rows[:, 0] == pytest.approx([half.length, half.length])
 
@@ -100,5 +100,5 @@ def test_the_motion_keeps_what_the_cells_allow() -> None:
 
 def test_no_border_lies_next_to_another() -> None:
     times = PART.law.times_of(0, np.array([0.0, 1e-12, 0.5 * LENGTH, LENGTH - 1e-12, LENGTH]))
-    bands: Bands = bands_of(PART, times)
+    bands: Bands = bands_of(PART, times, 0.0)
     assert bands.borders == pytest.approx([0.0, 0.5 * LENGTH, LENGTH])

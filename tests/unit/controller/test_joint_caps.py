@@ -44,10 +44,11 @@ def walked(
 
 
 def only(caps: Caps) -> tuple[int, object, Quantity]:
-    assert caps.kinds.shape == (1,)
+    assert caps.count == 1
     assert caps.places.tolist() == [[0.3], [0.31]]
-    assert caps.joints.tolist() == [0]
-    return int(caps.kinds[0]), float(caps.values[0]), NUMBERS[int(caps.quantities[0])]
+    kind, value, tick, joint, quantity = caps.rows[:, 0].tolist()
+    assert (tick, joint) == (0.0, 0.0)
+    return int(kind), value, NUMBERS[int(quantity)]
 
 
 def test_a_joint_that_is_too_fast_bounds_the_speed() -> None:
@@ -128,9 +129,9 @@ def test_a_change_of_the_slope_in_a_tick_bounds_the_acceleration() -> None:
 def test_where_motions_overlap_the_other_one_may_have_to_be_slower() -> None:
     """Nearly all of the acceleration is that of another motion: nothing here could mend it."""
     caps = joint_caps(walked((1.0, 1.0), (0.01, 0.01), others=9.0), bounds(acceleration=5.0), TICK, 1.0)
-    assert len(caps.kinds) == 0
+    assert caps.count == 0
 
 
 def test_within_the_limits_nothing_is_bounded() -> None:
     caps = joint_caps(walked((1.0, 1.0), (1.0, 1.001)), bounds(2.0, 2.0, 2.0, 9.0), TICK, 1.0)
-    assert len(caps.kinds) == 0
+    assert caps.count == 0

@@ -98,7 +98,7 @@ def test_a_motion_on_the_same_pieces_at_other_times_is_that_of_the_other_course(
     moves = [lin(first, ZONE), lin(second, ZONE), ptp(third, ZONE), ptp(HERE)]
     whole = course(moves, Synchronisation.PHASE)
     (part, *others) = (run.part for run in whole.runs)
-    bands = bands_of(part, np.linspace(0.0, part.law.duration, 20))
+    bands = bands_of(part, np.linspace(0.0, part.law.duration, 20), 0.0)
     slower = course_of([bands.slower(0.5).replanned(10), *others], len(moves))
     times = np.linspace(0.0, slower.duration, 300)
     timed, anew = StretchMotion.on(whole).timed(slower), StretchMotion.on(slower)

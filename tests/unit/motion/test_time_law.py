@@ -235,6 +235,32 @@ def test_told_in_longer_parts_it_is_the_same_motion() -> None:
     assert parts.times_of(1, [lengths[1]])[0] == pytest.approx(law.ends[1], rel=ROUNDING)
 
 
+@pytest.mark.parametrize("seed", range(20))
+def test_over_longer_pieces_places_are_counted_from_the_first_of_each(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    many = rng.integers(1, 5, 5)
+    rows = rng.uniform((0.02, 0.5, 2.0, 40.0), (0.3, 1.5, 6.0, 200.0), (int(many.sum()), 4))
+    law = plan_time_law([Stage(*row) for row in rows.tolist()])
+    longer = law.in_parts(many)
+    firsts = np.append(0, np.cumsum(many[:-1]))
+    ends = np.cumsum(rows[:, 0])
+    begins = np.append(0.0, ends[:-1]) - np.repeat(np.append(0.0, ends)[firsts], many)
+    assert longer.pieces.tolist() == np.repeat(np.arange(5), many)[law.pieces].tolist()
+    assert longer.places == pytest.approx(law.places + begins[law.pieces], rel=ROUNDING, abs=ROUNDING)
+    assert longer.segments[7] == pytest.approx(law.segments[7] + begins[law.pieces], rel=ROUNDING)
+    assert longer.ends.tolist() == law.ends[np.cumsum(many) - 1].tolist()
+    assert longer.segments[[1, 3, 4, 5, 6]].tolist() == law.segments[[1, 3, 4, 5, 6]].tolist()
+
+
+@pytest.mark.parametrize("piece", range(len(WAY)))
+def test_the_time_of_one_place_is_that_of_it_among_others(piece: int) -> None:
+    law = plan_time_law(WAY)
+    places = np.linspace(-0.1, 1.2, 30)
+    alone = [law.time_of(piece, place) for place in places.tolist()]
+    assert alone == law.times_of(piece, places).tolist()
+    assert alone == law.times_of(piece, places[::-1])[::-1].tolist()
+
+
 def test_times_of_places_beyond_the_ends_are_those_of_the_ends() -> None:
     law = plan_time_law(WAY)
     assert law.times_of(0, [-1.0, 0.0]).tolist() == [0.0, 0.0]
