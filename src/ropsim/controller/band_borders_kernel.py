@@ -5,11 +5,13 @@ from math import ceil, inf, log, sqrt
 import numpy as np
 
 from ropsim.codegen import kernel
-from ropsim.motion import rows_at
+from ropsim.motion import rows_at, time_at
 from ropsim.spatial import Array
 
 SPEED, ACCELERATION, JERK = range(3)
 """Rows of what is used."""
+PIECE, TIME = 4, 5
+"""Rows of bands, behind place and bounds."""
 MOST_PARTS = 64
 """Into which a way is divided, at most."""
 STEEP = 0.4
@@ -39,9 +41,12 @@ def band_times(used: Array, phi: Array, duration: float, ways: Array, times: Arr
     for k in range(phi.shape[0]):
         while here < last and (here + 1) * step <= phi[k]:
             here += 1
-        need = max(used[SPEED, k], sqrt(used[ACCELERATION, k]), np.cbrt(used[JERK, k]))
-        ways[0, here] = max(ways[0, here], need)
+        if used[ACCELERATION, k] > 1.0:
+            ways[0, here] = max(ways[0, here], sqrt(used[ACCELERATION, k]))
+        if used[JERK, k] > 1.0:
+            ways[0, here] = max(ways[0, here], np.cbrt(used[JERK, k]))
         if before > 0.0 or used[SPEED, k] > 1.0:
+            ways[0, here] = max(ways[0, here], used[SPEED, k])
             now = log(max(used[SPEED, k], 1.0))
             ways[1, here] += abs(now - before)
             before = now
@@ -58,12 +63,12 @@ def band_times(used: Array, phi: Array, duration: float, ways: Array, times: Arr
 
 
 @kernel(
-    "void(f8[:,::1], f8, f8, f8[::1], f8[::1], f8[:,::1], f8[::1], f8, f8[::1], f8[:,::1], f8[:,::1],"
+    "void(f8[:,::1], f8[::1], f8, f8[::1], f8[::1], f8[:,::1], f8[::1], f8, f8[::1], f8[:,::1], f8[:,::1],"
     " f8[::1])"
 )
 def lay_bands(
     segments: Array,
-    duration: float,
+    ends: Array,
     start: float,
     times: Array,
     begins: Array,
@@ -79,7 +84,7 @@ def lay_bands(
 
     Args:
         segments: of its time law, see `TimeLaw`, shape (8, m).
-        duration: of it [s].
+        ends: times at which its pieces end [s], shape (p,).
         start: motion time at which it begins [s].
         times: motion times, rising [s], shape (k,).
         begins: places at which pieces begin, and the end of the last one, shape (p + 1,).
@@ -88,11 +93,11 @@ def lay_bands(
         near: below this way a place and the end of a stage are one.
         asked: room to work in, shape (k,).
         law: likewise, shape (4, k).
-        bands: where they go: place at the end, bounds of speed, acceleration and jerk, and number of the
-            piece, of shape (5, k + s).
+        bands: where they go: place at the end, bounds of speed, acceleration and jerk, number of the piece,
+            and time at the end since the start of the part [s], of shape (6, k + s).
         told: where their number goes, shape (1,).
     """
-    inside = 0
+    inside, duration = 0, ends[ends.shape[0] - 1]
     for k in range(times.shape[0]):
         if 0.0 < times[k] - start < duration:
             asked[inside] = times[k] - start
@@ -111,16 +116,18 @@ def lay_bands(
             at = begins[int(law[0, k])] + law[1, k]
             k += 1
             if at > place and at - begin > near and end - at > near:
+                bands[TIME, count] = asked[k - 1]
                 count = _add(bands, count, at, stages, stage, piece)
                 place = at
+        time_at(segments, ends, piece, end - begins[piece], bands[TIME, count : count + 1])
         count = _add(bands, count, end, stages, stage, piece)
         place = begin = end
     told[0] = count
 
 
 def _add(bands: Array, count: int, end: float, stages: Array, stage: int, piece: int) -> int:
-    """Write a band; return the number of all."""
-    bands[0, count], bands[4, count] = end, piece
+    """Write a band but for the time at its end; return the number of all."""
+    bands[0, count], bands[PIECE, count] = end, piece
     for kind in range(1, 4):
         bands[kind, count] = stages[stage, kind]
     return count + 1

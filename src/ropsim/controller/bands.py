@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from ropsim.controller.band_borders_kernel import lay_bands
-from ropsim.controller.bands_kernel import bring_down, least_share, stages_of
+from ropsim.controller.band_borders_kernel import PIECE, TIME, lay_bands
+from ropsim.controller.bands_kernel import bring_down, stages_of
 from ropsim.controller.joint_caps import Caps
 from ropsim.controller.parts import Part
 from ropsim.motion import Quantity, Stages, plan_stages
@@ -27,27 +27,24 @@ class Bands:
         begins: places at which its pieces begin, and the end of the last one, shape (p + 1,).
         legs: number of the move of each piece, shape (p,).
         borders: from its start on, stages and pieces end at some of them, shape (c + 1,).
+        times: at which the part as it was planned is at the borders, from its start on [s], shape (c + 1,).
         owners: number of the piece on which each band lies, shape (c,).
         planned: bounds of speed, acceleration and jerk along it, shape (3, c).
         bounds: the same with regard to joints, shape (3, c).
         causes: joint that brought one of them down last, and the number of the quantity, or -1, (2, c).
+        share: least share of its planned rate that a band is left, in ]0, 1].
     """
 
     part: Part
     begins: Array
     legs: Array
     borders: Array
+    times: Array
     owners: Array
     planned: Array
     bounds: Array
     causes: Array
-
-    @property
-    def share(self) -> float:
-        """Return the least share of its planned rate that a band is left, in ]0, 1]."""
-        told = np.empty(1)
-        least_share(self.planned, self.bounds, told)
-        return float(told[0])
+    share: float
 
     def lowered(self, caps: Caps) -> "Bands":
         """Return the same with bounds no higher than caps, and by as many steps lower than planned.
@@ -55,14 +52,15 @@ class Bands:
         Args:
             caps: what joints allow, and where.
         """
-        before, bounds, causes = self.bounds, self.bounds.copy(), self.causes.copy()
-        held = caps.rows, caps.count, caps.places, self.borders, _BESIDE, _STEPS
-        bring_down(*held, self.planned, before, bounds, causes, np.empty_like(caps.places))
-        return self._with(bounds, causes)
+        bounds, causes, told = np.empty(self.bounds.shape), self.causes.copy(), np.empty(1)
+        held = caps.rows, caps.count, caps.places, self.borders, _BESIDE, _STEPS, self.planned, self.bounds
+        bring_down(*held, bounds, causes, np.empty(caps.places.shape), told)
+        return self._with(bounds, causes, float(told[0]))
 
     def slower(self, share: float) -> "Bands":
         """Return the same where everything goes at a share, in ]0, 1], of its rate."""
-        return self._with(self.bounds * np.array([[share], [share**2], [share**3]]), self.causes)
+        bounds = self.bounds * np.array([[share], [share**2], [share**3]])
+        return self._with(bounds, self.causes, self.share * share)
 
     def replanned(self, look_ahead: int) -> Part:
         """Return the part with these bounds.
@@ -81,9 +79,9 @@ class Bands:
         joint, quantity = self.causes[:, band].tolist()
         return int(joint), _QUANTITIES[int(quantity)]
 
-    def _with(self, bounds: Array, causes: Array) -> "Bands":
-        fixed = self.part, self.begins, self.legs, self.borders, self.owners, self.planned
-        return Bands(*fixed, bounds, causes)
+    def _with(self, bounds: Array, causes: Array, share: float) -> "Bands":
+        fixed = self.part, self.begins, self.legs, self.borders, self.times, self.owners, self.planned
+        return Bands(*fixed, bounds, causes, share)
 
 
 def bands_of(part: Part, times: Array, start: float) -> Bands:
@@ -96,12 +94,13 @@ def bands_of(part: Part, times: Array, start: float) -> Bands:
     """
     begins, rows, count = part.borders, part.stages.rows, len(times)
     asked, law, told = np.empty(count), np.empty((4, count)), np.empty(1)
-    bands, near = np.empty((5, count + len(rows))), _SAME_PLACE * float(begins[-1])
-    walked, counts = (part.law.segments, part.law.duration), part.counts.astype(np.float64)
+    bands, near = np.empty((6, count + len(rows))), _SAME_PLACE * float(begins[-1])
+    walked, counts = (part.law.segments, part.law.ends), part.counts.astype(np.float64)
     lay_bands(
         *walked, start, times, begins, np.ascontiguousarray(rows), counts, near, asked, law, bands, told
     )
     bands = bands[:, : int(told[0])]
     bounds, legs = bands[1:4].copy(), np.array([piece.leg for piece in part.pieces], dtype=np.float64)
-    causes = np.full((2, bounds.shape[1]), -1.0)
-    return Bands(part, begins, legs, np.append(0.0, bands[0]), bands[4].copy(), bounds, bounds, causes)
+    borders, reached = np.concatenate((np.zeros((2, 1)), bands[[0, TIME]]), axis=1)
+    causes = np.full((2, len(reached) - 1), -1.0)
+    return Bands(part, begins, legs, borders, reached, bands[PIECE].copy(), bounds, bounds, causes, 1.0)

@@ -14,7 +14,7 @@ KIND, VALUE, TICK, JOINT, QUANTITY = range(5)
 
 @kernel(
     "void(f8[:,::1], i8, f8[:,::1], f8[::1], i8, f8[::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1],"
-    " f8[:,::1])"
+    " f8[:,::1], f8[::1])"
 )
 def bring_down(
     caps: Array,
@@ -28,6 +28,7 @@ def bring_down(
     bounds: Array,
     causes: Array,
     counted: Array,
+    told: Array,
 ) -> None:
     """Bring the bounds of bands down to caps and on to the next step, and note what each was lowered for.
 
@@ -40,10 +41,14 @@ def bring_down(
         steps: logarithms of the steps of each kind in which bounds come down from the planned ones, (3,).
         planned: the bounds before joints counted, shape (3, c).
         before: the bounds as they are, shape (3, c).
-        bounds: the same; become no higher than the caps, shape (3, c).
+        bounds: where they go, no higher than the caps, shape (3, c).
         causes: joint and quantity of each band; become those of the last cap that binds, shape (2, c).
         counted: room to work in, shape (2, b).
+        told: where the least share of its planned rate goes that a band is left, in ]0, 1], shape (1,).
     """
+    for kind in range(bounds.shape[0]):
+        for band in range(bounds.shape[1]):
+            bounds[kind, band] = before[kind, band]
     most, last = borders.shape[0] - 2, 0
     for k in range(places.shape[1]):
         for end in range(2):
@@ -63,23 +68,7 @@ def bring_down(
             if bounds[kind, band] < before[kind, band]:
                 lower = floor(log(bounds[kind, band] / planned[kind, band]) / steps[kind]) * steps[kind]
                 bounds[kind, band] = planned[kind, band] * exp(lower)
-
-
-@kernel("void(f8[:,::1], f8[:,::1], f8[::1])")
-def least_share(planned: Array, bounds: Array, told: Array) -> None:
-    """Write the least share of its planned rate that a band is left, in ]0, 1].
-
-    Args:
-        planned: bounds of speed, acceleration and jerk before joints counted, shape (3, c).
-        bounds: the same with regard to joints, shape (3, c).
-        told: where the share goes, shape (1,).
-    """
-    told[0] = inf
-    for kind in range(bounds.shape[0]):
-        left = inf
-        for band in range(bounds.shape[1]):
-            left = min(left, bounds[kind, band] / planned[kind, band])
-        told[0] = min(told[0], left if kind == 0 else sqrt(left) if kind == 1 else np.cbrt(left))
+    told[0] = _least_share(planned, bounds)
 
 
 @kernel("void(f8[::1], f8[:,::1], f8[::1], f8[::1], i8, f8[:,::1], f8[::1], f8[::1])")
@@ -126,6 +115,17 @@ def stages_of(
         count += 1
     lay_horizons(legs, counts, look_ahead, stages[:count])
     told[0] = count
+
+
+def _least_share(planned: Array, bounds: Array) -> float:
+    """Return the least share of its planned rate that a band is left, in ]0, 1]."""
+    least = inf
+    for kind in range(bounds.shape[0]):
+        left = inf
+        for band in range(bounds.shape[1]):
+            left = min(left, bounds[kind, band] / planned[kind, band])
+        least = min(least, left if kind == 0 else sqrt(left) if kind == 1 else np.cbrt(left))
+    return least
 
 
 def _band_of(borders: Array, place: float, near: int) -> int:

@@ -26,9 +26,9 @@ def slowed_in(planned: Course, course: Course, bands: Mapping[int, Bands]) -> tu
         if own.bounds is own.planned:
             continue
         run, count, law = course.runs[number], len(own.owners), planned.runs[number].law
-        room, ways, told = np.empty((4, 2 * count)), np.empty((4, count)), np.empty(1)
-        here = own.borders, own.owners, own.begins, own.planned, own.bounds, own.causes
-        laws = run.law.segments, run.law.ends, law.segments, law.ends, float(law.speeds.max())
+        room, ways, told = np.empty((3, 2 * count)), np.empty((4, count)), np.empty(1)
+        here = own.borders, own.times, own.owners, own.begins, own.planned, own.bounds, own.causes
+        laws = run.law.segments, run.law.ends, float(law.speeds.max())
         slower_ways(*here, *laws, room, ways, told)
         for start, stop, share, band in ways[:, : int(told[0])].T.tolist():
             slowed.append(Slowed(run.start + start, run.start + stop, share, *own.cause(int(band))))

@@ -1,7 +1,7 @@
 """Ways along a part that are slower than they were planned, in a loop that numba compiles."""
 
 from ropsim.codegen import kernel
-from ropsim.motion import times_at
+from ropsim.motion import times_along
 from ropsim.spatial import Array
 
 START, STOP, SHARE, BAND = range(4)
@@ -10,11 +10,12 @@ _TINY = 1e-300
 
 
 @kernel(
-    "void(f8[::1], f8[::1], f8[::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[::1], f8[:,::1], f8[::1],"
-    " f8, f8[:,::1], f8[:,::1], f8[::1])"
+    "void(f8[::1], f8[::1], f8[::1], f8[::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[::1], f8,"
+    " f8[:,::1], f8[:,::1], f8[::1])"
 )
 def slower_ways(
     borders: Array,
+    times: Array,
     owners: Array,
     begins: Array,
     planned: Array,
@@ -22,8 +23,6 @@ def slower_ways(
     causes: Array,
     segments: Array,
     ends: Array,
-    planned_segments: Array,
-    planned_ends: Array,
     most: float,
     room: Array,
     ways: Array,
@@ -33,6 +32,7 @@ def slower_ways(
 
     Args:
         borders: places between which the bands lie, shape (c + 1,).
+        times: at which the motion would be there before joints counted [s], shape (c + 1,).
         owners: number of the piece on which each band lies, rising, shape (c,).
         begins: places at which pieces begin, shape (p or more,).
         planned: bounds before joints counted, shape (3, c).
@@ -40,10 +40,8 @@ def slower_ways(
         causes: joint and quantity of each band, below 0 where it has none, shape (2, c).
         segments: of the time law, see `TimeLaw`, shape (8, m).
         ends: times at which its pieces end [s], shape (p,).
-        planned_segments: of the time law before joints counted.
-        planned_ends: likewise.
-        most: greatest speed of that one.
-        room: to work in, shape (4, 2·c).
+        most: greatest speed before joints counted.
+        room: to work in, shape (3, 2·c).
         ways: where they go: from when and until when [s], share of the greatest speed that is left in the
             slowest band, and its number; shape (4, c).
         told: where the number of ways goes, shape (1,).
@@ -57,8 +55,7 @@ def slower_ways(
                 piece = owners[min(border, last)]
                 room[0, count], room[1, count] = piece, borders[border] - begins[int(piece)]
                 count += 1
-    times_at(segments, ends, room[0, :count], room[1, :count], room[2, :count], told)
-    times_at(planned_segments, planned_ends, room[0, :count], room[1, :count], room[3, :count], told)
+    times_along(segments, ends, room[0, :count], room[1, :count], room[2, :count])
     way, k, band = 0, 0, 0
     while band <= last:
         if not _is_lower(planned, bounds, band):
@@ -69,7 +66,7 @@ def slower_ways(
             if causes[0, band] >= 0.0:
                 length = borders[band + 1] - borders[band]
                 now = length / max(room[2, k + 1] - room[2, k], _TINY)
-                then = length / max(room[3, k + 1] - room[3, k], _TINY)
+                then = length / max(times[band + 1] - times[band], _TINY)
                 share = min(1.0 - (then - now) / most, 1.0)
                 if ways[BAND, way] < 0.0 or share < ways[SHARE, way]:
                     ways[SHARE, way], ways[BAND, way] = share, band

@@ -74,7 +74,8 @@ class StretchMotion:
             rows: of its time law, in rising order, k of them.
         """
         pieces = self.course.runs[number].pieces
-        out = np.empty((3, len(rows.places), len(_end(self.course.runs[number]))))
+        n = self.table.rows.shape[1] if self.table else len(_end(self.course.runs[number]))
+        out = np.empty((3, len(rows.places), n))
         if table := self.table:
             law, room = np.empty((4, len(rows.places))), np.empty((COEFFICIENTS, out.shape[2]))
             law[0], law[1], law[2], law[3] = rows.pieces, rows.places, 1.0, 0.0

@@ -14,6 +14,8 @@ HALVINGS = 80
 SIXTH = 1.0 / 6.0
 ROUNDING = 1e-16
 """Relative; the search for a time ends at a step below this share of it."""
+NEWTON = 1e-9
+"""Relative; after a step of Newton no greater than this what remains is its square, which is rounding."""
 
 
 @kernel("void(f8[:,::1], f8, f8[::1], f8[:,::1])")
@@ -67,19 +69,91 @@ def times_at(segments: Array, ends: Array, pieces: Array, places: Array, out: Ar
             piece = int(pieces[k])
             first, beyond = _lower(segments, 0, float(piece)), _lower(segments, 0, piece + 1.0)
             low = first
-        place = places[k]
-        if place >= segments[7, beyond - 1]:
-            out[k] = ends[piece]
+        low = _row_of(segments, places[k], first, beyond, low)
+        out[k] = _time_of(segments, ends, piece, beyond, low, places[k])
+
+
+@kernel("void(f8[:,::1], f8[::1], f8[::1], f8[::1], f8[::1])")
+def times_along(segments: Array, ends: Array, pieces: Array, places: Array, out: Array) -> None:
+    """Write what `times_at` does but for rounding, of places in order, each looked for from the one before.
+
+    Args:
+        segments: shape (8, m).
+        ends: times [s] at which the pieces end, shape (p,).
+        pieces: index of the piece of each place, rising, shape (k,).
+        places: on it, in order; those outside of it count as its start or end; shape (k,).
+        out: where the times go, shape (k,).
+    """
+    last, row, near = segments.shape[1] - 1, 0, 0.0
+    for k in range(places.shape[0]):
+        piece, place = pieces[k], places[k]
+        while row < last and (
+            segments[0, row] < piece or (segments[0, row + 1] == piece and segments[2, row + 1] <= place)
+        ):
+            row += 1
+            near = 0.0
+        end = segments[7, row] if row == last or segments[0, row + 1] > piece else inf
+        if place >= end:
+            out[k] = ends[int(piece)]
             continue
-        if isnan(place):
-            out[k] = place
-            continue
-        if place <= 0.0:
-            out[k] = 0.0 if piece == 0 else ends[piece - 1]
-            continue
-        low = _row_of(segments, place, first, beyond, low)
-        end = min(_start_of(segments, low + 1), ends[piece])
-        out[k] = _time_at(segments, low, place, end)
+        near = _near(segments, row, max(place - segments[2, row], 0.0), near)
+        out[k] = segments[1, row] + near
+
+
+def _near(segments: Array, row: int, way: float, u: float) -> float:
+    """Return the time since the start of a segment at which a way is gone, no less than `u` [s].
+
+    By Newton's steps from there, kept between the times known to be too early and too late.
+    """
+    v, a, j = segments[3, row], segments[4, row], segments[5, row]
+    least, most = u, segments[6, row]
+    if way <= 0.0:
+        return u
+    u = 0.5 * (least + most)
+    slope = v + least * (a + 0.5 * least * j)
+    if slope > 0.0:
+        tried = least + (way - least * (v + least * (0.5 * a + least * (j * SIXTH)))) / slope
+        u = tried if tried < most else u
+    for _ in range(HALVINGS):
+        over = u * (v + u * (0.5 * a + u * (j * SIXTH))) - way
+        slope = v + u * (a + 0.5 * u * j)
+        if over > 0.0:
+            most = u
+        else:
+            least = u
+        step = over / slope if slope > 0.0 else inf
+        tried = u - step
+        if abs(step) <= NEWTON * u:
+            return float(min(max(tried, least), most))
+        u = tried if least < tried < most else 0.5 * (least + most)
+    return u
+
+
+@kernel("void(f8[:,::1], f8[::1], i8, f8, f8[::1])")
+def time_at(segments: Array, ends: Array, piece: int, place: float, out: Array) -> None:
+    """Write the time [s] at which the motion is at a place of a piece that there is; see `times_at`.
+
+    Args:
+        segments: shape (8, m).
+        ends: times [s] at which the pieces end, shape (p,).
+        piece: index of the piece.
+        place: on it; one outside of it counts as its start or end.
+        out: where the time goes, shape (1,).
+    """
+    first, beyond = _lower(segments, 0, float(piece)), _lower(segments, 0, piece + 1.0)
+    row = _row_of(segments, place, first, beyond, first)
+    out[0] = _time_of(segments, ends, piece, beyond, row, place)
+
+
+def _time_of(segments: Array, ends: Array, piece: int, beyond: int, row: int, place: float) -> float:
+    """Return the time [s] of a place of a piece, which is in a segment if it is on the piece."""
+    if place >= segments[7, beyond - 1]:
+        return float(ends[piece])
+    if isnan(place):
+        return place
+    if place <= 0.0:
+        return 0.0 if piece == 0 else float(ends[piece - 1])
+    return _time_at(segments, row, place, min(_start_of(segments, row + 1), ends[piece]))
 
 
 def _row_at(segments: Array, t: float, row: int) -> int:

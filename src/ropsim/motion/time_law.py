@@ -128,10 +128,8 @@ class TimeLaw:
             piece: index of it.
             place: value of s.
         """
-        out, told = np.empty((2, 1))
-        law_rows_kernel.times_at(
-            self.segments, self.ends, np.array((float(piece),)), np.array((place,)), out, told
-        )
+        out = np.empty(1)
+        law_rows_kernel.time_at(self.segments, self.ends, piece, place, out)
         return float(out[0])
 
     def in_parts(self, counts: npt.ArrayLike) -> "TimeLaw":

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from ropsim.controller.band_borders_kernel import MOST_PARTS, STEEP, band_times, lay_bands
-from ropsim.controller.bands_kernel import bring_down, least_share, stages_of
+from ropsim.controller.bands_kernel import bring_down, stages_of
 from ropsim.controller.exceeding_kernel import exceeding, walk_at
 from ropsim.controller.parts_kernel import lay_horizons
 from ropsim.controller.slowed_bands_kernel import slower_ways
@@ -41,8 +41,9 @@ def test_caps_bring_bands_down_to_steps_below_them(seed: int) -> None:
     places = np.sort(rng.uniform(-0.5, borders[-1] + 0.5, (2, b)), axis=0)
     rows = np.array([rng.integers(0, high, h) for high in (3, 1, b, 6, 4)], dtype=np.float64)
     rows[1] = rng.uniform(0.7, 2.0, h)
-    bounds, causes = before.copy(), np.full((2, c), -1.0)
-    bring_down(rows, h, places, borders, BESIDE, STEPS, planned, before, bounds, causes, np.empty((2, b)))
+    bounds, causes, told = np.empty((3, c)), np.full((2, c), -1.0), np.empty(1)
+    held = rows, h, places, borders, BESIDE, STEPS, planned, before
+    bring_down(*held, bounds, causes, np.empty((2, b)), told)
     low, named = before.copy(), np.full((2, c), -1.0)
     spans = []
     for kind, value, tick, *_ in rows.T:
@@ -56,8 +57,6 @@ def test_caps_bring_bands_down_to_steps_below_them(seed: int) -> None:
     wanted = np.where(low < before, planned * np.exp(steps), before)
     np.testing.assert_allclose(bounds, wanted, rtol=ROUNDING)
     assert causes.tolist() == named.tolist()
-    told = np.empty(1)
-    least_share(planned, bounds, told)
     left = (bounds / planned).min(axis=1) ** np.array([1.0, 0.5, 1.0 / 3.0])
     assert told[0] == pytest.approx(left.min(), rel=ROUNDING)
 
@@ -102,8 +101,8 @@ def test_bands_end_where_the_motion_is_at_times_and_where_stages_end(seed: int) 
     start, begins, ends = 0.7, begins_of(stages, counts), np.cumsum(stages[:, 0])
     times = np.sort(rng.uniform(start - 0.1, start + law.duration + 0.1, 50))
     near = 1e-3
-    asked, rows, bands, told = np.empty(50), np.empty((4, 50)), np.empty((5, 50 + len(stages))), np.empty(1)
-    fixed = law.segments, law.duration, start, times, begins, stages, counts, near
+    asked, rows, bands, told = np.empty(50), np.empty((4, 50)), np.empty((6, 50 + len(stages))), np.empty(1)
+    fixed = law.segments, law.ends, start, times, begins, stages, counts, near
     lay_bands(*fixed, asked, rows, bands, told)
     inside = times[(times > start) & (times < start + law.duration)] - start
     found = law.at(inside)
@@ -115,7 +114,9 @@ def test_bands_end_where_the_motion_is_at_times_and_where_stages_end(seed: int) 
     middles = borders - 0.5 * np.diff(np.append(0.0, borders))
     here = np.searchsorted(ends[:-1], middles, "right")
     assert bands[1:4].tolist() == stages[here, 1:].T.tolist()
-    assert bands[4].tolist() == np.searchsorted(begins[1:-1], middles, "right").tolist()
+    pieces = np.searchsorted(begins[1:-1], middles, "right")
+    assert bands[4].tolist() == pieces.tolist()
+    np.testing.assert_allclose(bands[5], law.times_of(pieces, borders - begins[pieces]), rtol=1e-9)
 
 
 @pytest.mark.parametrize("seed", SEEDS)
@@ -159,10 +160,10 @@ def test_ways_that_are_slower_are_told_with_the_band_that_loses_most(seed: int) 
     stages_of(borders, bounds, owners, legs, 0, rows, many, told)
     slow = plan_stages(rows[: int(told[0])], many)
     ways, most = np.empty((4, c)), float(law.speeds.max())
-    laws = slow.segments, slow.ends, law.segments, law.ends, most
-    slower_ways(borders, owners, begins, planned, bounds, causes, *laws, np.empty((4, 2 * c)), ways, told)
     pieces = np.searchsorted(begins[1:-1], borders, "right")
     now, then = (each.times_of(pieces, borders - begins[pieces]) for each in (slow, law))
+    fixed = borders, then, owners, begins, planned, bounds, causes, slow.segments, slow.ends, most
+    slower_ways(*fixed, np.empty((3, 2 * c)), ways, told)
     shares = 1.0 - (np.diff(borders) / np.diff(then) - np.diff(borders) / np.diff(now)) / most
     steps = np.diff(np.concatenate(([0], lower.astype(int), [0])))
     wanted = []

@@ -261,6 +261,24 @@ def test_the_time_of_one_place_is_that_of_it_among_others(piece: int) -> None:
     assert alone == law.times_of(piece, places[::-1])[::-1].tolist()
 
 
+@pytest.mark.parametrize("seed", range(20))
+def test_the_times_of_places_in_order_are_those_of_each_but_for_rounding(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    rows = rng.uniform((0.02, 0.5, 2.0, 40.0), (0.3, 1.5, 6.0, 200.0), (6, 4))
+    law = plan_time_law([Stage(*row) for row in rows.tolist()]).in_parts([1, 3, 2])
+    lengths = np.array([rows[0, 0], rows[1:4, 0].sum(), rows[4:, 0].sum()])
+    pieces = np.sort(rng.integers(0, 3, 60)).astype(np.float64)
+    places = rng.uniform(-0.1, 1.1, 60) * lengths[pieces.astype(int)]
+    places[rng.integers(0, 60, 10)] = 0.0
+    order = np.lexsort((places, pieces))
+    pieces, places, out = pieces[order], places[order], np.empty(60)
+    law_rows_kernel.times_along(law.segments, law.ends, pieces, places, out)
+    wanted = law.times_of(pieces, places)
+    inside = (places >= 0.0) | (pieces == 0.0)
+    assert out[inside] == pytest.approx(wanted[inside], rel=1e-12, abs=1e-14)
+    assert out[~inside] == pytest.approx(wanted[~inside], rel=1e-12)
+
+
 def test_times_of_places_beyond_the_ends_are_those_of_the_ends() -> None:
     law = plan_time_law(WAY)
     assert law.times_of(0, [-1.0, 0.0]).tolist() == [0.0, 0.0]
