@@ -9,10 +9,6 @@ from ropsim.controller.parts import Part
 from ropsim.motion import Quantity, Stages, plan_stages
 from ropsim.spatial import Array, record
 
-_STEPS = np.array([0.01, 0.04, 0.08])
-"""Logarithms of the steps in which bounds are brought down, so that neighbours are often the same."""
-_BESIDE = 2
-"""Bands beside one that are brought down with it: what is slower comes later to what lies behind."""
 _SAME_PLACE = 1e-7
 """Share of a part below which two borders are one."""
 _QUANTITIES = tuple(Quantity)
@@ -53,14 +49,14 @@ class Bands:
             caps: what joints allow, and where.
         """
         bounds, causes, told = np.empty(self.bounds.shape), self.causes.copy(), np.empty(1)
-        held = caps.rows, caps.count, caps.places, self.borders, _BESIDE, _STEPS, self.planned, self.bounds
+        held = caps.rows, caps.count, caps.places, self.borders, self.planned, self.bounds
         bring_down(*held, bounds, causes, np.empty(caps.places.shape), told)
-        return self._with(bounds, causes, float(told[0]))
+        return self.with_bounds(bounds, causes, float(told[0]))
 
     def slower(self, share: float) -> "Bands":
         """Return the same where everything goes at a share, in ]0, 1], of its rate."""
         bounds = self.bounds * np.array([[share], [share**2], [share**3]])
-        return self._with(bounds, self.causes, self.share * share)
+        return self.with_bounds(bounds, self.causes, self.share * share)
 
     def replanned(self, look_ahead: int) -> Part:
         """Return the part with these bounds.
@@ -70,18 +66,27 @@ class Bands:
         """
         rows, counts, told = np.empty((len(self.owners), 6)), np.empty(len(self.legs)), np.empty(1)
         stages_of(self.borders, self.bounds, self.owners, self.legs, look_ahead, rows, counts, told)
-        rows = rows[: int(told[0])]
+        return self.with_stages(rows[: int(told[0])], counts)
+
+    def with_stages(self, rows: Array, counts: Array) -> Part:
+        """Return the part with stages.
+
+        Args:
+            rows: of them, see `plan_stages`, shape (s, 6).
+            counts: how many of them each piece has, shape (p,).
+        """
         stages, law = Stages(rows[:, :4]), plan_stages(rows, counts)
         return Part(self.part.pieces, stages, counts.astype(np.intp), law, self.part.over)
+
+    def with_bounds(self, bounds: Array, causes: Array, share: float) -> "Bands":
+        """Return the same with other bounds and causes, of which a band has the least share of its rate."""
+        fixed = self.part, self.begins, self.legs, self.borders, self.times, self.owners, self.planned
+        return Bands(*fixed, bounds, causes, share)
 
     def cause(self, band: int) -> tuple[int, Quantity]:
         """Return the joint that has brought a band down, and what it had too little of."""
         joint, quantity = self.causes[:, band].tolist()
         return int(joint), _QUANTITIES[int(quantity)]
-
-    def _with(self, bounds: Array, causes: Array, share: float) -> "Bands":
-        fixed = self.part, self.begins, self.legs, self.borders, self.times, self.owners, self.planned
-        return Bands(*fixed, bounds, causes, share)
 
 
 def bands_of(part: Part, times: Array, start: float) -> Bands:

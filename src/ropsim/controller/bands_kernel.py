@@ -10,19 +10,21 @@ from ropsim.spatial import Array
 
 KIND, VALUE, TICK, JOINT, QUANTITY = range(5)
 """Rows of caps."""
+FIRST_STEP, SECOND_STEP, THIRD_STEP = 0.01, 0.04, 0.08
+"""Logarithms of the steps in which bounds of speed, acceleration and jerk come down from the planned ones, so
+that neighbours are often the same."""
+BESIDE = 2
+"""Bands beside one that are brought down with it: what is slower comes later to what lies behind."""
 
 
 @kernel(
-    "void(f8[:,::1], i8, f8[:,::1], f8[::1], i8, f8[::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1],"
-    " f8[:,::1], f8[::1])"
+    "void(f8[:,::1], i8, f8[:,::1], f8[::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[::1])"
 )
 def bring_down(
     caps: Array,
     count: int,
     places: Array,
     borders: Array,
-    beside: int,
-    steps: Array,
     planned: Array,
     before: Array,
     bounds: Array,
@@ -37,8 +39,6 @@ def bring_down(
         count: of them, h.
         places: from which and up to which caps of a tick count, of b ticks, shape (2, b).
         borders: places between which the bands lie, shape (c + 1,).
-        beside: bands on either side that are brought down with one.
-        steps: logarithms of the steps of each kind in which bounds come down from the planned ones, (3,).
         planned: the bounds before joints counted, shape (3, c).
         before: the bounds as they are, shape (3, c).
         bounds: where they go, no higher than the caps, shape (3, c).
@@ -53,7 +53,7 @@ def bring_down(
     for k in range(places.shape[1]):
         for end in range(2):
             last = _band_of(borders, places[end, k], last)
-            counted[end, k] = min(max(last + (beside if end else -beside), 0), most)
+            counted[end, k] = min(max(last + (BESIDE if end else -BESIDE), 0), most)
     for h in range(count):
         kind, value, k = int(caps[KIND, h]), caps[VALUE, h], int(caps[TICK, h])
         for band in range(int(counted[0, k]), int(counted[1, k]) + 1):
@@ -66,7 +66,8 @@ def bring_down(
     for kind in range(bounds.shape[0]):
         for band in range(bounds.shape[1]):
             if bounds[kind, band] < before[kind, band]:
-                lower = floor(log(bounds[kind, band] / planned[kind, band]) / steps[kind]) * steps[kind]
+                step = FIRST_STEP if kind == 0 else SECOND_STEP if kind == 1 else THIRD_STEP
+                lower = floor(log(bounds[kind, band] / planned[kind, band]) / step) * step
                 bounds[kind, band] = planned[kind, band] * exp(lower)
     told[0] = _least_share(planned, bounds)
 

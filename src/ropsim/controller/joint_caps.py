@@ -72,15 +72,22 @@ def joint_caps(walked: Walked, arm: ArmBounds, period: float, used: float) -> Ca
         used: share of the limits that is aimed at, in ]0, 1].
     """
     rows, told = np.empty((5, 4 * walked.q.size)), np.empty(1)
-    at_path = walked.speeds, walked.accelerations, walked.d1, walked.d2
-    loads, limits = _loads(walked, arm), _limits(arm.joints, period)
+    b, n = walked.q.shape
+    slopes = walked.d1.reshape(2 * b, n), walked.d2.reshape(2 * b, n)
+    at_path = walked.speeds.ravel(), walked.accelerations.ravel(), *slopes
+    loads, limits = _loads(walked, arm), joint_limits(arm.joints, period)
     caps_of(*at_path, walked.qd, walked.qdd, loads, limits, period, used, 1.0 + ROUNDING, rows, told)
     return Caps(rows, int(told[0]), walked.places)
 
 
 @lru_cache(maxsize=16)
-def _limits(joints: JointBounds, period: float) -> Array:
-    """Return limits of speed, acceleration, change of acceleration in a tick, and torque, shape (4, n)."""
+def joint_limits(joints: JointBounds, period: float) -> Array:
+    """Return limits of speed, acceleration, change of acceleration in a tick, and torque, shape (4, n).
+
+    Args:
+        joints: their bounds.
+        period: of the control ticks [s].
+    """
     effort = np.full(len(joints.speed), np.inf) if joints.effort is None else joints.effort
     return np.array([joints.speed, joints.acceleration, period * joints.jerk, effort])
 

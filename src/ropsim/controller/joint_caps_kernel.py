@@ -20,7 +20,7 @@ TORQUE = 3
 
 
 @kernel(
-    "void(f8[:,::1], f8[:,::1], f8[:,:,::1], f8[:,:,::1], f8[:,::1], f8[:,:,::1], f8[:,:,::1], f8[:,::1],"
+    "void(f8[::1], f8[::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,:,::1], f8[:,:,::1], f8[:,::1],"
     " f8, f8, f8, f8[:,::1], f8[::1])"
 )
 def caps_of(
@@ -41,9 +41,9 @@ def caps_of(
     """Write the caps that joints set along a path, first of speed, then of acceleration, jerk and torque.
 
     Args:
-        speeds: along the path at the ticks before and at the b ticks, shape (2, b).
-        accelerations: likewise, shape (2, b).
-        d1: first derivatives of the joints by the place, shape (2, b, n).
+        speeds: along the path at the ticks before, then at the b ticks, shape (2·b,).
+        accelerations: likewise, shape (2·b,).
+        d1: first derivatives of the joints by the place, likewise, shape (2·b, n).
         d2: second ones.
         qd: speeds of the joints at the ticks, of all motions that go on [rad/s | m/s], shape (b, n).
         qdd: accelerations at the ticks before and at the ticks, likewise, shape (2, b, n).
@@ -54,8 +54,9 @@ def caps_of(
         used: share of the limits that is aimed at.
         allowed: what may be used of a limit, 1 and rounding.
         caps: where they go: kind, value, number of the tick, joint, quantity, shape (5, 4·b·n).
-        told: where their number goes, shape (1,).
+        told: where their number goes, shape (1 or more,).
     """
+    b = qd.shape[0]
     count = _of_speed(speeds, qd, limits, used, allowed, caps)
     for quantity in range(ACCELERATION, TORQUE + 1):
         rows = loads.shape[1] if quantity == TORQUE else qd.shape[0]
@@ -64,19 +65,19 @@ def caps_of(
                 continue
             for k in range(rows):
                 for j in range(qd.shape[1]):
-                    v0, v, a0, a = speeds[0, k], speeds[1, k], accelerations[0, k], accelerations[1, k]
-                    bent, along, value = d2[1, k, j] * (v * v), d1[1, k, j] * a, qdd[1, k, j]
+                    v0, v, a0, a = speeds[k], speeds[b + k], accelerations[k], accelerations[b + k]
+                    bent, along, value = d2[b + k, j] * (v * v), d1[b + k, j] * a, qdd[1, k, j]
                     third = 0.0
                     if quantity == TORQUE:
                         value, bent, along = loads[0, k, j], loads[1, k, j], loads[2, k, j]
                     elif quantity == JERK:
                         value -= qdd[0, k, j]
-                        bent = (d2[1, k, j] - d2[0, k, j]) * 0.5 * (v * v + v0 * v0)
+                        bent = (d2[b + k, j] - d2[k, j]) * 0.5 * (v * v + v0 * v0)
                         along = 0.5 * (
-                            (d2[1, k, j] + d2[0, k, j]) * (v * v - v0 * v0)
-                            + (d1[1, k, j] - d1[0, k, j]) * (a + a0)
+                            (d2[b + k, j] + d2[k, j]) * (v * v - v0 * v0)
+                            + (d1[b + k, j] - d1[k, j]) * (a + a0)
                         )
-                        third = 0.5 * (d1[1, k, j] + d1[0, k, j]) * (a - a0)
+                        third = 0.5 * (d1[b + k, j] + d1[k, j]) * (a - a0)
                     limit = limits[quantity, j]
                     if not abs(value) > limit * allowed:
                         continue
@@ -101,7 +102,7 @@ def _of_speed(speeds: Array, qd: Array, limits: Array, used: float, allowed: flo
         for j in range(qd.shape[1]):
             limit, speed = limits[SPEED, j], abs(qd[k, j])
             if speed > limit * allowed:
-                cap = speeds[1, k] * max(used * limit / speed, MOST_AT_ONCE)
+                cap = speeds[qd.shape[0] + k] * max(used * limit / speed, MOST_AT_ONCE)
                 count = _add(caps, count, SPEED, cap, k, j, SPEED)
     return count
 

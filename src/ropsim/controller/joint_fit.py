@@ -9,15 +9,14 @@ import numpy as np
 from ropsim.controller.band_borders_kernel import MOST_PARTS, band_times
 from ropsim.controller.bands import Bands, bands_of
 from ropsim.controller.course import Course, course_of
-from ropsim.controller.exceeding_kernel import exceeding, walk_at
-from ropsim.controller.joint_caps import Walked, joint_caps
+from ropsim.controller.exceeding_kernel import exceeding
 from ropsim.controller.kept_limits import ArmBounds
+from ropsim.controller.run_step import Aim, slower_run
 from ropsim.controller.slowed_bands import slowed_in
 from ropsim.controller.stretch_motion import StretchMotion
 from ropsim.motion import (
     LONGEST_DELAY,
     ROUNDING,
-    LawRows,
     Quantity,
     Reference,
     Slowed,
@@ -103,19 +102,19 @@ def fitted(planned: Fit, legs: int, arm: ArmBounds, period: float, look_ahead: i
             continue
         if not ticks:
             return replace(now, slowed=slowed_in(planned.course, now.course, bands))
+        changed = [run.part for run in now.course.runs]
         for number, found in ticks.items():
+            own = bands[number]
             if attempt < _ATTEMPTS:
-                used = 1.0 - _LESS * (1 + attempt)
-                walked = _walked(now, number, bands[number].begins, found)
-                bands[number] = bands[number].lowered(joint_caps(walked, looked_at, period, used))
+                aim = Aim(looked_at, period, 1.0 - _LESS * (1 + attempt), look_ahead)
+                bands[number], changed[number] = slower_run(
+                    now.motion, now.reference, number, own, found, aim
+                )
             else:
-                bands[number] = bands[number].slower(1.0 / (now.reference.strain.factor * (1.0 + _LESS)))
+                bands[number] = own.slower(1.0 / (now.reference.strain.factor * (1.0 + _LESS)))
+                changed[number] = bands[number].replanned(look_ahead)
             if bands[number].share < _LEAST:
                 return planned
-        changed = [
-            bands[number].replanned(look_ahead) if number in ticks else run.part
-            for number, run in enumerate(now.course.runs)
-        ]
         course = course_of(changed, legs)
         if course.duration - planned.course.duration > LONGEST_DELAY:
             return planned
@@ -151,25 +150,3 @@ def _exceeding(fit: Fit, numbers: Iterable[int]) -> dict[int, Array]:
         if first < until:
             found[number] = ticks[int(first) : int(until)]
     return found
-
-
-def _walked(fit: Fit, number: int, begins: Array, ticks: Array) -> Walked:
-    """Return the path of a run at control ticks and at those before them."""
-    run, reference, b = fit.course.runs[number], fit.reference, len(ticks)
-    rows, law, places = reference.rows, np.empty((4, 2 * b)), np.empty((2, b))
-    motion, qdd = np.empty((2, 2, b, rows.q.shape[1]))
-    tables = run.law.segments, run.law.duration, run.start, begins, reference.phi, ticks
-    walk_at(*tables, rows.q, rows.d1, rows.d2, np.empty(2 * b), law, places, motion, qdd)
-    points = fit.motion.on_run(number, LawRows(law[0].astype(np.int64), law[1], law[2], law[3]))
-    pairs = qdd.shape
-    return Walked(
-        places,
-        law[2].reshape(2, b),
-        law[3].reshape(2, b),
-        points.d1.reshape(pairs),
-        points.d2.reshape(pairs),
-        motion[0],
-        motion[1],
-        qdd,
-        None if reference.torque is None else reference.torque[ticks.astype(np.intp)],
-    )

@@ -4,15 +4,14 @@ import numpy as np
 import pytest
 
 from ropsim.controller.band_borders_kernel import MOST_PARTS, STEEP, band_times, lay_bands
-from ropsim.controller.bands_kernel import bring_down, stages_of
+from ropsim.controller.bands_kernel import BESIDE, FIRST_STEP, SECOND_STEP, THIRD_STEP, bring_down, stages_of
 from ropsim.controller.exceeding_kernel import exceeding, walk_at
 from ropsim.controller.parts_kernel import lay_horizons
 from ropsim.controller.slowed_bands_kernel import slower_ways
 from ropsim.motion import TimeLaw, plan_stages
 from ropsim.spatial import Array
 
-STEPS = np.array([0.01, 0.04, 0.08])
-BESIDE = 2
+STEPS = np.array([FIRST_STEP, SECOND_STEP, THIRD_STEP])
 ROUNDING = 1e-12
 SEEDS = range(20)
 
@@ -42,7 +41,7 @@ def test_caps_bring_bands_down_to_steps_below_them(seed: int) -> None:
     rows = np.array([rng.integers(0, high, h) for high in (3, 1, b, 6, 4)], dtype=np.float64)
     rows[1] = rng.uniform(0.7, 2.0, h)
     bounds, causes, told = np.empty((3, c)), np.full((2, c), -1.0), np.empty(1)
-    held = rows, h, places, borders, BESIDE, STEPS, planned, before
+    held = rows, h, places, borders, planned, before
     bring_down(*held, bounds, causes, np.empty((2, b)), told)
     low, named = before.copy(), np.full((2, c), -1.0)
     spans = []

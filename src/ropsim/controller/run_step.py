@@ -1,0 +1,127 @@
+"""A step by which a run gets slower where joints cannot follow."""
+
+import numpy as np
+
+from ropsim.controller.bands import Bands
+from ropsim.controller.exceeding_kernel import walk_at
+from ropsim.controller.joint_caps import Walked, joint_caps, joint_limits
+from ropsim.controller.kept_limits import ArmBounds
+from ropsim.controller.parts import Part
+from ropsim.controller.run_step_kernel import step_of_run
+from ropsim.controller.stretch_kernel import FIRST_PIECE
+from ropsim.controller.stretch_motion import StretchMotion
+from ropsim.controller.walk_table import WalkTable
+from ropsim.motion import ROUNDING, LawRows, Reference
+from ropsim.spatial import Array, record
+
+
+@record
+class Aim:
+    """What a step aims at.
+
+    Attributes:
+        arm: limits of the joints.
+        period: of the control ticks [s].
+        used: share of the limits, in ]0, 1].
+        look_ahead: how many moves beyond the present one are known.
+    """
+
+    arm: ArmBounds
+    period: float
+    used: float
+    look_ahead: int
+
+
+def slower_run(
+    motion: StretchMotion, reference: Reference, number: int, bands: Bands, ticks: Array, aim: Aim
+) -> tuple[Bands, Part]:
+    """Return the bands of a run as caps at ticks bring them down, and its part with them.
+
+    Args:
+        motion: of the stretch.
+        reference: of it, at all control ticks.
+        number: of the run.
+        bands: of it.
+        ticks: at which a limit is exceeded, none of them 0, shape (b,).
+        aim: of the step.
+    """
+    if motion.table is None or (reference.torque is not None and aim.arm.effort is not None):
+        walked = _walked(motion, reference, number, bands.begins, ticks)
+        lower = bands.lowered(joint_caps(walked, aim.arm, aim.period, aim.used))
+        return lower, lower.replanned(aim.look_ahead)
+    return _quick(motion, motion.table, reference, number, bands, ticks, aim)
+
+
+def _quick(
+    motion: StretchMotion,
+    table: WalkTable,
+    reference: Reference,
+    number: int,
+    bands: Bands,
+    ticks: Array,
+    aim: Aim,
+) -> tuple[Bands, Part]:
+    """Return the same where paths are known and torques do not count."""
+    run, rows, b = motion.course.runs[number], reference.rows, len(ticks)
+    n, c = rows.q.shape[1], len(bands.owners)
+    bounds, causes = np.empty((3, c)), bands.causes.copy()
+    stages, counts, told = np.empty((c, 6)), np.empty(len(bands.legs)), np.empty(2)
+    step_of_run(
+        run.law.segments,
+        run.law.duration,
+        run.start,
+        reference.phi,
+        ticks,
+        rows.q,
+        rows.d1,
+        rows.d2,
+        int(table.runs[number, FIRST_PIECE]),
+        table.pieces,
+        table.rows,
+        table.slopes,
+        joint_limits(aim.arm.joints, aim.period),
+        aim.period,
+        aim.used,
+        1.0 + ROUNDING,
+        bands.begins,
+        bands.legs,
+        bands.borders,
+        bands.owners,
+        aim.look_ahead,
+        bands.planned,
+        bands.bounds,
+        bounds,
+        causes,
+        stages,
+        counts,
+        told,
+        np.empty((5, 2 * b)),
+        np.empty((3, 2 * b, n)),
+        np.empty((4, b, n)),
+        np.empty((4, b)),
+        np.empty((5, 4 * b * n)),
+    )
+    share, count = told.tolist()
+    return bands.with_bounds(bounds, causes, share), bands.with_stages(stages[: int(count)], counts)
+
+
+def _walked(motion: StretchMotion, reference: Reference, number: int, begins: Array, ticks: Array) -> Walked:
+    """Return the path of a run at control ticks and at those before them."""
+    run, b = motion.course.runs[number], len(ticks)
+    rows, law, places = reference.rows, np.empty((4, 2 * b)), np.empty((2, b))
+    joints, qdd = np.empty((2, 2, b, rows.q.shape[1]))
+    tables = run.law.segments, run.law.duration, run.start, begins, reference.phi, ticks
+    walk_at(*tables, rows.q, rows.d1, rows.d2, np.empty(2 * b), law, places, joints, qdd)
+    points = motion.on_run(number, LawRows(law[0].astype(np.int64), law[1], law[2], law[3]))
+    pairs = qdd.shape
+    return Walked(
+        places,
+        law[2].reshape(2, b),
+        law[3].reshape(2, b),
+        points.d1.reshape(pairs),
+        points.d2.reshape(pairs),
+        joints[0],
+        joints[1],
+        qdd,
+        None if reference.torque is None else reference.torque[ticks.astype(np.intp)],
+    )
