@@ -107,6 +107,6 @@ def _straight(number: int, leg: Leg, first: float, last: float) -> Piece:
 
 def _round(number: int, before: Leg, behind: Leg, corner: Rounding) -> Piece:
     one, other = before.planned.limits.tool, behind.planned.limits.tool
-    least = ToolLimits(*map(min, one.all, other.all))
+    least = one if one == other else ToolLimits(*map(min, one.all, other.all))
     stages, X_MT = along_with(tool_stages(corner.tool, least), corner.coordination), before.planned.X_MT
     return Piece(number, corner.joints, corner.tool, X_MT, stages, corner, corner.coordination)

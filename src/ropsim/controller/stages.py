@@ -1,14 +1,27 @@
 """Bounds of speed, acceleration and jerk along a piece of a stretch: one stage, or several on a bent one."""
 
 from collections.abc import Sequence
+from functools import lru_cache
+from math import sqrt
 
 import numpy as np
 
 from ropsim.controller.bends import Bends, bends_of, bends_of_curve
-from ropsim.controller.bends_kernel import TINY
 from ropsim.controller.coordination import Coordination
-from ropsim.controller.stages_kernel import bent_stages
-from ropsim.motion import Curve, JointMotionLimits, JointPath, Stages, ToolLimits, ToolPath, grid
+from ropsim.controller.stages_kernel import bent_stages, straight_stage
+from ropsim.motion import (
+    Curve,
+    JointLine,
+    JointMotionLimits,
+    JointPath,
+    JointSection,
+    Line,
+    Stages,
+    ToolLimits,
+    ToolPath,
+    ToolSection,
+    grid,
+)
 from ropsim.spatial import Array
 
 _PLACES = np.linspace(0.0, 1.0, 33)
@@ -25,6 +38,9 @@ def joint_stages(path: JointPath, limits: JointMotionLimits) -> Stages:
         path: of the joints.
         limits: of every joint.
     """
+    line = path.path if isinstance(path, JointSection) else path
+    if isinstance(line, JointLine):
+        return _straight(path.length, np.abs(line.q_end - line.q_start), limits)
     points = path.joints(_PLACES * path.length)
     if not points.d2.any():
         return _straight(path.length, np.abs(points.d1).max(axis=0), limits)
@@ -57,12 +73,9 @@ def tool_choices(path: ToolPath, limits: ToolLimits, shares: Sequence[float]) ->
         limits: of the TCP and of the orientation.
         shares: of the highest speed that the bend allows, falling from 1.
     """
-    both = JointMotionLimits(
-        np.array([limits.speed, limits.orientation_speed]),
-        np.array([limits.acceleration, limits.orientation_acceleration]),
-        np.array([limits.jerk, limits.orientation_jerk]),
-    )
-
+    both, line = _of_parts(limits), path.path if isinstance(path, ToolSection) else path
+    if isinstance(line, Line) and line.length and not line.turn.turn.roll:
+        return (_straight(path.length, _even_rates(line), both),)
     if isinstance(path, Curve):
         found = bends_of_curve(path, both)
         if found and not found.d2 * path.length <= _STRAIGHT * found.d1:
@@ -112,12 +125,27 @@ def along_with(stages: Stages, coordination: Coordination | None) -> Stages:
     return Stages(np.column_stack((np.diff(ends, prepend=0.0, append=length), least)))
 
 
-def _straight(length: float, d1: Array, limits: JointMotionLimits) -> Stages:
-    speed, acceleration, jerk = (
-        float((limit / np.maximum(d1, TINY)).min())
-        for limit in (limits.speed, limits.acceleration, limits.jerk)
+@lru_cache(maxsize=256)
+def _of_parts(limits: ToolLimits) -> JointMotionLimits:
+    """Return limits of the tool as those of its two parts, position and orientation, each of shape (2,)."""
+    return JointMotionLimits(
+        np.array([limits.speed, limits.orientation_speed]),
+        np.array([limits.acceleration, limits.orientation_acceleration]),
+        np.array([limits.jerk, limits.orientation_jerk]),
     )
-    return Stages(np.array(((length, speed, acceleration, jerk),)))
+
+
+def _even_rates(line: Line) -> Array:
+    """Return the sizes of the first derivatives of position and orientation on a line without roll, (2,)."""
+    share = 1.0 / line.length
+    (x, y, z), (a, b, c) = (line.way * share).tolist(), (line.turn.velocity * share).tolist()
+    return np.array([sqrt(x * x + y * y + z * z), sqrt(a * a + b * b + c * c)])
+
+
+def _straight(length: float, d1: Array, limits: JointMotionLimits) -> Stages:
+    row = np.empty((1, 4))
+    straight_stage(length, d1, limits.speed, limits.acceleration, limits.jerk, row)
+    return Stages(row)
 
 
 def _bent(bends: Bends, limits: JointMotionLimits, share: float) -> Stages:

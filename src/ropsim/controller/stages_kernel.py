@@ -54,6 +54,29 @@ def bent_stages(
     told[0] = _join_alike(lengths, cells, out)
 
 
+@kernel("void(f8, f8[::1], f8[::1], f8[::1], f8[::1], f8[:,::1])")
+def straight_stage(
+    length: float, d1: Array, speed: Array, acceleration: Array, jerk: Array, out: Array
+) -> None:
+    """Write the stage of a straight path of p parts.
+
+    Args:
+        length: of the path.
+        d1: sizes of the first derivatives of the parts, the same everywhere, shape (p,).
+        speed: limits of the parts, shape (p,).
+        acceleration: likewise.
+        jerk: likewise.
+        out: where length, speed, acceleration and jerk go, shape (1, 4).
+    """
+    v, a, j = np.inf, np.inf, np.inf
+    for part in range(d1.shape[0]):
+        size = _greater(d1[part], TINY)
+        v = _lesser(v, speed[part] / size)
+        a = _lesser(a, acceleration[part] / size)
+        j = _lesser(j, jerk[part] / size)
+    out[0, 0], out[0, 1], out[0, 2], out[0, 3] = length, v, a, j
+
+
 def _write_room(bounds: Array, limits: Array, speeds: Array, out: Array) -> None:
     """Write the speeds, accelerations and jerks along a path that hold together in k cells.
 

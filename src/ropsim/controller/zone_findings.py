@@ -17,12 +17,12 @@ def clipped(move: MoveInstruction, corner: Corner) -> tuple[Diagnostic, ...]:
         corner: that is flown; where motions overlap, its zone is the most that may be flown.
     """
     wanted, zone = move.modal.zone, corner.zone
+    if move.origin.visit > 1 or zone >= wanted * (1.0 - _SAME):
+        return ()
     shown = f"{zone * 1e3:.3g} mm, half of the shorter way beside it"
     if isinstance(corner, Overlap):
         shorter = f" and {corner.shorter * 1e3:.3g} mm" if corner.shorter < zone * (1.0 - _SAME) else ""
         shown = f"at most {zone * 1e3:.3g} mm{shorter}, half of the ways beside it"
-    if move.origin.visit > 1 or zone >= wanted * (1.0 - _SAME):
-        return ()
     finding = ZONE_CLIPPED.at(
         move.origin.span,
         f"the zone of {wanted * 1e3:g} mm is flown as {shown}",

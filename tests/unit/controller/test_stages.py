@@ -18,6 +18,7 @@ from ropsim.motion import (
     JointMotionLimits,
     JointPath,
     JointPoints,
+    JointSection,
     Line,
     OrientationMode,
     SplineFault,
@@ -118,6 +119,47 @@ def test_the_bounds_of_a_straight_way_of_the_joints_are_those_of_the_slowest_joi
     start, end = np.array([0.1, -0.4]), np.array([1.0, 0.2])
     law = plan_time_law(joint_stages(JointLine(start, end), JOINTS))
     assert law.duration == pytest.approx(durations(start, end[None], JOINTS)[0], rel=ROUNDING)
+
+
+class _Unknown:
+    """A path of which nothing is known but what it tells."""
+
+    def __init__(self, path: JointPath) -> None:
+        self.length, self.joints = path.length, path.joints
+
+
+class _UnknownTool:
+    """The same of a path of the tool."""
+
+    def __init__(self, path: ToolPath) -> None:
+        self.length, self.tool, self.positions, self.distance = (
+            path.length,
+            path.tool,
+            path.positions,
+            path.distance,
+        )
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_lines_have_the_stage_that_is_found_by_looking_at_them(seed: int) -> None:
+    random = np.random.default_rng(seed)
+    ends = random.uniform(-2.0, 2.0, (2, 2))
+    line = JointLine(*ends)
+    for path in (line, JointSection(line, 0.2, 0.7)):
+        assert joint_stages(path, JOINTS) == joint_stages(_Unknown(path), JOINTS)
+    start, end = (Pose(random.normal(size=3), random.normal(size=4)) for _ in range(2))
+    for mode in OrientationMode:
+        way = Line(start, end, mode)
+        for tool in (way, ToolSection(way, 0.2 * way.length, 0.7 * way.length)):
+            np.testing.assert_allclose(
+                tool_stages(tool, LIMITS).rows, tool_stages(_UnknownTool(tool), LIMITS).rows, rtol=ROUNDING
+            )
+
+
+def test_a_limit_that_is_no_number_stays_none() -> None:
+    limits = JointMotionLimits(np.array([1.0, np.nan]), JOINTS.acceleration, JOINTS.jerk)
+    row = joint_stages(JointLine(np.zeros(2), np.ones(2)), limits).rows[0]
+    assert np.isnan(row).tolist() == [False, True, False, False]
 
 
 def bounds_at(stages: Stages, s: Array) -> tuple[Array, Array, Array]:
