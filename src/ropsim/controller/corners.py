@@ -12,10 +12,10 @@ from ropsim.controller.meeting import meeting_of
 from ropsim.controller.motion_chain import MotionChain
 from ropsim.controller.tracing import trace
 from ropsim.controller.wrist_corner import are_led, wrist_corner
+from ropsim.controller.zone_ways import way_of
 from ropsim.flow import MoveInstruction
-from ropsim.kinematics import forward_batch
-from ropsim.motion import CornerFault, JointPath, Line, ToolPath, corner, enter, leave
-from ropsim.spatial import Array, record
+from ropsim.motion import CornerFault, JointPath, ToolPath, corner
+from ropsim.spatial import record
 
 _HALF = 0.5
 """Share of a move that a zone may take."""
@@ -95,8 +95,13 @@ def corner_between(chain: MotionChain, before: Leg, behind: Leg) -> Corner | Sto
     if before.joints is None or behind.joints is None:
         return Stop.NO_WAY
     meeting = meeting_of(before, behind)
-    one = _way(chain, before, before.joints, meeting.before if meeting else _in_base(before))
-    other = _way(chain, behind, behind.joints, meeting.behind if meeting else _in_base(behind))
+    one, other = (
+        way_of(chain.robot, joints, leg.planned.X_MT, path)
+        for leg, joints, path in (
+            (before, before.joints, meeting.before if meeting else _in_base(before)),
+            (behind, behind.joints, meeting.behind if meeting else _in_base(behind)),
+        )
+    )
     halves, zone = (_HALF * one.length, _HALF * other.length), commanded_zone(chain, before.move)
     if zone < _LEAST:
         return Stop.TOO_SMALL
@@ -104,9 +109,8 @@ def corner_between(chain: MotionChain, before: Leg, behind: Leg) -> Corner | Sto
         zone = min(zone, one.distance(halves[0], one.length), other.distance(halves[1], 0.0))
         if zone < _LEAST:
             return Stop.STANDS
-    s_leave, s_enter = one.leave(zone, halves[0]), other.enter(zone, halves[1])
-    distances = one.distance(s_leave, one.length), other.distance(s_enter, 0.0)
-    flown = max(distances)
+    (s_leave, leaving), (s_enter, entering) = one.leave(zone, halves[0]), other.enter(zone, halves[1])
+    flown = max(leaving, entering)
     if meeting:
         between = corner(meeting.before, s_leave, meeting.behind, s_enter)
         if between is CornerFault.TURNS_BACK:
@@ -127,7 +131,9 @@ def corner_between(chain: MotionChain, before: Leg, behind: Leg) -> Corner | Sto
                 return Stop.UNREACHABLE
             joints = joined_to(chain, between, traced[0], ends, before.planned.X_MT, along)
             return Rounding(flown, s_leave, s_enter, between, joints, along) if joints else Stop.UNREACHABLE
-    ways = [way for way in distances if way > _LEAST]  # where the tool only turns no zone is too long
+    ways = [
+        way for way in (leaving, entering) if way > _LEAST
+    ]  # where the tool only turns no zone is too long
     return Overlap(flown, min(ways, default=flown), s_leave, s_enter)
 
 
@@ -141,55 +147,3 @@ def _in_base(leg: Leg) -> ToolPath | None:
     """Return the path of the tool of a move where it has one in the base frame."""
     coordination = leg.planned.coordination
     return None if coordination and coordination.frame else leg.tool
-
-
-class _Way:
-    """Positions of the TCP along the path of a move, in the frame of its path of the tool if it has one."""
-
-    def __init__(self, chain: MotionChain, leg: Leg, joints: JointPath, tool: ToolPath | None) -> None:
-        self._robot = chain.robot
-        self._leg = leg
-        self._joints = joints
-        self._tool = tool
-        self.length = joints.length
-
-    def positions(self, places: Array) -> Array:
-        """Return TCP positions [m] at places, (k,) to (k, 3); in the base frame where joints tell them."""
-        if self._tool is not None:
-            return self._tool.positions(places)
-        matrices = forward_batch(self._robot, self._joints.joints(places).q)
-        return np.asarray((matrices @ self._leg.planned.X_MT.matrix())[:, :3, 3])
-
-    def leave(self, zone: float, clip: float) -> float:
-        """Return the place, at least `clip`, behind which the TCP stays within a zone [m] round the end."""
-        return leave(self.positions, self.length, zone, clip)
-
-    def enter(self, zone: float, clip: float) -> float:
-        """Return the place, at most `clip`, before which the TCP stays within a zone [m] round the start."""
-        return enter(self.positions, self.length, zone, clip)
-
-    def distance(self, place: float, other: float) -> float:
-        """Return the distance of the TCP between two places [m]."""
-        a, b = self.positions(np.array([place, other]))
-        return float(np.linalg.norm(a - b))
-
-
-class _StraightWay:
-    """The same along a straight line, which is asked for its ends: nothing is to be searched for."""
-
-    def __init__(self, length: float) -> None:
-        self.length = length
-
-    def leave(self, zone: float, clip: float) -> float:
-        return max(clip, self.length - zone)
-
-    def enter(self, zone: float, clip: float) -> float:
-        return min(clip, zone)
-
-    def distance(self, place: float, other: float) -> float:
-        return abs(place - other)
-
-
-def _way(chain: MotionChain, leg: Leg, joints: JointPath, tool: ToolPath | None) -> _Way | _StraightWay:
-    straight = isinstance(tool, Line) and tool.moves
-    return _StraightWay(joints.length) if straight else _Way(chain, leg, joints, tool)

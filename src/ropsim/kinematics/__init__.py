@@ -1,5 +1,7 @@
 """Kinematics of serial arms: poses, Jacobians, all branches of the inverse, postures; no time, no forces."""
 
+from ropsim.kinematics.arrays import ChainArrays as ChainArrays
+from ropsim.kinematics.arrays import chain_arrays as chain_arrays
 from ropsim.kinematics.arrays import turning_axes as turning_axes
 from ropsim.kinematics.blocks import NO_BLOCKS as NO_BLOCKS
 from ropsim.kinematics.blocks import Blocks as Blocks
@@ -7,6 +9,7 @@ from ropsim.kinematics.blocks import part_blocks as part_blocks
 from ropsim.kinematics.blocks import shape_blocks as shape_blocks
 from ropsim.kinematics.blocks import stacked as stacked
 from ropsim.kinematics.body_poses import body_poses as body_poses
+from ropsim.kinematics.chain_kernel import forward_rows as forward_rows
 from ropsim.kinematics.configurations import configurations as configurations
 from ropsim.kinematics.diagnostics import NO_CLOSED_FORM as NO_CLOSED_FORM
 from ropsim.kinematics.diagnostics import ArrayShapeError as ArrayShapeError

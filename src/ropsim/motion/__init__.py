@@ -54,8 +54,16 @@ from ropsim.motion.line_diagnostics import POSTURE_IN_THE_WAY as POSTURE_IN_THE_
 from ropsim.motion.line_diagnostics import POSTURE_OUT_OF_REACH as POSTURE_OUT_OF_REACH
 from ropsim.motion.motion_limits import JointMotionLimits as JointMotionLimits
 from ropsim.motion.motion_limits import ToolLimits as ToolLimits
+from ropsim.motion.paths import LOOK_COUNT as LOOK_COUNT
+from ropsim.motion.paths import LOOK_FOUND as LOOK_FOUND
+from ropsim.motion.paths import LOOK_SQUARES as LOOK_SQUARES
+from ropsim.motion.paths import LOOK_STATE as LOOK_STATE
+from ropsim.motion.paths import LOOK_WAYS as LOOK_WAYS
+from ropsim.motion.paths import MOST_LOOKS as MOST_LOOKS
 from ropsim.motion.paths import STANDS as STANDS
 from ropsim.motion.paths import STILL as STILL
+from ropsim.motion.paths import ZONE_NODES as ZONE_NODES
+from ropsim.motion.paths import ZONE_SHARES as ZONE_SHARES
 from ropsim.motion.paths import Arc as Arc
 from ropsim.motion.paths import ArcFault as ArcFault
 from ropsim.motion.paths import ArcOrientation as ArcOrientation
@@ -88,6 +96,7 @@ from ropsim.motion.paths import evenly as evenly
 from ropsim.motion.paths import grid as grid
 from ropsim.motion.paths import joins as joins
 from ropsim.motion.paths import leave as leave
+from ropsim.motion.paths import look_further as look_further
 from ropsim.motion.paths import monotone as monotone
 from ropsim.motion.paths import numeric_points as numeric_points
 from ropsim.motion.paths import pose_derivatives as pose_derivatives
@@ -100,6 +109,7 @@ from ropsim.motion.paths.joint_line_kernel import line_in_time as line_in_time
 from ropsim.motion.paths.joint_line_kernel import line_points as line_points
 from ropsim.motion.paths.path_rows import SYNCHRONISED as SYNCHRONISED
 from ropsim.motion.paths.path_rows import TRACED as TRACED
+from ropsim.motion.paths.path_rows import PathRows as PathRows
 from ropsim.motion.paths.path_rows import rows_of_path as rows_of_path
 from ropsim.motion.paths.traced_kernel import COEFFICIENTS as COEFFICIENTS
 from ropsim.motion.paths.traced_kernel import traced_in_time as traced_in_time

@@ -40,5 +40,14 @@ from ropsim.motion.paths.spline import spline as spline
 from ropsim.motion.paths.standing import Standing as Standing
 from ropsim.motion.paths.traced import Traced as Traced
 from ropsim.motion.paths.traced import traced_with_roughness as traced_with_roughness
+from ropsim.motion.paths.zone import ZONE_NODES as ZONE_NODES
+from ropsim.motion.paths.zone import ZONE_SHARES as ZONE_SHARES
 from ropsim.motion.paths.zone import enter as enter
 from ropsim.motion.paths.zone import leave as leave
+from ropsim.motion.paths.zone_kernel import LOOK_COUNT as LOOK_COUNT
+from ropsim.motion.paths.zone_kernel import LOOK_FOUND as LOOK_FOUND
+from ropsim.motion.paths.zone_kernel import LOOK_SQUARES as LOOK_SQUARES
+from ropsim.motion.paths.zone_kernel import LOOK_STATE as LOOK_STATE
+from ropsim.motion.paths.zone_kernel import LOOK_WAYS as LOOK_WAYS
+from ropsim.motion.paths.zone_kernel import MOST_LOOKS as MOST_LOOKS
+from ropsim.motion.paths.zone_kernel import look_further as look_further

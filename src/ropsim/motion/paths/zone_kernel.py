@@ -1,0 +1,186 @@
+"""The search for the place at which a path leaves a ball, in plain loops that numba compiles.
+
+It asks for distances: who knows the path looks at the ways that it wants to know of, and calls it again.
+"""
+
+from ropsim.codegen import kernel
+from ropsim.spatial import Array
+
+LOOK_WAYS, LOOK_SQUARES, KEPT = range(3)
+"""Rows of looks: ways to look at, squares of the distances found there, and those that are kept meanwhile."""
+LOOK_COUNT, LOOK_FOUND, PHASE, FIRST, PEAK, LOW, WIDTH, SHARE, SLOPE, MENDED, LOOK_STATE = range(11)
+"""What is known: how many ways to look at next, 0 at the end; then the way. The rest is of the search."""
+BEGINS, COARSELY, CLOSELY, BETWEEN, MENDS = range(5)
+"""Phases: nothing is known yet, or what the squares are of."""
+AT_ONCE = 32
+"""Ways of the first looks; few zones reach farther."""
+MOST_LOOKS = 65
+"""Ways that are looked at closely, the most at once."""
+DEGREE = 8
+NEAR = -0.2
+"""Of the square of the zone: 10 % nearer to its centre."""
+QUITE = 1e-6
+"""Of the square of the zone: off by no more, one step along the slope is enough."""
+MOST_MENDS = 12
+STEPS = 60
+"""Enough where every one is a bisection."""
+
+
+@kernel("void(f8[::1], f8[:,::1], f8, f8, f8[:,::1], f8[::1])")
+def look_further(shares: Array, nodes: Array, zone: float, clip: float, looks: Array, state: Array) -> None:
+    """Take the squares of the distances that were asked for, and ask for the next ones.
+
+    The first interval of the grid at whose end the path is outside is cut where the polynomial through nine
+    squares in it is 0; where the path changes its law within it, that is mended. Between two places within
+    the zone the path may peep out: where it comes near, it is looked at closely.
+
+    Args:
+        shares: of the farthest way at which is looked first, rising from 0, at most `MOST_LOOKS`, shape (g,).
+        nodes: shares of an interval, and below the matrix from values there to coefficients, shape (10, 9).
+        zone: distance from the place at way 0 [m].
+        clip: the farthest way.
+        looks: rows as above; the squares [m²] of as many ways as were asked for, shape (3, `MOST_LOOKS`).
+        state: of the search, as above; zeros at first, shape (`LOOK_STATE`,).
+    """
+    phase, square = int(state[PHASE]), zone * zone
+    if phase == BEGINS:
+        if zone <= 0.0 or clip <= 0.0:
+            _end(0.0, state)
+        else:
+            _look_at_grid(shares, 0, min(AT_ONCE, shares.shape[0]), clip, looks, state)
+    elif phase == COARSELY:
+        _take_grid(shares, nodes, square, clip, looks, state)
+    elif phase == CLOSELY:
+        _take_close(shares, nodes, square, clip, looks, state)
+    elif phase == BETWEEN:
+        _take_nodes(nodes, square, looks, state)
+    else:
+        off = looks[LOOK_SQUARES, 0] - square
+        state[SHARE] = min(max(state[SHARE] - off / state[SLOPE], 0.0), 1.0)
+        state[MENDED] += 1.0
+        if abs(off) <= QUITE * square or state[MENDED] == MOST_MENDS:
+            _end(state[LOW] + state[WIDTH] * state[SHARE], state)
+        else:
+            _look_once(looks, state)
+
+
+def _take_grid(shares: Array, nodes: Array, square: float, clip: float, looks: Array, state: Array) -> None:
+    """Go on from squares of the grid: with the rest of it where all are within the zone."""
+    begin, count = int(state[FIRST]), int(state[LOOK_COUNT])
+    first = begin
+    for i in range(count):
+        looks[KEPT, begin + i] = looks[LOOK_SQUARES, i] - square
+        if first == begin + i and not looks[KEPT, first] >= 0.0:
+            first += 1
+    state[FIRST] = first
+    if first == begin + count and first < shares.shape[0]:
+        _look_at_grid(shares, first, shares.shape[0], clip, looks, state)
+    else:
+        _look_closely(shares, nodes, square, clip, looks, state)
+
+
+def _take_close(shares: Array, nodes: Array, square: float, clip: float, looks: Array, state: Array) -> None:
+    """Go on from squares around a peak: with where the path leaves there, or with the next peak."""
+    at = 0
+    while at < MOST_LOOKS and not looks[LOOK_SQUARES, at] - square >= 0.0:
+        at += 1
+    if at < MOST_LOOKS:
+        low = looks[LOOK_WAYS, max(at - 1, 0)]
+        _look_between(nodes, low, looks[LOOK_WAYS, max(at, 1)] - low, looks, state)
+    else:
+        _look_closely(shares, nodes, square, clip, looks, state)
+
+
+def _take_nodes(nodes: Array, square: float, looks: Array, state: Array) -> None:
+    """Go on from squares at nodes: with where the polynomial through them is 0."""
+    for k in range(DEGREE + 1):
+        total = 0.0
+        for i in range(DEGREE + 1):
+            total += nodes[1 + k, i] * (looks[LOOK_SQUARES, i] - square)
+        looks[KEPT, k] = total
+    state[SHARE] = _root(looks[KEPT])
+    state[SLOPE] = _slope(looks[KEPT], state[SHARE])
+    if state[SLOPE] > 0.0:
+        _look_once(looks, state)
+    else:
+        _end(state[LOW] + state[WIDTH] * state[SHARE], state)
+
+
+def _look_at_grid(shares: Array, first: int, last: int, clip: float, looks: Array, state: Array) -> None:
+    """Ask for the ways of the grid from one to another."""
+    state[PHASE], state[LOOK_COUNT], state[FIRST] = COARSELY, last - first, first
+    for i in range(last - first):
+        looks[LOOK_WAYS, i] = shares[first + i] * clip
+
+
+def _look_closely(
+    shares: Array, nodes: Array, square: float, clip: float, looks: Array, state: Array
+) -> None:
+    """Ask for the ways around the next peak, or for those between the last place within and the first one."""
+    first, peak = int(state[FIRST]), int(state[PEAK]) + 1
+    while peak < first - 1:
+        here = looks[KEPT, peak]
+        if here >= looks[KEPT, peak - 1] and here >= looks[KEPT, peak + 1] and here > NEAR * square:
+            break
+        peak += 1
+    state[PEAK] = peak
+    if peak < first - 1:
+        begin, end = shares[peak - 1] * clip, shares[peak + 1] * clip
+        state[PHASE], state[LOOK_COUNT] = CLOSELY, MOST_LOOKS
+        for i in range(MOST_LOOKS):
+            looks[LOOK_WAYS, i] = begin + i * ((end - begin) / (MOST_LOOKS - 1))
+    elif first == shares.shape[0]:
+        _end(clip, state)
+    else:
+        low = shares[first - 1] * clip
+        _look_between(nodes, low, shares[first] * clip - low, looks, state)
+
+
+def _look_between(nodes: Array, low: float, width: float, looks: Array, state: Array) -> None:
+    """Ask for the ways at the nodes of an interval."""
+    state[PHASE], state[LOOK_COUNT], state[LOW], state[WIDTH] = BETWEEN, DEGREE + 1, low, width
+    for i in range(DEGREE + 1):
+        looks[LOOK_WAYS, i] = low + width * nodes[0, i]
+
+
+def _look_once(looks: Array, state: Array) -> None:
+    """Ask for the way that is known so far."""
+    state[PHASE], state[LOOK_COUNT] = MENDS, 1.0
+    looks[LOOK_WAYS, 0] = state[LOW] + state[WIDTH] * state[SHARE]
+
+
+def _end(way: float, state: Array) -> None:
+    """Ask for nothing more."""
+    state[LOOK_FOUND], state[LOOK_COUNT] = way, 0.0
+
+
+def _slope(coefficients: Array, x: float) -> float:
+    """Return the derivative of a polynomial at x; its first coefficient is that of x⁰."""
+    slope = 0.0
+    for power in range(DEGREE, 0, -1):
+        slope = slope * x + power * coefficients[power]
+    return slope
+
+
+def _root(coefficients: Array) -> float:
+    """Return where a polynomial crosses 0 in [0, 1]; it is negative at 0 (its first coefficient is of x⁰).
+
+    Newton's method, kept between a place below and one above 0.
+    """
+    low, high, x = 0.0, 1.0, 0.5
+    for _ in range(STEPS):
+        value, slope = 0.0, 0.0
+        for power in range(DEGREE, -1, -1):
+            slope = slope * x + value
+            value = value * x + coefficients[power]
+        if value < 0.0:
+            low = x
+        else:
+            high = x
+        step = value / slope if slope > 0.0 else 1.0
+        if not low <= x - step <= high:
+            step = x - 0.5 * (low + high)
+        if x - step == x:
+            break
+        x -= step
+    return x
