@@ -6,8 +6,8 @@ import numpy as np
 import numpy.typing as npt
 
 from ropsim.controller.bends_kernel import ACROSS, ALONG, D1, bounds_of
-from ropsim.controller.curve_bends_kernel import ROUNDS, bends_along
-from ropsim.motion import Curve, JointMotionLimits
+from ropsim.controller.curve_bends_kernel import ROUNDS
+from ropsim.motion import JointMotionLimits
 from ropsim.spatial import Array, record
 
 Look = Callable[[Array], tuple[Array, Array]]
@@ -15,10 +15,6 @@ Look = Callable[[Array], tuple[Array, Array]]
 
 _FEWEST = 9
 """Places that are looked at, at least."""
-_ROOM = 8
-"""Times as many places as in the grid of a curve for which there is room."""
-_LONGEST = 600
-"""Places in the grid of a curve for which that is; a corner has 129 at the most."""
 
 
 @record
@@ -54,21 +50,6 @@ class Bends:
         return self.table[ACROSS : ACROSS + 2]
 
 
-@record
-class CurveBends:
-    """The bends of a curve of the tool.
-
-    Attributes:
-        bends: of position and orientation.
-        d1: the greatest size of their first derivatives where it was looked.
-        d2: the same of second ones.
-    """
-
-    bends: Bends
-    d1: float
-    d2: float
-
-
 def bends_of(look: Look, grid: Array, limits: JointMotionLimits) -> Bends:
     """Return bounds that are close where the bend counts.
 
@@ -99,39 +80,6 @@ def bends_of(look: Look, grid: Array, limits: JointMotionLimits) -> Bends:
             np.insert(rows, cells + 1, more, axis=0) for rows, more in zip((d1, d2), between, strict=True)
         )
     return _bounds(s, d1, d2, rates)[0]
-
-
-def bends_of_curve(curve: Curve, limits: JointMotionLimits) -> CurveBends | None:
-    """Return what `bends_of` finds on a curve, from its own grid on; None where it is too long or too uneven.
-
-    Args:
-        curve: of the tool.
-        limits: of position and orientation, each of shape (2,).
-    """
-    grid = curve.own_grid()
-    if len(grid) > _LONGEST:
-        return None
-    m = _ROOM * len(grid)
-    s, rows, told = np.empty(m), np.empty((2, m, 6)), np.array([float(len(grid)), 0.0, 0.0])
-    s[: len(grid)] = grid
-    table, rates = np.empty((10, m, 2)), np.array((limits.speed, limits.acceleration, limits.jerk))
-    bends_along(
-        *curve.numbers,
-        rates,
-        s,
-        np.empty(m),
-        np.empty((m, 4, 4)),
-        rows,
-        np.empty((2, m, 6)),
-        rows.reshape(2 * m, 2, 3),
-        table,
-        told,
-    )
-    count, d1, d2 = told.tolist()
-    if not count:
-        return None
-    k = int(count) - 1
-    return CurveBends(Bends(np.diff(s[: k + 1]), np.ascontiguousarray(table[:5, :k])), d1, d2)
 
 
 def _bounds(s: Array, d1: Array, d2: Array, rates: Array) -> tuple[Bends, npt.NDArray[np.intp]]:

@@ -1,13 +1,14 @@
 """Bounds of speed, acceleration and jerk along a piece of a stretch: one stage, or several on a bent one."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import lru_cache
 from math import sqrt
 
 import numpy as np
 
-from ropsim.controller.bends import Bends, bends_of, bends_of_curve
+from ropsim.controller.bends import Bends, bends_of
 from ropsim.controller.coordination import Coordination
+from ropsim.controller.curve_stages import stages_of_curve
 from ropsim.controller.stages_kernel import bent_stages, straight_stage
 from ropsim.motion import (
     Curve,
@@ -22,7 +23,7 @@ from ropsim.motion import (
     ToolSection,
     grid,
 )
-from ropsim.spatial import Array
+from ropsim.spatial import Array, frozen
 
 _PLACES = np.linspace(0.0, 1.0, 33)
 _STRAIGHT = 1e-9
@@ -77,9 +78,9 @@ def tool_choices(path: ToolPath, limits: ToolLimits, shares: Sequence[float]) ->
     if isinstance(line, Line) and line.length and not line.turn.turn.roll:
         return (_straight(path.length, _even_rates(line), both),)
     if isinstance(path, Curve):
-        found = bends_of_curve(path, both)
-        if found and not found.d2 * path.length <= _STRAIGHT * found.d1:
-            return _choices(found.bends, both, shares)
+        curve, rates = path, _rates(limits)
+        if first := stages_of_curve(curve, rates, shares[0]):
+            return _choices(first, lambda share: stages_of_curve(curve, rates, share), shares[1:])
 
     def look(places: Array) -> tuple[Array, Array]:
         rows = path.tool(places)
@@ -89,19 +90,22 @@ def tool_choices(path: ToolPath, limits: ToolLimits, shares: Sequence[float]) ->
     if float((d2 * path.length).max()) <= _STRAIGHT * float(d1.max()):
         return (_straight(path.length, d1, both),)
     with np.errstate(over="ignore", invalid="ignore", divide="ignore"):  # of a point in which it turns back
-        return _choices(bends_of(look, grid(path), both), both, shares)
+        bends = bends_of(look, grid(path), both)
+    return _choices(_bent(bends, both, shares[0]), lambda share: _bent(bends, both, share), shares[1:])
 
 
-def _choices(bends: Bends, both: JointMotionLimits, shares: Sequence[float]) -> tuple[Stages, ...]:
-    first = _bent(bends, both, shares[0])
+def _choices(
+    first: Stages, walked: Callable[[float], Stages | None], shares: Sequence[float]
+) -> tuple[Stages, ...]:
+    """Return the first choice, and those at lesser shares where these differ."""
     if len(first) > 1:  # a bend that changes: what is left for changes of speed is used up where it changes
         return (first,)
-    others: list[Stages] = []
-    for share in shares[1:]:
-        other = _bent(bends, both, share)
-        if not any(np.array_equal(other.rows, one.rows) for one in (first, *others)):
-            others.append(other)
-    return (first, *others)
+    found = [first]
+    for share in shares:
+        other = walked(share)
+        if other and not any(np.array_equal(other.rows, one.rows) for one in found):
+            found.append(other)
+    return tuple(found)
 
 
 def along_with(stages: Stages, coordination: Coordination | None) -> Stages:
@@ -128,11 +132,13 @@ def along_with(stages: Stages, coordination: Coordination | None) -> Stages:
 @lru_cache(maxsize=256)
 def _of_parts(limits: ToolLimits) -> JointMotionLimits:
     """Return limits of the tool as those of its two parts, position and orientation, each of shape (2,)."""
-    return JointMotionLimits(
-        np.array([limits.speed, limits.orientation_speed]),
-        np.array([limits.acceleration, limits.orientation_acceleration]),
-        np.array([limits.jerk, limits.orientation_jerk]),
-    )
+    return JointMotionLimits(*_rates(limits))
+
+
+@lru_cache(maxsize=256)
+def _rates(limits: ToolLimits) -> Array:
+    """Return the same as one array, a row for each of speed, acceleration and jerk, shape (3, 2)."""
+    return frozen(np.reshape(limits.all, (2, 3)).T)
 
 
 def _even_rates(line: Line) -> Array:

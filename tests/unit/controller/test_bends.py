@@ -5,8 +5,9 @@ from importlib import import_module
 import numpy as np
 import pytest
 
-from ropsim.controller.bends import bends_of, bends_of_curve
-from ropsim.controller.stages import tool_stages
+from ropsim.controller.bends import bends_of
+from ropsim.controller.curve_stages import stages_of_curve
+from ropsim.controller.stages import tool_choices, tool_stages
 from ropsim.motion import Curve, JointMotionLimits, Line, ToolLimits, corner
 from ropsim.spatial import Array
 from support.paths import random_pose
@@ -68,33 +69,25 @@ def test_what_an_even_first_derivative_changes_by_is_at_right_angles_to_it() -> 
     assert bends.d1 == pytest.approx(np.ones((len(bends.lengths), 1)))
 
 
-def as_joints(limits: ToolLimits) -> JointMotionLimits:
-    """Return limits of position and orientation as those of two parts."""
-    speed, acceleration, jerk, *turning = limits.all
-    return JointMotionLimits(*np.array([[speed, acceleration, jerk], turning]).T)
+class _Unknown:
+    """A path of the tool of which nothing is known but what it tells."""
+
+    def __init__(self, path: Curve) -> None:
+        self.length, self.own_grid = path.length, path.own_grid
+        self.tool, self.positions, self.distance = path.tool, path.positions, path.distance
 
 
-@pytest.mark.parametrize("seed", range(8))
+@pytest.mark.parametrize("seed", range(24))
 def test_a_curve_is_looked_at_as_any_other_path(seed: int) -> None:
-    """In one compiled loop: the same places, the same bounds."""
+    """In one compiled loop: the same stages, to the bit."""
     rng = np.random.default_rng(seed)
     first, meet, last = (random_pose(rng) for _ in range(3))
     before, behind = Line(first, meet), Line(meet, last)
-    curve = corner(before, 0.6 * before.length, behind, 0.3 * behind.length)
+    curve = corner(before, 0.6 * before.length, behind, 10.0 ** rng.uniform(-2.0, -0.3) * behind.length)
     assert isinstance(curve, Curve)
-    limits = JointMotionLimits(*np.array([[0.5, 1.0], [1.0, 2.0], [10.0, 20.0]]) * 10.0 ** rng.uniform(-2, 1))
-
-    def look(places: Array) -> tuple[Array, Array]:
-        rows = curve.tool(places)
-        return rows.d1.reshape(-1, 2, 3), rows.d2.reshape(-1, 2, 3)
-
-    asked, found = bends_of(look, curve.own_grid(), limits), bends_of_curve(curve, limits)
-    assert found is not None
-    np.testing.assert_array_equal(found.bends.lengths, asked.lengths)
-    np.testing.assert_array_equal(found.bends.table, asked.table)
-    rows = curve.tool(np.append(0.0, np.cumsum(asked.lengths)))
-    for size, d in ((found.d1, rows.d1), (found.d2, rows.d2)):
-        assert size == pytest.approx(np.linalg.norm(d.reshape(-1, 2, 3), axis=2).max(), rel=1e-12)
+    limits = ToolLimits(*(np.array([0.5, 1.0, 10.0, 1.0, 2.0, 20.0]) * 10.0 ** rng.uniform(-2, 1)).tolist())
+    shares = (1.0, 0.8, 0.5)
+    assert tool_choices(curve, limits, shares) == tool_choices(_Unknown(curve), limits, shares)
 
 
 def test_a_curve_that_is_too_uneven_for_the_room_has_the_same_stages(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -103,7 +96,9 @@ def test_a_curve_that_is_too_uneven_for_the_room_has_the_same_stages(monkeypatch
     curve = corner(Line(first, meet), 0.7 * Line(first, meet).length, Line(meet, last), 0.02)
     assert isinstance(curve, Curve)
     limits = ToolLimits(0.5, 2.0, 20.0, 1.0, 4.0, 40.0)
+    rates = np.reshape(limits.all, (2, 3)).T.copy()
     stages = tool_stages(curve, limits)
-    monkeypatch.setattr(import_module("ropsim.controller.bends"), "_ROOM", 1)
-    assert bends_of_curve(curve, as_joints(limits)) is None
+    assert stages_of_curve(curve, rates, 1.0) == stages
+    monkeypatch.setattr(import_module("ropsim.controller.curve_stages"), "_ROOM", 1)
+    assert stages_of_curve(curve, rates, 1.0) is None
     assert tool_stages(curve, limits) == stages

@@ -29,6 +29,9 @@ class ArcLength:
     inverse: Array
     steps: int
 
+    def __post_init__(self) -> None:
+        self.ends.flags.writeable = self.inverse.flags.writeable = False
+
     @property
     def length(self) -> float:
         """Return the way along the whole curve [m]."""
@@ -54,13 +57,12 @@ def arc_length(coefficients: Array, steps: int, least: Array) -> ArcLength | Non
         steps *= 4
     count = len(coefficients) * steps
     ends, inverse = np.empty(count + 1), np.empty((count, 6))
-    way_of_steps(coefficients, steps, *_quadrature(), ends, inverse)
-    ends.flags.writeable = inverse.flags.writeable = False
+    way_of_steps(coefficients, steps, *quadrature(), ends, inverse)
     return ArcLength(ends, inverse, steps)
 
 
 @cache
-def _quadrature() -> tuple[Array, Array]:
+def quadrature() -> tuple[Array, Array]:
     """Return points in [0, 1] and weights of the quadrature of a step."""
     points, weights = np.polynomial.legendre.leggauss(_POINTS)
     return frozen((points + 1.0) / 2.0), frozen(weights / 2.0)

@@ -1,20 +1,23 @@
 """Corner: a smooth way of the tool from one path to the next, past the point where they meet."""
 
-import math
 from enum import Enum
 
 import numpy as np
 
-from ropsim.motion.paths.arc_length import arc_length
-from ropsim.motion.paths.corner_kernel import corner_polynomials
+from ropsim.motion.paths.arc_length import ArcLength, quadrature
+from ropsim.motion.paths.corner_kernel import NO_LENGTH, ROOM, TURNS_BACK, WHIRLS, corner_curve
 from ropsim.motion.paths.curve import Curve
-from ropsim.motion.paths.path import STANDS, ToolPath
-from ropsim.motion.paths.rotation_vector import FULL_TURN, series
+from ropsim.motion.paths.path import STANDS, ToolPath, ToolPoints
+from ropsim.motion.paths.rotation_vector import series
+from ropsim.spatial import Array
 
 _STEPS = 128  # of the arc length
-_SHARPEST = -0.98481  # cosine of 170°
-_SLOWEST = 0.05  # least |p'| of the speeds at both ends; a corner of two lines by 170° has 0.087
-_UNIT = 1e-6  # by which a tangent may differ from a unit vector
+_SWING = 2.1
+"""ds/du at the ends of a corner as a multiple of the way to its point is this by ((1 + cosine) / 2)^(1/4).
+
+Of all multiples it gives the corner of two straight lines that is walked in the least time with constant
+speed under a bound of the jerk, to 3 %; found for turns from 5° to 150°.
+"""
 
 
 class CornerFault(Enum):
@@ -45,44 +48,41 @@ def corner(before: ToolPath, s_leave: float, after: ToolPath, s_enter: float) ->
         tool would whirl.
     """
     ways = before.length - s_leave, s_enter
-    first, last = before.tool(np.array([s_leave])), after.tool(np.array([s_enter]))
-    d1 = np.concatenate((first.d1, last.d1))
-    one, other = d1[:, :3].tolist()
-    if not (min(ways) > STANDS and _is_unit(one) and _is_unit(other)):
+    if not min(ways) > STANDS:
         return CornerFault.NO_LENGTH
-    cosine = one[0] * other[0] + one[1] * other[1] + one[2] * other[2]
-    if cosine < _SHARPEST:
-        return CornerFault.TURNS_BACK
-    c_in, c_out = (_swing(cosine) * way for way in ways)
-    coefficients, middles, told = np.empty((1, 6, 6)), np.empty((1, 3, 3)), np.empty(1)
-    corner_polynomials(
+    first, last = before.tool(np.array([s_leave])), after.tool(np.array([s_enter]))
+    coefficients, middles, told = np.empty((1, 6, 6)), np.empty((1, 3, 3)), np.array(ways)
+    ends, inverse = np.empty(4 * _STEPS + 1), np.empty((4 * _STEPS, 6))
+    corner_curve(
         series(),
-        np.concatenate((first.matrices, last.matrices)),
-        d1,
-        np.concatenate((first.d2, last.d2)),
-        np.array([c_in, c_out]),
-        np.empty((15, 3)),
+        *quadrature(),
+        *_plain(first),
+        *_plain(last),
+        _SWING,
+        _STEPS,
+        np.empty(ROOM),
         coefficients,
         middles,
+        ends,
+        inverse,
         told,
     )
-    if not told[0] <= FULL_TURN:
-        return CornerFault.WHIRLS
-    way = arc_length(coefficients, _STEPS, np.array([_SLOWEST * min(c_in, c_out)]))
-    return CornerFault.TURNS_BACK if way is None else Curve(coefficients, middles, way)
+    came, steps = (int(number) for number in told.tolist())
+    if came:
+        return _FAULTS[came]
+    return Curve(coefficients, middles, ArcLength(ends[: steps + 1], inverse[:steps], steps))
 
 
-def _is_unit(tangent: list[float]) -> bool:
-    return abs(math.hypot(*tangent) - 1.0) <= _UNIT
+def _plain(points: ToolPoints) -> tuple[Array, Array, Array]:
+    """Return poses and derivatives as compiled loops take them, whatever a path makes of them."""
+    matrices, d1, d2 = (
+        np.ascontiguousarray(rows, dtype=np.float64) for rows in (points.matrices, points.d1, points.d2)
+    )
+    return matrices, d1, d2
 
 
-def _swing(cosine: float) -> float:
-    """Return ds/du at the ends of a corner as a multiple of the way to its point.
-
-    Of all multiples it gives the corner of two straight lines that is walked in the least time with constant
-    speed under a bound of the jerk, to 3 %; found for turns from 5° to 150°.
-
-    Args:
-        cosine: of the turn.
-    """
-    return 2.1 * math.sqrt(math.sqrt(max(0.5 + 0.5 * cosine, 0.0)))
+_FAULTS = {
+    NO_LENGTH: CornerFault.NO_LENGTH,
+    TURNS_BACK: CornerFault.TURNS_BACK,
+    WHIRLS: CornerFault.WHIRLS,
+}

@@ -1,13 +1,113 @@
-"""The polynomials of a corner between two poses, in plain loops that numba compiles."""
+"""A corner between two poses, its polynomials and its arc length, in plain loops that numba compiles."""
 
 from math import atan2, sqrt
 
 from ropsim.codegen import kernel
-from ropsim.motion.paths.curve_kernel import rate_rows, turning_rows
+from ropsim.motion.paths.curve_kernel import rate_rows, speed_range, turning_rows, way_of_steps
 from ropsim.spatial import Array
 
 LOOKS = 64
-"""Steps in which the turn of the tool is looked at."""
+"""Steps in which the turn of the tool and the speed of the polynomials are looked at."""
+MADE, NO_LENGTH, TURNS_BACK, WHIRLS = range(4)
+"""What became of a corner."""
+UNIT = 1e-6
+"""By which a tangent may differ from a unit vector."""
+SHARPEST = -0.98481
+"""Cosine of 170°."""
+SLOWEST = 0.05
+"""Least |p'| of the speeds at both ends; a corner of two lines by 170° has 0.087."""
+UNEVEN = 0.45
+"""Least |p'| by its greatest; below, steps are four times as fine."""
+FULL_TURN = 6.283185307179586
+ROOM = 103
+"""Numbers of room to work in."""
+
+
+@kernel(
+    "void(f8[:,::1], f8[::1], f8[::1], f8[:,:,::1], f8[:,::1], f8[:,::1], f8[:,:,::1], f8[:,::1], f8[:,::1],"
+    " f8, i8, f8[::1], f8[:,:,::1], f8[:,:,::1], f8[::1], f8[:,::1], f8[::1])"
+)
+def corner_curve(
+    series: Array,
+    points: Array,
+    weights: Array,
+    before: Array,
+    before_d1: Array,
+    before_d2: Array,
+    after: Array,
+    after_d1: Array,
+    after_d2: Array,
+    swing: float,
+    steps: int,
+    room: Array,
+    coefficients: Array,
+    middles: Array,
+    ends: Array,
+    inverse: Array,
+    told: Array,
+) -> None:
+    """Write the corner from one path of the tool to the next, or why there is none.
+
+    Args:
+        series: `rotation_vector.series`.
+        points: of the quadrature, as for `way_of_steps`.
+        weights: likewise.
+        before: pose of the tool where it leaves the path before, shape (1, 4, 4).
+        before_d1: first derivatives by the way there, shape (1, 6).
+        before_d2: second ones.
+        after: the same where it enters the path behind.
+        after_d1: see there.
+        after_d2: see there.
+        swing: ds/du at the ends of a corner that does not turn, as a multiple of the way to its point.
+        steps: of the arc length, for a corner of even speed.
+        room: to work in, shape (`ROOM`,).
+        coefficients: where those of u⁰ to u⁵ go, shape (1, 6, 6).
+        middles: where the orientation goes that rotation vectors count from, shape (1, 3, 3).
+        ends: where the arc length goes, as for `way_of_steps`, for four times as many steps.
+        inverse: likewise.
+        told: ways that both paths still have to the point where they meet [m]; becomes what came of it, as
+            above, and the number of steps, shape (2,).
+    """
+    matrices, d1, d2 = room[:32].reshape(2, 4, 4), room[32:44].reshape(2, 6), room[44:56].reshape(2, 6)
+    scales, speeds = room[56:58], room[56:58].reshape(1, 2)
+    for i in range(4):
+        for j in range(4):
+            matrices[0, i, j], matrices[1, i, j] = before[0, i, j], after[0, i, j]
+    for i in range(6):
+        d1[0, i], d1[1, i], d2[0, i], d2[1, i] = (
+            before_d1[0, i],
+            after_d1[0, i],
+            before_d2[0, i],
+            after_d2[0, i],
+        )
+    cosine = d1[0, 0] * d1[1, 0] + d1[0, 1] * d1[1, 1] + d1[0, 2] * d1[1, 2]
+    scale = swing * sqrt(sqrt(max(0.5 + 0.5 * cosine, 0.0)))
+    if not (_is_unit(d1[0]) and _is_unit(d1[1])):
+        told[0] = NO_LENGTH
+        return
+    if cosine < SHARPEST:
+        told[0] = TURNS_BACK
+        return
+    scales[0], scales[1] = scale * told[0], scale * told[1]
+    slowest = SLOWEST * min(scales[0], scales[1])
+    corner_polynomials(
+        series, matrices, d1, d2, scales, room[58:103].reshape(15, 3), coefficients, middles, told
+    )
+    if not told[0] <= FULL_TURN:
+        told[0] = WHIRLS
+        return
+    speed_range(coefficients, LOOKS, speeds)
+    if not speeds[0, 0] > slowest:
+        told[0] = TURNS_BACK
+        return
+    count = 4 * steps if speeds[0, 0] < UNEVEN * speeds[0, 1] else steps
+    way_of_steps(coefficients, count, points, weights, ends[: count + 1], inverse[:count])
+    told[0], told[1] = MADE, count
+
+
+def _is_unit(tangent: Array) -> bool:
+    x, y, z = tangent[0], tangent[1], tangent[2]
+    return abs(sqrt(x * x + y * y + z * z) - 1.0) <= UNIT
 
 
 @kernel(
