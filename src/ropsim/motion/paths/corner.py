@@ -7,6 +7,7 @@ import numpy as np
 from ropsim.motion.paths.arc_length import ArcLength, quadrature
 from ropsim.motion.paths.corner_kernel import NO_LENGTH, ROOM, TURNS_BACK, WHIRLS, corner_curve
 from ropsim.motion.paths.curve import Curve
+from ropsim.motion.paths.curve_kernel import way_of_steps
 from ropsim.motion.paths.path import STANDS, ToolPath, ToolPoints
 from ropsim.motion.paths.rotation_vector import series
 from ropsim.spatial import Array
@@ -51,26 +52,20 @@ def corner(before: ToolPath, s_leave: float, after: ToolPath, s_enter: float) ->
     if not min(ways) > STANDS:
         return CornerFault.NO_LENGTH
     first, last = before.tool(np.array([s_leave])), after.tool(np.array([s_enter]))
-    coefficients, middles, told = np.empty((1, 6, 6)), np.empty((1, 3, 3)), np.array(ways)
-    ends, inverse = np.empty(4 * _STEPS + 1), np.empty((4 * _STEPS, 6))
+    rows = *_plain(first), *_plain(last)
+    coefficients, middles = np.empty((1, 6, 6)), np.empty((1, 3, 3))
+    told, room = np.array(ways), np.empty(ROOM)
+    ends, inverse = np.empty(_STEPS + 1), np.empty((_STEPS, 6))
     corner_curve(
-        series(),
-        *quadrature(),
-        *_plain(first),
-        *_plain(last),
-        _SWING,
-        _STEPS,
-        np.empty(ROOM),
-        coefficients,
-        middles,
-        ends,
-        inverse,
-        told,
+        series(), *quadrature(), *rows, _SWING, _STEPS, room, coefficients, middles, ends, inverse, told
     )
     came, steps = (int(number) for number in told.tolist())
     if came:
         return _FAULTS[came]
-    return Curve(coefficients, middles, ArcLength(ends[: steps + 1], inverse[:steps], steps))
+    if steps != _STEPS:
+        ends, inverse = np.empty(steps + 1), np.empty((steps, 6))
+        way_of_steps(coefficients, steps, *quadrature(), ends, inverse)
+    return Curve(coefficients, middles, ArcLength(ends, inverse, steps))
 
 
 def _plain(points: ToolPoints) -> tuple[Array, Array, Array]:

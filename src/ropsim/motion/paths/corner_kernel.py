@@ -63,10 +63,10 @@ def corner_curve(
         room: to work in, shape (`ROOM`,).
         coefficients: where those of u⁰ to u⁵ go, shape (1, 6, 6).
         middles: where the orientation goes that rotation vectors count from, shape (1, 3, 3).
-        ends: where the arc length goes, as for `way_of_steps`, for four times as many steps.
+        ends: where the arc length goes, as for `way_of_steps`, if it has as many steps as there is room for.
         inverse: likewise.
         told: ways that both paths still have to the point where they meet [m]; becomes what came of it, as
-            above, and the number of steps, shape (2,).
+            above, and the number of steps that it needs: these or four times as many, shape (2,).
     """
     matrices, d1, d2 = room[:32].reshape(2, 4, 4), room[32:44].reshape(2, 6), room[44:56].reshape(2, 6)
     scales, speeds = room[56:58], room[56:58].reshape(1, 2)
@@ -101,7 +101,8 @@ def corner_curve(
         told[0] = TURNS_BACK
         return
     count = 4 * steps if speeds[0, 0] < UNEVEN * speeds[0, 1] else steps
-    way_of_steps(coefficients, count, points, weights, ends[: count + 1], inverse[:count])
+    if count == inverse.shape[0]:
+        way_of_steps(coefficients, count, points, weights, ends, inverse)
     told[0], told[1] = MADE, count
 
 
