@@ -5,7 +5,7 @@ from collections.abc import Callable
 import numpy as np
 import numpy.typing as npt
 
-from ropsim.controller.bends_kernel import ACROSS, ALONG, D1, bounds_of
+from ropsim.controller.bends_kernel import ACROSS, ALONG, D1, SIZES, bounds_of
 from ropsim.controller.curve_bends_kernel import ROUNDS
 from ropsim.motion import JointMotionLimits
 from ropsim.spatial import Array, record
@@ -84,7 +84,8 @@ def bends_of(look: Look, grid: Array, limits: JointMotionLimits) -> Bends:
 
 def _bounds(s: Array, d1: Array, d2: Array, rates: Array) -> tuple[Bends, npt.NDArray[np.intp]]:
     """Return bounds of what lies between places, and the cells in which they are loose."""
-    k = len(s) - 1
-    table, loose = np.empty((10, k, d1.shape[1])), np.empty(k)
-    bounds_of(s, np.ascontiguousarray(d1), np.ascontiguousarray(d2), rates, table, loose)
-    return Bends(np.diff(s), table[:5]), np.flatnonzero(loose)
+    k, (_, parts, size) = len(s) - 1, d1.shape
+    table, room, out = np.empty((10, k, parts)), np.empty((k, size + SIZES)), np.empty((2, k))
+    rows = np.ascontiguousarray(d1), np.ascontiguousarray(d2)
+    bounds_of(s, *rows, rates, np.empty(parts), room, table, out[0], out[1])
+    return Bends(np.diff(s), table[:5]), np.flatnonzero(out[1])

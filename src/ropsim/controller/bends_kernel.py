@@ -20,14 +20,28 @@ TINY = 1e-150
 """Sizes below this count as this, so that nothing is divided by 0."""
 D1, ALONG, ACROSS = 0, 1, 3
 """Rows of bounds: of the first derivative; of second and third along it; of these at right angles to it."""
-SLOPE, CHANGE, START, END = range(4)
+SLOPE, CHANGE, START, END, SIZES = range(5)
 """Of third derivatives: mean in a cell, change of that to the next one, values at the ends of the two."""
 SEEN = 5
 """First row of the same as it was seen at the places, which is no bound."""
+APART = 0.999
+"""Numbers are compared by their powers where one is by no more than this share of the other."""
 
 
-@kernel("void(f8[::1], f8[:,:,::1], f8[:,:,::1], f8[:,::1], f8[:,:,::1], f8[::1])")
-def bounds_of(s: Array, d1: Array, d2: Array, limits: Array, bounds: Array, loose: Array) -> None:
+@kernel(
+    "void(f8[::1], f8[:,:,::1], f8[:,:,::1], f8[:,::1], f8[::1], f8[:,::1], f8[:,:,::1], f8[::1], f8[::1])"
+)
+def bounds_of(
+    s: Array,
+    d1: Array,
+    d2: Array,
+    limits: Array,
+    units: Array,
+    room: Array,
+    bounds: Array,
+    speeds: Array,
+    loose: Array,
+) -> None:
     """Write bounds of derivatives in the k cells between places; see `bends_of`.
 
     Args:
@@ -35,40 +49,92 @@ def bounds_of(s: Array, d1: Array, d2: Array, limits: Array, bounds: Array, loos
         d1: first derivatives of p parts there, with c coordinates each, shape (k + 1, p, c).
         d2: second ones.
         limits: of speed, acceleration and jerk of the parts, shape (3, p).
+        units: become 1 for parts whose first derivative has the size 1 at all places, else 0, shape (p,).
+        room: to work in, shape (k, c + `SIZES`).
         bounds: where they go, rows as above, shape (10, k, p).
+        speeds: where the highest speeds go at which bends take no more than their share, shape (k,).
         loose: becomes 1 where a bound costs speed that what was seen does not, else 0, shape (k,).
     """
-    last = s.shape[0] - 2
-    for part in range(d1.shape[1]):
-        unit = 1
-        for i in range(last + 2):
+    for part in range(units.shape[0]):
+        units[part] = 1.0
+    keep_units(d1, 0, s.shape[0], units)
+    bounds_between(0, s.shape[0] - 2, s, d1, d2, limits, units, room, bounds, speeds, loose)
+
+
+@kernel("void(f8[:,:,::1], i8, i8, f8[::1])")
+def keep_units(d1: Array, first: int, last: int, units: Array) -> None:
+    """Make units 0 of parts whose first derivative has another size at one of the places before `last`."""
+    for i in range(first, last):
+        for part in range(units.shape[0]):
             if not abs(_size(d1[i, part]) - 1.0) <= UNIT:
-                unit = 0
-        for i in range(last + 1):
-            h, steep = s[i + 1] - s[i], _third(s, d2, part, i, SLOPE)
+                units[part] = 0.0
+
+
+@kernel(
+    "void(i8, i8, f8[::1], f8[:,:,::1], f8[:,:,::1], f8[:,::1], f8[::1], f8[:,::1], f8[:,:,::1], f8[::1],"
+    " f8[::1])"
+)
+def bounds_between(
+    begin: int,
+    end: int,
+    s: Array,
+    d1: Array,
+    d2: Array,
+    limits: Array,
+    units: Array,
+    room: Array,
+    bounds: Array,
+    speeds: Array,
+    loose: Array,
+) -> None:
+    """Write bounds of derivatives in some of the k cells between places.
+
+    Args:
+        begin: number of the first one of these cells.
+        end: of the last one.
+        s: as for `bounds_of`, and so is all else.
+        d1: see there.
+        d2: see there.
+        limits: see there.
+        units: see there; they are known.
+        room: see there.
+        bounds: see there.
+        speeds: see there.
+        loose: see there.
+    """
+    last, size = s.shape[0] - 2, d2.shape[2]
+    for part in range(units.shape[0]):
+        _write_thirds(begin, end, s, d2, part, room)
+        unit = units[part]
+        d1_here, d2_here = _size(d1[begin, part]), _size(d2[begin, part])
+        for i in range(begin, end + 1):
+            h, steep = s[i + 1] - s[i], room[i, size + SLOPE]
             before, behind = max(i - 1, 0), min(i, last - 1)
-            one, other = _third(s, d2, part, before, CHANGE), _third(s, d2, part, behind, CHANGE)
+            one, other = room[before, size + CHANGE], room[behind, size + CHANGE]
             off = 0.25 * h * _greater(one, other)
             third = steep + h * _greater(one / _span(s, before), other / _span(s, behind))
             if i <= last - 2:
-                third = _greater(third, _third(s, d2, part, i + 1, START))
+                third = _greater(third, room[i + 1, size + START])
             if i >= 2:
-                third = _greater(third, _third(s, d2, part, i - 2, END))
+                third = _greater(third, room[i - 2, size + END])
             if i == last - 1:
-                third = _greater(third, _third(s, d2, part, last, SLOPE))
+                third = _greater(third, room[last, size + SLOPE])
             if i == 1:
-                third = _greater(third, _third(s, d2, part, 0, SLOPE))
-            one, other = _size(d2[i, part]), _size(d2[i + 1, part])
-            high, low = _greater(one, other), _lesser(one, other)
-            first = _greater(_size(d1[i, part]), _size(d1[i + 1, part]))
-            between = first if unit else first + 0.125 * h * h * third
+                third = _greater(third, room[0, size + SLOPE])
+            d1_there, d2_there = _size(d1[i + 1, part]), _size(d2[i + 1, part])
+            high, low = _greater(d2_here, d2_there), _lesser(d2_here, d2_there)
+            first = _greater(d1_here, d1_there)
+            between = first if unit != 0.0 else first + 0.125 * h * h * third
             _split(bounds, 0, i, part, between, high + off, third, _greater(low - off, 0.0), unit)
             _split(bounds, SEEN, i, part, first, high, steep, low, unit)
-    for i in range(last + 1):
-        wanted = _fastest(bounds, SEEN, i, limits)
-        for part in range(d1.shape[1]):
-            wanted = _lesser(wanted, limits[0, part] / _greater(bounds[SEEN, i, part], TINY))
-        loose[i] = 1.0 if _fastest(bounds, 0, i, limits) < CLOSE * wanted else 0.0
+            d1_here, d2_here = d1_there, d2_there
+    for i in range(begin, end + 1):
+        most = np.inf
+        for part in range(units.shape[0]):
+            most = _lesser(most, limits[0, part] / _greater(bounds[SEEN, i, part], TINY))
+        speeds[i] = _fastest(bounds, 0, i, limits)
+        costs = speeds[i] < CLOSE * most and speeds[i] < CLOSE * _fastest(bounds, SEEN, i, limits)
+        loose[i] = 1.0 if costs else 0.0
 
 
 @kernel("void(f8[:,:,::1], f8[:,::1], f8[::1])")
@@ -96,23 +162,39 @@ def _span(s: Array, i: int) -> float:
     return float((s[i + 1] - s[i]) + (s[i + 2] - s[i + 1]))
 
 
-def _third(s: Array, d2: Array, part: int, i: int, which: int) -> float:
-    """Return a size of the third derivative by the second ones at the ends of a cell and of the next one."""
-    h, total = s[i + 1] - s[i], 0.0
-    for c in range(d2.shape[2]):
-        value = (d2[i + 1, part, c] - d2[i, part, c]) / h
-        if which != SLOPE:
-            k = s[i + 2] - s[i + 1]
-            behind = (d2[i + 2, part, c] - d2[i + 1, part, c]) / k
-            change = behind - value
-            if which == CHANGE:
-                value = change
-            elif which == START:
-                value -= change * (h / (h + k))
-            else:
-                value = behind + change * (k / (h + k))
-        total += value * value
-    return sqrt(total)
+def _write_thirds(begin: int, end: int, s: Array, d2: Array, part: int, room: Array) -> None:
+    """Write sizes of third derivatives, by the second ones at the ends of a cell and of the next one.
+
+    Args:
+        begin: first cell whose bounds are asked for.
+        end: the last one.
+        s: places.
+        d2: second derivatives.
+        part: of the path.
+        room: of each cell the mean third derivative, and behind its coordinates the four sizes as above.
+    """
+    last, size = s.shape[0] - 2, d2.shape[2]
+    low, high = max(begin - 2, 0), min(end + 2, last)
+    for i in range(low, high + 1):
+        h, total = s[i + 1] - s[i], 0.0
+        for c in range(size):
+            value = (d2[i + 1, part, c] - d2[i, part, c]) / h
+            room[i, c] = value
+            total += value * value
+        room[i, size + SLOPE] = sqrt(total)
+    for i in range(low, min(end + 1, last - 1) + 1):
+        h, k = s[i + 1] - s[i], s[i + 2] - s[i + 1]
+        by_h, by_k = h / (h + k), k / (h + k)
+        change = start = end_size = 0.0
+        for c in range(size):
+            value, behind = room[i, c], room[i + 1, c]
+            grown = behind - value
+            at_start, at_end = value - grown * by_h, behind + grown * by_k
+            change += grown * grown
+            start += at_start * at_start
+            end_size += at_end * at_end
+        room[i, size + CHANGE] = sqrt(change)
+        room[i, size + START], room[i, size + END] = sqrt(start), sqrt(end_size)
 
 
 def _split(
@@ -124,7 +206,7 @@ def _split(
     second: float,
     third: float,
     least: float,
-    unit: int,
+    unit: float,
 ) -> None:
     """Write bounds by directions.
 
@@ -137,12 +219,12 @@ def _split(
         second: of the second one.
         third: of the third one.
         least: least size of the second one.
-        unit: 1 where the size of the first derivative of the part is 1 everywhere, else 0.
+        unit: 1.0 where the size of the first derivative of the part is 1 everywhere, else 0.0.
     """
     square = second * second
     rest = sqrt(_greater(third * third - (least * least) * (least * least), 0.0))
     bounds[row + D1, i, part] = first
-    if unit:
+    if unit != 0.0:
         bounds[row + ALONG, i, part], bounds[row + ALONG + 1, i, part] = 0.0, square
         bounds[row + ACROSS, i, part], bounds[row + ACROSS + 1, i, part] = second, rest
     else:
@@ -152,14 +234,25 @@ def _split(
 
 def _fastest(bounds: Array, row: int, i: int, limits: Array) -> float:
     """Return the highest speed at which bends take no more than their share in a cell."""
-    speed = np.inf
+    square, cube = np.inf, np.inf
     for part in range(bounds.shape[2]):
-        second = hypot(bounds[row + ALONG, i, part], bounds[row + ACROSS, i, part])
-        third = hypot(bounds[row + ALONG + 1, i, part], bounds[row + ACROSS + 1, i, part])
-        by_acceleration = sqrt(SHARE * limits[1, part] / _greater(second, TINY))
-        by_jerk = np.cbrt(SHARE * limits[2, part] / _greater(third, TINY))
-        speed = _lesser(speed, _lesser(by_acceleration, by_jerk))
-    return float(speed)
+        second = _length(bounds[row + ALONG, i, part], bounds[row + ACROSS, i, part])
+        third = _length(bounds[row + ALONG + 1, i, part], bounds[row + ACROSS + 1, i, part])
+        square = _lesser(square, SHARE * limits[1, part] / _greater(second, TINY))
+        cube = _lesser(cube, SHARE * limits[2, part] / _greater(third, TINY))
+    one, other = square * square * square, cube * cube
+    if one < APART * other:
+        return sqrt(square)
+    if other < APART * one:
+        return float(np.cbrt(cube))
+    return _lesser(sqrt(square), float(np.cbrt(cube)))
+
+
+def _length(along: float, across: float) -> float:
+    """Return the length of a vector of two numbers, none of them below 0."""
+    if along == 0.0 or across == 0.0:
+        return along + across
+    return hypot(along, across)
 
 
 def _greater(one: float, other: float) -> float:

@@ -28,9 +28,9 @@ def stages_of_curve(curve: Curve, rates: Array, share: float) -> Stages | None:
     if len(grid) > _LONGEST:
         return None
     m = _ROOM * len(grid)
-    out, told = np.empty((m, 7)), np.empty(3)
+    out, told = np.empty((m, 7)), np.empty(5)
     curve_stages(*curve.numbers, rates, share, np.ascontiguousarray(grid), np.empty(ROOM * m), out, told)
-    count, d1, d2 = told.tolist()
+    count, d1, d2, *_ = told.tolist()
     if not count or d2 * curve.length <= _STRAIGHT * d1:
         return None
     return Stages(out[: int(count), :4].copy())

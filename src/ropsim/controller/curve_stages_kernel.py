@@ -2,10 +2,10 @@
 
 from ropsim.codegen import kernel
 from ropsim.controller.curve_bends_kernel import bends_along
-from ropsim.controller.stages_kernel import bent_stages
+from ropsim.controller.stages_kernel import walked_stages
 from ropsim.spatial import Array
 
-ROOM = 66
+ROOM = 74
 """Numbers of room to work in for each place for which there is room."""
 
 
@@ -42,25 +42,25 @@ def curve_stages(
         room: to work in, shape (`ROOM`·m,).
         out: where length, speed, acceleration and jerk go, and three numbers more, shape (m, 7).
         told: where the number of stages goes, 0 where there is no room for them; then the greatest sizes of
-            first and second derivatives of a part, shape (3,).
+            first and second derivatives of a part; then room for two numbers, shape (5,).
     """
     m, n = out.shape[0], grid.shape[0]
-    s, between, matrices = room[:m], room[m : 2 * m], room[2 * m : 18 * m].reshape(m, 4, 4)
-    rows, more = room[18 * m : 30 * m].reshape(2, m, 6), room[30 * m : 42 * m].reshape(2, m, 6)
-    parts, table = room[18 * m : 30 * m].reshape(2 * m, 2, 3), room[42 * m : 62 * m].reshape(10, m, 2)
+    s, between, fresh, speeds = room[:m], room[m : 2 * m], room[2 * m : 3 * m], room[3 * m : 4 * m]
+    rows, more = room[4 * m : 16 * m].reshape(2, m, 6), room[16 * m : 28 * m].reshape(2, m, 6)
+    parts, table = room[4 * m : 16 * m].reshape(2 * m, 2, 3), room[28 * m : 48 * m].reshape(10, m, 2)
+    matrices, thirds = room[48 * m : 64 * m].reshape(m, 4, 4), room[64 * m : 71 * m].reshape(m, 7)
     for i in range(n):
         s[i] = grid[i]
     told[0] = n
     bends_along(
-        series, ends, inverse, steps, coefficients, middles, limits, s, between, matrices, rows, more, parts,
-        table, told,
+        series, ends, inverse, steps, coefficients, middles, limits, s, between, fresh, matrices, rows, more,
+        parts, thirds, table, speeds, told,
     )  # fmt: skip
     cells = int(told[0]) - 1
     if cells < 0:
         told[0] = 0.0
         return
-    lengths = between[:cells]
     for i in range(cells):
-        lengths[i] = s[i + 1] - s[i]
-    speeds, walked = room[62 * m : 62 * m + cells], room[63 * m : 63 * m + 3 * cells].reshape(cells, 3)
-    bent_stages(table[:, :cells], lengths, limits, share, speeds, walked, out, told)
+        between[i] = s[i + 1] - s[i]
+    walked = room[71 * m : 71 * m + 3 * cells].reshape(cells, 3)
+    walked_stages(table[:, :cells], between[:cells], limits, share, speeds[:cells], walked, out, told)

@@ -102,3 +102,27 @@ def test_a_curve_that_is_too_uneven_for_the_room_has_the_same_stages(monkeypatch
     monkeypatch.setattr(import_module("ropsim.controller.curve_stages"), "_ROOM", 1)
     assert stages_of_curve(curve, rates, 1.0) is None
     assert tool_stages(curve, limits) == stages
+
+
+def test_bounds_of_what_is_no_number_are_none() -> None:
+    """As those of a path that turns back in a point, and of its neighbours; elsewhere nothing changes."""
+    rng = np.random.default_rng(1)
+    s = np.linspace(0.0, 1.0, 33)
+    d1, d2 = rng.normal(size=(2, 33, 2, 3))
+    limits = JointMotionLimits(np.ones(2), np.ones(2), np.ones(2))
+    plain = bends_of(lambda places: rows_at(places, s, d1, d2), s, limits)
+    d2[16, 1] = np.nan
+    found = bends_of(lambda places: rows_at(places, s, d1, d2), s, limits)
+    assert not np.isnan(plain.table).any()
+    assert np.isnan(found.table[:, :, 1]).any()
+    assert not np.isnan(found.table[:, :, 0]).any()
+
+
+def rows_at(places: Array, s: Array, d1: Array, d2: Array) -> tuple[Array, Array]:
+    """Return derivatives between rows, shape (k, p, c) each."""
+    at = np.clip(np.searchsorted(s, places, side="right") - 1, 0, len(s) - 2)
+    share = ((places - s[at]) / (s[at + 1] - s[at]))[:, np.newaxis, np.newaxis]
+    first, second = (
+        np.where(share == 0.0, r[at], (1.0 - share) * r[at] + share * r[at + 1]) for r in (d1, d2)
+    )
+    return first, second
