@@ -75,8 +75,10 @@ def tool_choices(path: ToolPath, limits: ToolLimits, shares: Sequence[float]) ->
         shares: of the highest speed that the bend allows, falling from 1.
     """
     both, line = _of_parts(limits), path.path if isinstance(path, ToolSection) else path
-    if isinstance(line, Line) and line.length and not line.turn.turn.roll:
-        return (_straight(path.length, _even_rates(line), both),)
+    if isinstance(line, Line):
+        start = line.tool(np.zeros(1))
+        if not start.d2.any():  # so it goes on: only a tool that rolls while it swings has second derivatives
+            return (_straight(path.length, _sizes(start.d1[0]), both),)
     if isinstance(path, Curve):
         curve, rates = path, _rates(limits)
         if first := stages_of_curve(curve, rates, shares[0]):
@@ -141,10 +143,9 @@ def _rates(limits: ToolLimits) -> Array:
     return frozen(np.reshape(limits.all, (2, 3)).T)
 
 
-def _even_rates(line: Line) -> Array:
-    """Return the sizes of the first derivatives of position and orientation on a line without roll, (2,)."""
-    share = 1.0 / line.length
-    (x, y, z), (a, b, c) = (line.way * share).tolist(), (line.turn.velocity * share).tolist()
+def _sizes(d1: Array) -> Array:
+    """Return the sizes of the first derivatives of position and orientation, shape (6,) to (2,)."""
+    x, y, z, a, b, c = d1.tolist()
     return np.array([sqrt(x * x + y * y + z * z), sqrt(a * a + b * b + c * c)])
 
 
