@@ -36,69 +36,74 @@ behind each, and cosine and sine of the turn to the next one; what is left to mo
 of P; steps, how far they go; angles, and cosines and sines of them. At fixed distances a compiler sees that
 loops over the eight may be taken side by side.
 """
+POSE, POSES = 96, 120
+"""Of a pose on its way R by rows and p, eight of each number; behind them what moves it. How much that is."""
 Three = tuple[float, float, float]
 BENT = 1e-9
 """A matrix whose turn from the arm's frame is farther from a rotation [sum of entries] is no pose."""
 
 
-@kernel("void(f8[::1], f8[:,::1], f8[:,:,::1])")
-def forward_rows(chain: Array, Q: Array, out: Array) -> None:
-    """Write X_BM of every row of Q (k, n) to out (k, 4, 4).
+@kernel("void(f8[::1], f8[:,::1], f8[:,:,::1], f8[::1])")
+def forward_rows(chain: Array, Q: Array, out: Array, room: Array) -> None:
+    """Write X_BM of every row of Q (k, n) to out (k, 4, 4), eight rows side by side.
 
-    The pose on the way is twelve numbers that stay in registers: its axes a, b, c and its origin p.
+    The pose on the way is twelve numbers: its axes a, b, c and its origin p.
 
     Args:
         chain: `ChainArrays.flat`, shape (14·n + 12,).
         Q: coordinates of the steps [rad | m].
         out: homogeneous matrices.
+        room: room to work in, shape (`POSES`,).
     """
-    n = Q.shape[1]
-    for k in range(Q.shape[0]):
-        ax, ay, az = chain[0], chain[3], chain[6]
-        bx, by, bz = chain[1], chain[4], chain[7]
-        cx, cy, cz = chain[2], chain[5], chain[8]
-        px, py, pz = chain[9], chain[10], chain[11]
+    rows, n = Q.shape[0], Q.shape[1]
+    for first in range(0, rows, LANES):
+        here = min(LANES, rows - first)
+        for c in range(12):
+            for lane in range(LANES):
+                room[LANES * c + lane] = chain[c]
         for i in range(n):
-            at = 14 * i
-            turn = Q[k, i] + chain[at + 13]
-            slide = turn * chain[at + 12]
-            turn -= slide
-            px, py, pz = px + cx * slide, py + cy * slide, pz + cz * slide
-            co, si = _cos_sin(turn)
-            ax, bx = ax * co + bx * si, bx * co - ax * si
-            ay, by = ay * co + by * si, by * co - ay * si
-            az, bz = az * co + bz * si, bz * co - az * si
-            at += 14  # the next step, or the interface, whose rows have the same places
-            p0, p1, p2 = chain[at], chain[at + 1], chain[at + 2]
-            p3, p4, p5 = chain[at + 3], chain[at + 4], chain[at + 5]
-            p6, p7, p8 = chain[at + 6], chain[at + 7], chain[at + 8]
-            t0, t1, t2 = chain[at + 9], chain[at + 10], chain[at + 11]
-            px, py, pz = (
-                px + (ax * t0 + bx * t1 + cx * t2),
-                py + (ay * t0 + by * t1 + cy * t2),
-                pz + (az * t0 + bz * t1 + cz * t2),
-            )
-            ax, bx, cx = (
-                ax * p0 + bx * p3 + cx * p6,
-                ax * p1 + bx * p4 + cx * p7,
-                ax * p2 + bx * p5 + cx * p8,
-            )
-            ay, by, cy = (
-                ay * p0 + by * p3 + cy * p6,
-                ay * p1 + by * p4 + cy * p7,
-                ay * p2 + by * p5 + cy * p8,
-            )
-            az, bz, cz = (
-                az * p0 + bz * p3 + cz * p6,
-                az * p1 + bz * p4 + cz * p7,
-                az * p2 + bz * p5 + cz * p8,
-            )
-        X = out[k]
-        X[0, 0], X[0, 1], X[0, 2], X[0, 3] = ax, bx, cx, px
-        X[1, 0], X[1, 1], X[1, 2], X[1, 3] = ay, by, cy, py
-        X[2, 0], X[2, 1], X[2, 2], X[2, 3] = az, bz, cz, pz
-        X[3, 0] = X[3, 1] = X[3, 2] = 0.0
-        X[3, 3] = 1.0
+            for lane in range(here):
+                room[POSE + lane] = Q[first + lane, i]
+            _go_on(chain, 14 * i, room)
+        for lane in range(here):
+            X = out[first + lane]
+            for r in range(3):
+                X[r, 0], X[r, 1] = room[LANES * 3 * r + lane], room[LANES * (3 * r + 1) + lane]
+                X[r, 2], X[r, 3] = room[LANES * (3 * r + 2) + lane], room[LANES * (9 + r) + lane]
+                X[3, r] = 0.0
+            X[3, 3] = 1.0
+
+
+def _go_on(chain: Array, at: int, room: Array) -> None:
+    """Move eight poses by a joint and go on to the next step, or to the interface.
+
+    Args:
+        chain: `ChainArrays.flat`, shape (14·n + 12,).
+        at: where the joint begins in it; what is next has the same places behind it.
+        room: R by rows and p of each pose, and the coordinates [rad | m], shape (`POSES`,).
+    """
+    slides, offset = chain[at + 12], chain[at + 13]
+    at += 14
+    p0, p1, p2, p3, p4 = chain[at], chain[at + 1], chain[at + 2], chain[at + 3], chain[at + 4]
+    p5, p6, p7, p8 = chain[at + 5], chain[at + 6], chain[at + 7], chain[at + 8]
+    t0, t1, t2 = chain[at + 9], chain[at + 10], chain[at + 11]
+    for lane in range(LANES):
+        turn = room[POSE + lane] + offset
+        slide = turn * slides
+        co, si = _cos_sin(turn - slide)
+        room[POSE + lane] = slide
+        room[POSE + 8 + lane], room[POSE + 16 + lane] = co, si
+    for r in range(3):
+        for lane in range(LANES):
+            slide, co, si = room[POSE + lane], room[POSE + 8 + lane], room[POSE + 16 + lane]
+            a, b = room[24 * r + lane], room[24 * r + 8 + lane]
+            c = room[24 * r + 16 + lane]
+            p = room[72 + 8 * r + lane] + c * slide
+            a, b = a * co + b * si, b * co - a * si
+            room[72 + 8 * r + lane] = p + (a * t0 + b * t1 + c * t2)
+            room[24 * r + lane] = a * p0 + b * p3 + c * p6
+            room[24 * r + 8 + lane] = a * p1 + b * p4 + c * p7
+            room[24 * r + 16 + lane] = a * p2 + b * p5 + c * p8
 
 
 @kernel("void(f8[::1], f8[::1], f8[:,:,::1], f8[:,:,::1], f8[::1])")

@@ -36,14 +36,14 @@ def forward_batch(robot: Mechanism, Q: npt.ArrayLike) -> Array:
     Raises:
         ArrayShapeError: M551, Q has another shape.
     """
-    from ropsim.kinematics.chain_kernel import forward_rows
+    from ropsim.kinematics.chain_kernel import POSES, forward_rows
 
     if robot.cuts:
         return np.ascontiguousarray(frames_batch(robot, Q)[:, -1])
     chain = chain_arrays(robot)
     rows = np.ascontiguousarray(chain.steps(joint_rows(robot, Q)))
     out = np.empty((len(rows), 4, 4))
-    forward_rows(chain.flat, rows, out)
+    forward_rows(chain.flat, rows, out, np.empty(POSES))
     return out
 
 

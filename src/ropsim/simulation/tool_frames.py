@@ -58,10 +58,10 @@ class ToolFrames:
 
         Args:
             ticks: shape (k,).
-            flanges: X_BM at these, shape (k, 4, 4).
+            flanges: X_BM at these, shape (k, 4, 4), without gaps; they become X_BT.
         """
         which = np.maximum(np.searchsorted(np.array(self.ticks), ticks, side="left") - 1.0, 0.0)
         tools: Array = np.stack([pose.matrix() for pose in self.poses])
-        matrices, quaternions = np.empty((len(ticks), 4, 4)), np.empty((len(ticks), 4))
-        tool_poses(np.ascontiguousarray(flanges), tools, which, matrices, np.empty((4, 4)), quaternions)
-        return ToolPoses(matrices, quaternions)
+        quaternions = np.empty((len(ticks), 4))
+        tool_poses(flanges, tools, which, np.empty((4, 4)), quaternions)
+        return ToolPoses(flanges, quaternions)

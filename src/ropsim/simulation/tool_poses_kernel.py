@@ -6,32 +6,26 @@ from ropsim.codegen import kernel
 from ropsim.spatial import Array
 
 
-@kernel("void(f8[:,:,::1], f8[:,:,::1], f8[::1], f8[:,:,::1], f8[:,::1], f8[:,::1])")
-def tool_poses(
-    flanges: Array, tools: Array, which: Array, poses: Array, square: Array, quaternions: Array
-) -> None:
-    """Write the poses of the tool, and their orientations as unit quaternions.
+@kernel("void(f8[:,:,::1], f8[:,:,::1], f8[::1], f8[:,::1], f8[:,::1])")
+def tool_poses(poses: Array, tools: Array, which: Array, square: Array, quaternions: Array) -> None:
+    """Make poses of the tool of those of the flange, and write their orientations as unit quaternions.
 
     The largest of the four components is found first and divides the others (Shepperd 1978), so that no
     rotation loses accuracy.
 
     Args:
-        flanges: X_BM at each row, shape (k, 4, 4).
+        poses: X_BM at each row, becomes X_BT, shape (k, 4, 4).
         tools: the tool frames X_MT, shape (m, 4, 4).
         which: number of the one that is in force at each row, shape (k,).
-        poses: becomes X_BT, shape (k, 4, 4).
-        square: room for 4·q·qᵀ, shape (4, 4).
+        square: room to work in, for 4·q·qᵀ in the end, shape (4, 4).
         quaternions: becomes (w, x, y, z), w >= 0, shape (k, 4).
     """
-    for row in range(flanges.shape[0]):
-        tool = int(which[row])
+    for row in range(poses.shape[0]):
+        r, tool = poses[row], tools[int(which[row])]
         for i in range(4):
+            a, b, c, d = r[i, 0], r[i, 1], r[i, 2], r[i, 3]
             for j in range(4):
-                total = flanges[row, i, 0] * tools[tool, 0, j]
-                for m in range(1, 4):
-                    total += flanges[row, i, m] * tools[tool, m, j]
-                poses[row, i, j] = total
-        r = poses[row]
+                r[i, j] = a * tool[0, j] + b * tool[1, j] + c * tool[2, j] + d * tool[3, j]
         trace = r[0, 0] + r[1, 1] + r[2, 2]
         square[0, 0] = 1.0 + trace
         for i in range(3):

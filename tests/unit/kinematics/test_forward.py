@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from ropsim import kinematics, robots
-from ropsim.kinematics.chain_kernel import forward_rows
+from ropsim.kinematics.chain_kernel import POSES, forward_rows
 from support.arms import random_arm
 
 ROUNDING = 1e-14
@@ -38,8 +38,15 @@ def test_the_kernel_does_the_same_without_numba() -> None:
     from ropsim.kinematics.arrays import chain_arrays
 
     chain, out = chain_arrays(PUMA), np.empty((3, 4, 4))
-    plain(chain.flat, Q, out)
+    plain(chain.flat, Q, out, np.empty(POSES))
     np.testing.assert_allclose(out, kinematics.forward_batch(PUMA, Q), atol=ROUNDING)
+
+
+@pytest.mark.parametrize("count", [1, 7, 8, 9, 20])
+def test_a_pose_hangs_on_no_other_row(count: int) -> None:
+    Q = np.random.default_rng(count).uniform(-3.0, 3.0, (count, 6))
+    alone = [kinematics.forward_batch(PUMA, row[np.newaxis])[0] for row in Q]
+    np.testing.assert_array_equal(kinematics.forward_batch(PUMA, Q), alone)
 
 
 def test_angles_of_many_turns_are_those_of_the_sine_and_cosine_of_numpy() -> None:

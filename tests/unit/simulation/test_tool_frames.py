@@ -21,7 +21,7 @@ def test_poses_of_the_tool_are_those_of_the_flange_with_the_frame_in_force() -> 
     share = np.linspace(0.0, 1.0, len(ticks))[:, None]
     q = (1.0 - share) * ARM.lower_limits + share * ARM.upper_limits
     flanges = forward_batch(ARM, q)
-    found = frames.on(ticks, flanges)
+    found = frames.on(ticks, flanges.copy())
     in_force = [SECOND if 40.0 < tick <= 70.0 else FIRST for tick in ticks]
     assert [frames.at(tick) for tick in ticks] == in_force
     wanted = np.array([flange @ tool.matrix() for flange, tool in zip(flanges, in_force, strict=True)])
