@@ -1,73 +1,85 @@
 """Where an arm on a path of its joints leaves a zone with its tool, in a loop that numba compiles."""
 
 from ropsim.codegen import kernel
-from ropsim.controller.stretch_kernel import points_on
-from ropsim.kinematics import forward_rows
-from ropsim.motion import LOOK_COUNT, LOOK_FOUND, LOOK_SQUARES, LOOK_WAYS, look_further
+from ropsim.kinematics import POSES, forward_rows
+from ropsim.motion import (
+    LOOK_COUNT,
+    LOOK_FOUND,
+    LOOK_SQUARES,
+    LOOK_STATE,
+    LOOK_WAYS,
+    MOST_LOOKS,
+    SYNCHRONISED,
+    joint_rows,
+    line_points,
+    look_further,
+)
 from ropsim.spatial import Array
 
-PLACES, NUMBERS, ROWS = 3, 4, 5
-"""Rows of looks behind those of `look_further`: places to look at, and the numbers of their pieces."""
+LENGTH, ZONE, CLIP, FROM_END, KIND, BEGIN, WHOLE = range(7)
+"""What is asked for, see `zone_of_arm`."""
+PLACE, DISTANCE = range(2)
+"""What becomes of it."""
 
 
-@kernel(
-    "void(f8[::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,:,::1], f8[::1], f8[:,::1], f8[::1], f8[::1],"
-    " f8[:,::1], f8[:,:,::1], f8[:,::1], f8[:,:,::1], f8[::1])"
-)
+@kernel("void(f8[::1], f8[:,::1], f8[:,::1], f8[::1], f8[:,::1], f8[::1], f8[::1], f8[::1])")
 def zone_of_arm(
     shares: Array,
     nodes: Array,
-    piece: Array,
     rows: Array,
-    slopes: Array,
     chain: Array,
     spread: Array,
     tcp: Array,
     asked: Array,
-    looks: Array,
-    points: Array,
-    steps: Array,
-    X: Array,
-    state: Array,
+    room: Array,
 ) -> None:
     """Search for the place at which the TCP is in a distance from where it is at an end of the path.
 
     Args:
         shares: as for `look_further`, and so are nodes.
         nodes: see there.
-        piece: the path as a piece of a `WalkTable`, shape (1, 6).
-        rows: of the path, shape (l, n).
-        slopes: likewise, shape (2, l or 0, n).
-        chain: `ChainArrays.flat` of the arm.
+        rows: of the path, see `PathRows`, shape (l, n).
+        chain: `ChainArrays.flat` of the arm, of m steps.
         spread: `ChainArrays.spread`, shape (m or 0, n + 1).
         tcp: in the frame of the interface [m], shape (3,).
-        asked: length of the path, the zone [m], how far from that end it may be found at most, and 1.0 for
-            the end of the path, 0.0 for its start; becomes the place, and the distance of the TCP there [m].
-        looks: room to work in, shape (`ROWS`, `MOST_LOOKS`).
-        points: room to work in, shape (3, `MOST_LOOKS`, n).
-        steps: room to work in, shape (`MOST_LOOKS`, m).
-        X: room to work in, shape (`MOST_LOOKS`, 4, 4).
-        state: of the search, zeros, shape (`LOOK_STATE`,).
+        asked: length of the path, the zone [m], how far from that end it may be found at most, 1.0 for the
+            end of the path, 0.0 for its start; then kind, begin and length of `PathRows`; becomes the place,
+            and the distance of the TCP there [m]; shape (7,).
+        room: to work in, shape (`room_for` (n, m),).
     """
-    length, ends = asked[0], asked[3] != 0.0
-    for i in range(looks.shape[1]):
-        looks[NUMBERS, i] = 0.0
+    n, m = rows.shape[1], (chain.shape[0] - 12) // 14
+    at = 4 * MOST_LOOKS
+    looks, places = room[: at - MOST_LOOKS].reshape(3, MOST_LOOKS), room[at - MOST_LOOKS : at]
+    X, at = room[at : at + 16 * MOST_LOOKS].reshape(MOST_LOOKS, 4, 4), at + 16 * MOST_LOOKS
+    poses, at = room[at : at + POSES], at + POSES
+    state, at = room[at : at + LOOK_STATE], at + LOOK_STATE
+    points, at = room[at : at + 3 * n * MOST_LOOKS].reshape(3, MOST_LOOKS, n), at + 3 * n * MOST_LOOKS
+    steps = room[at : at + m * MOST_LOOKS].reshape(MOST_LOOKS, m)
+    for i in range(LOOK_STATE):
+        state[i] = 0.0
+    for i in range(POSES):
+        poses[i] = 0.0
+    length, from_end, begin = asked[LENGTH], asked[FROM_END] != 0.0, asked[BEGIN]
     x = y = z = 0.0
-    first = True
-    look_further(shares, nodes, asked[1], asked[2], looks, state)
-    while True:
+    first, last = True, False
+    while not last:
+        look_further(shares, nodes, asked[ZONE], asked[CLIP], looks, state)
         count = int(state[LOOK_COUNT])
         last = count == 0
         if last:  # how far it is at the place that was found
             count = 1
             looks[LOOK_WAYS, 0] = state[LOOK_FOUND]
         for i in range(count):
-            looks[PLACES, i] = length - looks[LOOK_WAYS, i] if ends else looks[LOOK_WAYS, i]
-        if last:
-            asked[0] = looks[PLACES, 0]
-        points_on(0, piece, rows, slopes, looks[NUMBERS, :count], looks[PLACES, :count], points[:, :count])
+            places[i] = length - looks[LOOK_WAYS, i] if from_end else looks[LOOK_WAYS, i]
+        asked[PLACE] = places[0]
+        for i in range(count):
+            places[i] += begin
+        if asked[KIND] == SYNCHRONISED:
+            joint_rows(rows[0], rows[1], rows[2:], asked[WHOLE], places[:count], points)
+        else:
+            line_points(rows[0], rows[1], places[:count], points)
         _move_steps(spread, points[0], count, steps)
-        forward_rows(chain, steps[:count], X[:count])
+        forward_rows(chain, steps[:count], X[:count], poses)
         for i in range(count):
             u = X[i, 0, 0] * tcp[0] + X[i, 0, 1] * tcp[1] + X[i, 0, 2] * tcp[2] + X[i, 0, 3]
             v = X[i, 1, 0] * tcp[0] + X[i, 1, 1] * tcp[1] + X[i, 1, 2] * tcp[2] + X[i, 1, 3]
@@ -75,10 +87,12 @@ def zone_of_arm(
             if first:
                 x, y, z, first = u, v, w, False
             looks[LOOK_SQUARES, i] = (u - x) * (u - x) + (v - y) * (v - y) + (w - z) * (w - z)
-        if last:
-            break
-        look_further(shares, nodes, asked[1], asked[2], looks, state)
-    asked[1] = looks[LOOK_SQUARES, 0] ** 0.5
+    asked[DISTANCE] = looks[LOOK_SQUARES, 0] ** 0.5
+
+
+def room_for(n: int, m: int) -> int:
+    """Return how many numbers of room there must be for n axes that move m steps."""
+    return POSES + LOOK_STATE + MOST_LOOKS * (20 + 3 * n + m)
 
 
 def _move_steps(spread: Array, Q: Array, count: int, steps: Array) -> None:

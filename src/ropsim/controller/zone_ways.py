@@ -4,12 +4,11 @@ from typing import Protocol
 
 import numpy as np
 
-from ropsim.controller.zone_of_arm_kernel import ROWS, zone_of_arm
+from ropsim.controller.zone_of_arm_kernel import room_for, zone_of_arm
 from ropsim.kinematics import chain_arrays, forward_batch
 from ropsim.model import RobotModel
 from ropsim.motion import (
-    LOOK_STATE,
-    MOST_LOOKS,
+    TRACED,
     ZONE_NODES,
     ZONE_SHARES,
     JointPath,
@@ -55,7 +54,7 @@ def way_of(robot: RobotModel, joints: JointPath, X_MT: Pose, tool: ToolPath | No
     if isinstance(tool, Line) and tool.moves:
         return _StraightWay(joints.length)
     rows = None if tool or robot.cuts else rows_of_path(joints)
-    if rows is None:
+    if rows is None or rows.kind == TRACED:
         return _Way(robot, joints, X_MT, tool)
     return _ArmWay(robot, joints, X_MT, rows)
 
@@ -106,7 +105,7 @@ class _Way:
 
 
 class _ArmWay(_Way):
-    """Along a path of the joints that compiled loops know."""
+    """Along a path of the joints from one row of coordinates to another."""
 
     def __init__(self, robot: RobotModel, joints: JointPath, X_MT: Pose, rows: PathRows) -> None:
         super().__init__(robot, joints, X_MT, None)
@@ -118,26 +117,13 @@ class _ArmWay(_Way):
     def enter(self, zone: float, clip: float) -> Crossing:
         return self._searched(zone, min(clip, self.length), 0.0)
 
-    def _searched(self, zone: float, clip: float, ends: float) -> Crossing:
+    def _searched(self, zone: float, clip: float, from_end: float) -> Crossing:
         """Return where the way is in a zone at most `clip` from the end (1.0) or the start (0.0)."""
-        kind, begin, length, rows, slopes = self._rows
-        chain, n = self._chain, rows.shape[1]
-        asked = np.array((self.length, zone, clip, ends))
-        zone_of_arm(
-            ZONE_SHARES,
-            ZONE_NODES,
-            np.array(((kind, begin, length, 0.0, len(rows), 0.0),)),
-            rows,
-            slopes,
-            chain.flat,
-            chain.spread,
-            self._X_MT.position,
-            asked,
-            np.empty((ROWS, MOST_LOOKS)),
-            np.empty((3, MOST_LOOKS, n)),
-            np.empty((MOST_LOOKS, len(chain.slides))),
-            np.empty((MOST_LOOKS, 4, 4)),
-            np.zeros(LOOK_STATE),
-        )
+        kind, begin, length, rows, _ = self._rows
+        chain = self._chain
+        asked = np.array((self.length, zone, clip, from_end, kind, begin, length))
+        room = np.empty(room_for(rows.shape[1], len(chain.slides)))
+        tcp = self._X_MT.position
+        zone_of_arm(ZONE_SHARES, ZONE_NODES, rows, chain.flat, chain.spread, tcp, asked, room)
         place, distance, *_ = asked.tolist()
         return place, distance

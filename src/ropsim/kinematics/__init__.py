@@ -9,6 +9,7 @@ from ropsim.kinematics.blocks import part_blocks as part_blocks
 from ropsim.kinematics.blocks import shape_blocks as shape_blocks
 from ropsim.kinematics.blocks import stacked as stacked
 from ropsim.kinematics.body_poses import body_poses as body_poses
+from ropsim.kinematics.chain_kernel import POSES as POSES
 from ropsim.kinematics.chain_kernel import forward_rows as forward_rows
 from ropsim.kinematics.configurations import configurations as configurations
 from ropsim.kinematics.diagnostics import NO_CLOSED_FORM as NO_CLOSED_FORM
