@@ -50,14 +50,19 @@ def arc_length(coefficients: Array, steps: int, least: Array) -> ArcLength | Non
         Press, Teukolsky, Vetterling and Flannery 2007, Numerical Recipes, section 4.6, for the quadrature.
     """
     speeds = np.empty((len(coefficients), 2))
-    speed_range(coefficients, _LOOK, speeds)
+    speed_range(coefficients, _LOOK, np.empty(2 * _LOOK + 2), speeds)
     if not (speeds[:, 0] > least).all():
         return None
     if (speeds[:, 0] < _UNEVEN * speeds[:, 1]).any():
         steps *= 4
+    return arc_length_in_steps(coefficients, steps)
+
+
+def arc_length_in_steps(coefficients: Array, steps: int) -> ArcLength:
+    """Return the way along a curve that nowhere stands, with as many steps of each segment."""
     count = len(coefficients) * steps
     ends, inverse = np.empty(count + 1), np.empty((count, 6))
-    way_of_steps(coefficients, steps, *quadrature(), ends, inverse)
+    way_of_steps(coefficients, steps, *quadrature(), np.empty(3 * steps + 3), ends, inverse)
     return ArcLength(ends, inverse, steps)
 
 

@@ -4,10 +4,9 @@ from enum import Enum
 
 import numpy as np
 
-from ropsim.motion.paths.arc_length import ArcLength, quadrature
+from ropsim.motion.paths.arc_length import ArcLength, arc_length_in_steps, quadrature
 from ropsim.motion.paths.corner_kernel import NO_LENGTH, ROOM, TURNS_BACK, WHIRLS, corner_curve
 from ropsim.motion.paths.curve import Curve
-from ropsim.motion.paths.curve_kernel import way_of_steps
 from ropsim.motion.paths.path import STANDS, ToolPath, ToolPoints
 from ropsim.motion.paths.rotation_vector import series
 from ropsim.spatial import Array
@@ -54,7 +53,7 @@ def corner(before: ToolPath, s_leave: float, after: ToolPath, s_enter: float) ->
     first, last = before.tool(np.array([s_leave])), after.tool(np.array([s_enter]))
     rows = *_plain(first), *_plain(last)
     coefficients, middles = np.empty((1, 6, 6)), np.empty((1, 3, 3))
-    told, room = np.array(ways), np.empty(ROOM)
+    told, room = np.array(ways), np.empty(ROOM + 3 * _STEPS)
     ends, inverse = np.empty(_STEPS + 1), np.empty((_STEPS, 6))
     corner_curve(
         series(), *quadrature(), *rows, _SWING, _STEPS, room, coefficients, middles, ends, inverse, told
@@ -62,10 +61,9 @@ def corner(before: ToolPath, s_leave: float, after: ToolPath, s_enter: float) ->
     came, steps = (int(number) for number in told.tolist())
     if came:
         return _FAULTS[came]
-    if steps != _STEPS:
-        ends, inverse = np.empty(steps + 1), np.empty((steps, 6))
-        way_of_steps(coefficients, steps, *quadrature(), ends, inverse)
-    return Curve(coefficients, middles, ArcLength(ends, inverse, steps))
+    even = steps == _STEPS
+    way = ArcLength(ends, inverse, steps) if even else arc_length_in_steps(coefficients, steps)
+    return Curve(coefficients, middles, way)
 
 
 def _plain(points: ToolPoints) -> tuple[Array, Array, Array]:

@@ -19,8 +19,8 @@ SLOWEST = 0.05
 UNEVEN = 0.45
 """Least |p'| by its greatest; below, steps are four times as fine."""
 FULL_TURN = 6.283185307179586
-ROOM = 103
-"""Numbers of room to work in."""
+ROOM = 106
+"""Numbers of room to work in, beside three for each step of the arc length, which are at least `LOOKS`."""
 
 
 @kernel(
@@ -60,7 +60,7 @@ def corner_curve(
         after_d2: see there.
         swing: ds/du at the ends of a corner that does not turn, as a multiple of the way to its point.
         steps: of the arc length, for a corner of even speed.
-        room: to work in, shape (`ROOM`,).
+        room: to work in, shape (`ROOM` + 3·steps,).
         coefficients: where those of u⁰ to u⁵ go, shape (1, 6, 6).
         middles: where the orientation goes that rotation vectors count from, shape (1, 3, 3).
         ends: where the arc length goes, as for `way_of_steps`, if it has as many steps as there is room for.
@@ -96,13 +96,13 @@ def corner_curve(
     if not told[0] <= FULL_TURN:
         told[0] = WHIRLS
         return
-    speed_range(coefficients, LOOKS, speeds)
+    speed_range(coefficients, LOOKS, room[103:], speeds)
     if not speeds[0, 0] > slowest:
         told[0] = TURNS_BACK
         return
     count = 4 * steps if speeds[0, 0] < UNEVEN * speeds[0, 1] else steps
     if count == inverse.shape[0]:
-        way_of_steps(coefficients, count, points, weights, ends, inverse)
+        way_of_steps(coefficients, count, points, weights, room[103:], ends, inverse)
     told[0], told[1] = MADE, count
 
 

@@ -113,19 +113,30 @@ def curve_at(coefficients: Array, u: Array, p: Array, d1: Array, d2: Array) -> N
             p[k, i], d1[k, i], d2[k, i] = _polynomial(coefficients[segment], i, u[k] - segment)
 
 
-@kernel("void(f8[:,:,::1], i8, f8[:,::1])")
-def speed_range(coefficients: Array, steps: int, out: Array) -> None:
-    """Write the least and the greatest |p'| at the ends of the steps of each segment, shape (c, 2)."""
+@kernel("void(f8[:,:,::1], i8, f8[::1], f8[:,::1])")
+def speed_range(coefficients: Array, steps: int, room: Array, out: Array) -> None:
+    """Write the least and the greatest |p'| at the ends of the steps of each segment, shape (c, 2).
+
+    Args:
+        coefficients: of the segments, shape (c, 6, 6).
+        steps: of each segment.
+        room: to work in, shape (2·steps + 2,).
+        out: where they go.
+    """
+    t, speeds = room[: steps + 1], room[steps + 1 : 2 * steps + 2]
+    for step in range(steps + 1):
+        t[step] = step / steps
     for segment in range(coefficients.shape[0]):
-        for step in range(steps + 1):
-            speed = _speed(coefficients[segment], step / steps)
-            out[segment, 0] = min(out[segment, 0], speed) if step else speed
-            out[segment, 1] = max(out[segment, 1], speed) if step else speed
+        _write_speeds(coefficients[segment], t, speeds)
+        out[segment, 0] = out[segment, 1] = speeds[0]
+        for step in range(1, steps + 1):
+            out[segment, 0] = min(out[segment, 0], speeds[step])
+            out[segment, 1] = max(out[segment, 1], speeds[step])
 
 
-@kernel("void(f8[:,:,::1], i8, f8[::1], f8[::1], f8[::1], f8[:,::1])")
+@kernel("void(f8[:,:,::1], i8, f8[::1], f8[::1], f8[::1], f8[::1], f8[:,::1])")
 def way_of_steps(
-    coefficients: Array, steps: int, points: Array, weights: Array, ends: Array, inverse: Array
+    coefficients: Array, steps: int, points: Array, weights: Array, room: Array, ends: Array, inverse: Array
 ) -> None:
     """Write the way at the end of each step, and t over the share of the step.
 
@@ -134,48 +145,76 @@ def way_of_steps(
         steps: of each segment.
         points: of the quadrature in [0, 1], shape (g,).
         weights: of these, shape (g,).
+        room: to work in, shape (3·steps + 3,).
         ends: where the ways go, and 0 before them, shape (c·steps + 1,).
         inverse: where the coefficients of t go, shape (c·steps, 6).
     """
+    t, firsts = room[: steps + 1], room[steps + 1 : 2 * steps + 2]
+    seconds, speeds = room[2 * steps + 2 : 3 * steps + 3], room[steps + 1 : 2 * steps + 1]
     ends[0] = 0.0
-    row = 0
     for segment in range(coefficients.shape[0]):
-        C = coefficients[segment]
-        first, second = _rates(C, 0.0)
+        C, row = coefficients[segment], segment * steps
+        ways = ends[row + 1 : row + 1 + steps]
         for step in range(steps):
-            way = 0.0
-            for g in range(points.shape[0]):
-                way += weights[g] * _speed(C, (step + points[g]) / steps)
-            way /= steps
-            begin, end = step / steps, (step + 1) / steps
-            v, a = first * way, second * way * way
-            first, second = _rates(C, end)
-            w, b, gap = first * way, second * way * way, end - begin
-            inverse[row, 0], inverse[row, 1], inverse[row, 2] = begin, v, 0.5 * a
-            inverse[row, 3] = 10.0 * gap - 6.0 * v - 4.0 * w - 1.5 * a + 0.5 * b
-            inverse[row, 4] = -15.0 * gap + 8.0 * v + 7.0 * w + 1.5 * a - b
-            inverse[row, 5] = 6.0 * gap - 3.0 * (v + w) - 0.5 * (a - b)
-            ends[row + 1] = ends[row] + way
-            row += 1
+            ways[step] = 0.0
+        for g in range(points.shape[0]):
+            for step in range(steps):
+                t[step] = (step + points[g]) / steps
+            _write_speeds(C, t[:steps], speeds)
+            for step in range(steps):
+                ways[step] += weights[g] * speeds[step]
+        for step in range(steps + 1):
+            t[step] = step / steps
+        _write_rates(C, t, firsts, seconds)
+        for step in range(steps):
+            way = ways[step] / steps
+            v, a = firsts[step] * way, seconds[step] * way * way
+            w, b, gap = firsts[step + 1] * way, seconds[step + 1] * way * way, t[step + 1] - t[step]
+            own = inverse[row + step]
+            own[0], own[1], own[2] = t[step], v, 0.5 * a
+            own[3] = 10.0 * gap - 6.0 * v - 4.0 * w - 1.5 * a + 0.5 * b
+            own[4] = -15.0 * gap + 8.0 * v + 7.0 * w + 1.5 * a - b
+            own[5] = 6.0 * gap - 3.0 * (v + w) - 0.5 * (a - b)
+            ends[row + step + 1] = ends[row + step] + way
 
 
-def _speed(C: Array, t: float) -> float:
-    """Return |p'|."""
-    square = 0.0
-    for i in range(3):
-        _, rate, _ = _polynomial(C, i, t)
-        square += rate * rate
-    return sqrt(square)
+def _write_speeds(C: Array, t: Array, out: Array) -> None:
+    """Write |p'| at many t side by side."""
+    x1, x2, x3, x4, x5 = C[1, 0], C[2, 0], C[3, 0], C[4, 0], C[5, 0]
+    y1, y2, y3, y4, y5 = C[1, 1], C[2, 1], C[3, 1], C[4, 1], C[5, 1]
+    z1, z2, z3, z4, z5 = C[1, 2], C[2, 2], C[3, 2], C[4, 2], C[5, 2]
+    for i in range(t.shape[0]):
+        x, _ = _slope(x1, x2, x3, x4, x5, t[i])
+        y, _ = _slope(y1, y2, y3, y4, y5, t[i])
+        z, _ = _slope(z1, z2, z3, z4, z5, t[i])
+        out[i] = sqrt(x * x + y * y + z * z)
 
 
-def _rates(C: Array, t: float) -> tuple[float, float]:
-    """Return dt/ds and d²t/ds²."""
-    square = along = 0.0
-    for i in range(3):
-        _, rate, bend = _polynomial(C, i, t)
-        square += rate * rate
-        along += rate * bend
-    return 1.0 / sqrt(square), -along / (square * square)
+def _write_rates(C: Array, t: Array, firsts: Array, seconds: Array) -> None:
+    """Write dt/ds and d²t/ds² at many t side by side."""
+    x1, x2, x3, x4, x5 = C[1, 0], C[2, 0], C[3, 0], C[4, 0], C[5, 0]
+    y1, y2, y3, y4, y5 = C[1, 1], C[2, 1], C[3, 1], C[4, 1], C[5, 1]
+    z1, z2, z3, z4, z5 = C[1, 2], C[2, 2], C[3, 2], C[4, 2], C[5, 2]
+    for i in range(t.shape[0]):
+        x, a = _slope(x1, x2, x3, x4, x5, t[i])
+        y, b = _slope(y1, y2, y3, y4, y5, t[i])
+        z, c = _slope(z1, z2, z3, z4, z5, t[i])
+        square = x * x + y * y + z * z
+        firsts[i] = 1.0 / sqrt(square)
+        seconds[i] = -(x * a + y * b + z * c) / (square * square)
+
+
+def _slope(c1: float, c2: float, c3: float, c4: float, c5: float, t: float) -> tuple[float, float]:
+    """Return first and second derivative of a polynomial by its coefficients; see `_polynomial`."""
+    value = c5 * t + c4
+    rate = c5 * t + value
+    half = c5 * t + rate
+    value = value * t + c3
+    rate = rate * t + value
+    half = half * t + rate
+    value = value * t + c2
+    rate = rate * t + value
+    return rate * t + (value * t + c1), 2.0 * (half * t + rate)
 
 
 def _polynomial(C: Array, column: int, t: float) -> _Vector:
