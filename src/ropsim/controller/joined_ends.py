@@ -8,7 +8,7 @@ from ropsim.controller.motion_chain import MotionChain
 from ropsim.controller.tracing import SMOOTH
 from ropsim.flow import JointSamples, PoseSetpoints
 from ropsim.kinematics import inverse_near
-from ropsim.motion import JointPath, JointPoints, ToolPath, traced_with_roughness
+from ropsim.motion import JointPath, JointPoints, ToolPath, Traced, traced_with_roughness
 from ropsim.spatial import Array, Pose
 
 _STEPS = (64, 128, 256, 512, 1024)
@@ -44,9 +44,10 @@ def joined_to(
     Returns:
         the way; None where it would end in another posture or the poses cannot be kept.
     """
-    length, own = path.length, joints.joints(np.array([0.0, path.length]))
     if has_named_branches(chain.robot):
-        return joints if np.abs(ends[1].q[0] - own.q[1]).max() <= _SAME else None
+        last = joints.q[-1] if isinstance(joints, Traced) else joints.joints(np.array([path.length])).q[0]
+        return joints if np.abs(ends[1].q[0] - last).max() <= _SAME else None
+    length, own = path.length, joints.joints(np.array([0.0, path.length]))
     missing = [
         (end.q[0] - own.q[k], (end.d1[0] - own.d1[k]) * length, (end.d2[0] - own.d2[k]) * length**2)
         for k, end in enumerate(ends)

@@ -12,6 +12,10 @@ from ropsim.codegen import kernel
 from ropsim.spatial import Array
 
 _Vector = tuple[float, float, float]
+LEAST = 1e-17
+"""Of |θ|²: below, the functions of it are what they are at 0."""
+SOME = 12
+"""Terms for |θ| below 1 rad; the rest is below 1e-24 of the first one."""
 
 
 @kernel("void(f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,:,::1], f8[:,::1], f8[:,::1])")
@@ -248,9 +252,10 @@ def _parameter(ends: Array, inverse: Array, step: int, s: float) -> float:
 
 
 def _functions(series: Array, x: float) -> tuple[float, float, float, float, float, float]:
-    """Return the six functions of x."""
+    """Return the six functions of x, by as many terms as have a say in the last bit."""
     c1 = c2 = c3 = c2_x = c3_x = rest = 0.0
-    for k in range(series.shape[1] - 1, -1, -1):
+    terms = 1 if x < LEAST else SOME if x < 1.0 else series.shape[1]
+    for k in range(terms - 1, -1, -1):
         c1 = c1 * x + series[0, k]
         c2 = c2 * x + series[1, k]
         c3 = c3 * x + series[2, k]
