@@ -17,7 +17,7 @@ from ropsim.motion import (
 from ropsim.motion.limits import strain_kernel
 from ropsim.motion.limits.demand import demand
 from ropsim.motion.limits.grid import places_of
-from ropsim.motion.limits.need import rates_needed
+from ropsim.motion.limits.need import neediest, rates_needed
 from ropsim.motion.limits.strain import Going, strain, strain_as_planned, with_torque
 from ropsim.spatial import Array
 from support.motions import Passing, Waves, body
@@ -87,7 +87,7 @@ def test_a_steady_jerk_needs_the_cube_root_of_what_it_is_too_much() -> None:
     places = np.arange(1.0, 6.0)
     points = JointPoints(*(8.0 * column[:, None] for column in (places**3 / 6.0, places**2 / 2.0, places)))
     bounds = JointBounds(np.array([1e9]), np.array([1e9]), np.array([1.0]))
-    assert rates_needed(demand(points, bounds, None), places, 1e-6)[2] == pytest.approx(0.5)
+    assert rates_needed(demand(points, bounds, None), places, 1e-6) == pytest.approx(np.full(5, 0.5))
 
 
 def test_places_are_close_where_the_speed_that_a_joint_allows_changes_steeply() -> None:
@@ -117,21 +117,58 @@ def test_strains_that_are_no_numbers_are_told_with_their_tick(wrong: float) -> N
         strain(rows, None, BOUNDS, 1.0)
 
 
+def turning(q: Array, qd: Array, qdd: Array) -> Array:
+    """Return torques of inertia, gravity and products of speeds, which all but one go by the rate squared."""
+    return np.asarray(2.0 * qdd + np.sin(q) + 0.3 * qd**2)
+
+
 def test_at_the_rate_that_is_needed_speed_acceleration_and_torque_are_on_their_bounds() -> None:
-    """With torques of inertia, gravity and products of speeds, which all go by the square of the rate."""
-
-    def effort(q: Array, qd: Array, qdd: Array) -> Array:
-        return np.asarray(2.0 * qdd + np.sin(q) + 0.3 * qd**2)
-
     motion = Waves(np.random.default_rng(1), 1, 2.0, 1.0, 1.0)
-    places = np.linspace(0.3, 1.7, 50)
+    places, endless = np.linspace(0.3, 1.7, 50), np.full(1, np.inf)
     points = motion.at(places)
-    needed = rates_needed(demand(points, BOUNDS, effort), places, 1e-3)
-    w = needed[:, :, :]
-    assert np.abs(points.d1) * w[0] == pytest.approx(np.full((50, 1), 2.0))
-    assert np.abs(points.d2) * w[1] ** 2 == pytest.approx(np.full((50, 1), 4.0))
-    torque = effort(points.q, points.d1 * w[3], points.d2 * w[3] ** 2)
-    assert np.abs(torque) == pytest.approx(np.full((50, 1), 5.0), rel=2e-3)  # creeping counts as standing
+    by_speed = demand(points, JointBounds(BOUNDS.speed, endless, endless), None)
+    by_acceleration = demand(points, JointBounds(endless, BOUNDS.acceleration, endless), None)
+    by_torque = demand(points, JointBounds(endless, endless, endless, BOUNDS.effort), turning)
+    w, v, u = (
+        np.array([neediest(asked, places, 1e-3, k, k + 1).rate for k in range(50)])[:, None]
+        for asked in (by_speed, by_acceleration, by_torque)
+    )
+    assert np.abs(points.d1) * w == pytest.approx(np.full((50, 1), 2.0))
+    assert np.abs(points.d2) * v**2 == pytest.approx(np.full((50, 1), 4.0))
+    torque = turning(points.q, points.d1 * u, points.d2 * u**2)
+    assert np.abs(torque) == pytest.approx(np.full((50, 1), 5.0), rel=1e-2)  # creeping counts as standing
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_the_neediest_limit_is_that_of_a_search(seed: int) -> None:
+    random = np.random.default_rng(seed)
+    m, n, period = 12, 3, 10.0 ** random.uniform(-4.0, -1.0)
+    points = JointPoints(*random.normal(size=(3, m, n)))
+    places = np.cumsum(10.0 ** random.uniform(-4.0, -1.0, m))
+    speed, acceleration, jerk = 10.0 ** random.uniform(-1.0, 1.0, (3, n))
+    bounds = JointBounds(speed, acceleration, jerk, random.uniform(1.5, 3.0, n))
+    asked = demand(points, bounds, turning)
+    steps = np.abs(np.diff(points.d2, axis=0))
+    lasting = np.cbrt(bounds.jerk * np.diff(places)[:, None] / steps)
+    between = np.maximum(lasting, np.sqrt(bounds.jerk * period / steps))
+    ends = np.full((1, n), np.inf)
+    moved = turning(points.q, points.d1, points.d2) - asked.still
+    assert bounds.effort is not None
+    rates = np.array([
+        bounds.speed / np.abs(points.d1),
+        np.sqrt(bounds.acceleration / np.abs(points.d2)),
+        np.minimum(np.vstack((between, ends)), np.vstack((ends, between))),
+        np.sqrt((bounds.effort - np.sign(moved) * asked.still) / np.abs(moved)),
+    ])  # fmt: skip
+    for begin, end in ((0, m), (3, 7), (0, 1), (m - 1, m)):
+        need = neediest(asked, places, period, begin, end)
+        among = rates[:, begin:end]
+        kind, place, joint = map(int, np.unravel_index(int(np.argmin(among)), among.shape))
+        assert need.rate == pytest.approx(among.min(), rel=1e-12)
+        assert (need.quantity, need.joint) == (tuple(Quantity)[kind], joint)
+        beside = range(begin + place, begin + place + 2)  # a jerk is of two places
+        assert need.place in (beside if need.quantity is Quantity.JERK else beside[:1])
+    assert rates_needed(asked, places, period) == pytest.approx(rates[::2].min(axis=(0, 2)), rel=1e-12)
 
 
 def test_places_are_dense_where_a_joint_goes_far_within_less_than_a_tick() -> None:

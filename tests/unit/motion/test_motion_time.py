@@ -4,7 +4,8 @@ import numpy as np
 
 from ropsim.motion import MotionTime
 from ropsim.motion.limits.motion_time import motion_time, unslowed
-from ropsim.motion.limits.rounding import greatest_nearby, rounded
+from ropsim.motion.limits.motion_time_kernel import timed
+from ropsim.motion.limits.rounding_kernel import WORK, greatest_nearby, rounded
 
 SMOOTH = 1e-5  # of steps of 1e-6 s with changes of rate below 10 / s
 
@@ -65,7 +66,8 @@ def test_slower_by_a_share_scales_rates_and_their_changes() -> None:
 def test_a_rounded_course_is_nowhere_above_and_1_beyond_two_windows() -> None:
     sigma = np.linspace(0.0, 30.0, 1501)
     rates = np.where((sigma > 14.0) & (sigma < 16.0), 0.3, 1.0)
-    smooth, slopes = rounded(sigma, rates)
+    smooth, slopes = np.empty((2, 1501))
+    rounded(sigma, rates, np.empty((WORK, 1503)), smooth, slopes)
     assert (smooth <= rates + 1e-5).all()  # the second mean is over a line between places of the first
     assert set(smooth[(sigma < 11.9) | (sigma > 18.1)]) == {1.0}
     assert abs(smooth[750] - 0.3) < 1e-12
@@ -75,8 +77,27 @@ def test_a_rounded_course_is_nowhere_above_and_1_beyond_two_windows() -> None:
 def test_the_greatest_nearby_value_is_that_of_a_search() -> None:
     random = np.random.default_rng(3)
     sigma, values = np.cumsum(random.uniform(0.01, 0.6, 300)), random.normal(size=300)
-    found = greatest_nearby(sigma, values)
+    found, queue = np.empty((2, 300))
+    greatest_nearby(sigma, values, queue, found)
     for k in range(300):
         inside = np.flatnonzero(np.abs(sigma - sigma[k]) <= 1.0)
         around = values[max(inside[0] - 1, 0) : inside[-1] + 2]
         assert found[k] == around.max()
+
+
+def test_times_of_knots_are_those_of_whole_columns() -> None:
+    """With changes brought down where they would lead a rate out of ]0, 1], column by column."""
+    random, m = np.random.default_rng(4), 400
+    places = np.cumsum(random.uniform(0.001, 0.01, m))
+    rates, asked = random.uniform(0.01, 1.0, m), random.normal(size=m) * 100.0
+    way, mean = np.diff(places), (rates[1:] + rates[:-1]) / 2.0
+    step = way / mean
+    left, right = np.append(step[:1], step), np.append(step, step[-1:])
+    above, below = 3.0 * (1.0 - rates), 3.0 * 0.9 * rates * 1.1 / 2.0
+    up, down = np.minimum(above / right, below / left), np.minimum(above / left, below / right)
+    changes = np.clip(asked, -down, up)
+    root = np.sqrt(np.maximum(mean**2 + (changes[:-1] - changes[1:]) / 3.0 * way, 0.0))
+    times = np.empty(m)
+    timed(places, rates, asked, times)
+    assert np.abs(asked - changes).max() <= 1e-12 * np.abs(changes).max()
+    assert np.abs(np.diff(times) / (2.0 * way / (mean + root)) - 1.0).max() < 1e-9

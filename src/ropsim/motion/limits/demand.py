@@ -4,14 +4,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ropsim.motion.limits.course_kernel import LEAST_RATE
 from ropsim.motion.limits.fastest_kernel import fastest
 from ropsim.motion.limits.joint_bounds import Effort, JointBounds, torques
 from ropsim.motion.limits.ways import Ways, no_ways
 from ropsim.motion.paths.path import JointPoints
 from ropsim.spatial import Array
 
-LEAST_RATE = 1e-4
-"""A path that must be gone slower than by this share of its plan cannot be gone."""
 SLACK = 5e-10
 """Share by which bounds are planned wider, so that a plan that is on them is left as it is."""
 _CREEP = 0.02
@@ -56,9 +55,17 @@ class Demand:
         return self.ways.beside(self.points)
 
     def most(self) -> Array:
-        """Return the bounds of acceleration of joints and paths, shape (m, n + r)."""
-        joints = np.broadcast_to(self.bounds.acceleration, self.points.q.shape)
-        return np.ascontiguousarray(np.hstack((joints, self.ways.most_accelerations)))
+        """Return the bounds of acceleration of joints and paths, (m, n + r), or (1, n) without paths."""
+        return self._beside(self.bounds.acceleration, self.ways.most_accelerations)
+
+    def most_jerk(self) -> Array:
+        """Return the bounds of jerk of joints and paths, (m, n + r), or (1, n) without paths."""
+        return self._beside(self.bounds.jerk, self.ways.most_jerks)
+
+    def _beside(self, joints: Array, ways: Array) -> Array:
+        if ways.shape[1] == 0:
+            return joints[None]
+        return np.ascontiguousarray(np.hstack((np.broadcast_to(joints, self.points.q.shape), ways)))
 
     def fastest(self, caps: Array, near: Array, steps: Array, share: Array, spared: Array) -> Array:
         """Return the greatest squared speeds x within acceleration, torque and caps, shape (m,).

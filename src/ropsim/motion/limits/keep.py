@@ -6,12 +6,13 @@ import numpy as np
 
 from ropsim.motion.diagnostics import WRONG_PROFILE_REQUEST
 from ropsim.motion.limits.course import course_below, window_times
-from ropsim.motion.limits.demand import LEAST_RATE, SLACK, Demand, demand
+from ropsim.motion.limits.course_kernel import LEAST_RATE
+from ropsim.motion.limits.demand import SLACK, Demand, demand
 from ropsim.motion.limits.grid import places_of
-from ropsim.motion.limits.joint_bounds import Effort, JointBounds, Quantity
+from ropsim.motion.limits.joint_bounds import Effort, JointBounds
 from ropsim.motion.limits.kept import Beyond, Kept, Motion, Slowed
 from ropsim.motion.limits.motion_time import MotionTime, unslowed
-from ropsim.motion.limits.need import rates_needed
+from ropsim.motion.limits.need import neediest, rates_needed
 from ropsim.motion.limits.reference import Reference, as_planned, keeps_torque, reference
 from ropsim.motion.limits.refusal import too_heavy, too_slow
 from ropsim.motion.limits.shares import all_of_it, less, more_than_lacks
@@ -96,9 +97,8 @@ def _slowed(motion: Motion, asked: Demand, planned: Demand, places: Array, perio
         places: motion times [s], shape (m,).
         period: of the control ticks [s].
     """
-    needed, lasting = rates_needed(asked, places, period), window_times(asked, motion.duration)
-    caps, ways = np.minimum(needed[::2].min(axis=(0, 2)) * (1.0 + SLACK), 1.0), np.diff(places)
-    shares = all_of_it(len(places))
+    lasting, ways, shares = window_times(asked, motion.duration), np.diff(places), all_of_it(len(places))
+    caps = np.minimum(rates_needed(asked, places, period) * (1.0 + SLACK), 1.0)
     x = caps**2
     best, attempt = (math.inf, unslowed(motion.duration)), 0
     while True:
@@ -106,11 +106,12 @@ def _slowed(motion: Motion, asked: Demand, planned: Demand, places: Array, perio
         rates = np.where(x < 1.0 - SLACK, np.sqrt(x), 1.0)
         sigma, clock = course_below(places, rates, lasting, shares.width)
         if x.min() < LEAST_RATE**2 or clock.duration - motion.duration > LONGEST_DELAY:
-            return too_slow(asked, places, needed, int(np.argmin(x)))
+            slowest = int(np.argmin(x))
+            return too_slow(asked, places, neediest(asked, places, period, slowest, slowest + 1))
         found = reference(motion, clock, planned, places, period, more_than_lacks(attempt))
         kept = found.strain.is_kept
         if kept and (planned is asked or keeps_torque(found.rows, asked.bounds, asked.effort)):
-            return Kept(clock, _parts(clock, needed), found.phi, found.rows)
+            return Kept(clock, _parts(clock, planned, period), found.phi, found.rows)
         if kept:
             planned = asked
             continue
@@ -122,24 +123,24 @@ def _slowed(motion: Motion, asked: Demand, planned: Demand, places: Array, perio
 
 def _slower(motion: Motion, clock: MotionTime, asked: Demand, places: Array, period: float) -> Kept | Beyond:
     """Return the motion with all rates brought down by what its worst control tick needs."""
-    needed, extra = rates_needed(asked, places, period), ROUNDING
+    extra = ROUNDING
     while True:
         found = reference(motion, clock, asked, places, period, 0.0)
         if found.strain.is_kept:
-            return Kept(clock, _parts(clock, needed), found.phi, found.rows)
+            return Kept(clock, _parts(clock, asked, period), found.phi, found.rows)
         clock, extra = clock.slower(1.0 / (min(found.strain.factor, 2.0) * (1.0 + extra))), 2.0 * extra
         if clock.duration - motion.duration > LONGEST_DELAY:
-            return too_slow(asked, places, needed, int(np.argmin(needed.min(axis=(0, 2)))))
+            return too_slow(asked, places, neediest(asked, places, period, 0, len(places)))
 
 
-def _parts(clock: MotionTime, needed: Array) -> tuple[Slowed, ...]:
+def _parts(clock: MotionTime, asked: Demand, period: float) -> tuple[Slowed, ...]:
     """Return the parts of a motion that are slowed, with what needs it most there."""
     slow = np.concatenate(([False], clock.rates < 1.0, [False]))
     starts, ends = np.flatnonzero(slow[1:] & ~slow[:-1]), np.flatnonzero(slow[:-1] & ~slow[1:])
     parts = []
     for first, end in zip(starts.tolist(), ends.tolist(), strict=True):
-        kind, _, joint = np.unravel_index(int(np.argmin(needed[:, first:end])), needed[:, first:end].shape)
+        need = neediest(asked, clock.places, period, first, end)
         begins, stops = clock.places[max(first - 1, 0)], clock.places[min(end, len(clock.places) - 1)]
         share = float(clock.rates[first:end].min())
-        parts.append(Slowed(float(begins), float(stops), share, int(joint), tuple(Quantity)[kind]))
+        parts.append(Slowed(float(begins), float(stops), share, need.joint, need.quantity))
     return tuple(parts)

@@ -3,14 +3,8 @@
 import numpy as np
 import numpy.typing as npt
 
-from ropsim.motion.limits.motion_time_kernel import motion_time_at
+from ropsim.motion.limits.motion_time_kernel import motion_time_at, timed
 from ropsim.spatial import Array, frozen, record
-
-_INSIDE = 0.9
-"""Share of a rate by which it may change towards a third of a cell, so that it stays above 0 in between.
-
-The mean rate is then at least (2 - share)/2 of that at the ends, and a cell lasts so much longer at most.
-"""
 
 
 @record
@@ -80,13 +74,6 @@ def motion_time(places: Array, rates: Array, changes: Array) -> MotionTime:
         rates: in ]0, 1], shape (m,).
         changes: d²φ/dt² [1/s], shape (m,).
     """
-    way, mean = np.diff(places), (rates[1:] + rates[:-1]) / 2.0
-    step = way / mean
-    left, right = np.append(step[:1], step), np.append(step, step[-1:])
-    above, below = 3.0 * (1.0 - rates), 3.0 * _INSIDE * rates * (2.0 - _INSIDE) / 2.0
-    up, down = np.minimum(above / right, below / left), np.minimum(above / left, below / right)
-    c = np.clip(changes, -down, up)
-    bend = (c[:-1] - c[1:]) / 12.0
-    root = np.sqrt(np.maximum(mean**2 + 4.0 * bend * way, 0.0))
-    times = np.concatenate(([0.0], np.cumsum(2.0 * way / (mean + root))))
-    return MotionTime(times, places, rates, c)
+    moved, times = np.array(changes, dtype=np.float64), np.empty(len(places))
+    timed(places, rates, moved, times)
+    return MotionTime(times, places, rates, moved)

@@ -1,7 +1,15 @@
-"""Motion time over real time, in a loop that numba compiles."""
+"""Motion time over real time, in loops that numba compiles."""
+
+import math
 
 from ropsim.codegen import kernel
 from ropsim.spatial import Array
+
+_INSIDE = 0.9
+"""Share of a rate by which it may change towards a third of a cell, so that it stays above 0 in between.
+
+The mean rate is then at least (2 - share)/2 of that at the ends, and a cell lasts so much longer at most.
+"""
 
 
 @kernel("void(f8[::1], f8[::1], f8[::1], f8[::1], f8[::1], f8[:,::1])")
@@ -35,3 +43,34 @@ def motion_time_at(
         out[0, k] = phi if t < knots[last] else places[last]
         out[1, k] = first + past * (change + past * (square + past * cube))
         out[2, k] = change + past * (2.0 * square + past * 3.0 * cube)
+
+
+@kernel("void(f8[::1], f8[::1], f8[::1], f8[::1])")
+def timed(places: Array, rates: Array, changes: Array, times: Array) -> None:
+    """Write the real times at which a motion with given rates comes to its knots; see `motion_time`.
+
+    Args:
+        places: motion times of the knots [s], rising, shape (m,), m >= 2.
+        rates: in ]0, 1], shape (m,).
+        changes: d²φ/dt² [1/s]; those that would lead a rate out of ]0, 1] are brought down, shape (m,).
+        times: become real times [s], from 0 on, shape (m,).
+    """
+    last = places.shape[0] - 1
+    left = (places[1] - places[0]) / ((rates[1] + rates[0]) / 2.0)
+    way, mean, before = 0.0, 1.0, 0.0
+    for i in range(last + 1):
+        right = left
+        if i < last:
+            right = (places[i + 1] - places[i]) / ((rates[i + 1] + rates[i]) / 2.0)
+        above, below = 3.0 * (1.0 - rates[i]), 3.0 * _INSIDE * rates[i] * (2.0 - _INSIDE) / 2.0
+        up, down = min(above / right, below / left), min(above / left, below / right)
+        changes[i] = min(max(changes[i], -down), up)
+        if i == 0:
+            times[0] = 0.0
+        else:
+            bend = (before - changes[i]) / 12.0
+            root = math.sqrt(max(mean * mean + 4.0 * bend * way, 0.0))
+            times[i] = times[i - 1] + 2.0 * way / (mean + root)
+        if i < last:
+            way, mean = places[i + 1] - places[i], (rates[i + 1] + rates[i]) / 2.0
+        before, left = changes[i], right

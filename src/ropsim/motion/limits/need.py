@@ -1,16 +1,50 @@
-"""At which rate each joint could keep each of its limits, place by place."""
+"""At which rate the joints could keep their limits, place by place, and which one needs the lowest."""
+
+from dataclasses import dataclass
 
 import numpy as np
 
 from ropsim.motion.limits.demand import Demand
-from ropsim.motion.limits.joint_bounds import torques
+from ropsim.motion.limits.joint_bounds import Quantity, torques
+from ropsim.motion.limits.need_kernel import least_rate, room
 from ropsim.spatial import Array
 
-_TINY = 1e-300
+
+@dataclass(frozen=True, slots=True)
+class Need:
+    """The lowest rate that one limit of one joint needs.
+
+    Attributes:
+        quantity: that is limited.
+        place: index of the place.
+        joint: index of the joint.
+        rate: constant rate that would just keep the limit there.
+    """
+
+    quantity: Quantity
+    place: int
+    joint: int
+    rate: float
 
 
 def rates_needed(demand: Demand, places: Array, period: float) -> Array:
-    """Return the constant rates that would just keep a limit, in the order of `Quantity`, shape (4, m, n).
+    """Return the constant rates that would just keep the limits of speed and jerk, shape (m,).
+
+    Args:
+        demand: what the plan asks of the joints at the places.
+        places: motion times [s], shape (m,).
+        period: of the control ticks [s].
+    """
+    bounds, least = demand.bounds, np.empty((3, len(places)))
+    room(*_rows(demand), places, bounds.speed, bounds.jerk, period, least)
+    between = np.maximum(np.cbrt(least[1]), np.sqrt(least[2]))
+    result = np.minimum(least[0], between)
+    result[1:] = np.minimum(result[1:], between[:-1])
+    return np.asarray(result)
+
+
+def neediest(demand: Demand, places: Array, period: float, begin: int, end: int) -> Need:
+    """Return what needs the lowest rate among some places.
 
     With the rate w, speeds scale by w, accelerations and what motion adds to the torques by w², jerk by w³;
     where acceleration is not steady, its step in one control tick by w².
@@ -19,20 +53,23 @@ def rates_needed(demand: Demand, places: Array, period: float) -> Array:
         demand: what the plan asks of the joints at the places.
         places: motion times [s], shape (m,).
         period: of the control ticks [s].
+        begin: index of the first place that is looked at.
+        end: index of the place behind the last one.
     """
-    points, bounds = demand.points, demand.bounds
-    result = np.full((4, *points.q.shape), np.inf)
-    result[0] = bounds.speed / np.maximum(np.abs(points.d1), _TINY)
-    result[1] = np.sqrt(bounds.acceleration / np.maximum(np.abs(points.d2), _TINY))
-    steps = np.maximum(np.abs(np.diff(points.d2, axis=0)), _TINY)
-    lasting = np.cbrt(bounds.jerk * np.diff(places)[:, None] / steps)
-    sudden = np.sqrt(bounds.jerk * period / steps)
-    between = np.maximum(lasting, sudden)
-    result[2, :-1], result[2, -1] = between, between[-1]
-    result[2, 1:] = np.minimum(result[2, 1:], between)
+    points, bounds, torque = demand.points, demand.bounds, demand.still
+    limits = np.full((len(Quantity), len(bounds.speed)), np.inf)
+    limits[:3] = bounds.speed, bounds.acceleration, bounds.jerk
     if demand.effort is not None and bounds.effort is not None:
-        torque = torques(demand.effort, points.q, points.d1, points.d2)
-        sign = np.where(torque - demand.still < 0.0, -1.0, 1.0)
-        room = np.maximum(bounds.effort - sign * demand.still, 0.0)
-        result[3] = np.sqrt(room / np.maximum(np.abs(torque - demand.still), _TINY))
-    return result
+        limits[3] = bounds.effort
+        here = slice(begin, end)
+        torque = torques(demand.effort, points.q[here], points.d1[here], points.d2[here])
+    found = np.zeros(4)
+    torque, still = np.ascontiguousarray(torque), np.ascontiguousarray(demand.still)
+    least_rate(*_rows(demand), torque, still, places, limits, period, begin, end, found)
+    kind, place, joint = found[:3].astype(int).tolist()
+    return Need(tuple(Quantity)[kind], place, joint, float(found[3]))
+
+
+def _rows(demand: Demand) -> tuple[Array, Array]:
+    """Return the first and second derivatives of the joints by motion time, shape (m, n)."""
+    return np.ascontiguousarray(demand.points.d1), np.ascontiguousarray(demand.points.d2)

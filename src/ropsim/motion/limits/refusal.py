@@ -4,9 +4,11 @@ from typing import cast
 
 import numpy as np
 
-from ropsim.motion.limits.demand import LEAST_RATE, Demand
+from ropsim.motion.limits.course_kernel import LEAST_RATE
+from ropsim.motion.limits.demand import Demand
 from ropsim.motion.limits.joint_bounds import Quantity
 from ropsim.motion.limits.kept import Beyond
+from ropsim.motion.limits.need import Need
 from ropsim.motion.limits.strain import ROUNDING
 from ropsim.spatial import Array
 
@@ -32,19 +34,17 @@ def too_heavy(asked: Demand, places: Array) -> Beyond | None:
     return Beyond(float(places[i]), j, Quantity.TORQUE, float(abs(asked.still[i, j])), float(most[j]))
 
 
-def too_slow(asked: Demand, places: Array, needed: Array, place: int) -> Beyond:
+def too_slow(asked: Demand, places: Array, need: Need) -> Beyond:
     """Return the refusal for a place that would have to be gone at next to no speed.
 
     Args:
         asked: what the plan asks of the joints.
         places: motion times [s], shape (m,).
-        needed: see `rates_needed`, shape (4, m, n).
-        place: index of it.
+        need: what is needed most there.
     """
-    kind, joint = np.unravel_index(int(np.argmin(needed[:, place])), needed[:, place].shape)
-    bounds = asked.bounds
+    bounds, kind = asked.bounds, tuple(Quantity).index(need.quantity)
     limits = (bounds.speed, bounds.acceleration, bounds.jerk, cast("Array", bounds.effort))
-    limit = float(limits[kind][joint])
-    over = (LEAST_RATE / max(float(needed[kind, place, joint]), _TINY)) ** _POWERS[kind]
+    limit = float(limits[kind][need.joint])
+    over = (LEAST_RATE / max(need.rate, _TINY)) ** _POWERS[kind]
     value = limit * max(over, 1.0)
-    return Beyond(float(places[place]), int(joint), tuple(Quantity)[kind], value, limit)
+    return Beyond(float(places[need.place]), need.joint, need.quantity, value, limit)

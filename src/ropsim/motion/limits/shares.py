@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ropsim.motion.limits.rounding import greatest_nearby
+from ropsim.motion.limits.rounding_kernel import greatest_nearby
 from ropsim.motion.limits.strain import Strain
 from ropsim.spatial import Array
 
@@ -42,15 +42,24 @@ def less(shares: Shares, found: Strain, sigma: Array) -> Shares:
     Args:
         shares: those that were planned with.
         found: what came of them, with lacks at the m places.
-        sigma: places in windows, see `window_places`, shape (m,).
+        sigma: places in windows, see `smooth_course`, shape (m,).
     """
-    rate, swing, width, torque = np.exp(greatest_nearby(sigma, found.lacks))
+    rate, swing, width, torque = (_factor(sigma, lacks) for lacks in found.lacks)
     return Shares(
         shares.acceleration / swing,
         shares.torque / torque,
         shares.rate / rate,
         np.minimum(shares.width * width, _WIDEST),
     )
+
+
+def _factor(sigma: Array, lacks: Array) -> Array | float:
+    """Return the factors for the greatest lacks in the windows around places, shape (m,); 1 for no lack."""
+    if not lacks.any():
+        return 1.0
+    nearby, queue = np.empty((2, len(lacks)))
+    greatest_nearby(sigma, lacks, queue, nearby)
+    return np.asarray(np.exp(nearby))
 
 
 def more_than_lacks(attempt: int) -> float:

@@ -1,0 +1,97 @@
+"""How much slower joints would have to be at single places of a motion, in loops that numba compiles."""
+
+import math
+
+from ropsim.codegen import kernel
+from ropsim.motion.limits.strain_kernel import ACCELERATION, JERK, SPEED, TORQUE
+from ropsim.spatial import Array
+
+_TINY = 1e-300
+
+
+@kernel("void(f8[:,::1], f8[:,::1], f8[::1], f8[::1], f8[::1], f8, f8[:,::1])")
+def room(d1: Array, d2: Array, places: Array, speed: Array, jerk: Array, period: float, out: Array) -> None:
+    """Write what the joint that has least of it leaves of speed and jerk, over what is asked.
+
+    With the rate w, speeds scale by w and jerk by w³; where acceleration is not steady, its step in one
+    control tick by w².
+
+    Args:
+        d1: first derivatives by motion time, shape (m, n).
+        d2: second ones, shape (m, n).
+        places: motion times [s], shape (m,).
+        speed: limits, shape (n,).
+        jerk: limits, shape (n,).
+        period: of the control ticks [s].
+        out: of speed at each place; on the way behind it of a jerk that lasts and of one that is sudden, for
+            the last place those of the last way, shape (3, m).
+    """
+    last = d1.shape[0] - 1
+    for i in range(last + 1):
+        lasting, sudden, slow = math.inf, math.inf, math.inf
+        for j in range(d1.shape[1]):
+            slow = min(slow, speed[j] / max(abs(d1[i, j]), _TINY))
+            if i < last:
+                step = max(abs(d2[i + 1, j] - d2[i, j]), _TINY)
+                lasting = min(lasting, jerk[j] * (places[i + 1] - places[i]) / step)
+                sudden = min(sudden, jerk[j] * period / step)
+        out[0, i] = slow
+        if i < last:
+            out[1, i], out[2, i] = lasting, sudden
+        else:
+            out[1, i], out[2, i] = out[1, i - 1], out[2, i - 1]
+
+
+@kernel("void(f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[::1], f8[:,::1], f8, i8, i8, f8[::1])")
+def least_rate(
+    d1: Array,
+    d2: Array,
+    torque: Array,
+    still: Array,
+    places: Array,
+    limits: Array,
+    period: float,
+    begin: int,
+    end: int,
+    out: Array,
+) -> None:
+    """Write which limit of which joint needs the lowest rate; see `neediest`.
+
+    Args:
+        d1: first derivatives by motion time, shape (m, n).
+        d2: second ones, shape (m, n).
+        torque: of the plan from place `begin` on [N m | N], shape (end - begin, n), or (…, 0).
+        still: torque of creeping at all places [N m | N], shape (m, n), or (m, 0).
+        places: motion times [s], shape (m,).
+        limits: in the order of `Quantity`, shape (4, n).
+        period: of the control ticks [s].
+        begin: first place that is looked at.
+        end: place behind the last one.
+        out: becomes the quantity, the place, the joint and the rate, shape (4,).
+    """
+    out[3] = math.inf
+    last = d1.shape[0] - 1
+    for j in range(d1.shape[1]):
+        for i in range(begin, end):
+            _lower(out, SPEED, i, j, limits[SPEED, j] / max(abs(d1[i, j]), _TINY))
+            share = limits[ACCELERATION, j] / max(abs(d2[i, j]), _TINY)
+            if share < out[3] * out[3]:
+                _lower(out, ACCELERATION, i, j, math.sqrt(share))
+        for i in range(max(begin - 1, 0), min(end, last)):
+            share = limits[JERK, j] / max(abs(d2[i + 1, j] - d2[i, j]), _TINY)
+            lasting, sudden = share * (places[i + 1] - places[i]), share * period
+            if lasting < out[3] * out[3] * out[3] and sudden < out[3] * out[3]:
+                _lower(out, JERK, max(i, begin), j, max(lasting ** (1.0 / 3.0), math.sqrt(sudden)))
+        for i in range(begin, end if j < torque.shape[1] else begin):
+            held = still[i, j]
+            moved = torque[i - begin, j] - held
+            free = limits[TORQUE, j] + (held if moved < 0.0 else -held)
+            share = max(free, 0.0) / max(abs(moved), _TINY)
+            if share < out[3] * out[3]:
+                _lower(out, TORQUE, i, j, math.sqrt(share))
+
+
+def _lower(out: Array, kind: int, place: int, joint: int, rate: float) -> None:
+    """Keep a rate with what needs it, if it is lower than the one that is known."""
+    if rate < out[3]:
+        out[0], out[1], out[2], out[3] = kind, place, joint, rate
