@@ -18,6 +18,7 @@ from ropsim.motion.limits import strain_kernel
 from ropsim.motion.limits.demand import demand
 from ropsim.motion.limits.grid import places_of
 from ropsim.motion.limits.need import neediest, rates_needed
+from ropsim.motion.limits.speeds import Speeds
 from ropsim.motion.limits.strain import Going, strain, strain_as_planned, with_torque
 from ropsim.spatial import Array
 from support.motions import Passing, Waves, body
@@ -237,14 +238,14 @@ def on_its_bounds(factor: float) -> tuple[JointPoints, JointBounds]:
 def test_a_motion_that_is_on_its_bounds_goes_on_at_its_own_rate_bit_by_bit() -> None:
     points, bounds = on_its_bounds(1.0 + 4e-10)
     ones = np.ones(200)
-    x = demand(points, bounds, None).fastest(ones, ones, np.full(199, 1e-3), ones, ones)
+    x = Speeds(demand(points, bounds, None), np.full(199, 1e-3)).under(ones, ones, ones, ones)
     assert (x == 1.0).all()
 
 
 def test_a_motion_that_is_beyond_its_bounds_is_slowed_to_them_but_for_rounding() -> None:
     points, bounds = on_its_bounds(2.0)
     ones = np.ones(200)
-    x = demand(points, bounds, None).fastest(ones, ones, np.full(199, 1e-3), ones, ones)[:, None]
+    x = Speeds(demand(points, bounds, None), np.full(199, 1e-3)).under(ones, ones, ones, ones)[:, None]
     u = np.diff(x, axis=0) / 2e-3
     for ends in (slice(None, -1), slice(1, None)):
         asked = np.abs(points.d1[ends] * u + points.d2[ends] * x[ends])

@@ -124,9 +124,9 @@ def test_the_plain_function_gives_what_the_compiled_one_gives() -> None:
     A, B = random.normal(size=(2, m, 5))
     lower, upper = -random.uniform(0.0, 3.0, (m, 5)), random.uniform(0.0, 3.0, (m, 5))
     caps, steps = random.uniform(0.5, 1.0, m), random.uniform(0.01, 0.02, m - 1)
-    plain, compiled = np.empty(m), np.empty(m)
-    getattr(fastest, "__wrapped__", fastest)(A, B, lower, upper, caps, steps, plain)
-    fastest(A, B, lower, upper, caps, steps, compiled)
+    plain, compiled, free = np.empty((3, m))
+    getattr(fastest, "__wrapped__", fastest)(A, B, lower, upper, caps, steps, free, plain)
+    fastest(A, B, lower, upper, caps, steps, free, compiled)
     assert plain == pytest.approx(compiled, rel=1e-12)
 
 

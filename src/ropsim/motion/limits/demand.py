@@ -4,8 +4,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ropsim.motion.limits.course_kernel import LEAST_RATE
-from ropsim.motion.limits.fastest_kernel import fastest
 from ropsim.motion.limits.joint_bounds import Effort, JointBounds, torques
 from ropsim.motion.limits.ways import Ways, no_ways
 from ropsim.motion.paths.path import JointPoints
@@ -15,10 +13,6 @@ SLACK = 5e-10
 """Share by which bounds are planned wider, so that a plan that is on them is left as it is."""
 _CREEP = 0.02
 """Share of the speed of joints at which dry friction is as in motion and nothing else counts."""
-_PASSES = 12
-_SAME = 1e-3
-_MOST_AHEAD = 0.6
-"""Greatest share of a change that the next one is taken to be; half of it against viscous friction alone."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -34,21 +28,18 @@ class Demand:
         bounds: of the joints.
         ways: paths with limits of their own there.
         effort: torque of the joints, or None.
-        inertia: torque of a unit of u [N m | N], shape (m, n), or (m, 0) where torque does not count.
-        still: torque of creeping along [N m | N], of the same shape.
+        still: torque of creeping along [N m | N], shape (m, n), or (m, 0) where torque does not count.
     """
 
     points: JointPoints
     bounds: JointBounds
     ways: Ways
     effort: Effort | None
-    inertia: Array
     still: Array
 
     def without_torque(self) -> "Demand":
         """Return the same where torque does not count."""
-        nothing = self.points.q[:, :0]
-        return Demand(self.points, self.bounds, self.ways, None, nothing, nothing)
+        return Demand(self.points, self.bounds, self.ways, None, self.points.q[:, :0])
 
     def along(self) -> tuple[Array, Array]:
         """Return first and second derivatives of joints and places on paths by motion time, (m, n + r)."""
@@ -67,41 +58,13 @@ class Demand:
             return joints[None]
         return np.ascontiguousarray(np.hstack((np.broadcast_to(joints, self.points.q.shape), ways)))
 
-    def fastest(self, caps: Array, near: Array, steps: Array, share: Array, spared: Array) -> Array:
-        """Return the greatest squared speeds x within acceleration, torque and caps, shape (m,).
-
-        Where torque counts, they are found again with the torques at the speeds found, until these stay.
-
-        Args:
-            caps: bounds of x, shape (m,).
-            near: x at which the torques are taken first, shape (m,).
-            steps: ways from place to place, shape (m - 1,).
-            share: what is used of the bounds of acceleration, in ]0, 1], shape (m,).
-            spared: what is used of the torque that `still` leaves, in ]0, 1], shape (m,).
-        """
-        q, d1, d2 = self.points.q, self.points.d1, self.points.d2
-        most = self.most() * share[:, None] * (1.0 + SLACK)
-        (A, B), lower, upper = self.along(), -most, most
-        result = np.empty(len(caps))
-        if self.effort is None or self.bounds.effort is None:
-            fastest(A, B, lower, upper, caps, steps, result)
-            return result
-        used, n = spared[:, None] * (1.0 + SLACK), A.shape[1]
-        lower = np.hstack((lower, np.minimum(used * (-self.bounds.effort - self.still), 0.0)))
-        upper = np.hstack((upper, np.maximum(used * (self.bounds.effort - self.still), 0.0)))
-        A, B = np.hstack((A, self.inertia)), np.hstack((B, np.empty_like(q)))
-        changed = np.zeros(len(caps))
-        for _ in range(_PASSES):
-            near = np.maximum(near, LEAST_RATE**2)
-            x = near[:, None]
-            B[:, n:] = (torques(self.effort, q, d1 * np.sqrt(x), d2 * x) - self.still) / x
-            fastest(A, B, lower, upper, caps, steps, result)
-            if np.abs(result - near).max() <= _SAME * result.max():
-                break
-            before, changed = changed, np.log(np.maximum(result, LEAST_RATE**2) / near)
-            share = np.clip(changed / np.where(before == 0.0, np.inf, before), 0.0, _MOST_AHEAD)
-            near = result * np.exp(changed * share / (1.0 - share))
-        return result
+    def inertia(self) -> Array:
+        """Return the torque of a unit of u [N m | N], shape (m, n), or (m, 0) where torque does not count."""
+        if self.effort is None:
+            return self.still
+        q, d1 = self.points.q, self.points.d1
+        rest = np.zeros_like(q)
+        return torques(self.effort, q, rest, d1) - torques(self.effort, q, rest, rest)
 
 
 def demand(
@@ -120,9 +83,8 @@ def demand(
     """
     q, d1, on = points.q, points.d1, ways or no_ways(len(points.q))
     if effort is None or bounds.effort is None:
-        return Demand(points, bounds, on, None, q[:, :0], q[:, :0])
+        return Demand(points, bounds, on, None, q[:, :0])
     rest = np.zeros_like(q)
     speeds = np.minimum(bounds.speed, np.abs(d1).max(axis=0) + np.finfo(np.float64).tiny)
     creep = _CREEP / np.maximum(np.max(np.abs(d1) / speeds, axis=1), _CREEP)
-    inertia = torques(effort, q, rest, d1) - torques(effort, q, rest, rest)
-    return Demand(points, bounds, on, effort, inertia, torques(effort, q, d1 * creep[:, None], rest))
+    return Demand(points, bounds, on, effort, torques(effort, q, d1 * creep[:, None], rest))

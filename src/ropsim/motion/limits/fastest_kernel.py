@@ -15,8 +15,10 @@ MOST_STEPS = 60
 """Newton steps at one place; each passes a corner of a convex polygon, so that a handful is the rule."""
 
 
-@kernel("void(f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[::1], f8[::1], f8[::1])")
-def fastest(A: Array, B: Array, lower: Array, upper: Array, caps: Array, steps: Array, x: Array) -> None:
+@kernel("void(f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[::1], f8[::1], f8[::1], f8[::1])")
+def fastest(
+    A: Array, B: Array, lower: Array, upper: Array, caps: Array, steps: Array, free: Array, x: Array
+) -> None:
     """Compute the greatest squared speeds x = (ds/dt)² along a path.
 
     Between places i and i+1 the acceleration u = d²s/dt² is constant, x[i+1] = x[i] + 2·steps[i]·u, and each
@@ -36,6 +38,7 @@ def fastest(A: Array, B: Array, lower: Array, upper: Array, caps: Array, steps: 
         upper: at least 0, shape (m, r).
         caps: bounds of x, at least 0, shape (m,).
         steps: ways from place to place, above 0, shape (m - 1,).
+        free: room: the x from which no row keeps the next one from being reached, shape (m,).
         x: the squared speeds afterwards, shape (m,).
 
     References:
@@ -49,21 +52,23 @@ def fastest(A: Array, B: Array, lower: Array, upper: Array, caps: Array, steps: 
         greatest = max(greatest, caps[i])
     x[m - 1] = caps[m - 1]
     for i in range(m - 2, -1, -1):
-        value = caps[i]
+        value, goal, free[i] = caps[i], x[i + 1], -1.0
         for _ in range(MOST_STEPS):
-            least, rise, most, fall, cap = _between(
-                A, B, lower, upper, i, steps[i], value, x[i + 1], greatest
-            )
+            least, rise, most, fall, cap = _between(A, B, lower, upper, i, steps[i], value, goal, greatest)
             new = min(value, cap)
             if least + rise * value > most + fall * value and rise > fall:
                 new = min(new, (most - least) / (rise - fall))
             new = max(new, 0.0)
             if not new < value * (1.0 - 1e-15):
+                if most == goal / (2.0 * steps[i]) and fall == -1.0 / (2.0 * steps[i]):
+                    free[i] = value
                 break
             value = new
         x[i] = value
     for i in range(m - 1):
-        least, rise, most, fall, cap = _between(A, B, lower, upper, i, steps[i], x[i], x[i + 1], greatest)
+        most, fall = x[i + 1] / (2.0 * steps[i]), -1.0 / (2.0 * steps[i])
+        if x[i] != free[i]:
+            _, _, most, fall, _ = _between(A, B, lower, upper, i, steps[i], x[i], x[i + 1], greatest)
         x[i + 1] = min(x[i + 1], max(x[i] + 2.0 * steps[i] * (most + fall * x[i]), 0.0))
 
 
@@ -80,6 +85,9 @@ def _between(
 ) -> tuple[float, float, float, float, float]:
     """Return the two lines by x that bind the acceleration at x, and a bound of x.
 
+    Only a row that the acceleration so far does not keep becomes a line of its own: few of them do, and the
+    others cost no division.
+
     Returns:
         the least acceleration at x = 0 and its slope, the greatest one at x = 0 and its slope, the bound.
     """
@@ -87,11 +95,11 @@ def _between(
     least, rise = 0.0, -share / (2.0 * step)
     most, fall = goal / (2.0 * step), -1.0 / (2.0 * step)
     cap, reach = x, greatest / (2.0 * step)  # no acceleration is greater
-    for r in range(A.shape[1]):
-        for end in range(2):
-            b = B[i + end, r]
+    under, over = least + rise * x, most + fall * x
+    for end in range(2):
+        for r in range(A.shape[1]):
+            b, low, high = B[i + end, r], lower[i + end, r], upper[i + end, r]
             a = A[i + end, r] + 2.0 * step * end * b
-            low, high = lower[i + end, r], upper[i + end, r]
             if abs(a) * reach <= NOTHING * (high - low):
                 if b > 0.0:
                     cap = min(cap, high / b)
@@ -99,11 +107,14 @@ def _between(
                     cap = min(cap, low / b)
                 continue
             if a < 0.0:
-                low, high = high, low
-            inverse = 1.0 / a
-            bottom, top, slope = low * inverse, high * inverse, -b * inverse
-            if bottom + slope * x > least + rise * x:
-                least, rise = bottom, slope
-            if top + slope * x < most + fall * x:
-                most, fall = top, slope
+                a, b, low, high = -a, -b, -high, -low
+            room = b * x
+            if a * under < low - room:
+                inverse = 1.0 / a
+                least, rise = low * inverse, -b * inverse
+                under = least + rise * x
+            if a * over > high - room:
+                inverse = 1.0 / a
+                most, fall = high * inverse, -b * inverse
+                over = most + fall * x
     return least, rise, most, fall, cap

@@ -16,6 +16,7 @@ from ropsim.motion.limits.need import neediest, rates_needed
 from ropsim.motion.limits.reference import Reference, as_planned, keeps_torque, reference
 from ropsim.motion.limits.refusal import too_heavy, too_slow
 from ropsim.motion.limits.shares import all_of_it, less, more_than_lacks
+from ropsim.motion.limits.speeds import Speeds
 from ropsim.motion.limits.strain import ROUNDING
 from ropsim.motion.profile import ProfileError
 from ropsim.spatial import Array
@@ -97,12 +98,12 @@ def _slowed(motion: Motion, asked: Demand, planned: Demand, places: Array, perio
         places: motion times [s], shape (m,).
         period: of the control ticks [s].
     """
-    lasting, ways, shares = window_times(asked, motion.duration), np.diff(places), all_of_it(len(places))
+    lasting, steps, shares = window_times(asked, motion.duration), np.diff(places), all_of_it(len(places))
     caps = np.minimum(rates_needed(asked, places, period) * (1.0 + SLACK), 1.0)
-    x = caps**2
+    x, speeds = caps**2, Speeds(planned, steps)
     best, attempt = (math.inf, unslowed(motion.duration)), 0
     while True:
-        x = planned.fastest((caps * shares.rate) ** 2, x, ways, shares.acceleration, shares.torque)
+        x = speeds.under((caps * shares.rate) ** 2, x, shares.acceleration, shares.torque)
         rates = np.where(x < 1.0 - SLACK, np.sqrt(x), 1.0)
         sigma, clock = course_below(places, rates, lasting, shares.width)
         if x.min() < LEAST_RATE**2 or clock.duration - motion.duration > LONGEST_DELAY:
@@ -113,7 +114,7 @@ def _slowed(motion: Motion, asked: Demand, planned: Demand, places: Array, perio
         if kept and (planned is asked or keeps_torque(found.rows, asked.bounds, asked.effort)):
             return Kept(clock, _parts(clock, planned, period), found.phi, found.rows)
         if kept:
-            planned = asked
+            planned, speeds = asked, Speeds(asked, steps)
             continue
         best = min(best, (clock.duration * found.strain.factor, clock), key=lambda pair: pair[0])
         if attempt == _ATTEMPTS:

@@ -7,6 +7,7 @@ from ropsim.motion.limits.demand import demand
 from ropsim.motion.limits.joint_bounds import Effort, JointBounds
 from ropsim.motion.limits.kept import Beyond
 from ropsim.motion.limits.refusal import too_heavy
+from ropsim.motion.limits.speeds import Speeds
 from ropsim.motion.paths.path import JointPoints
 from ropsim.motion.profile import ProfileError
 from ropsim.spatial import Array
@@ -46,4 +47,4 @@ def time_optimal(
     caps[0] = caps[-1] = 0.0
     x = np.minimum(caps, 1.0 / np.maximum(np.max(np.abs(points.d2) / bounds.acceleration, axis=1), _TINY))
     everything = np.ones(m)
-    return np.asarray(np.sqrt(asked.fastest(caps, x, np.full(m - 1, step), everything, everything)))
+    return np.asarray(np.sqrt(Speeds(asked, np.full(m - 1, step)).under(caps, x, everything, everything)))

@@ -1,0 +1,73 @@
+"""The greatest speeds along a path, found again and again under bounds that are brought down."""
+
+import numpy as np
+
+from ropsim.motion.limits.course_kernel import LEAST_RATE
+from ropsim.motion.limits.demand import SLACK, Demand
+from ropsim.motion.limits.fastest_kernel import fastest
+from ropsim.motion.limits.joint_bounds import torques
+from ropsim.spatial import Array
+
+_PASSES = 12
+_SAME = 1e-3
+_MOST_AHEAD = 0.6
+"""Greatest share of a change that the next one is taken to be; half of it against viscous friction alone."""
+
+
+class Speeds:
+    """The greatest squared speeds at the m places of a path of n joints and r paths.
+
+    Args:
+        asked: what the path asks of joints and paths.
+        steps: ways from place to place, shape (m - 1,).
+    """
+
+    def __init__(self, asked: Demand, steps: Array) -> None:
+        self._asked, self._steps, m = asked, steps, len(asked.points.q)
+        A, B = asked.along()
+        self._along, self._most = A.shape[1], asked.most()
+        if asked.effort is not None:
+            inertia = asked.inertia()
+            A, B = np.hstack((A, inertia)), np.hstack((B, np.empty_like(inertia)))
+        self._A, self._B = A, B
+        self._lower, self._upper = np.empty((2, *A.shape))
+        self._free = np.empty(m)
+
+    def under(self, caps: Array, near: Array, share: Array, spared: Array) -> Array:
+        """Return the greatest squared speeds x within acceleration, torque and caps, shape (m,).
+
+        Where torque counts, they are found again with the torques at the speeds found, until these stay.
+
+        Args:
+            caps: bounds of x, shape (m,).
+            near: x at which the torques are taken first, shape (m,).
+            share: what is used of the bounds of acceleration, in ]0, 1], shape (m,).
+            spared: what is used of the torque that `still` leaves, in ]0, 1], shape (m,).
+        """
+        n, lower, upper, asked = self._along, self._lower, self._upper, self._asked
+        np.multiply(self._most, share[:, None], out=upper[:, :n])
+        upper[:, :n] *= 1.0 + SLACK
+        np.negative(upper[:, :n], out=lower[:, :n])
+        if asked.effort is None or asked.bounds.effort is None:
+            return self._fastest(caps)
+        used, still, B = spared[:, None] * (1.0 + SLACK), asked.still, self._B
+        lower[:, n:] = np.minimum(used * (-asked.bounds.effort - still), 0.0)
+        upper[:, n:] = np.maximum(used * (asked.bounds.effort - still), 0.0)
+        q, d1, d2 = asked.points.q, asked.points.d1, asked.points.d2
+        changed, result = np.zeros(len(caps)), near
+        for _ in range(_PASSES):
+            near = np.maximum(near, LEAST_RATE**2)
+            x = near[:, None]
+            B[:, n:] = (torques(asked.effort, q, d1 * np.sqrt(x), d2 * x) - still) / x
+            result = self._fastest(caps)
+            if np.abs(result - near).max() <= _SAME * result.max():
+                break
+            before, changed = changed, np.log(np.maximum(result, LEAST_RATE**2) / near)
+            share = np.clip(changed / np.where(before == 0.0, np.inf, before), 0.0, _MOST_AHEAD)
+            near = result * np.exp(changed * share / (1.0 - share))
+        return result
+
+    def _fastest(self, caps: Array) -> Array:
+        result = np.empty(len(caps))
+        fastest(self._A, self._B, self._lower, self._upper, caps, self._steps, self._free, result)
+        return result
