@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ropsim.motion.limits.demand_kernel import creeping
 from ropsim.motion.limits.joint_bounds import Effort, JointBounds, torques
 from ropsim.motion.limits.ways import Ways, no_ways
 from ropsim.motion.paths.path import JointPoints
@@ -11,8 +12,6 @@ from ropsim.spatial import Array
 
 SLACK = 5e-10
 """Share by which bounds are planned wider, so that a plan that is on them is left as it is."""
-_CREEP = 0.02
-"""Share of the speed of joints at which dry friction is as in motion and nothing else counts."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -84,7 +83,6 @@ def demand(
     q, d1, on = points.q, points.d1, ways or no_ways(len(points.q))
     if effort is None or bounds.effort is None:
         return Demand(points, bounds, on, None, q[:, :0])
-    rest = np.zeros_like(q)
-    speeds = np.minimum(bounds.speed, np.abs(d1).max(axis=0) + np.finfo(np.float64).tiny)
-    creep = _CREEP / np.maximum(np.max(np.abs(d1) / speeds, axis=1), _CREEP)
-    return Demand(points, bounds, on, effort, torques(effort, q, d1 * creep[:, None], rest))
+    creep = np.empty(q.shape)
+    creeping(np.ascontiguousarray(d1), bounds.speed, creep)
+    return Demand(points, bounds, on, effort, torques(effort, q, creep, np.zeros_like(q)))
