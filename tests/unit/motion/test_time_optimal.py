@@ -124,10 +124,28 @@ def test_the_plain_function_gives_what_the_compiled_one_gives() -> None:
     A, B = random.normal(size=(2, m, 5))
     lower, upper = -random.uniform(0.0, 3.0, (m, 5)), random.uniform(0.0, 3.0, (m, 5))
     caps, steps = random.uniform(0.5, 1.0, m), random.uniform(0.01, 0.02, m - 1)
-    plain, compiled, free = np.empty((3, m))
-    getattr(fastest, "__wrapped__", fastest)(A, B, lower, upper, caps, steps, free, plain)
-    fastest(A, B, lower, upper, caps, steps, free, compiled)
-    assert plain == pytest.approx(compiled, rel=1e-12)
+    plain, compiled = np.zeros((2, 4, m))
+    getattr(fastest, "__wrapped__", fastest)(A, B, lower, upper, caps, steps, *plain)
+    fastest(A, B, lower, upper, caps, steps, *compiled)
+    assert plain[3] == pytest.approx(compiled[3], rel=1e-12)
+
+
+@pytest.mark.parametrize("seed", range(10))
+def test_what_is_kept_from_the_call_before_is_what_would_be_found_again(seed: int) -> None:
+    random, m = np.random.default_rng(seed), 300
+    A, B = np.cumsum(random.normal(size=(2, m, 4)) * 0.1, axis=1)
+    most, caps, steps = random.uniform(0.5, 3.0, (m, 4)), random.uniform(0.5, 1.0, m), np.full(m - 1, 0.01)
+    known = np.zeros((3, m))
+    fastest(A, B, -most, most, caps, steps, np.zeros(m), *known)
+    for changes in (1, 5, 40):
+        same, places = np.ones(m), random.integers(0, m, changes)
+        same[places] = 0.0
+        caps[places] *= random.uniform(0.5, 1.0, changes)
+        most[places] *= random.uniform(0.5, 1.0, (changes, 1))
+        again = np.zeros((3, m))
+        fastest(A, B, -most, most, caps, steps, same, *known)
+        fastest(A, B, -most, most, caps, steps, np.zeros(m), *again)
+        assert (known == again).all()
 
 
 def test_more_torque_never_makes_it_slower() -> None:

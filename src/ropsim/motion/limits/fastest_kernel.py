@@ -15,9 +15,20 @@ MOST_STEPS = 60
 """Newton steps at one place; each passes a corner of a convex polygon, so that a handful is the rule."""
 
 
-@kernel("void(f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[::1], f8[::1], f8[::1], f8[::1])")
+@kernel(
+    "void(f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[::1], f8[::1], f8[::1], f8[::1], f8[::1], f8[::1])"
+)
 def fastest(
-    A: Array, B: Array, lower: Array, upper: Array, caps: Array, steps: Array, free: Array, x: Array
+    A: Array,
+    B: Array,
+    lower: Array,
+    upper: Array,
+    caps: Array,
+    steps: Array,
+    same: Array,
+    free: Array,
+    back: Array,
+    x: Array,
 ) -> None:
     """Compute the greatest squared speeds x = (ds/dt)² along a path.
 
@@ -38,7 +49,10 @@ def fastest(
         upper: at least 0, shape (m, r).
         caps: bounds of x, at least 0, shape (m,).
         steps: ways from place to place, above 0, shape (m - 1,).
-        free: room: the x from which no row keeps the next one from being reached, shape (m,).
+        same: above 0 where rows and cap of a place are those of the call before, whose answers in `free`,
+            `back` and `x` then hold where nothing beside it changed; becomes 0 where `back` changed, (m,).
+        free: the x from which no row keeps the next one from being reached, then the greatest cap, (m,).
+        back: the greatest x from which the rest can be gone, shape (m,).
         x: the squared speeds afterwards, shape (m,).
 
     References:
@@ -46,30 +60,65 @@ def fastest(
         Pham and Pham 2018, A new approach to time-optimal path parameterization based on reachability
         analysis; rows at both ends of the way are its interpolation scheme.
     """
-    m = caps.shape[0]
+    last = caps.shape[0] - 1
     greatest = 0.0
-    for i in range(m):
+    for i in range(last + 1):
         greatest = max(greatest, caps[i])
-    x[m - 1] = caps[m - 1]
-    for i in range(m - 2, -1, -1):
-        value, goal, free[i] = caps[i], x[i + 1], -1.0
-        for _ in range(MOST_STEPS):
-            least, rise, most, fall, cap = _between(A, B, lower, upper, i, steps[i], value, goal, greatest)
-            new = min(value, cap)
-            if least + rise * value > most + fall * value and rise > fall:
-                new = min(new, (most - least) / (rise - fall))
-            new = max(new, 0.0)
-            if not new < value * (1.0 - 1e-15):
-                if most == goal / (2.0 * steps[i]) and fall == -1.0 / (2.0 * steps[i]):
-                    free[i] = value
-                break
-            value = new
-        x[i] = value
-    for i in range(m - 1):
-        most, fall = x[i + 1] / (2.0 * steps[i]), -1.0 / (2.0 * steps[i])
+    if greatest != free[last]:
+        same[:] = 0.0
+    free[last] = greatest
+    kept = same[last] > 0.0
+    if not kept:
+        back[last] = caps[last]
+    for i in range(last - 1, -1, -1):
+        kept_there, kept = kept, same[i] > 0.0
+        if kept_there and kept:
+            continue
+        before = back[i]
+        back[i] = _backwards(A, B, lower, upper, i, steps[i], caps[i], back[i + 1], greatest, free)
+        if back[i] != before:
+            same[i] = 0.0
+            kept = False
+    kept = same[0] > 0.0
+    x[0] = back[0]
+    for i in range(last):
+        if kept and same[i] > 0.0 and same[i + 1] > 0.0:
+            continue
+        most, fall = back[i + 1] / (2.0 * steps[i]), -1.0 / (2.0 * steps[i])
         if x[i] != free[i]:
-            _, _, most, fall, _ = _between(A, B, lower, upper, i, steps[i], x[i], x[i + 1], greatest)
-        x[i + 1] = min(x[i + 1], max(x[i] + 2.0 * steps[i] * (most + fall * x[i]), 0.0))
+            _, _, most, fall, _ = _between(A, B, lower, upper, i, steps[i], x[i], back[i + 1], greatest)
+        before = x[i + 1]
+        x[i + 1] = min(back[i + 1], max(x[i] + 2.0 * steps[i] * (most + fall * x[i]), 0.0))
+        kept = x[i + 1] == before
+
+
+def _backwards(
+    A: Array,
+    B: Array,
+    lower: Array,
+    upper: Array,
+    i: int,
+    step: float,
+    cap: float,
+    goal: float,
+    greatest: float,
+    free: Array,
+) -> float:
+    """Return the greatest x of a place from which the next one can be at `goal`, and note if that is free."""
+    value = cap
+    free[i] = -1.0
+    for _ in range(MOST_STEPS):
+        least, rise, most, fall, cap = _between(A, B, lower, upper, i, step, value, goal, greatest)
+        new = min(value, cap)
+        if least + rise * value > most + fall * value and rise > fall:
+            new = min(new, (most - least) / (rise - fall))
+        new = max(new, 0.0)
+        if not new < value * (1.0 - 1e-15):
+            if most == goal / (2.0 * step) and fall == -1.0 / (2.0 * step):
+                free[i] = value
+            break
+        value = new
+    return value
 
 
 def _between(

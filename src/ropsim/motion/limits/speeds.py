@@ -31,7 +31,8 @@ class Speeds:
             A, B = np.hstack((A, inertia)), np.hstack((B, np.empty_like(inertia)))
         self._A, self._B = A, B
         self._lower, self._upper = np.empty((2, *A.shape))
-        self._free = np.empty(m)
+        self._free, self._back, self._x = np.zeros((3, m))
+        self._caps, self._share = np.full((2, m), np.nan)
 
     def under(self, caps: Array, near: Array, share: Array, spared: Array) -> Array:
         """Return the greatest squared speeds x within acceleration, torque and caps, shape (m,).
@@ -49,7 +50,9 @@ class Speeds:
         upper[:, :n] *= 1.0 + SLACK
         np.negative(upper[:, :n], out=lower[:, :n])
         if asked.effort is None or asked.bounds.effort is None:
-            return self._fastest(caps)
+            same = ((caps == self._caps) & (share == self._share)).astype(np.float64)
+            self._caps, self._share = caps, share
+            return self._fastest(caps, same)
         used, still, B = spared[:, None] * (1.0 + SLACK), asked.still, self._B
         lower[:, n:] = np.minimum(used * (-asked.bounds.effort - still), 0.0)
         upper[:, n:] = np.maximum(used * (asked.bounds.effort - still), 0.0)
@@ -59,7 +62,7 @@ class Speeds:
             near = np.maximum(near, LEAST_RATE**2)
             x = near[:, None]
             B[:, n:] = (torques(asked.effort, q, d1 * np.sqrt(x), d2 * x) - still) / x
-            result = self._fastest(caps)
+            result = self._fastest(caps, np.zeros(len(caps)))
             if np.abs(result - near).max() <= _SAME * result.max():
                 break
             before, changed = changed, np.log(np.maximum(result, LEAST_RATE**2) / near)
@@ -67,7 +70,7 @@ class Speeds:
             near = result * np.exp(changed * share / (1.0 - share))
         return result
 
-    def _fastest(self, caps: Array) -> Array:
-        result = np.empty(len(caps))
-        fastest(self._A, self._B, self._lower, self._upper, caps, self._steps, self._free, result)
-        return result
+    def _fastest(self, caps: Array, same: Array) -> Array:
+        rows = self._A, self._B, self._lower, self._upper
+        fastest(*rows, caps, self._steps, same, self._free, self._back, self._x)
+        return self._x.copy()
