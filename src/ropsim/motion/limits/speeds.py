@@ -4,7 +4,7 @@ import numpy as np
 
 from ropsim.motion.limits.course_kernel import LEAST_RATE
 from ropsim.motion.limits.demand import SLACK, Demand
-from ropsim.motion.limits.fastest_kernel import fastest
+from ropsim.motion.limits.fastest_kernel import bound, fastest
 from ropsim.motion.limits.joint_bounds import torques
 from ropsim.spatial import Array
 
@@ -32,7 +32,7 @@ class Speeds:
         self._A, self._B = A, B
         self._lower, self._upper = np.empty((2, *A.shape))
         self._free, self._back, self._x = np.zeros((3, m))
-        self._caps, self._share = np.full((2, m), np.nan)
+        self._before, self._same = np.full((2, m), np.nan), np.empty(m)
 
     def under(self, caps: Array, near: Array, share: Array, spared: Array) -> Array:
         """Return the greatest squared speeds x within acceleration, torque and caps, shape (m,).
@@ -46,13 +46,9 @@ class Speeds:
             spared: what is used of the torque that `still` leaves, in ]0, 1], shape (m,).
         """
         n, lower, upper, asked = self._along, self._lower, self._upper, self._asked
-        np.multiply(self._most, share[:, None], out=upper[:, :n])
-        upper[:, :n] *= 1.0 + SLACK
-        np.negative(upper[:, :n], out=lower[:, :n])
+        bound(self._most, share, caps, 1.0 + SLACK, self._before, lower, upper, self._same)
         if asked.effort is None or asked.bounds.effort is None:
-            same = ((caps == self._caps) & (share == self._share)).astype(np.float64)
-            self._caps, self._share = caps, share
-            return self._fastest(caps, same)
+            return self._fastest(caps)
         used, still, B = spared[:, None] * (1.0 + SLACK), asked.still, self._B
         lower[:, n:] = np.minimum(used * (-asked.bounds.effort - still), 0.0)
         upper[:, n:] = np.maximum(used * (asked.bounds.effort - still), 0.0)
@@ -62,7 +58,8 @@ class Speeds:
             near = np.maximum(near, LEAST_RATE**2)
             x = near[:, None]
             B[:, n:] = (torques(asked.effort, q, d1 * np.sqrt(x), d2 * x) - still) / x
-            result = self._fastest(caps, np.zeros(len(caps)))
+            self._same[:] = 0.0
+            result = self._fastest(caps)
             if np.abs(result - near).max() <= _SAME * result.max():
                 break
             before, changed = changed, np.log(np.maximum(result, LEAST_RATE**2) / near)
@@ -70,7 +67,7 @@ class Speeds:
             near = result * np.exp(changed * share / (1.0 - share))
         return result
 
-    def _fastest(self, caps: Array, same: Array) -> Array:
+    def _fastest(self, caps: Array) -> Array:
         rows = self._A, self._B, self._lower, self._upper
-        fastest(*rows, caps, self._steps, same, self._free, self._back, self._x)
+        fastest(*rows, caps, self._steps, self._same, self._free, self._back, self._x)
         return self._x.copy()

@@ -169,6 +169,7 @@ def strain(
         _limits(bounds, going, period),
         1.0 + ROUNDING,
         more,
+        np.empty((4, first.shape[1])),
         used,
         peaks,
         lacks,

@@ -6,6 +6,8 @@ from ropsim.codegen import kernel
 from ropsim.spatial import Array
 
 _TINY = 1e-300
+_CLEARLY = 1.0 - 1e-12
+"""Share of what may be used below which rounding decides nothing."""
 _MOST_AT_ONCE = 2.0
 """Greatest excess that is made good at once."""
 SPEED, ACCELERATION, JERK, TORQUE = range(4)
@@ -16,7 +18,7 @@ RATE, SWING, WINDOW, LOAD = range(4)
 
 @kernel(
     "void(f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[::1], f8[:,::1], f8[:,:,::1],"
-    " f8, f8, f8[:,::1], f8[::1], f8[:,::1])"
+    " f8, f8, f8[:,::1], f8[:,::1], f8[::1], f8[:,::1])"
 )
 def strain_of(
     qd: Array,
@@ -30,6 +32,7 @@ def strain_of(
     limits: Array,
     allowed: float,
     more: float,
+    inverse: Array,
     used: Array,
     peaks: Array,
     lacks: Array,
@@ -39,7 +42,8 @@ def strain_of(
     Jerk is the difference of accelerations of neighbouring ticks, at the later one of the two; joints rest
     before the first and after the last tick. It has three causes: the path itself asks for a lower rate,
     changes of rate on a bent path for lower accelerations, changes of acceleration along the path for wider
-    windows. Of a torque that is too much only what dry friction and gravity leave can be given up.
+    windows. Of a torque that is too much only what dry friction and gravity leave can be given up. Most ticks
+    keep all limits; those are done with as soon as that is seen.
 
     Args:
         qd: speeds of joints [rad/s | m/s], then of places on paths, shape (k, n + r).
@@ -54,6 +58,7 @@ def strain_of(
             or (4, 1, n + r) where they are the same at all ticks.
         allowed: what may be used of a limit, 1 and rounding.
         more: added to the logarithm of each excess.
+        inverse: room for the inverse of limits, shape (4, n + r).
         used: 0; becomes what is used by what uses most, 1 for all, in the order of `Quantity`, (4, k).
         peaks: 0; becomes the greatest excess of each, shape (4,).
         lacks: 0; becomes logarithms of what rate and acceleration are to be divided by, windows to be
@@ -65,17 +70,16 @@ def strain_of(
         while way < last and places[way + 1] <= course[0, k]:
             way += 1
         here = 0 if constant else k
+        if k == 0 or not constant:
+            _invert(limits, here, inverse)
+        if 0 < k < qd.shape[0] - 1 and _keeps(qd, qdd, torque, inverse, k, allowed, used, peaks):
+            continue
         for j in range(qd.shape[1]):
-            jump = abs(qdd[k, j]) if k == 0 else abs(qdd[k, j] - qdd[before, j])
-            if k == qd.shape[0] - 1:
-                jump = max(jump, abs(qdd[k, j]))
             load = abs(torque[k, j]) if j < torque.shape[1] else 0.0
-            values = (abs(qd[k, j]), abs(qdd[k, j]), jump, load)
+            values = (abs(qd[k, j]), abs(qdd[k, j]), _jump(qdd, k, j), load)
             for kind in range(len(values)):
                 value = values[kind]
-                share = value / limits[kind, here, j]
-                if not share < math.inf:
-                    share = math.inf
+                share = _share(value, limits[kind, here, j])
                 used[kind, k] = max(used[kind, k], share)
                 if share <= allowed:
                     peaks[kind] = max(peaks[kind], share)
@@ -87,23 +91,59 @@ def strain_of(
                     share = (value - held) / max(limits[TORQUE, here, j] - held, _TINY)
                 peaks[kind] = max(peaks[kind], share)
                 lack = math.log(min(max(share, 1.0), _MOST_AT_ONCE)) + more
-                of_rate, of_swing, of_window, of_load = 0.0, 0.0, 0.0, 0.0
-                if kind == JERK:
-                    by_path, bend, change = _causes(first, second, course, j, before, k)
-                    of_rate = by_path / 3.0 * lack
-                    of_swing = (bend + 0.2 * change) * lack
-                    of_window = lack * change
-                elif kind == ACCELERATION:
-                    of_swing = lack
-                elif kind == TORQUE:
-                    of_load = lack
-                else:  # whatever it is, slowing is what helps
-                    of_rate = lack
-                for i in range(way, way + 2):
-                    lacks[RATE, i] = max(lacks[RATE, i], of_rate)
-                    lacks[SWING, i] = max(lacks[SWING, i], of_swing)
-                    lacks[WINDOW, i] = max(lacks[WINDOW, i], of_window)
-                    lacks[LOAD, i] = max(lacks[LOAD, i], of_load)
+                given = _given_up(kind, lack, first, second, course, j, before, k)
+                for row in range(len(given)):
+                    for i in range(way, way + 2):
+                        lacks[row, i] = max(lacks[row, i], given[row])
+
+
+def _jump(qdd: Array, k: int, j: int) -> float:
+    """Return how much the acceleration of a joint changes towards a tick; it rests before and behind all."""
+    jump = abs(qdd[k, j]) if k == 0 else abs(qdd[k, j] - qdd[k - 1, j])
+    return max(jump, abs(qdd[k, j])) if k == qdd.shape[0] - 1 else jump
+
+
+def _invert(limits: Array, here: int, inverse: Array) -> None:
+    """Write the inverse of the limits at a tick."""
+    for kind in range(inverse.shape[0]):
+        for j in range(inverse.shape[1]):
+            inverse[kind, j] = 1.0 / limits[kind, here, j]
+
+
+def _keeps(
+    qd: Array, qdd: Array, torque: Array, inverse: Array, k: int, allowed: float, used: Array, peaks: Array
+) -> bool:
+    """Return whether a tick between others clearly keeps all limits; if so its shares are noted."""
+    speed, acceleration, jerk, load, whole = 0.0, 0.0, 0.0, 0.0, 0.0
+    for j in range(qd.shape[1]):
+        fast, swing, jump = abs(qd[k, j]), abs(qdd[k, j]), abs(qdd[k, j] - qdd[k - 1, j])
+        whole += fast + jump + swing
+        speed = max(speed, fast * inverse[SPEED, j])
+        acceleration = max(acceleration, swing * inverse[ACCELERATION, j])
+        jerk = max(jerk, jump * inverse[JERK, j])
+    for j in range(torque.shape[1]):
+        whole += abs(torque[k, j])
+        load = max(load, abs(torque[k, j]) * inverse[TORQUE, j])
+    if not (whole < math.inf and max(speed, acceleration, jerk, load) < allowed * _CLEARLY):
+        return False
+    used[SPEED, k], used[ACCELERATION, k], used[JERK, k], used[TORQUE, k] = speed, acceleration, jerk, load
+    peaks[SPEED], peaks[ACCELERATION] = max(peaks[SPEED], speed), max(peaks[ACCELERATION], acceleration)
+    peaks[JERK], peaks[TORQUE] = max(peaks[JERK], jerk), max(peaks[TORQUE], load)
+    return True
+
+
+def _given_up(
+    kind: int, lack: float, first: Array, second: Array, course: Array, j: int, before: int, now: int
+) -> tuple[float, float, float, float]:
+    """Return what is to be given up for a lack, in the order of the rows of lacks."""
+    if kind == JERK:
+        by_path, bend, change = _causes(first, second, course, j, before, now)
+        return by_path / 3.0 * lack, (bend + 0.2 * change) * lack, lack * change, 0.0
+    if kind == ACCELERATION:
+        return 0.0, lack, 0.0, 0.0
+    if kind == TORQUE:
+        return 0.0, 0.0, 0.0, lack
+    return lack, 0.0, 0.0, 0.0  # whatever it is, slowing is what helps
 
 
 def _causes(
