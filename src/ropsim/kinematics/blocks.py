@@ -1,16 +1,12 @@
 """Blocks: solids of the cell as boxes in the world, many at a time, to see what stands on what."""
 
 from collections.abc import Iterable, Mapping
-from dataclasses import field
 
 import numpy as np
-import numpy.typing as npt
 
+from ropsim.kinematics.blocks_kernel import HALF, HIGH, LOW, RADIUS, TURN, WIDTH, part_boxes, reaches
 from ropsim.model import Box, Cylinder, Mesh, Part, Polyline, Prism, Revolve, Shape, Solid, Sphere
 from ropsim.spatial import Array, Pose, frozen, record
-
-Rows = npt.NDArray[np.intp]
-"""Which blocks, shape (p,)."""
 
 UPRIGHT = 1e-3
 """A cylinder with its axis nearer than this to the vertical counts as one, any other as its box [rad]."""
@@ -22,84 +18,53 @@ class Blocks:
 
     Attributes:
         owners: name of the body of each.
-        centres: of the boxes [m], shape (k, 3).
-        rotations: R_W of their axes, shape (k, 3, 3).
-        halves: half edges [m], shape (k, 3).
-        radii: of upright cylinders [m], infinite for all others, shape (k,).
-        reaches: lower and upper corners of the boxes along x, y, z around them [m], shape (k, 3) each.
+        boxes: of each the centre [m], R_W of its axes by rows, half edges [m], the radius of an upright
+            cylinder [m], infinite for all others, and the lower and the upper corner of the box along x, y, z
+            around it [m], shape (k, 22).
     """
 
     owners: tuple[str, ...]
-    centres: Array
-    rotations: Array
-    halves: Array
-    radii: Array
-    reaches: tuple[Array, Array] = field(init=False, repr=False)
+    boxes: Array
 
-    def __post_init__(self) -> None:
-        half = np.einsum("kij,kj->ki", np.abs(self.rotations), self.halves)
-        object.__setattr__(self, "reaches", (frozen(self.centres - half), frozen(self.centres + half)))
+    @property
+    def centres(self) -> Array:
+        """Return the centres [m], shape (k, 3)."""
+        return self.boxes[:, :TURN]
 
-    def spans(self, rows: Rows, points: Array) -> tuple[Array, Array]:
-        """Return where vertical lines enter and leave blocks.
+    @property
+    def rotations(self) -> Array:
+        """Return R_W of their axes, shape (k, 3, 3)."""
+        return self.boxes[:, TURN:HALF].reshape(-1, 3, 3)
 
-        Args:
-            rows: which block each group of lines is for, shape (p,).
-            points: x and y of the lines [m], shape (p, s, 2).
+    @property
+    def halves(self) -> Array:
+        """Return the half edges [m], shape (k, 3)."""
+        return self.boxes[:, HALF:RADIUS]
 
-        Returns:
-            Lower and upper heights z [m], shape (p, s) each; NaN where a line passes by.
-        """
-        R, half, centres = self.rotations[rows], self.halves[rows], self.centres[rows]
-        x, y = (points[:, :, axis] - centres[:, axis, np.newaxis] for axis in (0, 1))
-        lower, upper = np.full(x.shape, -np.inf), np.full(x.shape, np.inf)
-        for axis in range(3):
-            # point of the line at the height of the centre, and its direction, along an axis of the block
-            start = x * R[:, 0, axis, np.newaxis] + y * R[:, 1, axis, np.newaxis]
-            below, above = _stretch(start, R[:, 2, axis, np.newaxis], half[:, axis, np.newaxis])
-            np.maximum(lower, below, out=lower)
-            np.minimum(upper, above, out=upper)
-        missed, radii = lower > upper, self.radii[rows][:, np.newaxis]
-        if np.isfinite(radii).any():
-            missed |= np.hypot(x, y) > radii
-        height = centres[:, 2:]
-        return np.where(missed, np.nan, height + lower), np.where(missed, np.nan, height + upper)
+    @property
+    def radii(self) -> Array:
+        """Return the radii of upright cylinders [m], infinite for all others, shape (k,)."""
+        return self.boxes[:, RADIUS]
 
+    @property
+    def low(self) -> Array:
+        """Return the lower corners of the boxes along x, y, z around them [m], shape (k, 3)."""
+        return self.boxes[:, LOW:HIGH]
 
-def _stretch(start: Array, along: Array, half: Array) -> tuple[Array, Array]:
-    """Return between which heights above `start` (p, s) lines are between two faces [m], (p, s) each.
-
-    Args:
-        start: coordinate where the height is 0 [m].
-        along: by how much it grows with the height, shape (p, 1).
-        half: coordinate of the faces, to both sides [m], shape (p, 1).
-    """
-    flat = np.abs(along) < 1e-12
-    if flat.all():
-        beside = np.abs(start) > half
-        return np.where(beside, np.inf, -np.inf), np.where(beside, -np.inf, np.inf)
-    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-        one, other = (-half - start) / along, (half - start) / along
-    below, above = np.minimum(one, other), np.maximum(one, other)
-    if flat.any():
-        beside = np.abs(start) > half
-        below = np.where(flat, np.where(beside, np.inf, -np.inf), below)
-        above = np.where(flat, np.where(beside, -np.inf, np.inf), above)
-    return below, above
+    @property
+    def high(self) -> Array:
+        """Return the upper corners [m], shape (k, 3)."""
+        return self.boxes[:, HIGH:]
 
 
 def stacked(groups: Iterable[Blocks]) -> Blocks:
     """Return the blocks of several groups as one."""
     every = [group for group in groups if group.owners]
-    if not every:
-        return NO_BLOCKS
-    return Blocks(
-        tuple(owner for group in every for owner in group.owners),
-        frozen(np.concatenate([group.centres for group in every])),
-        frozen(np.concatenate([group.rotations for group in every])),
-        frozen(np.concatenate([group.halves for group in every])),
-        frozen(np.concatenate([group.radii for group in every])),
-    )
+    if len(every) < 2:
+        return every[0] if every else NO_BLOCKS
+    boxes = np.concatenate([group.boxes for group in every])
+    boxes.flags.writeable = False
+    return Blocks(tuple([owner for group in every for owner in group.owners]), boxes)
 
 
 def part_blocks(parts: Iterable[tuple[Part, Pose]]) -> Blocks:
@@ -107,12 +72,11 @@ def part_blocks(parts: Iterable[tuple[Part, Pose]]) -> Blocks:
     pairs = list(parts)
     if not pairs:
         return NO_BLOCKS
-    rotations = _rotations(np.array([pose.orientation for _, pose in pairs]))
-    halves = np.array([part.size for part, _ in pairs]) / 2.0
-    tops = np.array([pose.position for _, pose in pairs])
-    centres = tops - rotations[:, :, 2] * halves[:, 2:]
-    names = tuple(part.name for part, _ in pairs)
-    return Blocks(names, frozen(centres), frozen(rotations), frozen(halves), frozen([np.inf] * len(pairs)))
+    numbers = [one for part, pose in pairs for one in (pose.position, pose.orientation, part.size)]
+    boxes = np.empty((len(pairs), WIDTH))
+    part_boxes(np.concatenate(numbers).reshape(-1, 10), boxes)
+    boxes.flags.writeable = False
+    return Blocks(tuple([part.name for part, _ in pairs]), boxes)
 
 
 def shape_blocks(shapes: Mapping[str, Iterable[Shape]], poses: Mapping[str, Pose]) -> Blocks:
@@ -135,17 +99,11 @@ def shape_blocks(shapes: Mapping[str, Iterable[Shape]], poses: Mapping[str, Pose
     origins = np.array([pose.position for _, pose, _, _ in rows])
     centres = origins + np.einsum("kij,kj->ki", rotations, (lows + highs) / 2.0)
     radii = [_radius(solid, pose) for _, pose, _, solid in rows]
-    names = tuple(name for name, *_ in rows)
-    return Blocks(names, frozen(centres), frozen(rotations), frozen((highs - lows) / 2.0), frozen(radii))
-
-
-def _rotations(q: Array) -> Array:
-    """Return the rotation matrices of unit quaternions (k, 4), shape (k, 3, 3)."""
-    w, v = q[:, 0, np.newaxis, np.newaxis], q[:, 1:]
-    x, y, z = v.T
-    zero = np.zeros_like(x)
-    cross = np.array([[zero, -z, y], [z, zero, -x], [-y, x, zero]]).transpose(2, 0, 1)
-    return np.asarray(np.eye(3) + 2.0 * w * cross + 2.0 * cross @ cross)
+    boxes = np.empty((len(rows), WIDTH))
+    boxes[:, :TURN], boxes[:, TURN:HALF] = centres, rotations.reshape(-1, 9)
+    boxes[:, HALF:RADIUS], boxes[:, RADIUS] = (highs - lows) / 2.0, radii
+    reaches(boxes)
+    return Blocks(tuple(name for name, *_ in rows), frozen(boxes))
 
 
 def _radius(solid: Solid, pose: Pose) -> float:
@@ -174,6 +132,4 @@ def _bounds(solid: Solid) -> tuple[list[float], list[float]] | None:
             return None
 
 
-NO_BLOCKS = Blocks(
-    (), frozen(np.empty((0, 3))), frozen(np.empty((0, 3, 3))), frozen(np.empty((0, 3))), frozen([])
-)
+NO_BLOCKS = Blocks((), frozen(np.empty((0, WIDTH))))

@@ -6,23 +6,16 @@ end above the upper end of what is below. The floor is the plane z = 0 of the wo
 
 from collections import defaultdict
 from collections.abc import Iterator
-from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
 from ropsim.core import frozen_dataclass
-from ropsim.kinematics.blocks import Blocks, Rows
+from ropsim.kinematics.blocks import Blocks
+from ropsim.kinematics.blocks_kernel import LINES, pair_gaps, stand_rows
 from ropsim.model import WORLD
-from ropsim.spatial import Array
+from ropsim.spatial import Array, frozen
 
-LINES = 7
-"""Lines along each side of the footprint."""
-INSET = 0.002
-"""The outermost lines are so far within the footprint [m]: what touches a part at its side is not below."""
-TOUCH = 1e-9
-"""Up to this depth bodies touch: it is the rounding of poses [m]."""
-HANDFUL = 256
-"""So many pairs are looked at together: what that takes fits into the processor's cache."""
 FEW = 4
 """Fewer parts than this are compared with everything."""
 MOST_CELLS = 256
@@ -52,13 +45,15 @@ def standings(parts: Blocks, others: Blocks, gap: float) -> list[Standing]:
         others: all that can carry; a part that is among them does not carry itself.
         gap: greatest height above a support that counts as standing on it [m].
     """
-    found = [_Found() for _ in parts.owners]
-    for rows, cols in _batches(*_near(parts, others, gap)):
-        least, depth = _gaps(parts, others, rows, cols)
-        for k, i in enumerate(rows.tolist()):
-            found[i].meet(others.owners[cols[k]], float(least[k]), float(depth[k]), gap)
-    heights = parts.reaches[0][:, 2].tolist()
-    return [one.standing(height, gap) for one, height in zip(found, heights, strict=True)]
+    pairs = (_every_pair if len(parts.owners) < FEW else _side_by_side)(parts, others)
+    numbers = {name: float(number) for number, name in enumerate(parts.owners)}
+    owners = np.array([numbers.get(name, -1.0) for name in others.owners])
+    found, room = np.empty((len(parts.owners), 3)), np.empty((4, LINES * LINES))
+    stand_rows(parts.boxes, others.boxes, owners, pairs, gap, room, found)
+    return [
+        _standing(others.owners, int(on), int(inside), depth, height, gap)
+        for (on, inside, depth), height in zip(found.tolist(), parts.low[:, 2].tolist(), strict=True)
+    ]
 
 
 def height_above(parts: Blocks, row: int, others: Blocks) -> tuple[float, str]:
@@ -66,101 +61,48 @@ def height_above(parts: Blocks, row: int, others: Blocks) -> tuple[float, str]:
 
     The floor is meant below it only where nothing else is: the height is negative then.
     """
-    rows, cols = np.full(len(others.owners), row), np.arange(len(others.owners))
-    least, _ = _gaps(parts, others, rows, cols)
+    count = len(others.owners)
+    pairs, found = np.column_stack((np.full(count, float(row)), np.arange(count))), np.empty((count, 2))
+    pair_gaps(parts.boxes, others.boxes, pairs, np.empty((4, LINES * LINES)), found)
     own = parts.owners[row]
     near = [
-        (float(one), name)
-        for one, name in zip(least, others.owners, strict=True)
+        (one, name)
+        for one, name in zip(found[:, 0].tolist(), others.owners, strict=True)
         if name != own and np.isfinite(one)
     ]
-    floor = float(parts.reaches[0][row, 2])
+    floor = float(parts.low[row, 2])
     if floor >= 0.0 or not near:
         near.append((floor, WORLD))
     return min(near, key=lambda one: (max(one[0], 0.0), one[1]))
 
 
-@dataclass(slots=True)
-class _Found:
-    """What has been found below one part so far."""
-
-    on: str | None = None
-    least: float = np.inf
-    inside: str = ""
-    depth: float = 0.0
-
-    def meet(self, name: str, least: float, depth: float, gap: float) -> None:
-        if least <= gap and abs(least) < self.least:
-            self.on, self.least = name, abs(least)
-        if depth > max(self.depth, TOUCH):
-            self.inside, self.depth = name, depth
-
-    def standing(self, height: float, gap: float) -> Standing:
-        on = WORLD if self.on is None and abs(height) <= gap else self.on
-        return Standing(on, self.inside, self.depth)
+def _standing(
+    names: tuple[str, ...], on: int, inside: int, depth: float, height: float, gap: float
+) -> Standing:
+    """Return how a part stands, by the numbers of what carries it and of what it is in, negative for none."""
+    below = WORLD if abs(height) <= gap else None
+    return Standing(names[on] if on >= 0 else below, names[inside] if inside >= 0 else "", depth)
 
 
-def _gaps(parts: Blocks, others: Blocks, rows: Rows, cols: Rows) -> tuple[Array, Array]:
-    """Return for pairs of a part and something else the least gap [m] and the greatest depth [m], shape (p,).
-
-    The gap is infinite where the other is not below: it must begin lower than the part, as a whole and on the
-    line. The depth is 0 where they do not meet.
-    """
-    low, high = (edge[rows] for edge in parts.reaches)
-    lines = _lines(low[:, :2], high[:, :2])
-    bottom, upper = parts.spans(rows, lines)
-    beneath, top = others.spans(cols, lines)
-    gaps = bottom - top
-    lower = others.reaches[0][cols, 2] < low[:, 2]
-    least = np.where((beneath < bottom) & lower[:, np.newaxis], gaps, np.inf)
-    depth = np.where((gaps < 0.0) & (upper > beneath), -gaps, 0.0)
-    return least.min(axis=1, initial=np.inf), depth.max(axis=1, initial=0.0)
+def _every_pair(parts: Blocks, others: Blocks) -> Array:
+    """Return all pairs (part, other), in order, shape (p, 2)."""
+    return _pairs(len(parts.owners), len(others.owners))
 
 
-def _lines(low: Array, high: Array) -> Array:
-    """Return x and y of the lines through footprints with corners (k, 2) [m], shape (k, LINES², 2)."""
-    inset = np.minimum(INSET, 0.1 * (high - low))
-    share = np.linspace(0.0, 1.0, LINES)
-    along = (low + inset)[:, :, np.newaxis] + (high - low - 2.0 * inset)[:, :, np.newaxis] * share
-    grid = np.broadcast_arrays(along[:, 0, :, np.newaxis], along[:, 1, np.newaxis, :])
-    return np.stack(grid, axis=-1).reshape(len(low), LINES * LINES, 2)
+@lru_cache(maxsize=16)
+def _pairs(parts: int, others: int) -> Array:
+    rows, cols = np.indices((parts, others)).reshape(2, -1)
+    return frozen(np.column_stack((rows, cols)))
 
 
-def _batches(rows: Rows, cols: Rows) -> Iterator[tuple[Rows, Rows]]:
-    """Yield pairs in handfuls, so that no array gets large."""
-    for first in range(0, len(rows), HANDFUL):
-        yield rows[first : first + HANDFUL], cols[first : first + HANDFUL]
-
-
-def _near(parts: Blocks, others: Blocks, gap: float) -> tuple[Rows, Rows]:
-    """Return the pairs (part, other) whose boxes along x, y, z meet or lie at most `gap` apart, in order."""
-    low, high = parts.reaches
-    low_others, high_others = others.reaches
-    if not len(low) or not len(low_others):
-        return np.empty(0, np.intp), np.empty(0, np.intp)
-    rows, cols = (_every_pair if len(low) < FEW else _side_by_side)(parts, others)
-    meets = (low_others[cols] <= high[rows]).all(axis=1) & (high_others[cols, :2] >= low[rows, :2]).all(
-        axis=1
-    )
-    meets &= high_others[cols, 2] >= low[rows, 2] - gap
-    meets &= np.array(others.owners)[cols] != np.array(parts.owners)[rows]
-    return rows[meets], cols[meets]
-
-
-def _every_pair(parts: Blocks, others: Blocks) -> tuple[Rows, Rows]:
-    """Return all pairs (part, other), in order."""
-    rows, cols = np.indices((len(parts.owners), len(others.owners))).reshape(2, -1)
-    return rows, cols
-
-
-def _side_by_side(parts: Blocks, others: Blocks) -> tuple[Rows, Rows]:
-    """Return the pairs (part, other) whose footprints may meet, in order.
+def _side_by_side(parts: Blocks, others: Blocks) -> Array:
+    """Return the pairs (part, other) whose footprints may meet, in order, shape (p, 2).
 
     Footprints are entered into a grid whose cells are as large as half of the parts, so that a part is only
     compared with what is in its own cells.
     """
-    low, high = parts.reaches
-    low_others, high_others = others.reaches
+    low, high = parts.low, parts.high
+    low_others, high_others = others.low, others.high
     widths = np.sort(high[:, :2] - low[:, :2], axis=None)
     cell = max(float(widths[len(widths) // 2]), 1e-3)
     count = np.floor(high_others[:, :2] / cell) - np.floor(low_others[:, :2] / cell) + 1.0
@@ -180,7 +122,7 @@ def _side_by_side(parts: Blocks, others: Blocks) -> tuple[Rows, Rows]:
     rows = np.concatenate([np.repeat(every, counts), np.repeat(every, len(everywhere))])
     cols = np.concatenate([np.array(met, np.intp), np.tile(everywhere, len(low))])
     order = np.lexsort((cols, rows))
-    return rows[order], cols[order]
+    return np.column_stack((rows[order], cols[order])).astype(np.float64)
 
 
 def _cells(low: Array, high: Array, cell: float) -> Iterator[list[tuple[int, int]]]:

@@ -27,7 +27,11 @@ class Moment:
 
     def poses(self, placements: Placements) -> dict[str, Pose]:
         """Return X_WO of each part that is there, by name."""
-        return {name: self.pose(seat) for name, seat in placements.seats.items()}
+        carriers = self.carriers
+        return {
+            name: seat.pose if seat.rides == WORLD else carriers[seat.rides] @ seat.pose
+            for name, seat in placements.seats.items()
+        }
 
     def on(self, carrier: str, X_WO: Pose) -> Pose:
         """Return the pose of a part in the frame of what it moves with."""

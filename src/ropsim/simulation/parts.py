@@ -1,7 +1,7 @@
 """Parts in the cell: what a gripper takes and leaves, and what that does to the payload."""
 
+import math
 from collections.abc import Collection, Mapping
-from dataclasses import replace
 from types import MappingProxyType
 
 import numpy as np
@@ -38,18 +38,18 @@ def close_on(state: Placements, cell: Cell, tool: Tool, hand: str, moment: Momen
     X_WM = moment.carriers[hand]
     tcp = (X_WM @ tool.X_MT).position
     poses = moment.poses(state)
-    distances = {name: float(np.linalg.norm(pose.position - tcp)) for name, pose in poses.items()}
+    at = tcp.tolist()
+    distances = {name: math.dist(pose.position.tolist(), at) for name, pose in poses.items()}
     near = [name for name, distance in distances.items() if distance <= capture]
     if not near:
         return state
     name = min(near, key=lambda candidate: (distances[candidate], candidate))
     X_MW = X_WM.inverse()
-    lifted = {
-        one: replace(state.seats[one], rides=hand, pose=X_MW @ poses[one]) for one in state.family(name)
-    }
-    lifted[name] = replace(lifted[name], parent=hand)
+    lifted = {one: Seat(state.seats[one].parent, hand, X_MW @ poses[one]) for one in state.family(name)}
+    lifted[name] = Seat(hand, hand, lifted[name].pose)
     supplied = _successors(state, cell, name)
-    return replace(state.with_seats({**lifted, **supplied}), queued=state.queued - set(supplied))
+    seats = {**state.seats, **lifted, **supplied}
+    return Placements(MappingProxyType(seats), state.queued - set(supplied), state.left)
 
 
 def release(state: Placements, cell: Cell, hands: Collection[str], moment: Moment) -> Placements:
@@ -68,8 +68,8 @@ def release(state: Placements, cell: Cell, hands: Collection[str], moment: Momen
     for sink in cell.sinks:
         if float(np.linalg.norm(poses[name].position - np.array(sink.position))) <= sink.radius:
             return state.without({one: Exit(pose, sink.name) for one, pose in poses.items()})
-    left = {one: replace(state.seats[one], rides=WORLD, pose=pose) for one, pose in poses.items()}
-    left[name] = replace(left[name], parent=WORLD)
+    left = {one: Seat(state.seats[one].parent, WORLD, pose) for one, pose in poses.items()}
+    left[name] = Seat(WORLD, WORLD, poses[name])
     return state.with_seats(left)
 
 

@@ -1,7 +1,7 @@
 """Where the parts of a running cell are: on what each one hangs, and with what it moves."""
 
 from collections.abc import Collection, Iterator, Mapping
-from dataclasses import field, replace
+from dataclasses import field
 from types import MappingProxyType
 
 from ropsim.core import frozen_dataclass
@@ -71,6 +71,8 @@ class Placements:
 
         Behind each part comes what hangs on it, before the next one.
         """
+        if {seat.parent for seat in self.seats.values()}.isdisjoint(names):
+            return tuple(dict.fromkeys(names))
         children: dict[str, list[str]] = {}
         for name, seat in self.seats.items():
             children.setdefault(seat.parent, []).append(name)
@@ -84,12 +86,12 @@ class Placements:
 
     def with_seats(self, seats: Mapping[str, Seat]) -> "Placements":
         """Return these placements with other seats for some parts."""
-        return replace(self, seats=MappingProxyType({**self.seats, **seats}))
+        return Placements(MappingProxyType({**self.seats, **seats}), self.queued, self.left)
 
     def without(self, gone: Mapping[str, Exit]) -> "Placements":
         """Return these placements after some parts have left the cell."""
         seats = {name: seat for name, seat in self.seats.items() if name not in gone}
-        return replace(self, seats=MappingProxyType(seats), left=MappingProxyType({**self.left, **gone}))
+        return Placements(MappingProxyType(seats), self.queued, MappingProxyType({**self.left, **gone}))
 
 
 def at_start(tree: BodyTree, placements: Placements, objects: Mapping[str, Seat]) -> Iterator[Placement]:

@@ -1,9 +1,6 @@
 """On what parts stand that have come into the cell or have been released."""
 
 from collections.abc import Collection, Mapping
-from dataclasses import replace
-
-import numpy as np
 
 from ropsim.core import Diagnostic
 from ropsim.flow import Origin
@@ -11,12 +8,9 @@ from ropsim.kinematics import Blocks, Standing, height_above, part_blocks, stack
 from ropsim.model import WORLD, Cell, SupportLimits, lying_words, spoken_body
 from ropsim.simulation.diagnostics import RELEASED_IN_THE_AIR, RELEASED_INSIDE
 from ropsim.simulation.moment import Moment
-from ropsim.simulation.placements import Placements
+from ropsim.simulation.placements import Placements, Seat
 from ropsim.simulation.scenery import Scenery
 from ropsim.spatial import Pose
-
-MANY = 20
-"""From so many parts on all others are looked at at once, instead of those in reach."""
 
 
 def stood(
@@ -36,19 +30,23 @@ def stood(
     """
     poses = moment.poses(state)
     blocks = part_blocks((scenery.parts[name], poses[name]) for name in names)
-    others = _others(state, poses, names, scenery, moment)
+    others = _others(state, poses, scenery, moment)
     found = dict(zip(names, standings(blocks, others, limits.gap), strict=True))
+    seats = state.seats
     state = state.with_seats(
-        {name: replace(state.seats[name], parent=_parent(one, scenery)) for name, one in found.items()}
+        {
+            name: Seat(_parent(one, scenery), seats[name].rides, seats[name].pose)
+            for name, one in found.items()
+        }
     )
     family = state.family(*names)  # what lies on them rides along
     carriers = {name: _carrier(state, name, scenery, moment) for name in family}
     moved = {
-        name: replace(state.seats[name], rides=carrier, pose=moment.on(carrier, poses[name]))
+        name: Seat(state.seats[name].parent, carrier, moment.on(carrier, poses[name]))
         for name, carrier in carriers.items()
         if carrier != state.seats[name].rides
     }
-    return state.with_seats(moved), found
+    return state.with_seats(moved) if moved else state, found
 
 
 def _parent(standing: Standing, scenery: Scenery) -> str:
@@ -93,7 +91,7 @@ def release_findings(
     if standing.on is None:
         poses = moment.poses(state)
         block = part_blocks([(scenery.parts[name], poses[name])])
-        height, below = height_above(block, 0, _others(state, poses, [name], scenery, moment))
+        height, below = height_above(block, 0, _others(state, poses, scenery, moment))
         side, down = ("above", "lower") if height >= 0.0 else ("below", "on something")
         where = f"{abs(height) * 1e3:.1f} mm {side} {spoken_body(cell, below)}"
         found.append(
@@ -119,19 +117,8 @@ def release_findings(
     return found
 
 
-def _others(
-    state: Placements, poses: Mapping[str, Pose], names: Collection[str], scenery: Scenery, moment: Moment
-) -> Blocks:
-    """Return what can carry one of some parts: objects, devices, and near parts that no tool holds."""
-    held = scenery.tools
-    resting = {other: poses[other] for other, seat in state.seats.items() if seat.rides not in held}
-    if len(names) < MANY:
-        centres = np.array([poses[name].position[:2] for name in names]).reshape(-1, 2)
-        reach = max((float(np.linalg.norm(scenery.parts[name].size)) for name in names), default=0.0)
-        resting = {
-            other: pose
-            for other, pose in resting.items()
-            if (np.hypot(*(centres - pose.position[:2]).T) <= reach + scenery.largest).any()
-        }
-    parts = part_blocks((scenery.parts[other], pose) for other, pose in resting.items())
-    return stacked([scenery.ground.blocks, moment.solids, parts])
+def _others(state: Placements, poses: Mapping[str, Pose], scenery: Scenery, moment: Moment) -> Blocks:
+    """Return what can carry parts: objects, devices, and parts that no tool holds."""
+    held, seats, parts = scenery.tools, state.seats, scenery.parts
+    resting = part_blocks([(parts[one], X_WO) for one, X_WO in poses.items() if seats[one].rides not in held])
+    return stacked([scenery.ground.blocks, moment.solids, resting])
