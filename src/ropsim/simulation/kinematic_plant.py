@@ -8,7 +8,7 @@ from ropsim.simulation.fields import fields
 from ropsim.simulation.past import Past
 from ropsim.simulation.row_log import MOST_ROWS, RowLog
 from ropsim.simulation.tally import Tally
-from ropsim.simulation.tally_kernel import enter_rows
+from ropsim.simulation.tally_kernel import enter_rows, record_rows
 from ropsim.spatial import Array
 
 
@@ -31,6 +31,7 @@ class KinematicPlant:
         self._log = RowLog(2 * len(q), 0, record_ticks, most_rows)
         self._past = Past(0, self._q)
         self._tally = Tally(fields((("overrun", "qd"),) * len(q), 0), 2 * len(q))
+        self._worst = np.empty((2, len(q)))
         self._row = np.concatenate([q, np.zeros(len(q))])  # as it stands
         self._log.begin(self._row)
 
@@ -63,10 +64,13 @@ class KinematicPlant:
         """Advance to the end of `reference`; the payload changes nothing here."""
         del payload
         table, row = self._log.claim(self._tick, reference.ticks)
-        due, n = slice(-(self._tick + 1) % self._log.decimation, None, self._log.decimation), len(self._q)
-        table[row : self._log.rows, :n] = reference.q[due]
-        table[row : self._log.rows, n:] = reference.qd[due]
-        self._judge(reference.q, reference.qd)
+        q, qd, every = (
+            np.ascontiguousarray(reference.q),
+            np.ascontiguousarray(reference.qd),
+            self._log.decimation,
+        )
+        record_rows(q, qd, table, row, -(self._tick + 1) % every, every)
+        self._judge(q, qd)
         self._past.enter(self._tick + 1, reference.q)
         self._q, self._qd = reference.q[-1], reference.qd[-1]
         self._stands = False
@@ -87,8 +91,7 @@ class KinematicPlant:
 
     def _judge(self, q: Array, qd: Array) -> None:
         """Enter coordinates and speeds of the next ticks, shape (k, n) each, into the tally."""
-        rows, speeds = np.ascontiguousarray(q), np.ascontiguousarray(qd)
-        enter_rows(rows, speeds, self._limits, self._tally.table, self._tick + 1.0)
+        enter_rows(q, qd, self._limits, self._tally.table, self._tick + 1.0, self._worst)
 
     def q_at(self, tick: float) -> Array:
         """Return the joint coordinates at a tick that is not forgotten [rad | m], shape (n,)."""

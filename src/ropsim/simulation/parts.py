@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Collection, Mapping
+from functools import lru_cache
 from types import MappingProxyType
 
 import numpy as np
@@ -9,7 +10,7 @@ import numpy as np
 from ropsim.model import WORLD, Cell, Part, Payload, Tool, box, combine
 from ropsim.simulation.moment import Moment
 from ropsim.simulation.placements import Exit, Placements, Seat
-from ropsim.spatial import Pose
+from ropsim.spatial import Pose, PoseTuple
 
 _DIGITS = 6
 """Digits behind the point of a pose [m] with which a part counts for what is carried."""
@@ -84,20 +85,30 @@ def payload(carried: Mapping[str, Pose], parts: Mapping[str, Part], tool: Tool |
         parts: of the cell, by name.
         tool: that is mounted, None for none.
     """
-    bodies: tuple[Payload, ...] = ()
-    if tool is not None:
-        bodies += tool.loads
+    bodies = []
     for name, attained in carried.items():
-        part, X_MO = parts[name], _to_the_micrometre(attained)
+        part = parts[name]
+        bodies.append((part.mass, tuple(part.size.tolist()), _to_the_micrometre(attained)))
+    return _loaded(tool, tuple(bodies))
+
+
+@lru_cache(maxsize=1024)
+def _loaded(tool: Tool | None, carried: tuple[tuple[float, tuple[float, ...], PoseTuple], ...]) -> Payload:
+    """Return the one rigid body of a tool and of boxes, by their masses [kg], edges [m] and poses X_MO."""
+    bodies = () if tool is None else tool.loads
+    for mass, size, lies in carried:
+        X_MO = Pose.from_tuple(lies)
         R_MO = X_MO.rotation()
-        centre = X_MO.position + R_MO @ np.array([0.0, 0.0, -part.size[2] / 2.0])
-        bodies += (box(part.mass, part.size, centre, R_MO),)
+        centre = X_MO.position + R_MO @ np.array([0.0, 0.0, -size[2] / 2.0])
+        bodies += (box(mass, np.array(size), centre, R_MO),)
     return combine(bodies)
 
 
-def _to_the_micrometre(X: Pose) -> Pose:
-    """Return a pose with its numbers rounded to millionths; the sign of its quaternion tells no body."""
-    return Pose(np.round(X.position, _DIGITS) + 0.0, np.round(X.orientation, _DIGITS))  # no zero has a sign
+def _to_the_micrometre(X: Pose) -> PoseTuple:
+    """Return the numbers of a pose rounded to millionths; the sign of its quaternion tells no body."""
+    numbers = np.round(np.concatenate((X.position, X.orientation)), _DIGITS) + 0.0  # no zero has a sign
+    x, y, z, qw, qx, qy, qz = numbers.tolist()
+    return (x, y, z, qw, qx, qy, qz)
 
 
 def _successors(state: Placements, cell: Cell, taken: str) -> dict[str, Seat]:

@@ -125,7 +125,7 @@ def changes(
             yield Placement(time, name, WORLD, gone.pose, visible=False)
     for name, seat in after.seats.items():
         known = before.seats.get(name)
-        if known is None or known.parent != seat.parent:
+        if known is not seat and (known is None or known.parent != seat.parent):
             yield _told(time, name, after, objects)
 
 

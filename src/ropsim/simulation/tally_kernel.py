@@ -4,8 +4,8 @@ from ropsim.codegen import kernel
 from ropsim.spatial import Array
 
 
-@kernel("void(f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8)")
-def enter_rows(q: Array, qd: Array, limits: Array, table: Array, tick: float) -> None:
+@kernel("void(f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8, f8[:,::1])")
+def enter_rows(q: Array, qd: Array, limits: Array, table: Array, tick: float, worst: Array) -> None:
     """Enter the ways beyond the ranges of the joints, and their speeds, into the table of a tally.
 
     Args:
@@ -14,18 +14,48 @@ def enter_rows(q: Array, qd: Array, limits: Array, table: Array, tick: float) ->
         limits: of the coordinates, the lower ones first [rad | m], shape (2, n).
         table: of the tally, ways and then speeds, shape (4, 2·n); see `Tally.table`.
         tick: of the first row.
+        worst: room to work in, shape (2, n).
     """
     n = q.shape[1]
+    for j in range(n):
+        worst[0, j], worst[1, j] = table[0, j], table[0, n + j]
     for k in range(q.shape[0]):
         for j in range(n):
-            beyond = max(q[k, j] - limits[1, j], limits[0, j] - q[k, j])
-            if beyond > table[0, j]:
-                table[0, j] = beyond
-                table[1, j] = tick + k
-            speed = abs(qd[k, j])
-            if speed > table[0, n + j]:
-                table[0, n + j] = speed
-                table[1, n + j] = tick + k
+            beyond, speed = max(q[k, j] - limits[1, j], limits[0, j] - q[k, j]), abs(qd[k, j])
+            worst[0, j] = beyond if beyond > worst[0, j] else worst[0, j]
+            worst[1, j] = speed if speed > worst[1, j] else worst[1, j]
+    for j in range(n):
+        if worst[0, j] > table[0, j]:
+            table[0, j] = worst[0, j]
+            k = 0
+            while max(q[k, j] - limits[1, j], limits[0, j] - q[k, j]) != worst[0, j]:
+                k += 1
+            table[1, j] = tick + k
+        if worst[1, j] > table[0, n + j]:
+            table[0, n + j] = worst[1, j]
+            k = 0
+            while abs(qd[k, j]) != worst[1, j]:
+                k += 1
+            table[1, n + j] = tick + k
+
+
+@kernel("void(f8[:,::1], f8[:,::1], f8[:,::1], i8, i8, i8)")
+def record_rows(q: Array, qd: Array, log: Array, row: int, first: int, every: int) -> None:
+    """Write coordinates and speeds into the rows of a log.
+
+    Args:
+        q: coordinates at ticks in a row [rad | m], shape (ticks, n).
+        qd: speeds at these [rad/s | m/s], shape (ticks, n).
+        log: both of them side by side, shape (rows, 2·n).
+        row: the first row that is written.
+        first: which tick stands there.
+        every: ticks from one row to the next.
+    """
+    n = q.shape[1]
+    for k in range(first, q.shape[0], every):
+        for j in range(n):
+            log[row, j], log[row, n + j] = q[k, j], qd[k, j]
+        row += 1
 
 
 @kernel("void(f8[:,::1], f8[:,::1], f8)")
