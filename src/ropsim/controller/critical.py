@@ -1,17 +1,21 @@
 """Which limit sets the time of each move of a plan, seen from its references."""
 
+from collections.abc import Sequence
 from dataclasses import replace
+from itertools import accumulate
 
 import numpy as np
 import numpy.typing as npt
 
 from ropsim.controller.critical_kernel import joints_reached
-from ropsim.controller.critical_tool import REACHED, critical_of_tool
+from ropsim.controller.critical_tool import REACHED, critical_of_tools
 from ropsim.controller.kept_limits import ArmBounds, arm_bounds
 from ropsim.controller.motion_plan import MotionPlan, PlannedMove
+from ropsim.core import frozen_dataclass
 from ropsim.flow import CriticalLimit, LimitQuantity
 from ropsim.model import Payload, RobotModel
 from ropsim.motion import JointBounds, JointMotionLimits
+from ropsim.spatial import Array
 
 MOST_LOOKS = 64
 """Control ticks of a move that are looked at, evenly spaced: one of 64 is 1.6 % of its time."""
@@ -39,45 +43,74 @@ def critical_limits(
         payload: tool and part as one body, as it was planned with.
     """
     firsts = [0, *(move.last for move in plan.moves[:-1])]
-    return tuple(
-        _critical(plan, move, first, robot, payload) for move, first in zip(plan.moves, firsts, strict=True)
-    )
-
-
-def _critical(
-    plan: MotionPlan, move: PlannedMove, first: int, robot: RobotModel, payload: Payload
-) -> CriticalLimit | None:
-    count = move.last - first - 1
-    if move.limits is None or count < 1:
-        return None
-    looks = first + np.arange(0, count, -(-count // MOST_LOOKS))
-    limits, bounds = move.limits, arm_bounds(robot, payload)
-    held = _going_along(move, robot, bounds) if move.on_tool_path else limits.joints
-    reached = _joints(plan, looks, held, bounds)
-    shares = np.add.reduce(reached, axis=1) / len(looks)
-    best = int(shares.argmax())
-    found, share = divmod(best, robot.n), float(shares.flat[best])
-    if move.on_tool_path:
-        quantity, longest = critical_of_tool(
-            plan, looks, np.logical_or.reduce(reached, axis=(0, 2)), move, robot
+    bounds = arm_bounds(robot, payload)
+    looked = [
+        _Looked(
+            number, move, first, _going_along(move, robot, bounds) if move.on_tool_path else limits.joints
         )
-        if longest > share:
-            whose = _pressed(plan, first, move.last, held, robot) if quantity is LimitQuantity.BEND else ""
-            return CriticalLimit(whose, quantity, longest)
-    if share == 0.0:
-        return None
-    return CriticalLimit(robot.axis_joints[found[1]].name, _QUANTITIES[found[0]], share)
+        for number, (move, first) in enumerate(zip(plan.moves, firsts, strict=True))
+        if (limits := move.limits) is not None and move.last - first > 1
+    ]
+    found: list[CriticalLimit | None] = [None] * len(plan.moves)
+    if not looked:
+        return tuple(found)
+    looks = [one.looks for one in looked]
+    ticks, starts = (
+        np.concatenate([np.arange(one.start, one.stop, one.step) for one in looks]),
+        _starts(looks),
+    )
+    counts, reached = _joints(plan, ticks, starts, [one.limits for one in looked], bounds)
+    on_tool = [number for number, one in enumerate(looked) if one.move.on_tool_path]
+    moves = [(looked[number].move, looks[number], starts[number]) for number in on_tool]
+    of_tool = dict(zip(on_tool, critical_of_tools(plan, moves, ticks, reached, robot), strict=True))
+    for number, one in enumerate(looked):
+        best = int(counts[number].argmax())
+        share = float(counts[number].flat[best]) / len(looks[number])
+        if number in of_tool and of_tool[number][1] > share:
+            quantity, longest = of_tool[number]
+            whose = _pressed(plan, one, robot) if quantity is LimitQuantity.BEND else ""
+            found[one.number] = CriticalLimit(whose, quantity, longest)
+        elif share > 0.0:
+            quantity, axis = _QUANTITIES[best // robot.n], best % robot.n
+            found[one.number] = CriticalLimit(robot.axis_joints[axis].name, quantity, share)
+    return tuple(found)
 
 
-def _pressed(
-    plan: MotionPlan, first: int, last: int, limits: JointMotionLimits | JointBounds, robot: RobotModel
-) -> str:
+@frozen_dataclass
+class _Looked:
+    """A move that is looked at.
+
+    Attributes:
+        number: of the move in its plan.
+        move: it.
+        first: last control tick before it begins.
+        limits: that its joints are held against.
+    """
+
+    number: int
+    move: PlannedMove
+    first: int
+    limits: JointMotionLimits | JointBounds
+
+    @property
+    def looks(self) -> range:
+        """Return the control ticks that are looked at."""
+        count = self.move.last - self.first - 1
+        return range(self.first, self.first + count, -(-count // MOST_LOOKS))
+
+
+def _starts(looks: Sequence[range]) -> list[int]:
+    """Return how many looks come before those at each move, and all of them."""
+    return [0, *accumulate(map(len, looks))]
+
+
+def _pressed(plan: MotionPlan, one: _Looked, robot: RobotModel) -> str:
     """Return the name of the joint for which a bend is slow, empty where it is slow for the tool.
 
     It is the one that comes nearest to its acceleration or jerk there, if it comes near: a motion is slowed
     around such a place, long before and behind the few ticks at which the limit is reached.
     """
-    qdd = plan.reference.qdd[first:last]
+    limits, qdd = one.limits, plan.reference.qdd[one.first : one.move.last]
     jerks = np.diff(qdd, axis=0) / plan.period
     accelerated, jerked = (np.abs(rows).max(axis=0, initial=0.0) for rows in (qdd, jerks))
     used = np.maximum(accelerated / limits.acceleration, jerked / limits.jerk)
@@ -94,17 +127,36 @@ def _going_along(move: PlannedMove, robot: RobotModel, bounds: ArmBounds) -> Joi
 
 
 def _joints(
-    plan: MotionPlan, looks: npt.NDArray[np.intp], limits: JointMotionLimits | JointBounds, bounds: ArmBounds
-) -> npt.NDArray[np.bool_]:
-    """Return at which of k looks each joint is at its limits, shape (4, k, n) with rows as `_QUANTITIES`."""
+    plan: MotionPlan,
+    ticks: npt.NDArray[np.intp],
+    starts: Sequence[int],
+    limits: Sequence[JointMotionLimits | JointBounds],
+    bounds: ArmBounds,
+) -> tuple[Array, Array]:
+    """Return at how many looks joints are at their limits, and at which one is.
+
+    Args:
+        plan: of a stretch.
+        ticks: that are looked at, k of them.
+        starts: how many of them come before those of each of m moves, and k.
+        limits: of each move.
+        bounds: of the arm.
+
+    Returns:
+        rows as `_QUANTITIES`, shape (m, 4, n); 1.0 where a limit is reached, else 0.0, shape (k,).
+    """
     reference = plan.reference
     most, n = bounds.joints.effort, reference.q.shape[1]
-    torque, largest = np.zeros((len(looks), n)), np.ones(n)
+    torque, largest = np.zeros((len(ticks), n)), np.ones(n)
     if bounds.effort is not None and most is not None:
-        torque = bounds.effort(reference.q[looks], reference.qd[looks], reference.qdd[looks])
+        torque = bounds.effort(
+            *(one.take(ticks, axis=0) for one in (reference.q, reference.qd, reference.qdd))
+        )
         largest = most
-    rows = np.array((limits.speed, limits.acceleration, largest, limits.jerk))
-    found = np.empty((4, len(looks), n))
-    at = np.asarray(looks, dtype=np.float64)
-    joints_reached(reference.qd, reference.qdd, at, torque, rows, plan.period, REACHED, found)
-    return found > 0.0
+    rows = np.array([(one.speed, one.acceleration, largest, one.jerk) for one in limits])
+    counts, reached = np.empty((len(limits), 4, n)), np.empty(len(ticks))
+    at, first = ticks.astype(np.float64), np.array(starts, dtype=np.float64)
+    joints_reached(
+        reference.qd, reference.qdd, at, first, torque, rows, plan.period, REACHED, counts, reached
+    )
+    return counts, reached
