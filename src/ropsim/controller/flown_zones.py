@@ -1,5 +1,6 @@
 """Zones as they are flown: how far from its target the path of each move goes on to the next one."""
 
+import math
 from collections.abc import Sequence
 from itertools import pairwise
 
@@ -28,11 +29,14 @@ def flown_zones(
         motion: how they are walked.
     """
     zones = [one.zone if one else 0.0 for one in corners] + [0.0]
-    for before, behind in pairwise(motion.course.runs):
-        if before.part.over is None:
-            continue
-        number = before.pieces[-1].leg
-        q = np.vstack((motion.at(np.array([behind.start])).q, legs[number].q_end))
-        leaves, corner = (forward_batch(robot, q) @ legs[number].planned.X_MT.matrix())[:, :3, 3]
-        zones[number] = float(np.linalg.norm(leaves - corner))
+    overlapping = [pair for pair in pairwise(motion.course.runs) if pair[0].part.over is not None]
+    if not overlapping:
+        return zones
+    numbers = [before.pieces[-1].leg for before, _ in overlapping]
+    q = motion.at(np.array([behind.start for _, behind in overlapping])).q
+    q = np.concatenate((q, [legs[number].q_end for number in numbers]))
+    X_MT = np.array([legs[number].planned.X_MT.matrix() for number in numbers])
+    leaves, targets = (forward_batch(robot, q) @ np.concatenate((X_MT, X_MT)))[:, :3, 3].reshape(2, -1, 3)
+    for number, way in zip(numbers, leaves - targets, strict=True):
+        zones[number] = math.sqrt(way.dot(way))
     return zones

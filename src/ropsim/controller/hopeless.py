@@ -2,18 +2,22 @@
 
 import math
 from collections.abc import Sequence
+from functools import lru_cache
 
 import numpy as np
 
 from ropsim.controller.entities import Refusal
 from ropsim.controller.leg import Leg
-from ropsim.controller.move_check import check_duration
+from ropsim.controller.move_check import MAX_DURATION, check_duration
 from ropsim.controller.pieces import Piece
 from ropsim.controller.wording import passes
+from ropsim.model import RobotModel
 from ropsim.motion import NO_SPLINE, JointBounds
 from ropsim.spatial import Array
 
 _PLACES = np.linspace(0.0, 1.0, 33)
+_SPARE = 2.0
+"""So many times the range of a joint counts as its longest way from one place to another."""
 _NOTHING = 1e-12
 """A bound of speed, acceleration or jerk that is less stands for a path on which nothing can move."""
 
@@ -40,6 +44,20 @@ def standing_refusal(leg: Leg, piece: Piece) -> Refusal | None:
         data={"place": share},
     )
     return Refusal((finding,))
+
+
+@lru_cache(maxsize=256)
+def may_take_too_long(robot: RobotModel, bounds: JointBounds) -> bool:
+    """Return whether joints may need far too long for a move within their ranges, as it is looked at here.
+
+    Args:
+        robot: the arm.
+        bounds: what its joints can do.
+    """
+    way = _SPARE * (robot.upper_limits - robot.lower_limits)
+    rises = np.maximum(np.sqrt(4.0 * way / bounds.acceleration), np.cbrt(32.0 * way / bounds.jerk))
+    longest = np.maximum((len(_PLACES) - 1) * way / bounds.speed, rises)
+    return not bool((longest <= MAX_DURATION).all())
 
 
 def joints_refusal(leg: Leg, speeds: Array) -> Refusal | None:

@@ -4,15 +4,17 @@ import math
 from collections.abc import Sequence
 from itertools import pairwise
 
-import numpy as np
-import numpy.typing as npt
-
 from ropsim.controller.chosen_stops import by_joints, by_tool
 from ropsim.controller.corners import Corner, Stop, corner_between
 from ropsim.controller.correction_check import beside_correction, correction_refusal
 from ropsim.controller.entities import Refusal
 from ropsim.controller.flown_zones import flown_zones
-from ropsim.controller.hopeless import joints_refusal, rest_to_rest_refusal, standing_refusal
+from ropsim.controller.hopeless import (
+    joints_refusal,
+    may_take_too_long,
+    rest_to_rest_refusal,
+    standing_refusal,
+)
 from ropsim.controller.kept_limits import arm_bounds, beyond_refusal, move_at, slowed_findings
 from ropsim.controller.leg import Leg
 from ropsim.controller.motion_chain import MotionChain
@@ -28,7 +30,7 @@ from ropsim.controller.ticks import in_ticks, standing
 from ropsim.controller.zone_findings import clipped, stopped
 from ropsim.core import Diagnostic
 from ropsim.flow import MoveInstruction
-from ropsim.model import Payload
+from ropsim.model import Payload, RobotModel
 from ropsim.motion import Beyond, JointBounds, SynchronisedJoints
 from ropsim.spatial import Array, record
 
@@ -117,7 +119,7 @@ def _planned(
     if late := _late(legs, course.ends):
         return _too_long(legs, *late)
     bounds = arm_bounds(chain.robot, payload)
-    if hopeless := _hopeless(legs, chosen.corners, state.q, bounds.joints):
+    if hopeless := _hopeless(legs, chosen.corners, state.q, chain.robot, bounds.joints):
         return hopeless
     if any(leg.move.tracking for leg in legs):
         bounds = beside_correction(bounds)
@@ -127,7 +129,7 @@ def _planned(
     if isinstance(kept, Beyond):
         number = move_at(course.ends, kept.phi)
         return _Hurdle(number, beyond_refusal(legs[number], kept, chain.robot))
-    if late := _late(legs, kept.clock.times_of(course.ends)):
+    if late := _late(legs, kept.clock.times_of(course.ends).tolist()):
         return _Hurdle(late[0], Refusal(check_duration(legs[late[0]].move, late[1])))
     findings += slowed_findings(legs, course.ends, flown.keeping.slowed, chain.robot)
     zones = flown_zones(chain.robot, legs, flown.corners, flown.keeping.motion)
@@ -135,7 +137,11 @@ def _planned(
 
 
 def _hopeless(
-    legs: list[Leg], corners: Sequence[Corner | None], q_start: Array, bounds: JointBounds
+    legs: list[Leg],
+    corners: Sequence[Corner | None],
+    q_start: Array,
+    robot: RobotModel,
+    bounds: JointBounds,
 ) -> _Hurdle | None:
     """Return the first move for which joints need far too long, as is seen without a time law.
 
@@ -143,8 +149,11 @@ def _hopeless(
         legs: the moves.
         corners: between each two of them; None where the arm stops.
         q_start: joint coordinates at the start [rad | m], shape (n,).
-        bounds: what the joints can do.
+        robot: the arm.
+        bounds: what its joints can do.
     """
+    if not may_take_too_long(robot, bounds):
+        return None
     for number, leg in enumerate(legs):
         if refusal := joints_refusal(leg, bounds.speed):
             return _Hurdle(number, refusal)
@@ -156,16 +165,17 @@ def _hopeless(
     return None
 
 
-def _late(legs: list[Leg], ends: npt.ArrayLike) -> tuple[int, float] | None:
+def _late(legs: list[Leg], ends: Sequence[float]) -> tuple[int, float] | None:
     """Return the first move that lasts too long, and how long [s]; None where all end soon enough.
 
     Args:
         legs: the moves.
         ends: times at which they end [s].
     """
-    lasting = np.diff(np.asarray(ends), prepend=0.0).tolist()
-    numbered = zip(legs, enumerate(lasting), strict=True)
-    return next((found for leg, found in numbered if check_duration(leg.move, found[1])), None)
+    for number, (leg, (before, end)) in enumerate(zip(legs, pairwise((0.0, *ends)), strict=True)):
+        if check_duration(leg.move, end - before):
+            return number, end - before
+    return None
 
 
 def _too_long(legs: list[Leg], number: int, duration: float) -> _Hurdle:
@@ -178,8 +188,8 @@ def _too_long(legs: list[Leg], number: int, duration: float) -> _Hurdle:
 def _crawls(leg: Leg) -> bool:
     """Return whether a limit of a move is so small that the time of the move is no number to plan with."""
     joints, tool = leg.planned.limits.joints, leg.planned.limits.tool
-    of_joints = (float(limit.min()) for limit in (joints.speed, joints.acceleration, joints.jerk))
-    return min(*of_joints, *tool.all) < _CRAWLING
+    of_joints = joints.speed.tolist(), joints.acceleration.tolist(), joints.jerk.tolist()
+    return bool(min(*map(min, of_joints), *tool.all) < _CRAWLING)
 
 
 def _time_alone(leg: Leg) -> float:

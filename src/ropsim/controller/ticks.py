@@ -1,6 +1,6 @@
 """A motion in control ticks: references, and the ticks at which moves, pieces and triggers come."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from itertools import pairwise
 
 import numpy as np
@@ -10,7 +10,7 @@ from ropsim.controller.course import Course
 from ropsim.controller.leg import Leg
 from ropsim.controller.motion_chain import MotionChain
 from ropsim.controller.motion_plan import MotionPlan, PlannedMove, PlannedPiece
-from ropsim.controller.trigger_ticks import Flown, trigger_ticks
+from ropsim.controller.trigger_ticks import Flown, PlannedTrigger, trigger_ticks
 from ropsim.core import Diagnostic
 from ropsim.flow import JointReference
 from ropsim.motion import JointPoints, Kept
@@ -61,39 +61,46 @@ def in_ticks(
     reference = _to_rest(kept.rows, legs[-1].q_end, ticks)
     phi = np.full(ticks, course.duration)
     phi[:rows] = kept.phi[1:]
-    pieces = tuple(_pieces(course, phi, period))
-    lasts = [0, *_ticks_of(np.array(course.ends[:-1]), phi, period), ticks]
-    q = np.concatenate((kept.rows.q[:1], reference.q))
+    pieces = _pieces(course, phi, period)
+    lasts = [0, *_ticks_of(course.ends[:-1], phi, period), ticks]
     moves, found = [], list(findings)
     for leg, zone, (first, last) in zip(legs, zones, pairwise(lasts), strict=True):
-        X_MT, move, along = leg.planned.X_MT, leg.move, leg.planned.coordination
-        flown = Flown(chain.robot, X_MT, q[first : last + 1], along.frame if along else None)
-        triggers, told = trigger_ticks(move, flown, first, period)
+        X_MT, move = leg.planned.X_MT, leg.move
+        triggers: tuple[PlannedTrigger, ...] = ()
+        if move.triggers:
+            along, q = leg.planned.coordination, reference.q[max(first - 1, 0) : last]
+            q = np.concatenate((kept.rows.q[:1], q)) if first == 0 else q
+            flown = Flown(chain.robot, X_MT, q, along.frame if along else None)
+            triggers, told = trigger_ticks(move, flown, first, period)
+            found += told
         of_tool, limits = leg.tool is not None, leg.planned.limits
         moves.append(PlannedMove(move, X_MT, leg.q_end, last, zone, triggers, limits, of_tool))
-        found += told
     blends = blend_ticks(course, pieces, phi, _SLACK * period)
     return MotionPlan(tuple(moves), pieces, kept.rows.q[0], reference, period, tuple(found), blends)
 
 
-def _pieces(course: Course, phi: Array, period: float) -> Iterator[PlannedPiece]:
+def _pieces(course: Course, phi: Array, period: float) -> tuple[PlannedPiece, ...]:
     """Return the pieces with a path of the tool, as far as no other run overlaps them."""
+    times: list[float] = []
     for run, behind in zip(course.runs, [*course.runs[1:], None], strict=True):
-        first_time, last_time = run.start + run.overlap, run.end - (behind.overlap if behind else 0.0)
-        begins = run.start + np.concatenate(([0.0], run.law.ends[:-1]))
-        begins = np.clip(begins, first_time, last_time)
-        ends = np.append(begins[1:], last_time)
-        first, last = (
-            np.searchsorted(phi, times + _SLACK * period, side="right").tolist() for times in (begins, ends)
-        )
-        if behind is None:
-            last[-1] = len(phi)
-        for piece, a, b in zip(run.pieces, first, last, strict=True):
+        first, last = run.start + run.overlap, run.end - (behind.overlap if behind else 0.0)
+        ends = run.law.ends[:-1].tolist()
+        times += [min(max(run.start + time, first), last) for time in (0.0, *ends)]
+        times.append(last)
+    places: list[int] = np.searchsorted(phi, np.array(times) + _SLACK * period, side="right").tolist()
+    places[-1] = len(phi)
+    found, number = [], 0
+    for run in course.runs:
+        for piece in run.pieces:
             frame = piece.coordination.frame if piece.coordination else None
-            yield PlannedPiece(piece.tool, piece.X_MT, a, b, frame)
+            first_tick, last_tick = places[number], places[number + 1]
+            found.append(PlannedPiece(piece.tool, piece.X_MT, first_tick, last_tick, frame))
+            number += 1
+        number += 1
+    return tuple(found)
 
 
-def _ticks_of(times: Array, phi: Array, period: float) -> list[int]:
+def _ticks_of(times: Sequence[float], phi: Array, period: float) -> list[int]:
     """Return the first control ticks, 0 for the start, at which the motion has come to motion times.
 
     Args:
@@ -101,8 +108,10 @@ def _ticks_of(times: Array, phi: Array, period: float) -> list[int]:
         phi: motion times at the control ticks 1, 2, … [s], shape (ticks,).
         period: time of a control tick [s].
     """
-    since = np.concatenate(([0.0], phi))
-    found: list[int] = np.minimum(np.searchsorted(since, times - _SLACK * period), len(phi)).tolist()
+    if not times:
+        return []
+    wanted = np.array(times) - _SLACK * period
+    found: list[int] = np.minimum(np.searchsorted(phi, wanted) + (wanted > 0.0), len(phi)).tolist()
     return found
 
 
@@ -117,7 +126,7 @@ def _to_rest(rows: JointPoints, q_end: Array, ticks: int) -> JointReference:
         ticks: control ticks of the reference.
     """
     last = len(rows.q) - 2
-    q = np.tile(q_end, (ticks, 1))
-    qd, qdd = np.zeros((2, ticks, len(q_end)))
+    q, qd, qdd = np.empty((3, ticks, len(q_end)))
     q[:last], qd[:last], qdd[:last] = rows.q[1:-1], rows.d1[1:-1], rows.d2[1:-1]
+    q[last:], qd[last:], qdd[last:] = q_end, 0.0, 0.0
     return JointReference(q, qd, qdd)
