@@ -31,6 +31,7 @@ from ropsim.controller.entity_faults import refused as refused
 from ropsim.controller.interpolator import StandardInterpolator as StandardInterpolator
 from ropsim.controller.inverse_transform import StandardInverseTransform as StandardInverseTransform
 from ropsim.controller.joint_interpolator import StandardJointInterpolator as StandardJointInterpolator
+from ropsim.controller.kept_limits import arm_bounds as arm_bounds
 from ropsim.controller.kinds import TOOL_PATHS as TOOL_PATHS
 from ropsim.controller.kinds import PathRequest as PathRequest
 from ropsim.controller.kinds import ToolPathMaker as ToolPathMaker

@@ -90,8 +90,8 @@ from ropsim.motion.paths import TurnPoints as TurnPoints
 from ropsim.motion.paths import arc as arc
 from ropsim.motion.paths import corner as corner
 from ropsim.motion.paths import curve_points as curve_points
-from ropsim.motion.paths import distances_from as distances_from
 from ropsim.motion.paths import enter as enter
+from ropsim.motion.paths import enter_distances as enter_distances
 from ropsim.motion.paths import evenly as evenly
 from ropsim.motion.paths import grid as grid
 from ropsim.motion.paths import joins as joins

@@ -12,12 +12,14 @@ from ropsim.controller import (
     MotionPlan,
     Refusal,
     StretchOrder,
+    arm_bounds,
     critical_limits,
     ordered,
 )
 from ropsim.flow import CriticalLimit
 from ropsim.kinematics import forward_batch
 from ropsim.model import Payload, RobotModel
+from ropsim.simulation.tally_kernel import peaks
 from ropsim.spatial import Array, record
 
 _LEAST_SPEED = 1e-3
@@ -85,7 +87,7 @@ def clock_limits(speeds: Array, accelerations: Array, jerks: Array) -> ClockLimi
 
 def _motion(planned: MotionPlan, robot: RobotModel, payload: Payload) -> PlannedMotion:
     critical = critical_limits(planned, robot, payload)
-    return PlannedMotion(planned, critical, _places(planned, robot), _limits(planned, robot))
+    return PlannedMotion(planned, critical, _places(planned, robot), _limits(planned, robot, payload))
 
 
 def _places(planned: MotionPlan, robot: RobotModel) -> tuple[tuple[float, ...], ...]:
@@ -94,11 +96,11 @@ def _places(planned: MotionPlan, robot: RobotModel) -> tuple[tuple[float, ...], 
     return tuple(tuple(place) for place in X_BT[:, :3, 3].tolist())
 
 
-def _limits(planned: MotionPlan, robot: RobotModel) -> ClockLimits:
-    top = np.abs(np.ascontiguousarray(planned.reference.qd.T)).max(axis=1, initial=0.0)
-    speeds = np.maximum(top, _LEAST_SPEED * robot.max_speeds)
-    accelerations = robot.max_accelerations
+def _limits(planned: MotionPlan, robot: RobotModel, payload: Payload) -> ClockLimits:
+    top, joints = np.empty(robot.n), arm_bounds(robot, payload).joints
+    peaks(np.ascontiguousarray(planned.reference.qd), top)
+    speeds, accelerations = np.maximum(top, _LEAST_SPEED * joints.speed), joints.acceleration
     if planned.is_corrected:  # what a sensor adds is braked with it
-        speeds = np.maximum(speeds, _SPEED_WITH_CORRECTION * robot.max_speeds)
+        speeds = np.maximum(speeds, _SPEED_WITH_CORRECTION * joints.speed)
         accelerations = accelerations * PLANNED_ACCELERATION
-    return clock_limits(speeds, accelerations, robot.max_jerks)
+    return clock_limits(speeds, accelerations, joints.jerk)

@@ -26,7 +26,7 @@ from ropsim.flow import (
 )
 from ropsim.icr import Program, code_lines, line_contents_of_all, program_id
 from ropsim.kinematics import forward_batch
-from ropsim.motion import Line, distances_from
+from ropsim.motion import Line, enter_distances
 from ropsim.simulation.arrivals import Arrivals, are_untouched, arrivals
 from ropsim.simulation.cell_run import CellRun
 from ropsim.simulation.channels import (
@@ -50,6 +50,7 @@ from ropsim.simulation.settling import settling_findings
 from ropsim.simulation.shared_programs import told_at
 from ropsim.simulation.station_facts import station_facts, with_law
 from ropsim.simulation.station_run import StationRun
+from ropsim.simulation.tally_kernel import greatest
 from ropsim.simulation.track import Track
 from ropsim.simulation.verdicts import verdicts
 from ropsim.spatial import Array, fingerprint
@@ -132,7 +133,8 @@ def _station_channels(at: StationRun, logged: Mapping[str, Array], rows: Array) 
     command, commanded = attained, turned
     if log["q_ref"] is not log["q"]:
         command, commanded = at.tool_frames.on(ticks, forward_batch(robot, log["q_ref"]))
-    points = without_corrections(at.paths, ticks, attained[:, :3, 3], command[:, :3, :3])
+    positions = np.ascontiguousarray(attained[:, :3, 3])
+    points = without_corrections(at.paths, ticks, positions, command[:, :3, :3])
     error = path_errors(at.paths, ticks, log["q"], points)
     name, last = at.station.name, at.tick
     carried = {}
@@ -238,20 +240,20 @@ def path_errors(paths: list[PathSpan], ticks: Array, q: Array, attained: Array) 
     """
     errors = np.full(len(ticks), np.nan)
     places = np.searchsorted(ticks, [(span.start, span.end) for span in paths], side="right").tolist()
-    lines: list[tuple[Line, int, int]] = []
+    lines: list[Line] = []
+    spans: list[tuple[int, int]] = []
     for span, (first, last) in zip(paths, places, strict=True):
         if last <= first:
             continue
         if isinstance(span.path, Line) and not span.frame:
-            lines.append((span.path, first, last))  # of these there are many: they are looked at together
+            lines.append(span.path)  # of these there are many: they are looked at together
+            spans.append((first, last))
             continue
         points = attained[first:last]
         seen = span.frame.positions(q[first:last], points) if span.frame else points
         errors[first:last] = span.path.distance(seen)
     if lines:
-        rows = np.concatenate([np.arange(first, last) for _, first, last in lines])
-        counts = [last - first for _, first, last in lines]
-        errors[rows] = distances_from([line for line, _, _ in lines], counts, attained[rows])
+        enter_distances(lines, spans, attained, errors)
     return errors
 
 
@@ -259,14 +261,14 @@ def _with_errors(events: list[Event], at: StationRun, rows: Array, errors: Array
     """Return the events; moves with a path of the tool get the largest path error on their way."""
     ticks = rows / at.cell_ticks
     spans = [(one.start, one.settled) for one in at.moves]
-    places = np.searchsorted(ticks, spans, side="right").tolist()
-    known = np.where(np.isnan(errors), 0.0, errors)  # where there is no path it is NaN
+    places = np.searchsorted(ticks, spans, side="right")
+    most = np.empty(len(spans))
+    greatest(errors, np.array(places, dtype=np.float64).reshape(-1, 2), most)
+    found = most.tolist()
 
     def with_error(event: Event) -> Event:
         if not isinstance(event, MoveEvent) or event.motion == MotionKind.PTP:
             return event
-        first, last = places[event.ordinal]
-        most = known[first:last].max(initial=0.0)
-        return replace(event, path_error_max=float(most))
+        return replace(event, path_error_max=found[event.ordinal])
 
     return [with_error(event) for event in events]

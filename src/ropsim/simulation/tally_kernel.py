@@ -74,3 +74,30 @@ def merge_tables(table: Array, other: Array, tick: float) -> None:
         table[2, j] += other[2, j]
         if other[2, j] > 0.0:
             table[3, j] = tick + other[3, j]
+
+
+@kernel("void(f8[::1], f8[:,::1], f8[::1])")
+def greatest(values: Array, spans: Array, found: Array) -> None:
+    """Write the greatest of some values in a row, again and again.
+
+    Args:
+        values: none of them below 0; NaN counts as 0, shape (k,).
+        spans: numbers of the first value to look at, and behind the last one, shape (m, 2).
+        found: where the answers go, 0 where there are none to look at, shape (m,).
+    """
+    for m in range(spans.shape[0]):
+        most = 0.0
+        for k in range(int(spans[m, 0]), int(spans[m, 1])):
+            most = values[k] if values[k] > most else most
+        found[m] = most
+
+
+@kernel("void(f8[:,::1], f8[::1])")
+def peaks(rows: Array, found: Array) -> None:
+    """Write the largest magnitudes in the columns of rows (k, n), shape (n,), 0 without a row."""
+    for j in range(rows.shape[1]):
+        found[j] = 0.0
+    for k in range(rows.shape[0]):
+        for j in range(rows.shape[1]):
+            size = abs(rows[k, j])
+            found[j] = size if size > found[j] else found[j]

@@ -12,7 +12,7 @@ from ropsim.model import Payload, Tool
 from ropsim.simulation import RunOptions, Servo, run
 from ropsim.simulation.servo.judged import full_values
 from ropsim.simulation.tally import Tally
-from ropsim.simulation.tally_kernel import enter_rows, record_rows
+from ropsim.simulation.tally_kernel import enter_rows, greatest, peaks, record_rows
 from ropsim.workbench import environment_of
 from support.cells import one_station
 from support.servo_cases import GOAL, START, part, puma, quintic
@@ -126,3 +126,18 @@ def test_the_log_of_the_ideal_arm_has_a_row_at_every_so_many_ticks(first: int, e
     np.testing.assert_array_equal(log[1 : 1 + len(wanted)], wanted)
     assert not log[0].any()
     assert not log[1 + len(wanted) :].any()
+
+
+def test_the_greatest_of_a_span_is_found_beside_what_is_no_number() -> None:
+    values = np.array([1.0, np.nan, 3.0, 2.0, np.nan, 0.5])
+    spans, found = np.array([[0.0, 2.0], [1.0, 6.0], [4.0, 5.0], [3.0, 3.0]]), np.empty(4)
+    greatest(values, spans, found)
+    assert found.tolist() == [1.0, 3.0, 0.0, 0.0]
+
+
+def test_peaks_are_the_largest_magnitudes_of_columns() -> None:
+    rows, found = np.random.default_rng(6).normal(size=(40, 3)), np.empty(3)
+    peaks(rows, found)
+    np.testing.assert_array_equal(found, np.abs(rows).max(axis=0))
+    peaks(rows[:0], found)
+    assert not found.any()

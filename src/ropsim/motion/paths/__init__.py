@@ -18,7 +18,7 @@ from ropsim.motion.paths.joint_line import JointLine as JointLine
 from ropsim.motion.paths.joint_spline import JointSpline as JointSpline
 from ropsim.motion.paths.joint_spline import monotone as monotone
 from ropsim.motion.paths.line import Line as Line
-from ropsim.motion.paths.line import distances_from as distances_from
+from ropsim.motion.paths.line import enter_distances as enter_distances
 from ropsim.motion.paths.orientation import ToolTurn as ToolTurn
 from ropsim.motion.paths.orientation import TurnPoints as TurnPoints
 from ropsim.motion.paths.orientation import tool_turn as tool_turn

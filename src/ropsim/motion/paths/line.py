@@ -6,6 +6,7 @@ from dataclasses import field
 import numpy as np
 
 from ropsim.model import OrientationMode
+from ropsim.motion.paths.line_kernel import segment_distances
 from ropsim.motion.paths.orientation import ToolTurn, tool_turn
 from ropsim.motion.paths.path import STANDS, STILL, ToolPoints
 from ropsim.spatial import Array, Pose, frozen, record
@@ -69,26 +70,25 @@ class Line:
 
     def distance(self, points: Array) -> Array:
         """Return how far points, shape (k, 3) [m], are from the segment, shape (k,) [m]."""
-        return distances_from([self], [len(points)], points)
+        distances = np.empty(len(points))
+        enter_distances([self], [(0, len(points))], points, distances)
+        return distances
 
     def _between(self, r: Array) -> Array:
         return (1.0 - r)[:, None] * self.X_start.position + r[:, None] * self.X_end.position
 
 
-def distances_from(lines: Sequence[Line], counts: Sequence[int], points: Array) -> Array:
-    """Return how far points are from the segments to which they belong, shape (k,) [m].
+def enter_distances(
+    lines: Sequence[Line], spans: Sequence[tuple[int, int]], points: Array, distances: Array
+) -> None:
+    """Write how far points are from the segments to which they belong.
 
     Args:
         lines: the segments.
-        counts: how many of the points belong to each of them, k in all.
-        points: in the order of the lines, in their reference frame [m], shape (k, 3).
+        spans: which points belong to each of them, from one number up to, without it, another one.
+        points: in the reference frame of the lines [m], shape (k, 3).
+        distances: where the answers go [m], shape (k,); those of other points stay as they are.
     """
-    starts = np.array([one.X_start.position for one in lines])
-    ways = np.array([one.way for one in lines])
-    squares = (ways * ways).sum(axis=1)
-    per_way = ways / np.where(squares > 0.0, squares, np.inf)[:, None]
-    which = np.repeat(np.arange(len(lines)), counts)
-    offsets = points - starts[which]
-    r = np.clip((offsets * per_way[which]).sum(axis=1), 0.0, 1.0)
-    across = offsets - r[:, None] * ways[which]
-    return np.asarray(np.sqrt((across * across).sum(axis=1)))
+    numbers = np.concatenate([part for one in lines for part in (one.X_start.position, one.way)])
+    rows = np.array(spans, dtype=np.float64)
+    segment_distances(numbers.reshape(-1, 6), rows, np.ascontiguousarray(points), distances)

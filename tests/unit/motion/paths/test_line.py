@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from ropsim.motion import Line, OrientationMode
+from ropsim.motion import Line, OrientationMode, enter_distances
 from ropsim.spatial import Pose
 from support.paths import brute_distances, inner_places, random_pose, tool_differences
 
@@ -88,3 +88,21 @@ def test_positions_are_those_of_the_poses() -> None:
     line = Line(random_pose(rng), random_pose(rng))
     s = inner_places(line.length)
     assert np.abs(line.positions(s) - line.tool(s).matrices[:, :3, 3]).max() == 0.0
+
+
+def test_distances_from_many_lines_are_those_from_each_one() -> None:
+    chosen = np.random.default_rng(8)
+    lines = [Line(Pose(start), Pose(end)) for start, end in chosen.normal(size=(3, 2, 3))]
+    lines.append(Line(Pose(np.ones(3)), Pose(np.ones(3))))
+    points, spans = chosen.normal(size=(40, 3)), [(2, 11), (11, 11), (15, 30), (30, 37)]
+    points[5] = np.nan
+    distances = np.full(40, -1.0)
+    enter_distances(lines, spans, points, distances)
+    for line, (first, last) in zip(lines, spans, strict=True):
+        across = points[first:last, np.newaxis] - line.positions(np.linspace(0.0, line.length, 2001))
+        fine = np.linalg.norm(across, axis=2).min(axis=1)
+        np.testing.assert_allclose(distances[first:last], fine, rtol=0.0, atol=1e-5)
+    on_none = np.ones(40, dtype=bool)
+    for first, last in spans:
+        on_none[first:last] = False
+    assert set(distances[on_none].tolist()) == {-1.0}
