@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 
 from ropsim.controller import MotionChain
 from ropsim.flow import AwaitInstruction, JointReference, ModalState, Origin
-from ropsim.kinematics import forward, frames_batch
+from ropsim.kinematics import forward_batch, frames_batch
 from ropsim.model import Payload, Station, Tool, external_links, link_name, tool_body
 from ropsim.simulation.activation import Activations
 from ropsim.simulation.devices.course import Course
@@ -124,7 +124,9 @@ class StationRun:
         if not hands and not moved:
             return {}
         q = self.plant.q if due >= self.due else self.plant.q_at(due / self.cell_ticks)
-        poses = dict.fromkeys(hands, X_WB @ forward(robot, q)) if hands else {}
+        poses = {}
+        if hands:
+            poses = dict.fromkeys(hands, X_WB @ Pose.from_matrix(forward_batch(robot, q[None])[0]))
         if moved:
             frames = frames_batch(robot, q[None])[0]
             names = {number: link_name(number + 1, self.station.name) for number in moved}
