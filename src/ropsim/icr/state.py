@@ -1,12 +1,15 @@
 """The state of the machine: registers while it runs, and an immutable snapshot of them."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import NamedTuple
 
 from ropsim.core import Diagnostic, Span, frozen_dataclass
 from ropsim.flow import Guard, ModalState, Origin, PathTracking, Trigger
 from ropsim.icr.handlers import Datum
 from ropsim.icr.location import Location
+
+_MOST_KNOWN = 1000
+"""Changes of the modal state that a program remembers."""
 
 
 @frozen_dataclass
@@ -131,6 +134,24 @@ class Registers:
     steps: int = 0
     is_synced: bool = False
     finished: Finished | None = None
+    known: dict[tuple[int, str, Datum], tuple[ModalState, ModalState]] = field(default_factory=dict)
+    """Modal states that others have become, by the identity of these and by what was said."""
+
+    def changed(self, said: tuple[str, Datum], **fields: Datum) -> ModalState:
+        """Return the modal state in force with other fields: in loops the same object in each pass.
+
+        Args:
+            said: instruction and value, which tell the fields.
+            fields: by their names.
+        """
+        key = (id(self.modal), *said)
+        before, after = self.known.get(key, (None, self.modal))
+        if before is not self.modal:
+            if len(self.known) >= _MOST_KNOWN:
+                self.known.clear()
+            after = replace(self.modal, **fields)
+            self.known[key] = self.modal, after
+        return after
 
     def origin(self, key: tuple[int, int], span: Span | None) -> Origin:
         """Count one more visit of an instruction and return its origin."""

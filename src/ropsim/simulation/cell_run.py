@@ -31,6 +31,7 @@ class CellRun:
 
     Attributes:
         cell: static model.
+        content: its fingerprint, `Cell.content`.
         stations: their running states by name.
         devices: theirs.
         sensors: channels of the cell.
@@ -56,6 +57,7 @@ class CellRun:
     """
 
     cell: Cell
+    content: str
     stations: Mapping[str, StationRun]
     devices: Mapping[str, DeviceRun]
     sensors: CellSensors

@@ -93,7 +93,7 @@ def recording_of(run: CellRun, programs: Mapping[str, Program], options: RunOpti
     findings = tuple(with_causes((*run.findings, *arrived.findings, *judged), events))
     facts = _facts(run, programs, options, arrived)
     content = RunContent(
-        run.cell.content,
+        run.content,
         {name: code_lines(one) for name, one in programs.items()},
         _line_contents(run, programs),
     )
@@ -102,10 +102,11 @@ def recording_of(run: CellRun, programs: Mapping[str, Program], options: RunOpti
 
 def _line_contents(run: CellRun, programs: Mapping[str, Program]) -> Mapping[str, Mapping[int, str]]:
     """Return what the results of lines hang on, once asked for; what a hand did is of this run alone."""
-    cell, overrides, inputs = run.cell, overrides_taken(run), tuple(inputs_taken(run))
+    cell, content = run.cell, run.content
+    overrides, inputs = overrides_taken(run), tuple(inputs_taken(run))
 
     def found() -> Mapping[str, Mapping[int, str]]:
-        around = (cell.content, *((fingerprint(overrides),) if overrides else ()))
+        around = (content, *((fingerprint(overrides),) if overrides else ()))
         channels = with_inputs(cell, inputs).input_changes
         return line_contents_of_all(programs, *around, channels=channels)
 

@@ -1,6 +1,8 @@
-"""What stays as it is in a cell while parts are moved: made once per run."""
+"""What stays as it is in a cell while parts are moved: made once for a cell."""
 
 from collections.abc import Mapping
+from dataclasses import field
+from functools import lru_cache
 
 import numpy as np
 
@@ -61,8 +63,27 @@ class Scenery:
         return shape_blocks(self.surfaces, poses)
 
 
-def scenery_of(cell: Cell) -> Scenery:
-    """Return what stays as it is in a cell."""
+@frozen_dataclass
+class _Described:
+    """A cell that counts as another one with the same fingerprint."""
+
+    content: str
+    cell: Cell = field(compare=False)
+
+
+def scenery_of(cell: Cell, content: str) -> Scenery:
+    """Return what stays as it is in a cell, for cells of the same content the same.
+
+    Args:
+        cell: it.
+        content: `Cell.content` of it.
+    """
+    return _scenery(_Described(content, cell))
+
+
+@lru_cache(maxsize=4)
+def _scenery(described: _Described) -> Scenery:
+    cell = described.cell
     tree = body_tree(cell)
     bodies = tree.by_name()
     largest = max((float(np.linalg.norm(part.size)) for part in cell.parts), default=0.0)

@@ -43,7 +43,8 @@ def start_run(cell: Cell, options: RunOptions) -> CellRun:
     inputs, findings = usable_inputs(cell, options.inputs)
     cell = with_inputs(cell, inputs)
     hz = math.lcm(*(station.controller.rates.control_hz for station in cell.stations.values()))
-    scenery, parts = scenery_of(cell), initial_parts(cell)
+    content, parts = cell.content, initial_parts(cell)
+    scenery = scenery_of(cell, content)
     sensors = CellSensors(cell.signals)
     senses = {name: Senses(options.sensors or sensors, name) for name in cell.stations}
     stations = {
@@ -58,6 +59,7 @@ def start_run(cell: Cell, options: RunOptions) -> CellRun:
     )
     run = CellRun(
         cell=cell,
+        content=content,
         stations=stations,
         devices=devices,
         sensors=sensors,

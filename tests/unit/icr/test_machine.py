@@ -140,6 +140,14 @@ def test_a_changed_modal_state_outlives_the_procedure_that_changed_it() -> None:
     assert [move.modal.ptp_speed for move in moves if isinstance(move, MoveInstruction)] == [0.1]
 
 
+def test_a_modal_state_that_comes_back_in_a_loop_is_the_same_object() -> None:
+    rest = "PROC fast\n  MODAL.SAVE\n  PUSH REAL 0.9\n  SPD.PTP\n  HOME\n  MODAL.RESTORE\n  RET\nEND\n"
+    moves = flow("PUSH REAL 0.5/SPD.PTP/CALL fast/CALL fast/PUSH REAL 0.9/SPD.LIN/CALL fast/HALT", rest)[:-1]
+    first, second, third = [move.modal for move in moves if isinstance(move, MoveInstruction)]
+    assert first is second
+    assert (first.path_speed, third.path_speed) == (None, 0.9)
+
+
 def pose(x: float, *rest: object) -> str:
     return " ".join(map(str, ("PUSH POSE", x, 0.0, 0.3, 0.0, 1.0, 0.0, 0.0, *rest)))
 

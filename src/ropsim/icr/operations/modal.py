@@ -1,7 +1,5 @@
 """Operations that change the modal state; every robot instruction carries a snapshot of it."""
 
-from dataclasses import replace
-
 from ropsim.icr.rules.operands import setting_fault
 from ropsim.icr.site import Operation, Site
 from ropsim.icr.state import Registers
@@ -21,34 +19,34 @@ _FIELDS = {
 
 def _frame(registers: Registers, _world: World, site: Site) -> None:
     name, pose = site.operand
-    registers.modal = replace(registers.modal, frame=name, X_BK=pose)
+    registers.modal = registers.changed((site.mnemonic, name), frame=name, X_BK=pose)
 
 
 def _tool(registers: Registers, _world: World, site: Site) -> None:
     name, pose = site.operand
-    registers.modal = replace(registers.modal, tool=name, X_MT=pose)
+    registers.modal = registers.changed((site.mnemonic, name), tool=name, X_MT=pose)
 
 
 def _setting(registers: Registers, _world: World, site: Site) -> None:
     value = registers.stack.pop()
     if fault := setting_fault(site.mnemonic, value):
         raise out_of_range(fault)
-    registers.modal = replace(registers.modal, **{_FIELDS[site.mnemonic]: value})
+    registers.modal = registers.changed((site.mnemonic, value), **{_FIELDS[site.mnemonic]: value})
 
 
-def _zone(registers: Registers, _world: World, _site: Site) -> None:
+def _zone(registers: Registers, _world: World, site: Site) -> None:
     zone = registers.stack.pop()
     if fault := setting_fault("ZONE.DIST", zone):
         raise out_of_range(fault)
-    registers.modal = replace(registers.modal, zone=zone, passes=False)
+    registers.modal = registers.changed((site.mnemonic, zone), zone=zone, passes=False)
 
 
-def _zone_fine(registers: Registers, _world: World, _site: Site) -> None:
-    registers.modal = replace(registers.modal, zone=0.0, passes=False)
+def _zone_fine(registers: Registers, _world: World, site: Site) -> None:
+    registers.modal = registers.changed((site.mnemonic, None), zone=0.0, passes=False)
 
 
-def _zone_via(registers: Registers, _world: World, _site: Site) -> None:
-    registers.modal = replace(registers.modal, passes=True)
+def _zone_via(registers: Registers, _world: World, site: Site) -> None:
+    registers.modal = registers.changed((site.mnemonic, None), passes=True)
 
 
 def _save(registers: Registers, _world: World, _site: Site) -> None:

@@ -94,7 +94,7 @@ def _moved(
     registers.commanded = Commanded(target, modal := registers.modal)
     X_KT, *X_KV = [_pose(_NUMBERS.pack(*pose_part(one))) for one in (target, *via)]
     if (tag := tag_of(target)) is not None:
-        modal = replace(modal, frame=tag.name, X_BK=tag.X_BK)
+        modal = registers.changed(("FRAME", tag.name), frame=tag.name, X_BK=tag.X_BK)
     more = _AtPose(external_part(target), tuple(X_KV), posture_of(target))
     return _told(registers, site, kind, X_KT, modal, more)
 
