@@ -32,15 +32,18 @@ class StandardInterpolator:
             path: of the tool.
             density: how many times more samples than at first.
         """
-        looks = path.tool(_places(path.length, 4)).d1  # (5, 6)
+        return PoseSetpoints(path.length, path.tool(places(path.length, density * self.steps(path))).matrices)
+
+    def steps(self, path: ToolPath) -> int:
+        """Return how many steps a path has at first."""
+        looks = path.tool(places(path.length, 4)).d1  # (5, 6)
         squares = np.add.reduce((looks * looks).reshape(-1, 2, 3), axis=2)
         way, turn = (np.sqrt(np.maximum.reduce(squares, axis=0)) * path.length).tolist()
-        steps = density * max(FEWEST, math.ceil(way / self.way), math.ceil(turn / self.turn))
-        return PoseSetpoints(path.length, path.tool(_places(path.length, steps)).matrices)
+        return max(FEWEST, math.ceil(float(way) / self.way), math.ceil(float(turn) / self.turn))
 
 
-def _places(length: float, steps: int) -> Array:
+def places(length: float, steps: int) -> Array:
     """Return the places between equal steps from 0 to a length, bit by bit as `numpy.linspace` does."""
-    places = np.arange(steps + 1, dtype=np.float64) * (length / steps)
-    places[-1] = length
-    return np.asarray(places)
+    found = np.arange(steps + 1, dtype=np.float64) * (length / steps)
+    found[-1] = length
+    return np.asarray(found)

@@ -40,6 +40,21 @@ class StandardInverseTransform:
         object.__setattr__(self, "_follower", BranchFollower(self.robot, axes))
         object.__setattr__(self, "_work", WorkFrames(self.tools, {}, self.default_tool))
 
+    @property
+    def axes(self) -> Array:
+        """Return lower and upper limits [rad | m], and 1 for axes that turn, else 0, shape (3, n)."""
+        return self._follower.axes
+
+    @property
+    def is_coupled(self) -> bool:
+        """Return whether joints beside the axes have limits."""
+        return bool(self._range.coupled.joints)
+
+    def backwards(self, move: MoveInstruction) -> Array | None:
+        """Return the matrix of X_TM of the tool in force, shape (4, 4), None where it is not known."""
+        X_MT = self._work.tool_pose(move.modal, None)
+        return _backwards(X_MT) if isinstance(X_MT, Pose) else None
+
     def solve(
         self, setpoints: PoseSetpoints, q_start: Array, move: MoveInstruction
     ) -> JointSamples | Refusal:
@@ -72,7 +87,7 @@ class StandardInverseTransform:
                 refusals = (lost(line, found, matrices),)
             if refusals:
                 return Refusal(refusals)
-        return JointSamples(setpoints.length, found.q, end_findings(line, found.q[-1]))
+        return JointSamples(setpoints.length, found.q, end_findings(move, found.q[-1]))
 
 
 @lru_cache(maxsize=64)

@@ -3,9 +3,9 @@
 import numpy as np
 
 from ropsim.controller.coordination import Coordination
+from ropsim.controller.density import SMOOTH
 from ropsim.controller.inverse_transform import has_named_branches
 from ropsim.controller.motion_chain import MotionChain
-from ropsim.controller.tracing import SMOOTH
 from ropsim.flow import JointSamples, PoseSetpoints
 from ropsim.kinematics import inverse_near
 from ropsim.motion import JointPath, JointPoints, ToolPath, Traced, traced_with_roughness

@@ -125,15 +125,15 @@ def limit_refusals(line: Line, q: Array, limits: JointRange) -> tuple[Diagnostic
     return (finding,)
 
 
-def end_findings(line: Line, q_end: Array) -> tuple[Diagnostic, ...]:
+def end_findings(move: MoveInstruction, q_end: Array) -> tuple[Diagnostic, ...]:
     """Return M514 where a line to joint coordinates ends in others; only at its first visit."""
-    target = line.move.target
-    if line.move.origin.visit > 1:
+    target = move.target
+    if not isinstance(target, tuple) or move.origin.visit > 1:
         return ()
-    if not isinstance(target, tuple) or float(np.abs(q_end - np.array(target)).max()) <= _SAME_JOINTS:
+    if float(np.abs(q_end - np.array(target)).max()) <= _SAME_JOINTS:
         return ()
     finding = OTHER_JOINTS_AT_LINE_END.at(
-        line.move.origin.span,
+        move.origin.span,
         "the line reaches the pose of the target, but with other joint coordinates",
         hint="use PTP to reach exactly these joint coordinates",
     )

@@ -6,8 +6,10 @@ from functools import partial
 import numpy as np
 
 from ropsim.controller.coordination import Coordination
+from ropsim.controller.density import MOST_DENSITY, SMOOTH, denser
 from ropsim.controller.entities import JointInterpolator, Refusal
 from ropsim.controller.entity_faults import guarded
+from ropsim.controller.guide import guide_of
 from ropsim.controller.joint_interpolator import StandardJointInterpolator
 from ropsim.controller.motion_chain import MotionChain
 from ropsim.controller.path_faults import unusable_path, unusable_samples, unusable_setpoints
@@ -16,12 +18,6 @@ from ropsim.flow import JointSamples, MoveInstruction, PoseSetpoints
 from ropsim.motion import JUMP_ON_LINE, JointPath, Refined, ToolPath, ToolSection, joins, rough_parts
 from ropsim.spatial import Array
 
-MOST_DENSITY = 64
-"""How many times more samples than at first are tried where a path runs near a singularity."""
-
-SMOOTH = 5e-8
-"""Difference of the paths through all samples and through every second one [rad | m]; halving the distance of
-the samples divides it by 64, so the path through all of them is true to about 1e-9."""
 _BETTER = 0.1
 """Share of its roughness that a part may keep when it is traced by itself; a kink keeps more of it."""
 
@@ -46,6 +42,9 @@ def trace(
         move: the instruction.
         coordination: external axes that go along; None where they stand.
     """
+    guide = guide_of(chain) if coordination is None else None
+    if guide and (led := guide.joints(path, q_start, move)):
+        return led
     found = _traced(chain, path, q_start, move, coordination)
     if isinstance(found, Refusal):
         return found
@@ -97,13 +96,9 @@ def _traced(
             joints, rough = refined
             if density == MOST_DENSITY or (rough is not None and not rough.max() > SMOOTH):
                 return joints, samples, rough
-            density *= 1 if rough is None else _too_coarse(float(rough.max()))
+            density = denser(density, None if rough is None else float(rough.max()))
+            continue
         density = min(2 * density, MOST_DENSITY)
-
-
-def _too_coarse(rough: float) -> int:
-    """Return how many times half the density is that divides a roughness by enough; its sixth root counts."""
-    return 1 << max(math.ceil(math.log2(rough / SMOOTH) / 6.0) - 1, 0)
 
 
 def _setpoints(

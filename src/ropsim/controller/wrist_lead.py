@@ -9,7 +9,7 @@ from dataclasses import field
 
 import numpy as np
 
-from ropsim.controller.tracing import SMOOTH
+from ropsim.controller.density import SMOOTH
 from ropsim.controller.wrist_way import WristWay, arm_axes
 from ropsim.kinematics import forward_batch, frames_batch, frames_of_steps
 from ropsim.model import BASE_LINK, RobotModel, held_arm

@@ -69,7 +69,7 @@ class WristPlanner:
         if refusals:
             return Refusal(refusals)
         joints = wrist_joints(way, q)
-        findings = so_far.findings + end_findings(line, q[-1])
+        findings = so_far.findings + end_findings(move, q[-1])
         return replace(so_far, joints=joints, tool=way.led_by(joints), findings=findings)
 
     def _solved(self, move: MoveInstruction, points: WristPoints, X_MT: Pose) -> Array | str:

@@ -60,6 +60,10 @@ from ropsim.kinematics.solver import InverseSolver as InverseSolver
 from ropsim.kinematics.solver import Method as Method
 from ropsim.kinematics.solver import RedundantSolver as RedundantSolver
 from ropsim.kinematics.solver import Snap as Snap
+from ropsim.kinematics.solvers.spherical_wrist import exact_arm as exact_arm
+from ropsim.kinematics.solvers.spherical_wrist_kernel import ALL_ROWS as ALL_ROWS
+from ropsim.kinematics.solvers.spherical_wrist_kernel import ROOM_OF_ROWS as ROOM_OF_ROWS
+from ropsim.kinematics.solvers.spherical_wrist_kernel import inverse_row as inverse_row
 from ropsim.kinematics.strut_frames import strut_frames as strut_frames
 from ropsim.kinematics.supports import Standing as Standing
 from ropsim.kinematics.supports import height_above as height_above

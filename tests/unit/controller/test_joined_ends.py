@@ -7,8 +7,9 @@ import pytest
 
 from ropsim import robots
 from ropsim.controller import MotionState, Refusal, plan
+from ropsim.controller.density import SMOOTH
 from ropsim.controller.joined_ends import joined_to
-from ropsim.controller.tracing import SMOOTH, trace
+from ropsim.controller.tracing import trace
 from ropsim.flow import ModalState, MotionKind, MoveInstruction
 from ropsim.kinematics import forward, forward_batch
 from ropsim.motion import Line, ToolPoints

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from ropsim.controller import Interpolator, InverseTransform, Refusal
+from ropsim.controller.density import MOST_DENSITY
 from ropsim.controller.leg import Leg, leg_of
-from ropsim.controller.tracing import MOST_DENSITY
 from ropsim.flow import JointSamples, ModalState, MoveInstruction, PoseSetpoints
 from ropsim.kinematics import forward_batch, inverse
 from ropsim.model import RobotModel

@@ -178,7 +178,7 @@ def test_the_kernel_does_the_same_without_numba() -> None:
     assert isinstance(solver, SphericalWristSolver)
     rows = spherical_wrist_kernel.inverse_rows
     function = partial(getattr(rows, "__wrapped__", rows), solver.strict)
-    plain = EightRows(solver.chain, function, function, None, spherical_wrist_kernel.ROOM)
+    plain = EightRows(solver.chain, function, function, None, spherical_wrist_kernel.ROOM_OF_ROWS)
     one = np.empty((1, 8, 6))
     plain.solving(T, one)(near)
     np.testing.assert_array_equal(one, plain.branches(T, near))

@@ -24,7 +24,7 @@ from ropsim.kinematics.arrays import ChainArrays, chain_arrays
 from ropsim.kinematics.polish import POSE_SLACK, refining
 from ropsim.kinematics.posture import Posture
 from ropsim.kinematics.result import IkStatus, Reach, Shortfall
-from ropsim.kinematics.solver import Method, Snap, Solve
+from ropsim.kinematics.solver import InverseSolver, Method, Snap, Solve
 from ropsim.kinematics.solvers import spherical_wrist_kernel as kernel
 from ropsim.kinematics.solvers.axes import COUPLED, LENGTH_SLACK, NEAR_SINGULAR, ZeroFrames, distance, snap
 from ropsim.kinematics.solvers.eight_rows import EightRows
@@ -130,13 +130,20 @@ def eight_rows(solver: SphericalWristSolver) -> EightRows:
     """Return the compiled functions of an arm."""
     refined = None if solver.snapped_by == Snap() else refinement(solver)
     keeping = bound(kernel.inverse_rows, solver.keeping)
-    return EightRows(solver.chain, closed_form(solver), keeping, refined, kernel.ROOM)
+    return EightRows(solver.chain, closed_form(solver), keeping, refined, kernel.ROOM_OF_ROWS)
 
 
 @lru_cache(maxsize=64)
 def closed_form(solver: SphericalWristSolver) -> Compiled:
     """Return the kernel of an arm that is in the class: `closed_form(solver)(room, T, out)`."""
     return bound(kernel.inverse_rows, solver.strict)
+
+
+def exact_arm(solver: InverseSolver) -> Array | None:
+    """Return the arm for `inverse_row` where the closed form alone answers, else None."""
+    if isinstance(solver, SphericalWristSolver) and solver.snapped_by == Snap():
+        return solver.strict
+    return None
 
 
 @lru_cache(maxsize=64)

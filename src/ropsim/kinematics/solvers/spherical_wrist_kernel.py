@@ -24,7 +24,10 @@ AXIS_SLACK = 1e-10
 LENGTHS, SIGNS, ZEROS, FRONT, X_J, X_M, R_F, SLACKS = 0, 5, 11, 17, 18, 30, 42, 51
 """Where the fields of `WristArm.flat` begin; frames lie by rows."""
 
-ROOM = 30
+ALL_ROWS = -1
+"""Stands for every row."""
+
+ROOM_OF_ROWS = 30
 """So many numbers are room to work in, the first six joint coordinates that a singular pose keeps."""
 
 
@@ -35,64 +38,86 @@ def inverse_rows(arm: Array, room: Array, T: Array, out: Array) -> None:
     Args:
         arm: `WristArm.flat`.
         room: joint coordinates [rad] of which q1 and q4 hold where the pose leaves them free (6 numbers), and
-            room to work in; shape (ROOM,).
+            room to work in; shape (ROOM_OF_ROWS,).
         T: poses.
         out: row 4·shoulder + 2·elbow + wrist holds that posture, angles in (-π, π].
     """
+    for k in range(T.shape[0]):
+        _write_rows(arm, room, T[k], ALL_ROWS, out[k])
+
+
+@kernel("void(f8[::1], f8[::1], f8[:,::1], i8, f8[:,::1])")
+def inverse_row(arm: Array, room: Array, X: Array, row: int, out: Array) -> None:
+    """Write some branches of one pose, as `inverse_rows` does all of many.
+
+    Args:
+        arm: `WristArm.flat`.
+        room: as there.
+        X: the pose X_BM, shape (4, 4).
+        row: of a branch: it and that with the wrist turned over are written; ALL_ROWS for every one.
+        out: where they go, NaN where absent, others stay, shape (8, 6).
+    """
+    _write_rows(arm, room, X, row, out)
+
+
+def _write_rows(arm: Array, room: Array, X: Array, only: int, out: Array) -> None:
     a1, h, D, upper, fore = arm[0], arm[1], arm[2], arm[3], arm[4]
     front = arm[FRONT]
     free1, free4 = arm[SIGNS] * room[0] + arm[ZEROS], arm[SIGNS + 3] * room[3] + arm[ZEROS + 3]
     accepted, on_axis, aligned_below = arm[SLACKS], arm[SLACKS + 1], arm[SLACKS + 2]
     beyond, least_bend = arm[SLACKS + 3], arm[SLACKS + 4]
     G, N, angles = room[6:15], room[15:24], room[24:30]
-    for k in range(T.shape[0]):
-        # Wrist centre and M, turned by the constants, in frame J.
-        X = T[k]
-        for row in range(8):
+    for row in range(8):
+        if only == ALL_ROWS or row // 2 == only // 2:
             for j in range(6):
-                out[k, row, j] = nan
-        for c in range(3):
-            G[c], G[3 + c], G[6 + c] = _in_arm(arm, X, c, 0.0)
-        px, py, pz = _in_arm(arm, X, 3, 1.0)
-        wz = pz - h
-        reach = px * px + py * py
-        ahead = reach - D * D
-        if not ahead >= -beyond:
+                out[row, j] = nan
+    # Wrist centre and M, turned by the constants, in frame J.
+    for c in range(3):
+        G[c], G[3 + c], G[6 + c] = _in_arm(arm, X, c, 0.0)
+    px, py, pz = _in_arm(arm, X, 3, 1.0)
+    wz = pz - h
+    reach = px * px + py * py
+    ahead = reach - D * D
+    if not ahead >= -beyond:
+        return
+    ahead = sqrt(max(ahead, 0.0))
+    for shoulder in range(2):
+        if only != ALL_ROWS and only // 4 != shoulder:
             continue
-        ahead = sqrt(max(ahead, 0.0))
-        for shoulder in range(2):
-            x = front * ahead if shoulder == 1 else -front * ahead
-            wx = x - a1
-            span = wx * wx + wz * wz
-            c_elbow = (span - upper * upper - fore * fore) / (2.0 * upper * fore)
-            if not abs(c_elbow) <= 1.0 + beyond:
+        x = front * ahead if shoulder == 1 else -front * ahead
+        wx = x - a1
+        span = wx * wx + wz * wz
+        c_elbow = (span - upper * upper - fore * fore) / (2.0 * upper * fore)
+        if not abs(c_elbow) <= 1.0 + beyond:
+            continue
+        c_elbow = min(1.0 - least_bend, max(least_bend - 1.0, c_elbow))
+        s_bend = sqrt((1.0 - c_elbow) * (1.0 + c_elbow))
+        if reach < on_axis * on_axis:
+            c1, s1 = cos(free1), sin(free1)
+        else:
+            c1, s1 = _direction(px * x - py * D, py * x + px * D, free1)
+        miss = abs(c1 * x + s1 * D - px) + abs(s1 * x - c1 * D - py)
+        angles[0] = atan2(s1, c1)
+        for elbow in range(2):
+            if only != ALL_ROWS and only // 2 % 2 != elbow:
                 continue
-            c_elbow = min(1.0 - least_bend, max(least_bend - 1.0, c_elbow))
-            s_bend = sqrt((1.0 - c_elbow) * (1.0 + c_elbow))
-            if reach < on_axis * on_axis:
-                c1, s1 = cos(free1), sin(free1)
-            else:
-                c1, s1 = _direction(px * x - py * D, py * x + px * D, free1)
-            miss = abs(c1 * x + s1 * D - px) + abs(s1 * x - c1 * D - py)
-            angles[0] = atan2(s1, c1)
-            for elbow in range(2):
-                s_elbow = front * s_bend if elbow == shoulder else -front * s_bend
-                along, over = upper + fore * c_elbow, fore * s_elbow
-                c2, s2 = _direction(wx * along + wz * over, wz * along - wx * over, 0.0)
-                c23, s23 = c2 * c_elbow - s2 * s_elbow, s2 * c_elbow + c2 * s_elbow
-                miss_arm = miss + abs(upper * c2 + fore * c23 - wx) + abs(upper * s2 + fore * s23 - wz)
-                _wrist_rotation(arm, c23, s23, c1, s1, G, N)
-                angles[1], angles[2] = atan2(s2, c2), atan2(s_elbow, c_elbow)
-                if miss_arm + _wrist_angles(N, free4, aligned_below, angles) <= accepted:
-                    row = 4 * shoulder + 2 * elbow
-                    aligned = angles[4] == 0.0 or angles[4] == pi
-                    for j in range(6):
-                        sign, zero = arm[SIGNS + j], arm[ZEROS + j]
-                        flip = _coordinate(sign, angles[j], zero)
-                        other = -angles[j] if j == 4 else angles[j] + pi
-                        out[k, row + 1, j] = flip
-                        same = j < 3 or aligned
-                        out[k, row, j] = flip if same else _coordinate(sign, other, zero)
+            s_elbow = front * s_bend if elbow == shoulder else -front * s_bend
+            along, over = upper + fore * c_elbow, fore * s_elbow
+            c2, s2 = _direction(wx * along + wz * over, wz * along - wx * over, 0.0)
+            c23, s23 = c2 * c_elbow - s2 * s_elbow, s2 * c_elbow + c2 * s_elbow
+            miss_arm = miss + abs(upper * c2 + fore * c23 - wx) + abs(upper * s2 + fore * s23 - wz)
+            _wrist_rotation(arm, c23, s23, c1, s1, G, N)
+            angles[1], angles[2] = atan2(s2, c2), atan2(s_elbow, c_elbow)
+            if miss_arm + _wrist_angles(N, free4, aligned_below, angles) <= accepted:
+                row = 4 * shoulder + 2 * elbow
+                aligned = angles[4] == 0.0 or angles[4] == pi
+                for j in range(6):
+                    sign, zero = arm[SIGNS + j], arm[ZEROS + j]
+                    flip = _coordinate(sign, angles[j], zero)
+                    other = -angles[j] if j == 4 else angles[j] + pi
+                    out[row + 1, j] = flip
+                    same = j < 3 or aligned
+                    out[row, j] = flip if same else _coordinate(sign, other, zero)
 
 
 def _in_arm(arm: Array, X: Array, column: int, weight: float) -> tuple[float, float, float]:

@@ -79,7 +79,9 @@ def strain_of(
             values = (abs(qd[k, j]), abs(qdd[k, j]), _jump(qdd, k, j), load)
             for kind in range(len(values)):
                 value = values[kind]
-                share = _share(value, limits[kind, here, j])
+                share = value / limits[kind, here, j]
+                if not share < math.inf:
+                    share = math.inf
                 used[kind, k] = max(used[kind, k], share)
                 if share <= allowed:
                     peaks[kind] = max(peaks[kind], share)

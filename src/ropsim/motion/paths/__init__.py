@@ -10,6 +10,7 @@ from ropsim.motion.paths.curve import Curve as Curve
 from ropsim.motion.paths.curve_kernel import curve_points as curve_points
 from ropsim.motion.paths.differences import numeric_points as numeric_points
 from ropsim.motion.paths.differences import pose_derivatives as pose_derivatives
+from ropsim.motion.paths.differences import stencils as stencils
 from ropsim.motion.paths.grid import grid as grid
 from ropsim.motion.paths.joint_curve import JointCurve as JointCurve
 from ropsim.motion.paths.joint_curve import evenly as evenly
@@ -40,6 +41,7 @@ from ropsim.motion.paths.spline import spline as spline
 from ropsim.motion.paths.standing import Standing as Standing
 from ropsim.motion.paths.traced import Traced as Traced
 from ropsim.motion.paths.traced import traced_with_roughness as traced_with_roughness
+from ropsim.motion.paths.traced_kernel import rows_with_roughness as rows_with_roughness
 from ropsim.motion.paths.zone import ZONE_NODES as ZONE_NODES
 from ropsim.motion.paths.zone import ZONE_SHARES as ZONE_SHARES
 from ropsim.motion.paths.zone import enter as enter

@@ -38,7 +38,7 @@ def row_derivatives(rows: Array, step: float) -> Array:
     if count <= _SIDED:
         result[:] = _weights(count) @ rows
     else:
-        inner, sided = _stencils()
+        inner, sided = stencils()
         row_differences(np.ascontiguousarray(rows), inner, sided, result)
     result[0] *= 1.0 / step
     result[1] *= 1.0 / step**2
@@ -61,7 +61,7 @@ def derivatives_and_roughness(rows: Array, length: float) -> tuple[Array, Array 
     if count % 2 == 0 or half <= _SIDED:
         return row_derivatives(rows, 1.0), None
     out, coarse, rough = np.empty((2, count, n)), np.empty((3, half, n)), np.empty(half - 1)
-    rows_with_roughness(rows, *_stencils(), length, out, coarse[0], coarse[1:], rough)
+    rows_with_roughness(rows, *stencils(), length, out, coarse[0], coarse[1:], rough)
     return out, rough
 
 
@@ -98,7 +98,7 @@ def pose_derivatives(matrices_at: Callable[[Array], Array], steps: Array) -> Too
     """
     half = _CENTRAL // 2
     stencil = matrices_at(steps[:, None] * np.arange(-half, half + 1))
-    return _points(stencil[:, half], stencil, _stencils()[0], steps)
+    return _points(stencil[:, half], stencil, stencils()[0], steps)
 
 
 def _points(matrices: Array, stencil: Array, weights: Array, steps: Array) -> ToolPoints:
@@ -121,7 +121,7 @@ def _weights(count: int) -> Array:
 
 
 @cache
-def _stencils() -> tuple[Array, Array]:
+def stencils() -> tuple[Array, Array]:
     """Return the weights around a row, shape (2, 7), and at the ends, shape (2, 8, 8)."""
     return frozen(_weights(_CENTRAL)[:, _CENTRAL // 2]), _weights(_SIDED)
 

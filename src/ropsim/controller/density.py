@@ -1,0 +1,22 @@
+"""Density: how closely a path of the tool is sampled, so that the joints go truly through the samples."""
+
+import math
+
+MOST_DENSITY = 64
+"""How many times more samples than at first are tried where a path runs near a singularity."""
+
+SMOOTH = 5e-8
+"""Difference of the paths through all samples and through every second one [rad | m]; halving the distance of
+the samples divides it by 64, so the path through all of them is true to about 1e-9."""
+
+
+def denser(density: int, rough: float | None) -> int:
+    """Return the density after one at which the way through the samples is too rough.
+
+    Args:
+        density: how many times more samples than at first were taken.
+        rough: the greatest difference of the paths [rad | m], of which the sixth root counts; None where it
+            is not known.
+    """
+    half = 1 if rough is None else 1 << max(math.ceil(math.log2(rough / SMOOTH) / 6.0) - 1, 0)
+    return min(2 * half * density, MOST_DENSITY)

@@ -1,0 +1,100 @@
+"""The guide: standard entities lead the joints along a plain path of the tool in two compiled loops.
+
+What they cannot do at once, such as a jump, a joint limit or a way near a singularity, is left to `trace`,
+which asks each entity by itself and says what is wrong.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+
+from ropsim.codegen import Compiled, bound
+from ropsim.controller.branch_following import CLOSE
+from ropsim.controller.branch_kernel import lead_branch, lead_wrist
+from ropsim.controller.density import MOST_DENSITY, SMOOTH, denser
+from ropsim.controller.interpolator import StandardInterpolator, places
+from ropsim.controller.inverse_transform import StandardInverseTransform, has_named_branches
+from ropsim.controller.joint_interpolator import StandardJointInterpolator
+from ropsim.controller.line_check import end_findings
+from ropsim.controller.motion_chain import MotionChain
+from ropsim.controller.posture_choice import LIMIT_SLACK
+from ropsim.core import Diagnostic
+from ropsim.flow import MoveInstruction
+from ropsim.kinematics import ROOM_OF_ROWS, exact_arm, solver_of
+from ropsim.motion import Arc, Curve, Line, ToolPath, Traced, stencils
+from ropsim.spatial import Array, frozen
+
+_PLAIN = (Line, Curve, Arc)
+"""Paths of our own that are made of numbers only."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Guide:
+    """What leads the joints of an arm without external axes whose branches have names.
+
+    Attributes:
+        interpolator: says how densely poses are taken.
+        inverse: knows the tools.
+        lead: the rest of `lead_wrist` or `lead_branch` behind the numbers of the arm.
+        branches: all branches of poses (k, 4, 4), of which `lead` takes one; None where it solves the poses.
+        n: number of axes.
+    """
+
+    interpolator: StandardInterpolator
+    inverse: StandardInverseTransform
+    lead: Compiled
+    branches: Callable[[Array], Array] | None
+    n: int
+
+    def joints(
+        self, path: ToolPath, q_start: Array, move: MoveInstruction
+    ) -> tuple[Traced, tuple[Diagnostic, ...]] | None:
+        """Return what `trace` does, None where it is to be asked.
+
+        Args:
+            path: of the tool in the base frame.
+            q_start: joint coordinates at its start [rad | m], shape (n,).
+            move: the instruction.
+        """
+        X_TM = self.inverse.backwards(move) if type(path) in _PLAIN else None
+        if X_TM is None:
+            return None
+        steps = self.interpolator.steps(path)
+        density = 1 + steps % 2  # of an even number of rows nobody knows how rough they are
+        while True:
+            poses = path.tool(places(path.length, density * steps)).matrices @ X_TM
+            rows, half = len(poses), len(poses) // 2
+            q, derivatives = np.empty((rows, self.n)), np.empty((2, rows, self.n))
+            work = np.empty(3 + half + ROOM_OF_ROWS)
+            given = self.branches(poses) if self.branches else poses
+            self.lead(given, q_start, path.length, q, derivatives, np.empty((3, half + 1, self.n)), work)
+            follows, within, rough = work[:3].tolist()
+            if not (follows and within):
+                return None
+            if rough <= SMOOTH:
+                return Traced(path.length, q, derivatives), end_findings(move, q[-1])
+            if density == MOST_DENSITY:
+                return None
+            density = denser(density, rough)
+
+
+@lru_cache(maxsize=16)
+def guide_of(chain: MotionChain) -> Guide | None:
+    """Return the guide of a chain, None where one of its entities or its arm needs to be asked by itself."""
+    inverse, interpolator = chain.inverse, chain.interpolator
+    if type(inverse) is not StandardInverseTransform or type(interpolator) is not StandardInterpolator:
+        return None
+    robot = inverse.robot
+    if type(chain.joint_interpolator) is not StandardJointInterpolator or robot.external:
+        return None
+    if not has_named_branches(robot) or inverse.is_coupled:
+        return None
+    solver, rest, numbers = solver_of(robot), frozen(np.zeros(robot.n)), (inverse.axes, *stencils())
+    arm = exact_arm(solver)
+    if arm is not None:
+        lead = bound(lead_wrist, arm, *numbers, CLOSE, LIMIT_SLACK)
+        return Guide(interpolator, inverse, lead, None, robot.n)
+    lead = bound(lead_branch, *numbers, CLOSE, LIMIT_SLACK)
+    return Guide(interpolator, inverse, lead, lambda T: solver.branches(T, rest), robot.n)

@@ -1,0 +1,106 @@
+"""The guide: what it does in compiled loops is to the bit what the entities do one by one."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from ropsim import robots
+from ropsim.controller import MotionChain, Refusal, StandardInterpolator
+from ropsim.controller.guide import guide_of
+from ropsim.controller.interpolator import places
+from ropsim.controller.tracing import trace
+from ropsim.kinematics import ROOM_OF_ROWS, exact_arm, forward, inverse_batch, inverse_row, solver_of
+from ropsim.model import RobotModel
+from ropsim.motion import Arc, Line, OrientationMode, ToolPath, Traced, arc
+from ropsim.robots import default_controller
+from ropsim.spatial import Array
+from support.cells import chain_of, one_station
+from support.motion import CHAIN, FINE, PUMA, START, interface_pose, lin, shifted
+
+ARMS = ["puma560", "ur10e", "irb4600_60_205", "scara", "cobra600", "stanford"]
+MODES = [OrientationMode.FIXED_AXIS, OrientationMode.DRIVE_TRANSFORM]
+MOVE = lin(None, FINE)
+
+
+class OneByOne(StandardInterpolator):
+    """Samples as the standard one does, but is none: each entity is asked by itself."""
+
+
+def chain_for(name: str) -> MotionChain:
+    return chain_of(one_station("c", robots.load(name), default_controller(name)))
+
+
+def paths(robot: RobotModel, random: np.random.Generator) -> tuple[Array, list[ToolPath]]:
+    """Return a start, and a line and an arc from there, of up to half a metre."""
+    share = random.uniform(0.3, 0.7, robot.n)
+    q = np.asarray(robot.lower_limits + share * (robot.upper_limits - robot.lower_limits))
+    near = [q + random.normal(scale=0.1, size=robot.n) for _ in range(2)]
+    start, via, end = (forward(robot, one) for one in (q, *near))
+    curved = arc(start, via, end)
+    found: list[ToolPath] = [Line(start, end, MODES[int(random.integers(2))])]
+    return q, [*found, curved] if isinstance(curved, Arc) else found
+
+
+@pytest.mark.parametrize("name", ARMS)
+def test_a_path_is_led_as_the_entities_lead_it_one_by_one(name: str) -> None:
+    chain, random = chain_for(name), np.random.default_rng(3)
+    guide, count = guide_of(chain), 0
+    assert guide is not None
+    assert guide_of(replace(chain, interpolator=OneByOne())) is None
+    for _ in range(12):
+        q_start, found = paths(chain.robot, random)
+        for path in found:
+            quick = guide.joints(path, q_start, MOVE)
+            slow = trace(replace(chain, interpolator=OneByOne()), path, q_start, MOVE)
+            if quick is None:
+                continue
+            count += 1
+            assert not isinstance(slow, Refusal)
+            assert isinstance(slow[0], Traced)
+            assert quick[0].q.tolist() == slow[0].q.tolist()
+            assert quick[0].derivatives.tolist() == slow[0].derivatives.tolist()
+            assert quick[1] == slow[1]
+    assert count > 8
+
+
+def test_what_is_beyond_it_is_left_to_the_entities() -> None:
+    guide = guide_of(CHAIN)
+    assert guide is not None
+    here = interface_pose(PUMA.home)
+    for path, q in (
+        (Line(here, shifted(here, -1.1, 0.0, 0.0)), PUMA.home),  # a joint limit
+        (Line(here, shifted(here, 3.0, 0.0, 0.0)), PUMA.home),  # out of reach
+        (Line(interface_pose(START), shifted(interface_pose(START), 0.1, 0.0, 0.0)), PUMA.home),  # a jump
+    ):
+        assert guide.joints(path, q, MOVE) is None
+        assert isinstance(trace(CHAIN, path, q, MOVE), Refusal)
+
+
+def test_external_axes_coupled_limits_and_arms_without_names_have_no_guide() -> None:
+    assert guide_of(chain_for("panda")) is None
+    assert guide_of(chain_for("palletizer")) is None
+
+
+def test_one_branch_of_a_pose_is_that_among_all_of_them() -> None:
+    arm, random = exact_arm(solver_of(PUMA)), np.random.default_rng(5)
+    assert arm is not None
+    for _ in range(50):
+        T = forward(PUMA, random.uniform(-3.0, 3.0, 6)).matrix()
+        wanted = inverse_batch(PUMA, T[np.newaxis])[0]
+        for row in range(8):
+            room, out = np.zeros(ROOM_OF_ROWS), np.full((8, 6), 7.0)
+            inverse_row(arm, room, T, row, out)
+            assert np.array_equal(out[row], wanted[row], equal_nan=True)
+            others = [k for k in range(8) if k // 2 != row // 2]
+            assert (out[others] == 7.0).all()
+
+
+def test_a_pose_of_no_numbers_has_no_branches() -> None:
+    arm = exact_arm(solver_of(PUMA))
+    assert arm is not None
+    out = np.zeros((8, 6))
+    inverse_row(arm, np.zeros(ROOM_OF_ROWS), np.full((4, 4), np.nan), -1, out)
+    assert np.isnan(out).all()
+    assert places(0.3, 3).tolist() == np.linspace(0.0, 0.3, 4).tolist()
+    assert exact_arm(solver_of(robots.load("ur10e"))) is None
