@@ -122,8 +122,8 @@ def test_line_is_straight_turns_about_one_axis_and_respects_both_limits(X_start:
     assert np.abs(np.cross(offsets, way)).max() < 1e-14
     rotations = points.matrices[:, :3, :3]
     assert np.abs(rotations @ np.swapaxes(rotations, 1, 2) - np.eye(3)).max() < 1e-13
-    axis = X_start.rotation() @ path.turn.turn.axis
-    assert np.abs(rotations @ path.turn.turn.axis - axis).max() < 1e-13
+    axis = X_start.rotation() @ path.axis
+    assert np.abs(rotations @ path.axis - axis).max() < 1e-13
     sizes = np.stack([np.linalg.norm(part, axis=1) for part in (points.d1[:, :3], points.d1[:, 3:])])
     for values, linear, angular in (
         (rows.speeds, TOOL_LIMITS.speed, TOOL_LIMITS.orientation_speed),

@@ -20,6 +20,7 @@ from ropsim.controller.joint_interpolator import StandardJointInterpolator
 from ropsim.controller.line_check import end_findings
 from ropsim.controller.motion_chain import MotionChain
 from ropsim.controller.posture_choice import LIMIT_SLACK
+from ropsim.controller.samples_kernel import curve_samples, line_samples
 from ropsim.core import Diagnostic
 from ropsim.flow import MoveInstruction
 from ropsim.kinematics import ROOM_OF_ROWS, exact_arm, solver_of
@@ -28,6 +29,8 @@ from ropsim.spatial import Array, frozen
 
 _PLAIN = (Line, Curve, Arc)
 """Paths of our own that are made of numbers only."""
+_FIRST = 65
+"""Poses for which there is room at first."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -61,11 +64,12 @@ class Guide:
         X_TM = self.inverse.backwards(move) if type(path) in _PLAIN else None
         if X_TM is None:
             return None
-        steps = self.interpolator.steps(path)
-        density = 1 + steps % 2  # of an even number of rows nobody knows how rough they are
+        density = 1
         while True:
-            poses = path.tool(places(path.length, density * steps)).matrices @ X_TM
+            poses, density = self.poses(path, X_TM, density)
             rows, half = len(poses), len(poses) // 2
+            if not rows:
+                return None
             q, derivatives = np.empty((rows, self.n)), np.empty((2, rows, self.n))
             work = np.empty(3 + half + ROOM_OF_ROWS)
             given = self.branches(poses) if self.branches else poses
@@ -78,6 +82,27 @@ class Guide:
             if density == MOST_DENSITY:
                 return None
             density = denser(density, rough)
+
+    def poses(self, path: ToolPath, X_TM: Array, density: int) -> tuple[Array, int]:
+        """Return X_BM along a path at a density, or at twice that so that their number is odd; (k, 4, 4).
+
+        How rough an even number of them is nobody knows.
+        """
+        way, turn, length = self.interpolator.way, self.interpolator.turn, path.length
+        most = _FIRST
+        while isinstance(path, Line | Curve):
+            room = np.empty(most), np.empty((2, most, 6)), np.empty((most, 4, 4)), np.empty(2)
+            if isinstance(path, Line):
+                line_samples(way, turn, X_TM, density, length, path.numbers, *room)
+            else:
+                curve_samples(way, turn, X_TM, density, length, *path.numbers, *room)
+            count, density = map(int, room[3].tolist())
+            if count <= most:
+                return room[2][:count], density
+            most = count
+        steps = self.interpolator.steps(path)
+        density = 2 if density == 1 and steps % 2 else density
+        return path.tool(places(path.length, density * steps)).matrices @ X_TM, density
 
 
 @lru_cache(maxsize=16)

@@ -11,6 +11,8 @@ from ropsim.spatial import Array
 
 FEWEST = 16
 """Steps of the shortest path."""
+LOOKS = 4
+"""Steps between the places at which is looked how fast a path goes and turns."""
 
 
 @frozen_dataclass
@@ -36,7 +38,7 @@ class StandardInterpolator:
 
     def steps(self, path: ToolPath) -> int:
         """Return how many steps a path has at first."""
-        looks = path.tool(places(path.length, 4)).d1  # (5, 6)
+        looks = path.tool(places(path.length, LOOKS)).d1  # (5, 6)
         squares = np.add.reduce((looks * looks).reshape(-1, 2, 3), axis=2)
         way, turn = (np.sqrt(np.maximum.reduce(squares, axis=0)) * path.length).tolist()
         return max(FEWEST, math.ceil(float(way) / self.way), math.ceil(float(turn) / self.turn))

@@ -105,6 +105,7 @@ from ropsim.motion.paths import rows_with_roughness as rows_with_roughness
 from ropsim.motion.paths import smoothly as smoothly
 from ropsim.motion.paths import spline as spline
 from ropsim.motion.paths import stencils as stencils
+from ropsim.motion.paths import straight_points as straight_points
 from ropsim.motion.paths import tool_turn as tool_turn
 from ropsim.motion.paths import traced_with_roughness as traced_with_roughness
 from ropsim.motion.paths.joint_line_kernel import line_in_time as line_in_time

@@ -5,9 +5,9 @@ import math
 import numpy as np
 
 from ropsim.model import OrientationMode
-from ropsim.spatial import Array, Pose, frozen, quaternion, record
+from ropsim.motion.turn_kernel import turn_between
+from ropsim.spatial import Array, Pose, frozen, record
 
-_STRAIGHT = 1e-12  # a smaller sine of an angle says that two vectors are in line
 _APPROACH = frozen([0.0, 0.0, 1.0])
 
 
@@ -56,27 +56,10 @@ def plan_turn(X_start: Pose, X_end: Pose, mode: OrientationMode) -> Turn:
         for the drive transform; Shoemake 1985, Animating Rotation with Quaternion Curves, for the fixed
         axis.
     """
-    if mode is OrientationMode.DRIVE_TRANSFORM:
-        return _drive(X_start.rotation().T @ X_end.rotation())
-    _, _, _, sw, sx, sy, sz = X_start.as_tuple()
-    _, _, _, ew, ex, ey, ez = X_end.as_tuple()
-    product = quaternion.multiply(quaternion.conjugate((sw, sx, sy, sz)), (ew, ex, ey, ez))
-    w, x, y, z = quaternion.normalize(product)
-    sine = math.sqrt(x * x + y * y + z * z)
-    if sine == 0.0:
-        return Turn(_APPROACH, 0.0)
-    return Turn(np.array([x, y, z]) / sine, 2.0 * math.atan2(sine, w))
-
-
-def _drive(R: Array) -> Turn:
-    """Return swing and roll of the rotation from start to end, shape (3, 3)."""
-    goal = R[:, 2]  # approach vector of the goal in the frame of the start
-    sine = math.hypot(goal[0], goal[1])
-    # z × goal has no z; where both are in line any axis normal to z will do
-    axis = np.array([-goal[1], goal[0], 0.0]) / sine if sine > _STRAIGHT else np.array([0.0, 1.0, 0.0])
-    angle = math.atan2(sine, float(goal[2]))
-    rolled = _rotations(axis, np.array([angle]))[0].T @ R
-    return Turn(axis, angle, math.atan2(float(rolled[1, 0]), float(rolled[0, 0])))
+    found, drives = np.empty(5), int(mode is OrientationMode.DRIVE_TRANSFORM)
+    turn_between(X_start.orientation, X_end.orientation, drives, found)
+    angle, roll = found[3:].tolist()
+    return Turn(found[:3], angle, roll)
 
 
 def _rotations(axis: Array, angles: Array) -> Array:

@@ -20,6 +20,7 @@ from ropsim.motion.paths.joint_spline import JointSpline as JointSpline
 from ropsim.motion.paths.joint_spline import monotone as monotone
 from ropsim.motion.paths.line import Line as Line
 from ropsim.motion.paths.line import enter_distances as enter_distances
+from ropsim.motion.paths.line_kernel import straight_points as straight_points
 from ropsim.motion.paths.orientation import ToolTurn as ToolTurn
 from ropsim.motion.paths.orientation import TurnPoints as TurnPoints
 from ropsim.motion.paths.orientation import tool_turn as tool_turn

@@ -6,10 +6,10 @@ from dataclasses import field
 import numpy as np
 
 from ropsim.model import OrientationMode
-from ropsim.motion.paths.line_kernel import segment_distances
-from ropsim.motion.paths.orientation import ToolTurn, tool_turn
-from ropsim.motion.paths.path import STANDS, STILL, ToolPoints
-from ropsim.spatial import Array, Pose, frozen, record
+from ropsim.motion.paths.line_kernel import AXIS, LENGTH, MOVES, SIZE, WAY, line_numbers, straight_points
+from ropsim.motion.paths.path import ToolPoints
+from ropsim.motion.paths.segment_kernel import segment_distances
+from ropsim.spatial import Array, Pose, record
 
 
 @record
@@ -22,8 +22,7 @@ class Line:
         X_start: at place 0 in the reference frame.
         X_end: at the end.
         mode: how the tool turns.
-        turn: what follows from that.
-        way: from start to end [m], shape (3,).
+        numbers: what follows from that, as `line_kernel` says.
         moves: whether the TCP moves, so that the place is its way.
         length: of the way [m]; where the TCP stands (moves less than `STANDS`) the size of the turn [rad];
             0 where the tool neither moves nor turns.
@@ -32,37 +31,37 @@ class Line:
     X_start: Pose
     X_end: Pose
     mode: OrientationMode = OrientationMode.FIXED_AXIS
-    turn: ToolTurn = field(init=False, repr=False)
-    way: Array = field(init=False, repr=False)
+    numbers: Array = field(init=False, repr=False)
     moves: bool = field(init=False, repr=False)
     length: float = field(init=False)
 
     def __post_init__(self) -> None:
-        turn = tool_turn(self.X_start, self.X_end, self.mode)
-        way = frozen(self.X_end.position - self.X_start.position)
-        length = float(np.linalg.norm(way))
-        object.__setattr__(self, "moves", length > STANDS)
-        if not self.moves:
-            length = turn.turn.size if turn.turn.size > STILL else 0.0
-        object.__setattr__(self, "turn", turn)
-        object.__setattr__(self, "way", way)
+        start, end, numbers = self.X_start, self.X_end, np.empty(SIZE)
+        drives = int(self.mode is OrientationMode.DRIVE_TRANSFORM)
+        line_numbers(start.position, start.orientation, end.position, end.orientation, drives, numbers)
+        numbers.flags.writeable = False
+        length, moves = numbers[LENGTH : MOVES + 1].tolist()
+        object.__setattr__(self, "numbers", numbers)
+        object.__setattr__(self, "moves", bool(moves))
         object.__setattr__(self, "length", length)
+
+    @property
+    def way(self) -> Array:
+        """Return the way from start to end [m], shape (3,)."""
+        return self.numbers[WAY : WAY + 3]
+
+    @property
+    def axis(self) -> Array:
+        """Return the axis about which the tool turns, in its frame at the start, shape (3,)."""
+        return self.numbers[AXIS : AXIS + 3]
 
     def tool(self, s: Array) -> ToolPoints:
         """Return the tool and its derivatives at places s, shape (k,)."""
-        share = 1.0 / self.length if self.length else 0.0
-        r = s / self.length if self.length else s * 0.0
-        turned = self.turn.at(r)
-        matrices = np.zeros((len(s), 4, 4))
-        matrices[:, :3, :3] = turned.rotations
-        matrices[r == 1.0, :3, :3] = self.X_end.rotation()
-        matrices[:, :3, 3] = self._between(r)
-        matrices[:, 3, 3] = 1.0
-        d1, d2 = np.empty((len(s), 6)), np.zeros((len(s), 6))
-        d1[:, :3] = self.way * share
-        d1[:, 3:] = turned.d1 * share
-        d2[:, 3:] = turned.d2 * (share * share)
-        return ToolPoints(matrices, d1, d2)
+        count = len(s)
+        points = ToolPoints(np.empty((count, 4, 4)), np.empty((count, 6)), np.empty((count, 6)))
+        places = np.ascontiguousarray(s, dtype=np.float64)
+        straight_points(self.numbers, places, points.matrices, points.d1, points.d2)
+        return points
 
     def positions(self, s: Array) -> Array:
         """Return where the TCP is at places s, shape (k,) to (k, 3) [m]."""

@@ -5,10 +5,9 @@ from dataclasses import field
 import numpy as np
 
 from ropsim.model import OrientationMode
+from ropsim.motion.paths.line_kernel import ROUNDING
 from ropsim.motion.turn import Turn, plan_turn
 from ropsim.spatial import Array, Pose, frozen, record
-
-_ROUNDING = 1e-14  # [rad]; a turn between equal orientations is that of the rounding of their product
 
 
 @record
@@ -68,7 +67,7 @@ class ToolTurn:
 def tool_turn(X_start: Pose, X_end: Pose, mode: OrientationMode) -> ToolTurn:
     """Return how the tool turns from one pose to the other in a mode; sources at `plan_turn`."""
     turn = plan_turn(X_start, X_end, mode)
-    return ToolTurn(X_start.rotation(), turn if turn.size > _ROUNDING else Turn(turn.axis, 0.0))
+    return ToolTurn(X_start.rotation(), turn if turn.size > ROUNDING else Turn(turn.axis, 0.0))
 
 
 def _shares(angles: Array) -> Array:

@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from ropsim.motion import Line, OrientationMode, enter_distances
+from ropsim.motion import Line, OrientationMode, enter_distances, tool_turn
 from ropsim.spatial import Pose
 from support.paths import brute_distances, inner_places, random_pose, tool_differences
 
@@ -31,6 +31,27 @@ def test_the_derivatives_of_a_line_are_those_of_its_poses(mode: OrientationMode)
     d1, d2 = tool_differences(line, s, 1e-3 * line.length)
     assert np.abs(line.tool(s).d1 - d1).max() < DIFFERENCES
     assert np.abs(line.tool(s).d2 - d2).max() < DIFFERENCES
+
+
+@pytest.mark.parametrize("mode", MODES)
+def test_the_tool_turns_as_it_does_on_any_path_of_its_mode(mode: OrientationMode) -> None:
+    """The compiled loop of a line beside the sums of arrays that arcs use."""
+    rng = np.random.default_rng(4)
+    for _ in range(20):
+        line = Line(random_pose(rng), random_pose(rng), mode)
+        s = line.length * np.linspace(0.0, 0.99, 12)
+        found, wanted = line.tool(s), tool_turn(line.X_start, line.X_end, mode).at(s / line.length)
+        assert np.abs(found.matrices[:, :3, :3] - wanted.rotations).max() < ROUNDING
+        assert np.abs(found.d1[:, 3:] * line.length - wanted.d1).max() < ROUNDING
+        assert np.abs(found.d2[:, 3:] * line.length**2 - wanted.d2).max() < ROUNDING
+
+
+@pytest.mark.parametrize("mode", MODES)
+def test_at_its_end_a_line_is_there_to_the_bit(mode: OrientationMode) -> None:
+    rng = np.random.default_rng(5)
+    for _ in range(20):
+        line = Line(random_pose(rng), random_pose(rng), mode)
+        assert line.tool(np.array([line.length])).matrices[0].tolist() == line.X_end.matrix().tolist()
 
 
 def test_a_drive_transform_turns_with_angular_acceleration() -> None:
