@@ -40,6 +40,8 @@ def check_kind(move: MoveInstruction, kinds: Collection[str]) -> tuple[Diagnosti
 
 def check_values(move: MoveInstruction) -> tuple[Diagnostic, ...]:
     """Return M509 for every value of the move that no motion can have."""
+    if _is_plausible(move):
+        return ()
     return tuple(
         BAD_MOTION_VALUE.at(
             move.origin.span,
@@ -133,6 +135,34 @@ def check_duration(move: MoveInstruction, duration: float) -> tuple[Diagnostic, 
         data={"duration_s": duration, "limit_s": MAX_DURATION},
     )
     return (finding,)
+
+
+def _is_plausible(move: MoveInstruction) -> bool:
+    """Return whether no value of a move to a pose is bad; false where each is to be looked at."""
+    modal, target = move.modal, move.target
+    if not isinstance(target, Pose) or move.external or modal.X_MT is not None:
+        return False
+    shares_are = 0.0 < modal.ptp_speed <= 1.0 and 0.0 < modal.ptp_acceleration <= 1.0
+    if not (shares_are and 0.0 <= modal.zone <= _MAX_COORDINATE):
+        return False
+    x, y, z = target.position.tolist()
+    a, b, c = modal.X_BK.position.tolist()
+    most = _MAX_COORDINATE
+    if not (abs(x) <= most and abs(y) <= most and abs(z) <= most):
+        return False
+    return abs(a) <= most and abs(b) <= most and abs(c) <= most and _are_rates(modal)
+
+
+def _are_rates(modal: ModalState) -> bool:
+    speed, acceleration, jerk = modal.path_speed, modal.path_acceleration, modal.path_jerk
+    turning, turning_up = modal.orientation_speed, modal.orientation_acceleration
+    return (
+        (speed is None or 0.0 < speed <= _MAX_RATE)
+        and (acceleration is None or 0.0 < acceleration <= _MAX_RATE)
+        and (jerk is None or 0.0 < jerk <= _MAX_RATE)
+        and (turning is None or 0.0 < turning <= _MAX_RATE)
+        and (turning_up is None or 0.0 < turning_up <= _MAX_RATE)
+    )
 
 
 Bad = tuple[str, float, str, str]

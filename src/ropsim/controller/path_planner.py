@@ -12,18 +12,19 @@ from ropsim.controller.entity_faults import guarded, with_reason
 from ropsim.controller.external_check import check_external, with_external
 from ropsim.controller.kinds import TOOL_PATHS, PathRequest, ToolPathMaker
 from ropsim.controller.move_check import check_joints, check_kind, check_values
+from ropsim.controller.move_limits import move_limits
 from ropsim.controller.moving_frames import MovingFrame
 from ropsim.controller.path_faults import unusable_tool_path
 from ropsim.controller.path_truth import misplaced_tool_path
-from ropsim.controller.planned_path import MoveLimits, PlannedPath
+from ropsim.controller.planned_path import PlannedPath
 from ropsim.controller.posture_choice import JointRange, choose, nearest_turns
 from ropsim.controller.posture_wish import no_such_posture, wished
 from ropsim.controller.target_refusals import no_arm, numeric_hint, out_of_range, out_of_reach, posture_change
 from ropsim.controller.work_frames import WorkFrames
 from ropsim.controller.wrist_planner import WristPlanner
 from ropsim.core import Diagnostic
-from ropsim.flow import ModalState, MoveInstruction
-from ropsim.kinematics import IkOptions, Limits, forward_batch, inverse
+from ropsim.flow import MoveInstruction
+from ropsim.kinematics import IkOptions, Limits, inverse, tool_pose
 from ropsim.model import ControllerModel, OrientationMode, RobotModel, Synchronisation, Tool
 from ropsim.motion import (
     ZERO_LENGTH,
@@ -33,7 +34,6 @@ from ropsim.motion import (
     ProfileError,
     Standing,
     SynchronisedJoints,
-    ToolLimits,
 )
 from ropsim.spatial import Array, Pose, frozen, record
 
@@ -91,22 +91,60 @@ class StandardPathPlanner:
             move: the instruction with its modal state.
             q_start: command joint coordinates at the end of the move before [rad | m], shape (n,).
         """
+        so_far = self._begun(move)
+        if isinstance(so_far, Refusal):
+            return so_far
+        if move.kind not in self.kinds:
+            return self._plan_ptp(move, q_start, so_far)
+        goal = self._tool_goal(move, q_start, so_far.X_MT)
+        return goal if isinstance(goal, Refusal) else self._plan_tool(move, q_start, so_far, goal)
+
+    def plain_path(self, move: MoveInstruction, q_start: Array) -> PlannedPath | None:
+        """Return the path of the tool of a move to a pose without asking whether the arm reaches its target.
+
+        Whoever finds joints along it knows that. The arm has no external axes.
+
+        Args:
+            move: the instruction with its modal state.
+            q_start: command joint coordinates at the end of the move before [rad | m], shape (n,).
+
+        Returns:
+            the plan, None where `plan` is to be asked.
+        """
+        if self.kinds is not TOOL_PATHS or move.kind not in TOOL_PATHS or move.external:
+            return None
+        if not isinstance(move.target, Pose) or self.controller.orientation is OrientationMode.WRIST_ANGLES:
+            return None
+        so_far = self._begun(move)
+        if isinstance(so_far, Refusal):
+            return None
+        X_BK = self._work.frame_pose(move.modal, q_start)
+        via = tuple([X_BK @ X_KT for X_KT in move.via])
+        X_start = tool_pose(self.robot, q_start, so_far.X_MT)
+        request = PathRequest(move, X_start, via, X_BK @ move.target, self.controller.orientation)
+        path = TOOL_PATHS[move.kind](request)
+        if path is None or isinstance(path, tuple):
+            return None
+        return PlannedPath(None, path, so_far.limits, so_far.X_MT, so_far.findings)
+
+    def _begun(self, move: MoveInstruction) -> PlannedPath | Refusal:
+        """Return limits, tool and findings of a move, or why its values cannot be used."""
         span = move.origin.span
         X_MT = self._work.tool_pose(move.modal, span)
         problems = (*check_kind(move, self.kinds), *check_values(move))
         if isinstance(X_MT, Diagnostic):
             problems = (*problems, X_MT)
         problems = (*problems, *no_arm(move, self.robot))
-        if isinstance(move.target, Pose):
+        posed = isinstance(move.target, Pose)
+        if posed:
             problems = (*problems, *self._work.out_of_hand(move.modal, span))
         if problems or isinstance(X_MT, Diagnostic):
             return Refusal(problems)
         findings = numeric_hint(move, self.robot)
-        if isinstance(move.target, Pose) and move.origin.visit == 1:
+        if posed and move.origin.visit == 1:
             findings = self._work.frame_findings(move.modal, span) + findings
-        limits = MoveLimits(self._joint_limits(move.modal), self._tool_limits(move.modal))
-        planned = self._plan_tool if move.kind in self.kinds else self._plan_ptp
-        return planned(move, q_start, PlannedPath(None, None, limits, X_MT, findings))
+        limits = move_limits(move.modal, self._limits, self.controller)
+        return PlannedPath(None, None, limits, X_MT, findings)
 
     def _plan_ptp(self, move: MoveInstruction, q_start: Array, so_far: PlannedPath) -> PlannedPath | Refusal:
         if not isinstance(move.target, Pose):
@@ -144,14 +182,13 @@ class StandardPathPlanner:
                 joints = SynchronisedJoints(q_start, q_end, so_far.limits.joints)
         return replace(so_far, joints=joints)
 
-    def _plan_tool(self, move: MoveInstruction, q_start: Array, so_far: PlannedPath) -> PlannedPath | Refusal:
-        goal = self._tool_goal(move, q_start, so_far.X_MT)
-        if isinstance(goal, Refusal):
-            return goal
+    def _plan_tool(
+        self, move: MoveInstruction, q_start: Array, so_far: PlannedPath, goal: tuple[Array, Pose]
+    ) -> PlannedPath | Refusal:
         q_there, X_BT = goal
         axes = moved_axes(self.robot, q_start, q_there)
         frame = self._work.carried(move.modal, axes)
-        X_start = self._tool_pose_at(q_start, so_far.X_MT)
+        X_start = tool_pose(self.robot, q_start, so_far.X_MT)
         if frame:  # all is seen from the frame, which is elsewhere at the end
             X_start, via = frame.pose(q_start).inverse() @ X_start, move.via
             X_end = move.target if isinstance(move.target, Pose) else frame.pose(q_there).inverse() @ X_BT
@@ -183,7 +220,7 @@ class StandardPathPlanner:
         """Return where a path of the tool ends: joint coordinates whose external ones count, and X_BT."""
         if not isinstance(move.target, Pose):
             goal = self._joint_goal(move)
-            return goal if isinstance(goal, Refusal) else (goal, self._tool_pose_at(goal, X_MT))
+            return goal if isinstance(goal, Refusal) else (goal, tool_pose(self.robot, goal, X_MT))
         wrong = check_external(move, self.robot, self._range)
         if wrong:
             return Refusal(wrong)
@@ -200,9 +237,6 @@ class StandardPathPlanner:
             return Refusal((out_of_range(move, branches, self._range),))
         return there, X_BT
 
-    def _tool_pose_at(self, q: Array, X_MT: Pose) -> Pose:
-        return Pose.from_matrix(forward_batch(self.robot, q[None])[0]) @ X_MT
-
     def _joint_goal(self, move: MoveInstruction) -> Array | Refusal:
         """Return the target in joint coordinates (home where the move has none)."""
         goal = np.array(move.target) if isinstance(move.target, tuple) else self.home
@@ -218,25 +252,3 @@ class StandardPathPlanner:
         if found.shortfall:
             return Refusal((out_of_reach(move, X_BM, found.shortfall, self.robot, q_near),))
         return nearest_turns(found.branches, q_near, self._range)
-
-    def _joint_limits(self, modal: ModalState) -> JointMotionLimits:
-        speed = modal.ptp_speed * self.controller.speed_override
-        return JointMotionLimits(
-            self._limits.speed * speed,
-            self._limits.acceleration * modal.ptp_acceleration,
-            self._limits.jerk * modal.ptp_acceleration,
-        )
-
-    def _tool_limits(self, modal: ModalState) -> ToolLimits:
-        path, override = self.controller.path, self.controller.speed_override
-        return ToolLimits(
-            (path.speed if modal.path_speed is None else modal.path_speed) * override,
-            path.acceleration if modal.path_acceleration is None else modal.path_acceleration,
-            path.jerk if modal.path_jerk is None else modal.path_jerk,
-            (path.orientation_speed if modal.orientation_speed is None else modal.orientation_speed)
-            * override,
-            path.orientation_acceleration
-            if modal.orientation_acceleration is None
-            else modal.orientation_acceleration,
-            path.orientation_jerk,
-        )

@@ -4,8 +4,8 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from ropsim.controller.leg import Leg
-from ropsim.controller.posture_trouble import Trouble
 from ropsim.controller.posture_wish import asked_of, difference
+from ropsim.controller.trouble import Trouble
 from ropsim.core import Diagnostic
 from ropsim.flow import MotionKind, MoveInstruction
 from ropsim.model import RobotModel

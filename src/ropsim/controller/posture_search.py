@@ -16,9 +16,10 @@ from ropsim.controller.entities import Refusal
 from ropsim.controller.leg import Leg, leg_of
 from ropsim.controller.motion_chain import MotionChain
 from ropsim.controller.posture_choice import JointRange, nearest_turns, turned_branches
-from ropsim.controller.posture_trouble import Trouble, is_narrow, time_of, trouble_of
+from ropsim.controller.posture_trouble import is_narrow, time_of, trouble_of
 from ropsim.controller.posture_wish import is_as_wished
 from ropsim.controller.target_refusals import posture_for_later
+from ropsim.controller.trouble import Trouble
 from ropsim.flow import MotionKind, MoveInstruction
 from ropsim.kinematics import IkOptions, Limits, forward_batch, inverse, posture
 from ropsim.model import RobotModel

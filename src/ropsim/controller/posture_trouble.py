@@ -5,11 +5,11 @@ import numpy as np
 from ropsim.controller.entities import Refusal
 from ropsim.controller.leg import Leg
 from ropsim.controller.posture_choice import JointRange
-from ropsim.core import Label, Span
+from ropsim.controller.trouble import Trouble
 from ropsim.flow import MoveInstruction
 from ropsim.model import RobotModel
 from ropsim.motion import JOINT_LIMIT_ON_LINE, JUMP_ON_LINE, NO_WRIST_ANGLES, SynchronisedJoints, durations
-from ropsim.spatial import Array, record
+from ropsim.spatial import Array
 
 WHIRL = 0.25
 """Share to which a joint may slow a path down before another posture is looked for: of the speed that is
@@ -21,26 +21,6 @@ NARROW = np.radians(5.0)
 _STEPS = 64
 """Parts of a path of which each is looked at by the way of the joints on it."""
 _TINY = 1e-300
-
-
-@record
-class Trouble:
-    """A path that cannot be followed well.
-
-    Attributes:
-        number: of its move in the stretch.
-        words: what goes ill.
-        span: of its move in the program.
-    """
-
-    number: int
-    words: str
-    span: Span | None
-
-    @property
-    def places(self) -> tuple[Label, ...]:
-        """Return the mark on its move, for findings about other ones."""
-        return (Label(self.span, "this path"),) if self.span else ()
 
 
 def trouble_of(robot: RobotModel, leg: Leg, number: int) -> Trouble | None:

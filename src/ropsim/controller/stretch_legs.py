@@ -8,7 +8,8 @@ from ropsim.controller.leg import Leg, leg_of
 from ropsim.controller.motion_chain import MotionChain
 from ropsim.controller.posture_in_the_way import in_the_way, last_wish, without_wish
 from ropsim.controller.posture_search import has_choice, search
-from ropsim.controller.posture_trouble import Trouble, trouble_of, trouble_of_refusal
+from ropsim.controller.posture_trouble import trouble_of, trouble_of_refusal
+from ropsim.controller.trouble import Trouble
 from ropsim.flow import MoveInstruction
 from ropsim.spatial import Array
 

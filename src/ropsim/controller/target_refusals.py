@@ -3,8 +3,8 @@
 import numpy as np
 
 from ropsim.controller.posture_choice import JointRange
-from ropsim.controller.posture_trouble import Trouble
 from ropsim.controller.posture_wish import difference
+from ropsim.controller.trouble import Trouble
 from ropsim.controller.wording import coordinate, external_notes, figures, passes, shortfall_words
 from ropsim.core import Diagnostic
 from ropsim.flow import MotionKind, MoveInstruction

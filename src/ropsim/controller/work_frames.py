@@ -90,8 +90,10 @@ class WorkFrames:
 
     def frame_findings(self, modal: ModalState, span: Span | None) -> tuple[Diagnostic, ...]:
         """Return M512 where a named task frame has no pose of its own, else nothing."""
+        if not modal.frame:
+            return ()
         names = {*self.frames, *self.moving, *self.others}
-        if not modal.frame or modal.frame in names or modal.X_BK != _IDENTITY:
+        if modal.frame in names or modal.X_BK != _IDENTITY:
             return ()
         known = ", ".join(f"`{frame}`" for frame in sorted(names)) or "none"
         finding = UNKNOWN_FRAME.at(

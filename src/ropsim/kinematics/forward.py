@@ -26,6 +26,24 @@ def forward(robot: Mechanism, q: npt.ArrayLike) -> Pose:
     return Pose.from_matrix(joint_frames(robot, q)[-1])
 
 
+def tool_pose(robot: Mechanism, q: Array, X_MT: Pose) -> Pose:
+    """Return X_BT of a tool, to the bit that of a row of `forward_batch` behind which it is; looks not at q.
+
+    Args:
+        robot: mechanism with n axes.
+        q: finite coordinates of the axes [rad | m], shape (n,).
+        X_MT: of the tool.
+    """
+    from ropsim.kinematics.tool_pose_kernel import write_tool_pose
+
+    X_BM, pose = np.empty((1, 4, 4)), np.empty(7)
+    if robot.cuts or X_MT.is_identity:
+        return Pose.from_matrix(forward_batch(robot, q[np.newaxis])[0]) @ X_MT
+    chain = chain_arrays(robot)
+    write_tool_pose(chain.flat, chain.steps(q[np.newaxis]), X_MT.position, X_MT.orientation, X_BM, pose)
+    return Pose.of_units(pose)
+
+
 def forward_batch(robot: Mechanism, Q: npt.ArrayLike) -> Array:
     """Return X_BM of many configurations as homogeneous matrices, shape (k, 4, 4); compiled.
 

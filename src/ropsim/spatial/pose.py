@@ -54,6 +54,18 @@ class Pose:
         return made
 
     @classmethod
+    def of_units(cls, values: Array) -> "Pose":
+        """Return the pose of (x, y, z, qw, qx, qy, qz), shape (7,), which becomes read-only.
+
+        The quaternion is one of length 1 with w >= 0; nobody looks.
+        """
+        values.flags.writeable = False
+        made = cls.__new__(cls)
+        object.__setattr__(made, "position", values[:3])
+        object.__setattr__(made, "orientation", values[3:])
+        return made
+
+    @classmethod
     def from_matrix(cls, matrix: npt.ArrayLike) -> "Pose":
         """Return the pose of a homogeneous matrix, shape (4, 4)."""
         m = np.asarray(matrix, dtype=np.float64)

@@ -9,7 +9,7 @@ import pytest
 from ropsim.controller import Interpolator, InverseTransform, Refusal
 from ropsim.controller.density import MOST_DENSITY
 from ropsim.controller.leg import Leg, leg_of
-from ropsim.flow import JointSamples, ModalState, MoveInstruction, PoseSetpoints
+from ropsim.flow import JointSamples, ModalState, MotionKind, MoveInstruction, PoseSetpoints
 from ropsim.kinematics import forward_batch, inverse
 from ropsim.model import RobotModel
 from ropsim.motion import JointLine, Refined, ToolPath
@@ -75,6 +75,35 @@ def test_a_move_to_where_the_arm_is_has_no_path() -> None:
         assert isinstance(leg, Leg)
         assert leg.joints is None
         assert leg.q_end.tolist() == START.tolist()
+
+
+@pytest.mark.parametrize("modal", [ModalState(), GRIPPER, ModalState(frame="pallet", path_speed=0.3)])
+def test_a_leg_that_is_made_at_once_is_what_the_entities_make_one_by_one(modal: ModalState) -> None:
+    """The planner looks at the target of the latter; of the former joints along the path tell the same."""
+    asked, random, made = replace(CHAIN, interpolator=CountingInterpolator()), np.random.default_rng(8), 0
+    for _ in range(40):
+        q = START + random.normal(scale=0.2, size=6)
+        move = lin(interface_pose(START + random.normal(scale=0.3, size=6)), modal, visit=1)
+        if random.integers(2):
+            via = (interface_pose(START + random.normal(scale=0.3, size=6)),)
+            move = replace(move, kind=random.choice([MotionKind.CIRC, MotionKind.SPLINE]), via=via)
+        quick, slow = leg_of(CHAIN, move, q), leg_of(asked, move, q)
+        if isinstance(quick, Refusal):
+            assert isinstance(slow, Refusal)
+            assert quick.diagnostics == slow.diagnostics
+            continue
+        assert isinstance(slow, Leg)
+        assert (quick.move, quick.planned, quick.findings) == (slow.move, slow.planned, slow.findings)
+        assert np.abs(quick.q_end - slow.q_end).max() < 1e-9
+        made += 1
+    assert made > 4 or modal.frame
+
+
+def test_a_target_beyond_a_joint_limit_is_refused_as_the_planner_says_it() -> None:
+    far = shifted(interface_pose(START), 2.0, 0.0, 0.0)
+    refusal = leg_of(CHAIN, lin(far), START)
+    assert isinstance(refusal, Refusal)
+    assert refusal == CHAIN.planner.plan(lin(far), START)
 
 
 def test_away_from_singularities_one_sampling_is_enough() -> None:

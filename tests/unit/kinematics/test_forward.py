@@ -7,6 +7,7 @@ import pytest
 
 from ropsim import kinematics, robots
 from ropsim.kinematics.chain_kernel import POSES, forward_rows
+from ropsim.spatial import Pose
 from support.arms import random_arm
 
 ROUNDING = 1e-14
@@ -30,6 +31,18 @@ def test_compiled_and_plain_forward_kinematics_agree(types: str) -> None:
     np.testing.assert_allclose(kinematics.forward_batch(robot, Q), frames[:, -1], atol=10 * ROUNDING)
     np.testing.assert_allclose(kinematics.joint_frames(robot, Q[7]), frames[7], atol=ROUNDING)
     np.testing.assert_allclose(kinematics.forward(robot, Q[7]).matrix(), frames[7, -1], atol=10 * ROUNDING)
+
+
+@pytest.mark.parametrize("name", ["puma560", "palletizer", "stanford"])
+def test_the_pose_of_a_tool_is_that_of_the_interface_and_the_tool_to_the_bit(name: str) -> None:
+    robot, random = robots.load(name), np.random.default_rng(4)
+    tools = [Pose(), *(Pose(random.normal(size=3), random.normal(size=4)) for _ in range(3))]
+    for _ in range(50):
+        q = random.uniform(-3.0, 3.0, robot.n)
+        for X_MT in tools:
+            found, X_BM = kinematics.tool_pose(robot, q, X_MT), kinematics.forward_batch(robot, [q])[0]
+            assert found.as_tuple() == (Pose.from_matrix(X_BM) @ X_MT).as_tuple()
+            assert not found.position.flags.writeable
 
 
 def test_the_kernel_does_the_same_without_numba() -> None:

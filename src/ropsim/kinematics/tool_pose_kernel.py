@@ -1,0 +1,70 @@
+"""The pose of a tool as position and unit quaternion, in plain numbers that numba compiles."""
+
+from math import sqrt
+
+from ropsim.codegen import kernel
+from ropsim.kinematics.chain_kernel import forward_rows
+from ropsim.spatial import Array
+
+_Quaternion = tuple[float, float, float, float]
+
+
+@kernel("void(f8[::1], f8[:,::1], f8[::1], f8[::1], f8[:,:,::1], f8[::1])")
+def write_tool_pose(
+    chain: Array, q: Array, position: Array, orientation: Array, room: Array, out: Array
+) -> None:
+    """Write X_BT = X_BM(q)·X_MT, bit by bit as poses are multiplied of which none is the identity.
+
+    Args:
+        chain: `ChainArrays.flat`.
+        q: coordinates of the steps [rad | m], shape (1, m).
+        position: of the tool in M [m], shape (3,).
+        orientation: of the tool in M (w, x, y, z), shape (4,).
+        room: becomes X_BM, shape (1, 4, 4).
+        out: where position [m] and orientation (w, x, y, z) go, shape (7,).
+    """
+    forward_rows(chain, q, room)
+    X = room[0]
+    w, x, y, z = _unit(_unit(_of_rotation(X)))
+    a, b, c = position[0], position[1], position[2]
+    tx, ty, tz = 2.0 * (y * c - z * b), 2.0 * (z * a - x * c), 2.0 * (x * b - y * a)
+    out[0] = X[0, 3] + (a + w * tx + y * tz - z * ty)
+    out[1] = X[1, 3] + (b + w * ty + z * tx - x * tz)
+    out[2] = X[2, 3] + (c + w * tz + x * ty - y * tx)
+    d, e, f, g = orientation[0], orientation[1], orientation[2], orientation[3]
+    turned = (
+        w * d - x * e - y * f - z * g,
+        w * e + x * d + y * g - z * f,
+        w * f - x * g + y * d + z * e,
+        w * g + x * f - y * e + z * d,
+    )
+    out[3], out[4], out[5], out[6] = _unit(_unit(turned))
+
+
+def _unit(q: _Quaternion) -> _Quaternion:
+    """Return the unit quaternion along another one, with w >= 0; NaN where it has no direction."""
+    w, x, y, z = q
+    length = sqrt(w * w + x * x + y * y + z * z)
+    w, x, y, z = w / length, x / length, y / length, z / length
+    if w >= 0.0:
+        return w, x, y, z
+    return -w, -x, -y, -z
+
+
+def _of_rotation(X: Array) -> _Quaternion:
+    """Return a quaternion along that of a rotation; its largest component is found first (Shepperd 1978)."""
+    trace = X[0, 0] + X[1, 1] + X[2, 2]
+    most, largest = 1.0 + trace, 0
+    for i in range(3):
+        square = 1.0 + 2.0 * X[i, i] - trace
+        if square > most:
+            most, largest = square, i + 1
+    x, y, z = X[2, 1] - X[1, 2], X[0, 2] - X[2, 0], X[1, 0] - X[0, 1]
+    xy, zx, yz = X[1, 0] + X[0, 1], X[0, 2] + X[2, 0], X[2, 1] + X[1, 2]
+    if largest == 0:
+        return most, x, y, z
+    if largest == 1:
+        return x, most, xy, zx
+    if largest == 2:
+        return y, xy, most, yz
+    return z, zx, yz, most
