@@ -15,7 +15,7 @@ from ropsim.controller.posture_wish import other_posture
 from ropsim.controller.tracing import trace
 from ropsim.core import Diagnostic
 from ropsim.flow import MoveInstruction
-from ropsim.motion import JointPath, ToolPath
+from ropsim.motion import JointLine, JointPath, ToolPath
 from ropsim.spatial import Array, frozen, record
 
 
@@ -105,6 +105,9 @@ def _ended(
     found: tuple[Diagnostic, ...],
 ) -> Leg:
     """Return the leg of a path of the joints, with what is found on it."""
-    q_end = frozen(joints.joints(np.array([joints.length])).q[0])
+    if type(joints) is JointLine:
+        q_end = joints.q_end
+    else:
+        q_end = frozen(joints.joints(np.array([joints.length])).q[0])
     found += other_posture(move, chain.robot, q_end)
     return Leg(move, planned, joints, q_end, planned.findings + found)

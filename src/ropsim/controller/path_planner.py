@@ -20,11 +20,11 @@ from ropsim.controller.planned_path import PlannedPath
 from ropsim.controller.posture_choice import JointRange, choose, nearest_turns
 from ropsim.controller.posture_wish import no_such_posture, wished
 from ropsim.controller.target_refusals import no_arm, numeric_hint, out_of_range, out_of_reach, posture_change
-from ropsim.controller.work_frames import WorkFrames
+from ropsim.controller.work_frames import WorkFrames, inverted
 from ropsim.controller.wrist_planner import WristPlanner
 from ropsim.core import Diagnostic
 from ropsim.flow import MoveInstruction
-from ropsim.kinematics import IkOptions, Limits, inverse, tool_pose
+from ropsim.kinematics import IkOptions, Limits, branches_near, inverse, tool_pose
 from ropsim.model import ControllerModel, OrientationMode, RobotModel, Synchronisation, Tool
 from ropsim.motion import (
     ZERO_LENGTH,
@@ -154,7 +154,7 @@ class StandardPathPlanner:
         if wrong:
             return Refusal(wrong)
         there = with_external(move, q_start, self.robot)
-        X_BM = self._work.frame_pose(move.modal, there) @ move.target @ so_far.X_MT.inverse()
+        X_BM = self._work.frame_pose(move.modal, there) @ move.target @ inverted(so_far.X_MT)
         branches = self._branches(move, X_BM, there)
         if isinstance(branches, Refusal):
             return branches
@@ -173,14 +173,14 @@ class StandardPathPlanner:
 
     def _with_joints(self, so_far: PlannedPath, q_start: Array, q_end: Array) -> PlannedPath:
         """Return the plan of a PTP move; without a path where no joint has a way to go."""
-        if float(np.abs(q_end - q_start).max()) <= ZERO_LENGTH:
+        if max(map(abs, (q_end - q_start).tolist())) <= ZERO_LENGTH:
             return so_far
         joints: JointPath = JointLine(q_start, q_end)
         if self.controller.ptp is Synchronisation.TIME:
             # limits beyond all numbers are left to the line: such a move takes too long
             with suppress(ProfileError):
                 joints = SynchronisedJoints(q_start, q_end, so_far.limits.joints)
-        return replace(so_far, joints=joints)
+        return PlannedPath(joints, None, so_far.limits, so_far.X_MT, so_far.findings)
 
     def _plan_tool(
         self, move: MoveInstruction, q_start: Array, so_far: PlannedPath, goal: tuple[Array, Pose]
@@ -230,7 +230,7 @@ class StandardPathPlanner:
         X_BT = self._work.frame_pose(move.modal, there) @ move.target
         if move.angle is not None:
             return there, X_BT  # the target tells where the arc lies; neither arm nor axes end there
-        branches = self._branches(move, X_BT @ X_MT.inverse(), there)
+        branches = self._branches(move, X_BT @ inverted(X_MT), there)
         if isinstance(branches, Refusal):
             return branches
         if not self._range.inside(branches).any():
@@ -248,7 +248,9 @@ class StandardPathPlanner:
 
         External axes stand where `q_near` has them.
         """
-        found = inverse(self.robot, X_BM, IkOptions(Limits.IGNORE, near=q_near))
-        if found.shortfall:
-            return Refusal((out_of_reach(move, X_BM, found.shortfall, self.robot, q_near),))
-        return nearest_turns(found.branches, q_near, self._range)
+        branches = branches_near(self.robot, X_BM, q_near)
+        if branches is not None:
+            return nearest_turns(branches, q_near, self._range)
+        shortfall = inverse(self.robot, X_BM, IkOptions(Limits.IGNORE, near=q_near)).shortfall
+        assert shortfall is not None
+        return Refusal((out_of_reach(move, X_BM, shortfall, self.robot, q_near),))

@@ -1,9 +1,13 @@
 """Posture choice: which of the branches of the inverse kinematics a PTP move takes, and with which turns."""
 
+from collections.abc import Callable
+from functools import lru_cache
+
 import numpy as np
 
-from ropsim.kinematics import posture, solver_of, turning_axes
-from ropsim.model import CoupledLimits, Joint, RobotModel, coupled_limits
+from ropsim.controller.turns_kernel import rows_inside, turn_rows
+from ropsim.kinematics import Posture, solver_of, turning_axes
+from ropsim.model import CoupledLimits, Joint, RobotModel, coupled_limits, held_arm
 from ropsim.motion import JointMotionLimits, durations
 from ropsim.spatial import Array, record
 
@@ -53,8 +57,11 @@ class JointRange:
 
     def inside(self, q: Array) -> Array:
         """Return which rows lie within all limits, false for NaN; q of the axes [rad | m], shape (k, n)."""
-        within: Array = (self.excess(q) == 0.0).all(axis=1)
-        return within
+        if self.coupled.joints:
+            return np.asarray((self.excess(q) == 0.0).all(axis=1))
+        told = np.empty(len(q))
+        rows_inside(np.ascontiguousarray(q), self.lower, self.upper, LIMIT_SLACK, told)
+        return np.asarray(told > 0.0)
 
     def values(self, q: Array) -> Array:
         """Return the coordinates of all joints [rad | m], shape (k, n + m), for those of the axes (k, n)."""
@@ -85,14 +92,8 @@ def nearest_turns(branches: Array, q_near: Array, limits: JointRange) -> Array:
         q_near: [rad | m], shape (n,).
         limits: of the joints.
     """
-    fewest = np.ceil((limits.lower - LIMIT_SLACK - branches) / _TURN)
-    most = np.floor((limits.upper + LIMIT_SLACK - branches) / _TURN)
-    wanted = np.round((q_near - branches) / _TURN)
-    below = limits.lower - (branches + _TURN * most)  # distances of the two turns that enclose the range
-    above = branches + _TURN * fewest - limits.upper
-    outside = np.where(below <= above, most, fewest)
-    turns = np.where(fewest <= most, np.clip(wanted, fewest, np.maximum(fewest, most)), outside)
-    turned: Array = branches + np.where(limits.revolute > 0.0, _TURN * turns, 0.0)
+    turned, rows = np.empty(branches.shape), np.ascontiguousarray(branches)
+    turn_rows(rows, q_near, limits.lower, limits.upper, limits.revolute, LIMIT_SLACK, turned)
     return turned
 
 
@@ -142,5 +143,16 @@ def choose(
 
 def _start_rows(robot: RobotModel, q_start: Array) -> list[int]:
     """Return the rows of the postures of the start; a singular one has those on either side of it."""
-    sides = (posture(robot, q_start + _SIDE), posture(robot, q_start - _SIDE))
-    return [row for row, name in enumerate(solver_of(robot).postures) if name in sides]
+    standing, rows = _postures(robot)
+    here = [rows.get(standing(q_start + side).words, ()) for side in (_SIDE, -_SIDE)]
+    return sorted({*here[0], *here[1]})
+
+
+@lru_cache(maxsize=64)
+def _postures(robot: RobotModel) -> tuple[Callable[[Array], Posture], dict[tuple[str, ...], list[int]]]:
+    """Return what tells the posture of joint coordinates, and the rows that have the words of one."""
+    solver, axes = solver_of(robot), list(held_arm(robot).axes) if robot.external else None
+    rows: dict[tuple[str, ...], list[int]] = {}
+    for row, name in enumerate(solver.postures):
+        rows.setdefault(name.words, []).append(row)
+    return (solver.posture if axes is None else lambda q: solver.posture(q[axes])), rows

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import field
+from functools import lru_cache
 
 from ropsim.controller.moving_frames import MovingFrame
 from ropsim.core import Diagnostic, Span, did_you_mean
@@ -11,6 +12,12 @@ from ropsim.motion import FRAME_OF_OTHERS, UNKNOWN_FRAME, UNKNOWN_TOOL
 from ropsim.spatial import Array, Pose, record
 
 _IDENTITY = Pose()
+
+
+@lru_cache(maxsize=64)
+def inverted(X: Pose) -> Pose:
+    """Return the inverse of a pose that is asked for with many moves, such as that of a tool."""
+    return X.inverse()
 
 
 @record

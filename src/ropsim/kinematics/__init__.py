@@ -27,6 +27,7 @@ from ropsim.kinematics.ground import bearing_at_start as bearing_at_start
 from ropsim.kinematics.ground import ground_of as ground_of
 from ropsim.kinematics.ground import standings_at_start as standings_at_start
 from ropsim.kinematics.inverse import branch as branch
+from ropsim.kinematics.inverse import branches_near as branches_near
 from ropsim.kinematics.inverse import inverse as inverse
 from ropsim.kinematics.inverse import inverse_batch as inverse_batch
 from ropsim.kinematics.inverse import posture as posture

@@ -118,14 +118,33 @@ def inverse(robot: RobotModel, pose: Pose, options: IkOptions | None = None) -> 
     one = desk.sheet()
     T = one.X_BM
     pose.write_matrix(T)
-    one.solve(near)
-    if near is not desk.rest and desk.solver.may_stay(near):
-        beside = _next_to(robot, desk, T, near)
-        if beside is not None:
-            _put(desk, beside, one.branches)
+    _solve(robot, desk, one, near)
     answer = _answer(robot, desk, T, one, Limits.RESPECT if options is None else options.limits)
     desk.sheets.append(one)
     return answer
+
+
+def branches_near(robot: RobotModel, pose: Pose, near: Array) -> Array | None:
+    """Return the `branches` that `inverse` finds near to joint coordinates, sooner than with all else of it.
+
+    Args:
+        robot: arm with n joints.
+        pose: X_BM.
+        near: finite joint coordinates [rad | m], shape (n,).
+
+    Returns:
+        shape (m, n) with NaN rows, None where no row is there and `inverse` says why.
+    """
+    desk = _desk(robot)
+    if robot.external or desk.redundant is not None:
+        found = inverse(robot, pose, IkOptions(Limits.IGNORE, near=near))
+        return None if found.shortfall else found.branches
+    one = desk.sheet()
+    pose.write_matrix(one.X_BM)
+    _solve(robot, desk, one, near)
+    branches = one.branches.copy()
+    desk.sheets.append(one)
+    return None if np.isnan(branches[:, 0]).all() else branches
 
 
 def posture(robot: RobotModel, q: npt.ArrayLike) -> Posture:
@@ -149,6 +168,15 @@ def branch(result: IkResult, posture: Posture) -> Array | None:
     """Return the joint coordinates [rad | m] of a posture, limits ignored, shape (n,); None if absent."""
     rows = [q for q, name in zip(result.branches, result.names, strict=True) if name == posture]
     return next((q for q in rows if q[0] == q[0]), None)
+
+
+def _solve(robot: RobotModel, desk: _Desk, one: Sheet, near: Array) -> None:
+    """Write the branches of the pose on a sheet to it, with the answer next to `near` (n,)."""
+    one.solve(near)
+    if near is not desk.rest and desk.solver.may_stay(near):
+        beside = _next_to(robot, desk, one.X_BM, near)
+        if beside is not None:
+            _put(desk, beside, one.branches)
 
 
 def _with_free_coordinate(

@@ -1,0 +1,59 @@
+"""Whole turns and limits of joint coordinates in plain loops that numba compiles."""
+
+from math import pi
+
+import numpy as np
+
+from ropsim.codegen import kernel
+from ropsim.spatial import Array
+
+TURN = 2.0 * pi
+
+
+@kernel("void(f8[:,::1], f8[::1], f8[::1], f8[::1], f8[::1], f8, f8[:,::1])")
+def turn_rows(
+    branches: Array, q_near: Array, lower: Array, upper: Array, revolute: Array, slack: float, turned: Array
+) -> None:
+    """Write branches with each turning joint moved by whole turns, see `nearest_turns`.
+
+    Args:
+        branches: NaN where absent [rad | m], shape (m, n).
+        q_near: to which coordinates are to be near [rad | m], shape (n,).
+        lower: limits of the axes [rad | m], shape (n,).
+        upper: likewise.
+        revolute: 1 for axes that turn, else 0, shape (n,).
+        slack: by which a coordinate may be beyond its limit [rad | m].
+        turned: where the turned ones go, shape (m, n).
+    """
+    for row in range(branches.shape[0]):
+        for j in range(branches.shape[1]):
+            q = branches[row, j]
+            turns = _turns(q, q_near[j], lower[j], upper[j], slack) if revolute[j] > 0.0 else 0.0
+            turned[row, j] = q + TURN * turns
+
+
+@kernel("void(f8[:,::1], f8[::1], f8[::1], f8, f8[::1])")
+def rows_inside(q: Array, lower: Array, upper: Array, slack: float, told: Array) -> None:
+    """Write for each row 1 where no coordinate is beyond its limit, else 0, as for NaN.
+
+    Args:
+        q: of the axes [rad | m], shape (k, n).
+        lower: limits of the axes [rad | m], shape (n,).
+        upper: likewise.
+        slack: by which a coordinate may be beyond its limit [rad | m].
+        told: shape (k,).
+    """
+    for row in range(q.shape[0]):
+        told[row] = 1.0
+        for j in range(q.shape[1]):
+            if not (lower[j] - q[row, j] <= slack and q[row, j] - upper[j] <= slack):
+                told[row] = 0.0
+
+
+def _turns(q: float, q_near: float, lower: float, upper: float, slack: float) -> float:
+    """Return by how many turns a coordinate is moved: towards another one, or at least to its limits."""
+    fewest, most = np.ceil((lower - slack - q) / TURN), np.floor((upper + slack - q) / TURN)
+    if fewest <= most:
+        return float(min(max(np.rint((q_near - q) / TURN), fewest), most))
+    below, above = lower - (q + TURN * most), q + TURN * fewest - upper
+    return float(most if below <= above else fewest)
