@@ -1,5 +1,7 @@
 """Joint line: all joints on a straight way in joint space."""
 
+from dataclasses import field
+
 import numpy as np
 
 from ropsim.motion.paths.joint_line_kernel import line_points
@@ -15,19 +17,18 @@ class JointLine:
     Attributes:
         q_start: joint coordinates at the start [rad | m], shape (n,).
         q_end: at the end [rad | m], shape (n,).
+        length: 1; 0 where both ends are one.
     """
 
     q_start: Array
     q_end: Array
+    length: float = field(init=False)
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "q_start", frozen(self.q_start))
-        object.__setattr__(self, "q_end", frozen(self.q_end))
-
-    @property
-    def length(self) -> float:
-        """Return 1; 0 where both ends are one."""
-        return float((self.q_start != self.q_end).any())
+        q_start, q_end = frozen(self.q_start), frozen(self.q_end)
+        object.__setattr__(self, "q_start", q_start)
+        object.__setattr__(self, "q_end", q_end)
+        object.__setattr__(self, "length", 0.0 if q_start.tolist() == q_end.tolist() else 1.0)
 
     def joints(self, s: Array) -> JointPoints:
         """Return the joints and their derivatives at places s, shape (k,)."""
