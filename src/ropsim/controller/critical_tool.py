@@ -152,7 +152,7 @@ def _least(limits: ToolLimits, T: float) -> Array:
 
 def _is_bent(path: ToolPath) -> bool:
     """Return whether a path turns off its way, or its orientation off its turn."""
-    if isinstance(path, Line) and not path.turn.turn.roll:
+    if isinstance(path, Line) and not path.roll:
         return False
     points = path.tool(_PLACES * path.length)
     return bool(np.abs(points.d2).max() * path.length > _BENT * np.abs(points.d1).max())

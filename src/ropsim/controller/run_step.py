@@ -11,7 +11,7 @@ from ropsim.controller.run_step_kernel import step_of_run
 from ropsim.controller.stretch_kernel import FIRST_PIECE
 from ropsim.controller.stretch_motion import StretchMotion
 from ropsim.controller.walk_table import WalkTable
-from ropsim.motion import ROUNDING, LawRows, Reference
+from ropsim.motion import COEFFICIENTS, ROUNDING, LawRows, Reference
 from ropsim.spatial import Array, record
 
 
@@ -95,7 +95,8 @@ def _quick(
         stages,
         counts,
         told,
-        np.empty((5, 2 * b)),
+        np.empty((8, 2 * b)),
+        np.empty((COEFFICIENTS, n)),
         np.empty((3, 2 * b, n)),
         np.empty((4, b, n)),
         np.empty((4, b)),

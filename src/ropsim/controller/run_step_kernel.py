@@ -14,8 +14,8 @@ SHARE, STAGES = range(2)
 @kernel(
     "void(f8[:,::1], f8, f8, f8[::1], f8[::1], f8[:,::1], f8[:,::1], f8[:,::1], i8, f8[:,::1], f8[:,::1],"
     " f8[:,:,::1], f8[:,::1], f8, f8, f8, f8[::1], f8[::1], f8[::1], f8[::1], i8, f8[:,::1], f8[:,::1],"
-    " f8[:,::1], f8[:,::1], f8[:,::1], f8[::1], f8[::1], f8[:,::1], f8[:,:,::1], f8[:,:,::1], f8[:,::1],"
-    " f8[:,::1])"
+    " f8[:,::1], f8[:,::1], f8[:,::1], f8[::1], f8[::1], f8[:,::1], f8[:,::1], f8[:,:,::1], f8[:,:,::1],"
+    " f8[:,::1], f8[:,::1])"
 )
 def step_of_run(
     segments: Array,
@@ -47,6 +47,7 @@ def step_of_run(
     counts: Array,
     told: Array,
     law: Array,
+    cell: Array,
     points: Array,
     room: Array,
     places: Array,
@@ -85,7 +86,8 @@ def step_of_run(
         stages: where they go, see `stages_of`, shape (c, 6).
         counts: where the number of stages of each piece goes, shape (p,).
         told: where the least share of its rate that a band is left goes, and the number of stages, (2,).
-        law: room to work in, shape (5, 2·b).
+        law: room to work in, shape (8, 2·b).
+        cell: likewise, shape (COEFFICIENTS, n).
         points: likewise, shape (3, 2·b, n).
         room: likewise, shape (4, b, n).
         places: likewise, shape (4, b).
@@ -108,8 +110,8 @@ def step_of_run(
         room[2:],
     )
     for k in range(law.shape[1]):
-        law[4, k] = law[1, k]
-    points_on(first, pieces, rows, slopes, law[0], law[4], points)
+        law[4, k], law[5, k], law[6, k], law[7, k] = law[0, k], law[1, k], 1.0, 0.0  # at speed 1: by place
+    points_on(first, pieces, rows, slopes, law[4:], cell, points)
     caps_of(
         law[2],
         law[3],

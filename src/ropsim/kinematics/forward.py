@@ -34,13 +34,15 @@ def tool_pose(robot: Mechanism, q: Array, X_MT: Pose) -> Pose:
         q: finite coordinates of the axes [rad | m], shape (n,).
         X_MT: of the tool.
     """
+    from ropsim.kinematics.chain_kernel import POSES
     from ropsim.kinematics.tool_pose_kernel import write_tool_pose
 
-    X_BM, pose = np.empty((1, 4, 4)), np.empty(7)
     if robot.cuts or X_MT.is_identity:
         return Pose.from_matrix(forward_batch(robot, q[np.newaxis])[0]) @ X_MT
     chain = chain_arrays(robot)
-    write_tool_pose(chain.flat, chain.steps(q[np.newaxis]), X_MT.position, X_MT.orientation, X_BM, pose)
+    X_BM, room, pose = np.empty((1, 4, 4)), np.empty(POSES), np.empty(7)
+    rows = chain.steps(q[np.newaxis])
+    write_tool_pose(chain.flat, rows, X_MT.position, X_MT.orientation, X_BM, room, pose)
     return Pose.of_units(pose)
 
 

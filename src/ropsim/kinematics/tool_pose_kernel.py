@@ -9,9 +9,9 @@ from ropsim.spatial import Array
 _Quaternion = tuple[float, float, float, float]
 
 
-@kernel("void(f8[::1], f8[:,::1], f8[::1], f8[::1], f8[:,:,::1], f8[::1])")
+@kernel("void(f8[::1], f8[:,::1], f8[::1], f8[::1], f8[:,:,::1], f8[::1], f8[::1])")
 def write_tool_pose(
-    chain: Array, q: Array, position: Array, orientation: Array, room: Array, out: Array
+    chain: Array, q: Array, position: Array, orientation: Array, X_BM: Array, room: Array, out: Array
 ) -> None:
     """Write X_BT = X_BM(q)·X_MT, bit by bit as poses are multiplied of which none is the identity.
 
@@ -20,11 +20,12 @@ def write_tool_pose(
         q: coordinates of the steps [rad | m], shape (1, m).
         position: of the tool in M [m], shape (3,).
         orientation: of the tool in M (w, x, y, z), shape (4,).
-        room: becomes X_BM, shape (1, 4, 4).
+        X_BM: where the pose of M goes, shape (1, 4, 4).
+        room: room to work in, shape (`POSES`,).
         out: where position [m] and orientation (w, x, y, z) go, shape (7,).
     """
-    forward_rows(chain, q, room)
-    X = room[0]
+    forward_rows(chain, q, X_BM, room)
+    X = X_BM[0]
     w, x, y, z = _unit(_unit(_of_rotation(X)))
     a, b, c = position[0], position[1], position[2]
     tx, ty, tz = 2.0 * (y * c - z * b), 2.0 * (z * a - x * c), 2.0 * (x * b - y * a)

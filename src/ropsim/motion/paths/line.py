@@ -6,7 +6,16 @@ from dataclasses import field
 import numpy as np
 
 from ropsim.model import OrientationMode
-from ropsim.motion.paths.line_kernel import AXIS, LENGTH, MOVES, SIZE, WAY, line_numbers, straight_points
+from ropsim.motion.paths.line_kernel import (
+    AXIS,
+    LENGTH,
+    MOVES,
+    ROLL,
+    SIZE,
+    WAY,
+    line_numbers,
+    straight_points,
+)
 from ropsim.motion.paths.path import ToolPoints
 from ropsim.motion.paths.segment_kernel import segment_distances
 from ropsim.spatial import Array, Pose, record
@@ -54,6 +63,11 @@ class Line:
     def axis(self) -> Array:
         """Return the axis about which the tool turns, in its frame at the start, shape (3,)."""
         return self.numbers[AXIS : AXIS + 3]
+
+    @property
+    def roll(self) -> float:
+        """Return the angle by which the tool turns about its approach vector on the way [rad]."""
+        return float(self.numbers[ROLL])
 
     def tool(self, s: Array) -> ToolPoints:
         """Return the tool and its derivatives at places s, shape (k,)."""
