@@ -5,6 +5,8 @@ from ropsim.spatial import Array
 
 COEFFICIENTS = 13
 """Of a polynomial of degree five and of its derivatives."""
+HALF = 3
+"""So many rows on either side weigh in the derivatives of one; those at the ends have others."""
 
 
 @kernel("void(f8[:,::1], f8[:,::1], f8[:,:,::1], f8[:,:,::1])")
@@ -13,7 +15,7 @@ def row_differences(rows: Array, inner: Array, sided: Array, out: Array) -> None
 
     Args:
         rows: at equidistant places, shape (k, n).
-        inner: weights of the w rows around a row, shape (2, w), w odd.
+        inner: weights of the seven rows around a row, shape (2, 7).
         sided: weights of the first v rows at each of them, shape (2, v, v); the last v rows have them, too.
         out: where the derivatives go, shape (2, k, n).
     """
@@ -178,18 +180,28 @@ def _quintics(
 
 
 def _differences(rows: Array, inner: Array, sided: Array, out: Array) -> None:
-    count, width, sides = rows.shape[0], inner.shape[1], sided.shape[1]
-    half = width // 2
+    count, n, sides = rows.shape[0], rows.shape[1], sided.shape[1]
+    a0, a1, a2, a3, a4, a5, a6 = _seven(inner[0])
+    b0, b1, b2, b3, b4, b5, b6 = _seven(inner[1])
+    for k in range(HALF, count - HALF):
+        for j in range(n):
+            r0, r1, r2, r3 = rows[k - 3, j], rows[k - 2, j], rows[k - 1, j], rows[k, j]
+            r4, r5, r6 = rows[k + 1, j], rows[k + 2, j], rows[k + 3, j]
+            out[0, k, j] = a0 * r0 + a1 * r1 + a2 * r2 + a3 * r3 + a4 * r4 + a5 * r5 + a6 * r6
+            out[1, k, j] = b0 * r0 + b1 * r1 + b2 * r2 + b3 * r3 + b4 * r4 + b5 * r5 + b6 * r6
     for order in range(2):
-        for k in range(count):
-            inside = half <= k < count - half
-            first = k - half if inside else 0 if k < half else count - sides
-            for j in range(rows.shape[1]):
+        for end in range(2 * HALF):
+            k = end if end < HALF else count - 2 * HALF + end
+            first = 0 if end < HALF else count - sides
+            for j in range(n):
                 total = 0.0
-                for i in range(width if inside else sides):
-                    weight = inner[order, i] if inside else sided[order, k - first, i]
-                    total += weight * rows[first + i, j]
+                for i in range(sides):
+                    total += sided[order, k - first, i] * rows[first + i, j]
                 out[order, k, j] = total
+
+
+def _seven(weights: Array) -> tuple[float, float, float, float, float, float, float]:
+    return weights[0], weights[1], weights[2], weights[3], weights[4], weights[5], weights[6]
 
 
 def _quintic(
