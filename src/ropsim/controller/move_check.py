@@ -140,17 +140,18 @@ def check_duration(move: MoveInstruction, duration: float) -> tuple[Diagnostic, 
 def _is_plausible(move: MoveInstruction) -> bool:
     """Return whether no value of a move to a pose is bad; false where each is to be looked at."""
     modal, target = move.modal, move.target
-    if not isinstance(target, Pose) or move.external or modal.X_MT is not None:
+    if not isinstance(target, Pose) or move.external or not 0.0 <= modal.zone <= _MAX_COORDINATE:
         return False
-    shares_are = 0.0 < modal.ptp_speed <= 1.0 and 0.0 < modal.ptp_acceleration <= 1.0
-    if not (shares_are and 0.0 <= modal.zone <= _MAX_COORDINATE):
+    if not (0.0 < modal.ptp_speed <= 1.0 and 0.0 < modal.ptp_acceleration <= 1.0):
         return False
-    x, y, z = target.position.tolist()
-    a, b, c = modal.X_BK.position.tolist()
-    most = _MAX_COORDINATE
-    if not (abs(x) <= most and abs(y) <= most and abs(z) <= most):
-        return False
-    return abs(a) <= most and abs(b) <= most and abs(c) <= most and _are_rates(modal)
+    tool = modal.X_MT
+    frames = _is_near(target) and _is_near(modal.X_BK) and (tool is None or _is_near(tool))
+    return frames and _are_rates(modal)
+
+
+def _is_near(pose: Pose) -> bool:
+    x, y, z = pose.position.tolist()
+    return abs(x) <= _MAX_COORDINATE and abs(y) <= _MAX_COORDINATE and abs(z) <= _MAX_COORDINATE
 
 
 def _are_rates(modal: ModalState) -> bool:

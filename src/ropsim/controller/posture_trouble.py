@@ -1,15 +1,19 @@
 """What goes ill with a path of the tool in one posture and may go well in another."""
 
+from functools import lru_cache
+
 import numpy as np
 
 from ropsim.controller.entities import Refusal
+from ropsim.controller.interpolator import places
 from ropsim.controller.leg import Leg
+from ropsim.controller.part_times_kernel import part_times
 from ropsim.controller.posture_choice import JointRange
 from ropsim.controller.trouble import Trouble
 from ropsim.flow import MoveInstruction
 from ropsim.model import RobotModel
 from ropsim.motion import JOINT_LIMIT_ON_LINE, JUMP_ON_LINE, NO_WRIST_ANGLES, SynchronisedJoints, durations
-from ropsim.spatial import Array
+from ropsim.spatial import Array, frozen
 
 WHIRL = 0.25
 """Share to which a joint may slow a path down before another posture is looked for: of the speed that is
@@ -31,7 +35,9 @@ def trouble_of(robot: RobotModel, leg: Leg, number: int) -> Trouble | None:
         leg: the move, with a path of the tool.
         number: of the move in the stretch.
     """
-    own, needs = _times(robot, leg)
+    own, needs, least = _times(robot, leg)
+    if least >= WHIRL:
+        return None
     times = np.maximum(needs.max(axis=1), own)
     shares = np.maximum(own, np.median(times)) / np.maximum(times, _TINY)
     part = int(np.argmin(shares))
@@ -86,19 +92,28 @@ def time_of(robot: RobotModel, leg: Leg, q_start: Array) -> float:
         return leg.joints.length
     if leg.tool is None:
         return float(durations(q_start, leg.q_end[np.newaxis], leg.planned.limits.joints)[0])
-    own, needs = _times(robot, leg)
+    own, needs, _ = _times(robot, leg)
     return float(np.maximum(needs.max(axis=1), own).sum())
 
 
-def _times(robot: RobotModel, leg: Leg) -> tuple[Array, Array]:
-    """Return the times [s] of the parts of a path: of the tool, shape (k,), and of the joints, (k, n)."""
+def _times(robot: RobotModel, leg: Leg) -> tuple[Array, Array, float]:
+    """Return the times [s] of the parts of a path: of the tool, shape (k,), and of the joints, (k, n).
+
+    Behind them stands the least share of the former to the longest of a part.
+    """
     assert leg.tool is not None
     assert leg.joints is not None
-    places = np.linspace(0.0, leg.tool.length, _STEPS + 1)
-    step, d1, limits = leg.tool.length / _STEPS, leg.tool.tool(places).d1, leg.planned.limits.tool
-    slowness = np.maximum(
-        np.linalg.norm(d1[:, :3], axis=1) / max(limits.speed, _TINY),
-        np.linalg.norm(d1[:, 3:], axis=1) / max(limits.orientation_speed, _TINY),
-    )
-    ways = np.abs(np.diff(leg.joints.joints(places).q, axis=0))
-    return step * np.maximum(slowness[:-1], slowness[1:]), ways / robot.max_speeds
+    length, limits = leg.tool.length, leg.planned.limits.tool
+    at = places(length, _STEPS)
+    d1, q = leg.tool.tool(at).d1, leg.joints.joints(at).q
+    own, needs, told = np.empty(_STEPS), np.empty((_STEPS, robot.n)), np.empty(1)
+    speed, turning = max(limits.speed, _TINY), max(limits.orientation_speed, _TINY)
+    rows = np.ascontiguousarray(d1, dtype=np.float64), np.ascontiguousarray(q, dtype=np.float64)
+    part_times(*rows, length / _STEPS, speed, turning, max_speeds_of(robot), own, needs, told)
+    return own, needs, float(told[0])
+
+
+@lru_cache(maxsize=64)
+def max_speeds_of(robot: RobotModel) -> Array:
+    """Return the speed limits of the joints [rad/s | m/s], shape (n,)."""
+    return frozen(robot.max_speeds)

@@ -1,0 +1,50 @@
+"""Times of the parts of a path, of its tool and of its joints, in plain loops that numba compiles."""
+
+from math import sqrt
+
+from ropsim.codegen import kernel
+from ropsim.spatial import Array
+
+
+@kernel("void(f8[:,::1], f8[:,::1], f8, f8, f8, f8[::1], f8[::1], f8[:,::1], f8[::1])")
+def part_times(
+    d1: Array,
+    q: Array,
+    step: float,
+    speed: float,
+    turning: float,
+    max_speeds: Array,
+    own: Array,
+    needs: Array,
+    told: Array,
+) -> None:
+    """Write the times that a tool and its joints take at least for the parts between places of a path.
+
+    Args:
+        d1: first derivatives of the tool at the places, shape (k + 1, 6).
+        q: joint coordinates there [rad | m], shape (k + 1, n).
+        step: from one place to the next.
+        speed: of the TCP [m/s].
+        turning: angular speed of the tool [rad/s].
+        max_speeds: of the joints [rad/s | m/s], shape (n,).
+        own: where the times of the tool go [s], shape (k,).
+        needs: where those of the joints go [s], shape (k, n).
+        told: becomes the least share of its own time to that of its slowest joint, at most 1, shape (1,).
+    """
+    told[0] = 1.0
+    before = _slowness(d1, 0, speed, turning)
+    for k in range(own.shape[0]):
+        behind = _slowness(d1, k + 1, speed, turning)
+        own[k], before = step * max(before, behind), behind
+        longest = own[k]
+        for j in range(q.shape[1]):
+            needs[k, j] = abs(q[k + 1, j] - q[k, j]) / max_speeds[j]
+            longest = max(longest, needs[k, j])
+        if own[k] < told[0] * longest:
+            told[0] = own[k] / longest
+
+
+def _slowness(d1: Array, k: int, speed: float, turning: float) -> float:
+    """Return the time for a unit of the place."""
+    x, y, z, a, b, c = d1[k, 0], d1[k, 1], d1[k, 2], d1[k, 3], d1[k, 4], d1[k, 5]
+    return max(sqrt(x * x + y * y + z * z) / speed, sqrt(a * a + b * b + c * c) / turning)
