@@ -37,7 +37,7 @@ def follow_row(
 
 @kernel(
     "void(f8[::1], f8[:,::1], f8[:,::1], f8[:,:,::1], f8, f8,"
-    " f8[:,:,::1], f8[::1], f8, f8[:,::1], f8[:,:,::1], f8[:,:,::1], f8[::1])"
+    " f8[:,:,::1], f8[::1], f8, i8, f8[:,::1], f8[:,::1], f8[:,:,::1], f8[:,:,::1], f8[::1])"
 )
 def lead_wrist(
     arm: Array,
@@ -49,7 +49,9 @@ def lead_wrist(
     T: Array,
     q_start: Array,
     length: float,
+    every: int,
     q: Array,
+    picked: Array,
     derivatives: Array,
     coarse: Array,
     work: Array,
@@ -63,10 +65,12 @@ def lead_wrist(
         sided: see there.
         close: see there.
         slack: see there.
-        T: poses X_BM at equidistant places, shape (2·m + 1, 4, 4), m >= 7.
+        T: poses X_BM at equidistant places, shape (2·m·every + 1, 4, 4), m >= 7.
         q_start: see there.
         length: see there.
+        every: see there.
         q: see there.
+        picked: see there.
         derivatives: see there.
         coarse: see there.
         work: what is told, as there; shape (3 + m + ROOM_OF_ROWS,).
@@ -83,12 +87,12 @@ def lead_wrist(
         for j in range(6):
             q[k, j] = rows[row, j]
     _unwind(q, q_start, axes, close, slack, work)
-    _smooth(inner, sided, length, q, derivatives, coarse, work)
+    _smooth(inner, sided, length, every, q, picked, derivatives, coarse, work)
 
 
 @kernel(
     "void(f8[:,::1], f8[:,::1], f8[:,:,::1], f8, f8,"
-    " f8[:,:,::1], f8[::1], f8, f8[:,::1], f8[:,:,::1], f8[:,:,::1], f8[::1])"
+    " f8[:,:,::1], f8[::1], f8, i8, f8[:,::1], f8[:,::1], f8[:,:,::1], f8[:,:,::1], f8[::1])"
 )
 def lead_branch(
     axes: Array,
@@ -99,7 +103,9 @@ def lead_branch(
     branches: Array,
     q_start: Array,
     length: float,
+    every: int,
     q: Array,
+    picked: Array,
     derivatives: Array,
     coarse: Array,
     work: Array,
@@ -112,17 +118,19 @@ def lead_branch(
         sided: likewise.
         close: as for `follow_row`.
         slack: as there.
-        branches: of poses at equidistant places, as there, shape (2·m + 1, b, n).
+        branches: of poses at equidistant places, as there, shape (2·m·every + 1, b, n).
         q_start: as there.
         length: of the way from the first pose to the last.
-        q: where the coordinates go [rad | m], shape (2·m + 1, n).
-        derivatives: where those by the number of the row go, shape (2, 2·m + 1, n).
+        every: of so many rows one is picked, of which all that follows is said.
+        q: where the coordinates go [rad | m], shape (2·m·every + 1, n).
+        picked: where those of picked rows go, shape (2·m + 1, n); `q` where all are picked.
+        derivatives: where those by the number of the picked row go, shape (2, 2·m + 1, n).
         coarse: room to work in, shape (3, m + 1, n).
         work: its first two numbers become what `follow_row` tells, the third the greatest roughness
             [rad | m]; the others are room, shape (3 + m,) or more.
     """
     follow_row(branches, q_start, axes, close, slack, q, work)
-    _smooth(inner, sided, length, q, derivatives, coarse, work)
+    _smooth(inner, sided, length, every, q, picked, derivatives, coarse, work)
 
 
 @kernel("void(f8[:,::1], f8[::1], f8[::1], f8[::1])")
@@ -172,12 +180,24 @@ def _unwind(q: Array, q_start: Array, axes: Array, close: float, slack: float, t
 
 
 def _smooth(
-    inner: Array, sided: Array, length: float, q: Array, derivatives: Array, coarse: Array, work: Array
+    inner: Array,
+    sided: Array,
+    length: float,
+    every: int,
+    q: Array,
+    picked: Array,
+    derivatives: Array,
+    coarse: Array,
+    work: Array,
 ) -> None:
     if work[0] == 0.0:
         return
+    if every > 1:
+        for k in range(picked.shape[0]):
+            for j in range(q.shape[1]):
+                picked[k, j] = q[every * k, j]
     rough = work[3 : 2 + coarse.shape[1]]
-    rows_with_roughness(q, inner, sided, length, derivatives, coarse[0], coarse[1:], rough)
+    rows_with_roughness(picked, inner, sided, length, derivatives, coarse[0], coarse[1:], rough)
     work[2] = 0.0
     for k in range(rough.shape[0]):
         work[2] = max(work[2], rough[k])

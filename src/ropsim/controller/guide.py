@@ -24,13 +24,15 @@ from ropsim.controller.samples_kernel import curve_samples, line_samples
 from ropsim.core import Diagnostic
 from ropsim.flow import MoveInstruction
 from ropsim.kinematics import ROOM_OF_ROWS, exact_arm, solver_of
-from ropsim.motion import Arc, Curve, Line, ToolPath, Traced, stencils
+from ropsim.motion import Arc, Curve, Line, ToolPath, Traced, stencils, traced_with_roughness
 from ropsim.spatial import Array, frozen
 
 _PLAIN = (Line, Curve, Arc)
 """Paths of our own that are made of numbers only."""
 _FIRST = 65
 """Poses for which there is room at first."""
+_AHEAD = 4
+"""Density at which corners are taken at once: most ask for it, and the others find theirs among it."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -64,24 +66,50 @@ class Guide:
         X_TM = self.inverse.backwards(move) if type(path) in _PLAIN else None
         if X_TM is None:
             return None
-        density = 1
-        while True:
-            poses, density = self.poses(path, X_TM, density)
-            rows, half = len(poses), len(poses) // 2
-            if not rows:
+        poses, taken = self.poses(path, X_TM, _AHEAD if _is_corner(path) else 1)
+        # of an even number of rows nobody knows how rough they are
+        density = 1 + len(poses) // _AHEAD % 2 if taken == _AHEAD else taken
+        while len(poses):
+            found = self._led(poses, q_start, path.length, taken // density)
+            if found is None:
                 return None
-            q, derivatives = np.empty((rows, self.n)), np.empty((2, rows, self.n))
-            work = np.empty(3 + half + ROOM_OF_ROWS)
-            given = self.branches(poses) if self.branches else poses
-            self.lead(given, q_start, path.length, q, derivatives, np.empty((3, half + 1, self.n)), work)
-            follows, within, rough = work[:3].tolist()
-            if not (follows and within):
-                return None
+            q, traced, rough = found
+            while rough > SMOOTH and density < taken:
+                density = denser(density, rough)
+                if density <= taken:
+                    traced, each = traced_with_roughness(path.length, q[:: taken // density])
+                    rough = 0.0 if each is None else float(each.max())
             if rough <= SMOOTH:
-                return Traced(path.length, q, derivatives), end_findings(move, q[-1])
+                return traced, end_findings(move, traced.q[-1])
             if density == MOST_DENSITY:
                 return None
-            density = denser(density, rough)
+            density = denser(density, rough) if density == taken else density
+            poses, taken = self.poses(path, X_TM, density)
+        return None
+
+    def _led(
+        self, poses: Array, q_start: Array, length: float, every: int
+    ) -> tuple[Array, Traced, float] | None:
+        """Return what leads the arm through poses, None where there is a jump, a limit or no branch.
+
+        Args:
+            poses: X_BM at equidistant places, shape (2·m·every + 1, 4, 4).
+            q_start: joint coordinates at the start [rad | m], shape (n,).
+            length: of the way from the first pose to the last.
+            every: of so many poses one is picked.
+
+        Returns:
+            joint coordinates at all poses [rad | m], the way through those that are picked, and how rough it
+            is [rad | m].
+        """
+        count, half, n = len(poses), len(poses) // every // 2, self.n
+        rows = 2 * half + 1
+        q, derivatives, work = np.empty((count, n)), np.empty((2, rows, n)), np.empty(3 + half + ROOM_OF_ROWS)
+        picked, coarse = q if every == 1 else np.empty((rows, n)), np.empty((3, half + 1, n))
+        given = self.branches(poses) if self.branches else poses
+        self.lead(given, q_start, length, every, q, picked, derivatives, coarse, work)
+        follows, within, rough = work[:3].tolist()
+        return (q, Traced(length, picked, derivatives), rough) if follows and within else None
 
     def poses(self, path: ToolPath, X_TM: Array, density: int) -> tuple[Array, int]:
         """Return X_BM along a path at a density, or at twice that so that their number is odd; (k, 4, 4).
@@ -103,6 +131,10 @@ class Guide:
         steps = self.interpolator.steps(path)
         density = 2 if density == 1 and steps % 2 else density
         return path.tool(places(path.length, density * steps)).matrices @ X_TM, density
+
+
+def _is_corner(path: ToolPath) -> bool:
+    return isinstance(path, Curve) and len(path.middles) == 1
 
 
 @lru_cache(maxsize=16)

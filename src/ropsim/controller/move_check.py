@@ -150,7 +150,8 @@ def _is_plausible(move: MoveInstruction) -> bool:
 
 
 def _is_near(pose: Pose) -> bool:
-    x, y, z = pose.position.tolist()
+    values: list[float] = pose.position.tolist()
+    x, y, z = values
     return abs(x) <= _MAX_COORDINATE and abs(y) <= _MAX_COORDINATE and abs(z) <= _MAX_COORDINATE
 
 

@@ -10,9 +10,9 @@ from ropsim.controller import MotionChain, Refusal, StandardInterpolator
 from ropsim.controller.guide import guide_of
 from ropsim.controller.interpolator import places
 from ropsim.controller.tracing import trace
-from ropsim.kinematics import ROOM_OF_ROWS, exact_arm, forward, inverse_batch, inverse_row, solver_of
+from ropsim.kinematics import ROOM_OF_ROWS, exact_arm, forward, inverse, inverse_batch, inverse_row, solver_of
 from ropsim.model import RobotModel
-from ropsim.motion import Arc, Curve, Line, OrientationMode, ToolPath, Traced, arc, spline
+from ropsim.motion import Arc, Curve, Line, OrientationMode, ToolPath, Traced, arc, corner, spline
 from ropsim.robots import default_controller
 from ropsim.spatial import Array, Pose
 from support.cells import chain_of, one_station
@@ -131,3 +131,32 @@ def test_a_path_of_more_steps_than_any_memory_has_no_poses() -> None:
     path = Line(Pose(), Pose(np.array([1e6, 0.0, 0.0])))
     assert len(guide.poses(path, np.eye(4), 1)[0]) == 0
     assert guide.joints(path, START, MOVE) is None
+
+
+def test_corners_that_are_taken_closely_at_once_end_with_the_samples_that_they_ask_for() -> None:
+    """One by one the density grows from the first; taken at once, that of the first is found among more."""
+    guide, random, counts = guide_of(CHAIN), np.random.default_rng(12), set()
+    assert guide is not None
+    slow_chain = replace(CHAIN, interpolator=OneByOne())
+    for size in (1e-4, 1e-3, 1e-2, 3e-2, 0.1):
+        for _ in range(6):
+            X, ways = interface_pose(START), size * random.normal(size=(2, 3))
+            middle = shifted(X, *ways[0].tolist())
+            lines = Line(X, middle), Line(middle, shifted(middle, *ways[1].tolist()))
+            path = corner(lines[0], 0.6 * lines[0].length, lines[1], 0.4 * lines[1].length)
+            assert isinstance(path, Curve)
+            q_start = branch_of(path, START)
+            quick, slow = guide.joints(path, q_start, MOVE), trace(slow_chain, path, q_start, MOVE)
+            assert quick is not None
+            assert not isinstance(slow, Refusal)
+            assert isinstance(slow[0], Traced)
+            assert quick[0].q.shape == slow[0].q.shape
+            assert np.abs(quick[0].q - slow[0].q).max() < ROUNDING
+            counts.add(len(quick[0].q))
+    assert len(counts) > 1
+
+
+def branch_of(path: ToolPath, near: Array) -> Array:
+    """Return the joint coordinates at the start of a path that are nearest to some."""
+    pose = Pose.from_matrix(path.tool(np.zeros(1)).matrices[0])
+    return np.asarray(min(inverse(PUMA, pose).solutions, key=lambda one: float(np.abs(one - near).max())))
