@@ -26,19 +26,23 @@ def motion_time_at(
         times: real times [s], best in order, shape (k,).
         out: where the answers go, shape (3, k).
     """
-    last, i = knots.shape[0] - 1, 0
+    last, i, made = knots.shape[0] - 1, 0, -1
+    first, change, square, cube, third = 0.0, 0.0, 0.0, 0.0, 0.0
     for k in range(times.shape[0]):
         t = min(max(times[k], knots[0]), knots[last])
         if t < knots[i]:
             i = 0
         while i < last - 1 and knots[i + 1] <= t:
             i += 1
-        past, step = t - knots[i], knots[i + 1] - knots[i]
-        first, change, end = rates[i], changes[i], changes[i + 1]
-        more = (rates[i + 1] - first) / step
-        square = (3.0 * more - 2.0 * change - end) / step
-        cube = (change + end - 2.0 * more) / (step * step)
-        way = past * (first + past * (change / 2.0 + past * (square / 3.0 + past * cube / 4.0)))
+        if i != made:
+            step = knots[i + 1] - knots[i]
+            first, change, end, made = rates[i], changes[i], changes[i + 1], i
+            more = (rates[i + 1] - first) / step
+            square = (3.0 * more - 2.0 * change - end) / step
+            cube = (change + end - 2.0 * more) / (step * step)
+            third = square / 3.0
+        past = t - knots[i]
+        way = past * (first + past * (change / 2.0 + past * (third + past * cube / 4.0)))
         phi = min(max(places[i] + way, places[i]), places[i + 1])
         out[0, k] = phi if t < knots[last] else places[last]
         out[1, k] = first + past * (change + past * (square + past * cube))

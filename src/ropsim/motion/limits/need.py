@@ -28,7 +28,7 @@ class Need:
 
 
 def rates_needed(demand: Demand, places: Array, period: float) -> Array:
-    """Return the constant rates that would just keep the limits of speed and jerk, shape (m,).
+    """Return the constant rates, at most 1, that would just keep the limits of speed and jerk, (m,).
 
     Args:
         demand: what the plan asks of the joints at the places.
@@ -37,7 +37,9 @@ def rates_needed(demand: Demand, places: Array, period: float) -> Array:
     """
     bounds, least = demand.bounds, np.empty((3, len(places)))
     room(*_rows(demand), places, bounds.speed, bounds.jerk, period, least)
-    between = np.maximum(np.cbrt(least[1]), np.sqrt(least[2]))
+    between = np.ones(len(places))
+    here = np.flatnonzero((least[1] < 1.0) & (least[2] < 1.0))
+    between[here] = np.maximum(np.cbrt(least[1, here]), np.sqrt(least[2, here]))
     result = np.minimum(least[0], between)
     result[1:] = np.minimum(result[1:], between[:-1])
     return np.asarray(result)

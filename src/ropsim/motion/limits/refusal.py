@@ -27,9 +27,10 @@ def too_heavy(asked: Demand, places: Array) -> Beyond | None:
     most = asked.bounds.effort
     if most is None or asked.effort is None:
         return None
-    where, joints = np.nonzero(np.abs(asked.still) > most * (1.0 + ROUNDING))
-    if len(where) == 0:
+    beyond = np.abs(asked.still) > most * (1.0 + ROUNDING)
+    if not beyond.any():
         return None
+    where, joints = np.nonzero(beyond)
     i, j = int(where[0]), int(joints[0])
     return Beyond(float(places[i]), j, Quantity.TORQUE, float(abs(asked.still[i, j])), float(most[j]))
 

@@ -101,8 +101,10 @@ def strain_of(
 
 def _jump(qdd: Array, k: int, j: int) -> float:
     """Return how much the acceleration of a joint changes towards a tick; it rests before and behind all."""
-    jump: float = abs(qdd[k, j]) if k == 0 else abs(qdd[k, j] - qdd[k - 1, j])
-    return max(jump, abs(qdd[k, j])) if k == qdd.shape[0] - 1 else jump
+    jump = abs(qdd[k, j]) if k == 0 else abs(qdd[k, j] - qdd[k - 1, j])
+    if k == qdd.shape[0] - 1:
+        jump = max(jump, abs(qdd[k, j]))
+    return float(jump)
 
 
 def _invert(limits: Array, here: int, inverse: Array) -> None:
