@@ -11,18 +11,18 @@ from ropsim.spatial import Array
 _ENDLESS = 1e100
 
 
-def course_below(places: Array, rates: Array, lasting: Array, width: Array) -> tuple[Array, MotionTime]:
+def course_below(places: Array, x: Array, lasting: Array, width: Array) -> tuple[Array, MotionTime]:
     """Return the places in windows, see `smooth_course`, shape (m,), and the motion time.
 
     Args:
         places: motion times [s], rising, shape (m,).
-        rates: nowhere exceeded, but for the least rate that counts, shape (m,).
+        x: squares of rates; these are nowhere exceeded, but for the least rate that counts, shape (m,).
         lasting: real times that windows last at least, see `window_times` [s], shape (m,).
         width: factor of the windows, shape (m,).
     """
     m = len(places)
     sigma, times, smooth, changes = np.empty((4, m))
-    smooth_course(places, rates, lasting, width, np.empty((2 + WORK, m + 2)), sigma, times, smooth, changes)
+    smooth_course(places, x, lasting, width, np.empty((2 + WORK, m + 2)), sigma, times, smooth, changes)
     return sigma, MotionTime(times, places, smooth, changes)
 
 

@@ -9,6 +9,8 @@ from ropsim.spatial import Array
 
 LEAST_RATE = 1e-4
 """A path that must be gone slower than by this share of its plan cannot be gone."""
+SLACK = 5e-10
+"""Share by which bounds are planned wider, so that a plan that is on them is left as it is."""
 _FEWEST_CELLS = 5.0
 """Half width of the least window over the way between places."""
 _SLOPE = 0.6
@@ -22,7 +24,7 @@ _LEAST_WAY = 2.0**-52
 @kernel("void(f8[::1], f8[::1], f8[::1], f8[::1], f8[:,::1], f8[::1], f8[::1], f8[::1], f8[::1])")
 def smooth_course(
     places: Array,
-    rates: Array,
+    x: Array,
     lasting: Array,
     width: Array,
     work: Array,
@@ -35,7 +37,7 @@ def smooth_course(
 
     Args:
         places: motion times [s], rising, shape (m,).
-        rates: nowhere exceeded, but for the least rate that counts, shape (m,).
+        x: squares of rates; these are nowhere exceeded, but for the least rate that counts, shape (m,).
         lasting: real times that windows last at least [s], shape (m,).
         width: factor of the windows, shape (m,).
         work: room, shape (2 + WORK, m + 2).
@@ -48,7 +50,7 @@ def smooth_course(
     widths, counted = work[0], work[1, : last + 1]
     lowest = math.inf
     for i in range(last + 1):
-        counted[i] = max(rates[i], LEAST_RATE)
+        counted[i] = max(math.sqrt(x[i]), LEAST_RATE) if x[i] < 1.0 - SLACK else 1.0
         wide = max(lasting[i] * counted[i], _FEWEST_CELLS * _cell(places, i)) * width[i]
         lowest = min(lowest, wide - places[i] * _SLOPE)
         widths[i] = lowest + places[i] * _SLOPE

@@ -10,9 +10,6 @@ from ropsim.motion.limits.ways import Ways, no_ways
 from ropsim.motion.paths.path import JointPoints
 from ropsim.spatial import Array
 
-SLACK = 5e-10
-"""Share by which bounds are planned wider, so that a plan that is on them is left as it is."""
-
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Demand:

@@ -6,8 +6,8 @@ import numpy as np
 
 from ropsim.motion.diagnostics import WRONG_PROFILE_REQUEST
 from ropsim.motion.limits.course import course_below, window_times
-from ropsim.motion.limits.course_kernel import LEAST_RATE
-from ropsim.motion.limits.demand import SLACK, Demand, demand
+from ropsim.motion.limits.course_kernel import LEAST_RATE, SLACK
+from ropsim.motion.limits.demand import Demand, demand
 from ropsim.motion.limits.grid import places_of
 from ropsim.motion.limits.joint_bounds import Effort, JointBounds
 from ropsim.motion.limits.kept import Beyond, Kept, Motion, Slowed
@@ -104,8 +104,7 @@ def _slowed(motion: Motion, asked: Demand, planned: Demand, places: Array, perio
     best, attempt = (math.inf, unslowed(motion.duration)), 0
     while True:
         x = speeds.under((caps * shares.rate) ** 2, x, shares.acceleration, shares.torque)
-        rates = np.where(x < 1.0 - SLACK, np.sqrt(x), 1.0)
-        sigma, clock = course_below(places, rates, lasting, shares.width)
+        sigma, clock = course_below(places, x, lasting, shares.width)
         if x.min() < LEAST_RATE**2 or clock.duration - motion.duration > LONGEST_DELAY:
             slowest = int(np.argmin(x))
             return too_slow(asked, places, neediest(asked, places, period, slowest, slowest + 1))

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from ropsim.motion.limits.course_kernel import LEAST_RATE
-from ropsim.motion.limits.demand import SLACK, Demand
+from ropsim.motion.limits.course_kernel import LEAST_RATE, SLACK
+from ropsim.motion.limits.demand import Demand
 from ropsim.motion.limits.fastest_kernel import bound, fastest
 from ropsim.motion.limits.joint_bounds import torques
 from ropsim.spatial import Array
