@@ -65,6 +65,7 @@ def strain_of(
             multiplied with, and torque to be divided by, at the places on both sides of the ticks, (4, m).
     """
     way, last, constant = 0, places.shape[0] - 2, limits.shape[1] == 1
+    kinds = 4 if torque.shape[1] else 3
     for k in range(qd.shape[0]):
         before = max(k - 1, 0)
         while way < last and places[way + 1] <= course[0, k]:
@@ -77,11 +78,11 @@ def strain_of(
         for j in range(qd.shape[1]):
             load = abs(torque[k, j]) if j < torque.shape[1] else 0.0
             values = (abs(qd[k, j]), abs(qdd[k, j]), _jump(qdd, k, j), load)
-            for kind in range(len(values)):
+            for kind in range(kinds):
                 value = values[kind]
-                share = value / limits[kind, here, j]
-                if not share < math.inf:
-                    share = math.inf
+                share = value * inverse[kind, j]
+                if not share < allowed * _CLEARLY:
+                    share = _share(value, limits[kind, here, j])
                 used[kind, k] = max(used[kind, k], share)
                 if share <= allowed:
                     peaks[kind] = max(peaks[kind], share)
