@@ -5,7 +5,11 @@ import numpy as np
 from ropsim.controller.course import Course, Run
 from ropsim.controller.stretch_kernel import AT_ONCE, FIRST_PIECE, add_in_time, points_on, walk_runs
 from ropsim.controller.walk_table import WalkTable, walk_table
+<<<<<<< HEAD
 from ropsim.motion import COEFFICIENTS, JointPoints, LawRows, Ways, no_ways
+=======
+from ropsim.motion import JointPoints, LawRows, Ways
+>>>>>>> 2dc3b8fa (Helpers of strains stand at the end of their file)
 from ropsim.spatial import Array, frozen, record
 
 
@@ -96,8 +100,6 @@ class StretchMotion:
         """
         runs = self.course.runs
         r = int(any(run.part.leads_tool for run in runs))
-        if r == 0:
-            return no_ways(len(phi))
         walked, most = np.zeros((2, len(phi), r)), np.full((2, len(phi), r), np.inf)
         for number, run in enumerate(runs):
             if not run.part.leads_tool:

@@ -82,7 +82,7 @@ def strain_of(
                 value = values[kind]
                 share = value * inverse[kind, j]
                 if not share < allowed * _CLEARLY:
-                    share = _share(value, limits[kind, here, j])
+                    share = _of(value, limits[kind, here, j])
                 used[kind, k] = max(used[kind, k], share)
                 if share <= allowed:
                     peaks[kind] = max(peaks[kind], share)
@@ -98,6 +98,82 @@ def strain_of(
                 for row in range(len(given)):
                     for i in range(way, way + 2):
                         lacks[row, i] = max(lacks[row, i], given[row])
+
+
+@kernel("void(f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1])")
+def used_by_motion(qd: Array, qdd: Array, limits: Array, used: Array) -> None:
+    """Compute what n joints use of speed, acceleration and jerk at k control ticks, as `strain_of` does.
+
+    Args:
+        qd: speeds [rad/s | m/s], shape (k, n).
+        qdd: accelerations [rad/s² | m/s²], shape (k, n).
+        limits: of speed, acceleration and change of acceleration in one tick, shape (3 or more, n).
+        used: becomes what is used by the joint that uses most, in its first three rows, shape (4, k).
+    """
+    last = qd.shape[0] - 1
+    for k in range(qd.shape[0]):
+        speed, acceleration, jerk = 0.0, 0.0, 0.0
+        before = max(k - 1, 0)
+        for j in range(qd.shape[1]):
+            jump = abs(qdd[k, j]) if k == 0 else abs(qdd[k, j] - qdd[before, j])
+            if k == last:
+                jump = max(jump, abs(qdd[k, j]))
+            speed = max(speed, _share(abs(qd[k, j]), limits[SPEED, j]))
+            acceleration = max(acceleration, _share(abs(qdd[k, j]), limits[ACCELERATION, j]))
+            jerk = max(jerk, _share(jump, limits[JERK, j]))
+        used[SPEED, k], used[ACCELERATION, k], used[JERK, k] = speed, acceleration, jerk
+
+
+@kernel("void(f8[:,::1], f8[::1], f8[:,::1])")
+def used_by_torque(torque: Array, limit: Array, used: Array) -> None:
+    """Compute what n joints use of their torque at k control ticks, as `strain_of` does.
+
+    Args:
+        torque: of the joints [N m | N], shape (k, n).
+        limit: of each [N m | N], shape (n,).
+        used: its last row becomes what is used by the joint that uses most, shape (4, k).
+    """
+    for k in range(torque.shape[0]):
+        most = 0.0
+        for j in range(torque.shape[1]):
+            most = max(most, _share(abs(torque[k, j]), limit[j]))
+        used[TORQUE, k] = most
+
+
+def _share(value: float, limit: float) -> float:
+    """Return what a value is of its limit; no number counts as infinity."""
+    share = value / limit
+    return share if share < math.inf else math.inf
+
+
+def _causes(
+    first: Array, second: Array, course: Array, j: int, before: int, now: int
+) -> tuple[float, float, float]:
+    """Return the shares that the path, changes of rate on it and changes of acceleration have in a jerk."""
+    w, c = course[1, now], course[2, now]
+    faster = w * w - course[1, before] * course[1, before]
+    by_path = abs(second[now, j] - second[before, j]) * w * w
+    bend = abs(second[now, j] * faster) + abs((first[now, j] - first[before, j]) * c)
+    change = abs(first[now, j] * (c - course[2, before]))
+    whole = max(by_path + bend + change, _TINY)
+    return by_path / whole, bend / whole, change / whole
+
+
+@kernel("void(f8[:,::1], f8[:,::1], f8[:,::1], f8[:,:,::1])")
+def by_real_time(first: Array, second: Array, course: Array, out: Array) -> None:
+    """Write speeds q'·w and accelerations q''·w² + q'·c of a motion at the rate w, which changes by c.
+
+    Args:
+        first: first derivatives by motion time, shape (k, n).
+        second: second ones.
+        course: motion times [s], rates w = dφ/dt, and their changes c [1/s], shape (3, k).
+        out: where they go, shape (2, k, n).
+    """
+    for k in range(first.shape[0]):
+        w, c = course[1, k], course[2, k]
+        for j in range(first.shape[1]):
+            out[0, k, j] = first[k, j] * w
+            out[1, k, j] = second[k, j] * (w * w) + first[k, j] * c
 
 
 def _jump(qdd: Array, k: int, j: int) -> float:
@@ -151,31 +227,7 @@ def _given_up(
     return lack, 0.0, 0.0, 0.0  # whatever it is, slowing is what helps
 
 
-def _causes(
-    first: Array, second: Array, course: Array, j: int, before: int, now: int
-) -> tuple[float, float, float]:
-    """Return the shares that the path, changes of rate on it and changes of acceleration have in a jerk."""
-    w, c = course[1, now], course[2, now]
-    faster = w * w - course[1, before] * course[1, before]
-    by_path = abs(second[now, j] - second[before, j]) * w * w
-    bend = abs(second[now, j] * faster) + abs((first[now, j] - first[before, j]) * c)
-    change = abs(first[now, j] * (c - course[2, before]))
-    whole = max(by_path + bend + change, _TINY)
-    return by_path / whole, bend / whole, change / whole
-
-
-@kernel("void(f8[:,::1], f8[:,::1], f8[:,::1], f8[:,:,::1])")
-def by_real_time(first: Array, second: Array, course: Array, out: Array) -> None:
-    """Write speeds q'·w and accelerations q''·w² + q'·c of a motion at the rate w, which changes by c.
-
-    Args:
-        first: first derivatives by motion time, shape (k, n).
-        second: second ones.
-        course: motion times [s], rates w = dφ/dt, and their changes c [1/s], shape (3, k).
-        out: where they go, shape (2, k, n).
-    """
-    for k in range(first.shape[0]):
-        w, c = course[1, k], course[2, k]
-        for j in range(first.shape[1]):
-            out[0, k, j] = first[k, j] * w
-            out[1, k, j] = second[k, j] * (w * w) + first[k, j] * c
+def _of(value: float, limit: float) -> float:
+    """Return what a value is of its limit; no number counts as infinity."""
+    share = value / limit
+    return share if share < math.inf else math.inf
