@@ -86,7 +86,8 @@ def fastest(
             continue
         most, fall = back[i + 1] / (2.0 * steps[i]), -1.0 / (2.0 * steps[i])
         if x[i] != free[i]:
-            _, _, most, fall, _ = _between(A, B, lower, upper, i, steps[i], x[i], back[i + 1], greatest)
+            reach = greatest / (2.0 * steps[i])
+            most, fall, _ = _binding(A, B, lower, upper, i, steps[i], x[i], 1.0, most, fall, reach)
         before = x[i + 1]
         x[i + 1] = min(back[i + 1], max(x[i] + 2.0 * steps[i] * (most + fall * x[i]), 0.0))
         kept = x[i + 1] == before
@@ -138,23 +139,45 @@ def _backwards(
     free: Array,
 ) -> float:
     """Return the greatest x of a place from which the next one can be at `goal`, and note if that is free."""
-    value = cap
     free[i] = -1.0
+    share = MOST_FALL if goal > 0.0 else 1.0
+    twice, value = 2.0 * step, cap
+    reach = greatest / twice  # no acceleration is greater
+    if _is_free(A, B, lower, upper, i, step, value, goal / twice - value / twice, -share * value / twice):
+        free[i] = value
+        return value
     for _ in range(MOST_STEPS):
-        least, rise, most, fall, cap = _between(A, B, lower, upper, i, step, value, goal, greatest)
+        least, rise, _ = _binding(A, B, lower, upper, i, step, value, -1.0, 0.0, share / twice, reach)
+        most, fall, cap = _binding(A, B, lower, upper, i, step, value, 1.0, goal / twice, -1.0 / twice, reach)
+        least, rise = -least, -rise
         new = min(value, cap)
         if least + rise * value > most + fall * value and rise > fall:
             new = min(new, (most - least) / (rise - fall))
         new = max(new, 0.0)
         if not new < value * (1.0 - 1e-15):
-            if most == goal / (2.0 * step) and fall == -1.0 / (2.0 * step):
+            if most == goal / twice and fall == -1.0 / twice:
                 free[i] = value
             break
         value = new
     return value
 
 
-def _between(
+def _is_free(
+    A: Array, B: Array, lower: Array, upper: Array, i: int, step: float, x: float, u: float, least: float
+) -> bool:
+    """Return whether an acceleration from x holds all rows, and falls by no more than it may."""
+    if not u >= least:
+        return False
+    for end in range(2):
+        for r in range(A.shape[1]):
+            b = B[i + end, r]
+            value = (A[i + end, r] + 2.0 * step * end * b) * u + b * x
+            if not lower[i + end, r] <= value <= upper[i + end, r]:
+                return False
+    return True
+
+
+def _binding(
     A: Array,
     B: Array,
     lower: Array,
@@ -162,26 +185,39 @@ def _between(
     i: int,
     step: float,
     x: float,
-    goal: float,
-    greatest: float,
-) -> tuple[float, float, float, float, float]:
-    """Return the two lines by x that bind the acceleration at x, and a bound of x.
+    sign: float,
+    line: float,
+    slope: float,
+    reach: float,
+) -> tuple[float, float, float]:
+    """Return the line by x that binds acceleration times sign from above at x, and a bound of x.
 
     Only a row that the acceleration so far does not keep becomes a line of its own: few of them do, and the
     others cost no division.
 
+    Args:
+        A: of `fastest`, as what follows up to the step.
+        B: likewise.
+        lower: likewise.
+        upper: likewise.
+        i: place.
+        step: way to the next one.
+        x: squared speed.
+        sign: 1 for the greatest acceleration, -1 for minus the least.
+        line: what binds it without rows, at x = 0.
+        slope: of that by x.
+        reach: no acceleration is greater.
+
     Returns:
-        the least acceleration at x = 0 and its slope, the greatest one at x = 0 and its slope, the bound.
+        the line at x = 0, its slope, the bound.
     """
-    share = MOST_FALL if goal > 0.0 else 1.0
-    least, rise = 0.0, -share / (2.0 * step)
-    most, fall = goal / (2.0 * step), -1.0 / (2.0 * step)
-    cap, reach = x, greatest / (2.0 * step)  # no acceleration is greater
-    under, over = least + rise * x, most + fall * x
+    cap, most = x, line + slope * x
     for end in range(2):
         for r in range(A.shape[1]):
             b, low, high = B[i + end, r], lower[i + end, r], upper[i + end, r]
-            a = A[i + end, r] + 2.0 * step * end * b
+            a, room = (A[i + end, r] + 2.0 * step * end * b) * sign, b * x
+            if low <= a * most + room <= high:
+                continue
             if abs(a) * reach <= NOTHING * (high - low):
                 if b > 0.0:
                     cap = min(cap, high / b)
@@ -189,14 +225,9 @@ def _between(
                     cap = min(cap, low / b)
                 continue
             if a < 0.0:
-                a, b, low, high = -a, -b, -high, -low
-            room = b * x
-            if a * under < low - room:
+                a, b, high, room = -a, -b, -low, -room
+            if a * most > high - room:
                 inverse = 1.0 / a
-                least, rise = low * inverse, -b * inverse
-                under = least + rise * x
-            if a * over > high - room:
-                inverse = 1.0 / a
-                most, fall = high * inverse, -b * inverse
-                over = most + fall * x
-    return least, rise, most, fall, cap
+                line, slope = high * inverse, -b * inverse
+                most = line + slope * x
+    return line, slope, cap
