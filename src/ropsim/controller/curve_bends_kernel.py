@@ -1,7 +1,7 @@
 """Bounds of the bends of a curve of polynomials, looked at closely where it counts; numba compiles it."""
 
 from ropsim.codegen import kernel
-from ropsim.controller.bends_kernel import bounds_between, keep_units
+from ropsim.controller.bends_kernel import SEEN, bounds_between, keep_units
 from ropsim.motion import curve_points
 from ropsim.spatial import Array
 
@@ -148,9 +148,9 @@ def _merged(
 
     Cells that are not halved go with their bounds to where they are now.
     """
-    to, new = n + count - 1, count - 1
-    for i in range(n - 1, -1, -1):
-        is_halved = new >= 0 and between[new] > s[i]
+    to, new, i = n + count - 1, count - 1, n - 1
+    while new >= 0:
+        is_halved = between[new] > s[i]
         if is_halved:
             s[to], fresh[to] = between[new], 1.0
             for order in range(2):
@@ -161,7 +161,9 @@ def _merged(
         for order in range(2):
             for c in range(6):
                 rows[order, to, c] = rows[order, i, c]
-        for row in range(table.shape[0]):
+        for row in range(SEEN):
             table[row, to, 0], table[row, to, 1] = table[row, i, 0], table[row, i, 1]
-        to -= 1
+        to, i = to - 1, i - 1
+    for cell in range(i + 1):  # those before the first halved one stay where they are
+        fresh[cell] = 0.0
     return n + count

@@ -7,6 +7,7 @@ from math import sqrt
 import numpy as np
 
 from ropsim.controller.bends import Bends, bends_of
+from ropsim.controller.bends_kernel import TINY
 from ropsim.controller.coordination import Coordination
 from ropsim.controller.curve_stages import stages_of_curve
 from ropsim.controller.stages_kernel import bent_stages, straight_stage
@@ -26,6 +27,7 @@ from ropsim.motion import (
 from ropsim.spatial import Array, frozen
 
 _PLACES = np.linspace(0.0, 1.0, 33)
+_START = frozen([0.0])
 _STRAIGHT = 1e-9
 """A path of the tool whose direction changes by less from end to end is straight."""
 _SAME_PLACE = 1e-9
@@ -74,11 +76,11 @@ def tool_choices(path: ToolPath, limits: ToolLimits, shares: Sequence[float]) ->
         limits: of the TCP and of the orientation.
         shares: of the highest speed that the bend allows, falling from 1.
     """
-    both, line = _of_parts(limits), path.path if isinstance(path, ToolSection) else path
+    line = path.path if isinstance(path, ToolSection) else path
     if isinstance(line, Line):
-        start = line.tool(np.zeros(1))
-        if not start.d2.any():  # so it goes on: only a tool that rolls while it swings has second derivatives
-            return (_straight(path.length, _sizes(start.d1[0]), both),)
+        start = line.tool(_START)
+        if not any(start.d2[0].tolist()):  # so it goes on: only a tool that rolls while it swings has some
+            return (_even(path.length, start.d1[0].tolist(), limits),)
     if isinstance(path, Curve):
         curve, rates = path, _rates(limits)
         if first := stages_of_curve(curve, rates, shares[0]):
@@ -88,6 +90,7 @@ def tool_choices(path: ToolPath, limits: ToolLimits, shares: Sequence[float]) ->
         rows = path.tool(places)
         return rows.d1.reshape(-1, 2, 3), rows.d2.reshape(-1, 2, 3)
 
+    both = _of_parts(limits)
     d1, d2 = (np.linalg.norm(rows, axis=2).max(axis=0) for rows in look(_PLACES * path.length))
     if float((d2 * path.length).max()) <= _STRAIGHT * float(d1.max()):
         return (_straight(path.length, d1, both),)
@@ -143,10 +146,17 @@ def _rates(limits: ToolLimits) -> Array:
     return frozen(np.reshape(limits.all, (2, 3)).T)
 
 
-def _sizes(d1: Array) -> Array:
-    """Return the sizes of the first derivatives of position and orientation, shape (6,) to (2,)."""
-    x, y, z, a, b, c = d1.tolist()
-    return np.array([sqrt(x * x + y * y + z * z), sqrt(a * a + b * b + c * c)])
+def _even(length: float, d1: list[float], limits: ToolLimits) -> Stages:
+    """Return the bounds along a path with the same first derivatives of the tool everywhere, six numbers."""
+    x, y, z, a, b, c = d1
+    way, turn = max(sqrt(x * x + y * y + z * z), TINY), max(sqrt(a * a + b * b + c * c), TINY)
+    row = (
+        length,
+        min(limits.speed / way, limits.orientation_speed / turn),
+        min(limits.acceleration / way, limits.orientation_acceleration / turn),
+        min(limits.jerk / way, limits.orientation_jerk / turn),
+    )
+    return Stages(np.array((row,)))
 
 
 def _straight(length: float, d1: Array, limits: JointMotionLimits) -> Stages:
