@@ -131,9 +131,8 @@ def corner_between(chain: MotionChain, before: Leg, behind: Leg) -> Corner | Sto
                 return Stop.UNREACHABLE
             joints = joined_to(chain, between, traced[0], ends, before.planned.X_MT, along)
             return Rounding(flown, s_leave, s_enter, between, joints, along) if joints else Stop.UNREACHABLE
-    ways = [
-        way for way in (leaving, entering) if way > _LEAST
-    ]  # where the tool only turns no zone is too long
+    # where the tool only turns no zone is too long
+    ways = [way for way in (leaving, entering) if way > _LEAST]
     return Overlap(flown, min(ways, default=flown), s_leave, s_enter)
 
 

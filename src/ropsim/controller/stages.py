@@ -42,7 +42,7 @@ def joint_stages(path: JointPath, limits: JointMotionLimits) -> Stages:
         limits: of every joint.
     """
     line = path.path if isinstance(path, JointSection) else path
-    if isinstance(line, JointLine):
+    if type(line) is JointLine:  # one derived from it may go elsewhere
         return _straight(path.length, np.abs(line.q_end - line.q_start), limits)
     points = path.joints(_PLACES * path.length)
     if not points.d2.any():
@@ -77,7 +77,7 @@ def tool_choices(path: ToolPath, limits: ToolLimits, shares: Sequence[float]) ->
         shares: of the highest speed that the bend allows, falling from 1.
     """
     line = path.path if isinstance(path, ToolSection) else path
-    if isinstance(line, Line):
+    if type(line) is Line:
         start = line.tool(_START)
         if not any(start.d2[0].tolist()):  # so it goes on: only a tool that rolls while it swings has some
             return (_even(path.length, start.d1[0].tolist(), limits),)
