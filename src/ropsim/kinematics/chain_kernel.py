@@ -36,8 +36,10 @@ behind each, and cosine and sine of the turn to the next one; what is left to mo
 of P; steps, how far they go; angles, and cosines and sines of them. At fixed distances a compiler sees that
 loops over the eight may be taken side by side.
 """
-POSE, POSES = 96, 120
-"""Of a pose on its way R by rows and p, eight of each number; behind them what moves it. How much that is."""
+WIDE = 16
+"""Poses that are computed side by side: fewer do not keep the processor busy."""
+POSE, POSES = 12 * WIDE, 15 * WIDE
+"""Of each R by rows and p, and behind them what moves it. How many numbers that is."""
 Three = tuple[float, float, float]
 BENT = 1e-9
 """A matrix whose turn from the arm's frame is farther from a rotation [sum of entries] is no pose."""
@@ -45,7 +47,7 @@ BENT = 1e-9
 
 @kernel("void(f8[::1], f8[:,::1], f8[:,:,::1], f8[::1])")
 def forward_rows(chain: Array, Q: Array, out: Array, room: Array) -> None:
-    """Write X_BM of every row of Q (k, n) to out (k, 4, 4), eight rows side by side.
+    """Write X_BM of every row of Q (k, n) to out (k, 4, 4), sixteen rows side by side.
 
     The pose on the way is twelve numbers: its axes a, b, c and its origin p.
 
@@ -56,11 +58,11 @@ def forward_rows(chain: Array, Q: Array, out: Array, room: Array) -> None:
         room: room to work in, shape (`POSES`,).
     """
     rows, n = Q.shape[0], Q.shape[1]
-    for first in range(0, rows, LANES):
-        here = min(LANES, rows - first)
+    for first in range(0, rows, WIDE):
+        here = min(WIDE, rows - first)
         for c in range(12):
-            for lane in range(LANES):
-                room[LANES * c + lane] = chain[c]
+            for lane in range(WIDE):
+                room[WIDE * c + lane] = chain[c]
         for i in range(n):
             for lane in range(here):
                 room[POSE + lane] = Q[first + lane, i]
@@ -68,14 +70,14 @@ def forward_rows(chain: Array, Q: Array, out: Array, room: Array) -> None:
         for lane in range(here):
             X = out[first + lane]
             for r in range(3):
-                X[r, 0], X[r, 1] = room[LANES * 3 * r + lane], room[LANES * (3 * r + 1) + lane]
-                X[r, 2], X[r, 3] = room[LANES * (3 * r + 2) + lane], room[LANES * (9 + r) + lane]
+                X[r, 0], X[r, 1] = room[WIDE * 3 * r + lane], room[WIDE * (3 * r + 1) + lane]
+                X[r, 2], X[r, 3] = room[WIDE * (3 * r + 2) + lane], room[WIDE * (9 + r) + lane]
                 X[3, r] = 0.0
             X[3, 3] = 1.0
 
 
 def _go_on(chain: Array, at: int, room: Array) -> None:
-    """Move eight poses by a joint and go on to the next step, or to the interface.
+    """Move sixteen poses by a joint and go on to the next step, or to the interface.
 
     Args:
         chain: `ChainArrays.flat`, shape (14·n + 12,).
@@ -87,23 +89,23 @@ def _go_on(chain: Array, at: int, room: Array) -> None:
     p0, p1, p2, p3, p4 = chain[at], chain[at + 1], chain[at + 2], chain[at + 3], chain[at + 4]
     p5, p6, p7, p8 = chain[at + 5], chain[at + 6], chain[at + 7], chain[at + 8]
     t0, t1, t2 = chain[at + 9], chain[at + 10], chain[at + 11]
-    for lane in range(LANES):
+    for lane in range(WIDE):
         turn = room[POSE + lane] + offset
         slide = turn * slides
         co, si = _cos_sin(turn - slide)
         room[POSE + lane] = slide
-        room[POSE + 8 + lane], room[POSE + 16 + lane] = co, si
+        room[POSE + WIDE + lane], room[POSE + 2 * WIDE + lane] = co, si
     for r in range(3):
-        for lane in range(LANES):
-            slide, co, si = room[POSE + lane], room[POSE + 8 + lane], room[POSE + 16 + lane]
-            a, b = room[24 * r + lane], room[24 * r + 8 + lane]
-            c = room[24 * r + 16 + lane]
-            p = room[72 + 8 * r + lane] + c * slide
+        for lane in range(WIDE):
+            slide, co, si = room[POSE + lane], room[POSE + WIDE + lane], room[POSE + 2 * WIDE + lane]
+            a, b = room[WIDE * 3 * r + lane], room[WIDE * (3 * r + 1) + lane]
+            c = room[WIDE * (3 * r + 2) + lane]
+            p = room[WIDE * (9 + r) + lane] + c * slide
             a, b = a * co + b * si, b * co - a * si
-            room[72 + 8 * r + lane] = p + (a * t0 + b * t1 + c * t2)
-            room[24 * r + lane] = a * p0 + b * p3 + c * p6
-            room[24 * r + 8 + lane] = a * p1 + b * p4 + c * p7
-            room[24 * r + 16 + lane] = a * p2 + b * p5 + c * p8
+            room[WIDE * (9 + r) + lane] = p + (a * t0 + b * t1 + c * t2)
+            room[WIDE * 3 * r + lane] = a * p0 + b * p3 + c * p6
+            room[WIDE * (3 * r + 1) + lane] = a * p1 + b * p4 + c * p7
+            room[WIDE * (3 * r + 2) + lane] = a * p2 + b * p5 + c * p8
 
 
 @kernel("void(f8[::1], f8[::1], f8[:,:,::1], f8[:,:,::1], f8[::1])")

@@ -55,7 +55,7 @@ def test_the_kernel_does_the_same_without_numba() -> None:
     np.testing.assert_allclose(out, kinematics.forward_batch(PUMA, Q), atol=ROUNDING)
 
 
-@pytest.mark.parametrize("count", [1, 7, 8, 9, 20])
+@pytest.mark.parametrize("count", [1, 8, 15, 16, 17, 40])
 def test_a_pose_hangs_on_no_other_row(count: int) -> None:
     Q = np.random.default_rng(count).uniform(-3.0, 3.0, (count, 6))
     alone = [kinematics.forward_batch(PUMA, row[np.newaxis])[0] for row in Q]
