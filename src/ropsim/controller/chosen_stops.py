@@ -7,7 +7,7 @@ from ropsim.controller.course import Course, course_of
 from ropsim.controller.keeping import Keeping, keeping_of
 from ropsim.controller.kept_limits import ArmBounds
 from ropsim.controller.leg import Leg
-from ropsim.controller.parts import Part, parts_of
+from ropsim.controller.parts import parts_of
 from ropsim.controller.pieces import Walk, pieces_of
 from ropsim.controller.quicker_stops import Times, quicker_stops, without
 from ropsim.controller.stretch_times import arm_times, times_alone, tool_times
@@ -23,15 +23,13 @@ class ByTool:
     Attributes:
         stops: numbers of those that became stops.
         corners: that are left.
-        parts: of the stretch with them.
-        course: through the parts.
+        course: of the stretch with them.
         alone: times that the moves take from rest to rest, at least [s].
         times: of moves from rest to rest with the corners between them.
     """
 
     stops: tuple[int, ...]
     corners: Corners
-    parts: tuple[Part, ...]
     course: Course
     alone: tuple[float, ...]
     times: Times
@@ -63,13 +61,11 @@ def by_tool(legs: Sequence[Leg], corners: Corners, walks: Sequence[Walk], look_a
     """
     alone, times = times_alone(legs, walks, look_ahead), tool_times(legs, corners, look_ahead)
     stops: tuple[int, ...] = ()
-    parts = parts_of(walks, look_ahead)
-    course = course_of(parts, len(legs))
+    course = course_of(parts_of(walks, look_ahead), len(legs))
     while more := quicker_stops(corners, course.ends, alone, times):
         corners, stops = without(corners, more), (*stops, *more)
-        parts = parts_of(pieces_of(legs, corners), look_ahead)
-        course = course_of(parts, len(legs))
-    return ByTool(stops, corners, parts, course, alone, times)
+        course = course_of(parts_of(pieces_of(legs, corners), look_ahead), len(legs))
+    return ByTool(stops, corners, course, alone, times)
 
 
 def by_joints(
@@ -89,12 +85,12 @@ def by_joints(
     """
 
     def kept(corners: Corners) -> Keeping:
-        parts = parts_of(pieces_of(legs, corners), look_ahead)
-        return keeping_of(parts, len(legs), arm, period, look_ahead)
+        course = course_of(parts_of(pieces_of(legs, corners), look_ahead), len(legs))
+        return keeping_of(course, arm, period, look_ahead)
 
     corners = chosen.corners
     stops: tuple[int, ...] = ()
-    keeping = keeping_of(chosen.parts, len(legs), arm, period, look_ahead)
+    keeping = keeping_of(chosen.course, arm, period, look_ahead)
     times = arm_times(legs, corners, look_ahead, chosen.times, arm, period)
     while more := quicker_stops(corners, keeping.ends, chosen.alone, times):
         corners, stops = without(corners, more), (*stops, *more)

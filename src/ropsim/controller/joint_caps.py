@@ -71,7 +71,7 @@ def joint_caps(walked: Walked, arm: ArmBounds, period: float, used: float) -> Ca
         period: of the control ticks [s].
         used: share of the limits that is aimed at, in ]0, 1].
     """
-    rows, told = np.empty((5, 4 * walked.q.size)), np.empty(1)
+    rows, told = np.empty((5, 5 * walked.q.size)), np.empty(1)
     b, n = walked.q.shape
     slopes = walked.d1.reshape(2 * b, n), walked.d2.reshape(2 * b, n)
     at_path = walked.speeds.ravel(), walked.accelerations.ravel(), *slopes

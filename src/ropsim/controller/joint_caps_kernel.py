@@ -40,6 +40,8 @@ def caps_of(
 ) -> None:
     """Write the caps that joints set along a path, first of speed, then of acceleration, jerk and torque.
 
+    Of each quantity those of speed come first, then of acceleration, then of jerk along the path.
+
     Args:
         speeds: along the path at the ticks before, then at the b ticks, shape (2·b,).
         accelerations: likewise, shape (2·b,).
@@ -53,46 +55,47 @@ def caps_of(
         period: of the control ticks [s].
         used: share of the limits that is aimed at.
         allowed: what may be used of a limit, 1 and rounding.
-        caps: where they go: kind, value, number of the tick, joint, quantity, shape (5, 4·b·n).
+        caps: where they go: kind, value, number of the tick, joint, quantity, with room, shape (5, 5·b·n).
         told: where their number goes, shape (1 or more,).
     """
     b = qd.shape[0]
     count = _of_speed(speeds, qd, limits, used, allowed, caps)
+    room = caps.shape[1] - b * qd.shape[1]
     for quantity in range(ACCELERATION, TORQUE + 1):
-        rows = loads.shape[1] if quantity == TORQUE else qd.shape[0]
-        for kind in range(3):
-            if kind == JERK and quantity != JERK:
-                continue
-            for k in range(rows):
-                for j in range(qd.shape[1]):
-                    v0, v, a0, a = speeds[k], speeds[b + k], accelerations[k], accelerations[b + k]
-                    bent, along, value = d2[b + k, j] * (v * v), d1[b + k, j] * a, qdd[1, k, j]
-                    third = 0.0
-                    if quantity == TORQUE:
-                        value, bent, along = loads[0, k, j], loads[1, k, j], loads[2, k, j]
-                    elif quantity == JERK:
-                        value -= qdd[0, k, j]
-                        bent = (d2[b + k, j] - d2[k, j]) * 0.5 * (v * v + v0 * v0)
-                        along = 0.5 * (
-                            (d2[b + k, j] + d2[k, j]) * (v * v - v0 * v0)
-                            + (d1[b + k, j] - d1[k, j]) * (a + a0)
-                        )
-                        third = 0.5 * (d1[b + k, j] + d1[k, j]) * (a - a0)
-                    limit = limits[quantity, j]
-                    if not abs(value) > limit * allowed:
-                        continue
-                    part, share = _excess(value, bent, along, third, used * limit)
-                    if part != kind:
-                        continue
-                    if quantity != JERK:
-                        cap = v * sqrt(share) if kind == SPEED else abs(a) * share
-                    elif kind == SPEED:
-                        cap = v * np.cbrt(share)
-                    elif kind == ACCELERATION:
-                        cap = max(abs(a0), abs(a), abs((v - v0) / period)) * share
-                    else:
-                        cap = abs(a - a0) / period * share
-                    count = _add(caps, count, kind, cap, k, j, quantity)
+        found = 0
+        for k in range(loads.shape[1] if quantity == TORQUE else b):
+            for j in range(qd.shape[1]):
+                value, limit = qdd[1, k, j], limits[quantity, j]
+                if quantity == TORQUE:
+                    value = loads[0, k, j]
+                elif quantity == JERK:
+                    value -= qdd[0, k, j]
+                if not abs(value) > limit * allowed:
+                    continue
+                v0, v, a0, a = speeds[k], speeds[b + k], accelerations[k], accelerations[b + k]
+                bent, along, third = d2[b + k, j] * (v * v), d1[b + k, j] * a, 0.0
+                if quantity == TORQUE:
+                    bent, along = loads[1, k, j], loads[2, k, j]
+                elif quantity == JERK:
+                    bent = (d2[b + k, j] - d2[k, j]) * 0.5 * (v * v + v0 * v0)
+                    along = 0.5 * (
+                        (d2[b + k, j] + d2[k, j]) * (v * v - v0 * v0) + (d1[b + k, j] - d1[k, j]) * (a + a0)
+                    )
+                    third = 0.5 * (d1[b + k, j] + d1[k, j]) * (a - a0)
+                kind, share = _excess(value, bent, along, third, used * limit)
+                if kind < 0:
+                    continue
+                if quantity != JERK:
+                    cap = v * sqrt(share) if kind == SPEED else abs(a) * share
+                elif kind == SPEED:
+                    cap = v * np.cbrt(share)
+                elif kind == ACCELERATION:
+                    cap = max(abs(a0), abs(a), abs((v - v0) / period)) * share
+                else:
+                    cap = abs(a - a0) / period * share
+                _add(caps, room + found, kind, cap, k, j, quantity)
+                found += 1
+        count = _in_order(caps, room, found, count)
     told[0] = count
 
 
@@ -125,6 +128,17 @@ def _excess(value: float, bent: float, along: float, third: float, aim: float) -
             return -1, 1.0
         part, size = 0, whole
     return part, min(max(1.0 - (whole - aim) / size, MOST_AT_ONCE), 1.0)
+
+
+def _in_order(caps: Array, first: int, found: int, count: int) -> int:
+    """Write caps again, by their kinds, behind `count` others; return the number of all."""
+    for kind in range(3):
+        for h in range(first, first + found):
+            if caps[0, h] == kind:
+                for row in range(caps.shape[0]):
+                    caps[row, count] = caps[row, h]
+                count += 1
+    return count
 
 
 def _add(caps: Array, count: int, kind: int, value: float, row: int, joint: int, quantity: int) -> int:

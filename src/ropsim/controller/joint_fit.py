@@ -72,7 +72,7 @@ def as_bounds_allow(motion: StretchMotion, arm: ArmBounds, period: float) -> Fit
     return Fit(motion, as_planned(motion, arm.joints, arm.effort, period), ())
 
 
-def fitted(planned: Fit, legs: int, arm: ArmBounds, period: float, look_ahead: int) -> Fit:
+def fitted(planned: Fit, arm: ArmBounds, period: float, look_ahead: int) -> Fit:
     """Return the course with its bounds brought down where joints could not follow.
 
     The limits that the program gives for the tool stay those of every time law. Where joints leave next to
@@ -81,7 +81,6 @@ def fitted(planned: Fit, legs: int, arm: ArmBounds, period: float, look_ahead: i
 
     Args:
         planned: the course as the bounds of its parts alone would have it.
-        legs: number of its moves.
         arm: limits of the joints.
         period: of the control ticks [s].
         look_ahead: how many moves beyond the present one are known.
@@ -115,7 +114,7 @@ def fitted(planned: Fit, legs: int, arm: ArmBounds, period: float, look_ahead: i
                 changed[number] = bands[number].replanned(look_ahead)
             if bands[number].share < _LEAST:
                 return planned
-        course = course_of(changed, legs)
+        course = course_of(changed, len(planned.course.ends))
         if course.duration - planned.course.duration > LONGEST_DELAY:
             return planned
         now = as_bounds_allow(now.motion.timed(course), looked_at, period)

@@ -1,11 +1,8 @@
 """The motion of a stretch within the limits of the joints, and within those that the program gives."""
 
-from collections.abc import Sequence
-
-from ropsim.controller.course import Course, course_of
+from ropsim.controller.course import Course
 from ropsim.controller.joint_fit import Fit, as_bounds_allow, fitted
 from ropsim.controller.kept_limits import ArmBounds
-from ropsim.controller.parts import Part
 from ropsim.controller.stretch_motion import StretchMotion
 from ropsim.motion import Beyond, Kept, Slowed, kept_from
 from ropsim.spatial import record
@@ -47,21 +44,20 @@ class Keeping:
         return (float("inf"),) * len(ends)
 
 
-def keeping_of(parts: Sequence[Part], legs: int, arm: ArmBounds, period: float, look_ahead: int) -> Keeping:
-    """Return the motion through the parts of a stretch.
+def keeping_of(course: Course, arm: ArmBounds, period: float, look_ahead: int) -> Keeping:
+    """Return the motion on the course of a stretch.
 
     Time laws with lower bounds lose least where joints lack little. Where they lack much, motion time that
     goes slower there may do it in less; the quicker one counts.
 
     Args:
-        parts: of the stretch.
-        legs: number of its moves.
+        course: as the bounds of its parts alone would have it.
         arm: limits of the joints.
         period: of the control ticks [s].
         look_ahead: how many moves beyond the present one are known.
     """
-    planned = as_bounds_allow(StretchMotion.on(course_of(parts, legs)), arm, period)
-    fit = fitted(planned, legs, arm, period, look_ahead)
+    planned = as_bounds_allow(StretchMotion.on(course), arm, period)
+    fit = fitted(planned, arm, period, look_ahead)
     quick = _keeping(fit, arm, period)
     if fit is planned or quick.duration <= _LONGER * planned.course.duration:
         return quick

@@ -91,7 +91,7 @@ def step_of_run(
         points: likewise, shape (3, 2·b, n).
         room: likewise, shape (4, b, n).
         places: likewise, shape (4, b).
-        caps: likewise, shape (5, 4·b·n).
+        caps: likewise, shape (5, 5·b·n).
     """
     walk_at(
         segments,

@@ -1,17 +1,18 @@
 """How long moves of a stretch take from rest to rest: at least, by limits of the tool, and within all."""
 
 from collections.abc import Sequence
-from dataclasses import replace
+
+import numpy as np
 
 from ropsim.controller.corners import Corner
-from ropsim.controller.course import course_of
+from ropsim.controller.course import Course, course_of
 from ropsim.controller.keeping import keeping_of
 from ropsim.controller.kept_limits import ArmBounds
 from ropsim.controller.leg import Leg
-from ropsim.controller.parts import Part, parts_of
+from ropsim.controller.parts import parts_of
 from ropsim.controller.pieces import Walk, pieces_of
 from ropsim.controller.quicker_stops import Span, Times
-from ropsim.motion import plan_time_law
+from ropsim.motion import rest_to_rest
 
 
 def times_alone(legs: Sequence[Leg], walks: Sequence[Walk], look_ahead: int) -> tuple[float, ...]:
@@ -26,15 +27,19 @@ def times_alone(legs: Sequence[Leg], walks: Sequence[Walk], look_ahead: int) -> 
     for pieces, _ in walks:
         for piece in pieces:
             if piece.corner is None and len(piece.stages) == 1 and not piece.gentler:
-                even[piece.leg] = piece.stages[0]
-    found = []
-    for number, leg in enumerate(legs):
-        stage = even.get(number)
-        if stage and leg.joints:
-            found.append(plan_time_law((replace(stage, length=leg.joints.length),)).duration)
-        else:
-            found.append(_course_time([leg], [], look_ahead))
-    return tuple(found)
+                even[piece.leg] = piece.stages.rows[0]
+    alone = {
+        number: np.concatenate(((leg.joints.length,), even[number][1:]))
+        for number, leg in enumerate(legs)
+        if number in even and leg.joints
+    }
+    found = (
+        dict(zip(alone, rest_to_rest(np.array(list(alone.values()))).tolist(), strict=True)) if alone else {}
+    )
+    return tuple(
+        found[number] if number in found else _course([leg], [], look_ahead).duration
+        for number, leg in enumerate(legs)
+    )
 
 
 def tool_times(legs: Sequence[Leg], corners: Sequence[Corner | None], look_ahead: int) -> Times:
@@ -49,7 +54,7 @@ def tool_times(legs: Sequence[Leg], corners: Sequence[Corner | None], look_ahead
 
     def time(span: Span) -> float:
         if span not in known:
-            known[span] = _course_time(*_part(legs, corners, span), look_ahead)
+            known[span] = _course(*_part(legs, corners, span), look_ahead).duration
         return known[span]
 
     return Times(time, time)
@@ -75,8 +80,8 @@ def arm_times(
     """
 
     def time(span: Span) -> float:
-        some, between = _part(legs, corners, span)
-        return keeping_of(_parts(some, between, look_ahead), len(some), arm, period, look_ahead).duration
+        course = _course(*_part(legs, corners, span), look_ahead)
+        return keeping_of(course, arm, period, look_ahead).duration
 
     return Times(least.exact, time)
 
@@ -88,9 +93,5 @@ def _part(
     return legs[first:last], corners[first : last - 1]
 
 
-def _parts(legs: Sequence[Leg], corners: Sequence[Corner | None], look_ahead: int) -> Sequence[Part]:
-    return parts_of(pieces_of(legs, corners), look_ahead)
-
-
-def _course_time(legs: Sequence[Leg], corners: Sequence[Corner | None], look_ahead: int) -> float:
-    return course_of(_parts(legs, corners, look_ahead), len(legs)).duration
+def _course(legs: Sequence[Leg], corners: Sequence[Corner | None], look_ahead: int) -> Course:
+    return course_of(parts_of(pieces_of(legs, corners), look_ahead), len(legs))

@@ -9,6 +9,7 @@ from ropsim.motion import law_rows_kernel, time_law_kernel
 from ropsim.motion.diagnostics import WRONG_PROFILE_REQUEST
 from ropsim.motion.longer_pieces_kernel import over_longer
 from ropsim.motion.profile import ProfileError
+from ropsim.motion.rest_to_rest_kernel import plan_alone
 from ropsim.motion.stage import Stage
 from ropsim.motion.time_law_kernel import LEAST, MOST
 from ropsim.spatial import Array, record
@@ -164,6 +165,24 @@ def plan_time_law(stages: Iterable[Stage]) -> TimeLaw:
     rows = [(one.length, one.speed, one.acceleration, one.jerk, one.ratio, one.horizon) for one in stages]
     segments, ends, count = _planned(np.array(rows, dtype=np.float64))
     return TimeLaw(segments[:, :count].copy(), ends)
+
+
+def rest_to_rest(rows: Array) -> Array:
+    """Return the times [s] that ways of one piece take, each from rest to rest, shape (k,).
+
+    Args:
+        rows: length, and bounds of speed, acceleration and jerk of each, see `Stage`, shape (k, 4).
+
+    Raises:
+        ProfileError: M540, as for `plan_time_law`.
+    """
+    bounds, times = np.ones((len(rows), 6)), np.empty(len(rows))
+    bounds[:, :4], bounds[:, 5] = rows, -1.0
+    rooms = np.empty((3, 12, 2)), np.empty((3, 8, _SEGMENTS)), np.empty((8, 2 * _SEGMENTS)), np.empty(2)
+    plan_alone(bounds, *rooms, times)
+    if np.isnan(times).any():
+        _planned(bounds[np.isnan(times)][:1])
+    return times
 
 
 def plan_stages(bounds: Array, counts: Array) -> TimeLaw:

@@ -37,7 +37,7 @@ def arm(speed: float, acceleration: float, jerk: float, effort: Effort | None = 
 def fit(parts: tuple[Part, ...], bounds: ArmBounds) -> tuple[Fit, Fit]:
     """Return a course as its bounds allow it, and as joints can follow it."""
     planned = as_bounds_allow(StretchMotion.on(course_of(parts, 1)), bounds, TICK)
-    return planned, fitted(planned, 1, bounds, TICK, AHEAD)
+    return planned, fitted(planned, bounds, TICK, AHEAD)
 
 
 def test_a_line_that_joints_leave_more_than_a_thousandth_of_its_rate_is_fitted() -> None:
@@ -82,5 +82,5 @@ def test_of_both_ways_to_keep_the_limits_the_quicker_one_counts(
     assert isinstance(slower, Kept)
     durations = lower.course.duration, slower.clock.duration
     assert min(durations) < 0.95 * max(durations)
-    found = keeping_of(parts, 1, bounds, TICK, AHEAD)
+    found = keeping_of(course_of(parts, 1), bounds, TICK, AHEAD)
     assert found.duration == pytest.approx(min(durations), abs=1e-9)

@@ -17,6 +17,7 @@ from ropsim.motion import (
     law_rows_kernel,
     plan_profile,
     plan_time_law,
+    rest_to_rest,
     time_law_kernel,
 )
 
@@ -277,6 +278,17 @@ def test_the_times_of_places_in_order_are_those_of_each_but_for_rounding(seed: i
     inside = (places >= 0.0) | (pieces == 0.0)
     assert out[inside] == pytest.approx(wanted[inside], rel=1e-12, abs=1e-14)
     assert out[~inside] == pytest.approx(wanted[~inside], rel=1e-12)
+
+
+def test_times_from_rest_to_rest_are_those_of_ways_of_one_piece() -> None:
+    rows = np.random.default_rng(3).uniform((1e-3, 0.1, 1.0, 10.0), (2.0, 2.0, 9.0, 500.0), (200, 4))
+    alone = [plan_time_law([Stage(*row)]).duration for row in rows.tolist()]
+    assert rest_to_rest(rows).tolist() == alone
+
+
+def test_a_way_of_one_piece_that_no_motion_can_have_is_refused_with_its_bounds() -> None:
+    with pytest.raises(ProfileError, match=r"length 0\.7, speed nan"):
+        rest_to_rest(np.array([[0.5, 1.0, 1.0, 1.0], [0.7, math.nan, 1.0, 1.0]]))
 
 
 def test_times_of_places_beyond_the_ends_are_those_of_the_ends() -> None:

@@ -1,0 +1,25 @@
+"""How long ways of one piece take from rest to rest, in a loop that numba compiles."""
+
+from math import nan
+
+from ropsim.codegen import kernel
+from ropsim.motion.time_law_kernel import plan_segments
+from ropsim.spatial import Array
+
+
+@kernel("void(f8[:,::1], f8[:,:,::1], f8[:,:,::1], f8[:,::1], f8[::1], f8[::1])")
+def plan_alone(bounds: Array, ways: Array, courses: Array, rows: Array, told: Array, times: Array) -> None:
+    """Write the times [s] that pieces take, each from rest to rest.
+
+    Args:
+        bounds: of k pieces, see `plan_segments`, shape (k, 6).
+        ways: room for one of them, as there, and so are courses, rows and told.
+        courses: see there.
+        rows: see there.
+        told: see there.
+        times: where they go, NaN for a piece whose bounds no motion can have, shape (k,).
+    """
+    for k in range(bounds.shape[0]):
+        plan_segments(bounds[k : k + 1], ways, courses, rows, times[k : k + 1], told)
+        if told[0] < 0.0:
+            times[k] = nan
