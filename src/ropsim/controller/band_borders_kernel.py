@@ -10,8 +10,8 @@ from ropsim.spatial import Array
 
 SPEED, ACCELERATION, JERK = range(3)
 """Rows of what is used."""
-PIECE, TIME = 4, 5
-"""Rows of bands, behind place and bounds."""
+PLACE, TIME, FIRST_BOUND, PIECE = 0, 1, 2, 5
+"""Rows of bands."""
 MOST_PARTS = 64
 """Into which a way is divided, at most."""
 STEEP = 0.4
@@ -63,7 +63,7 @@ def band_times(used: Array, phi: Array, duration: float, ways: Array, times: Arr
 
 
 @kernel(
-    "void(f8[:,::1], f8[::1], f8, f8[::1], f8[::1], f8[:,::1], f8[::1], f8, f8[::1], f8[:,::1], f8[:,::1],"
+    "void(f8[:,::1], f8[::1], f8, f8[::1], f8[:,::1], f8[::1], f8, f8[::1], f8[:,::1], f8[::1], f8[:,::1],"
     " f8[::1])"
 )
 def lay_bands(
@@ -71,12 +71,12 @@ def lay_bands(
     ends: Array,
     start: float,
     times: Array,
-    begins: Array,
     stages: Array,
     counts: Array,
     near: float,
     asked: Array,
     law: Array,
+    begins: Array,
     bands: Array,
     told: Array,
 ) -> None:
@@ -87,24 +87,26 @@ def lay_bands(
         ends: times at which its pieces end [s], shape (p,).
         start: motion time at which it begins [s].
         times: motion times, rising [s], shape (k,).
-        begins: places at which pieces begin, and the end of the last one, shape (p + 1,).
         stages: length, and bounds of speed, acceleration and jerk of each stage, shape (s, 4).
         counts: how many stages each piece has, shape (p,).
-        near: below this way a place and the end of a stage are one.
+        near: below this share of the part a place and the end of a stage are one.
         asked: room to work in, shape (k,).
         law: likewise, shape (4, k).
-        bands: where they go: place at the end, bounds of speed, acceleration and jerk, number of the piece,
-            and time at the end since the start of the part [s], of shape (6, k + s).
+        begins: where the places go at which pieces begin, and the end of the last one, shape (p + 1,).
+        bands: where c bands go: their c + 1 borders and the times there since the start of the part [s]; then
+            bounds of speed, acceleration and jerk, and number of the piece of each; shape (6, k + s + 1).
         told: where their number goes, shape (1,).
     """
-    inside, duration = 0, ends[ends.shape[0] - 1]
+    _begin(stages, counts, begins)
+    inside, duration, least = 0, ends[ends.shape[0] - 1], near * begins[begins.shape[0] - 1]
     for k in range(times.shape[0]):
         if 0.0 < times[k] - start < duration:
             asked[inside] = times[k] - start
             inside += 1
     rows_at(segments, duration, asked[:inside], law[:, :inside])
-    count, k, begin, place = 0, 0, 0.0, 0.0
+    count, k, begin = 0, 0, 0.0
     piece, left = 0, counts[0]
+    bands[PLACE, 0], bands[TIME, 0] = 0.0, 0.0
     for stage in range(stages.shape[0]):
         end = begin + stages[stage, 0]
         if left == 0.0:
@@ -115,19 +117,28 @@ def lay_bands(
         while k < inside and begins[int(law[0, k])] + law[1, k] <= until:
             at = begins[int(law[0, k])] + law[1, k]
             k += 1
-            if at > place and at - begin > near and end - at > near:
-                bands[TIME, count] = asked[k - 1]
+            if at > bands[PLACE, count] and at - begin > least and end - at > least:
+                bands[TIME, count + 1] = asked[k - 1]
                 count = _add(bands, count, at, stages, stage, piece)
-                place = at
-        time_at(segments, ends, piece, end - begins[piece], bands[TIME, count : count + 1])
+        time_at(segments, ends, piece, end - begins[piece], bands[TIME, count + 1 : count + 2])
         count = _add(bands, count, end, stages, stage, piece)
-        place = begin = end
+        begin = end
     told[0] = count
+
+
+def _begin(stages: Array, counts: Array, begins: Array) -> None:
+    """Write the places at which pieces begin, and the end of the last one."""
+    begins[0], stage, place = 0.0, 0, 0.0
+    for piece in range(counts.shape[0]):
+        for _ in range(int(counts[piece])):
+            place += stages[stage, 0]
+            stage += 1
+        begins[piece + 1] = place
 
 
 def _add(bands: Array, count: int, end: float, stages: Array, stage: int, piece: int) -> int:
     """Write a band but for the time at its end; return the number of all."""
-    bands[0, count], bands[PIECE, count] = end, piece
-    for kind in range(1, 4):
-        bands[kind, count] = stages[stage, kind]
+    bands[PLACE, count + 1], bands[PIECE, count] = end, piece
+    for kind in range(3):
+        bands[FIRST_BOUND + kind, count] = stages[stage, 1 + kind]
     return count + 1

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from ropsim.controller.band_borders_kernel import PIECE, TIME, lay_bands
+from ropsim.controller.band_borders_kernel import FIRST_BOUND, PIECE, PLACE, TIME, lay_bands
 from ropsim.controller.bands_kernel import bring_down, stages_of
 from ropsim.controller.joint_caps import Caps
 from ropsim.controller.parts import Part
@@ -97,15 +97,11 @@ def bands_of(part: Part, times: Array, start: float) -> Bands:
         times: between which bands lie [s], rising, shape (m,).
         start: of them at which the part begins [s].
     """
-    begins, rows, count = part.borders, part.stages.rows, len(times)
-    asked, law, told = np.empty(count), np.empty((4, count)), np.empty(1)
-    bands, near = np.empty((6, count + len(rows))), _SAME_PLACE * float(begins[-1])
-    walked, counts = (part.law.segments, part.law.ends), part.counts.astype(np.float64)
-    lay_bands(
-        *walked, start, times, begins, np.ascontiguousarray(rows), counts, near, asked, law, bands, told
-    )
-    bands = bands[:, : int(told[0])]
-    bounds, legs = bands[1:4].copy(), np.array([piece.leg for piece in part.pieces], dtype=np.float64)
-    borders, reached = np.concatenate((np.zeros((2, 1)), bands[[0, TIME]]), axis=1)
-    causes = np.full((2, len(reached) - 1), -1.0)
-    return Bands(part, begins, legs, borders, reached, bands[PIECE].copy(), bounds, bounds, causes, 1.0)
+    count, rows, counts = len(times), part.stages.rows, part.counts.astype(np.float64)
+    begins, bands, told = np.empty(len(counts) + 1), np.empty((6, count + len(rows) + 1)), np.empty(1)
+    walked, rooms = (part.law.segments, part.law.ends, start, times), (np.empty(count), np.empty((4, count)))
+    lay_bands(*walked, np.ascontiguousarray(rows), counts, _SAME_PLACE, *rooms, begins, bands, told)
+    c, legs = int(told[0]), np.array([piece.leg for piece in part.pieces], dtype=np.float64)
+    borders, reached, owners = bands[PLACE, : c + 1], bands[TIME, : c + 1], bands[PIECE, :c]
+    bounds = bands[FIRST_BOUND:PIECE, :c].copy()
+    return Bands(part, begins, legs, borders, reached, owners, bounds, bounds, np.full((2, c), -1.0), 1.0)

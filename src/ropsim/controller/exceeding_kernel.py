@@ -13,7 +13,7 @@ def exceeding(used: Array, allowed: float, phi: Array, spans: Array, ticks: Arra
         used: of the limits, shape (4, k).
         allowed: what may be used, 1 and rounding.
         phi: motion times of the ticks, rising [s], shape (k,).
-        spans: motion times behind which a span begins and up to which it goes [s], shape (r, 2).
+        spans: motion times behind which a span begins and up to which it goes [s], shape (r, 2 or more).
         ticks: where the numbers of the ticks go, shape (k,).
         told: where the first one in each span and that behind the last one go, as places in `ticks`, (r, 2).
     """

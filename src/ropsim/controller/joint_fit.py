@@ -140,8 +140,9 @@ def _bands(fit: Fit) -> dict[int, Bands]:
 def _exceeding(fit: Fit, numbers: Iterable[int]) -> dict[int, Array]:
     """Return the control ticks, without 0, at which a limit is exceeded in runs; of those with any."""
     reference, runs = fit.reference, fit.course.runs
-    spans = np.array([(run.start, run.end) for run in runs])
-    ticks, told = np.empty(len(reference.phi)), np.empty(spans.shape)
+    table = fit.motion.table
+    spans = table.runs if table else np.array([(run.start, run.end) for run in runs])
+    ticks, told = np.empty(len(reference.phi)), np.empty((len(runs), 2))
     exceeding(reference.strain.used, 1.0 + ROUNDING, reference.phi, spans, ticks, told)
     found = {}
     for number in numbers:

@@ -1,36 +1,62 @@
-"""Segments of a time law, told over longer pieces, in a loop that numba compiles."""
+"""A time law over stages, told over longer pieces, in loops that numba compiles."""
 
 from ropsim.codegen import kernel
+from ropsim.motion.time_law_kernel import plan_segments
 from ropsim.spatial import Array
 
 
-@kernel("void(f8[:,::1], i8, f8[::1], f8[::1], f8[:,::1], f8[::1])")
-def over_longer(
-    segments: Array, count: int, ends: Array, counts: Array, longer: Array, longer_ends: Array
+@kernel("void(f8[:,::1], f8[::1], f8[:,:,::1], f8[:,:,::1], f8[:,::1], f8[::1], f8[::1], f8[::1])")
+def plan_longer(
+    bounds: Array,
+    counts: Array,
+    ways: Array,
+    courses: Array,
+    rows: Array,
+    ends: Array,
+    longer_ends: Array,
+    told: Array,
 ) -> None:
-    """Write the segments of a time law over longer pieces, each of several pieces with the same unit.
+    """Write what `plan_segments` does, told over pieces of several stages.
 
     Args:
-        segments: columns as in `TimeLaw`, of every piece one or more, shape (8, m or more).
+        bounds: of the stages, see `plan_segments`, and so are ways, courses, rows and ends, shape (s, 6).
+        counts: how many stages are one piece, in order, shape (c,); their sum is s.
+        ways: see there.
+        courses: see there.
+        rows: see there; they count pieces.
+        ends: see there, of the stages, shape (s,).
+        longer_ends: where the times [s] go at which the pieces end, shape (c,).
+        told: see there.
+    """
+    plan_segments(bounds, ways, courses, rows, ends, told)
+    if told[0] >= 0.0:
+        over_longer(rows, int(told[0]), ends, counts, longer_ends)
+
+
+@kernel("void(f8[:,::1], i8, f8[::1], f8[::1], f8[::1])")
+def over_longer(segments: Array, count: int, ends: Array, counts: Array, longer_ends: Array) -> None:
+    """Make segments over pieces those over longer pieces, each of several pieces with the same unit.
+
+    Args:
+        segments: columns as in `TimeLaw`, of every piece one or more; they change; shape (8, m or more).
         count: of them, m.
         ends: times [s] at which the pieces end, shape (p,).
         counts: how many pieces are one, in order, shape (c,); their sum is p.
-        longer: where the segments go, shape (8, m).
         longer_ends: where the times [s] go at which the longer pieces end, shape (c,).
     """
     number = piece = int(segments[0, 0])  # 0; a number in the text would be a type of its own for numba
-    left, gone, first = int(counts[0]), 0.0, 0.0
+    left, gone, first, length = int(counts[0]), 0.0, 0.0, 0.0
     for k in range(count):
         if int(segments[0, k]) != piece:
-            gone += segments[7, k - 1]
+            gone += length
             left -= 1
             if left == 0:
                 longer_ends[number] = ends[piece]
                 number += 1
                 left, first = int(counts[number]), gone
             piece = int(segments[0, k])
-        longer[0, k], longer[1, k] = number, segments[1, k]
-        longer[2, k], longer[7, k] = segments[2, k] + (gone - first), segments[7, k] + (gone - first)
-        for row in range(3, 7):
-            longer[row, k] = segments[row, k]
+        length = segments[7, k]
+        segments[0, k] = number
+        segments[2, k] += gone - first
+        segments[7, k] += gone - first
     longer_ends[number] = ends[piece]

@@ -7,7 +7,7 @@ import numpy.typing as npt
 
 from ropsim.motion import law_rows_kernel, time_law_kernel
 from ropsim.motion.diagnostics import WRONG_PROFILE_REQUEST
-from ropsim.motion.longer_pieces_kernel import over_longer
+from ropsim.motion.longer_pieces_kernel import over_longer, plan_longer
 from ropsim.motion.profile import ProfileError
 from ropsim.motion.rest_to_rest_kernel import plan_alone
 from ropsim.motion.stage import Stage
@@ -139,7 +139,13 @@ class TimeLaw:
         Args:
             counts: of how many, in order, each 1 or more; their sum is p.
         """
-        return _over_longer(self.segments, self.segments.shape[1], self.ends, np.array(counts, np.float64))
+        segments, ends, numbers = (
+            self.segments.copy(),
+            np.empty(np.size(counts)),
+            np.array(counts, np.float64),
+        )
+        over_longer(segments, segments.shape[1], self.ends, numbers, ends)
+        return TimeLaw(segments, ends)
 
 
 def plan_time_law(stages: Iterable[Stage]) -> TimeLaw:
@@ -163,8 +169,7 @@ def plan_time_law(stages: Iterable[Stage]) -> TimeLaw:
         Bobrow, Dubowsky and Gibson 1985, Int. J. Robotics Research 4(3), for the passes.
     """
     rows = [(one.length, one.speed, one.acceleration, one.jerk, one.ratio, one.horizon) for one in stages]
-    segments, ends, count = _planned(np.array(rows, dtype=np.float64))
-    return TimeLaw(segments[:, :count].copy(), ends)
+    return _planned(np.array(rows, dtype=np.float64))
 
 
 def rest_to_rest(rows: Array) -> Array:
@@ -196,31 +201,33 @@ def plan_stages(bounds: Array, counts: Array) -> TimeLaw:
     Raises:
         ProfileError: M540, as there.
     """
-    rows, ends, count = _planned(bounds)
-    if len(counts) == len(bounds):
-        return TimeLaw(rows[:, :count].copy(), ends)
-    return _over_longer(rows, count, ends, counts)
+    ends = np.empty(len(counts))
+    ways, courses, rows, stage_ends, told = _rooms(len(bounds))
+    plan_longer(bounds, counts, ways, courses, rows, stage_ends, ends, told)
+    return TimeLaw(rows[:, : _count(told, bounds)].copy(), ends)
 
 
-def _over_longer(rows: Array, count: int, ends: Array, counts: Array) -> TimeLaw:
-    """Return a time law over longer pieces, from `count` segments over shorter ones; see `over_longer`."""
-    segments, longer_ends = np.empty((8, count)), np.empty(len(counts))
-    over_longer(rows, count, ends, counts, segments, longer_ends)
-    return TimeLaw(segments, longer_ends)
+def _planned(bounds: Array) -> TimeLaw:
+    """Return the time law of pieces, rows as for `plan_segments`, shape (p, 6)."""
+    ways, courses, rows, ends, told = _rooms(len(bounds))
+    time_law_kernel.plan_segments(bounds, ways, courses, rows, ends, told)
+    return TimeLaw(rows[:, : _count(told, bounds)].copy(), ends)
 
 
-def _planned(bounds: Array) -> tuple[Array, Array, int]:
-    """Return segments, the ends of pieces and the number of segments; see `plan_segments`, bounds (p, 6)."""
-    p = len(bounds)
+def _rooms(p: int) -> tuple[Array, Array, Array, Array, Array]:
+    """Return ways, courses, rows, ends and told of p pieces for `plan_segments`."""
     if p == 0:
         raise ProfileError(WRONG_PROFILE_REQUEST.at(None, "a way has no pieces, allowed is one or more"))
     ways, courses = np.empty((3, 12, p + 1)), np.empty((3, 8, _SEGMENTS * p))
-    rows, ends, told = np.empty((8, 2 * _SEGMENTS * p)), np.empty(p), np.empty(2)
-    time_law_kernel.plan_segments(bounds, ways, courses, rows, ends, told)
+    return ways, courses, np.empty((8, 2 * _SEGMENTS * p)), np.empty(p), np.empty(2)
+
+
+def _count(told: Array, bounds: Array) -> int:
+    """Return the number of segments that have been planned."""
     count, wrong = told.tolist()
     if count < 0.0:
         raise ProfileError(WRONG_PROFILE_REQUEST.at(None, _wrong_words(int(wrong), bounds[int(wrong)])))
-    return rows, ends, int(count)
+    return int(count)
 
 
 def _wrong_words(piece: int, bounds: Array) -> str:

@@ -100,22 +100,26 @@ def test_bands_end_where_the_motion_is_at_times_and_where_stages_end(seed: int) 
     start, begins, ends = 0.7, begins_of(stages, counts), np.cumsum(stages[:, 0])
     times = np.sort(rng.uniform(start - 0.1, start + law.duration + 0.1, 50))
     near = 1e-3
-    asked, rows, bands, told = np.empty(50), np.empty((4, 50)), np.empty((6, 50 + len(stages))), np.empty(1)
-    fixed = law.segments, law.ends, start, times, begins, stages, counts, near
-    lay_bands(*fixed, asked, rows, bands, told)
+    asked, rows, told = np.empty(50), np.empty((4, 50)), np.empty(1)
+    laid, bands = np.empty(len(begins)), np.empty((6, 51 + len(stages)))
+    fixed = law.segments, law.ends, start, times, stages, counts, near / ends[-1]
+    lay_bands(*fixed, asked, rows, laid, bands, told)
+    assert laid.tolist() == begins.tolist()
     inside = times[(times > start) & (times < start + law.duration)] - start
     found = law.at(inside)
     places = begins[found.pieces] + found.places
     free = np.abs(places[:, None] - np.append(0.0, ends)).min(axis=1) > near
     borders = np.unique(np.append(ends, places[free]))
-    bands = bands[:, : int(told[0])]
-    np.testing.assert_allclose(bands[0], borders, rtol=ROUNDING)
+    c = int(told[0])
+    assert bands[:2, 0].tolist() == [0.0, 0.0]
+    np.testing.assert_allclose(bands[0, 1 : c + 1], borders, rtol=ROUNDING)
     middles = borders - 0.5 * np.diff(np.append(0.0, borders))
     here = np.searchsorted(ends[:-1], middles, "right")
-    assert bands[1:4].tolist() == stages[here, 1:].T.tolist()
+    assert bands[2:5, :c].tolist() == stages[here, 1:].T.tolist()
     pieces = np.searchsorted(begins[1:-1], middles, "right")
-    assert bands[4].tolist() == pieces.tolist()
-    np.testing.assert_allclose(bands[5], law.times_of(pieces, borders - begins[pieces]), rtol=1e-9)
+    assert bands[5, :c].tolist() == pieces.tolist()
+    reached = law.times_of(pieces, borders - begins[pieces])
+    np.testing.assert_allclose(bands[1, 1 : c + 1], reached, rtol=1e-9)
 
 
 @pytest.mark.parametrize("seed", SEEDS)
