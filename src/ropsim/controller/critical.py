@@ -55,10 +55,8 @@ def critical_limits(
     if not looked:
         return tuple(found)
     looks = [one.looks for one in looked]
-    ticks, starts = (
-        np.concatenate([np.arange(one.start, one.stop, one.step) for one in looks]),
-        _starts(looks),
-    )
+    ticks = np.concatenate([np.arange(one.start, one.stop, one.step) for one in looks])
+    starts = [0, *accumulate(map(len, looks))]
     counts, reached = _joints(plan, ticks, starts, [one.limits for one in looked], bounds)
     on_tool = [number for number, one in enumerate(looked) if one.move.on_tool_path]
     moves = [(looked[number].move, looks[number], starts[number]) for number in on_tool]
@@ -97,11 +95,6 @@ class _Looked:
         """Return the control ticks that are looked at."""
         count = self.move.last - self.first - 1
         return range(self.first, self.first + count, -(-count // MOST_LOOKS))
-
-
-def _starts(looks: Sequence[range]) -> list[int]:
-    """Return how many looks come before those at each move, and all of them."""
-    return [0, *accumulate(map(len, looks))]
 
 
 def _pressed(plan: MotionPlan, one: _Looked, robot: RobotModel) -> str:
@@ -153,7 +146,8 @@ def _joints(
             *(one.take(ticks, axis=0) for one in (reference.q, reference.qd, reference.qdd))
         )
         largest = most
-    rows = np.array([(one.speed, one.acceleration, largest, one.jerk) for one in limits])
+    each = [row for one in limits for row in (one.speed, one.acceleration, largest, one.jerk)]
+    rows = np.concatenate(each).reshape(-1, 4, n)
     counts, reached = np.empty((len(limits), 4, n)), np.empty(len(ticks))
     at, first = ticks.astype(np.float64), np.array(starts, dtype=np.float64)
     joints_reached(

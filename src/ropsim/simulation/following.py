@@ -113,10 +113,12 @@ class Follower:
         """Return for how many control ticks between two ticks the motion was within a zone."""
         if not self.plan.blends:
             return 0
-        come = int(self.clock.place)
-        blends = [(first, min(last, come)) for first, last in self.plan.blends if first < come]
-        spans = [(self.tick_at(first), self.tick_at(last)) for first, last in blends]
-        return sum(max(0, min(last, end) - max(first, since)) for first, last in spans)
+        come, within = int(self.clock.place), 0
+        for first, last in self.plan.blends:
+            if first < come:
+                ends, begins = self.tick_at(min(last, come)), self.tick_at(first)
+                within += max(0, min(ends, end) - max(begins, since))
+        return within
 
     def _is_over(self, override: float) -> bool:
         """Return whether the motion is to end before its end: by hand, held for ever, or lasting too long."""

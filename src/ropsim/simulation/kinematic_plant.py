@@ -8,7 +8,7 @@ from ropsim.simulation.fields import fields
 from ropsim.simulation.past import Past
 from ropsim.simulation.row_log import MOST_ROWS, RowLog
 from ropsim.simulation.tally import Tally
-from ropsim.simulation.tally_kernel import enter_rows, record_rows
+from ropsim.simulation.tally_kernel import enter_rows
 from ropsim.spatial import Array
 
 
@@ -64,13 +64,7 @@ class KinematicPlant:
         """Advance to the end of `reference`; the payload changes nothing here."""
         del payload
         table, row = self._log.claim(self._tick, reference.ticks)
-        q, qd, every = (
-            np.ascontiguousarray(reference.q),
-            np.ascontiguousarray(reference.qd),
-            self._log.decimation,
-        )
-        record_rows(q, qd, table, row, -(self._tick + 1) % every, every)
-        self._judge(q, qd)
+        self._judge(reference.q, reference.qd, table, row, -(self._tick + 1) % self._log.decimation)
         self._past.enter(self._tick + 1, reference.q)
         self._q, self._qd = reference.q[-1], reference.qd[-1]
         self._stands = False
@@ -83,15 +77,25 @@ class KinematicPlant:
         if not (self._stands and np.array_equal(q, self._q)):
             self._q, self._qd = np.array(q), np.zeros(len(q))
             self._row = np.concatenate((self._q, self._qd))
-            self._judge(self._q[np.newaxis], self._qd[np.newaxis])
+            self._judge(self._q[np.newaxis], self._qd[np.newaxis], table, row, 1)
             self._past.enter(self._tick + 1, self._q[np.newaxis])
             self._stands = True
         table[row : self._log.rows] = self._row
         self._tick += ticks
 
-    def _judge(self, q: Array, qd: Array) -> None:
-        """Enter coordinates and speeds of the next ticks, shape (k, n) each, into the tally."""
-        enter_rows(q, qd, self._limits, self._tally.table, self._tick + 1.0, self._worst)
+    def _judge(self, q: Array, qd: Array, log: Array, row: int, first: int) -> None:
+        """Enter coordinates and speeds of the next ticks, shape (k, n) each, into tally and log.
+
+        Args:
+            q: coordinates [rad | m].
+            qd: speeds [rad/s | m/s].
+            log: table of recorded rows.
+            row: of it, the first one that is written.
+            first: which of the ticks stands there; k or more for none.
+        """
+        rows, speeds = np.ascontiguousarray(q), np.ascontiguousarray(qd)
+        judged = self._limits, self._tally.table, self._tick + 1.0, self._worst
+        enter_rows(rows, speeds, *judged, log, row, first, self._log.decimation)
 
     def q_at(self, tick: float) -> Array:
         """Return the joint coordinates at a tick that is not forgotten [rad | m], shape (n,)."""

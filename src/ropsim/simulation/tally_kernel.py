@@ -4,9 +4,20 @@ from ropsim.codegen import kernel
 from ropsim.spatial import Array
 
 
-@kernel("void(f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8, f8[:,::1])")
-def enter_rows(q: Array, qd: Array, limits: Array, table: Array, tick: float, worst: Array) -> None:
-    """Enter the ways beyond the ranges of the joints, and their speeds, into the table of a tally.
+@kernel("void(f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8, f8[:,::1], f8[:,::1], i8, i8, i8)")
+def enter_rows(
+    q: Array,
+    qd: Array,
+    limits: Array,
+    table: Array,
+    tick: float,
+    worst: Array,
+    log: Array,
+    row: int,
+    first: int,
+    every: int,
+) -> None:
+    """Enter the ways beyond the ranges of the joints, and their speeds, into the table of a tally, and log.
 
     Args:
         q: coordinates at ticks in a row [rad | m], shape (ticks, n).
@@ -15,6 +26,10 @@ def enter_rows(q: Array, qd: Array, limits: Array, table: Array, tick: float, wo
         table: of the tally, ways and then speeds, shape (4, 2·n); see `Tally.table`.
         tick: of the first row.
         worst: room to work in, shape (2, n).
+        log: coordinates and speeds side by side, shape (rows, 2·n).
+        row: of the log, the first one that is written.
+        first: which tick stands there, counted from 0; `ticks` or more for no row of the log.
+        every: ticks from one row of the log to the next.
     """
     n = q.shape[1]
     for j in range(n):
@@ -24,6 +39,10 @@ def enter_rows(q: Array, qd: Array, limits: Array, table: Array, tick: float, wo
             beyond, speed = max(q[k, j] - limits[1, j], limits[0, j] - q[k, j]), abs(qd[k, j])
             worst[0, j] = beyond if beyond > worst[0, j] else worst[0, j]
             worst[1, j] = speed if speed > worst[1, j] else worst[1, j]
+        if k == first:
+            for j in range(n):
+                log[row, j], log[row, n + j] = q[k, j], qd[k, j]
+            row, first = row + 1, first + every
     for j in range(n):
         if worst[0, j] > table[0, j]:
             table[0, j] = worst[0, j]
@@ -37,25 +56,6 @@ def enter_rows(q: Array, qd: Array, limits: Array, table: Array, tick: float, wo
             while abs(qd[k, j]) != worst[1, j]:
                 k += 1
             table[1, n + j] = tick + k
-
-
-@kernel("void(f8[:,::1], f8[:,::1], f8[:,::1], i8, i8, i8)")
-def record_rows(q: Array, qd: Array, log: Array, row: int, first: int, every: int) -> None:
-    """Write coordinates and speeds into the rows of a log.
-
-    Args:
-        q: coordinates at ticks in a row [rad | m], shape (ticks, n).
-        qd: speeds at these [rad/s | m/s], shape (ticks, n).
-        log: both of them side by side, shape (rows, 2·n).
-        row: the first row that is written.
-        first: which tick stands there.
-        every: ticks from one row to the next.
-    """
-    n = q.shape[1]
-    for k in range(first, q.shape[0], every):
-        for j in range(n):
-            log[row, j], log[row, n + j] = q[k, j], qd[k, j]
-        row += 1
 
 
 @kernel("void(f8[:,::1], f8[:,::1], f8)")

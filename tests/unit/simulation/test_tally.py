@@ -12,7 +12,7 @@ from ropsim.model import Payload, Tool
 from ropsim.simulation import RunOptions, Servo, run
 from ropsim.simulation.servo.judged import full_values
 from ropsim.simulation.tally import Tally
-from ropsim.simulation.tally_kernel import enter_rows, greatest, peaks, record_rows
+from ropsim.simulation.tally_kernel import enter_rows, greatest, peaks
 from ropsim.workbench import environment_of
 from support.cells import one_station
 from support.servo_cases import GOAL, START, part, puma, quintic
@@ -108,7 +108,9 @@ def test_the_ideal_arm_is_judged_by_its_ways_beyond_and_its_speeds() -> None:
     q[[7, 30], 0], qd[[5, 40], 2] = 9.0, -8.0
     table = np.zeros((4, 6))
     for first, last in pairwise((0, 13, 14, 50)):
-        enter_rows(q[first:last], qd[first:last], limits, table, 100.0 + first, np.empty((2, 3)))
+        log = np.empty((0, 6))
+        given = q[first:last], qd[first:last], limits, table, 100.0 + first, np.empty((2, 3))
+        enter_rows(*given, log, 0, last - first, 1)
     beyond = np.maximum(np.maximum(q - limits[1], limits[0] - q), 0.0)
     judged = np.column_stack((beyond, np.abs(qd)))
     np.testing.assert_array_equal(table[0], judged.max(axis=0))
@@ -121,7 +123,8 @@ def test_the_ideal_arm_is_judged_by_its_ways_beyond_and_its_speeds() -> None:
 def test_the_log_of_the_ideal_arm_has_a_row_at_every_so_many_ticks(first: int, every: int) -> None:
     q, qd = np.random.default_rng(5).normal(size=(2, 12, 3))
     log = np.zeros((15, 6))
-    record_rows(q, qd, log, 1, first, every)
+    limits, table = np.zeros((2, 3)), np.zeros((4, 6))
+    enter_rows(q, qd, limits, table, 0.0, np.empty((2, 3)), log, 1, first, every)
     wanted = np.column_stack((q, qd))[first::every]
     np.testing.assert_array_equal(log[1 : 1 + len(wanted)], wanted)
     assert not log[0].any()
