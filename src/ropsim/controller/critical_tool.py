@@ -13,7 +13,7 @@ from ropsim.controller.motion_plan import MotionPlan, PlannedMove, PlannedPiece
 from ropsim.core import frozen_dataclass
 from ropsim.flow import LimitQuantity
 from ropsim.kinematics import forward_batch
-from ropsim.model import RobotModel
+from ropsim.model import OrientationMode, RobotModel
 from ropsim.motion import Line, ToolLimits, ToolPath
 from ropsim.spatial import Array
 
@@ -152,7 +152,7 @@ def _least(limits: ToolLimits, T: float) -> Array:
 
 def _is_bent(path: ToolPath) -> bool:
     """Return whether a path turns off its way, or its orientation off its turn."""
-    if isinstance(path, Line) and not path.roll:
+    if isinstance(path, Line) and path.mode is OrientationMode.FIXED_AXIS:
         return False
     points = path.tool(_PLACES * path.length)
     return bool(np.abs(points.d2).max() * path.length > _BENT * np.abs(points.d1).max())

@@ -100,52 +100,6 @@ def strain_of(
                         lacks[row, i] = max(lacks[row, i], given[row])
 
 
-@kernel("void(f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1])")
-def used_by_motion(qd: Array, qdd: Array, limits: Array, used: Array) -> None:
-    """Compute what n joints use of speed, acceleration and jerk at k control ticks, as `strain_of` does.
-
-    Args:
-        qd: speeds [rad/s | m/s], shape (k, n).
-        qdd: accelerations [rad/s² | m/s²], shape (k, n).
-        limits: of speed, acceleration and change of acceleration in one tick, shape (3 or more, n).
-        used: becomes what is used by the joint that uses most, in its first three rows, shape (4, k).
-    """
-    last = qd.shape[0] - 1
-    for k in range(qd.shape[0]):
-        speed, acceleration, jerk = 0.0, 0.0, 0.0
-        before = max(k - 1, 0)
-        for j in range(qd.shape[1]):
-            jump = abs(qdd[k, j]) if k == 0 else abs(qdd[k, j] - qdd[before, j])
-            if k == last:
-                jump = max(jump, abs(qdd[k, j]))
-            speed = max(speed, _share(abs(qd[k, j]), limits[SPEED, j]))
-            acceleration = max(acceleration, _share(abs(qdd[k, j]), limits[ACCELERATION, j]))
-            jerk = max(jerk, _share(jump, limits[JERK, j]))
-        used[SPEED, k], used[ACCELERATION, k], used[JERK, k] = speed, acceleration, jerk
-
-
-@kernel("void(f8[:,::1], f8[::1], f8[:,::1])")
-def used_by_torque(torque: Array, limit: Array, used: Array) -> None:
-    """Compute what n joints use of their torque at k control ticks, as `strain_of` does.
-
-    Args:
-        torque: of the joints [N m | N], shape (k, n).
-        limit: of each [N m | N], shape (n,).
-        used: its last row becomes what is used by the joint that uses most, shape (4, k).
-    """
-    for k in range(torque.shape[0]):
-        most = 0.0
-        for j in range(torque.shape[1]):
-            most = max(most, _share(abs(torque[k, j]), limit[j]))
-        used[TORQUE, k] = most
-
-
-def _share(value: float, limit: float) -> float:
-    """Return what a value is of its limit; no number counts as infinity."""
-    share = value / limit
-    return share if share < math.inf else math.inf
-
-
 def _causes(
     first: Array, second: Array, course: Array, j: int, before: int, now: int
 ) -> tuple[float, float, float]:

@@ -10,7 +10,6 @@ from ropsim.motion.paths.line_kernel import (
     AXIS,
     LENGTH,
     MOVES,
-    ROLL,
     SIZE,
     WAY,
     line_numbers,
@@ -63,11 +62,6 @@ class Line:
     def axis(self) -> Array:
         """Return the axis about which the tool turns, in its frame at the start, shape (3,)."""
         return self.numbers[AXIS : AXIS + 3]
-
-    @property
-    def roll(self) -> float:
-        """Return the angle by which the tool turns about its approach vector on the way [rad]."""
-        return float(self.numbers[ROLL])
 
     def tool(self, s: Array) -> ToolPoints:
         """Return the tool and its derivatives at places s, shape (k,)."""
