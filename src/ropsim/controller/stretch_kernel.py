@@ -101,7 +101,7 @@ def walk_runs(
             count = min(until - begin, AT_ONCE)
             for k in range(count):
                 law[TIME, k] = phi[begin + k] - run[START]
-            rows_at(own, run[DURATION], law[TIME, :count], law[:TIME, :count])
+            rows_at(own, run[DURATION], law[TIME, :count], law)
             shared = min(before - begin, count)
             for k in range(shared):
                 _copy(total.shape[2], total[0, begin + k], held[0, k])

@@ -6,7 +6,7 @@ at the end; see `TimeLaw`.
 
 from math import inf, isnan, sqrt
 
-from ropsim.codegen import kernel
+from ropsim.codegen import columns, kernel
 from ropsim.spatial import Array
 
 HALVINGS = 80
@@ -26,25 +26,61 @@ def rows_at(segments: Array, duration: float, times: Array, out: Array) -> None:
         segments: shape (8, m).
         duration: time at which the last one ends [s].
         times: [s], best in order; those outside of the motion count as its start or end; shape (k,).
-        out: where the rows go, shape (4, k).
+        out: where the rows go, shape (4, k or more).
     """
-    last, row = segments.shape[1] - 1, 0
-    start, until, place, v, a, j, limit = inf, -inf, 0.0, 0.0, 0.0, 0.0, 0.0
-    for k in range(times.shape[0]):
+    last, row, k = segments.shape[1] - 1, 0, 0
+    while k < times.shape[0]:
         t = max(times[k], 0.0)
         if t >= duration:
             out[0, k], out[1, k], out[2, k], out[3, k] = segments[0, last], segments[7, last], 0.0, 0.0
+            k += 1
             continue
-        if not start <= t < until:
-            row = _row_at(segments, t, row)
-            start, until = segments[1, row], _start_of(segments, row + 1)
-            place, v, a, j = segments[2, row], segments[3, row], segments[4, row], segments[5, row]
-            limit = segments[7, row]
-        u = t - start
-        out[0, k] = segments[0, row]
-        out[1, k] = min(place + u * (v + u * (0.5 * a + u * (j * SIXTH))), limit)
-        out[2, k] = max(v + u * (a + u * (0.5 * j)), 0.0)
-        out[3, k] = a + u * j
+        row = _row_at(segments, t, row)
+        start, until = segments[1, row], min(_start_of(segments, row + 1), duration)
+        end = k + 1
+        while end < times.shape[0] and start <= max(times[end], 0.0) < until:
+            end += 1
+        _within(
+            end - k,
+            segments[0, row],
+            start,
+            segments[2, row],
+            segments[3, row],
+            segments[4, row],
+            segments[5, row],
+            segments[7, row],
+            times[k:],
+            out[0, k:],
+            out[1, k:],
+            out[2, k:],
+            out[3, k:],
+        )
+        k = end
+
+
+@columns
+def _within(
+    count: int,
+    number: float,
+    start: float,
+    place: float,
+    v: float,
+    a: float,
+    j: float,
+    limit: float,
+    times: Array,
+    pieces: Array,
+    places: Array,
+    speeds: Array,
+    accelerations: Array,
+) -> None:
+    """Write the rows of times in one segment."""
+    for k in range(count):
+        u = max(times[k], 0.0) - start
+        pieces[k] = number
+        places[k] = min(place + u * (v + u * (0.5 * a + u * (j * SIXTH))), limit)
+        speeds[k] = max(v + u * (a + u * (0.5 * j)), 0.0)
+        accelerations[k] = a + u * j
 
 
 @kernel("void(f8[:,::1], f8[::1], f8[::1], f8[::1], f8[::1], f8[::1])")

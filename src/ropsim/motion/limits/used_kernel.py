@@ -28,10 +28,10 @@ def used_by_motion(qd: Array, qdd: Array, limits: Array, room: Array, used: Arra
         peaks: becomes the most of each, in its first three numbers, shape (4,).
     """
     n, ticks = limits.shape[1], used.shape[1]
-    for j in range(AT_ONCE * n):
-        for kind in range(3):
-            room[kind, j] = limits[kind, j % n]
-        room[REST, j] = 0.0
+    for k in range(AT_ONCE):
+        for j in range(n):
+            room[0, k * n + j], room[1, k * n + j] = limits[0, j], limits[1, j]
+            room[2, k * n + j], room[REST, k * n + j] = limits[2, j], 0.0
     begin, most_speed, most_acceleration, most_jerk = 0, 0.0, 0.0, 0.0
     while begin < ticks:
         end = min(begin + AT_ONCE, ticks) if begin else 1
@@ -68,8 +68,9 @@ def used_by_torque(torque: Array, limit: Array, room: Array, used: Array, peaks:
         peaks: its last number becomes the most of that, shape (4,).
     """
     n, ticks, peak = limit.shape[0], used.shape[1], 0.0
-    for j in range(AT_ONCE * n):
-        room[0, j] = limit[j % n]
+    for k in range(AT_ONCE):
+        for j in range(n):
+            room[0, k * n + j] = limit[j]
     for begin in range(0, ticks, AT_ONCE):
         end = min(begin + AT_ONCE, ticks)
         _torque_shares((end - begin) * n, torque[begin * n :], room)
