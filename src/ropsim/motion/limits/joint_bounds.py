@@ -59,12 +59,27 @@ def torques(effort: Effort, q: Array, qd: Array, qdd: Array) -> Array:
     Raises:
         ProfileError: M540, one is no number, or they are of another shape.
     """
+    found = told_torques(effort, q, qd, qdd)
+    if not bool(np.isfinite(found).all()):
+        raise no_torques(found, q)
+    return found
+
+
+def told_torques(effort: Effort, q: Array, qd: Array, qdd: Array) -> Array:
+    """Return the torques of rows [N m | N], all of shape (k, n), whether they are numbers or not.
+
+    Raises:
+        ProfileError: M540, they are of another shape.
+    """
     found = np.asarray(effort(q, qd, qdd), dtype=np.float64)
     if found.shape != q.shape:
         message = f"torques have shape {found.shape}, allowed is that of the joints, {q.shape}"
         raise ProfileError(WRONG_PROFILE_REQUEST.at(None, message))
-    if not bool(np.isfinite(found).all()):
-        row = int(np.flatnonzero(~np.isfinite(found).all(axis=1))[0])
-        message = f"torques are {found[row]} at q = {q[row]}, allowed are finite numbers"
-        raise ProfileError(WRONG_PROFILE_REQUEST.at(None, message))
     return found
+
+
+def no_torques(found: Array, q: Array) -> ProfileError:
+    """Return what is wrong with torques [N m | N] of which one is no number, both of shape (k, n)."""
+    row = int(np.flatnonzero(~np.isfinite(found).all(axis=1))[0])
+    message = f"torques are {found[row]} at q = {q[row]}, allowed are finite numbers"
+    return ProfileError(WRONG_PROFILE_REQUEST.at(None, message))

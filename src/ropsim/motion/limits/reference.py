@@ -8,7 +8,7 @@ import numpy as np
 from ropsim.core import keep_freed_memory
 from ropsim.motion.diagnostics import WRONG_PROFILE_REQUEST
 from ropsim.motion.limits.demand import Demand
-from ropsim.motion.limits.joint_bounds import Effort, JointBounds, torques
+from ropsim.motion.limits.joint_bounds import Effort, JointBounds, told_torques, torques
 from ropsim.motion.limits.kept import Motion
 from ropsim.motion.limits.motion_time import MotionTime
 from ropsim.motion.limits.strain import ROUNDING, Going, Strain, strain, strain_as_planned, with_torque
@@ -39,7 +39,9 @@ class Reference:
 
 def tick_times(duration: float, period: float) -> Array:
     """Return the control ticks [s] from 0 on, the last one at or behind the end, shape (k,)."""
-    return np.asarray(np.arange(whole_periods(duration, period) + 1) * period, dtype=np.float64)
+    ticks = np.arange(whole_periods(duration, period) + 1, dtype=np.float64)
+    ticks *= period
+    return ticks
 
 
 def load(rows: JointPoints, bounds: JointBounds, effort: Effort | None) -> Array | None:
@@ -70,7 +72,8 @@ def as_planned(motion: Motion, bounds: JointBounds, effort: Effort | None, perio
     """
     keep_freed_memory()
     _check(motion.duration, period)
-    phi = np.minimum(tick_times(motion.duration, period), motion.duration)
+    phi = tick_times(motion.duration, period)
+    phi[-1] = min(phi[-1], motion.duration)
     rows = motion.at(phi)
     if rows.q.shape[1:] != bounds.speed.shape:
         found = f"the motion has {rows.q.shape[1:]} joints, the bounds {bounds.speed.shape}"
@@ -90,9 +93,9 @@ def loaded(planned: Reference, bounds: JointBounds, effort: Effort | None) -> Re
         ProfileError: M540, torques are no numbers.
     """
     rows = planned.rows
-    torque = load(rows, bounds, effort)
-    if torque is None:
+    if effort is None or bounds.effort is None:
         return planned
+    torque = told_torques(effort, rows.q, rows.d1, rows.d2)
     return Reference(planned.phi, rows, torque, with_torque(planned.strain, rows, torque, bounds))
 
 

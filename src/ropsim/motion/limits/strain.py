@@ -5,8 +5,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from ropsim.motion.diagnostics import WRONG_PROFILE_REQUEST
-from ropsim.motion.limits.joint_bounds import JointBounds
-from ropsim.motion.limits.strain_kernel import by_real_time, strain_of
+from ropsim.motion.limits.joint_bounds import JointBounds, no_torques
+from ropsim.motion.limits.strain_kernel import TORQUE, by_real_time, strain_of
 from ropsim.motion.limits.used_kernel import (
     AT_ONCE,
     ROWS_OF_MOTION,
@@ -102,11 +102,16 @@ def with_torque(plain: Strain, rows: JointPoints, torque: Array, bounds: JointBo
         rows: references at the control ticks, k rows.
         torque: of the joints there [N m | N], shape (k, n).
         bounds: of the joints.
+
+    Raises:
+        ProfileError: M540, torques are no numbers.
     """
     assert bounds.effort is not None
     used, peaks = plain.used.copy(), plain.peaks.copy()
     room = np.empty((ROWS_OF_TORQUE, AT_ONCE * torque.shape[1]))
     used_by_torque(torque.reshape(-1), bounds.effort, room, used, peaks)
+    if not peaks[TORQUE] < np.inf and not np.isfinite(torque).all():
+        raise no_torques(torque, rows.q)
     return _told(rows, used, peaks)
 
 
