@@ -37,7 +37,7 @@ class _Lines(LaneValues):
     def _got(self, array: str, number: int) -> ir.Value:
         kind = ir.FunctionType(VECTOR, [REAL.as_pointer(), ir.IntType(32), _MASK, VECTOR])
         load = self.builder.module.declare_intrinsic(f"llvm.masked.load.{self.suffix}.p0", (), kind)
-        return self.builder.call(load, [self._row(array, number), _ALIGNED, self._inside, self.number(1.0)])
+        return self.builder.call(load, [self._row(array, number), _ALIGNED, self._inside, self.number(0.0)])
 
     def _put(self, value: ir.Value, array: str, number: int) -> None:
         kind = ir.FunctionType(ir.VoidType(), [VECTOR, REAL.as_pointer(), ir.IntType(32), _MASK])
@@ -45,13 +45,15 @@ class _Lines(LaneValues):
         self.builder.call(store, [value, self._row(array, number), _ALIGNED, self._inside])
 
 
-def column_lines(function: ast.FunctionDef, known: dict[str, float]) -> Callable[..., None]:
+def column_lines(text: str, known: dict[str, float]) -> Callable[..., None]:
     """Return a function for code that numba compiles, see `ropsim.codegen.columns`.
 
     Args:
-        function: its source.
+        text: its source.
         known: floats by name.
     """
+    (function,) = ast.parse(text).body
+    assert isinstance(function, ast.FunctionDef)
     names = [argument.arg for argument in function.args.args]
     (loop,) = [line for line in function.body if isinstance(line, ast.For)]
     assert isinstance(loop.target, ast.Name)

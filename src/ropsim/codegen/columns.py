@@ -4,11 +4,8 @@ Compilers make vector instructions of loops only where they see that it pays, wh
 arm they do not.
 """
 
-import ast
 from collections.abc import Callable
 from functools import cached_property, update_wrapper
-from inspect import getsource
-from textwrap import dedent
 from types import FunctionType
 from typing import Any, TypeVar, cast
 
@@ -33,12 +30,13 @@ class Columns:
     @cached_property
     def inside(self) -> Callable[..., None]:
         """Return the function for callers in compiled code."""
+        from inspect import getsource
+
         from ropsim.codegen.column_lines import column_lines
 
-        (parsed,) = ast.parse(dedent(getsource(self.function))).body
-        assert isinstance(parsed, ast.FunctionDef)
         known: dict[str, Any] = self.function.__globals__
-        return column_lines(parsed, {name: one for name, one in known.items() if isinstance(one, float)})
+        floats = {name: one for name, one in known.items() if isinstance(one, float)}
+        return column_lines(getsource(self.function), floats)
 
 
 def columns(function: F) -> F:

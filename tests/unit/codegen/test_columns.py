@@ -1,6 +1,5 @@
 """Lines that kernels run for eight columns at a time."""
 
-import ast
 import math
 
 import numpy as np
@@ -49,7 +48,5 @@ def test_every_bit_is_that_of_the_lines_in_python_and_nothing_else_is_written(co
 @pytest.mark.parametrize("place", ["x[j + 1]", "x[k]", "x[k, j]", "x[0]"])
 def test_only_columns_of_rows_can_be_read(place: str) -> None:
     text = f"def f(count, x, k, out):\n    for j in range(count):\n        out[j] = {place}\n"
-    (function,) = ast.parse(text).body
-    assert isinstance(function, ast.FunctionDef)
     with pytest.raises(ValueError, match="is none of a row at column j"):
-        column_lines(function, {})
+        column_lines(text, {})
