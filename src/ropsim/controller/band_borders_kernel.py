@@ -103,7 +103,7 @@ def lay_bands(
         if 0.0 < times[k] - start < duration:
             asked[inside] = times[k] - start
             inside += 1
-    rows_at(segments, duration, asked[:inside], law[:, :inside])
+    rows_at(segments, duration, asked[:inside], law)
     count, k, begin = 0, 0, 0.0
     piece, left = 0, counts[0]
     bands[PLACE, 0], bands[TIME, 0] = 0.0, 0.0
