@@ -3,8 +3,13 @@
 import numpy as np
 import pytest
 
+from ropsim.motion.limits.course import course_below
+from ropsim.motion.limits.course_kernel import LEAST_RATE, windows_last
 from ropsim.motion.limits.demand_kernel import creeping
 from ropsim.motion.limits.grid_kernel import divide, parts_by_joints, parts_by_rate
+from ropsim.motion.limits.motion_time import motion_time
+from ropsim.motion.limits.rounding_kernel import greatest_nearby
+from ropsim.spatial import Array
 
 
 @pytest.mark.parametrize("seed", range(5))
@@ -55,3 +60,56 @@ def test_creeping_joints_have_at_most_their_share_of_speed() -> None:
     found = np.empty((50, 3))
     creeping(d1, speed, found)
     assert found == pytest.approx(d1 * (0.02 / slow)[:, None], rel=1e-14)
+
+
+def mean_within(sigma: Array, values: Array, half: float) -> tuple[Array, Array]:
+    """Return the means of what is linear between places within ±half of each, and their slopes."""
+    until = np.concatenate(([0.0], np.cumsum(np.diff(sigma) * (values[1:] + values[:-1]) / 2.0)))
+    ends, areas = [], []
+    for place in (sigma - half, sigma + half):
+        k = np.clip(np.searchsorted(sigma, place, "right") - 1, 0, len(sigma) - 2)
+        past = place - sigma[k]
+        end = values[k] + past * (values[k + 1] - values[k]) / (sigma[k + 1] - sigma[k])
+        ends.append(end)
+        areas.append(until[k] + past * (values[k] + end) / 2.0)
+    return (areas[1] - areas[0]) / (2.0 * half), (ends[1] - ends[0]) / (2.0 * half)
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_a_smooth_course_is_that_of_whole_columns(seed: int) -> None:
+    random, m = np.random.default_rng(seed), 300
+    steps = random.uniform(0.001, 0.01, m - 1)
+    places = np.concatenate(([0.0], np.cumsum(steps)))
+    x = np.clip(1.2 + np.cumsum(random.normal(size=m)) * 0.1, 1e-9, 1.0)
+    lasting, width = random.uniform(0.01, 0.2, m), random.uniform(1.0, 3.0, m)
+    rates = np.maximum(np.sqrt(x), LEAST_RATE)
+    cells = np.maximum(np.append(steps, 0.0), np.append(0.0, steps))
+    widths = np.maximum(lasting * rates, 5.0 * cells) * width
+    way = np.abs(places[:, None] - places)
+    widths = np.maximum((widths + 0.6 * way).min(axis=1), cells)
+    sigma = np.concatenate(([0.0], np.cumsum(steps * (1.0 / widths[1:] + 1.0 / widths[:-1]) / 2.0)))
+    padded = np.concatenate(([-3.0], sigma, [sigma[-1] + 3.0]))
+    lack, (room, most) = np.pad(1.0 - rates, 1, mode="edge"), np.empty((2, m + 2))
+    greatest_nearby(padded, lack, room, most)
+    mean, slope = mean_within(padded, mean_within(padded, most, 2.0 / 3.0)[0], 1.0 / 3.0)
+    smooth = 1.0 - mean[1:-1]
+    expected = motion_time(places, smooth, -smooth * slope[1:-1] / widths)
+    found_sigma, clock = course_below(places, x, lasting, width)
+    assert found_sigma == pytest.approx(sigma, rel=1e-12)
+    assert clock.rates == pytest.approx(expected.rates, rel=1e-9)
+    assert clock.times == pytest.approx(expected.times, rel=1e-9)
+    assert clock.changes == pytest.approx(expected.changes, abs=1e-9 * np.abs(expected.changes).max())
+    assert (clock.rates <= rates * (1.0 + 1e-2)).all()  # places are few for their windows here
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_windows_last_as_long_as_jerk_needs_to_swing_acceleration(seed: int) -> None:
+    random = np.random.default_rng(seed)
+    first, most, jerk = random.normal(size=(30, 3)), *random.uniform(1.0, 9.0, (2, 30, 3))
+    way, lasting, same = np.abs(first), *np.empty((2, 30))
+    expected = 0.5 * np.minimum((most / way).min(axis=1) * (way / jerk).max(axis=1), 0.7)
+    windows_last(first, most, jerk, 0.9, 0.7, lasting)
+    assert lasting == pytest.approx(expected, rel=1e-12)
+    windows_last(first, most[:1].copy(), jerk[:1].copy(), 0.9, 0.7, same)
+    windows_last(first, np.tile(most[:1], (30, 1)), np.tile(jerk[:1], (30, 1)), 0.9, 0.7, lasting)
+    assert (same == lasting).all()
