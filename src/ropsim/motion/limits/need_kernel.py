@@ -73,22 +73,25 @@ def least_rate(
     last = d1.shape[0] - 1
     for j in range(d1.shape[1]):
         for i in range(begin, end):
-            _lower(out, SPEED, i, j, limits[SPEED, j] / max(abs(d1[i, j]), _TINY))
-            share = limits[ACCELERATION, j] / max(abs(d2[i, j]), _TINY)
-            if share < out[3] * out[3]:
-                _lower(out, ACCELERATION, i, j, math.sqrt(share))
+            fast, swing = max(abs(d1[i, j]), _TINY), max(abs(d2[i, j]), _TINY)
+            if limits[SPEED, j] < out[3] * fast:
+                _lower(out, SPEED, i, j, limits[SPEED, j] / fast)
+            if limits[ACCELERATION, j] < out[3] * out[3] * swing:
+                _lower(out, ACCELERATION, i, j, math.sqrt(limits[ACCELERATION, j] / swing))
         for i in range(max(begin - 1, 0), min(end, last)):
-            share = limits[JERK, j] / max(abs(d2[i + 1, j] - d2[i, j]), _TINY)
-            lasting, sudden = share * (places[i + 1] - places[i]), share * period
-            if lasting < out[3] * out[3] * out[3] and sudden < out[3] * out[3]:
-                _lower(out, JERK, max(i, begin), j, max(lasting ** (1.0 / 3.0), math.sqrt(sudden)))
+            step, jerk, square = max(abs(d2[i + 1, j] - d2[i, j]), _TINY), limits[JERK, j], out[3] * out[3]
+            way = places[i + 1] - places[i]
+            if jerk * way < square * out[3] * step and jerk * period < square * step:
+                share = jerk / step
+                rate = max((share * way) ** (1.0 / 3.0), math.sqrt(share * period))
+                _lower(out, JERK, max(i, begin), j, rate)
         for i in range(begin, end if j < torque.shape[1] else begin):
             held = still[i, j]
             moved = torque[i - begin, j] - held
-            free = limits[TORQUE, j] + (held if moved < 0.0 else -held)
-            share = max(free, 0.0) / max(abs(moved), _TINY)
-            if share < out[3] * out[3]:
-                _lower(out, TORQUE, i, j, math.sqrt(share))
+            free = max(limits[TORQUE, j] + (held if moved < 0.0 else -held), 0.0)
+            most = max(abs(moved), _TINY)
+            if free < out[3] * out[3] * most:
+                _lower(out, TORQUE, i, j, math.sqrt(free / most))
 
 
 def _lower(out: Array, kind: int, place: int, joint: int, rate: float) -> None:

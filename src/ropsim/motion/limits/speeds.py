@@ -2,9 +2,10 @@
 
 import numpy as np
 
+from ropsim.motion.limits.bound_kernel import bound
 from ropsim.motion.limits.course_kernel import LEAST_RATE, SLACK
 from ropsim.motion.limits.demand import Demand
-from ropsim.motion.limits.fastest_kernel import bound, fastest
+from ropsim.motion.limits.fastest_kernel import fastest
 from ropsim.motion.limits.joint_bounds import torques
 from ropsim.spatial import Array
 
