@@ -60,7 +60,8 @@ class Strain:
     @property
     def is_kept(self) -> bool:
         """Return whether no limit is exceeded but by rounding."""
-        return bool(self.used.max() <= 1.0 + ROUNDING)
+        most = 1.0 + ROUNDING
+        return bool(self.peaks[:TORQUE].max() <= most and self.used[TORQUE].max() <= most)
 
     @property
     def rates(self) -> Array:
