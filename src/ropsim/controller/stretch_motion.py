@@ -2,8 +2,9 @@
 
 import numpy as np
 
+from ropsim.controller.add_in_time_kernel import add_in_time
 from ropsim.controller.course import Course, Run
-from ropsim.controller.stretch_kernel import AT_ONCE, FIRST_PIECE, add_in_time, points_on, walk_runs
+from ropsim.controller.stretch_kernel import AT_ONCE, FIRST_PIECE, points_on, walk_runs
 from ropsim.controller.walk_table import WalkTable, walk_table
 from ropsim.motion import COEFFICIENTS, JointPoints, LawRows, Ways
 from ropsim.spatial import Array, frozen, record

@@ -114,9 +114,9 @@ from ropsim.motion.paths.path_rows import SYNCHRONISED as SYNCHRONISED
 from ropsim.motion.paths.path_rows import TRACED as TRACED
 from ropsim.motion.paths.path_rows import PathRows as PathRows
 from ropsim.motion.paths.path_rows import rows_of_path as rows_of_path
-from ropsim.motion.paths.traced_kernel import COEFFICIENTS as COEFFICIENTS
-from ropsim.motion.paths.traced_kernel import traced_in_time as traced_in_time
-from ropsim.motion.paths.traced_kernel import traced_points as traced_points
+from ropsim.motion.paths.quintic_kernel import COEFFICIENTS as COEFFICIENTS
+from ropsim.motion.paths.quintic_kernel import traced_in_time as traced_in_time
+from ropsim.motion.paths.quintic_kernel import traced_points as traced_points
 from ropsim.motion.profile import Profile as Profile
 from ropsim.motion.profile import ProfileError as ProfileError
 from ropsim.motion.profile import ProfileLimits as ProfileLimits

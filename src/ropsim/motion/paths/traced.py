@@ -7,7 +7,7 @@ import numpy as np
 from ropsim.motion.paths.differences import derivatives_and_roughness, row_derivatives
 from ropsim.motion.paths.path import JointPoints
 from ropsim.motion.paths.path_rows import TRACED, PathRows
-from ropsim.motion.paths.traced_kernel import COEFFICIENTS, traced_points
+from ropsim.motion.paths.quintic_kernel import COEFFICIENTS, traced_points
 from ropsim.spatial import Array, frozen, record
 
 _UNKNOWN = frozen([])
