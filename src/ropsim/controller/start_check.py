@@ -1,5 +1,7 @@
 """What planning a stretch must be given: an arm that stands, with one coordinate for each axis."""
 
+import math
+
 import numpy as np
 
 from ropsim.controller.entities import Refusal
@@ -36,10 +38,11 @@ def check_start(state: MotionState, robot: RobotModel, move: MoveInstruction) ->
         values = np.asarray(row, dtype=np.float64)
         if values.shape != (robot.n,):
             return _refused(f"{name} of shape {values.shape}, allowed is ({robot.n},)", move)
-        if not np.isfinite(values).all():
-            return _refused(f"{name} {values.tolist()}, allowed are finite numbers", move)
-        if name != "coordinates" and values.any():
-            return _refused(f"{name} {values.tolist()}, allowed are zeros", move)
+        numbers = values.tolist()
+        if not all(map(math.isfinite, numbers)):
+            return _refused(f"{name} {numbers}, allowed are finite numbers", move)
+        if name != "coordinates" and any(numbers):
+            return _refused(f"{name} {numbers}, allowed are zeros", move)
     return None
 
 

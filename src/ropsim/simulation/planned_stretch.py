@@ -91,8 +91,11 @@ def _motion(planned: MotionPlan, robot: RobotModel, payload: Payload) -> Planned
 
 
 def _places(planned: MotionPlan, robot: RobotModel) -> tuple[tuple[float, ...], ...]:
-    X_BM = forward_batch(robot, np.array([one.q_end for one in planned.moves]))
-    X_BT = X_BM @ np.array([one.X_MT.matrix() for one in planned.moves])
+    X_BM = forward_batch(robot, np.concatenate([one.q_end for one in planned.moves]).reshape(-1, robot.n))
+    X_MT = np.empty((len(planned.moves), 4, 4))
+    for one, matrix in zip(planned.moves, X_MT, strict=True):
+        one.X_MT.write_matrix(matrix)
+    X_BT = X_BM @ X_MT
     return tuple(tuple(place) for place in X_BT[:, :3, 3].tolist())
 
 
