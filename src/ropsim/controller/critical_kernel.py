@@ -50,50 +50,100 @@ def joints_reached(
             reached[k] = found
 
 
-@kernel("void(f8[:,:,::1], f8[::1], f8[:,:,::1], f8[:,:,::1], f8[::1], f8[:,::1])")
-def tool_reached(poses: Array, starts: Array, tools: Array, least: Array, used: Array, counts: Array) -> None:
-    """Write at how many looks at each group speed, acceleration and jerk of the tool are at their limits.
+@kernel("void(f8[:,:,::1], f8[::1], f8[:,:,::1])")
+def put_on(poses: Array, starts: Array, tools: Array) -> None:
+    """Make poses of the tool of those of the flange.
 
     Args:
-        poses: of the flange at four ticks in a row from each of k looks on, one behind the other, shape
-            (4·k, 4, 4); become those of the tool.
-        starts: the first look at each of g groups, and k, shape (g + 1,).
-        tools: the tool frame X_MT of each group, shape (g, 4, 4).
+        poses: at four ticks in a row from each of k looks on, one behind the other, shape (4·k, 4, 4).
+        starts: the first look at each of m moves, and k, shape (m + 1,).
+        tools: the tool frame X_MT of each move, shape (m, 4, 4).
+    """
+    for m in range(tools.shape[0]):
+        tool = tools[m]
+        for k in range(4 * int(starts[m]), 4 * int(starts[m + 1])):
+            for i in range(3):
+                a, b, c = poses[k, i, 0], poses[k, i, 1], poses[k, i, 2]
+                for j in range(4):
+                    moved = a * tool[0, j] + b * tool[1, j] + c * tool[2, j]
+                    poses[k, i, j] = moved + poses[k, i, 3] if j == 3 else moved
+
+
+@kernel("void(f8[::1], f8[:,::1], f8[::1])")
+def piece_numbers(looks: Array, pieces: Array, on: Array) -> None:
+    """Write the numbers of the pieces on which looks lie.
+
+    Args:
+        looks: numbers of the ticks that are looked at, rising, shape (k,).
+        pieces: the last tick before each of them begins, and the last one on it, rising, shape (p, 2).
+        on: where the answers go, -1.0 for no piece, shape (k,).
+    """
+    piece = 0
+    for k in range(looks.shape[0]):
+        while piece < pieces.shape[0] and pieces[piece, 1] <= looks[k]:
+            piece += 1
+        on[k] = piece if piece < pieces.shape[0] and pieces[piece, 0] <= looks[k] else -1.0
+
+
+@kernel("void(f8[:,:,::1], f8[::1], f8[::1], f8[:,:,::1], f8[::1], f8[:,::1], f8[::1])")
+def tool_reached(
+    poses: Array, starts: Array, on: Array, least: Array, used: Array, counts: Array, idle: Array
+) -> None:
+    """Write at how many looks at each move speed, acceleration and jerk of the tool are at their limits.
+
+    Looks at a move are taken together as far as they lie on one piece, and those that lie on none.
+
+    Args:
+        poses: of the tool at four ticks in a row from each of k looks on, in the frame of the piece, one
+            behind the other, shape (4·k, 4, 4).
+        starts: the first look at each of m moves, and k, shape (m + 1,).
+        on: number of the piece on which each look lies, -1.0 for none, shape (k,).
         least: from which on a step, a change of it, and a change of that count as at the limit: of the
-            position [m], then of the orientation [rad], shape (g, 2, 3); infinite for no limits.
+            position [m], then of the orientation [rad], shape (m, 2, 3).
         used: whether another limit is reached at a look, else 0, shape (k,).
         counts: where the answers go, first of the position, then of the orientation, 0 where that stays the
-            same from the first look to the last; then at how many looks no limit is reached; shape (g, 7).
+            same from the first look on a piece to the last; shape (m, 6).
+        idle: becomes the number of the piece for a look at which no limit is reached, else -1.0, shape (k,).
     """
-    for g in range(tools.shape[0]):
-        first, last = int(starts[g]), int(starts[g + 1])
-        _put_on(poses[4 * first : 4 * last], tools[g])
-        for i in range(7):
-            counts[g, i] = 0.0
-        turns = False
-        for i in range(3):
-            for j in range(3):
-                turns = turns or not abs(poses[4 * first, i, j] - poses[4 * last - 4, i, j]) < TURNED
-        for k in range(first, last):
-            found = used[k]
-            for kind in range(2 if turns else 1):
-                squares = _squares(poses[4 * k : 4 * k + 4], kind)
-                for i in range(3):
-                    if squares[i] >= least[g, kind, i] * least[g, kind, i]:
-                        counts[g, 3 * kind + i] += 1.0
-                        found = 1.0
-            if found == 0.0:
-                counts[g, 6] += 1.0
+    for m in range(least.shape[0]):
+        begin, end = int(starts[m]), int(starts[m + 1])
+        for i in range(6):
+            counts[m, i] = 0.0
+        first = begin
+        while first < end:
+            last = first
+            while last + 1 < end and on[last + 1] == on[first]:
+                last += 1
+            if on[first] >= 0.0:
+                _count(poses, on, first, last, least[m], used, counts[m], idle)
+            first = last + 1
+        while begin < end and on[begin] >= 0.0:
+            begin += 1
+        while end > begin and on[end - 1] >= 0.0:
+            end -= 1
+        if begin < end:
+            _count(poses, on, begin, end - 1, least[m], used, counts[m], idle)
 
 
-def _put_on(poses: Array, tool: Array) -> None:
-    """Make poses of the tool of those of the flange, shape (k, 4, 4), with a tool frame X_MT."""
-    for k in range(poses.shape[0]):
-        for i in range(3):
-            a, b, c = poses[k, i, 0], poses[k, i, 1], poses[k, i, 2]
-            for j in range(4):
-                moved = a * tool[0, j] + b * tool[1, j] + c * tool[2, j]
-                poses[k, i, j] = moved + poses[k, i, 3] if j == 3 else moved
+def _count(
+    poses: Array, on: Array, first: int, last: int, least: Array, used: Array, counts: Array, idle: Array
+) -> None:
+    """Count the looks from one to another one that lie on the same piece as these."""
+    turns = False
+    for i in range(3):
+        for j in range(3):
+            turns = turns or not abs(poses[4 * first, i, j] - poses[4 * last, i, j]) < TURNED
+    for k in range(first, last + 1):
+        if on[k] != on[first]:
+            continue
+        found = used[k]
+        for kind in range(2 if turns else 1):
+            squares = _squares(poses[4 * k : 4 * k + 4], kind)
+            for i in range(3):
+                if squares[i] >= least[kind, i] * least[kind, i]:
+                    counts[3 * kind + i] += 1.0
+                    found = 1.0
+        idle[k] = on[k] if found == 0.0 else -1.0
 
 
 def _squares(X: Array, kind: int) -> tuple[float, float, float]:

@@ -1,16 +1,14 @@
 """Which limit of the tool sets the time of a move on its path: speed, acceleration, jerk, or a bend."""
 
-from bisect import bisect_right
 from collections.abc import Sequence
 from functools import lru_cache
-from itertools import accumulate, islice
+from itertools import accumulate
 
 import numpy as np
 import numpy.typing as npt
 
-from ropsim.controller.critical_kernel import tool_reached
-from ropsim.controller.motion_plan import MotionPlan, PlannedMove, PlannedPiece
-from ropsim.core import frozen_dataclass
+from ropsim.controller.critical_kernel import piece_numbers, put_on, tool_reached
+from ropsim.controller.motion_plan import MotionPlan, PlannedMove
 from ropsim.flow import LimitQuantity
 from ropsim.kinematics import forward_batch
 from ropsim.model import OrientationMode, RobotModel
@@ -26,21 +24,6 @@ _PLACES = np.linspace(0.0, 1.0, 33)
 _FOUR = np.arange(4)
 _BENT = 1e-9
 """Second derivative times length, of the first one, from which on a path is bent."""
-
-
-@frozen_dataclass
-class _Group:
-    """Looks at a move that lie on one piece of the plan, or on none.
-
-    Attributes:
-        move: it.
-        piece: None where motions overlap.
-        looks: numbers of the first one, and behind the last one, of each row of them; among all looks.
-    """
-
-    move: PlannedMove
-    piece: PlannedPiece | None
-    looks: tuple[tuple[int, int], ...]
 
 
 def critical_of_tools(
@@ -64,76 +47,66 @@ def critical_of_tools(
         of_joints: 1.0 where a joint is at one of its limits at these, else 0.0, shape (k,).
         robot: the arm.
     """
-    groups = [_by_piece(plan, *one) for one in moves]
-    every = [one for several in groups for one in several]
-    if not every:
+    if not moves:
         return []
-    counted = iter(_counts(plan, every, ticks, of_joints, robot))
+    lengths = [len(looks) for _, looks, _ in moves]
+    starts = [0, *accumulate(lengths)]
+    places = np.concatenate([np.arange(first, first + len(looks)) for _, looks, first in moves])
+    counts, idle = _counts(
+        plan, [move for move, _, _ in moves], starts, ticks[places], of_joints[places], robot
+    )
     found = []
-    for (_, looks, _), several in zip(moves, groups, strict=True):
-        counts, bent = [0.0] * 6, 0.0
-        for group, (*reached, free) in zip(several, islice(counted, len(several)), strict=True):
-            counts = [one + other for one, other in zip(counts, reached, strict=True)]
-            path = group.piece.path if group.piece is not None else None
-            if free and path is not None and _is_bent(path):
-                bent += free
-        most = max(counts)
+    for count, reached, first in zip(lengths, counts, starts[:-1], strict=True):
+        most, bent = max(reached), 0
+        for number in set(idle[first : first + count]):
+            path = plan.pieces[int(number)].path if number >= 0.0 else None
+            if path is not None and _is_bent(path):
+                bent += idle[first : first + count].count(number)
         if bent > most:
-            found.append((LimitQuantity.BEND, bent / len(looks)))
+            found.append((LimitQuantity.BEND, bent / count))
         else:
-            found.append((_QUANTITIES[counts.index(most) % 3], most / len(looks)))
+            found.append((_QUANTITIES[reached.index(most) % 3], most / count))
     return found
-
-
-def _by_piece(plan: MotionPlan, move: PlannedMove, ticks: range, first: int) -> list[_Group]:
-    """Return the looks on each piece of the plan; those on none, where motions overlap, come last.
-
-    Args:
-        plan: of a stretch.
-        move: that is looked at.
-        ticks: that are looked at.
-        first: number of the first of these looks.
-    """
-    found, between, begin, come = [], [], ticks[0], 0
-    for piece in islice(plan.pieces, bisect_right(plan.pieces, begin, key=lambda one: one.last), None):
-        if piece.first > ticks[-1]:
-            break
-        low = min(max((piece.first - begin + ticks.step - 1) // ticks.step, come), len(ticks))
-        high = min((piece.last - begin + ticks.step - 1) // ticks.step, len(ticks))
-        if low < high:
-            found.append(_Group(move, piece, ((first + low, first + high),)))
-            between.append((first + come, first + low))
-            come = high
-    between.append((first + come, first + len(ticks)))
-    free = tuple(one for one in between if one[0] < one[1])
-    return [*found, _Group(move, None, free)] if free else found
 
 
 def _counts(
     plan: MotionPlan,
-    groups: Sequence[_Group],
+    moves: Sequence[PlannedMove],
+    starts: Sequence[int],
     ticks: npt.NDArray[np.intp],
     of_joints: Array,
     robot: RobotModel,
-) -> list[list[float]]:
-    """Return at how many looks limits are reached, and at how many none is; see `tool_reached`."""
-    looks = np.concatenate([np.arange(*part) for one in groups for part in one.looks])
-    rows = plan.reference.q.take((ticks[looks][:, None] + _FOUR).ravel(), axis=0, mode="clip")
-    poses = forward_batch(robot, rows)
-    starts = [0, *accumulate(sum(last - first for first, last in one.looks) for one in groups)]
-    tools, least = np.empty((len(groups), 4, 4)), np.full((len(groups), 2, 3), np.inf)
-    for number, one in enumerate(groups):
-        one.move.X_MT.write_matrix(tools[number])
-        if one.move.limits is not None:
-            least[number] = _least(one.move.limits.tool, plan.period)
-        if one.piece is not None and one.piece.frame is not None:
-            part = slice(4 * starts[number], 4 * starts[number + 1])
-            moved = one.piece.frame.matrices(rows[part])
-            poses[part], tools[number] = np.linalg.solve(moved, poses[part] @ tools[number]), np.eye(4)
-    counts = np.empty((len(groups), 7))
-    tool_reached(poses, np.array(starts, dtype=np.float64), tools, least, of_joints[looks], counts)
-    found: list[list[float]] = counts.tolist()
-    return found
+) -> tuple[list[list[float]], list[float]]:
+    """Return at how many looks limits are reached, and on which piece each look lies at which none is.
+
+    Args:
+        plan: of a stretch.
+        moves: on paths of the tool, m of them.
+        starts: how many looks come before those at each of them, and k.
+        ticks: that are looked at, shape (k,).
+        of_joints: 1.0 where a joint is at one of its limits at these, else 0.0, shape (k,).
+        robot: the arm.
+
+    Returns:
+        the same as `tool_reached` writes.
+    """
+    rows = plan.reference.q.take((ticks[:, None] + _FOUR).ravel(), axis=0, mode="clip")
+    poses, first = forward_batch(robot, rows), np.array(starts, dtype=np.float64)
+    tools, least = np.empty((len(moves), 4, 4)), np.full((len(moves), 2, 3), np.inf)
+    for number, one in enumerate(moves):
+        one.X_MT.write_matrix(tools[number])
+        if one.limits is not None:
+            least[number] = _least(one.limits.tool, plan.period)
+    put_on(poses, first, tools)
+    on, idle, counts = np.empty(len(ticks)), np.empty(len(ticks)), np.empty((len(moves), 6))
+    pieces = np.array([(one.first, one.last) for one in plan.pieces], dtype=np.float64).reshape(-1, 2)
+    piece_numbers(ticks.astype(np.float64), pieces, on)
+    for number, piece in enumerate(plan.pieces):
+        if piece.frame is not None:
+            here = np.repeat(on == number, 4)
+            poses[here] = np.linalg.solve(piece.frame.matrices(rows[here]), poses[here])
+    tool_reached(poses, first, on, least, of_joints, counts, idle)
+    return counts.tolist(), idle.tolist()
 
 
 @lru_cache(maxsize=256)

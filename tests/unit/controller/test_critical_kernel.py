@@ -3,7 +3,7 @@
 import numpy as np
 
 from ropsim import robots
-from ropsim.controller.critical_kernel import joints_reached, tool_reached
+from ropsim.controller.critical_kernel import joints_reached, piece_numbers, put_on, tool_reached
 from ropsim.kinematics import forward_batch
 from ropsim.spatial import Pose
 
@@ -30,15 +30,33 @@ def test_joints_are_counted_move_by_move() -> None:
     assert 0.0 < counts.sum() < there.size
 
 
-def test_the_tool_is_counted_group_by_group() -> None:
-    """The first group stands still in its orientation, of which nothing is counted."""
+def test_a_look_lies_on_the_piece_that_has_begun_and_not_ended() -> None:
+    pieces = np.array([[2.0, 5.0], [5.0, 5.0], [5.0, 9.0], [12.0, 14.0]])
+    on = np.empty(15)
+    piece_numbers(np.arange(15.0), pieces, on)
+    assert on.tolist() == [-1, -1, 0, 0, 0, 2, 2, 2, 2, -1, -1, -1, 3, 3, -1]
+
+
+def test_poses_of_the_tool_are_those_of_the_flange_with_the_frame_of_the_move() -> None:
+    poses = forward_batch(ARM, ARM.home + np.random.default_rng(3).normal(size=(4 * 5, ARM.n)))
+    tools = np.array([Pose().matrix(), TOOL.matrix()])
+    wanted = np.concatenate((poses[:8], poses[8:] @ tools[1]))
+    put_on(poses, np.array([0.0, 2.0, 5.0]), tools)
+    np.testing.assert_allclose(poses, wanted, rtol=0.0, atol=1e-15)
+
+
+def test_the_tool_is_counted_piece_by_piece() -> None:
+    """On the first piece the orientation stands, of which nothing is counted; looks on none count together."""
     chosen = np.random.default_rng(2)
-    flanges = forward_batch(ARM, ARM.home + chosen.normal(scale=0.1, size=(4 * 16, ARM.n)))
-    flanges[: 4 * 6, :3, :3] = flanges[0, :3, :3]
-    starts, tools = np.array([0.0, 6.0, 16.0]), np.array([Pose().matrix(), TOOL.matrix()])
-    wanted = np.concatenate((flanges[:24], flanges[24:] @ tools[1])).reshape(16, 4, 4, 4)
-    steps = np.diff(wanted[:, :, :3, 3], axis=1)
-    turns = wanted[:, :-1, :3, :3].transpose(0, 1, 3, 2) @ wanted[:, 1:, :3, :3]
+    poses = forward_batch(ARM, ARM.home + chosen.normal(scale=0.1, size=(4 * 16, ARM.n)))
+    poses[: 4 * 6, :3, :3] = poses[0, :3, :3]
+    on, starts = (
+        np.array([0.0] * 6 + [-1.0, 1.0, 1.0, -1.0] + [1.0] * 4 + [-1.0] * 2),
+        np.array([0.0, 10.0, 16.0]),
+    )
+    X = poses.reshape(16, 4, 4, 4)
+    steps = np.diff(X[:, :, :3, 3], axis=1)
+    turns = X[:, :-1, :3, :3].transpose(0, 1, 3, 2) @ X[:, 1:, :3, :3]
     spins = 0.5 * np.stack([turns[:, :, k - 1, k - 2] - turns[:, :, k - 2, k - 1] for k in range(3)], axis=-1)
     sizes = np.stack(
         [
@@ -48,13 +66,14 @@ def test_the_tool_is_counted_group_by_group() -> None:
             for one in (steps, spins)
         ]
     )  # (kind, step or change, look)
-    least = np.array([np.median(sizes[:, :, :6], axis=-1), np.median(sizes[:, :, 6:], axis=-1)])
+    least = np.array([np.median(sizes[:, :, :10], axis=-1), np.median(sizes[:, :, 10:], axis=-1)])
     used = (np.arange(16.0) % 5 == 0.0).astype(float)
-    poses, counts = flanges.copy(), np.empty((2, 7))
-    tool_reached(poses, starts, tools, least, used, counts)
-    np.testing.assert_allclose(poses, wanted.reshape(-1, 4, 4), rtol=0.0, atol=1e-15)
-    for group, on in enumerate((slice(0, 6), slice(6, 16))):
-        there = sizes[:, :, on] >= least[group][:, :, np.newaxis]
-        there[1] &= group > 0
-        np.testing.assert_array_equal(counts[group, :6], there.sum(axis=-1).ravel())
-        assert counts[group, 6] == np.count_nonzero(~there.any(axis=(0, 1)) & (used[on] == 0.0))
+    counts, idle = np.empty((2, 6)), np.empty(16)
+    tool_reached(poses, starts, on, least, used, counts, idle)
+    there = np.concatenate(
+        (sizes[:, :, :10] >= least[0][:, :, None], sizes[:, :, 10:] >= least[1][:, :, None]), axis=2
+    )
+    there[1, :, :6] = False
+    np.testing.assert_array_equal(counts[0], there[:, :, :10].sum(axis=-1).ravel())
+    np.testing.assert_array_equal(counts[1], there[:, :, 10:].sum(axis=-1).ravel())
+    np.testing.assert_array_equal(idle, np.where(there.any(axis=(0, 1)) | (used > 0.0), -1.0, on))
