@@ -46,7 +46,7 @@ def test_poses_of_the_tool_are_those_of_the_flange_with_the_frame_of_the_move() 
 
 
 def test_the_tool_is_counted_piece_by_piece() -> None:
-    """On the first piece the orientation stands, of which nothing is counted; looks on none count together."""
+    """On the first piece the orientation stands: nothing of it counts; looks on none count together."""
     chosen = np.random.default_rng(2)
     poses = forward_batch(ARM, ARM.home + chosen.normal(scale=0.1, size=(4 * 16, ARM.n)))
     poses[: 4 * 6, :3, :3] = poses[0, :3, :3]
