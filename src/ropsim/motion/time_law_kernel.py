@@ -36,7 +36,7 @@ NEAREST = 4e-16
 """Relative; places nearer to each other are not told apart."""
 NARROWINGS = 16
 """Steps that bring two times together, at most, before halves do the rest."""
-NEWTON = 1e-9
+NEWTON = 2e-8
 """Relative; after a step of Newton no greater than this what remains is its square, which is rounding."""
 SIXTH = 1.0 / 6.0
 
@@ -174,7 +174,7 @@ def _reached(speed: float, length: float, acceleration: float, jerk: float) -> f
     """Return the highest speed to which it can rise over a way, without acceleration at both ends.
 
     Below the bound of acceleration it rises by w² with w³ + 2·speed·w = length·√jerk: Newton's steps fall to
-    the root of a convex function.
+    the root of a convex function, from what either of its terms alone would allow.
     """
     if length <= 0.0:
         return speed
@@ -184,7 +184,11 @@ def _reached(speed: float, length: float, acceleration: float, jerk: float) -> f
         half = acceleration * length - speed * lag
         return speed + 4.0 * half / (wide + sqrt(wide * wide + 8.0 * half))
     q: float = length * sqrt(jerk)
-    w: float = q ** (1.0 / 3.0)
+    w: float = inf
+    if speed > 0.0:
+        w = 0.5 * q / speed
+    if w * w * w > q:
+        w = q ** (1.0 / 3.0)
     for _ in range(ROUNDS):
         step = (w * (w * w + 2.0 * speed) - q) / (3.0 * w * w + 2.0 * speed)
         w -= step
@@ -403,7 +407,8 @@ def _between(
 ) -> tuple[float, float, int, int]:
     """Return times up to which a rise keeps all bounds, and from which on it breaks one, near to each other.
 
-    By the Illinois rule on the room that is left. Where the ends do not tell, they are what is returned.
+    By the Illinois rule on the room that is left, and in small steps from a time at which none is. Where the
+    ends do not tell, they are what is returned.
 
     Returns:
         the two times; the fault at the later one and its place, or 0.
@@ -415,13 +420,14 @@ def _between(
     fault, there, over = _fault(way, k, place, v1, a1, k)
     if found != 0 or fault == 0 or not under > 0.0:
         return low, high, 0, 0
-    over, under, side = max(over, -1.0), min(under, 1.0), 0
+    over, under, side, near = max(over, -1.0), min(under, 1.0), 0, NEAREST
     for step in range(NARROWINGS):
-        t = (
-            low - under * (high - low) / (over - under)
-            if step % 4 < 3 and over < under
-            else 0.5 * (low + high)
-        )
+        t = 0.5 * (low + high)
+        if under <= ROUNDING or over >= -ROUNDING:
+            t = low + near * high if under <= ROUNDING else high - near * high
+            near *= 4.0
+        elif step % 4 < 3 and over < under:
+            t = low - under * (high - low) / (over - under)
         if not low < t < high:
             t = 0.5 * (low + high)
             if not low < t < high:
