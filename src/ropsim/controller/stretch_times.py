@@ -12,7 +12,7 @@ from ropsim.controller.leg import Leg
 from ropsim.controller.parts import parts_of
 from ropsim.controller.pieces import Walk, pieces_of
 from ropsim.controller.quicker_stops import Span, Times
-from ropsim.motion import rest_to_rest
+from ropsim.motion import SynchronisedJoints, rest_to_rest
 
 
 def times_alone(legs: Sequence[Leg], walks: Sequence[Walk], look_ahead: int) -> tuple[float, ...]:
@@ -28,18 +28,18 @@ def times_alone(legs: Sequence[Leg], walks: Sequence[Walk], look_ahead: int) -> 
         for piece in pieces:
             if piece.corner is None and len(piece.stages) == 1 and not piece.gentler:
                 even[piece.leg] = piece.stages.rows[0]
-    alone = {
-        number: np.concatenate(((leg.joints.length,), even[number][1:]))
-        for number, leg in enumerate(legs)
-        if number in even and leg.joints
-    }
-    found = (
-        dict(zip(alone, rest_to_rest(np.array(list(alone.values()))).tolist(), strict=True)) if alone else {}
-    )
-    return tuple(
-        found[number] if number in found else _course([leg], [], look_ahead).duration
-        for number, leg in enumerate(legs)
-    )
+    lengths = {number: path.length for number in even if (path := legs[number].joints)}
+    found = {}
+    if lengths:
+        rows = np.array([even[number] for number in lengths])
+        rows[:, 0] = tuple(lengths.values())
+        found = dict(zip(lengths, rest_to_rest(rows).tolist(), strict=True))
+    for number, leg in enumerate(legs):
+        if isinstance(leg.joints, SynchronisedJoints):
+            found[number] = leg.joints.length  # its parameter is the time
+        elif number not in found:
+            found[number] = _course([leg], [], look_ahead).duration
+    return tuple(found[number] for number in range(len(legs)))
 
 
 def tool_times(legs: Sequence[Leg], corners: Sequence[Corner | None], look_ahead: int) -> Times:
