@@ -19,7 +19,7 @@ def exceeding(used: Array, allowed: float, phi: Array, spans: Array, ticks: Arra
     """
     count = 0
     for k in range(1, phi.shape[0]):
-        if max(max(used[0, k], used[1, k]), max(used[2, k], used[3, k])) > allowed:
+        if max(used[0, k], used[1, k], used[2, k], used[3, k]) > allowed:
             ticks[count] = k
             count += 1
     for span in range(spans.shape[0]):
