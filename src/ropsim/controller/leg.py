@@ -15,7 +15,7 @@ from ropsim.controller.posture_wish import other_posture
 from ropsim.controller.tracing import trace
 from ropsim.core import Diagnostic
 from ropsim.flow import MoveInstruction
-from ropsim.motion import JointLine, JointPath, ToolPath
+from ropsim.motion import JointLine, JointPath, ToolPath, Traced
 from ropsim.spatial import Array, frozen, record
 
 
@@ -107,6 +107,8 @@ def _ended(
     """Return the leg of a path of the joints, with what is found on it."""
     if type(joints) is JointLine:
         q_end = joints.q_end
+    elif type(joints) is Traced:
+        q_end = joints.q[-1]
     else:
         q_end = frozen(joints.joints(np.array([joints.length])).q[0])
     found += other_posture(move, chain.robot, q_end)
