@@ -44,6 +44,28 @@ def part_times(
             told[0] = own[k] / longest
 
 
+@kernel("void(f8[:,::1], f8[:,:,::1], f8[::1], f8[::1])")
+def longest_cell(q: Array, derivatives: Array, max_speeds: Array, told: Array) -> None:
+    """Write a time that no joint needs more than from row to row, at its pace anywhere between them.
+
+    The first derivative of the polynomial between two rows is nowhere beyond its Bernstein coefficients.
+
+    Args:
+        q: joint coordinates at the rows [rad | m], shape (k, n).
+        derivatives: first and second ones by the number of the row, shape (2, k, n).
+        max_speeds: of the joints [rad/s | m/s], shape (n,).
+        told: where the time goes [s], shape (1,).
+    """
+    told[0] = 0.0
+    for k in range(q.shape[0] - 1):
+        for j in range(q.shape[1]):
+            v, w = derivatives[0, k, j], derivatives[0, k + 1, j]
+            first, last = v + 0.25 * derivatives[1, k, j], w - 0.25 * derivatives[1, k + 1, j]
+            middle = 5.0 * (q[k + 1, j] - q[k, j]) - (v + first + last + w)
+            most = max(abs(v), abs(w), abs(first), abs(last), abs(middle))
+            told[0] = max(told[0], most / max_speeds[j])
+
+
 def _slowness(d1: Array, k: int, speed: float, turning: float) -> float:
     """Return the time for a unit of the place."""
     x, y, z, a, b, c = d1[k, 0], d1[k, 1], d1[k, 2], d1[k, 3], d1[k, 4], d1[k, 5]

@@ -7,12 +7,20 @@ import numpy as np
 from ropsim.controller.entities import Refusal
 from ropsim.controller.interpolator import places
 from ropsim.controller.leg import Leg
-from ropsim.controller.part_times_kernel import part_times
+from ropsim.controller.part_times_kernel import longest_cell, part_times
 from ropsim.controller.posture_choice import JointRange
 from ropsim.controller.trouble import Trouble
 from ropsim.flow import MoveInstruction
 from ropsim.model import RobotModel
-from ropsim.motion import JOINT_LIMIT_ON_LINE, JUMP_ON_LINE, NO_WRIST_ANGLES, SynchronisedJoints, durations
+from ropsim.motion import (
+    JOINT_LIMIT_ON_LINE,
+    JUMP_ON_LINE,
+    NO_WRIST_ANGLES,
+    Line,
+    SynchronisedJoints,
+    Traced,
+    durations,
+)
 from ropsim.spatial import Array, frozen
 
 WHIRL = 0.25
@@ -35,6 +43,8 @@ def trouble_of(robot: RobotModel, leg: Leg, number: int) -> Trouble | None:
         leg: the move, with a path of the tool.
         number: of the move in the stretch.
     """
+    if _is_calm(robot, leg):
+        return None
     own, needs, least = _times(robot, leg)
     if least >= WHIRL:
         return None
@@ -94,6 +104,17 @@ def time_of(robot: RobotModel, leg: Leg, q_start: Array) -> float:
         return float(durations(q_start, leg.q_end[np.newaxis], leg.planned.limits.joints)[0])
     own, needs, _ = _times(robot, leg)
     return float(np.maximum(needs.max(axis=1), own).sum())
+
+
+def _is_calm(robot: RobotModel, leg: Leg) -> bool:
+    """Return whether the joints clearly keep up with a straight line."""
+    path, joints = leg.tool, leg.joints
+    if not isinstance(path, Line) or type(joints) is not Traced or not path.moves:
+        return False
+    told = np.empty(1)
+    longest_cell(joints.q, joints.derivatives, max_speeds_of(robot), told)
+    at_tool_speed = path.length / max(leg.planned.limits.tool.speed, _TINY) / (len(joints.q) - 1)
+    return bool(told[0] * WHIRL <= at_tool_speed)
 
 
 def _times(robot: RobotModel, leg: Leg) -> tuple[Array, Array, float]:
