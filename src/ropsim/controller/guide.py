@@ -12,11 +12,11 @@ import numpy as np
 
 from ropsim.codegen import Compiled, bound
 from ropsim.controller.branch_following import CLOSE
-from ropsim.controller.branch_kernel import lead_branch, lead_wrist
 from ropsim.controller.density import MOST_DENSITY, SMOOTH, denser
 from ropsim.controller.interpolator import StandardInterpolator, places
 from ropsim.controller.inverse_transform import StandardInverseTransform, has_named_branches
 from ropsim.controller.joint_interpolator import StandardJointInterpolator
+from ropsim.controller.lead_kernel import lead_branch, lead_wrist
 from ropsim.controller.line_check import end_findings
 from ropsim.controller.motion_chain import MotionChain
 from ropsim.controller.posture_choice import LIMIT_SLACK

@@ -130,11 +130,11 @@ def choose(
         limits: of the joints.
         motion: speed, acceleration and jerk limits of the move.
     """
-    inside = limits.inside(branches)
-    if not inside.any():
+    inside: list[bool] = limits.inside(branches).tolist()
+    if True not in inside:
         return None
     kept = [row for row in _start_rows(robot, q_start) if inside[row]]
-    rows = kept or np.flatnonzero(inside).tolist()
+    rows = kept or [row for row, is_inside in enumerate(inside) if is_inside]
     if len(rows) == 1:
         return Choice(branches[rows[0]], keeps_posture=bool(kept))
     shortest = int(np.argmin(durations(q_start, branches[rows], motion)))
