@@ -61,6 +61,7 @@ def corner(before: ToolPath, s_leave: float, after: ToolPath, s_enter: float) ->
     came, steps = (int(number) for number in told.tolist())
     if came:
         return _FAULTS[came]
+    coefficients.flags.writeable = middles.flags.writeable = False
     even = steps == _STEPS
     way = ArcLength(ends, inverse, steps) if even else arc_length_in_steps(coefficients, steps)
     return Curve(coefficients, middles, way)

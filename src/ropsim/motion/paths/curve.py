@@ -36,8 +36,10 @@ class Curve:
     way: ArcLength
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "coefficients", frozen(self.coefficients))
-        object.__setattr__(self, "middles", frozen(self.middles))
+        for name in ("coefficients", "middles"):
+            array = getattr(self, name)
+            if array.flags.writeable:  # what nobody can change need not be copied
+                object.__setattr__(self, name, frozen(array))
 
     @property
     def length(self) -> float:
