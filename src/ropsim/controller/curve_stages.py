@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from ropsim.controller.curve_stages_kernel import ROOM, curve_stages
+from ropsim.controller.curve_stages_kernel import curve_stages
 from ropsim.motion import Curve, Stages
 from ropsim.spatial import Array
 
@@ -29,7 +29,21 @@ def stages_of_curve(curve: Curve, rates: Array, share: float) -> Stages | None:
         return None
     m = _ROOM * len(grid)
     out, told = np.empty((m, 7)), np.empty(5)
-    curve_stages(*curve.numbers, rates, share, np.ascontiguousarray(grid), np.empty(ROOM * m), out, told)
+    rows = np.empty((4, m, 6))
+    curve_stages(
+        *curve.numbers,
+        rates,
+        share,
+        np.ascontiguousarray(grid),
+        np.empty((4, m)),
+        rows,
+        rows[:2].reshape(2 * m, 2, 3),
+        np.empty((10, m, 2)),
+        np.empty((m, 4, 4)),
+        np.empty((2, m, 7)),
+        out,
+        told,
+    )
     count, d1, d2, *_ = told.tolist()
     if not count or d2 * curve.length <= _STRAIGHT * d1:
         return None

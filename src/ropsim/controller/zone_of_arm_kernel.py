@@ -8,7 +8,6 @@ from ropsim.motion import (
     LOOK_SQUARES,
     LOOK_STATE,
     LOOK_WAYS,
-    MOST_LOOKS,
     SYNCHRONISED,
     joint_rows,
     line_points,
@@ -22,7 +21,10 @@ PLACE, DISTANCE = range(2)
 """What becomes of it."""
 
 
-@kernel("void(f8[::1], f8[:,::1], f8[:,::1], f8[::1], f8[:,::1], f8[::1], f8[::1], f8[::1])")
+@kernel(
+    "void(f8[::1], f8[:,::1], f8[:,::1], f8[::1], f8[:,::1], f8[::1], f8[::1],"
+    " f8[:,::1], f8[:,:,::1], f8[:,::1], f8[:,:,::1], f8[::1])"
+)
 def zone_of_arm(
     shares: Array,
     nodes: Array,
@@ -31,7 +33,11 @@ def zone_of_arm(
     spread: Array,
     tcp: Array,
     asked: Array,
-    room: Array,
+    looks: Array,
+    points: Array,
+    steps: Array,
+    X: Array,
+    poses: Array,
 ) -> None:
     """Search for the place at which the TCP is in a distance from where it is at an end of the path.
 
@@ -45,16 +51,13 @@ def zone_of_arm(
         asked: length of the path, the zone [m], how far from that end it may be found at most, 1.0 for the
             end of the path, 0.0 for its start; then kind, begin and length of `PathRows`; becomes the place,
             and the distance of the TCP there [m]; shape (7,).
-        room: to work in, shape (`room_for` (n, m),).
+        looks: room to work in, shape (5, `MOST_LOOKS`).
+        points: room to work in, shape (3, `MOST_LOOKS`, n).
+        steps: room to work in, shape (`MOST_LOOKS`, m).
+        X: room to work in, shape (`MOST_LOOKS`, 4, 4).
+        poses: room to work in, shape (`POSES`,).
     """
-    n, m = rows.shape[1], (chain.shape[0] - 12) // 14
-    at = 4 * MOST_LOOKS
-    looks, places = room[: at - MOST_LOOKS].reshape(3, MOST_LOOKS), room[at - MOST_LOOKS : at]
-    X, at = room[at : at + 16 * MOST_LOOKS].reshape(MOST_LOOKS, 4, 4), at + 16 * MOST_LOOKS
-    poses, at = room[at : at + POSES], at + POSES
-    state, at = room[at : at + LOOK_STATE], at + LOOK_STATE
-    points, at = room[at : at + 3 * n * MOST_LOOKS].reshape(3, MOST_LOOKS, n), at + 3 * n * MOST_LOOKS
-    steps = room[at : at + m * MOST_LOOKS].reshape(MOST_LOOKS, m)
+    places, state = looks[3], looks[4]
     for i in range(LOOK_STATE):
         state[i] = 0.0
     for i in range(POSES):
@@ -88,11 +91,6 @@ def zone_of_arm(
                 x, y, z, first = u, v, w, False
             looks[LOOK_SQUARES, i] = (u - x) * (u - x) + (v - y) * (v - y) + (w - z) * (w - z)
     asked[DISTANCE] = looks[LOOK_SQUARES, 0] ** 0.5
-
-
-def room_for(n: int, m: int) -> int:
-    """Return how many numbers of room there must be for n axes that move m steps."""
-    return POSES + LOOK_STATE + MOST_LOOKS * (20 + 3 * n + m)
 
 
 def _move_steps(spread: Array, Q: Array, count: int, steps: Array) -> None:

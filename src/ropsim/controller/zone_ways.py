@@ -4,10 +4,11 @@ from typing import Protocol
 
 import numpy as np
 
-from ropsim.controller.zone_of_arm_kernel import room_for, zone_of_arm
-from ropsim.kinematics import chain_arrays, forward_batch
+from ropsim.controller.zone_of_arm_kernel import zone_of_arm
+from ropsim.kinematics import POSES, chain_arrays, forward_batch
 from ropsim.model import RobotModel
 from ropsim.motion import (
+    MOST_LOOKS,
     TRACED,
     ZONE_NODES,
     ZONE_SHARES,
@@ -122,8 +123,19 @@ class _ArmWay(_Way):
         kind, begin, length, rows, _ = self._rows
         chain = self._chain
         asked = np.array((self.length, zone, clip, from_end, kind, begin, length))
-        room = np.empty(room_for(rows.shape[1], len(chain.slides)))
-        tcp = self._X_MT.position
-        zone_of_arm(ZONE_SHARES, ZONE_NODES, rows, chain.flat, chain.spread, tcp, asked, room)
+        zone_of_arm(
+            ZONE_SHARES,
+            ZONE_NODES,
+            rows,
+            chain.flat,
+            chain.spread,
+            self._X_MT.position,
+            asked,
+            np.empty((5, MOST_LOOKS)),
+            np.empty((3, MOST_LOOKS, rows.shape[1])),
+            np.empty((MOST_LOOKS, len(chain.slides))),
+            np.empty((MOST_LOOKS, 4, 4)),
+            np.empty(POSES),
+        )
         place, distance, *_ = asked.tolist()
         return place, distance

@@ -5,7 +5,7 @@ from enum import Enum
 import numpy as np
 
 from ropsim.motion.paths.arc_length import ArcLength, arc_length_in_steps, quadrature
-from ropsim.motion.paths.corner_kernel import NO_LENGTH, ROOM, TURNS_BACK, WHIRLS, corner_curve
+from ropsim.motion.paths.corner_kernel import NO_LENGTH, TURNS_BACK, WHIRLS, corner_curve
 from ropsim.motion.paths.curve import Curve
 from ropsim.motion.paths.path import STANDS, ToolPath, ToolPoints
 from ropsim.motion.paths.rotation_vector import series
@@ -53,10 +53,10 @@ def corner(before: ToolPath, s_leave: float, after: ToolPath, s_enter: float) ->
     first, last = before.tool(np.array([s_leave])), after.tool(np.array([s_enter]))
     rows = *_plain(first), *_plain(last)
     coefficients, middles = np.empty((1, 6, 6)), np.empty((1, 3, 3))
-    told, room = np.array(ways), np.empty(ROOM + 3 * _STEPS)
-    ends, inverse = np.empty(_STEPS + 1), np.empty((_STEPS, 6))
+    told, ends, inverse = np.array(ways), np.empty(_STEPS + 1), np.empty((_STEPS, 6))
+    rooms = np.empty((2, 4, 4)), np.empty((5, 6)), np.empty((15, 3)), np.empty(3 * _STEPS + 3)
     corner_curve(
-        series(), *quadrature(), *rows, _SWING, _STEPS, room, coefficients, middles, ends, inverse, told
+        series(), *quadrature(), *rows, _SWING, _STEPS, *rooms, coefficients, middles, ends, inverse, told
     )
     came, steps = (int(number) for number in told.tolist())
     if came:

@@ -19,13 +19,12 @@ SLOWEST = 0.05
 UNEVEN = 0.45
 """Least |p'| by its greatest; below, steps are four times as fine."""
 FULL_TURN = 6.283185307179586
-ROOM = 106
-"""Numbers of room to work in, beside three for each step of the arc length, which are at least `LOOKS`."""
 
 
 @kernel(
     "void(f8[:,::1], f8[::1], f8[::1], f8[:,:,::1], f8[:,::1], f8[:,::1], f8[:,:,::1], f8[:,::1], f8[:,::1],"
-    " f8, i8, f8[::1], f8[:,:,::1], f8[:,:,::1], f8[::1], f8[:,::1], f8[::1])"
+    " f8, i8, f8[:,:,::1], f8[:,::1], f8[:,::1], f8[::1], f8[:,:,::1], f8[:,:,::1], f8[::1], f8[:,::1],"
+    " f8[::1])"
 )
 def corner_curve(
     series: Array,
@@ -39,7 +38,10 @@ def corner_curve(
     after_d2: Array,
     swing: float,
     steps: int,
+    matrices: Array,
+    rates: Array,
     room: Array,
+    places: Array,
     coefficients: Array,
     middles: Array,
     ends: Array,
@@ -60,7 +62,10 @@ def corner_curve(
         after_d2: see there.
         swing: ds/du at the ends of a corner that does not turn, as a multiple of the way to its point.
         steps: of the arc length, for a corner of even speed.
-        room: to work in, shape (`ROOM` + 3·steps,).
+        matrices: room to work in, shape (2, 4, 4).
+        rates: room to work in, shape (5, 6).
+        room: to work in, shape (15, 3).
+        places: room to work in, shape (3·steps + 3,), at least 2·`LOOKS` + 2.
         coefficients: where those of u⁰ to u⁵ go, shape (1, 6, 6).
         middles: where the orientation goes that rotation vectors count from, shape (1, 3, 3).
         ends: where the arc length goes, as for `way_of_steps`, if it has as many steps as there is room for.
@@ -68,8 +73,7 @@ def corner_curve(
         told: ways that both paths still have to the point where they meet [m]; becomes what came of it, as
             above, and the number of steps that it needs: these or four times as many, shape (2,).
     """
-    matrices, d1, d2 = room[:32].reshape(2, 4, 4), room[32:44].reshape(2, 6), room[44:56].reshape(2, 6)
-    scales, speeds = room[56:58], room[56:58].reshape(1, 2)
+    d1, d2, scales, speeds = rates[0:2], rates[2:4], rates[4, 0:2], rates[4:5, 2:4]
     for i in range(4):
         for j in range(4):
             matrices[0, i, j], matrices[1, i, j] = before[0, i, j], after[0, i, j]
@@ -90,19 +94,17 @@ def corner_curve(
         return
     scales[0], scales[1] = scale * told[0], scale * told[1]
     slowest = SLOWEST * min(scales[0], scales[1])
-    corner_polynomials(
-        series, matrices, d1, d2, scales, room[58:103].reshape(15, 3), coefficients, middles, told
-    )
+    corner_polynomials(series, matrices, d1, d2, scales, room, coefficients, middles, told)
     if not told[0] <= FULL_TURN:
         told[0] = WHIRLS
         return
-    speed_range(coefficients, LOOKS, room[103:], speeds)
+    speed_range(coefficients, LOOKS, places, speeds)
     if not speeds[0, 0] > slowest:
         told[0] = TURNS_BACK
         return
     count = 4 * steps if speeds[0, 0] < UNEVEN * speeds[0, 1] else steps
     if count == inverse.shape[0]:
-        way_of_steps(coefficients, count, points, weights, room[103:], ends, inverse)
+        way_of_steps(coefficients, count, points, weights, places, ends, inverse)
     told[0], told[1] = MADE, count
 
 
