@@ -24,6 +24,8 @@ SLOPE, CHANGE, START, END, SIZES = range(5)
 """Of third derivatives: mean in a cell, change of that to the next one, values at the ends of the two."""
 SEEN = 5
 """First row of the same as it was seen at the places, which is no bound."""
+HUGE = 1e100
+"""Numbers below this have a third power; the cubic root of any is less than the square root of all above."""
 APART = 0.999
 """Numbers are compared by their powers where one is by no more than this share of the other."""
 
@@ -240,11 +242,14 @@ def _fastest(bounds: Array, row: int, i: int, limits: Array) -> float:
         third = _length(bounds[row + ALONG + 1, i, part], bounds[row + ACROSS + 1, i, part])
         square = _lesser(square, SHARE * limits[1, part] / _greater(second, TINY))
         cube = _lesser(cube, SHARE * limits[2, part] / _greater(third, TINY))
-    one, other = square * square * square, cube * cube
-    if one < APART * other:
-        return sqrt(square)
-    if other < APART * one:
+    if cube < HUGE and square >= HUGE:
         return float(np.cbrt(cube))
+    if cube < HUGE and square < HUGE:
+        one, other = square * square * square, cube * cube
+        if one < APART * other:
+            return sqrt(square)
+        if other < APART * one:
+            return float(np.cbrt(cube))
     return _lesser(sqrt(square), float(np.cbrt(cube)))
 
 
