@@ -17,10 +17,9 @@ from ropsim.motion.diagnostics import WRONG_PROFILE_REQUEST as WRONG_PROFILE_REQ
 from ropsim.motion.durations import ZERO_LENGTH as ZERO_LENGTH
 from ropsim.motion.durations import durations as durations
 from ropsim.motion.law_rows_kernel import rows_at as rows_at
-from ropsim.motion.law_rows_kernel import time_at as time_at
-from ropsim.motion.law_rows_kernel import times_along as times_along
+from ropsim.motion.law_times_kernel import time_at as time_at
+from ropsim.motion.law_times_kernel import times_along as times_along
 from ropsim.motion.limits.demand import demand as demand
-from ropsim.motion.limits.grid import places_of as places_of
 from ropsim.motion.limits.joint_bounds import Effort as Effort
 from ropsim.motion.limits.joint_bounds import JointBounds as JointBounds
 from ropsim.motion.limits.joint_bounds import Quantity as Quantity

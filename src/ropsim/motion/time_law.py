@@ -5,7 +5,7 @@ from collections.abc import Iterable
 import numpy as np
 import numpy.typing as npt
 
-from ropsim.motion import law_rows_kernel, time_law_kernel
+from ropsim.motion import law_rows_kernel, law_times_kernel, time_law_kernel
 from ropsim.motion.diagnostics import WRONG_PROFILE_REQUEST
 from ropsim.motion.longer_pieces_kernel import over_longer, plan_longer
 from ropsim.motion.profile import ProfileError
@@ -117,7 +117,7 @@ class TimeLaw:
         out, numbers = np.empty((2, len(asked)))
         numbers[:] = pieces
         told = np.empty(1)
-        law_rows_kernel.times_at(self.segments, self.ends, numbers, asked, out, told)
+        law_times_kernel.times_at(self.segments, self.ends, numbers, asked, out, told)
         if told[0] < len(asked):
             raise IndexError(f"piece {pieces!r} of {len(self.ends)}")
         return out
@@ -130,7 +130,7 @@ class TimeLaw:
             place: value of s.
         """
         out = np.empty(1)
-        law_rows_kernel.time_at(self.segments, self.ends, piece, place, out)
+        law_times_kernel.time_at(self.segments, self.ends, piece, place, out)
         return float(out[0])
 
     def in_parts(self, counts: npt.ArrayLike) -> "TimeLaw":

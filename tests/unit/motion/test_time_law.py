@@ -15,6 +15,7 @@ from ropsim.motion import (
     TimeLaw,
     evaluate,
     law_rows_kernel,
+    law_times_kernel,
     plan_profile,
     plan_time_law,
     rest_to_rest,
@@ -273,7 +274,7 @@ def test_the_times_of_places_in_order_are_those_of_each_but_for_rounding(seed: i
     places[rng.integers(0, 60, 10)] = 0.0
     order = np.lexsort((places, pieces))
     pieces, places, out = pieces[order], places[order], np.empty(60)
-    law_rows_kernel.times_along(law.segments, law.ends, pieces, places, out)
+    law_times_kernel.times_along(law.segments, law.ends, pieces, places, out)
     wanted = law.times_of(pieces, places)
     inside = (places >= 0.0) | (pieces == 0.0)
     assert out[inside] == pytest.approx(wanted[inside], rel=1e-12, abs=1e-14)
@@ -378,7 +379,7 @@ def test_compiled_or_not_the_motion_is_the_same(monkeypatch: pytest.MonkeyPatch)
     for module, name in (
         (time_law_kernel, "plan_segments"),
         (law_rows_kernel, "rows_at"),
-        (law_rows_kernel, "times_at"),
+        (law_times_kernel, "times_at"),
     ):
         plain = getattr(getattr(module, name), "__wrapped__", getattr(module, name))
         assert isinstance(plain, FunctionType)

@@ -1,0 +1,191 @@
+"""When a motion of constant jerks is at given places, in loops that numba compiles.
+
+Segments stand in columns: piece, time at the start [s], place, speed, acceleration, jerk, duration [s], place
+at the end; see `TimeLaw`.
+"""
+
+from math import inf, isnan, sqrt
+
+from ropsim.codegen import kernel
+from ropsim.spatial import Array
+
+HALVINGS = 80
+"""More steps than the search for a time needs, were it by halves alone."""
+SIXTH = 1.0 / 6.0
+ROUNDING = 1e-16
+"""Relative; the search for a time ends at a step below this share of it."""
+NEWTON = 1e-9
+"""Relative; after a step of Newton no greater than this what remains is its square, which is rounding."""
+
+
+@kernel("void(f8[:,::1], f8[::1], f8[::1], f8[::1], f8[::1], f8[::1])")
+def times_at(segments: Array, ends: Array, pieces: Array, places: Array, out: Array, told: Array) -> None:
+    """Write the time [s] at which the motion is at each of some places of pieces.
+
+    Args:
+        segments: shape (8, m).
+        ends: times [s] at which the pieces end, shape (p,).
+        pieces: index of the piece of each place, best in order, shape (k,).
+        places: on it; those outside of it count as its start or end; shape (k,).
+        out: where the times go, shape (k,).
+        told: where the number of the times goes, fewer than k up to a place of a piece that there is not.
+    """
+    piece, first, beyond, low = -1, 0, 0, 0
+    told[0] = places.shape[0]
+    for k in range(places.shape[0]):
+        if not 0.0 <= pieces[k] < ends.shape[0]:
+            told[0] = k
+            break
+        if piece != int(pieces[k]):
+            piece = int(pieces[k])
+            first, beyond = _lower(segments, 0, float(piece)), _lower(segments, 0, piece + 1.0)
+            low = first
+        low = _row_of(segments, places[k], first, beyond, low)
+        out[k] = _time_of(segments, ends, piece, beyond, low, places[k])
+
+
+@kernel("void(f8[:,::1], f8[::1], f8[::1], f8[::1], f8[::1])")
+def times_along(segments: Array, ends: Array, pieces: Array, places: Array, out: Array) -> None:
+    """Write what `times_at` does but for rounding, of places in order, each looked for from the one before.
+
+    Args:
+        segments: shape (8, m).
+        ends: times [s] at which the pieces end, shape (p,).
+        pieces: index of the piece of each place, rising, shape (k,).
+        places: on it, in order; those outside of it count as its start or end; shape (k,).
+        out: where the times go, shape (k,).
+    """
+    last, row, near = segments.shape[1] - 1, 0, 0.0
+    for k in range(places.shape[0]):
+        piece, place = pieces[k], places[k]
+        while row < last and (
+            segments[0, row] < piece or (segments[0, row + 1] == piece and segments[2, row + 1] <= place)
+        ):
+            row += 1
+            near = 0.0
+        end = segments[7, row] if row == last or segments[0, row + 1] > piece else inf
+        if place >= end:
+            out[k] = ends[int(piece)]
+            continue
+        near = _near(segments, row, max(place - segments[2, row], 0.0), near)
+        out[k] = segments[1, row] + near
+
+
+def _near(segments: Array, row: int, way: float, u: float) -> float:
+    """Return the time since the start of a segment at which a way is gone, no less than `u` [s].
+
+    By Newton's steps from there, kept between the times known to be too early and too late.
+    """
+    v, a, j = segments[3, row], segments[4, row], segments[5, row]
+    least, most = u, segments[6, row]
+    if way <= 0.0:
+        return u
+    u = 0.5 * (least + most)
+    slope = v + least * (a + 0.5 * least * j)
+    if slope > 0.0:
+        tried = least + (way - least * (v + least * (0.5 * a + least * (j * SIXTH)))) / slope
+        u = tried if tried < most else u
+    for _ in range(HALVINGS):
+        over = u * (v + u * (0.5 * a + u * (j * SIXTH))) - way
+        slope = v + u * (a + 0.5 * u * j)
+        if over > 0.0:
+            most = u
+        else:
+            least = u
+        step = over / slope if slope > 0.0 else inf
+        tried = u - step
+        if abs(step) <= NEWTON * u:
+            return float(min(max(tried, least), most))
+        u = tried if least < tried < most else 0.5 * (least + most)
+    return u
+
+
+@kernel("void(f8[:,::1], f8[::1], i8, f8, f8[::1])")
+def time_at(segments: Array, ends: Array, piece: int, place: float, out: Array) -> None:
+    """Write the time [s] at which the motion is at a place of a piece that there is; see `times_at`.
+
+    Args:
+        segments: shape (8, m).
+        ends: times [s] at which the pieces end, shape (p,).
+        piece: index of the piece.
+        place: on it; one outside of it counts as its start or end.
+        out: where the time goes, shape (1,).
+    """
+    first, beyond = _lower(segments, 0, float(piece)), _lower(segments, 0, piece + 1.0)
+    row = _row_of(segments, place, first, beyond, first)
+    out[0] = _time_of(segments, ends, piece, beyond, row, place)
+
+
+def _time_of(segments: Array, ends: Array, piece: int, beyond: int, row: int, place: float) -> float:
+    """Return the time [s] of a place of a piece, which is in a segment if it is on the piece."""
+    if place >= segments[7, beyond - 1]:
+        return float(ends[piece])
+    if isnan(place):
+        return place
+    if place <= 0.0:
+        return 0.0 if piece == 0 else float(ends[piece - 1])
+    return _time_at(segments, row, place, min(_start_of(segments, row + 1), ends[piece]))
+
+
+def _row_of(segments: Array, place: float, first: int, beyond: int, row: int) -> int:
+    """Return the last segment of a piece that starts no later than at a place, looked for first at `row`."""
+    low, high = first, beyond
+    if row > first and segments[2, row] <= place:
+        low = row
+        if row + 1 < beyond and segments[2, row + 1] > place:
+            return row
+    while high - low > 1:
+        middle = (low + high) // 2
+        if segments[2, middle] <= place:
+            low = middle
+        else:
+            high = middle
+    return low
+
+
+def _start_of(segments: Array, row: int) -> float:
+    """Return the time at which a segment starts [s], endless behind the last one."""
+    return float(segments[1, row]) if row < segments.shape[1] else inf
+
+
+def _lower(segments: Array, column: int, value: float) -> int:
+    """Return the first segment whose number in a column is not below a value."""
+    low, high = 0, segments.shape[1]
+    while low < high:
+        middle = (low + high) // 2
+        if segments[column, middle] < value:
+            low = middle + 1
+        else:
+            high = middle
+    return low
+
+
+def _time_at(segments: Array, row: int, place: float, end: float) -> float:
+    """Return the time [s] of a place in a segment that ends at `end`.
+
+    Newton's steps for the way v·u + a·u²/2 + j·u³/6 start at the least of the times that its parts would take
+    alone; a step that leaves the times known to be too early and too late is replaced by halving.
+    """
+    v, a, j = segments[3, row], segments[4, row], segments[5, row]
+    way = place - segments[2, row]
+    u: float = segments[6, row]
+    if v > 0.0:
+        u = min(u, way / v)
+    if a > 0.0:
+        u = min(u, sqrt(2.0 * way / a))
+    if j > 0.0:
+        u = min(u, (6.0 * way / j) ** (1.0 / 3.0))
+    least, most = 0.0, segments[6, row]
+    for _ in range(HALVINGS):
+        over = u * (v + u * (0.5 * a + u * (j * SIXTH))) - way
+        slope = v + u * (a + 0.5 * u * j)
+        if over > 0.0:
+            most = u
+        else:
+            least = u
+        step = over / slope if slope > 0.0 else inf
+        if abs(step) <= ROUNDING * u:
+            break
+        tried = u - step
+        u = tried if least < tried < most else 0.5 * (least + most)
+    return min(float(segments[1, row]) + u, end)
