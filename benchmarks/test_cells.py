@@ -84,6 +84,6 @@ def test_5000_parts_find_their_supports(benchmark: Any) -> None:
 
 def parts_on_the_table(cell: Cell) -> int:
     """Start a run of a cell as far as its parts are concerned; return how many stand on the table."""
-    scenery, parts = scenery_of(cell), initial_parts(cell)
+    scenery, parts = scenery_of(cell, cell.content), initial_parts(cell)
     _, found = stood(parts, tuple(parts.seats), scenery, cell.supports, Moment({}, NO_BLOCKS))
     return sum(one.on == "table" for one in found.values())
