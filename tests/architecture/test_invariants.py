@@ -16,7 +16,7 @@ HIGH |= {"robotfile", "tomltext", "meshes"}
 OWN_FILES = {
     "core/files.py",
     "core/turns.py",
-    "codegen/compiled.py",
+    "codegen/code_digest.py",
     "codegen/machine_code.py",
     "prolog/native/program.py",
 }

@@ -6,15 +6,15 @@ import sys
 ALL_KERNELS = """
 import importlib, pkgutil, sys
 import ropsim
-from ropsim.codegen.kernel import Kernel
+from ropsim.codegen.kernel import kernel_of
 
 found = set()
 for module in pkgutil.walk_packages(ropsim.__path__, "ropsim."):
     if module.name.endswith("_kernel"):
         own = vars(importlib.import_module(module.name)).values()
-        found.update(one for one in own if isinstance(one, Kernel))
+        found.update(filter(None, map(kernel_of, own)))
 for one in found:
-    one._make()
+    one.made()
 print(len(found), "numba" in sys.modules)
 """
 

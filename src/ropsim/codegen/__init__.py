@@ -1,9 +1,9 @@
 """Generated code: traced expressions, straight-line source, compiled and cached modules."""
 
-from ropsim.codegen.caller import Compiled as Compiled
-from ropsim.codegen.caller import StoppedError as StoppedError
 from ropsim.codegen.caller import bound as bound
 from ropsim.codegen.columns import columns as columns
+from ropsim.codegen.direct import Compiled as Compiled
+from ropsim.codegen.direct import StoppedError as StoppedError
 from ropsim.codegen.emit import Bounds as Bounds
 from ropsim.codegen.emit import SourceFunction as SourceFunction
 from ropsim.codegen.emit import emit as emit
@@ -16,6 +16,7 @@ from ropsim.codegen.hoist import CONSTANTS as CONSTANTS
 from ropsim.codegen.hoist import Hoisted as Hoisted
 from ropsim.codegen.hoist import given as given
 from ropsim.codegen.hoist import hoisted as hoisted
+from ropsim.codegen.kernel import in_python as in_python
 from ropsim.codegen.kernel import kernel as kernel
 from ropsim.codegen.kernel import numba_available as numba_available
 from ropsim.codegen.load import load as load

@@ -1,19 +1,15 @@
 """From what numba compiles to a function that Python calls, by way of the cache folder."""
 
 import contextlib
-import sys
 from collections.abc import Callable
-from functools import cache
-from hashlib import sha256
-from importlib.util import find_spec
 from pathlib import Path
 from types import FunctionType
 
-from ropsim.codegen.caller import Compiled
-from ropsim.codegen.machine_code import MissingNameError, emit_object, host, keep, load, read
+from ropsim.codegen.code_digest import digest_of
+from ropsim.codegen.direct import Compiled
+from ropsim.codegen.machine_code import MissingNameError, emit_object, keep, load, read
 from ropsim.codegen.signature import Signature
-from ropsim.core import cache_folder, read_bytes, turn, without_collection
-from ropsim.version import __version__
+from ropsim.core import cache_folder, turn, without_collection
 
 _Build = Callable[[], tuple[FunctionType, Callable[..., None]]]
 
@@ -30,7 +26,7 @@ def compiled(name: str, source: str, signature: Signature, build: _Build) -> Com
         build: imports numba and returns the function `entry` of `Signature.entry_text`, and the one that it
             calls as `stages` makes it, for a system where the machine code does not stand alone.
     """
-    folder, digest = cache_folder() / "generated", _digest(source)
+    folder, digest = cache_folder() / "generated", digest_of(source)
     path = folder / f"{name}_{digest}.code"
     with contextlib.suppress(OSError, ValueError, MissingNameError):
         return signature.caller(load(read(path)))
@@ -53,24 +49,3 @@ def _made(path: Path, signature: Signature, build: _Build) -> Compiled:
     with contextlib.suppress(OSError):
         keep(code, path)
     return signature.caller(address)
-
-
-def _digest(source: str) -> str:
-    made_by = f"{__version__} {_numba_version()} {sys.version_info[:3]} {host()} {_compiler()}"
-    return sha256(f"{made_by}\n{source}".encode()).hexdigest()[:24]
-
-
-@cache
-def _compiler() -> str:
-    """Return the digest of the texts of this package: they decide what becomes of a source."""
-    texts = sorted(Path(__file__).parent.glob("*.py"))
-    return sha256(b"".join(read_bytes(path) for path in texts)).hexdigest()[:24]
-
-
-def _numba_version() -> str:
-    """Return the text of numba's version file, which is read much faster than numba is imported."""
-    found = find_spec("numba")
-    place = found.origin if found else None
-    if place is None:
-        return "none"
-    return Path(place).with_name("_version.py").read_text(encoding="utf-8", errors="replace")

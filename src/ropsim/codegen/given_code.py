@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from ropsim.codegen.caller import Compiled
+from ropsim.codegen.direct import Compiled
 from ropsim.codegen.emit import SourceFunction, emit
 from ropsim.codegen.engine import Engine
 from ropsim.codegen.hoist import CONSTANTS, hoisted

@@ -5,11 +5,13 @@ import sys
 from collections.abc import Callable
 from functools import update_wrapper
 from importlib.util import find_spec
-from types import FunctionType
+from types import BuiltinFunctionType, FunctionType
 from typing import Any, TypeVar, cast
 
-from ropsim.codegen.caller import Compiled, bound
+from ropsim.codegen.caller import Callee, bound
 from ropsim.codegen.columns import Columns
+from ropsim.codegen.direct import Compiled, Door
+from ropsim.codegen.layout import Told
 from ropsim.codegen.signature import Signature
 
 F = TypeVar("F", bound=Callable[..., None])
@@ -36,35 +38,59 @@ def kernel(signature: str) -> Callable[[F], F]:
     """
 
     def compile_it(function: F) -> F:
-        return cast("F", Kernel(function, signature)) if numba_available() else function
+        return cast("F", Kernel(function, signature).called) if numba_available() else function
 
     return compile_it
 
 
-class Kernel:
+class Kernel(Told):
     """A function that is compiled, or loaded from the cache folder, when it is first needed.
 
     Args:
         function: to be compiled.
         signature: of it.
+
+    Attributes:
+        function: in Python.
+        called: what stands in its place; its `__self__` is the kernel.
     """
 
     def __init__(self, function: Callable[..., None], signature: str) -> None:
         update_wrapper(self, function)
         self.function, self._signature = cast("FunctionType", function), signature
         self._made: Compiled | None = None
+        self._door = Door(function.__name__, function.__doc__)
+        self.called = self._door.to(self, function.__module__)
 
     def __call__(self, *arguments: object) -> None:
-        """Call it."""
-        (self._made or self._make())(*arguments)
+        """Call it where machine code cannot take the arguments by itself."""
+        self.made()(*arguments)
 
     def bound(self, *arguments: object) -> Compiled:
         """Return the function of the arguments behind those that are given; see `ropsim.codegen.bound`."""
-        return bound(self._made or self._make(), *arguments)
+        return bound(self.made(), *arguments)
 
-    def _make(self) -> Compiled:
-        made = self._made = _compiled(self.function, self._signature)
-        return made
+    def made(self) -> Compiled:
+        """Return the compiled function; from then on it is called directly."""
+        if self._made is None:
+            self._made = _compiled(self.function, self._signature)
+            callee = getattr(self._made, "__self__", None)
+            if isinstance(callee, Callee):
+                self._made, self.block = callee, callee.block
+                self._door.open()
+        return self._made
+
+
+def kernel_of(one: object) -> Kernel | None:
+    """Return the kernel that something stands for, None where it is none."""
+    behind = one.__self__ if isinstance(one, BuiltinFunctionType) else None
+    return behind if isinstance(behind, Kernel) else None
+
+
+def in_python(function: F) -> F:
+    """Return a function in Python: the one that a kernel is made of, or what is given, where it is none."""
+    behind = kernel_of(function)
+    return cast("F", behind.function) if behind else function
 
 
 def _compiled(function: FunctionType, signature: str) -> Compiled:
@@ -90,7 +116,8 @@ def _reached(function: FunctionType) -> list[FunctionType]:
     waiting = [function]
     while waiting:
         for one in waiting.pop().__globals__.values():
-            inner = one.function if isinstance(one, Kernel | Columns) else None
+            made = one if isinstance(one, Columns) else kernel_of(one)
+            inner = made.function if made else None
             if inner and inner.__module__ not in found:
                 found[inner.__module__] = inner
                 waiting.append(inner)
@@ -125,11 +152,12 @@ def _scope(function: FunctionType) -> dict[str, Any]:
         return _scopes[texts]
     scope = dict(function.__globals__)
     for name, one in tuple(scope.items()):
-        inner = getattr(one, "__wrapped__", one)
+        behind = kernel_of(one)
+        inner = behind.function if behind else getattr(one, "__wrapped__", one)
         if isinstance(one, Columns):
             scope[name] = one.inside
         elif isinstance(inner, FunctionType) and inner.__module__ == function.__module__:
             scope[name] = inside(FunctionType(inner.__code__, scope, name))
-        elif isinstance(one, Kernel):
-            scope[name] = _scope(one.function)[one.function.__name__]
+        elif behind:
+            scope[name] = _scope(behind.function)[behind.function.__name__]
     return _scopes.setdefault(texts, scope)

@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from ropsim.codegen.caller import Compiled
 from ropsim.codegen.compiled import compiled
+from ropsim.codegen.direct import Compiled
 from ropsim.codegen.emit import Bounds, Form, SourceFunction
 from ropsim.codegen.engine import Engine
 from ropsim.codegen.signature import Signature

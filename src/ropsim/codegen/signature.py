@@ -1,8 +1,8 @@
 """What a compiled function takes: arrays of float64 without gaps, whole numbers and floats."""
 
-import ctypes
-
-from ropsim.codegen.caller import REAL, Compiled, calling
+from ropsim.codegen.caller import calling
+from ropsim.codegen.direct import Compiled
+from ropsim.codegen.direct_text import REAL
 from ropsim.core import frozen_dataclass
 
 _AXES = {"f8[::1]": 1, "f8[:,::1]": 2, "f8[:,:,::1]": 3}
@@ -64,7 +64,4 @@ class Signature:
         interpreter lock. Arrays that do not fit are refused with a TypeError.
         """
         takes = tuple(_AXES.get(word, 0 if word == _WHOLE else REAL) for word in self.arguments)
-        return calling(_ENTRY(address), takes)
-
-
-_ENTRY = ctypes.CFUNCTYPE(ctypes.c_int32, *[ctypes.c_void_p] * 4)
+        return calling(address, takes)

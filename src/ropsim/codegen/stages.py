@@ -25,7 +25,7 @@ from numba.extending import intrinsic
 from numba.np.arrayobj import populate_array
 
 from ropsim.codegen.call_types import CallTypes
-from ropsim.codegen.caller import Compiled
+from ropsim.codegen.direct import Compiled
 
 _OPTIONS = {"nopython": True, "error_model": "numpy"}
 _INSIDE = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}

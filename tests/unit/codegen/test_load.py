@@ -173,13 +173,13 @@ def test_importing_the_package_does_not_import_numba() -> None:
 
 
 def test_code_is_found_again_only_by_the_compiler_that_made_it(monkeypatch: pytest.MonkeyPatch) -> None:
-    module = sys.modules["ropsim.codegen.compiled"]
+    module = sys.modules["ropsim.codegen.code_digest"]
     monkeypatch.setattr(module, "_compiler", module._compiler.__wrapped__)
-    before = module._digest("source")
-    assert module._digest("source") == before
+    before = module.digest_of("source")
+    assert module.digest_of("source") == before
 
     def mended(path: Path) -> bytes:
         return path.read_bytes() + (b" " if path.name == "instructions.py" else b"")
 
     monkeypatch.setattr(module, "read_bytes", mended)
-    assert module._digest("source") != before
+    assert module.digest_of("source") != before

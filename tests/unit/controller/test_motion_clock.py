@@ -7,6 +7,7 @@ from math import inf, nan
 import numpy as np
 import pytest
 
+from ropsim.codegen import in_python
 from ropsim.controller import ClockError, ClockLimits, ClockState, advance, motion_clock
 from ropsim.controller.motion_clock_kernel import walk as walk_kernel
 from ropsim.flow import JointReference
@@ -264,7 +265,7 @@ def test_walks_of_several_threads_do_not_meet() -> None:
 def test_in_plain_python_the_references_are_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
     asked = [(40, 1.0), (60, 0.0), (40, 0.8), (40, 1.0)]
     compiled = walk(MOVE, asked, LIMITS)
-    plain = getattr(walk_kernel, "__wrapped__", walk_kernel)
+    plain = in_python(walk_kernel)
     monkeypatch.setattr(motion_clock, "walk", plain)
     monkeypatch.setattr(motion_clock, "_bench", motion_clock._bench.__wrapped__)
     found = walk(MOVE, asked, LIMITS)

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from ropsim import kinematics, robots
+from ropsim.codegen import in_python
 from ropsim.kinematics.chain_kernel import POSES, forward_rows
 from ropsim.spatial import Pose
 from support.arms import random_arm
@@ -46,7 +47,7 @@ def test_the_pose_of_a_tool_is_that_of_the_interface_and_the_tool_to_the_bit(nam
 
 
 def test_the_kernel_does_the_same_without_numba() -> None:
-    plain = getattr(forward_rows, "__wrapped__", forward_rows)
+    plain = in_python(forward_rows)
     Q = np.random.default_rng(2).uniform(-3.0, 3.0, (3, 6))
     from ropsim.kinematics.arrays import chain_arrays
 

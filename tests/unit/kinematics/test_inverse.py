@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from ropsim import kinematics, robots
+from ropsim.codegen import in_python
 from ropsim.kinematics import IkOptions, IkStatus, Limits, branch, inverse, inverse_batch, posture, solver_of
 from ropsim.kinematics.solvers import spherical_wrist_kernel
 from ropsim.kinematics.solvers.eight_rows import EightRows
@@ -177,7 +178,7 @@ def test_the_kernel_does_the_same_without_numba() -> None:
     solver, T, near = solver_of(PUMA), REACHED.matrix()[np.newaxis], np.zeros(6)
     assert isinstance(solver, SphericalWristSolver)
     rows = spherical_wrist_kernel.inverse_rows
-    function = partial(getattr(rows, "__wrapped__", rows), solver.strict)
+    function = partial(in_python(rows), solver.strict)
     plain = EightRows(solver.chain, function, function, None, spherical_wrist_kernel.ROOM_OF_ROWS)
     one = np.empty((1, 8, 6))
     plain.solving(T, one)(near)

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from ropsim.codegen import Compiled
+from ropsim.codegen import Compiled, in_python
 from ropsim.kinematics import forward_batch, solver_of
 from ropsim.kinematics.arrays import chain_arrays
 from ropsim.kinematics.chain_kernel import ROOM, refine_rows
@@ -89,7 +89,7 @@ def test_the_kernel_does_the_same_without_numba(monkeypatch: pytest.MonkeyPatch)
 
     compiled = polished(CHAIN, T[:3], (Q[:3] + 1e-3)[:, None])
     rows = polish_kernel.polish_rows
-    monkeypatch.setattr(polish_kernel, "polish_rows", getattr(rows, "__wrapped__", rows))
+    monkeypatch.setattr(polish_kernel, "polish_rows", in_python(rows))
     plain = polished(CHAIN, T[:3], (Q[:3] + 1e-3)[:, None])
     np.testing.assert_allclose(plain, compiled, rtol=0.0, atol=ROUNDING)
 
@@ -159,7 +159,7 @@ def test_refining_loses_matrices_that_are_no_poses(shape: Array) -> None:
 
 @by_rounded_arm
 def test_refining_does_the_same_without_numba(robot: RobotModel) -> None:
-    plain = getattr(refine_rows, "__wrapped__", refine_rows)
+    plain = in_python(refine_rows)
     poses = forward_batch(robot, BENT[:2])
     off = np.array([0.0, 1e-9, 1e-7, 1e-6, 1e-5, 3e-5, np.nan, 1e-4])
     starts = BENT[:2, None] + off[:, None] * np.sin(np.arange(6))

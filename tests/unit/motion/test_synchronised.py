@@ -6,6 +6,7 @@ from types import FunctionType
 import numpy as np
 import pytest
 
+from ropsim.codegen import in_python
 from ropsim.motion import (
     JointMotionLimits,
     JointPath,
@@ -116,7 +117,7 @@ def test_compiled_or_not_the_motion_is_the_same(monkeypatch: pytest.MonkeyPatch)
     t = np.linspace(0.0, MOVE.length, 50)
     compiled = MOVE.joints(t)
     for module, name in ((synchronised_kernel, "plan_together"), (synchronised_kernel, "joint_rows")):
-        plain = getattr(getattr(module, name), "__wrapped__", getattr(module, name))
+        plain = in_python(getattr(module, name))
         assert isinstance(plain, FunctionType)
         monkeypatch.setattr(module, name, plain)
     move = SynchronisedJoints(START, END, LIMITS)

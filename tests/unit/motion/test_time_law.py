@@ -8,6 +8,7 @@ from types import FunctionType
 import numpy as np
 import pytest
 
+from ropsim.codegen import in_python
 from ropsim.motion import (
     ProfileError,
     ProfileLimits,
@@ -381,7 +382,7 @@ def test_compiled_or_not_the_motion_is_the_same(monkeypatch: pytest.MonkeyPatch)
         (law_rows_kernel, "rows_at"),
         (law_times_kernel, "times_at"),
     ):
-        plain = getattr(getattr(module, name), "__wrapped__", getattr(module, name))
+        plain = in_python(getattr(module, name))
         assert isinstance(plain, FunctionType)
         monkeypatch.setattr(module, name, plain)
     law = plan_time_law(WAY)

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from scipy.optimize import linprog
 
+from ropsim.codegen import in_python
 from ropsim.motion import Beyond, JointBounds, JointPoints, ProfileError, Quantity, time_optimal
 from ropsim.motion.limits.fastest_kernel import MOST_FALL, fastest
 from ropsim.spatial import Array
@@ -125,7 +126,7 @@ def test_the_plain_function_gives_what_the_compiled_one_gives() -> None:
     lower, upper = -random.uniform(0.0, 3.0, (m, 5)), random.uniform(0.0, 3.0, (m, 5))
     caps, steps = random.uniform(0.5, 1.0, m), random.uniform(0.01, 0.02, m - 1)
     plain, compiled = np.zeros((2, 4, m))
-    getattr(fastest, "__wrapped__", fastest)(A, B, lower, upper, caps, steps, *plain)
+    in_python(fastest)(A, B, lower, upper, caps, steps, *plain)
     fastest(A, B, lower, upper, caps, steps, *compiled)
     assert plain[3] == pytest.approx(compiled[3], rel=1e-12)
 
