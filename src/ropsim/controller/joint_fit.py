@@ -60,6 +60,12 @@ class Fit:
         """Return the course of the stretch."""
         return self.motion.course
 
+    def loaded(self, arm: ArmBounds) -> "Fit":
+        """Return the same with the torques that it takes, where they count."""
+        if arm.effort is None or self.reference.torque is not None:
+            return self
+        return Fit(self.motion, loaded(self.reference, arm.joints, arm.effort), self.slowed)
+
 
 def as_bounds_allow(motion: StretchMotion, arm: ArmBounds, period: float) -> Fit:
     """Return a motion with what it takes of the joints, whatever they say to it.
@@ -73,32 +79,41 @@ def as_bounds_allow(motion: StretchMotion, arm: ArmBounds, period: float) -> Fit
 
 
 def fitted(planned: Fit, arm: ArmBounds, period: float, look_ahead: int) -> Fit:
-    """Return the course with its bounds brought down where joints could not follow.
+    """Return the course with its bounds brought down where joints could not follow, with its torques.
 
     The limits that the program gives for the tool stay those of every time law. Where joints leave next to
     nothing of the speed, or the motion would take far too long, the course stays as it was; so does one
-    without a path of the tool.
+    without a path of the tool. Torques take time, and slower motions hardly need more of them: they are looked
+    at when all else is kept. Where they are too much then, and were so as planned, they count from the start.
 
     Args:
-        planned: the course as the bounds of its parts alone would have it.
+        planned: the course as the bounds of its parts alone would have it, torques aside.
         arm: limits of the joints.
         period: of the control ticks [s].
         look_ahead: how many moves beyond the present one are known.
     """
-    now = planned
-    if planned.reference.strain.is_kept or not any(run.part.leads_tool for run in planned.course.runs):
-        return planned
-    if planned.reference.strain.peaks[_TORQUE] > 1.0 and _is_too_heavy(planned.reference, arm):
-        return planned
-    bands, looked_at = _bands(planned), arm
-    if planned.reference.strain.peaks[_TORQUE] <= 1.0:
-        looked_at = replace(arm, effort=None)  # it takes time, and slower motions hardly need more of it
+    if not any(run.part.leads_tool for run in planned.course.runs):
+        return planned.loaded(arm)
+    if planned.reference.torque is None and not planned.reference.strain.is_kept:
+        return _fitted(planned, arm, replace(arm, effort=None), period, look_ahead)
+    heavy = planned.loaded(arm)
+    if heavy.reference.strain.is_kept or _is_too_heavy(heavy.reference, arm):
+        return heavy
+    return _fitted(heavy, arm, arm, period, look_ahead)
+
+
+def _fitted(planned: Fit, arm: ArmBounds, looked_at: ArmBounds, period: float, look_ahead: int) -> Fit:
+    """Return the course with its bounds brought down; at first with regard to what is looked at alone."""
+    now, bands = planned, _bands(planned)
     for attempt in range(_ATTEMPTS + _ROUNDS):
         ticks = _exceeding(now, bands)
         if not ticks and looked_at is not arm:
-            looked_at = arm
-            now = replace(now, reference=loaded(now.reference, arm.joints, arm.effort))
-            continue
+            now, looked_at = now.loaded(arm), arm
+            if not now.reference.strain.is_kept:
+                heavy = planned.loaded(arm)
+                if heavy.reference.strain.peaks[_TORQUE] > 1.0:
+                    return fitted(heavy, arm, period, look_ahead)
+                continue
         if not ticks:
             return replace(now, slowed=slowed_in(planned.course, now.course, bands))
         changed = [run.part for run in now.course.runs]
@@ -113,12 +128,12 @@ def fitted(planned: Fit, arm: ArmBounds, period: float, look_ahead: int) -> Fit:
                 bands[number] = own.slower(1.0 / (now.reference.strain.factor * (1.0 + _LESS)))
                 changed[number] = bands[number].replanned(look_ahead)
             if bands[number].share < _LEAST:
-                return planned
+                return planned.loaded(arm)
         course = course_of(changed, len(planned.course.ends))
         if course.duration - planned.course.duration > LONGEST_DELAY:
-            return planned
+            return planned.loaded(arm)
         now = as_bounds_allow(now.motion.timed(course), looked_at, period)
-    return planned
+    return planned.loaded(arm)
 
 
 def _is_too_heavy(reference: Reference, arm: ArmBounds) -> bool:

@@ -1,5 +1,7 @@
 """The motion of a stretch within the limits of the joints, and within those that the program gives."""
 
+from dataclasses import replace
+
 from ropsim.controller.course import Course
 from ropsim.controller.joint_fit import Fit, as_bounds_allow, fitted
 from ropsim.controller.kept_limits import ArmBounds
@@ -56,12 +58,12 @@ def keeping_of(course: Course, arm: ArmBounds, period: float, look_ahead: int) -
         period: of the control ticks [s].
         look_ahead: how many moves beyond the present one are known.
     """
-    planned = as_bounds_allow(StretchMotion.on(course), arm, period)
+    planned = as_bounds_allow(StretchMotion.on(course), replace(arm, effort=None), period)
     fit = fitted(planned, arm, period, look_ahead)
     quick = _keeping(fit, arm, period)
-    if fit is planned or quick.duration <= _LONGER * planned.course.duration:
+    if fit.motion is planned.motion or quick.duration <= _LONGER * planned.course.duration:
         return quick
-    return min(quick, _keeping(planned, arm, period), key=lambda one: one.duration)
+    return min(quick, _keeping(planned.loaded(arm), arm, period), key=lambda one: one.duration)
 
 
 def _keeping(fit: Fit, arm: ArmBounds, period: float) -> Keeping:

@@ -208,9 +208,10 @@ def _crossing(way: float, v: float, a: float, j: float) -> float:
     if v > 0.0:
         t = way / v
     if j > 0.0:
-        if a > 0.0:
-            t = min(t, sqrt(2.0 * way / a))
-        t = min(t, (6.0 * way / j) ** (1.0 / 3.0))
+        if a * t * t > 2.0 * way:
+            t = sqrt(2.0 * way / a)
+        if j * t * t * t > 6.0 * way:
+            t = (6.0 * way / j) ** (1.0 / 3.0)
     else:
         t = min(t, -a / j)
     for _ in range(ROUNDS):
