@@ -83,8 +83,9 @@ def fitted(planned: Fit, arm: ArmBounds, period: float, look_ahead: int) -> Fit:
 
     The limits that the program gives for the tool stay those of every time law. Where joints leave next to
     nothing of the speed, or the motion would take far too long, the course stays as it was; so does one
-    without a path of the tool. Torques take time, and slower motions hardly need more of them: they are looked
-    at when all else is kept. Where they are too much then, and were so as planned, they count from the start.
+    without a path of the tool. Torques take time, and slower motions hardly need more of them: they are
+    looked at when all else is kept. Where they are too much then, and were so as planned, they count from the
+    start.
 
     Args:
         planned: the course as the bounds of its parts alone would have it, torques aside.
