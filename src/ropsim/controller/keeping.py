@@ -9,6 +9,10 @@ from ropsim.controller.stretch_motion import StretchMotion
 from ropsim.motion import Beyond, Kept, Slowed, kept_from
 from ropsim.spatial import record
 
+_SPACING = 8e-3
+"""Real time between two places at which a motion is planned with that is slowed, about [s]."""
+_SPACING_OF_TOOL = 4e-3
+"""The same where the tool is led: how joints follow it is less even."""
 _LONGER = 1.03
 """A motion that is fitted to the joints may take so many times as long before another way is tried."""
 
@@ -67,5 +71,7 @@ def keeping_of(course: Course, arm: ArmBounds, period: float, look_ahead: int) -
 
 
 def _keeping(fit: Fit, arm: ArmBounds, period: float) -> Keeping:
-    kept = kept_from(fit.reference, fit.motion, arm.joints, arm.effort, period)
+    is_led = any(run.part.leads_tool for run in fit.course.runs)
+    spacing = _SPACING_OF_TOOL if is_led else _SPACING
+    kept = kept_from(fit.reference, fit.motion, arm.joints, arm.effort, period, spacing)
     return Keeping(fit.motion, kept, fit.slowed + (kept.slowed if isinstance(kept, Kept) else ()))

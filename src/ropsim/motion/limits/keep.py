@@ -5,18 +5,16 @@ import math
 import numpy as np
 
 from ropsim.motion.diagnostics import WRONG_PROFILE_REQUEST
-from ropsim.motion.limits.course import course_below, window_times
-from ropsim.motion.limits.course_kernel import LEAST_RATE, SLACK
+from ropsim.motion.limits.course_kernel import LEAST_RATE
+from ropsim.motion.limits.courses import Courses
 from ropsim.motion.limits.demand import Demand, demand
 from ropsim.motion.limits.grid import places_of
 from ropsim.motion.limits.joint_bounds import Effort, JointBounds
 from ropsim.motion.limits.kept import Beyond, Kept, Motion, Slowed
 from ropsim.motion.limits.motion_time import MotionTime, unslowed
-from ropsim.motion.limits.need import neediest, rates_needed
+from ropsim.motion.limits.need import neediest
 from ropsim.motion.limits.reference import Reference, as_planned, keeps_torque, reference
 from ropsim.motion.limits.refusal import too_heavy, too_slow
-from ropsim.motion.limits.shares import all_of_it, less, more_than_lacks
-from ropsim.motion.limits.speeds import Speeds
 from ropsim.motion.limits.strain import ROUNDING
 from ropsim.motion.profile import ProfileError
 from ropsim.spatial import Array
@@ -24,6 +22,8 @@ from ropsim.spatial import Array
 LONGEST_DELAY = 600.0
 """A motion that slowing would make longer by more than this [s] counts as one that no speed can do."""
 _ATTEMPTS = 30
+_MORE = 0.005
+"""What is taken off beyond the excess at control ticks, in the first round; each round takes more."""
 
 
 def keep_limits(
@@ -98,27 +98,25 @@ def _slowed(motion: Motion, asked: Demand, planned: Demand, places: Array, perio
         places: motion times [s], shape (m,).
         period: of the control ticks [s].
     """
-    lasting, steps, shares = window_times(asked, motion.duration), np.diff(places), all_of_it(len(places))
-    caps = np.minimum(rates_needed(asked, places, period) * (1.0 + SLACK), 1.0)
-    x, speeds = caps**2, Speeds(planned, steps)
+    courses = Courses(asked, planned, places, period)
+    courses.keep_at_places(2.0 * _MORE)
     best, attempt = (math.inf, unslowed(motion.duration)), 0
     while True:
-        x = speeds.under((caps * shares.rate) ** 2, x, shares.acceleration, shares.torque)
-        sigma, clock = course_below(places, x, lasting, shares.width)
-        if x.min() < LEAST_RATE**2 or clock.duration - motion.duration > LONGEST_DELAY:
-            slowest = int(np.argmin(x))
+        clock, (slowest, x) = courses.clock, courses.slowest
+        if x < LEAST_RATE**2 or clock.duration - motion.duration > LONGEST_DELAY:
             return too_slow(asked, places, neediest(asked, places, period, slowest, slowest + 1))
-        found = reference(motion, clock, planned, places, period, more_than_lacks(attempt))
+        found = reference(motion, clock, planned, places, period, math.log1p(_MORE * (attempt + 1)))
         kept = found.strain.is_kept
         if kept and (planned is asked or keeps_torque(found.rows, asked.bounds, asked.effort)):
             return Kept(clock, _parts(clock, planned, period), found.phi, found.rows)
         if kept:
-            planned, speeds = asked, Speeds(asked, steps)
+            planned = courses.planned = asked
             continue
         best = min(best, (clock.duration * found.strain.factor, clock), key=lambda pair: pair[0])
         if attempt == _ATTEMPTS:
             return _slower(motion, best[1], asked, places, period)
-        shares, attempt = less(shares, found.strain, sigma), attempt + 1
+        courses.give_up(found.strain.lacks)
+        attempt += 1
 
 
 def _slower(motion: Motion, clock: MotionTime, asked: Demand, places: Array, period: float) -> Kept | Beyond:

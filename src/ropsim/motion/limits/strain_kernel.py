@@ -8,8 +8,12 @@ from ropsim.spatial import Array
 _TINY = 1e-300
 _CLEARLY = 1.0 - 1e-12
 """Share of what may be used below which rounding decides nothing."""
-_MOST_AT_ONCE = 2.0
+MOST_AT_ONCE = 2.0
 """Greatest excess that is made good at once."""
+STEADY = 1.0 / 3.0
+"""Power of a jerk's excess by which the rate falls where the path itself causes it."""
+BESIDE = 0.2
+"""Share of a lack of width that accelerations make good."""
 SPEED, ACCELERATION, JERK, TORQUE = range(4)
 """Rows of what is used, of peaks and of limits, in the order of `Quantity`."""
 RATE, SWING, WINDOW, LOAD = range(4)
@@ -93,7 +97,7 @@ def strain_of(
                     held = math.copysign(held, held * torque[k, j])
                     share = (value - held) / max(limits[TORQUE, here, j] - held, _TINY)
                 peaks[kind] = max(peaks[kind], share)
-                lack = math.log(min(max(share, 1.0), _MOST_AT_ONCE)) + more
+                lack = math.log(min(max(share, 1.0), MOST_AT_ONCE)) + more
                 given = _given_up(kind, lack, first, second, course, j, before, k)
                 for row in range(len(given)):
                     for i in range(way, way + 2):
@@ -173,7 +177,7 @@ def _given_up(
     """Return what is to be given up for a lack, in the order of the rows of lacks."""
     if kind == JERK:
         by_path, bend, change = _causes(first, second, course, j, before, now)
-        return by_path / 3.0 * lack, (bend + 0.2 * change) * lack, lack * change, 0.0
+        return by_path * STEADY * lack, (bend + BESIDE * change) * lack, lack * change, 0.0
     if kind == ACCELERATION:
         return 0.0, lack, 0.0, 0.0
     if kind == TORQUE:
