@@ -59,9 +59,10 @@ def by_tool(legs: Sequence[Leg], corners: Corners, walks: Sequence[Walk], look_a
         walks: the pieces of the moves with these corners, as from `pieces_of`.
         look_ahead: how many moves beyond the present one are known.
     """
-    alone, times = times_alone(legs, walks, look_ahead), tool_times(legs, corners, look_ahead)
     stops: tuple[int, ...] = ()
-    course = course_of(parts_of(walks, look_ahead), len(legs))
+    parts = parts_of(walks, look_ahead)
+    alone, times = times_alone(legs, parts, look_ahead), tool_times(legs, corners, look_ahead)
+    course = course_of(parts, len(legs))
     while more := quicker_stops(corners, course.ends, alone, times):
         corners, stops = without(corners, more), (*stops, *more)
         course = course_of(parts_of(pieces_of(legs, corners), look_ahead), len(legs))

@@ -9,11 +9,11 @@ import numpy.typing as npt
 from ropsim.controller.corners import Overlap
 from ropsim.controller.parts_kernel import lay_horizons
 from ropsim.controller.pieces import Piece, Walk
-from ropsim.motion import Stages, SynchronisedJoints, TimeLaw, plan_stages
+from ropsim.motion import Stages, SynchronisedJoints, TimeLaw, plan_stages, rest_to_rest
 from ropsim.spatial import Array, record
 
 Counts = npt.NDArray[np.intp]
-_NOTHING = np.zeros(1, dtype=np.intp)
+_NOTHING, _ONE = np.zeros(1, dtype=np.intp), np.ones(1, dtype=np.intp)
 
 
 @record
@@ -58,7 +58,17 @@ def parts_of(walks: Sequence[Walk], look_ahead: int) -> tuple[Part, ...]:
         walks: the pieces, as from `pieces_of`.
         look_ahead: how many moves beyond the present one are known.
     """
-    return tuple(_quickest(pieces, over, look_ahead) for pieces, over in walks)
+    even = [number for number, (pieces, _) in enumerate(walks) if len(pieces) == 1 and pieces[0].is_even]
+    laws = {}
+    if even:
+        rows = np.array([walks[number][0][0].stages.rows[0] for number in even])
+        laws = dict(zip(even, rest_to_rest(rows), strict=True))
+    return tuple(
+        Part(tuple(pieces), pieces[0].stages, _ONE, laws[number], over)
+        if number in laws
+        else _quickest(pieces, over, look_ahead)
+        for number, (pieces, over) in enumerate(walks)
+    )
 
 
 def part_of(pieces: Sequence[Piece], over: Overlap | None, look_ahead: int) -> Part:

@@ -50,6 +50,11 @@ class Piece:
     begin: float = 0.0
     gentler: tuple[Stages, ...] = ()
 
+    @property
+    def is_even(self) -> bool:
+        """Return whether the same bounds hold all along it, and no others can be chosen."""
+        return len(self.stages) == 1 and not self.gentler
+
 
 Walk = tuple[list[Piece], Overlap | None]
 """Pieces that are walked together, and how they go over into the next ones; None for a stop."""

@@ -9,31 +9,33 @@ from ropsim.controller.course import Course, course_of
 from ropsim.controller.keeping import keeping_of
 from ropsim.controller.kept_limits import ArmBounds
 from ropsim.controller.leg import Leg
-from ropsim.controller.parts import parts_of
-from ropsim.controller.pieces import Walk, pieces_of
+from ropsim.controller.parts import Part, parts_of
+from ropsim.controller.pieces import pieces_of
 from ropsim.controller.quicker_stops import Span, Times
 from ropsim.motion import SynchronisedJoints, rest_to_rest
 
 
-def times_alone(legs: Sequence[Leg], walks: Sequence[Walk], look_ahead: int) -> tuple[float, ...]:
+def times_alone(legs: Sequence[Leg], parts: Sequence[Part], look_ahead: int) -> tuple[float, ...]:
     """Return the times that moves take from rest to rest by the limits of their paths [s].
 
     Args:
         legs: the moves.
-        walks: the pieces of the moves, as from `pieces_of`.
+        parts: of the moves with corners between them.
         look_ahead: how many moves beyond the present one are known.
     """
-    even = {}
-    for pieces, _ in walks:
-        for piece in pieces:
-            if piece.corner is None and len(piece.stages) == 1 and not piece.gentler:
-                even[piece.leg] = piece.stages.rows[0]
+    found, even = {}, {}
+    for part in parts:
+        for piece in part.pieces:
+            if piece.corner is None and piece.is_even:
+                if len(part.pieces) == 1 and piece.joints is legs[piece.leg].joints:
+                    found[piece.leg] = part.law.duration
+                else:
+                    even[piece.leg] = piece.stages.rows[0]
     lengths = {number: path.length for number in even if (path := legs[number].joints)}
-    found = {}
     if lengths:
         rows = np.array([even[number] for number in lengths])
         rows[:, 0] = tuple(lengths.values())
-        found = dict(zip(lengths, rest_to_rest(rows).tolist(), strict=True))
+        found |= {number: law.duration for number, law in zip(lengths, rest_to_rest(rows), strict=True)}
     for number, leg in enumerate(legs):
         if isinstance(leg.joints, SynchronisedJoints):
             found[number] = leg.joints.length  # its parameter is the time

@@ -9,7 +9,7 @@ from ropsim.motion import law_rows_kernel, law_times_kernel, time_law_kernel
 from ropsim.motion.diagnostics import WRONG_PROFILE_REQUEST
 from ropsim.motion.longer_pieces_kernel import over_longer, plan_longer
 from ropsim.motion.profile import ProfileError
-from ropsim.motion.rest_to_rest_kernel import plan_alone
+from ropsim.motion.rest_to_rest_kernel import MOST_SEGMENTS, plan_alone
 from ropsim.motion.stage import Stage
 from ropsim.motion.time_law_kernel import LEAST, MOST
 from ropsim.spatial import Array, record
@@ -172,8 +172,8 @@ def plan_time_law(stages: Iterable[Stage]) -> TimeLaw:
     return _planned(np.array(rows, dtype=np.float64))
 
 
-def rest_to_rest(rows: Array) -> Array:
-    """Return the times [s] that ways of one piece take, each from rest to rest, shape (k,).
+def rest_to_rest(rows: Array) -> tuple[TimeLaw, ...]:
+    """Return the time laws of k ways of one piece, each from rest to rest; see `plan_time_law`.
 
     Args:
         rows: length, and bounds of speed, acceleration and jerk of each, see `Stage`, shape (k, 4).
@@ -181,13 +181,16 @@ def rest_to_rest(rows: Array) -> Array:
     Raises:
         ProfileError: M540, as for `plan_time_law`.
     """
-    bounds, times = np.ones((len(rows), 6)), np.empty(len(rows))
-    bounds[:, :4], bounds[:, 5] = rows, -1.0
-    rooms = np.empty((3, 12, 2)), np.empty((3, 8, _SEGMENTS)), np.empty((8, 2 * _SEGMENTS)), np.empty(2)
-    plan_alone(bounds, *rooms, times)
+    bounds, (times, counts) = np.ones((len(rows), 6)), np.empty((2, len(rows)))
+    bounds[:, :4], bounds[:, 5], laws = rows, -1.0, np.empty((len(rows), 8 * MOST_SEGMENTS))
+    ways, courses, room, _, told = _rooms(1)
+    plan_alone(bounds, ways, courses, room, told, times, counts, laws)
     if np.isnan(times).any():
         _planned(bounds[np.isnan(times)][:1])
-    return times
+    return tuple(
+        TimeLaw(law[: 8 * int(count)].reshape(8, -1), end)
+        for law, count, end in zip(laws, counts.tolist(), times[:, None], strict=True)
+    )
 
 
 def plan_stages(bounds: Array, counts: Array) -> TimeLaw:
