@@ -99,7 +99,8 @@ def _slowed(motion: Motion, asked: Demand, planned: Demand, places: Array, perio
         period: of the control ticks [s].
     """
     courses = Courses(asked, planned, places, period)
-    courses.keep_at_places(2.0 * _MORE)
+    if asked.ways.speeds.shape[1] == 0:  # what changes at once on paths of their own only ticks tell
+        courses.keep_at_places(2.0 * _MORE)
     best, attempt = (math.inf, unslowed(motion.duration)), 0
     while True:
         clock, (slowest, x) = courses.clock, courses.slowest
