@@ -49,6 +49,7 @@ from ropsim.controller.motion_clock import ClockLimits as ClockLimits
 from ropsim.controller.motion_clock import ClockState as ClockState
 from ropsim.controller.motion_clock import Rows as Rows
 from ropsim.controller.motion_clock import advance as advance
+from ropsim.controller.motion_clock import undisturbed as undisturbed
 from ropsim.controller.motion_plan import MotionPlan as MotionPlan
 from ropsim.controller.motion_plan import MotionState as MotionState
 from ropsim.controller.motion_plan import PlannedMove as PlannedMove

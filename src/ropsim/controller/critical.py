@@ -2,20 +2,17 @@
 
 from collections.abc import Sequence
 from dataclasses import replace
-from itertools import accumulate
 
 import numpy as np
-import numpy.typing as npt
 
-from ropsim.controller.critical_kernel import joints_reached
-from ropsim.controller.critical_tool import REACHED, critical_of_tools
+from ropsim.controller.critical_kernel import joints_reached, look_at
+from ropsim.controller.critical_tool import REACHED, Looks, critical_of_tools
 from ropsim.controller.kept_limits import ArmBounds, arm_bounds
 from ropsim.controller.motion_plan import MotionPlan, PlannedMove
 from ropsim.core import frozen_dataclass
 from ropsim.flow import CriticalLimit, LimitQuantity
 from ropsim.model import Payload, RobotModel
 from ropsim.motion import JointBounds, JointMotionLimits
-from ropsim.spatial import Array
 
 MOST_LOOKS = 64
 """Control ticks of a move that are looked at, evenly spaced: one of 64 is 1.6 % of its time."""
@@ -42,34 +39,26 @@ def critical_limits(
         robot: the arm.
         payload: tool and part as one body, as it was planned with.
     """
-    firsts = [0, *(move.last for move in plan.moves[:-1])]
-    bounds = arm_bounds(robot, payload)
-    looked = [
-        _Looked(
-            number, move, first, _going_along(move, robot, bounds) if move.on_tool_path else limits.joints
-        )
-        for number, (move, first) in enumerate(zip(plan.moves, firsts, strict=True))
-        if (limits := move.limits) is not None and move.last - first > 1
-    ]
+    bounds, looked, first = arm_bounds(robot, payload), [], 0
+    for number, move in enumerate(plan.moves):
+        if (limits := move.limits) is not None and move.last - first > 1:
+            held = _going_along(move, robot, bounds) if move.on_tool_path else limits.joints
+            looked.append(_Looked(number, move, first, held))
+        first = move.last
     found: list[CriticalLimit | None] = [None] * len(plan.moves)
     if not looked:
         return tuple(found)
-    looks = [one.looks for one in looked]
-    ticks = np.concatenate([np.arange(one.start, one.stop, one.step) for one in looks])
-    starts = [0, *accumulate(map(len, looks))]
-    counts, reached = _joints(plan, ticks, starts, [one.limits for one in looked], bounds)
+    looks, longest = _joints(plan, looked, bounds)
     on_tool = [number for number, one in enumerate(looked) if one.move.on_tool_path]
-    moves = [(looked[number].move, looks[number], starts[number]) for number in on_tool]
-    of_tool = dict(zip(on_tool, critical_of_tools(plan, moves, ticks, reached, robot), strict=True))
-    for number, one in enumerate(looked):
-        best = int(counts[number].argmax())
-        share = float(counts[number].flat[best]) / len(looks[number])
+    of_tools = critical_of_tools(plan, [looked[one].move for one in on_tool], on_tool, looks, robot)
+    of_tool = dict(zip(on_tool, of_tools, strict=True))
+    for number, (one, (best, share)) in enumerate(zip(looked, longest, strict=True)):
         if number in of_tool and of_tool[number][1] > share:
-            quantity, longest = of_tool[number]
+            quantity, most = of_tool[number]
             whose = _pressed(plan, one, robot) if quantity is LimitQuantity.BEND else ""
-            found[one.number] = CriticalLimit(whose, quantity, longest)
+            found[one.number] = CriticalLimit(whose, quantity, most)
         elif share > 0.0:
-            quantity, axis = _QUANTITIES[best // robot.n], best % robot.n
+            quantity, axis = _QUANTITIES[int(best) // robot.n], int(best) % robot.n
             found[one.number] = CriticalLimit(robot.axis_joints[axis].name, quantity, share)
     return tuple(found)
 
@@ -89,12 +78,6 @@ class _Looked:
     move: PlannedMove
     first: int
     limits: JointMotionLimits | JointBounds
-
-    @property
-    def looks(self) -> range:
-        """Return the control ticks that are looked at."""
-        count = self.move.last - self.first - 1
-        return range(self.first, self.first + count, -(-count // MOST_LOOKS))
 
 
 def _pressed(plan: MotionPlan, one: _Looked, robot: RobotModel) -> str:
@@ -120,37 +103,32 @@ def _going_along(move: PlannedMove, robot: RobotModel, bounds: ArmBounds) -> Joi
 
 
 def _joints(
-    plan: MotionPlan,
-    ticks: npt.NDArray[np.intp],
-    starts: Sequence[int],
-    limits: Sequence[JointMotionLimits | JointBounds],
-    bounds: ArmBounds,
-) -> tuple[Array, Array]:
-    """Return at how many looks joints are at their limits, and at which one is.
+    plan: MotionPlan, looked: Sequence[_Looked], bounds: ArmBounds
+) -> tuple[Looks, list[list[float]]]:
+    """Return the looks at moves, and the limit that joints are at for longest at each.
 
     Args:
         plan: of a stretch.
-        ticks: that are looked at, k of them.
-        starts: how many of them come before those of each of m moves, and k.
-        limits: of each move.
+        looked: the moves.
         bounds: of the arm.
 
     Returns:
-        rows as `_QUANTITIES`, shape (m, 4, n); 1.0 where a limit is reached, else 0.0, shape (k,).
+        the looks; for each move the number of the limit, n for each of `_QUANTITIES`, and the share of its
+        looks.
     """
-    reference = plan.reference
-    most, n = bounds.joints.effort, reference.q.shape[1]
-    torque, largest = np.zeros((len(ticks), n)), np.ones(n)
-    if bounds.effort is not None and most is not None:
-        torque = bounds.effort(
-            *(one.take(ticks, axis=0) for one in (reference.q, reference.qd, reference.qdd))
-        )
-        largest = most
-    each = [row for one in limits for row in (one.speed, one.acceleration, largest, one.jerk)]
-    rows = np.concatenate(each).reshape(-1, 4, n)
-    counts, reached = np.empty((len(limits), 4, n)), np.empty(len(ticks))
-    at, first = ticks.astype(np.float64), np.array(starts, dtype=np.float64)
-    joints_reached(
-        reference.qd, reference.qdd, at, first, torque, rows, plan.period, REACHED, counts, reached
-    )
-    return counts, reached
+    m, n = len(looked), plan.reference.q.shape[1]
+    q, qd, qdd = map(np.ascontiguousarray, (plan.reference.q, plan.reference.qd, plan.reference.qdd))
+    spans, room = np.array([(one.first, one.move.last) for one in looked], dtype=np.float64), m * MOST_LOOKS
+    ticks, reached, starts, rows = np.empty(room), np.empty(room), np.empty(m + 1), np.empty((3, room, n))
+    look_at(q, qd, qdd, spans, MOST_LOOKS, ticks, starts, rows)
+    most, counts, longest = np.empty((m, 4, n)), np.empty((m, 4, n)), np.empty((m, 2))
+    largest, count = bounds.joints.effort, int(starts[m])
+    if bounds.effort is None or largest is None:
+        torque, largest = np.zeros((count, n)), np.ones(n)
+    else:
+        torque = bounds.effort(rows[0, :count], rows[1, :count], rows[2, :count])
+    for number, one in enumerate(looked):
+        most[number, 0], most[number, 1] = one.limits.speed, one.limits.acceleration
+        most[number, 2], most[number, 3] = largest, one.limits.jerk
+    joints_reached(qd, qdd, ticks, starts, torque, most, plan.period, REACHED, counts, longest, reached)
+    return Looks(ticks, starts, reached), longest.tolist()

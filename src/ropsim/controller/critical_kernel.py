@@ -7,7 +7,38 @@ TURNED = 1e-9
 """Entries of rotations that differ by less are the same, but for rounding."""
 
 
-@kernel("void(f8[:,::1], f8[:,::1], f8[::1], f8[::1], f8[:,::1], f8[:,:,::1], f8, f8, f8[:,:,::1], f8[::1])")
+@kernel("void(f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], i8, f8[::1], f8[::1], f8[:,:,::1])")
+def look_at(
+    q: Array, qd: Array, qdd: Array, spans: Array, most: int, looks: Array, starts: Array, rows: Array
+) -> None:
+    """Choose the control ticks at which moves are looked at, evenly spaced, and copy their rows.
+
+    Args:
+        q: coordinates at all control ticks [rad | m], shape (ticks, n).
+        qd: speeds [rad/s | m/s], likewise.
+        qdd: accelerations [rad/s² | m/s²], likewise.
+        spans: the last tick before each of m moves begins, and the last one on it, shape (m, 2).
+        most: looks at a move, at most.
+        looks: where the numbers of the ticks go, without the last one of each move, shape (room,).
+        starts: becomes the first look at each move, and how many there are, k, shape (m + 1,).
+        rows: where coordinates, speeds and accelerations there go, shape (3, room, n).
+    """
+    n, k = q.shape[1], 0
+    for m in range(spans.shape[0]):
+        starts[m] = k
+        first, end = int(spans[m, 0]), int(spans[m, 1]) - 1
+        for tick in range(first, end, (end - first + most - 1) // most):
+            looks[k] = tick
+            for j in range(n):
+                rows[0, k, j], rows[1, k, j], rows[2, k, j] = q[tick, j], qd[tick, j], qdd[tick, j]
+            k += 1
+    starts[spans.shape[0]] = k
+
+
+@kernel(
+    "void(f8[:,::1], f8[:,::1], f8[::1], f8[::1], f8[:,::1], f8[:,:,::1], f8, f8, f8[:,:,::1], f8[:,::1], "
+    "f8[::1])"
+)
 def joints_reached(
     qd: Array,
     qdd: Array,
@@ -18,6 +49,7 @@ def joints_reached(
     period: float,
     share: float,
     counts: Array,
+    longest: Array,
     reached: Array,
 ) -> None:
     """Write at how many looks at each move joints are at their limits.
@@ -32,6 +64,8 @@ def joints_reached(
         period: of the control ticks [s].
         share: of a limit from which on it counts as reached.
         counts: where the answers go, shape (m, 4, n).
+        longest: becomes the number among these of the greatest answer for each move, and the share of the
+            looks that it is, shape (m, 2).
         reached: becomes 1 for a look at which any limit is reached, else 0, shape (k,).
     """
     for m in range(most.shape[0]):
@@ -48,6 +82,59 @@ def joints_reached(
                         counts[m, i, j] += 1.0
                         found = 1.0
             reached[k] = found
+        longest[m, 0], longest[m, 1] = 0.0, 0.0
+        for i in range(4):
+            for j in range(qd.shape[1]):
+                share_of_move = counts[m, i, j] / (starts[m + 1] - starts[m])
+                if share_of_move > longest[m, 1]:
+                    longest[m, 0], longest[m, 1] = i * qd.shape[1] + j, share_of_move
+
+
+@kernel("void(f8[:,::1], f8[::1], f8[::1], f8[::1], f8[::1], f8[:,::1], f8[::1], f8[::1], f8[::1])")
+def four_in_a_row(
+    q: Array,
+    looks: Array,
+    reached: Array,
+    starts: Array,
+    chosen: Array,
+    rows: Array,
+    looks_here: Array,
+    reached_here: Array,
+    starts_here: Array,
+) -> None:
+    """Copy four rows from each look on, of the moves that are chosen; behind the last row that goes on.
+
+    Args:
+        q: coordinates at all control ticks [rad | m], shape (ticks, n).
+        looks: numbers of the ticks that are looked at, shape (room,).
+        reached: what else is known of each look, shape (room,).
+        starts: the first look at each of m moves, and how many there are, shape (m + 1,).
+        chosen: numbers of the moves, rising, shape (t,).
+        rows: where the rows go, one behind the other, shape (4·room, n).
+        looks_here: becomes `looks` of these moves alone, shape (room,).
+        reached_here: likewise `reached`.
+        starts_here: likewise `starts`, shape (t + 1,).
+    """
+    k, last = 0, q.shape[0] - 1
+    for c in range(chosen.shape[0]):
+        starts_here[c] = k
+        m = int(chosen[c])
+        for look in range(int(starts[m]), int(starts[m + 1])):
+            looks_here[k], reached_here[k] = looks[look], reached[look]
+            for four in range(4):
+                tick = min(int(looks[look]) + four, last)
+                for j in range(q.shape[1]):
+                    rows[4 * k + four, j] = q[tick, j]
+            k += 1
+    starts_here[chosen.shape[0]] = k
+
+
+@kernel("void(f8[:,:,::1], f8[::1], f8[:,:,::1], f8[::1], f8[:,::1], f8[::1])")
+def tool_on_pieces(poses: Array, starts: Array, tools: Array, looks: Array, pieces: Array, on: Array) -> None:
+    """Put the tools on, and write on which pieces looks lie; see `put_on` and `piece_numbers`."""
+    put_on(poses, starts, tools)
+    count = int(starts[tools.shape[0]])
+    piece_numbers(looks[:count], pieces, on[:count])
 
 
 @kernel("void(f8[:,:,::1], f8[::1], f8[:,:,::1])")
@@ -85,9 +172,16 @@ def piece_numbers(looks: Array, pieces: Array, on: Array) -> None:
         on[k] = piece if piece < pieces.shape[0] and pieces[piece, 0] <= looks[k] else -1.0
 
 
-@kernel("void(f8[:,:,::1], f8[::1], f8[::1], f8[:,:,::1], f8[::1], f8[:,::1], f8[::1])")
+@kernel("void(f8[:,:,::1], f8[::1], f8[::1], f8[:,:,::1], f8[::1], f8[:,::1], f8[:,::1], f8[::1])")
 def tool_reached(
-    poses: Array, starts: Array, on: Array, least: Array, used: Array, counts: Array, idle: Array
+    poses: Array,
+    starts: Array,
+    on: Array,
+    least: Array,
+    used: Array,
+    counts: Array,
+    longest: Array,
+    idle: Array,
 ) -> None:
     """Write at how many looks at each move speed, acceleration and jerk of the tool are at their limits.
 
@@ -103,6 +197,8 @@ def tool_reached(
         used: whether another limit is reached at a look, else 0, shape (k,).
         counts: where the answers go, first of the position, then of the orientation, 0 where that stays the
             same from the first look on a piece to the last; shape (m, 6).
+        longest: becomes the number of the greatest answer for each move, 0 to 2 for speed, acceleration and
+            jerk, and that, shape (m, 2).
         idle: becomes the number of the piece for a look at which no limit is reached, else -1.0, shape (k,).
     """
     for m in range(least.shape[0]):
@@ -123,6 +219,10 @@ def tool_reached(
             end -= 1
         if begin < end:
             _count(poses, on, begin, end - 1, least[m], used, counts[m], idle)
+        longest[m, 0], longest[m, 1] = 0.0, counts[m, 0]
+        for i in range(1, 6):
+            if counts[m, i] > longest[m, 1]:
+                longest[m, 0], longest[m, 1] = i % 3, counts[m, i]
 
 
 def _count(

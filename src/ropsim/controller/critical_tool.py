@@ -2,13 +2,13 @@
 
 from collections.abc import Sequence
 from functools import lru_cache
-from itertools import accumulate
+from itertools import pairwise
 
 import numpy as np
-import numpy.typing as npt
 
-from ropsim.controller.critical_kernel import piece_numbers, put_on, tool_reached
+from ropsim.controller.critical_kernel import four_in_a_row, tool_on_pieces, tool_reached
 from ropsim.controller.motion_plan import MotionPlan, PlannedMove
+from ropsim.core import frozen_dataclass
 from ropsim.flow import LimitQuantity
 from ropsim.kinematics import forward_batch
 from ropsim.model import OrientationMode, RobotModel
@@ -21,17 +21,27 @@ REACHED = 0.98
 _QUANTITIES = (LimitQuantity.SPEED, LimitQuantity.ACCELERATION, LimitQuantity.JERK)
 _PLACES = np.linspace(0.0, 1.0, 33)
 """Of a path at which its bend is looked at, as shares of its length."""
-_FOUR = np.arange(4)
 _BENT = 1e-9
 """Second derivative times length, of the first one, from which on a path is bent."""
 
 
+@frozen_dataclass
+class Looks:
+    """Control ticks of a plan at which its moves are looked at; in arrays that may be longer than these.
+
+    Attributes:
+        ticks: their numbers, shape (room,).
+        starts: the first of them at each of m moves, and how many there are, k, shape (m + 1,).
+        reached: 1.0 where a joint is at one of its limits, else 0.0, shape (room,).
+    """
+
+    ticks: Array
+    starts: Array
+    reached: Array
+
+
 def critical_of_tools(
-    plan: MotionPlan,
-    moves: Sequence[tuple[PlannedMove, range, int]],
-    ticks: npt.NDArray[np.intp],
-    of_joints: Array,
-    robot: RobotModel,
+    plan: MotionPlan, moves: Sequence[PlannedMove], numbers: Sequence[int], looks: Looks, robot: RobotModel
 ) -> list[tuple[LimitQuantity, float]]:
     """Return the limit of the tool that each move is at for longest, and for which share of the looks.
 
@@ -41,72 +51,81 @@ def critical_of_tools(
 
     Args:
         plan: of a stretch.
-        moves: on paths of the tool; the ticks of each that are looked at, and the number of the first of
-            these looks.
-        ticks: of all looks at the stretch, shape (k,).
-        of_joints: 1.0 where a joint is at one of its limits at these, else 0.0, shape (k,).
+        moves: on paths of the tool.
+        numbers: of these moves among those that are looked at, rising.
+        looks: at the stretch.
         robot: the arm.
     """
     if not moves:
         return []
-    lengths = [len(looks) for _, looks, _ in moves]
-    starts = [0, *accumulate(lengths)]
-    places = np.concatenate([np.arange(first, first + len(looks)) for _, looks, first in moves])
-    counts, idle = _counts(
-        plan, [move for move, _, _ in moves], starts, ticks[places], of_joints[places], robot
-    )
+    starts, longest, idle = _counts(plan, moves, numbers, looks, robot)
+    may_bend = [one.path is not None and not _is_straight(one.path) for one in plan.pieces]
     found = []
-    for count, reached, first in zip(lengths, counts, starts[:-1], strict=True):
-        most, bent = max(reached), 0
-        for number in set(idle[first : first + count]):
-            path = plan.pieces[int(number)].path if number >= 0.0 else None
-            if path is not None and _is_bent(path):
-                bent += idle[first : first + count].count(number)
+    for (first, end), (quantity, most) in zip(pairwise(starts), longest, strict=True):
+        bent = _bent_looks(plan, idle[int(first) : int(end)].tolist()) if any(may_bend) else 0
         if bent > most:
-            found.append((LimitQuantity.BEND, bent / count))
+            found.append((LimitQuantity.BEND, bent / (end - first)))
         else:
-            found.append((_QUANTITIES[reached.index(most) % 3], most / count))
+            found.append((_QUANTITIES[int(quantity)], most / (end - first)))
     return found
 
 
 def _counts(
-    plan: MotionPlan,
-    moves: Sequence[PlannedMove],
-    starts: Sequence[int],
-    ticks: npt.NDArray[np.intp],
-    of_joints: Array,
-    robot: RobotModel,
-) -> tuple[list[list[float]], list[float]]:
+    plan: MotionPlan, moves: Sequence[PlannedMove], numbers: Sequence[int], looks: Looks, robot: RobotModel
+) -> tuple[list[float], list[list[float]], Array]:
     """Return at how many looks limits are reached, and on which piece each look lies at which none is.
 
     Args:
         plan: of a stretch.
-        moves: on paths of the tool, m of them.
-        starts: how many looks come before those at each of them, and k.
-        ticks: that are looked at, shape (k,).
-        of_joints: 1.0 where a joint is at one of its limits at these, else 0.0, shape (k,).
+        moves: on paths of the tool, t of them.
+        numbers: of these moves among those that are looked at, rising.
+        looks: at the stretch.
         robot: the arm.
 
     Returns:
-        the same as `tool_reached` writes.
+        the first look at each of these moves, and how many there are; the rest as `tool_reached` writes it.
     """
-    rows = plan.reference.q.take((ticks[:, None] + _FOUR).ravel(), axis=0, mode="clip")
-    poses, first = forward_batch(robot, rows), np.array(starts, dtype=np.float64)
-    tools, least = np.empty((len(moves), 4, 4)), np.full((len(moves), 2, 3), np.inf)
+    q = np.ascontiguousarray(plan.reference.q)
+    t, room = len(moves), len(looks.ticks)
+    rows, here, chosen = np.empty((4 * room, q.shape[1])), np.empty((4, room)), np.array(numbers, dtype=float)
+    ticks, reached, on, idle = here[0], here[1], here[2], here[3]
+    first = np.empty(t + 1)
+    four_in_a_row(q, looks.ticks, looks.reached, looks.starts, chosen, rows, ticks, reached, first)
+    starts: list[float] = first.tolist()
+    count = int(starts[-1])
+    poses = forward_batch(robot, rows[: 4 * count])
+    tools, least = np.empty((t, 4, 4)), np.full((t, 2, 3), np.inf)
     for number, one in enumerate(moves):
-        one.X_MT.write_matrix(tools[number])
+        if number and one.X_MT is moves[number - 1].X_MT:
+            tools[number] = tools[number - 1]
+        else:
+            one.X_MT.write_matrix(tools[number])
         if one.limits is not None:
             least[number] = _least(one.limits.tool, plan.period)
-    put_on(poses, first, tools)
-    on, idle, counts = np.empty(len(ticks)), np.empty(len(ticks)), np.empty((len(moves), 6))
     pieces = np.array([(one.first, one.last) for one in plan.pieces], dtype=np.float64).reshape(-1, 2)
-    piece_numbers(ticks.astype(np.float64), pieces, on)
+    tool_on_pieces(poses, first, tools, ticks, pieces, on)
     for number, piece in enumerate(plan.pieces):
         if piece.frame is not None:
-            here = np.repeat(on == number, 4)
-            poses[here] = np.linalg.solve(piece.frame.matrices(rows[here]), poses[here])
-    tool_reached(poses, first, on, least, of_joints, counts, idle)
-    return counts.tolist(), idle.tolist()
+            four = np.repeat(on[:count] == number, 4)
+            poses[four] = np.linalg.solve(piece.frame.matrices(rows[: 4 * count][four]), poses[four])
+    counts, longest = np.empty((t, 6)), np.empty((t, 2))
+    tool_reached(poses, first, on, least, reached, counts, longest, idle)
+    return starts, longest.tolist(), idle
+
+
+def _bent_looks(plan: MotionPlan, idle: list[float]) -> int:
+    """Return how many looks at a move lie where its path is bent and no limit is reached.
+
+    Args:
+        plan: of a stretch.
+        idle: on which piece each look lies at which no limit is reached, else -1.0.
+    """
+    bent = 0
+    for number in set(idle):
+        path = plan.pieces[int(number)].path if number >= 0.0 else None
+        if path is not None and _is_bent(path):
+            bent += idle.count(number)
+    return bent
 
 
 @lru_cache(maxsize=256)
@@ -125,7 +144,11 @@ def _least(limits: ToolLimits, T: float) -> Array:
 
 def _is_bent(path: ToolPath) -> bool:
     """Return whether a path turns off its way, or its orientation off its turn."""
-    if isinstance(path, Line) and path.mode is OrientationMode.FIXED_AXIS:
+    if _is_straight(path):
         return False
     points = path.tool(_PLACES * path.length)
     return bool(np.abs(points.d2).max() * path.length > _BENT * np.abs(points.d1).max())
+
+
+def _is_straight(path: ToolPath) -> bool:
+    return isinstance(path, Line) and path.mode is OrientationMode.FIXED_AXIS

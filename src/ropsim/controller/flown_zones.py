@@ -9,7 +9,7 @@ import numpy as np
 from ropsim.controller.corners import Corner
 from ropsim.controller.leg import Leg
 from ropsim.controller.stretch_motion import StretchMotion
-from ropsim.kinematics import forward_batch
+from ropsim.kinematics import tool_places
 from ropsim.model import RobotModel
 
 
@@ -34,9 +34,9 @@ def flown_zones(
         return zones
     numbers = [before.pieces[-1].leg for before, _ in overlapping]
     q = motion.at(np.array([behind.start for _, behind in overlapping])).q
+    tools = [legs[number].planned.X_MT for number in numbers]
     q = np.concatenate((q, [legs[number].q_end for number in numbers]))
-    X_MT = np.array([legs[number].planned.X_MT.matrix() for number in numbers])
-    leaves, targets = (forward_batch(robot, q) @ np.concatenate((X_MT, X_MT)))[:, :3, 3].reshape(2, -1, 3)
+    leaves, targets = tool_places(robot, q, tools + tools).reshape(2, -1, 3)
     for number, way in zip(numbers, leaves - targets, strict=True):
         zones[number] = math.sqrt(way.dot(way))
     return zones

@@ -109,12 +109,22 @@ def advance(
         raise ClockError(WRONG_CLOCK_REQUEST.at(None, found))
     whole = int(state.place)
     if override == 1.0 and state.rate == 1.0 and state.change == 0.0 and whole == state.place:
-        return _undisturbed(whole, rows, ticks)
+        return undisturbed(state, rows, ticks)
     return _walked(state, rows, ticks, override, limits, period)
 
 
-def _undisturbed(place: int, rows: Rows, ticks: int) -> tuple[ClockState, JointReference]:
-    """Return the next rows themselves; behind the last one the motion stands."""
+def undisturbed(state: ClockState, rows: Rows, ticks: int) -> tuple[ClockState, JointReference]:
+    """Walk on from a row at full rate: the next rows themselves; behind the last one the motion stands.
+
+    Args:
+        state: where the motion is; its place is whole, its rate 1 and does not change.
+        rows: its references.
+        ticks: how many to walk on, 1 or more.
+
+    Returns:
+        as `advance`.
+    """
+    place = int(state.place)
     end, count = place + ticks, rows.count
     if end < count:
         return ClockState(float(end)), rows.rows(place + 1, end + 1)

@@ -20,6 +20,7 @@ from ropsim.kinematics.forward import forward_batch as forward_batch
 from ropsim.kinematics.forward import frames_batch as frames_batch
 from ropsim.kinematics.forward import frames_of_steps as frames_of_steps
 from ropsim.kinematics.forward import joint_frames as joint_frames
+from ropsim.kinematics.forward import tool_places as tool_places
 from ropsim.kinematics.forward import tool_pose as tool_pose
 from ropsim.kinematics.frame_poses import frame_poses as frame_poses
 from ropsim.kinematics.ground import Ground as Ground

@@ -1,5 +1,7 @@
 """Forward kinematics: from joint coordinates to poses."""
 
+from collections.abc import Sequence
+
 import numpy as np
 import numpy.typing as npt
 
@@ -44,6 +46,27 @@ def tool_pose(robot: Mechanism, q: Array, X_MT: Pose) -> Pose:
     rows = chain.steps(q[np.newaxis])
     write_tool_pose(chain.flat, rows, X_MT.position, X_MT.orientation, X_BM, room, pose)
     return Pose.of_units(pose)
+
+
+def tool_places(robot: Mechanism, Q: Array, tools: Sequence[Pose]) -> Array:
+    """Return where tools are in the base frame [m], shape (k, 3).
+
+    Args:
+        robot: mechanism with n axes.
+        Q: coordinates of the axes, one behind the other [rad | m], without gaps, shape (k, n) or (k·n,).
+        tools: X_MT of each of the k.
+    """
+    from ropsim.kinematics.chain_kernel import POSES
+    from ropsim.kinematics.tool_pose_kernel import write_tool_places
+
+    rows, points = Q.reshape(len(tools), robot.n), np.array([one.position for one in tools])
+    if robot.cuts:
+        X_BM = forward_batch(robot, rows)
+        return np.asarray((X_BM[:, :3, :3] @ points[:, :, None])[:, :, 0] + X_BM[:, :3, 3])
+    chain = chain_arrays(robot)
+    steps = np.ascontiguousarray(chain.steps(rows))
+    write_tool_places(chain.flat, steps, points, np.empty((len(rows), 4, 4)), np.empty(POSES))
+    return points
 
 
 def forward_batch(robot: Mechanism, Q: npt.ArrayLike) -> Array:

@@ -42,6 +42,24 @@ def write_tool_pose(
     out[3], out[4], out[5], out[6] = _unit(_unit(turned))
 
 
+@kernel("void(f8[::1], f8[:,::1], f8[:,::1], f8[:,:,::1], f8[::1])")
+def write_tool_places(chain: Array, Q: Array, points: Array, X_BM: Array, room: Array) -> None:
+    """Write where points of the interface are.
+
+    Args:
+        chain: `ChainArrays.flat`.
+        Q: coordinates of the steps [rad | m], shape (k, m).
+        points: in M [m], become those in the base frame, shape (k, 3).
+        X_BM: where the poses of M go, shape (k, 4, 4).
+        room: room to work in, shape (`POSES`,).
+    """
+    forward_rows(chain, Q, X_BM, room)
+    for k in range(Q.shape[0]):
+        X, x, y, z = X_BM[k], points[k, 0], points[k, 1], points[k, 2]
+        for i in range(3):
+            points[k, i] = X[i, 0] * x + X[i, 1] * y + X[i, 2] * z + X[i, 3]
+
+
 def _unit(q: _Quaternion) -> _Quaternion:
     """Return the unit quaternion along another one, with w >= 0; NaN where it has no direction."""
     w, x, y, z = q

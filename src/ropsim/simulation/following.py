@@ -7,12 +7,13 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from ropsim.controller import ClockLimits, ClockState, MotionPlan, advance
+from ropsim.controller import ClockLimits, ClockState, MotionPlan, advance, undisturbed
 from ropsim.core import frozen_dataclass
 from ropsim.flow import JointReference
 from ropsim.simulation.cell_run import CellRun
 from ropsim.simulation.correcting import Correcting
 from ropsim.simulation.guarding import Lookout
+from ropsim.simulation.planned_stretch import PlannedMotion
 from ropsim.simulation.station_run import StationRun
 
 
@@ -47,8 +48,8 @@ class Follower:
     Attributes:
         run: the cell.
         at: the station.
-        plan: its motion.
-        limits: how quickly the override may act.
+        motion: of the plan.
+        limits: how quickly the override may act; None as long as nobody intervenes.
         clock: where it is.
         correcting: corrects the path of the move that is made by a sensor; None where nothing does.
         lookout: looks at the condition of the move that is made; None where it has none.
@@ -59,8 +60,8 @@ class Follower:
 
     run: CellRun
     at: StationRun
-    plan: MotionPlan
-    limits: ClockLimits
+    motion: PlannedMotion
+    limits: ClockLimits | None = None
     clock: ClockState = field(default_factory=ClockState)
     correcting: Correcting | None = None
     lookout: Lookout | None = None
@@ -71,6 +72,11 @@ class Follower:
     def __post_init__(self) -> None:
         self.clock = ClockState(0.0, self.run.override(self.at.due), 0.0)
         self.passed.append((0.0, self.at.tick))
+
+    @property
+    def plan(self) -> MotionPlan:
+        """Return the plan that is followed."""
+        return self.motion.plan
 
     @property
     def is_held(self) -> bool:
@@ -135,13 +141,14 @@ class Follower:
         rows, before = PlanRows(self.plan), self.clock.place
         if override == 1.0 and self._is_undisturbed:
             ticks = min(place - int(self.clock.place), longest)
-            self.clock, reference = advance(self.clock, rows, ticks, override, self.limits, period)
+            self.clock, reference = undisturbed(self.clock, rows, ticks)
             at.follow(self._corrected(reference, before))
             self.passed.append((self.clock.place, at.tick))
             return
+        limits = self.limits = self.limits or self.motion.clock_limits()
         walked: list[JointReference] = []
         for _ in range(min(longest, every)):
-            self.clock, row = advance(self.clock, rows, 1, override, self.limits, period)
+            self.clock, row = advance(self.clock, rows, 1, override, limits, period)
             walked.append(row)
             self.passed.append((self.clock.place, at.tick + len(walked)))
             if self.clock.place >= place:

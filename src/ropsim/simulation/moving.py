@@ -79,7 +79,7 @@ def _follow(
     """Follow a plan move by move and piece by piece, and settle at its end."""
     planned = motion.plan
     run.findings.extend(planned.findings)
-    follower = Follower(run, at, planned, motion.limits)
+    follower = Follower(run, at, motion)
     for number, one in enumerate(planned.moves):
         _say(run, at, texts[number])
         put_in_force(run, at, one.move)

@@ -17,8 +17,9 @@ from ropsim.controller import (
     ordered,
 )
 from ropsim.flow import CriticalLimit
-from ropsim.kinematics import forward_batch
+from ropsim.kinematics import tool_places
 from ropsim.model import Payload, RobotModel
+from ropsim.motion import JointBounds
 from ropsim.simulation.tally_kernel import peaks
 from ropsim.spatial import Array, record
 
@@ -38,13 +39,23 @@ class PlannedMotion:
         plan: the motion.
         critical: the limit that each move is at for longest, None where it reaches none.
         places: where the TCP is at the end of each move, in the base frame [m].
-        limits: how quickly the override may act.
+        joints: what the joints can do.
     """
 
     plan: MotionPlan
     critical: tuple[CriticalLimit | None, ...]
     places: tuple[tuple[float, ...], ...]
-    limits: ClockLimits
+    joints: JointBounds
+
+    def clock_limits(self) -> ClockLimits:
+        """Return how quickly the override may act; only where it does must that be known."""
+        top, joints = np.empty(len(self.joints.speed)), self.joints
+        peaks(np.ascontiguousarray(self.plan.reference.qd), top)
+        speeds, accelerations = np.maximum(top, _LEAST_SPEED * joints.speed), joints.acceleration
+        if self.plan.is_corrected:  # what a sensor adds is braked with it
+            speeds = np.maximum(speeds, _SPEED_WITH_CORRECTION * joints.speed)
+            accelerations = accelerations * PLANNED_ACCELERATION
+        return clock_limits(speeds, accelerations, joints.jerk)
 
 
 @record
@@ -87,23 +98,9 @@ def clock_limits(speeds: Array, accelerations: Array, jerks: Array) -> ClockLimi
 
 def _motion(planned: MotionPlan, robot: RobotModel, payload: Payload) -> PlannedMotion:
     critical = critical_limits(planned, robot, payload)
-    return PlannedMotion(planned, critical, _places(planned, robot), _limits(planned, robot, payload))
+    return PlannedMotion(planned, critical, _places(planned, robot), arm_bounds(robot, payload).joints)
 
 
 def _places(planned: MotionPlan, robot: RobotModel) -> tuple[tuple[float, ...], ...]:
-    X_BM = forward_batch(robot, np.concatenate([one.q_end for one in planned.moves]).reshape(-1, robot.n))
-    X_MT = np.empty((len(planned.moves), 4, 4))
-    for one, matrix in zip(planned.moves, X_MT, strict=True):
-        one.X_MT.write_matrix(matrix)
-    X_BT = X_BM @ X_MT
-    return tuple(tuple(place) for place in X_BT[:, :3, 3].tolist())
-
-
-def _limits(planned: MotionPlan, robot: RobotModel, payload: Payload) -> ClockLimits:
-    top, joints = np.empty(robot.n), arm_bounds(robot, payload).joints
-    peaks(np.ascontiguousarray(planned.reference.qd), top)
-    speeds, accelerations = np.maximum(top, _LEAST_SPEED * joints.speed), joints.acceleration
-    if planned.is_corrected:  # what a sensor adds is braked with it
-        speeds = np.maximum(speeds, _SPEED_WITH_CORRECTION * joints.speed)
-        accelerations = accelerations * PLANNED_ACCELERATION
-    return clock_limits(speeds, accelerations, joints.jerk)
+    ends = np.concatenate([one.q_end for one in planned.moves])
+    return tuple(map(tuple, tool_places(robot, ends, [one.X_MT for one in planned.moves]).tolist()))

@@ -46,6 +46,15 @@ def test_the_pose_of_a_tool_is_that_of_the_interface_and_the_tool_to_the_bit(nam
             assert not found.position.flags.writeable
 
 
+@pytest.mark.parametrize("name", ["puma560", "palletizer", "stanford"])
+def test_places_of_tools_are_those_of_their_poses(name: str) -> None:
+    robot, random = robots.load(name), np.random.default_rng(5)
+    Q = random.uniform(-3.0, 3.0, (20, robot.n))
+    tools = [Pose(random.normal(size=3), random.normal(size=4)) for _ in Q]
+    wanted = [(kinematics.forward(robot, q) @ X_MT).position for q, X_MT in zip(Q, tools, strict=True)]
+    np.testing.assert_allclose(kinematics.tool_places(robot, Q.ravel(), tools), wanted, atol=ROUNDING)
+
+
 def test_the_kernel_does_the_same_without_numba() -> None:
     plain = in_python(forward_rows)
     Q = np.random.default_rng(2).uniform(-3.0, 3.0, (3, 6))
