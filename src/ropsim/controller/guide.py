@@ -63,7 +63,7 @@ class Guide:
             q_start: joint coordinates at its start [rad | m], shape (n,).
             move: the instruction.
         """
-        X_TM = self.inverse.backwards(move) if type(path) in _PLAIN else None
+        X_TM = self.inverse.backwards(move.modal) if type(path) in _PLAIN else None
         if X_TM is None:
             return None
         poses, taken = self.poses(path, X_TM, _AHEAD if _is_corner(path) else 1)

@@ -10,7 +10,7 @@ from ropsim.controller.line_check import Line, end_findings, limit_refusals, los
 from ropsim.controller.posture_choice import JointRange
 from ropsim.controller.work_frames import WorkFrames
 from ropsim.core import Diagnostic
-from ropsim.flow import JointSamples, MoveInstruction, PoseSetpoints
+from ropsim.flow import JointSamples, ModalState, MoveInstruction, PoseSetpoints
 from ropsim.kinematics import Method, inverse_batch, redundant_solver_of, solver_of
 from ropsim.model import RobotModel, Tool
 from ropsim.spatial import Array, Pose, frozen, record
@@ -50,9 +50,9 @@ class StandardInverseTransform:
         """Return whether joints beside the axes have limits."""
         return bool(self._range.coupled.joints)
 
-    def backwards(self, move: MoveInstruction) -> Array | None:
+    def backwards(self, modal: ModalState) -> Array | None:
         """Return the matrix of X_TM of the tool in force, shape (4, 4), None where it is not known."""
-        X_MT = self._work.tool_pose(move.modal, None)
+        X_MT = self._work.tool_pose(modal, None)
         return _backwards(X_MT) if isinstance(X_MT, Pose) else None
 
     def solve(

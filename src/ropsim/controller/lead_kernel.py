@@ -48,19 +48,65 @@ def lead_wrist(
         work: what is told, as there; shape (3 + m + ROOM_OF_ROWS,).
     """
     m = coarse.shape[1] - 1
-    room, rows = work[3 + m :], coarse[0][:8]
+    _follow_wrist(arm, axes, close, slack, T, q_start, q, coarse[0][:8], work[3 + m :], work)
+    _smooth(inner, sided, length, every, q, picked, derivatives, coarse, work)
+
+
+@kernel(
+    "void(f8[::1], f8[:,::1], f8, f8, f8[:,:,::1], f8[::1], f8[:,::1], f8[:,::1], f8[::1], f8[::1])",
+)
+def follow_wrist(
+    arm: Array,
+    axes: Array,
+    close: float,
+    slack: float,
+    T: Array,
+    q_start: Array,
+    q: Array,
+    rows: Array,
+    room: Array,
+    told: Array,
+) -> None:
+    """Write what `follow_row` does for an arm with spherical wrist, of which only one branch is solved.
+
+    Args:
+        arm: as `inverse_row` takes it.
+        axes: as for `follow_row`.
+        close: as there.
+        slack: as there.
+        T: poses X_BM, shape (k, 4, 4).
+        q_start: as there.
+        q: where the coordinates go [rad | m], shape (k, 6).
+        rows: room for branches, shape (8, 6).
+        room: to work in, shape (ROOM_OF_ROWS,) or more.
+        told: as there, shape (2,) or more.
+    """
+    _follow_wrist(arm, axes, close, slack, T, q_start, q, rows, room, told)
+
+
+def _follow_wrist(
+    arm: Array,
+    axes: Array,
+    close: float,
+    slack: float,
+    T: Array,
+    q_start: Array,
+    q: Array,
+    rows: Array,
+    room: Array,
+    told: Array,
+) -> None:
     for j in range(6):
         room[j] = 0.0
     inverse_row(arm, room, T[0], ALL_ROWS, rows)
-    nearest_branch(rows, q_start, axes[2], work)
-    row = int(work[0])
+    nearest_branch(rows, q_start, axes[2], told)
+    row = int(told[0])
     for k in range(T.shape[0]):
         if k > 0:
             inverse_row(arm, room, T[k], row, rows)
         for j in range(6):
             q[k, j] = rows[row, j]
-    unwind(q, q_start, axes, close, slack, work)
-    _smooth(inner, sided, length, every, q, picked, derivatives, coarse, work)
+    unwind(q, q_start, axes, close, slack, told)
 
 
 @kernel(

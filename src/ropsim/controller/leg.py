@@ -29,6 +29,8 @@ class Leg:
         joints: the path of the joints over the length of the path; None where the move has no length.
         q_end: command joint coordinates at its end [rad | m], shape (n,).
         findings: what planner and inverse transform have to say.
+        longest: a time that no joint needs more than from row to row of its path, at its pace anywhere
+            between them [s]; None where nobody has looked.
     """
 
     move: MoveInstruction
@@ -36,6 +38,7 @@ class Leg:
     joints: JointPath | None
     q_end: Array
     findings: tuple[Diagnostic, ...]
+    longest: float | None = None
 
     @property
     def tool(self) -> ToolPath | None:

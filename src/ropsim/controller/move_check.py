@@ -20,7 +20,7 @@ from ropsim.motion import (
 from ropsim.spatial import Array, Pose
 
 MAX_DURATION = 600.0  # [s] of one move; beyond it a mistaken unit is certain enough
-_MAX_COORDINATE = 1e3  # [m]
+MAX_COORDINATE = 1e3  # [m]
 _MAX_RATE = 1e6  # any speed, acceleration or jerk, in SI units
 
 
@@ -140,19 +140,20 @@ def check_duration(move: MoveInstruction, duration: float) -> tuple[Diagnostic, 
 def _is_plausible(move: MoveInstruction) -> bool:
     """Return whether no value of a move to a pose is bad; false where each is to be looked at."""
     modal, target = move.modal, move.target
-    if not isinstance(target, Pose) or move.external or not 0.0 <= modal.zone <= _MAX_COORDINATE:
+    if not isinstance(target, Pose) or move.external or not 0.0 <= modal.zone <= MAX_COORDINATE:
         return False
     if not (0.0 < modal.ptp_speed <= 1.0 and 0.0 < modal.ptp_acceleration <= 1.0):
         return False
     tool = modal.X_MT
-    frames = _is_near(target) and _is_near(modal.X_BK) and (tool is None or _is_near(tool))
+    frames = is_near(target) and is_near(modal.X_BK) and (tool is None or is_near(tool))
     return frames and _are_rates(modal)
 
 
-def _is_near(pose: Pose) -> bool:
+def is_near(pose: Pose) -> bool:
+    """Return whether a pose is where a cell can be."""
     values: list[float] = pose.position.tolist()
     x, y, z = values
-    return abs(x) <= _MAX_COORDINATE and abs(y) <= _MAX_COORDINATE and abs(z) <= _MAX_COORDINATE
+    return abs(x) <= MAX_COORDINATE and abs(y) <= MAX_COORDINATE and abs(z) <= MAX_COORDINATE
 
 
 def _are_rates(modal: ModalState) -> bool:
@@ -184,20 +185,20 @@ def _bad_modal(modal: ModalState) -> Iterator[Bad]:
     for name, rate, unit in rates:
         if rate is not None and not 0.0 < rate <= _MAX_RATE:
             yield name, rate, unit, f"more than 0 up to {_MAX_RATE:g}{unit}"
-    if not 0.0 <= modal.zone <= _MAX_COORDINATE:
-        yield "zone", modal.zone, " m", f"0 up to {_MAX_COORDINATE:g} m"
+    if not 0.0 <= modal.zone <= MAX_COORDINATE:
+        yield "zone", modal.zone, " m", f"0 up to {MAX_COORDINATE:g} m"
 
 
 def _bad_target(move: MoveInstruction) -> Iterator[Bad]:
     for number, value in enumerate(move.external, start=1):
-        if not abs(value) <= _MAX_COORDINATE:
-            yield f"value {number} of the external axes", value, "", f"a number up to ±{_MAX_COORDINATE:g}"
+        if not abs(value) <= MAX_COORDINATE:
+            yield f"value {number} of the external axes", value, "", f"a number up to ±{MAX_COORDINATE:g}"
     if isinstance(move.target, Pose):
         yield from _bad_position("target", move.target)
     elif move.target is not None:
         for number, value in enumerate(move.target, start=1):
-            if not abs(value) <= _MAX_COORDINATE:
-                yield f"joint coordinate {number}", value, "", f"a number up to ±{_MAX_COORDINATE:g}"
+            if not abs(value) <= MAX_COORDINATE:
+                yield f"joint coordinate {number}", value, "", f"a number up to ±{MAX_COORDINATE:g}"
 
 
 def _bad_frames(modal: ModalState) -> Iterator[Bad]:
@@ -208,5 +209,5 @@ def _bad_frames(modal: ModalState) -> Iterator[Bad]:
 
 def _bad_position(name: str, pose: Pose) -> Iterator[Bad]:
     for axis, value in zip("xyz", pose.position.tolist(), strict=True):
-        if not math.isfinite(value) or abs(value) > _MAX_COORDINATE:
-            yield f"{axis} of the {name}", value, " m", f"a number up to ±{_MAX_COORDINATE:g} m"
+        if not math.isfinite(value) or abs(value) > MAX_COORDINATE:
+            yield f"{axis} of the {name}", value, " m", f"a number up to ±{MAX_COORDINATE:g} m"

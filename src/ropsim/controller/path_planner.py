@@ -3,15 +3,18 @@
 from collections.abc import Mapping
 from contextlib import suppress
 from dataclasses import field, replace
+from functools import partial
 
 import numpy as np
 
+from ropsim.controller.begun import Begun, begun_of
+from ropsim.controller.by_identity import ByIdentity
 from ropsim.controller.coordination import coordination_along, moved_axes
 from ropsim.controller.entities import Refusal
 from ropsim.controller.entity_faults import guarded, with_reason
 from ropsim.controller.external_check import check_external, with_external
 from ropsim.controller.kinds import TOOL_PATHS, PathRequest, ToolPathMaker
-from ropsim.controller.move_check import check_joints, check_kind, check_values
+from ropsim.controller.move_check import check_joints, check_kind, check_values, is_near
 from ropsim.controller.move_limits import move_limits
 from ropsim.controller.moving_frames import MovingFrame
 from ropsim.controller.path_faults import unusable_tool_path
@@ -23,7 +26,7 @@ from ropsim.controller.target_refusals import no_arm, numeric_hint, out_of_range
 from ropsim.controller.work_frames import WorkFrames, inverted
 from ropsim.controller.wrist_planner import WristPlanner
 from ropsim.core import Diagnostic
-from ropsim.flow import MoveInstruction
+from ropsim.flow import ModalState, MotionKind, MoveInstruction
 from ropsim.kinematics import IkOptions, Limits, branches_near, inverse, tool_pose
 from ropsim.model import ControllerModel, OrientationMode, RobotModel, Synchronisation, Tool
 from ropsim.motion import (
@@ -74,6 +77,7 @@ class StandardPathPlanner:
     _range: JointRange = field(init=False, repr=False)
     _limits: JointMotionLimits = field(init=False, repr=False)
     _work: WorkFrames = field(init=False, repr=False)
+    _known: ByIdentity[ModalState, Begun | None] = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
         robot = self.robot
@@ -83,6 +87,8 @@ class StandardPathPlanner:
         object.__setattr__(self, "_limits", limits)
         work = WorkFrames(self.tools, self.frames, self.default_tool, self.moving, self.others)
         object.__setattr__(self, "_work", work)
+        known = ByIdentity(partial(begun_of, robot, limits, self.controller, work))
+        object.__setattr__(self, "_known", known)
 
     def plan(self, move: MoveInstruction, q_start: Array) -> PlannedPath | Refusal:
         """Return the path of a move from `q_start`, or why there is none.
@@ -127,8 +133,17 @@ class StandardPathPlanner:
             return None
         return PlannedPath(None, path, so_far.limits, so_far.X_MT, so_far.findings)
 
+    def begun(self, modal: ModalState) -> Begun | None:
+        """Return what moves to poses under a modal state have in common, None where it is to be looked at."""
+        return self._known(modal)
+
     def _begun(self, move: MoveInstruction) -> PlannedPath | Refusal:
         """Return limits, tool and findings of a move, or why its values cannot be used."""
+        target, is_known = move.target, move.kind == MotionKind.PTP or move.kind in self.kinds
+        if is_known and isinstance(target, Pose) and not move.external and is_near(target):
+            known = self._known(move.modal)
+            if known is not None:
+                return known.plan
         span = move.origin.span
         X_MT = self._work.tool_pose(move.modal, span)
         problems = (*check_kind(move, self.kinds), *check_values(move))

@@ -14,6 +14,7 @@ import numpy as np
 
 from ropsim.controller.entities import Refusal
 from ropsim.controller.leg import Leg, leg_of
+from ropsim.controller.legs_in_order import legs_in_order
 from ropsim.controller.motion_chain import MotionChain
 from ropsim.controller.posture_choice import JointRange, nearest_turns, turned_branches
 from ropsim.controller.posture_trouble import is_narrow, time_of, trouble_of
@@ -186,18 +187,12 @@ def _reason(troubles: Sequence[Trouble], number: int) -> Trouble:
 
 def _onward(chain: MotionChain, limits: JointRange, way: Way, moves: Sequence[MoveInstruction]) -> Way:
     """Return the way with moves that have no choice, as far as they can be made."""
-    legs, q, time = list[Leg](), way.q, way.time
-    troubles, narrow = way.troubles, way.narrow
-    refusal: Refusal | None = None
-    for move in moves:
-        leg = leg_of(chain, move, q)
-        if isinstance(leg, Refusal):
-            refusal = leg
-            break
+    q, time, troubles, narrow = way.q, way.time, way.troubles, way.narrow
+    legs, refusal = legs_in_order(chain, moves, q)
+    for leg in legs:
         time += time_of(chain.robot, leg, q)
         if leg.tool is not None:
             troubles += trouble_of(chain.robot, leg, 0) is not None
             narrow += is_narrow(limits, leg)
-        legs.append(leg)
         q = leg.q_end
     return Way(q, (*way.legs, *legs), refusal, troubles, way.changes, narrow, time)

@@ -4,7 +4,8 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from ropsim.controller.entities import Refusal
-from ropsim.controller.leg import Leg, leg_of
+from ropsim.controller.leg import Leg
+from ropsim.controller.legs_in_order import legs_in_order
 from ropsim.controller.motion_chain import MotionChain
 from ropsim.controller.posture_in_the_way import in_the_way, last_wish, without_wish
 from ropsim.controller.posture_search import has_choice, search
@@ -68,15 +69,7 @@ def _told(
 def _chosen(
     chain: MotionChain, stretch: Sequence[MoveInstruction], q_start: Array
 ) -> tuple[list[Leg], Refusal | None]:
-    legs: list[Leg] = []
-    q, refusal = q_start, None
-    for move in stretch:
-        leg = leg_of(chain, move, q)
-        if isinstance(leg, Refusal):
-            refusal = leg
-            break
-        legs.append(leg)
-        q = leg.q_end
+    legs, refusal = legs_in_order(chain, stretch, q_start)
     troubles = _troubles(chain, stretch, legs, refusal)
     if not troubles:
         return legs, refusal

@@ -71,4 +71,6 @@ from ropsim.kinematics.strut_frames import strut_frames as strut_frames
 from ropsim.kinematics.supports import Standing as Standing
 from ropsim.kinematics.supports import height_above as height_above
 from ropsim.kinematics.supports import standings as standings
+from ropsim.kinematics.tool_pose_kernel import write_pose_product as write_pose_product
+from ropsim.kinematics.tool_pose_kernel import write_tool_pose as write_tool_pose
 from ropsim.kinematics.top_speed import speed_bound as speed_bound

@@ -26,12 +26,31 @@ def write_tool_pose(
     """
     forward_rows(chain, q, X_BM, room)
     X = X_BM[0]
-    w, x, y, z = _unit(_unit(_of_rotation(X)))
+    out[0], out[1], out[2] = X[0, 3], X[1, 3], X[2, 3]
+    out[3], out[4], out[5], out[6] = _unit(_unit(_of_rotation(X)))
+    _write_product(out, position, orientation, out)
+
+
+@kernel("void(f8[::1], f8[::1], f8[::1])")
+def write_pose_product(X_AB: Array, X_BC: Array, X_AC: Array) -> None:
+    """Write the product of two poses, bit by bit as `Pose` does; neither is looked at whether it is none.
+
+    Args:
+        X_AB: position [m] and unit quaternion (w, x, y, z), shape (7,).
+        X_BC: likewise.
+        X_AC: where the product goes, likewise.
+    """
+    _write_product(X_AB, X_BC[:3], X_BC[3:], X_AC)
+
+
+def _write_product(X_AB: Array, position: Array, orientation: Array, X_AC: Array) -> None:
+    """Write a product, maybe over its first factor."""
+    w, x, y, z = X_AB[3], X_AB[4], X_AB[5], X_AB[6]
     a, b, c = position[0], position[1], position[2]
     tx, ty, tz = 2.0 * (y * c - z * b), 2.0 * (z * a - x * c), 2.0 * (x * b - y * a)
-    out[0] = X[0, 3] + (a + w * tx + y * tz - z * ty)
-    out[1] = X[1, 3] + (b + w * ty + z * tx - x * tz)
-    out[2] = X[2, 3] + (c + w * tz + x * ty - y * tx)
+    X_AC[0] = X_AB[0] + (a + w * tx + y * tz - z * ty)
+    X_AC[1] = X_AB[1] + (b + w * ty + z * tx - x * tz)
+    X_AC[2] = X_AB[2] + (c + w * tz + x * ty - y * tx)
     d, e, f, g = orientation[0], orientation[1], orientation[2], orientation[3]
     turned = (
         w * d - x * e - y * f - z * g,
@@ -39,7 +58,7 @@ def write_tool_pose(
         w * f - x * g + y * d + z * e,
         w * g + x * f - y * e + z * d,
     )
-    out[3], out[4], out[5], out[6] = _unit(_unit(turned))
+    X_AC[3], X_AC[4], X_AC[5], X_AC[6] = _unit(_unit(turned))
 
 
 @kernel("void(f8[::1], f8[:,::1], f8[:,::1], f8[:,:,::1], f8[::1])")

@@ -53,6 +53,8 @@ from ropsim.motion.line_diagnostics import POSTURE_IN_THE_WAY as POSTURE_IN_THE_
 from ropsim.motion.line_diagnostics import POSTURE_OUT_OF_REACH as POSTURE_OUT_OF_REACH
 from ropsim.motion.motion_limits import JointMotionLimits as JointMotionLimits
 from ropsim.motion.motion_limits import ToolLimits as ToolLimits
+from ropsim.motion.paths import LINE_LENGTH as LINE_LENGTH
+from ropsim.motion.paths import LINE_SIZE as LINE_SIZE
 from ropsim.motion.paths import LOOK_COUNT as LOOK_COUNT
 from ropsim.motion.paths import LOOK_FOUND as LOOK_FOUND
 from ropsim.motion.paths import LOOK_SQUARES as LOOK_SQUARES
@@ -95,6 +97,7 @@ from ropsim.motion.paths import evenly as evenly
 from ropsim.motion.paths import grid as grid
 from ropsim.motion.paths import joins as joins
 from ropsim.motion.paths import leave as leave
+from ropsim.motion.paths import line_numbers as line_numbers
 from ropsim.motion.paths import look_further as look_further
 from ropsim.motion.paths import monotone as monotone
 from ropsim.motion.paths import numeric_points as numeric_points

@@ -8,9 +8,9 @@ import numpy as np
 from ropsim.model import OrientationMode
 from ropsim.motion.paths.line_kernel import (
     AXIS,
-    LENGTH,
+    LINE_LENGTH,
+    LINE_SIZE,
     MOVES,
-    SIZE,
     WAY,
     line_numbers,
     straight_points,
@@ -44,11 +44,31 @@ class Line:
     length: float = field(init=False)
 
     def __post_init__(self) -> None:
-        start, end, numbers = self.X_start, self.X_end, np.empty(SIZE)
+        start, end, numbers = self.X_start, self.X_end, np.empty(LINE_SIZE)
         drives = int(self.mode is OrientationMode.DRIVE_TRANSFORM)
         line_numbers(start.position, start.orientation, end.position, end.orientation, drives, numbers)
+        self._take(numbers)
+
+    @classmethod
+    def of_numbers(cls, X_start: Pose, X_end: Pose, mode: OrientationMode, numbers: Array) -> "Line":
+        """Return the line of numbers that `line_numbers` has written; they become read-only.
+
+        Args:
+            X_start: as for any line.
+            X_end: likewise.
+            mode: likewise.
+            numbers: those of this line, shape (LINE_SIZE,).
+        """
+        made = cls.__new__(cls)
+        object.__setattr__(made, "X_start", X_start)
+        object.__setattr__(made, "X_end", X_end)
+        object.__setattr__(made, "mode", mode)
+        made._take(numbers)
+        return made
+
+    def _take(self, numbers: Array) -> None:
         numbers.flags.writeable = False
-        length, moves = numbers[LENGTH : MOVES + 1].tolist()
+        length, moves = numbers[LINE_LENGTH : MOVES + 1].tolist()
         object.__setattr__(self, "numbers", numbers)
         object.__setattr__(self, "moves", bool(moves))
         object.__setattr__(self, "length", length)

@@ -14,7 +14,7 @@ from ropsim.spatial import Array
 ROUNDING = 1e-14
 """A turn between equal orientations is that of the rounding of their product [rad]."""
 
-START, END, WAY, SWINGS, VELOCITY, R_END, AXIS, ANGLE, ROLL, LENGTH, MOVES, SIZE = (
+START, END, WAY, SWINGS, VELOCITY, R_END, AXIS, ANGLE, ROLL, LINE_LENGTH, MOVES, LINE_SIZE = (
     0, 3, 6, 9, 36, 39, 48, 51, 52, 53, 54, 55,
 )  # fmt: skip
 """Where the numbers of a line begin: positions of both ends and the way between them [m], R_start·(I, K, K²)
@@ -35,7 +35,7 @@ def line_numbers(
         end: position of its end [m], shape (3,).
         turned_end: orientation there, shape (4,).
         drives: 1 for the drive transform, 0 for a fixed axis.
-        out: where they go, shape (SIZE,).
+        out: where they go, shape (LINE_SIZE,).
     """
     square = 0.0
     for i in range(3):
@@ -47,7 +47,7 @@ def line_numbers(
         out[ANGLE], out[ROLL], size = 0.0, 0.0, 0.0
     way = sqrt(square)
     out[MOVES] = 1.0 if way > STANDS else 0.0
-    out[LENGTH] = way if way > STANDS else size if size > STILL else 0.0
+    out[LINE_LENGTH] = way if way > STANDS else size if size > STILL else 0.0
     _write_rotation(turned_end, out[R_END:AXIS])
     R = out[SWINGS : SWINGS + 9]
     _write_rotation(turned_start, R)
@@ -74,7 +74,7 @@ def straight_points(numbers: Array, s: Array, matrices: Array, d1: Array, d2: Ar
         d1: where first derivatives go, shape (k, 6).
         d2: where second derivatives go, shape (k, 6).
     """
-    length, roll = numbers[LENGTH], numbers[ROLL]
+    length, roll = numbers[LINE_LENGTH], numbers[ROLL]
     share = 1.0 / length if length > 0.0 else 0.0
     v0, v1, v2 = numbers[VELOCITY], numbers[VELOCITY + 1], numbers[VELOCITY + 2]
     for k in range(s.shape[0]):
