@@ -14,13 +14,13 @@ from ropsim.controller.tracing import trace
 from ropsim.controller.wrist_corner import are_led, wrist_corner
 from ropsim.controller.zone_ways import way_of
 from ropsim.flow import MoveInstruction
-from ropsim.motion import CornerFault, JointPath, ToolPath, corner
+from ropsim.motion import CornerFault, JointPath, Stages, ToolPath, corner
 from ropsim.spatial import record
 
-_HALF = 0.5
+HALF = 0.5
 """Share of a move that a zone may take."""
 
-_LEAST = 1e-6
+LEAST_ZONE = 1e-6
 """Zones below this are none [m]: no arm shows them, and rounding would have a say in the way round them."""
 
 
@@ -48,6 +48,7 @@ class Rounding:
         tool: the way between, in the base frame or that of the coordination.
         joints: the same in joint space.
         coordination: external axes that go along; None where they stand on both sides.
+        stages: bounds along it by the lesser limits of both moves; None where they are still to be found.
     """
 
     zone: float
@@ -56,6 +57,7 @@ class Rounding:
     tool: ToolPath
     joints: JointPath
     coordination: Coordination | None
+    stages: Stages | None = None
 
 
 @record
@@ -102,12 +104,12 @@ def corner_between(chain: MotionChain, before: Leg, behind: Leg) -> Corner | Sto
             (behind, behind.joints, meeting.behind if meeting else _in_base(behind)),
         )
     )
-    halves, zone = (_HALF * one.length, _HALF * other.length), commanded_zone(chain, before.move)
-    if zone < _LEAST:
+    halves, zone = (HALF * one.length, HALF * other.length), commanded_zone(chain, before.move)
+    if zone < LEAST_ZONE:
         return Stop.TOO_SMALL
     if meeting:
         zone = min(zone, one.distance(halves[0], one.length), other.distance(halves[1], 0.0))
-        if zone < _LEAST:
+        if zone < LEAST_ZONE:
             return Stop.STANDS
     (s_leave, leaving), (s_enter, entering) = one.leave(zone, halves[0]), other.enter(zone, halves[1])
     flown = max(leaving, entering)
@@ -132,7 +134,7 @@ def corner_between(chain: MotionChain, before: Leg, behind: Leg) -> Corner | Sto
             joints = joined_to(chain, between, traced[0], ends, before.planned.X_MT, along)
             return Rounding(flown, s_leave, s_enter, between, joints, along) if joints else Stop.UNREACHABLE
     # where the tool only turns no zone is too long
-    ways = [way for way in (leaving, entering) if way > _LEAST]
+    ways = [way for way in (leaving, entering) if way > LEAST_ZONE]
     return Overlap(flown, min(ways, default=flown), s_leave, s_enter)
 
 

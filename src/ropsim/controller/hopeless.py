@@ -31,11 +31,16 @@ def standing_refusal(leg: Leg, piece: Piece) -> Refusal | None:
     """
     if leg.tool is None or piece.corner:
         return None
+    stages = piece.stages.rows
+    if len(stages) == 1:
+        _, v, a, j = stages[0].tolist()
+        if _NOTHING < v < math.inf and _NOTHING < a < math.inf and _NOTHING < j < math.inf:
+            return None
     least = piece.stages.bounds.min(axis=1)
     wrong = np.flatnonzero(~((least > _NOTHING) & (least < math.inf)))
     if len(wrong) == 0:
         return None
-    share = (piece.begin + float(piece.stages.rows[: wrong[0], 0].sum())) / leg.tool.length
+    share = (piece.begin + float(stages[: wrong[0], 0].sum())) / leg.tool.length
     finding = NO_SPLINE.at(
         leg.move.origin.span,
         f"the curve turns back after {share:.0%} of its way, so sharply that the tool cannot pass",

@@ -5,13 +5,12 @@ from collections.abc import Sequence
 from ropsim.controller.coordination import Coordination
 from ropsim.controller.corners import Corner, Overlap, Rounding
 from ropsim.controller.leg import Leg
-from ropsim.controller.stages import along_with, joint_stages, tool_choices, tool_stages
+from ropsim.controller.stages import along_with, joint_stages, lesser_limits, tool_choices, tool_stages
 from ropsim.motion import (
     JointPath,
     JointSection,
     Stages,
     SynchronisedJoints,
-    ToolLimits,
     ToolPath,
     ToolSection,
 )
@@ -111,7 +110,8 @@ def _straight(number: int, leg: Leg, first: float, last: float) -> Piece:
 
 
 def _round(number: int, before: Leg, behind: Leg, corner: Rounding) -> Piece:
-    one, other = before.planned.limits.tool, behind.planned.limits.tool
-    least = one if one == other else ToolLimits(*map(min, one.all, other.all))
-    stages, X_MT = along_with(tool_stages(corner.tool, least), corner.coordination), before.planned.X_MT
+    stages, X_MT = corner.stages, before.planned.X_MT
+    if stages is None:
+        least = lesser_limits(before.planned.limits.tool, behind.planned.limits.tool)
+        stages = along_with(tool_stages(corner.tool, least), corner.coordination)
     return Piece(number, corner.joints, corner.tool, X_MT, stages, corner, corner.coordination)

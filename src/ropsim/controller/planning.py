@@ -17,6 +17,7 @@ from ropsim.controller.hopeless import (
 )
 from ropsim.controller.kept_limits import arm_bounds, beyond_refusal, move_at, slowed_findings
 from ropsim.controller.leg import Leg
+from ropsim.controller.line_corners import line_corners_of
 from ropsim.controller.motion_chain import MotionChain
 from ropsim.controller.motion_plan import MotionPlan, MotionState
 from ropsim.controller.move_check import check_duration
@@ -214,8 +215,9 @@ def _time_alone(leg: Leg) -> float:
 def _corners(chain: MotionChain, legs: list[Leg], findings: list[Diagnostic]) -> list[Corner | None]:
     """Return the rounded corners between moves, None where the arm stops or where nothing moves."""
     corners: list[Corner | None] = []
-    for before, behind in pairwise(legs):
-        found = corner_between(chain, before, behind)
+    rounded = line_corners_of(chain, legs)
+    for number, (before, behind) in enumerate(pairwise(legs)):
+        found = rounded.get(number) or corner_between(chain, before, behind)
         if isinstance(found, Stop):
             findings += stopped(before.move, found)
             corners.append(None)

@@ -82,7 +82,7 @@ def tool_choices(path: ToolPath, limits: ToolLimits, shares: Sequence[float]) ->
         if not any(start.d2[0].tolist()):  # so it goes on: only a tool that rolls while it swings has some
             return (_even(path.length, start.d1[0].tolist(), limits),)
     if isinstance(path, Curve):
-        curve, rates = path, _rates(limits)
+        curve, rates = path, rates_of(limits)
         if first := stages_of_curve(curve, rates, shares[0]):
             return _choices(first, lambda share: stages_of_curve(curve, rates, share), shares[1:])
 
@@ -113,6 +113,20 @@ def _choices(
     return tuple(found)
 
 
+@lru_cache(maxsize=256)
+def rates_of(limits: ToolLimits) -> Array:
+    """Return limits of the tool as an array, a row for each of speed, acceleration and jerk.
+
+    Its columns are position and orientation, shape (3, 2).
+    """
+    return frozen(np.reshape(limits.all, (2, 3)).T)
+
+
+def lesser_limits(one: ToolLimits, other: ToolLimits) -> ToolLimits:
+    """Return the limits that keep both."""
+    return one if one is other or one == other else ToolLimits(*map(min, one.all, other.all))
+
+
 def along_with(stages: Stages, coordination: Coordination | None) -> Stages:
     """Return the bounds along a path of the tool on which external axes go along, theirs too.
 
@@ -137,13 +151,7 @@ def along_with(stages: Stages, coordination: Coordination | None) -> Stages:
 @lru_cache(maxsize=256)
 def _of_parts(limits: ToolLimits) -> JointMotionLimits:
     """Return limits of the tool as those of its two parts, position and orientation, each of shape (2,)."""
-    return JointMotionLimits(*_rates(limits))
-
-
-@lru_cache(maxsize=256)
-def _rates(limits: ToolLimits) -> Array:
-    """Return the same as one array, a row for each of speed, acceleration and jerk, shape (3, 2)."""
-    return frozen(np.reshape(limits.all, (2, 3)).T)
+    return JointMotionLimits(*rates_of(limits))
 
 
 def _even(length: float, d1: list[float], limits: ToolLimits) -> Stages:

@@ -53,6 +53,7 @@ from ropsim.motion.line_diagnostics import POSTURE_IN_THE_WAY as POSTURE_IN_THE_
 from ropsim.motion.line_diagnostics import POSTURE_OUT_OF_REACH as POSTURE_OUT_OF_REACH
 from ropsim.motion.motion_limits import JointMotionLimits as JointMotionLimits
 from ropsim.motion.motion_limits import ToolLimits as ToolLimits
+from ropsim.motion.paths import CORNER_STEPS as CORNER_STEPS
 from ropsim.motion.paths import LINE_LENGTH as LINE_LENGTH
 from ropsim.motion.paths import LINE_SIZE as LINE_SIZE
 from ropsim.motion.paths import LOOK_COUNT as LOOK_COUNT
@@ -63,10 +64,12 @@ from ropsim.motion.paths import LOOK_WAYS as LOOK_WAYS
 from ropsim.motion.paths import MOST_LOOKS as MOST_LOOKS
 from ropsim.motion.paths import STANDS as STANDS
 from ropsim.motion.paths import STILL as STILL
+from ropsim.motion.paths import SWING as SWING
 from ropsim.motion.paths import ZONE_NODES as ZONE_NODES
 from ropsim.motion.paths import ZONE_SHARES as ZONE_SHARES
 from ropsim.motion.paths import Arc as Arc
 from ropsim.motion.paths import ArcFault as ArcFault
+from ropsim.motion.paths import ArcLength as ArcLength
 from ropsim.motion.paths import ArcOrientation as ArcOrientation
 from ropsim.motion.paths import CornerFault as CornerFault
 from ropsim.motion.paths import Curve as Curve
@@ -90,6 +93,7 @@ from ropsim.motion.paths import Traced as Traced
 from ropsim.motion.paths import TurnPoints as TurnPoints
 from ropsim.motion.paths import arc as arc
 from ropsim.motion.paths import corner as corner
+from ropsim.motion.paths import corner_curve as corner_curve
 from ropsim.motion.paths import curve_points as curve_points
 from ropsim.motion.paths import enter as enter
 from ropsim.motion.paths import enter_distances as enter_distances
@@ -102,8 +106,10 @@ from ropsim.motion.paths import look_further as look_further
 from ropsim.motion.paths import monotone as monotone
 from ropsim.motion.paths import numeric_points as numeric_points
 from ropsim.motion.paths import pose_derivatives as pose_derivatives
+from ropsim.motion.paths import quadrature as quadrature
 from ropsim.motion.paths import rough_parts as rough_parts
 from ropsim.motion.paths import rows_with_roughness as rows_with_roughness
+from ropsim.motion.paths import series as series
 from ropsim.motion.paths import smoothly as smoothly
 from ropsim.motion.paths import spline as spline
 from ropsim.motion.paths import stencils as stencils

@@ -4,8 +4,13 @@ from ropsim.motion.paths.arc import Arc as Arc
 from ropsim.motion.paths.arc import ArcFault as ArcFault
 from ropsim.motion.paths.arc import ArcOrientation as ArcOrientation
 from ropsim.motion.paths.arc import arc as arc
+from ropsim.motion.paths.arc_length import ArcLength as ArcLength
+from ropsim.motion.paths.arc_length import quadrature as quadrature
+from ropsim.motion.paths.corner import CORNER_STEPS as CORNER_STEPS
+from ropsim.motion.paths.corner import SWING as SWING
 from ropsim.motion.paths.corner import CornerFault as CornerFault
 from ropsim.motion.paths.corner import corner as corner
+from ropsim.motion.paths.corner_kernel import corner_curve as corner_curve
 from ropsim.motion.paths.curve import Curve as Curve
 from ropsim.motion.paths.curve_kernel import curve_points as curve_points
 from ropsim.motion.paths.differences import numeric_points as numeric_points
@@ -37,6 +42,7 @@ from ropsim.motion.paths.path import ToolPoints as ToolPoints
 from ropsim.motion.paths.refined import Refined as Refined
 from ropsim.motion.paths.refined import joins as joins
 from ropsim.motion.paths.refined import rough_parts as rough_parts
+from ropsim.motion.paths.rotation_vector import series as series
 from ropsim.motion.paths.section import JointSection as JointSection
 from ropsim.motion.paths.section import ToolSection as ToolSection
 from ropsim.motion.paths.seen import Seen as Seen

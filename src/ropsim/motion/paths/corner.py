@@ -11,8 +11,9 @@ from ropsim.motion.paths.path import STANDS, ToolPath, ToolPoints
 from ropsim.motion.paths.rotation_vector import series
 from ropsim.spatial import Array
 
-_STEPS = 128  # of the arc length
-_SWING = 2.1
+CORNER_STEPS = 128
+"""Of the arc length of a corner of even speed."""
+SWING = 2.1
 """ds/du at the ends of a corner as a multiple of the way to its point is this by ((1 + cosine) / 2)^(1/4).
 
 Of all multiples it gives the corner of two straight lines that is walked in the least time with constant
@@ -53,16 +54,15 @@ def corner(before: ToolPath, s_leave: float, after: ToolPath, s_enter: float) ->
     first, last = before.tool(np.array([s_leave])), after.tool(np.array([s_enter]))
     rows = *_plain(first), *_plain(last)
     coefficients, middles = np.empty((1, 6, 6)), np.empty((1, 3, 3))
-    told, ends, inverse = np.array(ways), np.empty(_STEPS + 1), np.empty((_STEPS, 6))
-    rooms = np.empty((2, 4, 4)), np.empty((5, 6)), np.empty((15, 3)), np.empty(3 * _STEPS + 3)
-    corner_curve(
-        series(), *quadrature(), *rows, _SWING, _STEPS, *rooms, coefficients, middles, ends, inverse, told
-    )
+    told, ends, inverse = np.array(ways), np.empty(CORNER_STEPS + 1), np.empty((CORNER_STEPS, 6))
+    rooms = np.empty((2, 4, 4)), np.empty((5, 6)), np.empty((15, 3)), np.empty(3 * CORNER_STEPS + 3)
+    to = coefficients, middles, ends, inverse, told
+    corner_curve(series(), *quadrature(), *rows, SWING, CORNER_STEPS, *rooms, *to)
     came, steps = (int(number) for number in told.tolist())
     if came:
         return _FAULTS[came]
     coefficients.flags.writeable = middles.flags.writeable = False
-    even = steps == _STEPS
+    even = steps == CORNER_STEPS
     way = ArcLength(ends, inverse, steps) if even else arc_length_in_steps(coefficients, steps)
     return Curve(coefficients, middles, way)
 

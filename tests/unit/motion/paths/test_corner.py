@@ -13,7 +13,7 @@ from ropsim.spatial import Array, Pose
 from support.paths import brute_distances, inner_places, random_pose, tool_differences
 
 CORNERS = import_module("ropsim.motion.paths.corner")
-SWING = CORNERS._SWING
+SWING = CORNERS.SWING
 ROUNDING = 1e-12
 WAY = 1e-12  # [m]; promise of the arc length, but where zones of 1 to 100 meet at more than 160°
 RNG = np.random.default_rng(20)
@@ -96,7 +96,7 @@ def test_the_swing_takes_the_least_time_under_a_bound_of_the_jerk(degrees: float
     angle, best = math.radians(degrees), []
     for factor in (0.85, 0.9, 0.95, 1.05, 1.1, 1.15):
         with pytest.MonkeyPatch.context() as patch:
-            patch.setattr(CORNERS, "_SWING", factor * SWING)
+            patch.setattr(CORNERS, "SWING", factor * SWING)
             best.append(time(elbow(angle, 0.1, 0.1)))
     assert time(elbow(angle, 0.1, 0.1)) < 1.03 * min(best)
 
