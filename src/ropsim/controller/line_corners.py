@@ -45,7 +45,7 @@ def line_corners_of(chain: MotionChain, legs: Sequence[Leg]) -> dict[int, Roundi
     last = row = 0
     for number, (one, other) in enumerate(pairwise(lines)):
         places = one and other and _places(chain, legs[number], one[1], legs[number + 1], other[1])
-        X_TM = guide.inverse.backwards(legs[number].move) if places else None
+        X_TM = guide.inverse.backwards(legs[number].move.modal) if places else None
         if one is None or other is None or not places or X_TM is None:
             continue
         if not used or last != number:
