@@ -6,6 +6,7 @@ from ropsim.controller.entities import Refusal
 from ropsim.controller.leg import Leg, leg_of
 from ropsim.controller.line_legs import line_legs_of
 from ropsim.controller.motion_chain import MotionChain
+from ropsim.controller.ptp_legs import ptp_legs_of
 from ropsim.flow import MoveInstruction
 from ropsim.spatial import Array
 
@@ -20,9 +21,11 @@ def legs_in_order(
         moves: in order.
         q_start: command joint coordinates at their start [rad | m], shape (n,).
     """
-    lines, legs, q = line_legs_of(chain), list[Leg](), q_start
+    lines, joints, legs, q = line_legs_of(chain), ptp_legs_of(chain), list[Leg](), q_start
     while len(legs) < len(moves):
-        led = lines.legs(moves, len(legs), q) if lines else []
+        led = joints.legs(moves, len(legs), q) if joints else []
+        if not led and lines:
+            led = lines.legs(moves, len(legs), q)
         if not led:
             leg = leg_of(chain, moves[len(legs)], q)
             if isinstance(leg, Refusal):

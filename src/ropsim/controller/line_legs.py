@@ -3,12 +3,10 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
-from itertools import takewhile
 
 import numpy as np
 
 from ropsim.codegen import Compiled, bound
-from ropsim.controller.begun import Begun
 from ropsim.controller.branch_following import CLOSE
 from ropsim.controller.by_identity import ByIdentity
 from ropsim.controller.guide import guide_of
@@ -18,6 +16,7 @@ from ropsim.controller.line_legs_kernel import ROOM, SHEETS, lead_lines
 from ropsim.controller.motion_chain import MotionChain
 from ropsim.controller.move_check import MAX_DURATION
 from ropsim.controller.path_planner import StandardPathPlanner
+from ropsim.controller.plain_run import MoveWork, Works, run_of, targets_of
 from ropsim.controller.planned_path import PlannedPath
 from ropsim.controller.posture_choice import LIMIT_SLACK
 from ropsim.controller.posture_trouble import max_speeds_of
@@ -38,34 +37,19 @@ _BASE = frozen([])
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class LineWork:
-    """What lines of one modal state have in common.
-
-    Attributes:
-        begun: limits and tool.
-        lead: the rest of `lead_lines` behind the task frame and the tool; one and the same for equal ones.
-        in_base: whether targets are given in the base frame.
-    """
-
-    begun: Begun
-    lead: Compiled
-    in_base: bool
-
-
-@dataclass(frozen=True, slots=True, eq=False)
 class LineLegs:
     """What makes legs of lines where standard entities lead an arm with spherical wrist.
 
     Attributes:
         robot: the arm.
         mode: how the tool turns.
-        works: what is known of modal states; None where lines are to be planned one by one.
+        works: what is known of modal states.
         rooms: to work in, of which each call takes one.
     """
 
     robot: RobotModel
     mode: OrientationMode
-    works: ByIdentity[ModalState, LineWork | None]
+    works: Works
     rooms: list[_Room]
 
     def legs(self, moves: Sequence[MoveInstruction], first: int, q_start: Array) -> list[Leg]:
@@ -76,40 +60,24 @@ class LineLegs:
             first: number of the first one of which a leg is asked.
             q_start: command joint coordinates at its start [rad], shape (n,).
         """
-        work = self._work(moves[first])
-        if work is None:
-            return []
-        run = [moves[first], *takewhile(lambda move: self._goes_on(work, move), moves[first + 1 :])]
-        return self._led(run, work, q_start)
+        works = run_of(moves, first, MotionKind.LIN, self.works)
+        return self._led(moves[first : first + len(works)], works, q_start) if works else []
 
-    def _work(self, move: MoveInstruction) -> LineWork | None:
-        is_plain = move.kind == MotionKind.LIN and isinstance(move.target, Pose) and not move.external
-        return self.works(move.modal) if is_plain else None
-
-    def _goes_on(self, work: LineWork, move: MoveInstruction) -> bool:
-        other = self._work(move)
-        return other is not None and other.lead is work.lead
-
-    def _led(self, moves: Sequence[MoveInstruction], work: LineWork, q_start: Array) -> list[Leg]:
-        count, parts = len(moves), list[Array]()
-        for move in moves:
-            target = move.target
-            assert isinstance(target, Pose)
-            parts += target.position, target.orientation
+    def _led(self, moves: Sequence[MoveInstruction], works: Sequence[MoveWork], q_start: Array) -> list[Leg]:
+        count = len(moves)
         rows = _MOST + _EACH * (count - 1)
-        targets, poses = np.concatenate(parts).reshape(count, 7), np.empty((count + 1, 7))
-        numbers, told = np.empty((count, LINE_SIZE)), np.empty((count, 2))
+        poses, numbers, told = np.empty((count + 1, 7)), np.empty((count, LINE_SIZE)), np.empty((count, 2))
         q, derivatives = np.empty((rows, 6)), np.empty(12 * rows)
         room = self.rooms.pop() if self.rooms else _room()
-        work.lead(targets, q_start, poses, numbers, q, derivatives, told, *room)
+        works[0].lead(targets_of(moves), q_start, poses, numbers, q, derivatives, told, *room)
         self.rooms.append(room)
         legs, at, X_start = list[Leg](), 0, Pose.of_units(poses[0])
         for number, (each, longest) in enumerate(told.tolist()):
             if not each:
                 break
             move, until = moves[number], at + int(each)
-            known = (work if number == 0 else self.works(move.modal) or work).begun.plan
-            X_end = move.target if work.in_base else Pose.of_units(poses[number + 1])
+            known = works[number].begun.plan
+            X_end = move.target if works[number].in_base else Pose.of_units(poses[number + 1])
             assert isinstance(X_end, Pose)
             line = Line.of_numbers(X_start, X_end, self.mode, numbers[number])
             planned = PlannedPath(None, line, known.limits, known.X_MT)
@@ -148,11 +116,11 @@ def line_legs_of(chain: MotionChain) -> LineLegs | None:
         frame = _BASE if X_BK.is_identity else frozen(X_BK.as_tuple())
         return bound(own, frame, frozen(X_MT.as_tuple()), frozen(X_MT.inverse().matrix()))
 
-    def work(modal: ModalState) -> LineWork | None:
+    def work(modal: ModalState) -> MoveWork | None:
         begun, X_TM = planner.begun(modal), guide.inverse.backwards(modal)
         if begun is None or X_TM is None or not np.array_equal(X_TM, begun.plan.X_MT.inverse().matrix()):
             return None
-        return LineWork(begun, lead(begun.X_BK, begun.plan.X_MT), begun.X_BK.is_identity)
+        return MoveWork(begun, lead(begun.X_BK, begun.plan.X_MT), begun.X_BK.is_identity)
 
     return LineLegs(robot, mode, ByIdentity(work), [])
 

@@ -27,6 +27,7 @@ from ropsim.kinematics.ground import Ground as Ground
 from ropsim.kinematics.ground import bearing_at_start as bearing_at_start
 from ropsim.kinematics.ground import ground_of as ground_of
 from ropsim.kinematics.ground import standings_at_start as standings_at_start
+from ropsim.kinematics.inverse import NEIGHBOUR as NEIGHBOUR
 from ropsim.kinematics.inverse import branch as branch
 from ropsim.kinematics.inverse import branches_near as branches_near
 from ropsim.kinematics.inverse import inverse as inverse
@@ -63,10 +64,12 @@ from ropsim.kinematics.solver import InverseSolver as InverseSolver
 from ropsim.kinematics.solver import Method as Method
 from ropsim.kinematics.solver import RedundantSolver as RedundantSolver
 from ropsim.kinematics.solver import Snap as Snap
+from ropsim.kinematics.solvers.axes import NEAR_SINGULAR as NEAR_SINGULAR
 from ropsim.kinematics.solvers.spherical_wrist import exact_arm as exact_arm
 from ropsim.kinematics.solvers.spherical_wrist_kernel import ALL_ROWS as ALL_ROWS
 from ropsim.kinematics.solvers.spherical_wrist_kernel import ROOM_OF_ROWS as ROOM_OF_ROWS
 from ropsim.kinematics.solvers.spherical_wrist_kernel import inverse_row as inverse_row
+from ropsim.kinematics.solvers.spherical_wrist_kernel import wrist_posture as wrist_posture
 from ropsim.kinematics.strut_frames import strut_frames as strut_frames
 from ropsim.kinematics.supports import Standing as Standing
 from ropsim.kinematics.supports import height_above as height_above

@@ -16,6 +16,7 @@ from ropsim.motion.diagnostics import WRONG_NUMBER_OF_JOINTS as WRONG_NUMBER_OF_
 from ropsim.motion.diagnostics import WRONG_PROFILE_REQUEST as WRONG_PROFILE_REQUEST
 from ropsim.motion.durations import ZERO_LENGTH as ZERO_LENGTH
 from ropsim.motion.durations import durations as durations
+from ropsim.motion.durations_kernel import write_duration as write_duration
 from ropsim.motion.law_rows_kernel import rows_at as rows_at
 from ropsim.motion.law_times_kernel import time_at as time_at
 from ropsim.motion.law_times_kernel import times_along as times_along
@@ -135,6 +136,7 @@ from ropsim.motion.stages import Stages as Stages
 from ropsim.motion.synchronised import SynchronisedJoints as SynchronisedJoints
 from ropsim.motion.synchronised_kernel import joint_rows as joint_rows
 from ropsim.motion.synchronised_kernel import joints_in_time as joints_in_time
+from ropsim.motion.synchronised_kernel import plan_together as plan_together
 from ropsim.motion.time_law import LawRows as LawRows
 from ropsim.motion.time_law import TimeLaw as TimeLaw
 from ropsim.motion.time_law import plan_stages as plan_stages

@@ -63,6 +63,28 @@ class SynchronisedJoints:
         for name, value in made.items():
             object.__setattr__(self, name, value)
 
+    @classmethod
+    def of_shapes(
+        cls, q_start: Array, q_end: Array, limits: JointMotionLimits, length: float, shapes: Array
+    ) -> "SynchronisedJoints":
+        """Return the way of profiles that `plan_together` has written; arrays become read-only.
+
+        Args:
+            q_start: as for any such way.
+            q_end: likewise.
+            limits: likewise.
+            length: the time from start to end [s], above 0.
+            shapes: of the profiles, shape (3, n).
+        """
+        made = cls.__new__(cls)
+        q_start.flags.writeable = q_end.flags.writeable = shapes.flags.writeable = False
+        object.__setattr__(made, "q_start", q_start)
+        object.__setattr__(made, "q_end", q_end)
+        object.__setattr__(made, "limits", limits)
+        object.__setattr__(made, "length", length)
+        object.__setattr__(made, "shapes", shapes)
+        return made
+
     @property
     def law(self) -> TimeLaw:
         """Return the time law that walks the way at speed 1: it starts and ends at rest by itself."""

@@ -28,15 +28,13 @@ from ropsim.kinematics.solver import InverseSolver, Method, Snap, Solve
 from ropsim.kinematics.solvers import spherical_wrist_kernel as kernel
 from ropsim.kinematics.solvers.axes import COUPLED, LENGTH_SLACK, NEAR_SINGULAR, ZeroFrames, distance, snap
 from ropsim.kinematics.solvers.eight_rows import EightRows
-from ropsim.kinematics.solvers.spherical_wrist_kernel import AXIS_SLACK, REACH_SLACK, WRIST_SLACK
+from ropsim.kinematics.solvers.spherical_wrist_kernel import AXIS_SLACK, REACH_SLACK, TIE, WRIST_SLACK
 from ropsim.kinematics.solvers.wrist_arm import WristArm, directions_missed, snapped_axes, wrist_arm
 from ropsim.model import JointType, RobotModel
 from ropsim.spatial import Array, record
 
 SHORTEST_LINK = 1e-6
 """An upper arm or forearm shorter than this [m] cannot place the wrist."""
-TIE = 1e-9
-"""A singular configuration belongs to two branches; within this [m, rad] it is given the first one."""
 WIDER = 3.0
 """The slacks of a snapped arm are so many times the error that its snap can make."""
 TOUCHING = 1e-6

@@ -24,6 +24,9 @@ AXIS_SLACK = 1e-10
 LENGTHS, SIGNS, ZEROS, FRONT, X_J, X_M, R_F, SLACKS = 0, 5, 11, 17, 18, 30, 42, 51
 """Where the fields of `WristArm.flat` begin; frames lie by rows."""
 
+TIE = 1e-9
+"""A singular configuration belongs to two branches; within this [m, rad] it is given the first one."""
+
 ALL_ROWS = -1
 """Stands for every row."""
 
@@ -58,6 +61,29 @@ def inverse_row(arm: Array, room: Array, X: Array, row: int, out: Array) -> None
         out: where they go, NaN where absent, others stay, shape (8, 6).
     """
     _write_rows(arm, room, X, row, out)
+
+
+@kernel("void(f8[::1], f8[::1], f8, f8[::1])")
+def wrist_posture(arm: Array, q: Array, side: float, told: Array) -> None:
+    """Write to which branch joint coordinates belong, and how near they are to a singular place.
+
+    Args:
+        arm: `WristArm.flat`.
+        q: joint coordinates [rad], shape (6,).
+        side: added to all of them [rad].
+        told: becomes the row of the branch, and the least of the distance of the wrist centre from axis 1
+            along e_x [m] and the sines of elbow and wrist, without their signs; shape (2,).
+    """
+    shoulder = (q[1] + side) * arm[SIGNS + 1] + arm[ZEROS + 1]
+    elbow = (q[2] + side) * arm[SIGNS + 2] + arm[ZEROS + 2]
+    wrist = (q[4] + side) * arm[SIGNS + 4] + arm[ZEROS + 4]
+    front = arm[FRONT]
+    ahead = arm[LENGTHS] + arm[LENGTHS + 3] * cos(shoulder) + arm[LENGTHS + 4] * cos(shoulder + elbow)
+    bend, flip = sin(elbow), sin(wrist)
+    above = -bend if ahead * front > TIE else bend
+    row = 4 if ahead * front > TIE else 0
+    row += 0 if above * front >= -TIE else 2
+    told[0], told[1] = row + (1 if flip > TIE else 0), min(abs(ahead), abs(bend), abs(flip))
 
 
 def _write_rows(arm: Array, room: Array, X: Array, only: int, out: Array) -> None:

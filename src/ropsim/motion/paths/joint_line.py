@@ -30,6 +30,21 @@ class JointLine:
         object.__setattr__(self, "q_end", q_end)
         object.__setattr__(self, "length", 0.0 if q_start.tolist() == q_end.tolist() else 1.0)
 
+    @classmethod
+    def of_ends(cls, q_start: Array, q_end: Array) -> "JointLine":
+        """Return the line between two places that are not one; both become read-only.
+
+        Args:
+            q_start: as for any such line.
+            q_end: likewise.
+        """
+        q_start.flags.writeable = q_end.flags.writeable = False
+        made = cls.__new__(cls)
+        object.__setattr__(made, "q_start", q_start)
+        object.__setattr__(made, "q_end", q_end)
+        object.__setattr__(made, "length", 1.0)
+        return made
+
     def joints(self, s: Array) -> JointPoints:
         """Return the joints and their derivatives at places s, shape (k,)."""
         out = np.empty((3, len(s), len(self.q_start)))
