@@ -12,7 +12,7 @@ from ropsim.controller.meeting import meeting_of
 from ropsim.controller.motion_chain import MotionChain
 from ropsim.controller.tracing import trace
 from ropsim.controller.wrist_corner import are_led, wrist_corner
-from ropsim.controller.zone_ways import way_of
+from ropsim.controller.zone_ways import Crossing, way_of
 from ropsim.flow import MoveInstruction
 from ropsim.motion import CornerFault, JointPath, Stages, ToolPath, corner
 from ropsim.spatial import record
@@ -133,6 +133,18 @@ def corner_between(chain: MotionChain, before: Leg, behind: Leg) -> Corner | Sto
                 return Stop.UNREACHABLE
             joints = joined_to(chain, between, traced[0], ends, before.planned.X_MT, along)
             return Rounding(flown, s_leave, s_enter, between, joints, along) if joints else Stop.UNREACHABLE
+    return overlap_of((s_leave, leaving), (s_enter, entering))
+
+
+def overlap_of(leave: Crossing, enter: Crossing) -> Overlap:
+    """Return the overlap of two moves.
+
+    Args:
+        leave: where the path before may be left.
+        enter: up to where that behind may be entered.
+    """
+    (s_leave, leaving), (s_enter, entering) = leave, enter
+    flown = max(leaving, entering)
     # where the tool only turns no zone is too long
     ways = [way for way in (leaving, entering) if way > LEAST_ZONE]
     return Overlap(flown, min(ways, default=flown), s_leave, s_enter)

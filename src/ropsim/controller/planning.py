@@ -4,6 +4,7 @@ import math
 from collections.abc import Sequence
 from itertools import pairwise
 
+from ropsim.controller.arm_overlaps import arm_overlaps_of
 from ropsim.controller.chosen_stops import by_joints, by_tool
 from ropsim.controller.corners import Corner, Stop, corner_between
 from ropsim.controller.correction_check import beside_correction, correction_refusal
@@ -215,9 +216,9 @@ def _time_alone(leg: Leg) -> float:
 def _corners(chain: MotionChain, legs: list[Leg], findings: list[Diagnostic]) -> list[Corner | None]:
     """Return the rounded corners between moves, None where the arm stops or where nothing moves."""
     corners: list[Corner | None] = []
-    rounded = line_corners_of(chain, legs)
+    plain: dict[int, Corner] = {**line_corners_of(chain, legs), **arm_overlaps_of(chain, legs)}
     for number, (before, behind) in enumerate(pairwise(legs)):
-        found = rounded.get(number) or corner_between(chain, before, behind)
+        found = plain.get(number) or corner_between(chain, before, behind)
         if isinstance(found, Stop):
             findings += stopped(before.move, found)
             corners.append(None)

@@ -15,8 +15,8 @@ from ropsim.motion import (
 )
 from ropsim.spatial import Array
 
-LENGTH, ZONE, CLIP, FROM_END, KIND, BEGIN, WHOLE = range(7)
-"""What is asked for, see `zone_of_arm`."""
+LENGTH, ZONE, CLIP, FROM_END, KIND, BEGIN, WHOLE, FIRST, LAST = range(9)
+"""What is asked for, see `zone_of_arm`; the last two see `zones_of_arm`."""
 PLACE, DISTANCE = range(2)
 """What becomes of it."""
 
@@ -91,6 +91,45 @@ def zone_of_arm(
                 x, y, z, first = u, v, w, False
             looks[LOOK_SQUARES, i] = (u - x) * (u - x) + (v - y) * (v - y) + (w - z) * (w - z)
     asked[DISTANCE] = looks[LOOK_SQUARES, 0] ** 0.5
+
+
+@kernel(
+    "void(f8[::1], f8[:,::1], f8[::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1],"
+    " f8[:,::1], f8[:,:,::1], f8[:,::1], f8[:,:,::1], f8[::1])"
+)
+def zones_of_arm(
+    shares: Array,
+    nodes: Array,
+    chain: Array,
+    spread: Array,
+    rows: Array,
+    tcps: Array,
+    asked: Array,
+    looks: Array,
+    points: Array,
+    steps: Array,
+    X: Array,
+    poses: Array,
+) -> None:
+    """Do the same for k paths of one arm, one after the other.
+
+    Args:
+        shares: as for `zone_of_arm`, and so are all that are not named here.
+        nodes: see there.
+        chain: see there.
+        spread: see there.
+        rows: of all paths, shape (r, n).
+        tcps: in the frame of the interface [m], shape (k, 3).
+        asked: as there, and behind that the first row of each path and that after its last one, shape (k, 9).
+        looks: see there.
+        points: see there.
+        steps: see there.
+        X: see there.
+        poses: see there.
+    """
+    for k in range(asked.shape[0]):
+        own = rows[int(asked[k, FIRST]) : int(asked[k, LAST])]
+        zone_of_arm(shares, nodes, own, chain, spread, tcps[k], asked[k], looks, points, steps, X, poses)
 
 
 def _move_steps(spread: Array, Q: Array, count: int, steps: Array) -> None:

@@ -53,28 +53,35 @@ def way_of(robot: RobotModel, joints: JointPath, X_MT: Pose, tool: ToolPath | No
         tool: the path of the tool, if it has one; positions are in its frame, else in the base frame.
     """
     if isinstance(tool, Line) and tool.moves:
-        return _StraightWay(joints.length)
+        return StraightWay(joints.length)
     rows = None if tool or robot.cuts else rows_of_path(joints)
     if rows is None or rows.kind == TRACED:
         return _Way(robot, joints, X_MT, tool)
     return _ArmWay(robot, joints, X_MT, rows)
 
 
-class _StraightWay:
-    """Along a straight line, which is asked for its ends: nothing is to be searched for."""
+class StraightWay:
+    """Along a straight line, which is asked for its ends: nothing is to be searched for.
+
+    Args:
+        length: of the line [m].
+    """
 
     def __init__(self, length: float) -> None:
         self.length = length
 
     def leave(self, zone: float, clip: float) -> Crossing:
+        """Return the place at which a zone [m] round the end begins, at least `clip`."""
         place = max(clip, self.length - zone)
         return place, abs(place - self.length)
 
     def enter(self, zone: float, clip: float) -> Crossing:
+        """Return the place at which a zone [m] round the start ends, at most `clip`."""
         place = min(clip, zone)
         return place, place
 
     def distance(self, place: float, other: float) -> float:
+        """Return the distance of two places [m]."""
         return abs(place - other)
 
 

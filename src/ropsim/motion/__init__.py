@@ -119,6 +119,7 @@ from ropsim.motion.paths import tool_turn as tool_turn
 from ropsim.motion.paths import traced_with_roughness as traced_with_roughness
 from ropsim.motion.paths.joint_line_kernel import line_in_time as line_in_time
 from ropsim.motion.paths.joint_line_kernel import line_points as line_points
+from ropsim.motion.paths.path_rows import STRAIGHT as STRAIGHT
 from ropsim.motion.paths.path_rows import SYNCHRONISED as SYNCHRONISED
 from ropsim.motion.paths.path_rows import TRACED as TRACED
 from ropsim.motion.paths.path_rows import PathRows as PathRows
