@@ -1,11 +1,14 @@
 """Machine code as a Python function, also with its first arguments filled in."""
 
 import ctypes
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import lru_cache, partial
 from struct import Struct
+from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 
 from ropsim.codegen.direct import Compiled, Door, block_of, stopped
 from ropsim.codegen.layout import Told
@@ -13,6 +16,7 @@ from ropsim.codegen.layout import Told
 _ENTRY = ctypes.CFUNCTYPE(ctypes.c_int32, *[ctypes.c_void_p] * 4)
 """From what numba compiles to a function that Python calls; it runs without the interpreter lock."""
 _FLOAT64 = np.dtype(np.float64)
+_view: Callable[..., npt.NDArray[Any]] = np.ndarray.view
 _answers = (ctypes.c_void_p * 2)()
 _ANSWERS = ctypes.addressof(_answers)
 """Where compiled code leaves a result and what an exception says, which nobody reads."""
@@ -122,9 +126,11 @@ def _blocks(takes: tuple[int, ...], arguments: tuple[object, ...]) -> tuple[byte
 
 
 def _placed(array: object, axes: int) -> tuple[int, ...]:
-    """Return the address of an array and its lengths."""
-    if not isinstance(array, np.ndarray) or array.dtype != _FLOAT64 or array.ndim != axes:
-        raise TypeError(f"compiled code takes an array of float64 with {axes} axes here, not {array!r:.80}")
-    if not array.flags.c_contiguous:
+    """Return the address of an array and its lengths, as numpy knows them: its class may tell others."""
+    plain = _view(array, np.ndarray) if issubclass(type(array), np.ndarray) else None
+    if plain is None or plain.dtype != _FLOAT64 or plain.ndim != axes:
+        given = array if plain is None else plain
+        raise TypeError(f"compiled code takes an array of float64 with {axes} axes here, not {given!r:.80}")
+    if not plain.flags.c_contiguous:
         raise TypeError("compiled code takes arrays without gaps between their numbers")
-    return (array.__array_interface__["data"][0], *array.shape)
+    return (plain.__array_interface__["data"][0], *plain.shape)

@@ -52,9 +52,10 @@ def stopped(status: int) -> None:
 
 
 class Door(ctypes.Structure):
-    """How Python calls a function: `PyMethodDef`. It must live as long as the function.
+    """How Python calls a function: `PyMethodDef`. It lives as long as the process.
 
-    At first the object behind it is called with the same arguments.
+    Functions behind it may be called, and are taken apart, after all modules when Python ends. At first
+    the object behind it is called with the same arguments.
 
     Args:
         name: of the function.
@@ -70,7 +71,7 @@ class Door(ctypes.Structure):
 
     def __init__(self, name: str, doc: str | None = None) -> None:
         super().__init__(name.encode(), _address("PyObject_Vectorcall"), _FLAGS, doc and doc.encode())
-        _doors.append(self)
+        _stay(self)
 
     def open(self) -> None:
         """Let the machine code take the arguments, where it can, as the block of the object tells."""
@@ -112,6 +113,7 @@ def block_of(entry: int, takes: tuple[int, ...], laid: tuple[bytes, bytes]) -> b
 @lru_cache(maxsize=1)
 def _of_all() -> dict[str, int]:
     """Return the words that are the same for all functions."""
+    _stay(stopped)
     objects = {word: id(one) for word, one in (_OBJECTS | {"stopped": stopped}).items()}
     return objects | {word: _address(name) for word, name in _ADDRESSES.items()}
 
@@ -142,8 +144,8 @@ def _address(name: str) -> int:
     return address
 
 
-_doors: list[Door] = []
-"""They stay, for functions behind them are taken apart in any order."""
+_stay = ctypes.PYFUNCTYPE(None, ctypes.py_object)(("Py_IncRef", ctypes.pythonapi))
+"""Let an object live to the end of the process: machine code knows its address."""
 _new = ctypes.PYFUNCTYPE(ctypes.py_object, ctypes.c_void_p, ctypes.py_object, ctypes.py_object)(
     ("PyCFunction_NewEx", ctypes.pythonapi)
 )

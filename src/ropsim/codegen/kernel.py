@@ -46,6 +46,9 @@ def kernel(signature: str) -> Callable[[F], F]:
 class Kernel(Told):
     """A function that is compiled, or loaded from the cache folder, when it is first needed.
 
+    What stands in its place has another hash from then on, as Python takes it from the address of the code:
+    it is no key of a dict.
+
     Args:
         function: to be compiled.
         signature: of it.
@@ -58,7 +61,7 @@ class Kernel(Told):
     def __init__(self, function: Callable[..., None], signature: str) -> None:
         update_wrapper(self, function)
         self.function, self._signature = cast("FunctionType", function), signature
-        self._made: Compiled | None = None
+        self._made: list[Compiled] = []
         self._door = Door(function.__name__, function.__doc__)
         self.called = self._door.to(self, function.__module__)
 
@@ -71,14 +74,20 @@ class Kernel(Told):
         return bound(self.made(), *arguments)
 
     def made(self) -> Compiled:
-        """Return the compiled function; from then on it is called directly."""
-        if self._made is None:
-            self._made = _compiled(self.function, self._signature)
-            callee = getattr(self._made, "__self__", None)
-            if isinstance(callee, Callee):
-                self._made, self.block = callee, callee.block
+        """Return the compiled function; from then on it is called directly.
+
+        Where several threads need it first, what the first of them has made is everybody's: others may be
+        in a call already, which reads the block until its end.
+        """
+        if not self._made:
+            made = _compiled(self.function, self._signature)
+            callee = getattr(made, "__self__", None)
+            self._made.append(callee if isinstance(callee, Callee) else made)
+            first = self._made[0]
+            if isinstance(first, Callee):
+                self.block = first.block
                 self._door.open()
-        return self._made
+        return self._made[0]
 
 
 def kernel_of(one: object) -> Kernel | None:

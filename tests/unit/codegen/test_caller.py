@@ -2,6 +2,8 @@
 
 import ctypes
 import gc
+import subprocess
+import sys
 from typing import Any
 
 import numpy as np
@@ -14,6 +16,7 @@ from ropsim.spatial import Array
 
 ROWS = np.arange(24.0).reshape(4, 6)
 BLOCK = np.arange(24.0).reshape(2, 3, 4)
+kernel_module = sys.modules["ropsim.codegen.kernel"]
 SIGNATURE = "void(f8[::1], f8, f8[:,::1], i8, f8[:,:,::1], f8)"
 
 
@@ -213,3 +216,70 @@ def test_kernels_and_bound_functions_can_be_let_go() -> None:
         calls[-1](ROWS, 1, BLOCK, 2.0)
         del calls
         gc.collect()
+
+
+class Boastful(np.ndarray):
+    """An array whose class tells of more numbers than there are."""
+
+    @property  # type: ignore[misc]
+    def shape(self) -> Any:
+        return (1 << 28, 1 << 10)
+
+    @property
+    def dtype(self) -> Any:
+        return np.dtype(np.float64)
+
+    @property
+    def __array_interface__(self) -> Any:
+        return {"data": (16, False)}
+
+
+class Pretender:
+    """What only says that it is an array."""
+
+    __class__ = np.ndarray  # type: ignore[assignment]
+    dtype, ndim, shape = np.dtype(np.float64), 2, (4, 6)
+
+
+def test_what_the_class_of_an_array_tells_is_not_believed(told: Any) -> None:
+    out, plain = np.zeros(10), np.zeros(10)
+    told(out, 0.0, ROWS.view(Boastful), 0, BLOCK, 0.0)
+    told(plain, 0.0, ROWS, 0, BLOCK, 0.0)
+    np.testing.assert_array_equal(out, plain)
+    for wrong in (ROWS.astype(np.int8).view(Boastful), Pretender()):
+        with pytest.raises(TypeError, match="compiled code takes"):
+            told(out, 0.0, wrong, 0, BLOCK, 0.0)
+
+
+def test_what_is_compiled_a_second_time_meanwhile_is_left_alone(monkeypatch: pytest.MonkeyPatch) -> None:
+    one: Any = kernel(SIGNATURE)(_told)
+    made, blocks = kernel_module._compiled, []
+
+    def slowly(*arguments: Any) -> Any:
+        monkeypatch.setattr(kernel_module, "_compiled", made)
+        one(np.zeros(10), 0.0, ROWS, 0, BLOCK, 0.0)  # as another thread would
+        blocks.append(one.__self__.block)
+        return made(*arguments)
+
+    monkeypatch.setattr(kernel_module, "_compiled", slowly)
+    one(np.zeros(10), 0.0, ROWS, 0, BLOCK, 0.0)
+    assert one.__self__.block is blocks[0]
+
+
+def test_kernels_can_be_called_when_modules_are_gone() -> None:
+    text = """
+import builtins, numpy as np
+from ropsim.kinematics.steps_kernel import spread_over
+class Late:
+    array = np.ones(1), np.ones((1, 1))
+    spread = staticmethod(spread_over)
+    def __del__(self):
+        self.spread(self.array[1], self.array[0], self.array[0])
+        self.write("late")
+    from os import write as _write
+    def write(self, text, write=_write): write(1, text.encode())
+builtins.late = Late()
+spread_over(Late.array[1], Late.array[0], Late.array[0])
+"""
+    ended = subprocess.run([sys.executable, "-c", text], capture_output=True, text=True, check=True)
+    assert (ended.stdout, ended.stderr) == ("late", "")
