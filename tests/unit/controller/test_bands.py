@@ -43,6 +43,19 @@ def test_cells_lie_between_the_places_at_given_times() -> None:
     )
 
 
+def test_times_beside_a_part_neither_count_nor_take_room() -> None:
+    start, duration = 100.0, PART.law.duration
+    own = np.linspace(start, start + duration, 8)
+    before, behind = np.linspace(0.0, 99.9, 5000), start + duration + np.linspace(0.1, 90.0, 5000)
+    beside = np.concatenate((before, own, behind))
+    found, alone = bands_of(PART, beside, start), bands_of(PART, own, start)
+    assert np.array_equal(found.borders, alone.borders)
+    assert np.array_equal(found.bounds, alone.bounds)
+    room = found.borders.base
+    assert room is not None
+    assert room.nbytes < 1000
+
+
 def test_with_its_bounds_as_they_were_a_part_has_its_time_law() -> None:
     again = BANDS.replanned(AHEAD)
     assert len(again.stages) == 1
