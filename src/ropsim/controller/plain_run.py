@@ -27,12 +27,17 @@ class MoveWork:
     in_base: bool
 
 
+_MOST = 64
+"""Moves of a run: where one is left to be made by itself, those behind it are looked at again."""
+
 Works = ByIdentity[ModalState, MoveWork | None]
 """What is known of modal states; None where moves are to be planned one by one."""
 
 
 def run_of(moves: Sequence[MoveInstruction], first: int, kind: MotionKind, works: Works) -> list[MoveWork]:
     """Return what is known of the moves of a run; none where the first one is not plain.
+
+    A run has so few moves that what is found of a stretch takes a time in proportion to its moves.
 
     Args:
         moves: in order.
@@ -41,8 +46,7 @@ def run_of(moves: Sequence[MoveInstruction], first: int, kind: MotionKind, works
         works: what is known of modal states.
     """
     found = list[MoveWork]()
-    for number in range(first, len(moves)):
-        move = moves[number]
+    for move in moves[first : first + _MOST]:
         is_plain = move.kind == kind and isinstance(move.target, Pose) and not move.external
         work = works(move.modal) if is_plain else None
         if work is None or (found and work.lead is not found[0].lead):
