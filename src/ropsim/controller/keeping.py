@@ -6,13 +6,14 @@ from ropsim.controller.course import Course
 from ropsim.controller.joint_fit import Fit, as_bounds_allow, fitted
 from ropsim.controller.kept_limits import ArmBounds
 from ropsim.controller.stretch_motion import StretchMotion
-from ropsim.motion import Beyond, Kept, Slowed, kept_from
+from ropsim.motion import Beyond, Kept, Quantity, Slowed, kept_from
 from ropsim.spatial import record
 
 _SPACING = 8e-3
 """Real time between two places at which a motion is planned with that is slowed, about [s]."""
-_SPACING_OF_TOOL = 4e-3
-"""The same where the tool is led: how joints follow it is less even."""
+_NARROW_SPACING = 4e-3
+"""The same where the tool is led, for how joints follow it is less even, and where torque is too much."""
+_TORQUE = list(Quantity).index(Quantity.TORQUE)
 _LONGER = 1.03
 """A motion that is fitted to the joints may take so many times as long before another way is tried."""
 
@@ -72,6 +73,7 @@ def keeping_of(course: Course, arm: ArmBounds, period: float, look_ahead: int) -
 
 def _keeping(fit: Fit, arm: ArmBounds, period: float) -> Keeping:
     is_led = any(run.part.leads_tool for run in fit.course.runs)
-    spacing = _SPACING_OF_TOOL if is_led else _SPACING
+    is_heavy = fit.reference.strain.used[_TORQUE].max() > 1.0
+    spacing = _NARROW_SPACING if is_led or is_heavy else _SPACING
     kept = kept_from(fit.reference, fit.motion, arm.joints, arm.effort, period, spacing)
     return Keeping(fit.motion, kept, fit.slowed + (kept.slowed if isinstance(kept, Kept) else ()))
