@@ -16,7 +16,6 @@ from ropsim.codegen.hoist import CONSTANTS as CONSTANTS
 from ropsim.codegen.hoist import Hoisted as Hoisted
 from ropsim.codegen.hoist import given as given
 from ropsim.codegen.hoist import hoisted as hoisted
-from ropsim.codegen.kernel import in_python as in_python
 from ropsim.codegen.kernel import kernel as kernel
 from ropsim.codegen.kernel import numba_available as numba_available
 from ropsim.codegen.load import load as load

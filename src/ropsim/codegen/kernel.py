@@ -96,12 +96,6 @@ def kernel_of(one: object) -> Kernel | None:
     return behind if isinstance(behind, Kernel) else None
 
 
-def in_python(function: F) -> F:
-    """Return a function in Python: the one that a kernel is made of, or what is given, where it is none."""
-    behind = kernel_of(function)
-    return cast("F", behind.function) if behind else function
-
-
 def _compiled(function: FunctionType, signature: str) -> Compiled:
     from ropsim.codegen.compiled import compiled
 

@@ -48,7 +48,7 @@ def lead_wrist(
         work: what is told, as there; shape (3 + m + ROOM_OF_ROWS,).
     """
     m = coarse.shape[1] - 1
-    _follow_wrist(arm, axes, close, slack, T, q_start, q, coarse[0][:8], work[3 + m :], work)
+    follow_wrist(arm, axes, close, slack, T, q_start, q, coarse[0][:8], work[3 + m :], work)
     _smooth(inner, sided, length, every, q, picked, derivatives, coarse, work)
 
 
@@ -81,21 +81,6 @@ def follow_wrist(
         room: to work in, shape (ROOM_OF_ROWS,) or more.
         told: as there, shape (2,) or more.
     """
-    _follow_wrist(arm, axes, close, slack, T, q_start, q, rows, room, told)
-
-
-def _follow_wrist(
-    arm: Array,
-    axes: Array,
-    close: float,
-    slack: float,
-    T: Array,
-    q_start: Array,
-    q: Array,
-    rows: Array,
-    room: Array,
-    told: Array,
-) -> None:
     for j in range(6):
         room[j] = 0.0
     inverse_row(arm, room, T[0], ALL_ROWS, rows)

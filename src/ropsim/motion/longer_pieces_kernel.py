@@ -30,11 +30,10 @@ def plan_longer(
     """
     plan_segments(bounds, ways, courses, rows, ends, told)
     if told[0] >= 0.0:
-        over_longer(rows, int(told[0]), ends, counts, longer_ends)
+        _over_longer(rows, int(told[0]), ends, counts, longer_ends)
 
 
-@kernel("void(f8[:,::1], i8, f8[::1], f8[::1], f8[::1])")
-def over_longer(segments: Array, count: int, ends: Array, counts: Array, longer_ends: Array) -> None:
+def _over_longer(segments: Array, count: int, ends: Array, counts: Array, longer_ends: Array) -> None:
     """Make segments over pieces those over longer pieces, each of several pieces with the same unit.
 
     Args:

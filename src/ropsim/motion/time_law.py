@@ -7,7 +7,7 @@ import numpy.typing as npt
 
 from ropsim.motion import law_rows_kernel, law_times_kernel, time_law_kernel
 from ropsim.motion.diagnostics import WRONG_PROFILE_REQUEST
-from ropsim.motion.longer_pieces_kernel import over_longer, plan_longer
+from ropsim.motion.longer_pieces_kernel import plan_longer
 from ropsim.motion.profile import ProfileError
 from ropsim.motion.rest_to_rest_kernel import MOST_SEGMENTS, plan_alone
 from ropsim.motion.stage import Stage
@@ -132,20 +132,6 @@ class TimeLaw:
         out = np.empty(1)
         law_times_kernel.time_at(self.segments, self.ends, piece, place, out)
         return float(out[0])
-
-    def in_parts(self, counts: npt.ArrayLike) -> "TimeLaw":
-        """Return the same motion over longer pieces, each of several pieces of this one with the same unit.
-
-        Args:
-            counts: of how many, in order, each 1 or more; their sum is p.
-        """
-        segments, ends, numbers = (
-            self.segments.copy(),
-            np.empty(np.size(counts)),
-            np.array(counts, np.float64),
-        )
-        over_longer(segments, segments.shape[1], self.ends, numbers, ends)
-        return TimeLaw(segments, ends)
 
 
 def plan_time_law(stages: Iterable[Stage]) -> TimeLaw:

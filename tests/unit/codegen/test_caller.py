@@ -9,10 +9,11 @@ from typing import Any
 import numpy as np
 import pytest
 
-from ropsim.codegen import StoppedError, bound, direct, in_python, kernel
+from ropsim.codegen import StoppedError, bound, direct, kernel
 from ropsim.codegen.caller import calling
 from ropsim.codegen.direct_text import REAL
 from ropsim.spatial import Array
+from support.in_python import in_python
 
 ROWS = np.arange(24.0).reshape(4, 6)
 BLOCK = np.arange(24.0).reshape(2, 3, 4)

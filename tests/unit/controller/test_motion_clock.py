@@ -7,11 +7,11 @@ from math import inf, nan
 import numpy as np
 import pytest
 
-from ropsim.codegen import in_python
 from ropsim.controller import ClockError, ClockLimits, ClockState, advance, motion_clock
 from ropsim.controller.motion_clock_kernel import walk as walk_kernel
 from ropsim.flow import JointReference
 from ropsim.spatial import Array
+from support.in_python import in_python
 from support.walked_rows import ACCELERATION, PERIOD, KeptRows, joined, s_curve, same_bits, times, walk
 
 MOVE = s_curve([1.5, -0.7, 0.2])

@@ -31,6 +31,7 @@ from ropsim.motion import (
     arc,
     corner,
     durations,
+    plan_stages,
     plan_time_law,
     smoothly,
     spline,
@@ -101,7 +102,8 @@ def test_a_turn_of_the_tool_keeps_to_the_angular_limits(mode: OrientationMode) -
     start = Pose(np.zeros(3), np.array([0.9, 0.1, -0.3, 0.2]))
     path = Line(start, Pose(np.array([0.01, 0.0, 0.0]), np.array([0.2, -0.5, 0.4, 0.7])), mode)
     stages = tool_stages(path, LIMITS)
-    law = plan_time_law(stages).in_parts([len(stages)])
+    ones = np.ones(len(stages))
+    law = plan_stages(np.column_stack((stages.rows, ones, -ones)), np.array([float(len(stages))]))
     rows = law.at(np.linspace(0.0, law.duration, 2001))
     points = path.tool(rows.places)
     v, a = rows.speeds[:, None], rows.accelerations[:, None]

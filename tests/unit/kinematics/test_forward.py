@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 from ropsim import kinematics, robots
-from ropsim.codegen import in_python
 from ropsim.kinematics.chain_kernel import POSES, forward_rows
 from ropsim.spatial import Pose
 from support.arms import random_arm
+from support.in_python import in_python
 
 ROUNDING = 1e-14
 """A few rounding errors of numbers of the order of 1."""

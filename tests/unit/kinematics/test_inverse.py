@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 
 from ropsim import kinematics, robots
-from ropsim.codegen import in_python
 from ropsim.kinematics import IkOptions, IkStatus, Limits, branch, inverse, inverse_batch, posture, solver_of
 from ropsim.kinematics.solvers import spherical_wrist_kernel
 from ropsim.kinematics.solvers.eight_rows import EightRows
 from ropsim.kinematics.solvers.spherical_wrist import SphericalWristSolver
 from ropsim.spatial import Array, Pose
+from support.in_python import in_python
 
 PUMA = robots.load("puma560")
 POSE_TOLERANCE = 1e-9

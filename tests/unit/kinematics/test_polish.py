@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from ropsim.codegen import Compiled, in_python
+from ropsim.codegen import Compiled
 from ropsim.kinematics import forward_batch, solver_of
 from ropsim.kinematics.arrays import chain_arrays
 from ropsim.kinematics.chain_kernel import ROOM, refine_rows
@@ -24,6 +24,7 @@ from ropsim.kinematics.solvers.three_parallel import ThreeParallelSolver
 from ropsim.model import RobotModel
 from ropsim.spatial import Array, Pose
 from support.arms import random_arm
+from support.in_python import in_python
 from support.published_arms import published_arm
 
 ROUNDING = 1e-12

@@ -6,7 +6,6 @@ from types import FunctionType
 import numpy as np
 import pytest
 
-from ropsim.codegen import in_python
 from ropsim.motion import (
     JointMotionLimits,
     JointPath,
@@ -18,6 +17,7 @@ from ropsim.motion import (
     plan_profile,
     synchronised_kernel,
 )
+from support.in_python import in_python
 
 ROUNDING = 1e-12  # [rad], of coordinates of a few rad
 LIMITS = JointMotionLimits(

@@ -1,14 +1,15 @@
 """The time law of a way of several pieces: hand computations, stops, units, look-ahead, places and times."""
 
 import math
+from collections.abc import Sequence
 from dataclasses import replace
 from itertools import pairwise
 from types import FunctionType
 
 import numpy as np
+import numpy.typing as npt
 import pytest
 
-from ropsim.codegen import in_python
 from ropsim.motion import (
     ProfileError,
     ProfileLimits,
@@ -18,10 +19,12 @@ from ropsim.motion import (
     law_rows_kernel,
     law_times_kernel,
     plan_profile,
+    plan_stages,
     plan_time_law,
     rest_to_rest,
     time_law_kernel,
 )
+from support.in_python import in_python
 
 ROUNDING = 1e-12  # relative; a handful of float64 operations
 POWERS = 1e-14  # relative; a library's power may differ from another's in the last bit
@@ -223,9 +226,15 @@ def test_times_of_places_are_those_at_which_the_motion_is_there(piece: int) -> N
     assert (np.diff(times) > 0.0).all()
 
 
+def told_over(stages: Sequence[Stage], counts: npt.ArrayLike) -> TimeLaw:
+    """Return the time law of stages, told over pieces of so many of them."""
+    rows = [(one.length, one.speed, one.acceleration, one.jerk, one.ratio, one.horizon) for one in stages]
+    return plan_stages(np.array(rows, np.float64), np.array(counts, np.float64))
+
+
 def test_told_in_longer_parts_it_is_the_same_motion() -> None:
     law = plan_time_law([replace(one, ratio=1.0) for one in WAY])
-    parts = law.in_parts([1, 3, 2])
+    parts = told_over([replace(one, ratio=1.0) for one in WAY], [1, 3, 2])
     t = np.linspace(0.0, law.duration, 1001)
     rows, told = law.at(t), parts.at(t)
     lengths = [one.length for one in WAY]
@@ -243,8 +252,8 @@ def test_over_longer_pieces_places_are_counted_from_the_first_of_each(seed: int)
     rng = np.random.default_rng(seed)
     many = rng.integers(1, 5, 5)
     rows = rng.uniform((0.02, 0.5, 2.0, 40.0), (0.3, 1.5, 6.0, 200.0), (int(many.sum()), 4))
-    law = plan_time_law([Stage(*row) for row in rows.tolist()])
-    longer = law.in_parts(many)
+    stages = [Stage(*row) for row in rows.tolist()]
+    law, longer = plan_time_law(stages), told_over(stages, many)
     firsts = np.append(0, np.cumsum(many[:-1]))
     ends = np.cumsum(rows[:, 0])
     begins = np.append(0.0, ends[:-1]) - np.repeat(np.append(0.0, ends)[firsts], many)
@@ -268,7 +277,7 @@ def test_the_time_of_one_place_is_that_of_it_among_others(piece: int) -> None:
 def test_the_times_of_places_in_order_are_those_of_each_but_for_rounding(seed: int) -> None:
     rng = np.random.default_rng(seed)
     rows = rng.uniform((0.02, 0.5, 2.0, 40.0), (0.3, 1.5, 6.0, 200.0), (6, 4))
-    law = plan_time_law([Stage(*row) for row in rows.tolist()]).in_parts([1, 3, 2])
+    law = told_over([Stage(*row) for row in rows.tolist()], [1, 3, 2])
     lengths = np.array([rows[0, 0], rows[1:4, 0].sum(), rows[4:, 0].sum()])
     pieces = np.sort(rng.integers(0, 3, 60)).astype(np.float64)
     places = rng.uniform(-0.1, 1.1, 60) * lengths[pieces.astype(int)]

@@ -36,16 +36,11 @@ class Courses:
         self._shares, self._sigma, self._x = np.ones((4, m)), places, self._caps**2
         self._room, self._lacks, self._told = np.empty((2, m)), np.empty((4, m)), np.empty(1)
         self.clock: MotionTime = unslowed(float(places[-1]))
-        self.planned = planned
+        self.plan_with(planned)
 
-    @property
-    def planned(self) -> Demand:
-        """Return what the courses are planned with."""
-        return self._planned
-
-    @planned.setter
-    def planned(self, planned: Demand) -> None:
-        self._planned, self._speeds = planned, Speeds(planned, self._steps)
+    def plan_with(self, planned: Demand) -> None:
+        """Go on to the course that is planned with another demand, such as one in which torque counts."""
+        self._speeds = Speeds(planned, self._steps)
         self._go()
 
     @property

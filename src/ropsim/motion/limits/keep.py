@@ -111,7 +111,8 @@ def _slowed(motion: Motion, asked: Demand, planned: Demand, places: Array, perio
         if kept and (planned is asked or keeps_torque(found.rows, asked.bounds, asked.effort)):
             return Kept(clock, _parts(clock, planned, period), found.phi, found.rows)
         if kept:
-            planned = courses.planned = asked
+            planned = asked
+            courses.plan_with(planned)
             continue
         best = min(best, (clock.duration * found.strain.factor, clock), key=lambda pair: pair[0])
         if attempt == _ATTEMPTS:
