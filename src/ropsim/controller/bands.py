@@ -49,8 +49,9 @@ class Bands:
             caps: what joints allow, and where.
         """
         bounds, causes, told = np.empty(self.bounds.shape), self.causes.copy(), np.empty(1)
+        rooms = np.empty((4, caps.places.shape[1])), np.empty((2, caps.rows.shape[1]))
         held = caps.rows, caps.count, caps.places, self.borders, self.planned, self.bounds
-        bring_down(*held, bounds, causes, np.empty(caps.places.shape), told)
+        bring_down(*held, bounds, causes, *rooms, told)
         return self.with_bounds(bounds, causes, float(told[0]))
 
     def slower(self, share: float) -> "Bands":

@@ -5,20 +5,18 @@ from math import exp, floor, inf, log, sqrt
 import numpy as np
 
 from ropsim.codegen import kernel
+from ropsim.controller.band_reach_kernel import JOINT, KIND, QUANTITY, VALUE, reach_of
 from ropsim.controller.parts_kernel import lay_horizons
 from ropsim.spatial import Array
 
-KIND, VALUE, TICK, JOINT, QUANTITY = range(5)
-"""Rows of caps."""
 FIRST_STEP, SECOND_STEP, THIRD_STEP = 0.01, 0.04, 0.08
 """Logarithms of the steps in which bounds of speed, acceleration and jerk come down from the planned ones, so
 that neighbours are often the same."""
-BESIDE = 2
-"""Bands beside one that are brought down with it: what is slower comes later to what lies behind."""
 
 
 @kernel(
-    "void(f8[:,::1], i8, f8[:,::1], f8[::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[::1])"
+    "void(f8[:,::1], i8, f8[:,::1], f8[::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1],"
+    " f8[:,::1], f8[::1])"
 )
 def bring_down(
     caps: Array,
@@ -29,7 +27,8 @@ def bring_down(
     before: Array,
     bounds: Array,
     causes: Array,
-    counted: Array,
+    ticks: Array,
+    reach: Array,
     told: Array,
 ) -> None:
     """Bring the bounds of bands down to caps and on to the next step, and note what each was lowered for.
@@ -43,24 +42,21 @@ def bring_down(
         before: the bounds as they are, shape (3, c).
         bounds: where they go, no higher than the caps, shape (3, c).
         causes: joint and quantity of each band; become those of the last cap that binds, shape (2, c).
-        counted: room to work in, shape (2, b).
+        ticks: room to work in, shape (4, b).
+        reach: likewise, shape (2, h or more).
         told: where the least share of its planned rate goes that a band is left, in ]0, 1], shape (1,).
     """
     for kind in range(bounds.shape[0]):
         for band in range(bounds.shape[1]):
             bounds[kind, band] = before[kind, band]
-    most, last = borders.shape[0] - 2, 0
-    for k in range(places.shape[1]):
-        for end in range(2):
-            last = _band_of(borders, places[end, k], last)
-            counted[end, k] = min(max(last + (BESIDE if end else -BESIDE), 0), most)
+    reach_of(caps, count, places, borders, before, ticks, reach)
     for h in range(count):
-        kind, value, k = int(caps[KIND, h]), caps[VALUE, h], int(caps[TICK, h])
-        for band in range(int(counted[0, k]), int(counted[1, k]) + 1):
+        kind, value = int(caps[KIND, h]), caps[VALUE, h]
+        for band in range(int(reach[0, h]), int(reach[1, h]) + 1):
             bounds[kind, band] = min(bounds[kind, band], value)
     for h in range(count):
-        kind, value, k = int(caps[KIND, h]), caps[VALUE, h], int(caps[TICK, h])
-        for band in range(int(counted[0, k]), int(counted[1, k]) + 1):
+        kind, value = int(caps[KIND, h]), caps[VALUE, h]
+        for band in range(int(reach[0, h]), int(reach[1, h]) + 1):
             if value == bounds[kind, band] and value < before[kind, band]:
                 causes[0, band], causes[1, band] = caps[JOINT, h], caps[QUANTITY, h]
     for kind in range(bounds.shape[0]):
@@ -127,22 +123,3 @@ def _least_share(planned: Array, bounds: Array) -> float:
             left = min(left, bounds[kind, band] / planned[kind, band])
         least = min(least, left if kind == 0 else sqrt(left) if kind == 1 else np.cbrt(left))
     return least
-
-
-def _band_of(borders: Array, place: float, near: int) -> int:
-    """Return the band in front of the first border behind a place, looked for first at one and behind it.
-
-    It is -1 in front of all bands, and their number behind them.
-    """
-    low, high = 0, borders.shape[0]
-    if near > 0 and near < high and borders[near] <= place:
-        low = near + 1
-        if low < high and borders[low] > place:
-            return near
-    while low < high:
-        middle = (low + high) // 2
-        if borders[middle] <= place:
-            low = middle + 1
-        else:
-            high = middle
-    return low - 1

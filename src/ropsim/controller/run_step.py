@@ -99,8 +99,9 @@ def _quick(
         np.empty((COEFFICIENTS, n)),
         np.empty((3, 2 * b, n)),
         np.empty((4, b, n)),
+        np.empty((2, b)),
         np.empty((4, b)),
-        np.empty((5, 5 * b * n)),
+        np.empty((7, 5 * b * n)),
     )
     share, count = told.tolist()
     return bands.with_bounds(bounds, causes, share), bands.with_stages(stages[: int(count)], counts)

@@ -15,7 +15,7 @@ SHARE, STAGES = range(2)
     "void(f8[:,::1], f8, f8, f8[::1], f8[::1], f8[:,::1], f8[:,::1], f8[:,::1], i8, f8[:,::1], f8[:,::1],"
     " f8[:,:,::1], f8[:,::1], f8, f8, f8, f8[::1], f8[::1], f8[::1], f8[::1], i8, f8[:,::1], f8[:,::1],"
     " f8[:,::1], f8[:,::1], f8[:,::1], f8[::1], f8[::1], f8[:,::1], f8[:,::1], f8[:,:,::1], f8[:,:,::1],"
-    " f8[:,::1], f8[:,::1])"
+    " f8[:,::1], f8[:,::1], f8[:,::1])"
 )
 def step_of_run(
     segments: Array,
@@ -51,6 +51,7 @@ def step_of_run(
     points: Array,
     room: Array,
     places: Array,
+    beside: Array,
     caps: Array,
 ) -> None:
     """Bring the bands of a run down at ticks at which joints cannot follow, and write the stages then.
@@ -90,8 +91,9 @@ def step_of_run(
         cell: likewise, shape (COEFFICIENTS, n).
         points: likewise, shape (3, 2·b, n).
         room: likewise, shape (4, b, n).
-        places: likewise, shape (4, b).
-        caps: likewise, shape (5, 5·b·n).
+        places: likewise, shape (2, b).
+        beside: likewise, shape (4, b).
+        caps: likewise, shape (7, 5·b·n).
     """
     walk_at(
         segments,
@@ -105,7 +107,7 @@ def step_of_run(
         qdd,
         law[4],
         law[:4],
-        places[:2],
+        places,
         room[:2],
         room[2:],
     )
@@ -124,10 +126,12 @@ def step_of_run(
         period,
         used,
         allowed,
-        caps,
+        caps[:5],
         told,
     )
-    bring_down(caps, int(told[0]), places[:2], borders, planned, before, bounds, causes, places[2:], told)
+    bring_down(
+        caps[:5], int(told[0]), places, borders, planned, before, bounds, causes, beside, caps[5:], told
+    )
     share = told[SHARE]
     stages_of(borders, bounds, owners, legs, look_ahead, stages, counts, told)
     told[STAGES] = told[0]

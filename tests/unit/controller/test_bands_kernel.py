@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 
 from ropsim.controller.band_borders_kernel import MOST_PARTS, STEEP, band_times, lay_bands
-from ropsim.controller.bands_kernel import BESIDE, FIRST_STEP, SECOND_STEP, THIRD_STEP, bring_down, stages_of
+from ropsim.controller.band_reach_kernel import BESIDE, MOST_LONGER, reach_of
+from ropsim.controller.bands_kernel import FIRST_STEP, SECOND_STEP, THIRD_STEP, bring_down, stages_of
 from ropsim.controller.exceeding_kernel import exceeding, walk_at
 from ropsim.controller.parts_kernel import lay_horizons
 from ropsim.controller.slowed_bands_kernel import slower_ways
@@ -38,11 +39,11 @@ def test_caps_bring_bands_down_to_steps_below_them(seed: int) -> None:
     planned = rng.uniform(1.0, 2.0, (3, c))
     before = planned * np.exp(-rng.integers(0, 3, (3, c)) * STEPS[:, None])
     places = np.sort(rng.uniform(-0.5, borders[-1] + 0.5, (2, b)), axis=0)
-    rows = np.array([rng.integers(0, high, h) for high in (3, 1, b, 6, 4)], dtype=np.float64)
+    rows = np.array([rng.integers(0, high, h) for high in (3, 1, b, 6, 2)], dtype=np.float64)
     rows[1] = rng.uniform(0.7, 2.0, h)
     bounds, causes, told = np.empty((3, c)), np.full((2, c), -1.0), np.empty(1)
     held = rows, h, places, borders, planned, before
-    bring_down(*held, bounds, causes, np.empty((2, b)), told)
+    bring_down(*held, bounds, causes, np.empty((4, b)), np.empty((2, h)), told)
     low, named = before.copy(), np.full((2, c), -1.0)
     spans = []
     for kind, value, tick, *_ in rows.T:
@@ -58,6 +59,35 @@ def test_caps_bring_bands_down_to_steps_below_them(seed: int) -> None:
     assert causes.tolist() == named.tolist()
     left = (bounds / planned).min(axis=1) ** np.array([1.0, 0.5, 1.0 / 3.0])
     assert told[0] == pytest.approx(left.min(), rel=ROUNDING)
+
+
+@pytest.mark.parametrize("share", [0.5, 0.8, 1.0, 1.1])
+@pytest.mark.parametrize("kind", range(3))
+@pytest.mark.parametrize("quantity", range(4))
+def test_less_jerk_counts_for_as_long_as_the_time_of_too_much_gets_longer(
+    share: float, kind: int, quantity: int
+) -> None:
+    """The first ten ticks follow upon one another; a band is as long as the way of a tick."""
+    ticks = np.array([20.0, 21.0, 22.0, 23.0, 24.0, 25.0, 26.0, 27.0, 28.0, 29.0, 50.0])
+    borders, before, b = np.arange(81.0), np.full((3, 80), 2.0), len(ticks)
+    places = np.array((ticks - 1.0, ticks)) + 0.5
+    rows = np.array([(kind, 2.0 * share, k, 1, quantity) for k in range(b)], dtype=np.float64).T.copy()
+    reach = np.empty((2, b))
+    reach_of(rows, b, places, borders, before, np.empty((4, b)), reach)
+    firsts, lasts = ticks - 1.0 - BESIDE, ticks + BESIDE
+    longer = min(max(1.0 / share - 1.0, 0.0), MOST_LONGER) if kind == quantity == 2 else 0.0
+    firsts[0] = min(firsts[0], np.floor(19.5 - 10 * longer))
+    lasts[9] = max(lasts[9], np.floor(29.5 + 10 * longer))
+    assert reach.tolist() == [firsts.tolist(), lasts.tolist()]
+
+
+def test_caps_reach_no_further_than_the_part() -> None:
+    borders, before = np.arange(11.0), np.full((3, 10), 2.0)
+    places = np.array([[0.0, 1.0, 2.0, 7.0, 8.0, 9.0], [1.0, 2.0, 3.0, 8.0, 9.0, 10.0]])
+    rows = np.array([(2, 1.0, k, 1, 2) for k in range(6)], dtype=np.float64).T.copy()
+    reach = np.empty((2, 6))
+    reach_of(rows, 6, places, borders, before, np.empty((4, 6)), reach)
+    assert reach.tolist() == [[0.0, 0.0, 0.0, 5.0, 6.0, 7.0], [3.0, 4.0, 5.0, 9.0, 9.0, 9.0]]
 
 
 @pytest.mark.parametrize("look_ahead", [0, 1, 3, 100])
