@@ -10,7 +10,7 @@ ENDLESS = math.inf
 AT_ONCE = 16
 """Ticks whose numbers are looked at as one row."""
 ROWS_OF_MOTION, ROWS_OF_TORQUE = 7, 2
-"""Rows to work in: limits of all columns, what is used of them, and zeros."""
+"""Rows to work in: reciprocals of limits of all columns, what is used of them, and zeros."""
 REST = 6
 """Row of zeros: joints rest before the first and after the last tick."""
 
@@ -30,8 +30,8 @@ def used_by_motion(qd: Array, qdd: Array, limits: Array, room: Array, used: Arra
     n, ticks = limits.shape[1], used.shape[1]
     for k in range(AT_ONCE):
         for j in range(n):
-            room[0, k * n + j], room[1, k * n + j] = limits[0, j], limits[1, j]
-            room[2, k * n + j], room[REST, k * n + j] = limits[2, j], 0.0
+            room[0, k * n + j], room[1, k * n + j] = 1.0 / limits[0, j], 1.0 / limits[1, j]
+            room[2, k * n + j], room[REST, k * n + j] = 1.0 / limits[2, j], 0.0
     begin, most_speed, most_acceleration, most_jerk = 0, 0.0, 0.0, 0.0
     while begin < ticks:
         end = min(begin + AT_ONCE, ticks) if begin else 1
@@ -70,7 +70,7 @@ def used_by_torque(torque: Array, limit: Array, room: Array, used: Array, peaks:
     n, ticks, peak = limit.shape[0], used.shape[1], 0.0
     for k in range(AT_ONCE):
         for j in range(n):
-            room[0, k * n + j] = limit[j]
+            room[0, k * n + j] = 1.0 / limit[j]
     for begin in range(0, ticks, AT_ONCE):
         end = min(begin + AT_ONCE, ticks)
         _torque_shares((end - begin) * n, torque[begin * n :], room)
@@ -87,13 +87,13 @@ def used_by_torque(torque: Array, limit: Array, room: Array, used: Array, peaks:
 def _motion_shares(count: int, qd: Array, qdd: Array, before: Array, room: Array) -> None:
     """Write what is used of limits of speed, acceleration and jerk; no number counts as infinity."""
     for j in range(count):
-        room[3, j] = min(ENDLESS, abs(qd[j]) / room[0, j])
-        room[4, j] = min(ENDLESS, abs(qdd[j]) / room[1, j])
-        room[5, j] = min(ENDLESS, abs(qdd[j] - before[j]) / room[2, j])
+        room[3, j] = min(ENDLESS, abs(qd[j]) * room[0, j])
+        room[4, j] = min(ENDLESS, abs(qdd[j]) * room[1, j])
+        room[5, j] = min(ENDLESS, abs(qdd[j] - before[j]) * room[2, j])
 
 
 @columns
 def _torque_shares(count: int, torque: Array, room: Array) -> None:
     """Write what is used of limits of torque."""
     for j in range(count):
-        room[1, j] = min(ENDLESS, abs(torque[j]) / room[0, j])
+        room[1, j] = min(ENDLESS, abs(torque[j]) * room[0, j])
