@@ -21,7 +21,7 @@ def reach_of(
     A cap counts in the bands of its tick and in a few beside them. With less jerk along the path, the time in
     which the acceleration changes gets longer by as much, in front of it or behind it: a cap of jerk at the
     first of successive ticks counts from so far in front of it, and one at the last of them up to so far
-    behind it.
+    behind it; and a tick further, for it may begin and end anywhere between two ticks.
 
     Args:
         caps: in columns kind, value, number of the tick, joint, quantity; of shape (5, h or more).
@@ -34,14 +34,19 @@ def reach_of(
     """
     most = borders.shape[0] - 2
     _bands_of_ticks(places, borders, ticks)
-    _ways_of_times(places, ticks)
+    _count_successive(places, ticks)
     for h in range(count):
         k = int(caps[TICK, h])
         first, last = int(ticks[0, k]), int(ticks[1, k])
-        if caps[KIND, h] == JERK and caps[QUANTITY, h] == JERK and ticks[2, k] + ticks[3, k] > 0.0:
+        if caps[KIND, h] == JERK and caps[QUANTITY, h] == JERK and max(ticks[2, k], ticks[3, k]) > 0.0:
             longer = min(max(before[JERK, (first + last) // 2] / caps[VALUE, h] - 1.0, 0.0), MOST_LONGER)
-            first = min(first, _band_of(borders, places[0, k] - longer * ticks[2, k], first))
-            last = max(last, _band_of(borders, places[1, k] + longer * ticks[3, k], last))
+            way = places[1, k] - places[0, k]
+            if ticks[2, k] > 0.0:
+                begin = places[0, k] - (1.0 + longer * ticks[2, k]) * way
+                first = min(first, _band_of(borders, begin, first))
+            if ticks[3, k] > 0.0:
+                end = places[1, k] + (1.0 + longer * ticks[3, k]) * way
+                last = max(last, _band_of(borders, end, last))
         reach[0, h], reach[1, h] = max(first, 0), min(last, most)
 
 
@@ -54,18 +59,13 @@ def _bands_of_ticks(places: Array, borders: Array, ticks: Array) -> None:
             ticks[end, k] = min(max(last + (BESIDE if end else -BESIDE), 0), most)
 
 
-def _ways_of_times(places: Array, ticks: Array) -> None:
-    """Write how far the speeds at both ends of a time of successive ticks lead in as long a time.
-
-    It is written in the third row at the first of the ticks, in the last row at the last one; else 0 is.
-    """
+def _count_successive(places: Array, ticks: Array) -> None:
+    """Write how many ticks are successive: in the third row at the first of them, in the last at the last."""
     first, count = 0, places.shape[1]
     for k in range(count):
         ticks[2, k] = ticks[3, k] = 0.0
         if k == count - 1 or places[0, k + 1] != places[1, k]:
-            length = k + 1 - first
-            ticks[2, first] = length * (places[1, first] - places[0, first])
-            ticks[3, k] = length * (places[1, k] - places[0, k])
+            ticks[2, first] = ticks[3, k] = k + 1 - first
             first = k + 1
 
 

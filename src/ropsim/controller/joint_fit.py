@@ -8,24 +8,21 @@ import numpy as np
 
 from ropsim.controller.band_borders_kernel import MOST_PARTS, band_times
 from ropsim.controller.bands import Bands, bands_of
-from ropsim.controller.course import Course, course_of
+from ropsim.controller.course import course_of
 from ropsim.controller.exceeding_kernel import exceeding
+from ropsim.controller.fit import Fit, as_bounds_allow
 from ropsim.controller.kept_limits import ArmBounds
 from ropsim.controller.run_step import Aim, slower_run
 from ropsim.controller.slowed_bands import slowed_in
-from ropsim.controller.stretch_motion import StretchMotion
 from ropsim.motion import (
     LONGEST_DELAY,
     ROUNDING,
     Quantity,
     Reference,
-    Slowed,
-    as_planned,
     demand,
-    loaded,
     too_heavy,
 )
-from ropsim.spatial import Array, record
+from ropsim.spatial import Array
 
 _SPACING = 4e-3
 """Motion time of a band, about [s]."""
@@ -41,43 +38,6 @@ _LEAST = 1e-3
 """Where joints leave less of the rate than this share, slowing by motion time has its finer means."""
 
 
-@record
-class Fit:
-    """A course, and what it takes of the joints.
-
-    Attributes:
-        motion: of the stretch on the course.
-        reference: at control ticks, and what it uses of the limits.
-        slowed: where it is slower than its bounds would have it.
-    """
-
-    motion: StretchMotion
-    reference: Reference
-    slowed: tuple[Slowed, ...]
-
-    @property
-    def course(self) -> Course:
-        """Return the course of the stretch."""
-        return self.motion.course
-
-    def loaded(self, arm: ArmBounds) -> "Fit":
-        """Return the same with the torques that it takes, where they count."""
-        if arm.effort is None or self.reference.torque is not None:
-            return self
-        return Fit(self.motion, loaded(self.reference, arm.joints, arm.effort), self.slowed)
-
-
-def as_bounds_allow(motion: StretchMotion, arm: ArmBounds, period: float) -> Fit:
-    """Return a motion with what it takes of the joints, whatever they say to it.
-
-    Args:
-        motion: of the stretch.
-        arm: limits of the joints.
-        period: of the control ticks [s].
-    """
-    return Fit(motion, as_planned(motion, arm.joints, arm.effort, period), ())
-
-
 def fitted(planned: Fit, arm: ArmBounds, period: float, look_ahead: int) -> Fit:
     """Return the course with its bounds brought down where joints could not follow, with its torques.
 
@@ -88,13 +48,16 @@ def fitted(planned: Fit, arm: ArmBounds, period: float, look_ahead: int) -> Fit:
     start.
 
     Args:
-        planned: the course as the bounds of its parts alone would have it, torques aside.
+        planned: the course as the bounds of its parts alone would have it, looked at at control ticks, or at
+            a few of them with torques aside.
         arm: limits of the joints.
         period: of the control ticks [s].
         look_ahead: how many moves beyond the present one are known.
     """
+    if planned.reference.strain.is_kept:
+        planned = planned.at_each(period, arm)
     if not any(run.part.leads_tool for run in planned.course.runs):
-        return planned.loaded(arm)
+        return planned.whole(period, arm)
     if planned.reference.torque is None and not planned.reference.strain.is_kept:
         return _fitted(planned, arm, replace(arm, effort=None), period, look_ahead)
     heavy = planned.loaded(arm)
@@ -108,10 +71,13 @@ def _fitted(planned: Fit, arm: ArmBounds, looked_at: ArmBounds, period: float, l
     now, bands = planned, _bands(planned)
     for attempt in range(_ATTEMPTS + _ROUNDS):
         ticks = _exceeding(now, bands)
+        if not ticks and now.period != period:
+            now = now.at_each(period, arm)
+            continue
         if not ticks and looked_at is not arm:
             now, looked_at = now.loaded(arm), arm
             if not now.reference.strain.is_kept:
-                heavy = planned.loaded(arm)
+                heavy = planned.whole(period, arm)
                 if heavy.reference.strain.peaks[_TORQUE] > 1.0:
                     return fitted(heavy, arm, period, look_ahead)
                 continue
@@ -121,7 +87,7 @@ def _fitted(planned: Fit, arm: ArmBounds, looked_at: ArmBounds, period: float, l
         for number, found in ticks.items():
             own = bands[number]
             if attempt < _ATTEMPTS:
-                aim = Aim(looked_at, period, 1.0 - _LESS * (1 + attempt), look_ahead)
+                aim = Aim(looked_at, now.period, 1.0 - _LESS * (1 + attempt), look_ahead)
                 bands[number], changed[number] = slower_run(
                     now.motion, now.reference, number, own, found, aim
                 )
@@ -129,12 +95,12 @@ def _fitted(planned: Fit, arm: ArmBounds, looked_at: ArmBounds, period: float, l
                 bands[number] = own.slower(1.0 / (now.reference.strain.factor * (1.0 + _LESS)))
                 changed[number] = bands[number].replanned(look_ahead)
             if bands[number].share < _LEAST:
-                return planned.loaded(arm)
+                return planned.whole(period, arm)
         course = course_of(changed, len(planned.course.ends))
         if course.duration - planned.course.duration > LONGEST_DELAY:
-            return planned.loaded(arm)
+            return planned.whole(period, arm)
         now = as_bounds_allow(now.motion.timed(course), looked_at, period)
-    return planned.loaded(arm)
+    return planned.whole(period, arm)
 
 
 def _is_too_heavy(reference: Reference, arm: ArmBounds) -> bool:

@@ -1,18 +1,24 @@
 """The motion of a stretch within the limits of the joints, and within those that the program gives."""
 
+import math
 from dataclasses import replace
 
 from ropsim.controller.course import Course
-from ropsim.controller.joint_fit import Fit, as_bounds_allow, fitted
+from ropsim.controller.fit import Fit, as_bounds_allow
+from ropsim.controller.joint_fit import fitted
 from ropsim.controller.kept_limits import ArmBounds
 from ropsim.controller.stretch_motion import StretchMotion
-from ropsim.motion import Beyond, Kept, Quantity, Slowed, kept_from
+from ropsim.motion import ROUNDING, Beyond, Kept, Quantity, Slowed, kept_from
 from ropsim.spatial import record
 
 _SPACING = 8e-3
 """Real time between two places at which a motion is planned with that is slowed, about [s]."""
 _NARROW_SPACING = 4e-3
 """The same where the tool is led, for how joints follow it is less even, and where torque is too much."""
+_FIRST_LOOK = 4e-3
+"""Time between two ticks at which a motion along paths of the tool is looked at first, at most [s]."""
+_FEWEST_LOOKS = 64
+"""A motion of fewer of them is looked at at all control ticks at once."""
 _TORQUE = list(Quantity).index(Quantity.TORQUE)
 _LONGER = 1.03
 """A motion that is fitted to the joints may take so many times as long before another way is tried."""
@@ -63,12 +69,13 @@ def keeping_of(course: Course, arm: ArmBounds, period: float, look_ahead: int) -
         period: of the control ticks [s].
         look_ahead: how many moves beyond the present one are known.
     """
-    planned = as_bounds_allow(StretchMotion.on(course), replace(arm, effort=None), period)
+    first = _first_period(course, period)
+    planned = as_bounds_allow(StretchMotion.on(course), replace(arm, effort=None), first)
     fit = fitted(planned, arm, period, look_ahead)
     quick = _keeping(fit, arm, period)
     if fit.motion is planned.motion or quick.duration <= _LONGER * planned.course.duration:
         return quick
-    return min(quick, _keeping(planned.loaded(arm), arm, period), key=lambda one: one.duration)
+    return min(quick, _keeping(planned.whole(period, arm), arm, period), key=lambda one: one.duration)
 
 
 def _keeping(fit: Fit, arm: ArmBounds, period: float) -> Keeping:
@@ -77,3 +84,10 @@ def _keeping(fit: Fit, arm: ArmBounds, period: float) -> Keeping:
     spacing = _NARROW_SPACING if is_led or is_heavy else _SPACING
     kept = kept_from(fit.reference, fit.motion, arm.joints, arm.effort, period, spacing)
     return Keeping(fit.motion, kept, fit.slowed + (kept.slowed if isinstance(kept, Kept) else ()))
+
+
+def _first_period(course: Course, period: float) -> float:
+    """Return the period of the ticks at which a motion is looked at first [s], a few of those of control."""
+    is_led = any(run.part.leads_tool for run in course.runs)
+    first = period * max(math.floor(_FIRST_LOOK / period * (1.0 + ROUNDING)), 1)
+    return first if is_led and course.duration >= _FEWEST_LOOKS * first else period

@@ -75,9 +75,10 @@ def test_less_jerk_counts_for_as_long_as_the_time_of_too_much_gets_longer(
     reach = np.empty((2, b))
     reach_of(rows, b, places, borders, before, np.empty((4, b)), reach)
     firsts, lasts = ticks - 1.0 - BESIDE, ticks + BESIDE
-    longer = min(max(1.0 / share - 1.0, 0.0), MOST_LONGER) if kind == quantity == 2 else 0.0
-    firsts[0] = min(firsts[0], np.floor(19.5 - 10 * longer))
-    lasts[9] = max(lasts[9], np.floor(29.5 + 10 * longer))
+    if kind == quantity == 2:
+        longer = min(max(1.0 / share - 1.0, 0.0), MOST_LONGER)
+        firsts[0] = min(firsts[0], np.floor(18.5 - 10 * longer))
+        lasts[9] = max(lasts[9], np.floor(30.5 + 10 * longer))
     assert reach.tolist() == [firsts.tolist(), lasts.tolist()]
 
 

@@ -1,17 +1,28 @@
 """Motions within all limits: how densely they are planned costs no time."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from ropsim import robots
-from ropsim.controller import MotionState, keeping, plan
+from ropsim.controller import MotionPlan, MotionState, fit, keeping, plan
 from ropsim.flow import ModalState
 from ropsim.model import Payload
+from ropsim.motion import Effort, JointBounds, Reference, as_planned
+from ropsim.motion.limits.kept import Motion
 from support.cells import chain_of, one_station
-from support.motion import ptp
+from support.motion import CHAIN as OF_PUMA
+from support.motion import PUMA, interface_pose, lin, planned_stretch, ptp, shifted
+from support.motion import START as STARTED
+from support.walks import WITHIN, shares
 
 CHAIN = chain_of(one_station("c", robots.load("scara"), robots.default_controller("scara")))
 HEAVY = Payload(38.5, np.array([-0.19, 0.11, 0.04]))
+QUICK = ModalState(path_speed=2.0, zone=0.02)
+ARM = replace(PUMA, joints=tuple(replace(one, max_jerk=0.3 * one.max_jerk) for one in PUMA.joints))
+JERKLESS = replace(OF_PUMA, robot=ARM)
+CORNER = interface_pose(STARTED)
 START, GOAL = np.array([1.16, 0.9, 0.026, 0.47]), (0.126, -1.905, 0.144, 0.363)
 
 
@@ -28,3 +39,50 @@ def test_a_heavy_load_goes_as_fast_as_with_places_that_lie_densely(monkeypatch: 
     asked = seconds()
     monkeypatch.setattr(keeping, "_SPACING", 4e-3)
     assert asked <= 1.01 * seconds()
+
+
+@pytest.fixture
+def periods(monkeypatch: pytest.MonkeyPatch) -> list[float]:
+    """Return the periods of the ticks at which motions have been looked at, in order."""
+    found: list[float] = []
+    look = as_planned
+
+    def noted(motion: Motion, bounds: JointBounds, effort: Effort | None, period: float) -> Reference:
+        found.append(period)
+        return look(motion, bounds, effort, period)
+
+    monkeypatch.setattr(fit, "as_planned", noted)
+    return found
+
+
+def zigzag(side: float) -> MotionPlan:
+    """Return the plan of lines around a corner and back, which joints cannot follow as the tool could."""
+    ways = (-side, 0.0, 0.0), (-side, side, 0.0), (0.0, side, 0.0), (0.0, 0.0, 0.0)
+    return planned_stretch([lin(shifted(CORNER, *way), QUICK) for way in ways], STARTED, JERKLESS)
+
+
+@pytest.mark.parametrize("first", [1e-3, 4e-3, 20e-3])
+def test_lines_are_looked_at_first_at_a_few_ticks_and_last_at_each(
+    first: float, periods: list[float], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(keeping, "_FIRST_LOOK", first)
+    monkeypatch.setattr(keeping, "_FEWEST_LOOKS", 8)
+    planned = zigzag(0.2)
+    assert periods == [pytest.approx(first), *[planned.period] * (len(periods) - 1)]
+    assert len(periods) > 1  # joints could not follow at first
+    assert max(shares(ARM, planned, Payload()).values()) <= WITHIN
+
+
+def test_short_lines_and_ptp_moves_are_looked_at_at_each_tick_at_once(
+    periods: list[float], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(keeping, "_FEWEST_LOOKS", 150)
+    planned = [zigzag(1e-3), planned_stretch([ptp(tuple((STARTED + 1.0).tolist()))], STARTED, OF_PUMA)]
+    assert planned[0].duration < keeping._FEWEST_LOOKS * keeping._FIRST_LOOK < planned[1].duration
+    assert set(periods) == {planned[0].period}
+
+
+def test_how_densely_lines_are_looked_at_first_costs_no_time(monkeypatch: pytest.MonkeyPatch) -> None:
+    asked = zigzag(0.2).duration
+    monkeypatch.setattr(keeping, "_FIRST_LOOK", 1e-3)
+    assert asked == pytest.approx(zigzag(0.2).duration, rel=5e-3)

@@ -295,7 +295,7 @@ def test_no_motion_is_looked_at_tick_by_tick_that_would_take_far_too_long(
         asked.append(motion.duration)
         return as_planned(motion, bounds, effort, period)
 
-    monkeypatch.setattr("ropsim.controller.joint_fit.as_planned", counted)
+    monkeypatch.setattr("ropsim.controller.fit.as_planned", counted)
     monkeypatch.setattr("ropsim.controller.joint_fit.LONGEST_DELAY", 2.0)
     chain = replace(CHAIN, robot=slow_to_start(1e-3))
     plan(chain, [lin(shifted(HERE, -0.3, 0.2, 0.0))], MotionState.at_rest(START))
@@ -309,7 +309,7 @@ def test_lines_that_joints_without_jerk_can_never_make_are_refused_at_once(
 ) -> None:
     """With a jerk of 1e-8 rad/s³ a way of 0.1 rad takes 680 s, whatever else the joints can do."""
     looked: list[object] = []
-    monkeypatch.setattr("ropsim.controller.joint_fit.as_planned", lambda *asked: looked.append(asked))
+    monkeypatch.setattr("ropsim.controller.fit.as_planned", lambda *asked: looked.append(asked))
     robot = replace(PUMA, joints=tuple(replace(one, max_jerk=1e-8) for one in PUMA.joints))
     moves = [lin(shifted(HERE, -0.15, 0.1, 0.0), modal), lin(shifted(HERE, -0.3, 0.2, 0.0))]
     done, refusal = plan(replace(CHAIN, robot=robot), moves, MotionState.at_rest(START))

@@ -7,7 +7,7 @@ import pytest
 
 from ropsim.controller.bands import bands_of
 from ropsim.controller.course import course_of
-from ropsim.controller.joint_fit import as_bounds_allow
+from ropsim.controller.fit import as_bounds_allow
 from ropsim.controller.kept_limits import ArmBounds
 from ropsim.controller.leg import Leg, leg_of
 from ropsim.controller.parts import Part, parts_of

@@ -5,6 +5,7 @@ from pathlib import Path
 import pytest
 
 from ropsim.controller import joint_fit
+from ropsim.controller.fit import Fit
 from ropsim.flow import MoveEvent, Recording
 from ropsim.motion import Arc
 from ropsim.simulation import Fidelity, RunOptions
@@ -46,7 +47,7 @@ def test_a_line_on_which_a_joint_would_need_too_long_is_refused_at_once(tmp_path
 def test_a_load_that_cannot_be_held_is_told_without_trying_speeds(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def try_it(*_: object) -> joint_fit.Fit:
+    def try_it(*_: object) -> Fit:
         pytest.fail("a speed was tried")
 
     monkeypatch.setattr(joint_fit, "as_bounds_allow", try_it)
