@@ -57,7 +57,7 @@ def fitted(planned: Fit, arm: ArmBounds, period: float, look_ahead: int) -> Fit:
     if planned.reference.strain.is_kept:
         planned = planned.at_each(period, arm)
     if not any(run.part.leads_tool for run in planned.course.runs):
-        return planned.whole(period, arm)
+        return planned.loaded(arm)
     if planned.reference.torque is None and not planned.reference.strain.is_kept:
         return _fitted(planned, arm, replace(arm, effort=None), period, look_ahead)
     heavy = planned.loaded(arm)

@@ -16,7 +16,7 @@ _SPACING = 8e-3
 _NARROW_SPACING = 4e-3
 """The same where the tool is led, for how joints follow it is less even, and where torque is too much."""
 _FIRST_LOOK = 4e-3
-"""Time between two ticks at which a motion along paths of the tool is looked at first, at most [s]."""
+"""Time between two ticks at which a motion is looked at first, at most [s]."""
 _FEWEST_LOOKS = 64
 """A motion of fewer of them is looked at at all control ticks at once."""
 _TORQUE = list(Quantity).index(Quantity.TORQUE)
@@ -88,6 +88,5 @@ def _keeping(fit: Fit, arm: ArmBounds, period: float) -> Keeping:
 
 def _first_period(course: Course, period: float) -> float:
     """Return the period of the ticks at which a motion is looked at first [s], a few of those of control."""
-    is_led = any(run.part.leads_tool for run in course.runs)
     first = period * max(math.floor(_FIRST_LOOK / period * (1.0 + ROUNDING)), 1)
-    return first if is_led and course.duration >= _FEWEST_LOOKS * first else period
+    return first if course.duration >= _FEWEST_LOOKS * first else period

@@ -73,13 +73,19 @@ def test_lines_are_looked_at_first_at_a_few_ticks_and_last_at_each(
     assert max(shares(ARM, planned, Payload()).values()) <= WITHIN
 
 
-def test_short_lines_and_ptp_moves_are_looked_at_at_each_tick_at_once(
+def test_short_motions_are_looked_at_at_each_tick_at_once(
     periods: list[float], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(keeping, "_FEWEST_LOOKS", 150)
-    planned = [zigzag(1e-3), planned_stretch([ptp(tuple((STARTED + 1.0).tolist()))], STARTED, OF_PUMA)]
-    assert planned[0].duration < keeping._FEWEST_LOOKS * keeping._FIRST_LOOK < planned[1].duration
-    assert set(periods) == {planned[0].period}
+    planned = zigzag(1e-3)
+    assert planned.duration < keeping._FEWEST_LOOKS * keeping._FIRST_LOOK
+    assert set(periods) == {planned.period}
+
+
+def test_a_ptp_move_within_the_limits_is_looked_at_at_each_tick_as_well(periods: list[float]) -> None:
+    planned = planned_stretch([ptp(tuple((STARTED + 1.0).tolist()))], STARTED, OF_PUMA)
+    assert periods == [pytest.approx(4 * planned.period), planned.period]
+    assert max(shares(PUMA, planned, Payload()).values()) <= WITHIN
 
 
 def test_how_densely_lines_are_looked_at_first_costs_no_time(monkeypatch: pytest.MonkeyPatch) -> None:

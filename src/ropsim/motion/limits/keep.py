@@ -70,7 +70,8 @@ def kept_from(
     """Return the same as `keep_limits`, where the references of the plan are known.
 
     Args:
-        planned: references of the motion, see `as_planned`.
+        planned: references of the motion, see `as_planned`; where they are not within the limits, at a few of
+            the control ticks at least.
         motion: the plan.
         bounds: what the joints can do.
         effort: torques at the joints; None where they do not count.
