@@ -1,12 +1,20 @@
 """The course of a stretch: runs of its parts, one behind or over the other."""
 
 from collections.abc import Sequence
+from itertools import accumulate
+from math import nan
 
-from ropsim.controller.corners import Overlap
+import numpy as np
+
 from ropsim.controller.parts import Part
 from ropsim.controller.pieces import Piece
+from ropsim.controller.runs_kernel import lay_runs
+from ropsim.core import maker
 from ropsim.motion import TimeLaw
-from ropsim.spatial import record
+from ropsim.spatial import Array, record
+
+_STOP = nan, 0.0
+"""Stands for no overlap of a run and the next one."""
 
 
 @record
@@ -17,11 +25,13 @@ class Run:
         part: pieces that are walked together.
         start: motion time at which it begins [s].
         overlap: for how long the run before still lasts then [s].
+        end: motion time at which it ends [s].
     """
 
     part: Part
     start: float
     overlap: float
+    end: float
 
     @property
     def pieces(self) -> tuple[Piece, ...]:
@@ -33,10 +43,8 @@ class Run:
         """Return when it is where on its pieces."""
         return self.part.law
 
-    @property
-    def end(self) -> float:
-        """Return the motion time at which it ends [s]."""
-        return self.start + self.law.duration
+
+_run = maker(Run)
 
 
 @record
@@ -46,10 +54,15 @@ class Course:
     Attributes:
         runs: in order; none where nothing moves.
         ends: motion times at which the moves end [s]: in the middle of their corners, or where they stop.
+        table: the runs as numbers: start, end and duration [s], first segment, segments, first piece, and
+            overlap [s] of each, shape (r, 7).
+        segments: of all time laws, see `TimeLaw`, shape (8, m).
     """
 
     runs: tuple[Run, ...]
     ends: tuple[float, ...]
+    table: Array
+    segments: Array
 
     @property
     def duration(self) -> float:
@@ -73,33 +86,31 @@ def course_of(parts: Sequence[Part], legs: int) -> Course:
         parts: of it.
         legs: number of its moves.
     """
-    runs: list[Run] = []
-    over: Overlap | None = None
+    if not parts:
+        return Course((), (0.0,) * legs, np.empty((0, 7)), np.empty((8, 0)))
+    numbers = list[float]()
     for part in parts:
-        before = runs[-1] if runs else None
-        both = 0.0
-        if before and over:
-            last = len(before.pieces) - 1
-            leave = over.leave - before.pieces[last].begin
-            ends = before.law.duration - before.law.time_of(last, leave)
-            both = min(ends, part.law.time_of(0, over.enter))
-        runs.append(Run(part, before.end - both if before else 0.0, both))
         over = part.over
-    return Course(tuple(runs), tuple(_ends(runs, legs)))
+        left = (over.leave - part.pieces[-1].begin, over.enter) if over else _STOP
+        numbers += (part.law.segments.shape[1], len(part.pieces), *left)
+    segments = np.concatenate([part.law.segments for part in parts], 1)
+    ends, asked = np.concatenate([part.law.ends for part in parts]), np.fromiter(numbers, np.float64)
+    table, times = np.empty((len(parts), 7)), np.empty((len(parts), 3))
+    lay_runs(segments, ends, asked.reshape(-1, 4), table, times)
+    table.flags.writeable = segments.flags.writeable = False
+    runs = tuple(_run(part, *at) for part, at in zip(parts, times.tolist(), strict=True))
+    return Course(runs, tuple(_ends(runs, legs)), table, segments)
 
 
 def _ends(runs: Sequence[Run], legs: int) -> list[float]:
+    """Return the motion times at which moves end [s], see `Course`."""
     ends = [0.0] * legs
-    for place, run in enumerate(runs):
-        behind = runs[place + 1] if place + 1 < len(runs) else None
-        round_corners = [number for number, piece in enumerate(run.pieces) if piece.corner]
-        if round_corners:
-            halves = [run.pieces[number].joints.length / 2.0 for number in round_corners]
-            for number, middle in zip(
-                round_corners, run.law.times_of(round_corners, halves).tolist(), strict=True
-            ):
-                ends[run.pieces[number].leg] = run.start + middle
-        ends[run.pieces[-1].leg] = run.end - (0.5 * behind.overlap if behind else 0.0)
-    for leg in range(1, legs):
-        ends[leg] = max(ends[leg], ends[leg - 1])
-    return ends
+    for run, overlap in zip(runs, (*[run.overlap for run in runs[1:]], 0.0), strict=True):
+        pieces = run.part.pieces
+        if len(pieces) > 1:  # a corner lies between two others
+            corners = [number for number, piece in enumerate(pieces) if piece.corner]
+            halves = [pieces[number].joints.length / 2.0 for number in corners]
+            for number, middle in zip(corners, run.law.times_of(corners, halves).tolist(), strict=True):
+                ends[pieces[number].leg] = run.start + middle
+        ends[pieces[-1].leg] = run.end - 0.5 * overlap
+    return list(accumulate(ends, max))

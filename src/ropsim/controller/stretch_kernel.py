@@ -11,7 +11,7 @@ from ropsim.motion import (
 )
 from ropsim.spatial import Array
 
-START, END, DURATION, SEGMENT, SEGMENTS, FIRST_PIECE = range(6)
+START, END, DURATION, SEGMENT, SEGMENTS, FIRST_PIECE, OVERLAP = range(7)
 """Columns of runs."""
 KIND, BEGIN, LENGTH, FIRST_ROW, ROWS, FIRST_SLOPE = range(6)
 """Columns of pieces."""
@@ -41,7 +41,7 @@ def walk_runs(
     """Write coordinates and derivatives by time of a whole motion; see `WalkTable`.
 
     Args:
-        runs: shape (r, 6).
+        runs: shape (r, 7).
         segments: of their time laws, shape (8, m).
         pieces: of all runs, shape (p, 6).
         rows: of their paths, shape (l, n).

@@ -4,7 +4,7 @@ import numpy as np
 
 from ropsim.controller.add_in_time_kernel import add_in_time
 from ropsim.controller.course import Course, Run
-from ropsim.controller.stretch_kernel import AT_ONCE, FIRST_PIECE, points_on, walk_runs
+from ropsim.controller.stretch_kernel import AT_ONCE, FIRST_PIECE, PIECE, PLACE, points_on, walk_runs
 from ropsim.controller.walk_table import WalkTable, walk_table
 from ropsim.motion import COEFFICIENTS, JointPoints, LawRows, Ways
 from ropsim.spatial import Array, frozen, record
@@ -30,12 +30,13 @@ class StretchMotion:
     @classmethod
     def on(cls, course: Course) -> "StretchMotion":
         """Return the motion on a course."""
-        corners = frozen([_end(run) for run in course.runs[:-1]])
-        return cls(course, corners, walk_table(course.runs))
+        table = walk_table(course)
+        corners = _corners(course, table) if table else frozen([_end(run) for run in course.runs[:-1]])
+        return cls(course, corners, table)
 
     def timed(self, course: Course) -> "StretchMotion":
         """Return the motion on a course that has the same pieces and other times."""
-        return StretchMotion(course, self.corners, self.table.timed(course.runs) if self.table else None)
+        return StretchMotion(course, self.corners, self.table.timed(course) if self.table else None)
 
     @property
     def duration(self) -> float:
@@ -49,15 +50,15 @@ class StretchMotion:
             phi: motion times in rising order [s], shape (k,).
         """
         runs = self.course.runs
-        corners = self.corners if len(self.corners) else _end(runs[0])[None]
-        total, before = np.empty((3, len(phi), corners.shape[1])), 0
         if table := self.table:
             numbers = table.runs, table.segments, table.pieces, table.rows, table.slopes
-            asked = np.ascontiguousarray(phi, dtype=np.float64)
-            n = corners.shape[1]
+            asked, n = np.ascontiguousarray(phi, dtype=np.float64), table.rows.shape[1]
+            total = np.empty((3, len(phi), n))
             law, room, held = np.empty((5, AT_ONCE)), np.empty((COEFFICIENTS, n)), np.empty((3, AT_ONCE, n))
-            walk_runs(*numbers, corners, asked, law, room, held, total)
+            walk_runs(*numbers, self.corners, asked, law, room, held, total)
             return JointPoints(total[0], total[1], total[2])
+        corners = self.corners if len(self.corners) else _end(runs[0])[None]
+        total, before = np.empty((3, len(phi), corners.shape[1])), 0
         for number, run in enumerate(runs):
             first = int(np.searchsorted(phi, run.start)) if number else 0
             until = int(np.searchsorted(phi, run.end)) if number + 1 < len(runs) else len(phi)
@@ -107,6 +108,17 @@ class StretchMotion:
             walked[:, first:until, 0] = rows.speeds, rows.accelerations
             most[:, first:until, 0] = _most(run, rows)
         return Ways(*walked, *most)
+
+
+def _corners(course: Course, table: WalkTable) -> Array:
+    """Return the joint coordinates at the ends of all runs but the last [rad | m], shape (r - 1, n)."""
+    runs = course.runs[:-1]
+    law, out = np.zeros((4, len(runs))), np.empty((3, len(runs), table.rows.shape[1]))
+    law[PIECE], law[PLACE] = table.runs[1:, FIRST_PIECE] - 1.0, [run.pieces[-1].joints.length for run in runs]
+    points_on(0, table.pieces, table.rows, table.slopes, law, np.empty((COEFFICIENTS, out.shape[2])), out)
+    out.flags.writeable = False
+    corners: Array = out[0]
+    return corners
 
 
 def _end(run: Run) -> Array:

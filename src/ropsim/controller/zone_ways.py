@@ -127,8 +127,8 @@ class _ArmWay(_Way):
 
     def _searched(self, zone: float, clip: float, from_end: float) -> Crossing:
         """Return where the way is in a zone at most `clip` from the end (1.0) or the start (0.0)."""
-        kind, begin, length, rows, _ = self._rows
-        chain = self._chain
+        kind, begin, length, size, flat, _ = self._rows
+        chain, rows = self._chain, np.concatenate(flat).reshape(size, -1)
         asked = np.array((self.length, zone, clip, from_end, kind, begin, length))
         zone_of_arm(
             ZONE_SHARES,

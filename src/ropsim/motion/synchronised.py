@@ -98,10 +98,10 @@ class SynchronisedJoints:
         synchronised_kernel.joint_rows(self.q_start, self.q_end, self.shapes, self.length, asked, out)
         return JointPoints(out[0], out[1], out[2])
 
-    def path_rows(self) -> PathRows:
-        """Return what compiled loops take of the path."""
-        rows = np.array((self.q_start, self.q_end, *self.shapes))
-        return PathRows(SYNCHRONISED, 0.0, self.length, rows, np.empty((2, 0, len(self.q_start))))
+    def path_rows(self, begin: float) -> PathRows:
+        """Return what compiled loops take of the path from a place on."""
+        rows = self.q_start, self.q_end, self.shapes.reshape(-1)
+        return PathRows(SYNCHRONISED, begin, self.length, 5, rows, None)
 
 
 def _wrong_words(joint: int, way: Array, bounds: Array) -> str:

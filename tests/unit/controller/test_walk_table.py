@@ -72,9 +72,9 @@ def test_all_runs_in_one_loop_are_bit_by_bit_what_their_paths_tell(mode: Synchro
     first, second, third = GOALS
     whole = course([lin(first, ZONE), lin(second, ZONE), ptp(third, ZONE), ptp(HERE)], mode)
     assert [len(run.pieces) for run in whole.runs] == [3, 1, 1]
-    assert walk_table(whole.runs) is not None
+    assert walk_table(whole) is not None
     apart = one_by_one(whole)
-    assert walk_table(apart.runs) is None
+    assert walk_table(apart) is None
     times = np.linspace(0.0, whole.duration, 400)
     together, each = StretchMotion.on(whole).at(times), StretchMotion.on(apart).at(times)
     for name in ("q", "d1", "d2"):

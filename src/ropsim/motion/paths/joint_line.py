@@ -51,7 +51,6 @@ class JointLine:
         line_points(self.q_start, self.q_end, np.ascontiguousarray(s, dtype=np.float64), out)
         return JointPoints(out[0], out[1], out[2])
 
-    def path_rows(self) -> PathRows:
-        """Return what compiled loops take of the path."""
-        rows = np.array((self.q_start, self.q_end))
-        return PathRows(STRAIGHT, 0.0, 1.0, rows, np.empty((2, 0, len(self.q_start))))
+    def path_rows(self, begin: float) -> PathRows:
+        """Return what compiled loops take of the path from a place on."""
+        return PathRows(STRAIGHT, begin, 1.0, 2, (self.q_start, self.q_end), None)

@@ -32,10 +32,9 @@ class JointSection:
         """Return the joints and their derivatives at places s, shape (k,)."""
         return self.path.joints(s + self.begin)
 
-    def path_rows(self) -> PathRows | None:
-        """Return what compiled loops take of the path; None where they do not know it."""
-        found = rows_of_path(self.path)
-        return found._replace(begin=self.begin) if found and found.begin == 0.0 else None
+    def path_rows(self, begin: float) -> PathRows | None:
+        """Return what compiled loops take of the path; None where they do not know it, or of a part of it."""
+        return rows_of_path(self.path, self.begin) if begin == 0.0 else None
 
 
 @record

@@ -65,9 +65,9 @@ class Traced:
         traced_points(self.q, d1, d2, per_unit, np.ascontiguousarray(s), room, out)
         return JointPoints(out[0], out[1], out[2])
 
-    def path_rows(self) -> PathRows:
-        """Return what compiled loops take of the path."""
-        return PathRows(TRACED, 0.0, self.length, self.q, self.derivatives)
+    def path_rows(self, begin: float) -> PathRows:
+        """Return what compiled loops take of the path from a place on."""
+        return PathRows(TRACED, begin, self.length, len(self.q), (self.q.reshape(-1),), self.derivatives)
 
 
 def traced_with_roughness(length: float, q: Array) -> tuple[Traced, Array | None]:
