@@ -57,12 +57,14 @@ class Course:
         table: the runs as numbers: start, end and duration [s], first segment, segments, first piece, and
             overlap [s] of each, shape (r, 7).
         segments: of all time laws, see `TimeLaw`, shape (8, m).
+        piece_ends: times of these laws at which their pieces end [s], shape (p,).
     """
 
     runs: tuple[Run, ...]
     ends: tuple[float, ...]
     table: Array
     segments: Array
+    piece_ends: Array
 
     @property
     def duration(self) -> float:
@@ -87,7 +89,7 @@ def course_of(parts: Sequence[Part], legs: int) -> Course:
         legs: number of its moves.
     """
     if not parts:
-        return Course((), (0.0,) * legs, np.empty((0, 7)), np.empty((8, 0)))
+        return Course((), (0.0,) * legs, np.empty((0, 7)), np.empty((8, 0)), np.empty(0))
     numbers = list[float]()
     for part in parts:
         over = part.over
@@ -97,9 +99,9 @@ def course_of(parts: Sequence[Part], legs: int) -> Course:
     ends, asked = np.concatenate([part.law.ends for part in parts]), np.fromiter(numbers, np.float64)
     table, times = np.empty((len(parts), 7)), np.empty((len(parts), 3))
     lay_runs(segments, ends, asked.reshape(-1, 4), table, times)
-    table.flags.writeable = segments.flags.writeable = False
+    table.flags.writeable = segments.flags.writeable = ends.flags.writeable = False
     runs = tuple(_run(part, *at) for part, at in zip(parts, times.tolist(), strict=True))
-    return Course(runs, tuple(_ends(runs, legs)), table, segments)
+    return Course(runs, tuple(_ends(runs, legs)), table, segments, ends)
 
 
 def _ends(runs: Sequence[Run], legs: int) -> list[float]:

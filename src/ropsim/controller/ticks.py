@@ -5,19 +5,20 @@ from itertools import pairwise
 
 import numpy as np
 
-from ropsim.controller.blends import blend_ticks
 from ropsim.controller.course import Course
 from ropsim.controller.leg import Leg
 from ropsim.controller.motion_chain import MotionChain
 from ropsim.controller.motion_plan import MotionPlan, PlannedMove, PlannedPiece
+from ropsim.controller.ticks_kernel import ticks_come
 from ropsim.controller.trigger_ticks import Flown, PlannedTrigger, trigger_ticks
-from ropsim.core import Diagnostic
+from ropsim.core import Diagnostic, maker
 from ropsim.flow import JointReference
 from ropsim.motion import JointPoints, Kept
 from ropsim.spatial import Array
 
 _SLACK = 1e-9
 """Share of a control tick by which a motion may be longer than whole ticks, for rounding."""
+_move, _piece = maker(PlannedMove), maker(PlannedPiece)
 
 
 def standing(
@@ -61,58 +62,49 @@ def in_ticks(
     reference = _to_rest(kept.rows, legs[-1].q_end, ticks)
     phi = np.full(ticks, course.duration)
     phi[:rows] = kept.phi[1:]
-    pieces = _pieces(course, phi, period)
-    lasts = [0, *_ticks_of(course.ends[:-1], phi, period), ticks]
+    at, ends = np.empty((len(course.piece_ends) + len(course.runs), 2)), np.empty(len(legs) - 1)
+    times = course.table, course.piece_ends, np.array(course.ends[:-1]), phi, _SLACK * period
+    ticks_come(*times, at[: len(course.piece_ends)], at[len(course.piece_ends) :], ends)
+    lasts = [0, *map(int, ends.tolist()), ticks]
     moves, found = [], list(findings)
     for leg, zone, (first, last) in zip(legs, zones, pairwise(lasts), strict=True):
-        X_MT, move = leg.planned.X_MT, leg.move
+        planned, move = leg.planned, leg.move
+        X_MT = planned.X_MT
         triggers: tuple[PlannedTrigger, ...] = ()
         if move.triggers:
-            along, q = leg.planned.coordination, reference.q[max(first - 1, 0) : last]
+            along, q = planned.coordination, reference.q[max(first - 1, 0) : last]
             q = np.concatenate((kept.rows.q[:1], q)) if first == 0 else q
             flown = Flown(chain.robot, X_MT, q, along.frame if along else None)
             triggers, told = trigger_ticks(move, flown, first, period)
             found += told
-        of_tool, limits = leg.tool is not None, leg.planned.limits
-        moves.append(PlannedMove(move, X_MT, leg.q_end, last, zone, triggers, limits, of_tool))
-    blends = blend_ticks(course, pieces, phi, _SLACK * period)
+        of_tool = planned.tool is not None
+        moves.append(_move(move, X_MT, leg.q_end, last, zone, triggers, planned.limits, of_tool))
+    pieces, blends = _pieces(course, at.astype(np.int64).tolist())
     return MotionPlan(tuple(moves), pieces, kept.rows.q[0], reference, period, tuple(found), blends)
 
 
-def _pieces(course: Course, phi: Array, period: float) -> tuple[PlannedPiece, ...]:
-    """Return the pieces with a path of the tool, as far as no other run overlaps them."""
-    times: list[float] = []
-    for run, behind in zip(course.runs, [*course.runs[1:], None], strict=True):
-        first, last = run.start + run.overlap, run.end - (behind.overlap if behind else 0.0)
-        ends = run.law.ends[:-1].tolist()
-        times += [min(max(run.start + time, first), last) for time in (0.0, *ends)]
-        times.append(last)
-    places: list[int] = np.searchsorted(phi, np.array(times) + _SLACK * period, side="right").tolist()
-    places[-1] = len(phi)
-    found, number = [], 0
-    for run in course.runs:
-        for piece in run.pieces:
-            frame = piece.coordination.frame if piece.coordination else None
-            first_tick, last_tick = places[number], places[number + 1]
-            found.append(PlannedPiece(piece.tool, piece.X_MT, first_tick, last_tick, frame))
-            number += 1
-        number += 1
-    return tuple(found)
-
-
-def _ticks_of(times: Sequence[float], phi: Array, period: float) -> list[int]:
-    """Return the first control ticks, 0 for the start, at which the motion has come to motion times.
+def _pieces(
+    course: Course, ticks: Sequence[Sequence[int]]
+) -> tuple[tuple[PlannedPiece, ...], tuple[tuple[int, int], ...]]:
+    """Return the pieces, and the ways round corners and the overlaps in order of time.
 
     Args:
-        times: motion times [s].
-        phi: motion times at the control ticks 1, 2, … [s], shape (ticks,).
-        period: time of a control tick [s].
+        course: of the stretch.
+        ticks: the last one before each piece, and the last one on it; behind these the same for the overlap
+            of each run with the one before.
     """
-    if not times:
-        return []
-    wanted = np.array(times) - _SLACK * period
-    found: list[int] = np.minimum(np.searchsorted(phi, wanted) + (wanted > 0.0), len(phi)).tolist()
-    return found
+    pieces, blends, number = [], [], 0
+    for run in course.runs:
+        for piece in run.part.pieces:
+            (first, last), along = ticks[number], piece.coordination
+            pieces.append(_piece(piece.tool, piece.X_MT, first, last, along.frame if along else None))
+            if piece.corner is not None:
+                blends.append((first, last))
+            number += 1
+    for run, (first, last) in zip(course.runs, ticks[number:], strict=True):
+        if run.overlap > 0.0:
+            blends.append((first, last))
+    return tuple(pieces), tuple(sorted(blends))
 
 
 def _to_rest(rows: JointPoints, q_end: Array, ticks: int) -> JointReference:
