@@ -1,6 +1,6 @@
 """Corners at which moves overlap, one of them or both along paths of the joints: all of a stretch at once."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from functools import lru_cache
 from itertools import pairwise
 
@@ -10,7 +10,7 @@ from ropsim.codegen import Compiled, bound
 from ropsim.controller.corners import HALF, LEAST_ZONE, Overlap, commanded_zone, overlap_of
 from ropsim.controller.leg import Leg
 from ropsim.controller.motion_chain import MotionChain
-from ropsim.controller.zone_of_arm_kernel import zones_of_arm
+from ropsim.controller.zone_of_arm_kernel import DISTANCE, zones_of_arm
 from ropsim.controller.zone_ways import Crossing, StraightWay
 from ropsim.kinematics import POSES, chain_arrays
 from ropsim.model import RobotModel
@@ -42,28 +42,27 @@ def arm_overlaps_of(chain: MotionChain, legs: Sequence[Leg]) -> dict[int, Overla
     robot, sides = chain.robot, [_side_of(leg) for leg in legs]
     if robot.cuts or chain.controller.look_ahead < 1:
         return {}
-    zones: dict[int, float] = {}
-    asked: list[tuple[float, ...]] = []
-    rows: list[Array] = []
-    tcps: list[Array] = []
-    for number, pair in enumerate(pairwise(sides)):
+    zones, asked, rows, tcps, last = dict[int, float](), list[float](), list[Array](), list[Array](), 0
+    for number, (one, other) in enumerate(pairwise(sides)):
+        if one is None or other is None or (isinstance(one, StraightWay) and isinstance(other, StraightWay)):
+            continue
         zone = commanded_zone(chain, legs[number].move)
-        if None in pair or all(type(side) is StraightWay for side in pair) or zone < LEAST_ZONE:
+        if zone < LEAST_ZONE:
             continue
         zones[number] = zone
-        for at_start, path in enumerate(pair):
-            if isinstance(path, JointLine | SynchronisedJoints):
-                kind, first = STRAIGHT, len(rows)
-                rows += (path.q_start, path.q_end)
-                if isinstance(path, SynchronisedJoints):
-                    kind = SYNCHRONISED
-                    rows.extend(path.shapes)
-                clip, from_end = path.length - HALF * path.length, 1.0 - at_start
-                asked.append((path.length, zone, clip, from_end, kind, 0.0, path.length, first, len(rows)))
-                tcps.append(legs[number + at_start].planned.X_MT.position)
+        for place, path, from_end in ((number, one, 1.0), (number + 1, other, 0.0)):
+            if isinstance(path, StraightWay):
+                continue
+            kind, length, first, last = STRAIGHT, path.length, last, last + 2
+            rows += path.q_start, path.q_end
+            if isinstance(path, SynchronisedJoints):
+                kind, last = SYNCHRONISED, first + 5
+                rows.append(path.shapes.reshape(-1))
+            asked += length, zone, length - HALF * length, from_end, kind, 0.0, length, first, last
+            tcps.append(legs[place].planned.X_MT.position)
     if not zones:
         return {}
-    found = iter(_searched(robot, asked, rows, tcps))
+    found = _searched(robot, asked, rows, tcps)
     overlaps: dict[int, Overlap] = {}
     for number, zone in zones.items():
         one, other = sides[number], sides[number + 1]
@@ -86,14 +85,19 @@ def _side_of(leg: Leg) -> _Side | None:
 
 
 def _searched(
-    robot: RobotModel, asked: list[tuple[float, ...]], rows: list[Array], tcps: list[Array]
-) -> list[Crossing]:
+    robot: RobotModel, asked: list[float], rows: list[Array], tcps: list[Array]
+) -> Iterator[Crossing]:
     """Return the places that the kernel finds."""
-    numbers, count, steps = np.array(asked), MOST_LOOKS, len(chain_arrays(robot).slides)
+    numbers, count, steps = (
+        np.fromiter(asked, np.float64).reshape(-1, 9),
+        MOST_LOOKS,
+        len(chain_arrays(robot).slides),
+    )
     rooms = np.empty((5, count)), np.empty((3, count, robot.n)), np.empty((count, steps))
     rooms_of_poses = np.empty((count, 4, 4)), np.empty(POSES)
-    _compiled(robot)(np.array(rows), np.array(tcps), numbers, *rooms, *rooms_of_poses)
-    return [(place, distance) for place, distance, *_ in numbers.tolist()]
+    at, tools = np.concatenate(rows).reshape(-1, robot.n), np.concatenate(tcps).reshape(-1, 3)
+    _compiled(robot)(at, tools, numbers, *rooms, *rooms_of_poses)
+    return iter(map(tuple, numbers[:, : DISTANCE + 1].tolist()))
 
 
 @lru_cache(maxsize=16)

@@ -13,6 +13,7 @@ from ropsim.controller.motion_chain import MotionChain
 from ropsim.controller.tracing import trace
 from ropsim.controller.wrist_corner import are_led, wrist_corner
 from ropsim.controller.zone_ways import Crossing, way_of
+from ropsim.core import maker
 from ropsim.flow import MoveInstruction
 from ropsim.motion import CornerFault, JointPath, Stages, ToolPath, corner
 from ropsim.spatial import record
@@ -76,6 +77,8 @@ class Overlap:
     leave: float
     enter: float
 
+
+_overlap = maker(Overlap)
 
 Corner = Rounding | Overlap
 
@@ -144,10 +147,9 @@ def overlap_of(leave: Crossing, enter: Crossing) -> Overlap:
         enter: up to where that behind may be entered.
     """
     (s_leave, leaving), (s_enter, entering) = leave, enter
-    flown = max(leaving, entering)
+    flown, shorter = max(leaving, entering), min(leaving, entering)
     # where the tool only turns no zone is too long
-    ways = [way for way in (leaving, entering) if way > LEAST_ZONE]
-    return Overlap(flown, min(ways, default=flown), s_leave, s_enter)
+    return _overlap(flown, shorter if shorter > LEAST_ZONE else flown, s_leave, s_enter)
 
 
 def commanded_zone(chain: MotionChain, move: MoveInstruction) -> float:
