@@ -9,6 +9,7 @@ import numpy.typing as npt
 from ropsim.controller.corners import Overlap
 from ropsim.controller.parts_kernel import lay_horizons
 from ropsim.controller.pieces import Piece, Walk
+from ropsim.core import maker
 from ropsim.motion import Stages, SynchronisedJoints, TimeLaw, plan_stages, rest_to_rest
 from ropsim.spatial import Array, record
 
@@ -51,6 +52,9 @@ class Part:
         return np.asarray(ends[np.append(0, np.cumsum(self.counts))])
 
 
+_part = maker(Part)
+
+
 def parts_of(walks: Sequence[Walk], look_ahead: int) -> tuple[Part, ...]:
     """Return the parts of a stretch between which the arm stops or motions overlap.
 
@@ -61,10 +65,10 @@ def parts_of(walks: Sequence[Walk], look_ahead: int) -> tuple[Part, ...]:
     even = [number for number, (pieces, _) in enumerate(walks) if len(pieces) == 1 and pieces[0].is_even]
     laws = {}
     if even:
-        rows = np.array([walks[number][0][0].stages.rows[0] for number in even])
+        rows = np.concatenate([walks[number][0][0].stages.rows for number in even])
         laws = dict(zip(even, rest_to_rest(rows), strict=True))
     return tuple(
-        Part(tuple(pieces), pieces[0].stages, _ONE, laws[number], over)
+        _part(tuple(pieces), pieces[0].stages, _ONE, laws[number], over)
         if number in laws
         else _quickest(pieces, over, look_ahead)
         for number, (pieces, over) in enumerate(walks)

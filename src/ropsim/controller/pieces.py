@@ -5,7 +5,9 @@ from collections.abc import Sequence
 from ropsim.controller.coordination import Coordination
 from ropsim.controller.corners import Corner, Overlap, Rounding
 from ropsim.controller.leg import Leg
+from ropsim.controller.plain_stages import plain_stages
 from ropsim.controller.stages import along_with, joint_stages, lesser_limits, tool_choices, tool_stages
+from ropsim.core import maker
 from ropsim.motion import (
     JointPath,
     JointSection,
@@ -55,6 +57,8 @@ class Piece:
         return len(self.stages) == 1 and not self.gentler
 
 
+_piece = maker(Piece)
+
 Walk = tuple[list[Piece], Overlap | None]
 """Pieces that are walked together, and how they go over into the next ones; None for a stop."""
 
@@ -66,47 +70,50 @@ def pieces_of(legs: Sequence[Leg], corners: Sequence[Corner | None]) -> list[Wal
         legs: the moves.
         corners: between each two of them; None where the arm stops there, or where one has no length.
     """
-    runs: list[Walk] = []
-    pieces: list[Piece] = []
+    parts: dict[int, tuple[float, float]] = {}
     enters = 0.0
-    for number, leg in enumerate(legs):
-        corner = corners[number] if number < len(corners) else None
+    for number, (leg, corner) in enumerate(zip(legs, (*corners, None), strict=True)):
         if leg.joints is None:
             continue
-        leaves = corner.leave if isinstance(corner, Rounding) else leg.joints.length
-        if leaves - enters > _NOTHING * leg.joints.length:
-            pieces.append(_straight(number, leg, enters, leaves))
+        length = leg.joints.length
+        leaves = corner.leave if isinstance(corner, Rounding) else length
+        if leaves - enters > _NOTHING * length:
+            parts[number] = enters, leaves
+        enters = corner.enter if isinstance(corner, Rounding) else 0.0
+    plain = plain_stages(legs, parts)
+    runs: list[Walk] = []
+    pieces: list[Piece] = []
+    for number, (leg, corner) in enumerate(zip(legs, (*corners, None), strict=True)):
+        if number in parts:
+            pieces.append(_straight(number, leg, *parts[number], plain.get(number)))
         if isinstance(corner, Rounding):
             pieces.append(_round(number, leg, legs[number + 1], corner))
-            enters = corner.enter
-        else:
+        elif leg.joints is not None:
             runs.append((pieces, corner))
-            pieces, enters = [], 0.0
+            pieces = []
     return runs
 
 
-def _straight(number: int, leg: Leg, first: float, last: float) -> Piece:
-    assert leg.joints is not None
-    whole = first == 0.0 and last == leg.joints.length
-    joints = leg.joints if whole else JointSection(leg.joints, first, last)
-    tool = leg.tool if whole or leg.tool is None else ToolSection(leg.tool, first, last)
-    limits, coordination = leg.planned.limits, leg.planned.coordination
+def _straight(number: int, leg: Leg, first: float, last: float, stages: Stages | None) -> Piece:
+    """Return a part of the path of a move, with the bounds along it where they are known."""
+    planned, joints = leg.planned, leg.joints
+    assert joints is not None
+    tool, coordination, whole = planned.tool, planned.coordination, first == 0.0 and last == joints.length
+    if not whole:
+        joints = JointSection(joints, first, last)
     if tool is None:
-        stages = _NO_STAGES if isinstance(joints, SynchronisedJoints) else joint_stages(joints, limits.joints)
-        return Piece(number, joints, None, leg.planned.X_MT, stages, begin=first)
-    if coordination and not whole:
-        coordination = coordination.part(first, last)
-    stages, *gentler = (along_with(one, coordination) for one in tool_choices(tool, limits.tool, _SHARES))
-    return Piece(
-        number,
-        joints,
-        tool,
-        leg.planned.X_MT,
-        stages,
-        coordination=coordination,
-        begin=first,
-        gentler=tuple(gentler),
-    )
+        if stages is None:
+            is_timed = isinstance(joints, SynchronisedJoints)
+            stages = _NO_STAGES if is_timed else joint_stages(joints, planned.limits.joints)
+        return _piece(number, joints, None, planned.X_MT, stages, None, None, first, ())
+    if not whole:
+        tool = ToolSection(tool, first, last)
+        coordination = coordination.part(first, last) if coordination else None
+    gentler: list[Stages] = []
+    if stages is None:
+        choices = tool_choices(tool, planned.limits.tool, _SHARES)
+        stages, *gentler = (along_with(one, coordination) for one in choices)
+    return _piece(number, joints, tool, planned.X_MT, stages, None, coordination, first, tuple(gentler))
 
 
 def _round(number: int, before: Leg, behind: Leg, corner: Rounding) -> Piece:
@@ -114,4 +121,4 @@ def _round(number: int, before: Leg, behind: Leg, corner: Rounding) -> Piece:
     if stages is None:
         least = lesser_limits(before.planned.limits.tool, behind.planned.limits.tool)
         stages = along_with(tool_stages(corner.tool, least), corner.coordination)
-    return Piece(number, corner.joints, corner.tool, X_MT, stages, corner, corner.coordination)
+    return _piece(number, corner.joints, corner.tool, X_MT, stages, corner, corner.coordination, 0.0, ())

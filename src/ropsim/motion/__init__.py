@@ -63,9 +63,12 @@ from ropsim.motion.paths import LOOK_SQUARES as LOOK_SQUARES
 from ropsim.motion.paths import LOOK_STATE as LOOK_STATE
 from ropsim.motion.paths import LOOK_WAYS as LOOK_WAYS
 from ropsim.motion.paths import MOST_LOOKS as MOST_LOOKS
+from ropsim.motion.paths import ROLL as ROLL
 from ropsim.motion.paths import STANDS as STANDS
 from ropsim.motion.paths import STILL as STILL
 from ropsim.motion.paths import SWING as SWING
+from ropsim.motion.paths import VELOCITY as VELOCITY
+from ropsim.motion.paths import WAY as WAY
 from ropsim.motion.paths import ZONE_NODES as ZONE_NODES
 from ropsim.motion.paths import ZONE_SHARES as ZONE_SHARES
 from ropsim.motion.paths import Arc as Arc

@@ -27,6 +27,9 @@ from ropsim.motion.paths.line import Line as Line
 from ropsim.motion.paths.line import enter_distances as enter_distances
 from ropsim.motion.paths.line_kernel import LINE_LENGTH as LINE_LENGTH
 from ropsim.motion.paths.line_kernel import LINE_SIZE as LINE_SIZE
+from ropsim.motion.paths.line_kernel import ROLL as ROLL
+from ropsim.motion.paths.line_kernel import VELOCITY as VELOCITY
+from ropsim.motion.paths.line_kernel import WAY as WAY
 from ropsim.motion.paths.line_kernel import line_numbers as line_numbers
 from ropsim.motion.paths.line_kernel import straight_points as straight_points
 from ropsim.motion.paths.orientation import ToolTurn as ToolTurn
