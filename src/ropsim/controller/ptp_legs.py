@@ -16,6 +16,7 @@ from ropsim.controller.planned_path import PlannedPath
 from ropsim.controller.posture_choice import LIMIT_SLACK, JointRange
 from ropsim.controller.ptp_legs_kernel import ROOM, SHEETS, choose_ends
 from ropsim.controller.work_frames import inverted
+from ropsim.core import maker
 from ropsim.flow import ModalState, MotionKind, MoveInstruction
 from ropsim.kinematics import chain_arrays, exact_arm, solver_of
 from ropsim.model import RobotModel, Synchronisation
@@ -23,6 +24,7 @@ from ropsim.motion import JointLine, JointMotionLimits, JointPath, SynchronisedJ
 from ropsim.spatial import Array, Pose, frozen
 
 _Room = tuple[Array, Array, Array]
+_planned, _leg = maker(PlannedPath), maker(Leg)
 _NONE = frozen([])
 """Stands for the base frame, and for no tool."""
 
@@ -56,13 +58,13 @@ class PtpLegs:
         if count == 0:
             return []
         run, plans = moves[first : first + count], [work.begun.plan for work in works[:count]]
-        bounds = np.concatenate([_bounds(plan.limits.joints) for plan in plans]).reshape(count, 3, 6)
+        bounds = _bounds([plan.limits.joints for plan in plans])
         q, shapes, told = np.empty((count + 1, 6)), np.empty((count, 3, 6)), np.empty(count)
         q[0] = q_start
         room = self.rooms.pop() if self.rooms else _room()
         works[0].lead(targets_of(run), bounds, q, shapes, told, *room)
         self.rooms.append(room)
-        q.flags.writeable = False
+        q.flags.writeable = shapes.flags.writeable = False
         legs, begin = list[Leg](), q[0]
         for number, time in enumerate(told.tolist()):
             if not time:
@@ -73,15 +75,16 @@ class PtpLegs:
                 joints = SynchronisedJoints.of_shapes(begin, end, plan.limits.joints, time, shapes[number])
             else:
                 joints = JointLine.of_ends(begin, end)
-            legs.append(Leg(run[number], PlannedPath(joints, None, plan.limits, plan.X_MT), joints, end, ()))
+            planned = _planned(joints, None, plan.limits, plan.X_MT, (), None)
+            legs.append(_leg(run[number], planned, joints, end, (), None))
             begin = end
         return legs
 
 
-@lru_cache(maxsize=256)
-def _bounds(limits: JointMotionLimits) -> Array:
-    """Return speed, acceleration and jerk of every joint in one row, shape (3·n,)."""
-    return frozen(np.concatenate((limits.speed, limits.acceleration, limits.jerk)))
+def _bounds(limits: Sequence[JointMotionLimits]) -> Array:
+    """Return speed, acceleration and jerk of every joint for each of k moves, shape (k, 3, n)."""
+    rows = [row for each in limits for row in (each.speed, each.acceleration, each.jerk)]
+    return np.concatenate(rows).reshape(len(limits), 3, -1)
 
 
 @lru_cache(maxsize=16)

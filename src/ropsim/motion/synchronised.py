@@ -1,9 +1,12 @@
 """Time-synchronised PTP: all joints start and end together, each by a profile of its own."""
 
+from collections.abc import Callable
 from dataclasses import field
+from typing import cast
 
 import numpy as np
 
+from ropsim.core import maker
 from ropsim.motion import synchronised_kernel
 from ropsim.motion.diagnostics import WRONG_PROFILE_REQUEST
 from ropsim.motion.durations import ZERO_LENGTH
@@ -63,11 +66,11 @@ class SynchronisedJoints:
         for name, value in made.items():
             object.__setattr__(self, name, value)
 
-    @classmethod
+    @staticmethod
     def of_shapes(
-        cls, q_start: Array, q_end: Array, limits: JointMotionLimits, length: float, shapes: Array
+        q_start: Array, q_end: Array, limits: JointMotionLimits, length: float, shapes: Array
     ) -> "SynchronisedJoints":
-        """Return the way of profiles that `plan_together` has written; arrays become read-only.
+        """Return the way of profiles that `plan_together` has written, in arrays that nobody can change.
 
         Args:
             q_start: as for any such way.
@@ -76,14 +79,7 @@ class SynchronisedJoints:
             length: the time from start to end [s], above 0.
             shapes: of the profiles, shape (3, n).
         """
-        made = cls.__new__(cls)
-        q_start.flags.writeable = q_end.flags.writeable = shapes.flags.writeable = False
-        object.__setattr__(made, "q_start", q_start)
-        object.__setattr__(made, "q_end", q_end)
-        object.__setattr__(made, "limits", limits)
-        object.__setattr__(made, "length", length)
-        object.__setattr__(made, "shapes", shapes)
-        return made
+        return _made(q_start, q_end, limits, length, shapes)
 
     @property
     def law(self) -> TimeLaw:
@@ -102,6 +98,11 @@ class SynchronisedJoints:
         """Return what compiled loops take of the path from a place on."""
         rows = self.q_start, self.q_end, self.shapes.reshape(-1)
         return PathRows(SYNCHRONISED, begin, self.length, 5, rows, None)
+
+
+_made = cast(
+    "Callable[[Array, Array, JointMotionLimits, float, Array], SynchronisedJoints]", maker(SynchronisedJoints)
+)
 
 
 def _wrong_words(joint: int, way: Array, bounds: Array) -> str:

@@ -1,9 +1,12 @@
 """Joint line: all joints on a straight way in joint space."""
 
+from collections.abc import Callable
 from dataclasses import field
+from typing import cast
 
 import numpy as np
 
+from ropsim.core import maker
 from ropsim.motion.paths.joint_line_kernel import line_points
 from ropsim.motion.paths.path import JointPoints
 from ropsim.motion.paths.path_rows import STRAIGHT, PathRows
@@ -30,20 +33,15 @@ class JointLine:
         object.__setattr__(self, "q_end", q_end)
         object.__setattr__(self, "length", 0.0 if q_start.tolist() == q_end.tolist() else 1.0)
 
-    @classmethod
-    def of_ends(cls, q_start: Array, q_end: Array) -> "JointLine":
-        """Return the line between two places that are not one; both become read-only.
+    @staticmethod
+    def of_ends(q_start: Array, q_end: Array) -> "JointLine":
+        """Return the line between two places that are not one, of which nobody can change an array.
 
         Args:
             q_start: as for any such line.
             q_end: likewise.
         """
-        q_start.flags.writeable = q_end.flags.writeable = False
-        made = cls.__new__(cls)
-        object.__setattr__(made, "q_start", q_start)
-        object.__setattr__(made, "q_end", q_end)
-        object.__setattr__(made, "length", 1.0)
-        return made
+        return _made(q_start, q_end, 1.0)
 
     def joints(self, s: Array) -> JointPoints:
         """Return the joints and their derivatives at places s, shape (k,)."""
@@ -54,3 +52,6 @@ class JointLine:
     def path_rows(self, begin: float) -> PathRows:
         """Return what compiled loops take of the path from a place on."""
         return PathRows(STRAIGHT, begin, 1.0, 2, (self.q_start, self.q_end), None)
+
+
+_made = cast("Callable[[Array, Array, float], JointLine]", maker(JointLine))
