@@ -29,14 +29,14 @@ def flown_zones(
         motion: how they are walked.
     """
     zones = [one.zone if one else 0.0 for one in corners] + [0.0]
-    overlapping = [pair for pair in pairwise(motion.course.runs) if pair[0].part.over is not None]
-    if not overlapping:
+    runs = [(run, behind.start) for run, behind in pairwise(motion.course.runs) if run.part.over is not None]
+    if not runs:
         return zones
-    numbers = [before.pieces[-1].leg for before, _ in overlapping]
-    q = motion.at(np.array([behind.start for _, behind in overlapping])).q
+    numbers = [run.part.pieces[-1].leg for run, _ in runs]
+    q = motion.at(np.array([start for _, start in runs])).q
     tools = [legs[number].planned.X_MT for number in numbers]
-    q = np.concatenate((q, [legs[number].q_end for number in numbers]))
+    q = np.concatenate((q.reshape(-1), *(legs[number].q_end for number in numbers)))
     leaves, targets = tool_places(robot, q, tools + tools).reshape(2, -1, 3)
-    for number, way in zip(numbers, leaves - targets, strict=True):
-        zones[number] = math.sqrt(way.dot(way))
+    for number, (x, y, z) in zip(numbers, (leaves - targets).tolist(), strict=True):
+        zones[number] = math.sqrt(x * x + y * y + z * z)
     return zones

@@ -102,8 +102,9 @@ def _planned(
     """Return the motion through moves, or the move that cannot be made."""
     findings = [finding for leg in legs for finding in leg.findings]
     findings += beyond_arm(legs, chain.robot)
+    crawling = _crawling(legs)
     for number, leg in enumerate(legs):
-        if _crawls(leg) and check_duration(leg.move, alone := _time_alone(leg)):
+        if number in crawling and check_duration(leg.move, alone := _time_alone(leg)):
             return _too_long(legs, number, alone)
         if refusal := correction_refusal(leg):
             return _Hurdle(number, refusal)
@@ -187,11 +188,17 @@ def _too_long(legs: list[Leg], number: int, duration: float) -> _Hurdle:
     return _Hurdle(slowest, Refusal(check_duration(legs[slowest].move, duration)))
 
 
-def _crawls(leg: Leg) -> bool:
-    """Return whether a limit of a move is so small that the time of the move is no number to plan with."""
-    joints, tool = leg.planned.limits.joints, leg.planned.limits.tool
-    of_joints = joints.speed.tolist(), joints.acceleration.tolist(), joints.jerk.tolist()
-    return bool(min(*map(min, of_joints), *tool.all) < _CRAWLING)
+def _crawling(legs: Sequence[Leg]) -> set[int]:
+    """Return the moves with a limit so small that their time is no number to plan with."""
+    found, last, crawls = set[int](), None, False
+    for number, leg in enumerate(legs):
+        if (limits := leg.planned.limits) is not last:
+            last, joints = limits, limits.joints
+            of_joints = joints.speed.tolist(), joints.acceleration.tolist(), joints.jerk.tolist()
+            crawls = min(*map(min, of_joints), *limits.tool.all) < _CRAWLING
+        if crawls:
+            found.add(number)
+    return found
 
 
 def _time_alone(leg: Leg) -> float:

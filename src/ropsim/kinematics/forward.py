@@ -59,7 +59,8 @@ def tool_places(robot: Mechanism, Q: Array, tools: Sequence[Pose]) -> Array:
     from ropsim.kinematics.chain_kernel import POSES
     from ropsim.kinematics.tool_pose_kernel import write_tool_places
 
-    rows, points = Q.reshape(len(tools), robot.n), np.array([one.position for one in tools])
+    rows = Q.reshape(len(tools), robot.n)
+    points = np.concatenate([one.position for one in tools]).reshape(len(tools), 3)
     if robot.cuts:
         X_BM = forward_batch(robot, rows)
         return np.asarray((X_BM[:, :3, :3] @ points[:, :, None])[:, :, 0] + X_BM[:, :3, 3])
