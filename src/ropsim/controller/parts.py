@@ -86,7 +86,8 @@ def part_of(pieces: Sequence[Piece], over: Overlap | None, look_ahead: int) -> P
     alone = pieces[0].joints
     if isinstance(alone, SynchronisedJoints):
         return Part(tuple(pieces), pieces[0].stages, _NOTHING, alone.law, over)
-    counts, rows = np.array([len(piece.stages) for piece in pieces]), [piece.stages.rows for piece in pieces]
+    rows = [piece.stages.rows for piece in pieces]
+    counts = np.array([len(each) for each in rows])
     stages = Stages(np.concatenate(rows)) if len(rows) > 1 else pieces[0].stages
     return planned_part(pieces, stages, counts, over, look_ahead)
 

@@ -54,7 +54,7 @@ class Piece:
     @property
     def is_even(self) -> bool:
         """Return whether the same bounds hold all along it, and no others can be chosen."""
-        return len(self.stages) == 1 and not self.gentler
+        return len(self.stages.rows) == 1 and not self.gentler
 
 
 _piece = maker(Piece)

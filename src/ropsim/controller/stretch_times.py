@@ -12,7 +12,7 @@ from ropsim.controller.leg import Leg
 from ropsim.controller.parts import Part, parts_of
 from ropsim.controller.pieces import pieces_of
 from ropsim.controller.quicker_stops import Span, Times
-from ropsim.motion import SynchronisedJoints, rest_to_rest
+from ropsim.motion import SynchronisedJoints, rest_to_rest_times
 
 
 def times_alone(legs: Sequence[Leg], parts: Sequence[Part], look_ahead: int) -> tuple[float, ...]:
@@ -30,12 +30,12 @@ def times_alone(legs: Sequence[Leg], parts: Sequence[Part], look_ahead: int) -> 
                 if len(part.pieces) == 1 and piece.joints is legs[piece.leg].joints:
                     found[piece.leg] = part.law.duration
                 else:
-                    even[piece.leg] = piece.stages.rows[0]
+                    even[piece.leg] = piece.stages.rows
     lengths = {number: path.length for number in even if (path := legs[number].joints)}
     if lengths:
-        rows = np.array([even[number] for number in lengths])
+        rows = np.concatenate([even[number] for number in lengths])
         rows[:, 0] = tuple(lengths.values())
-        found |= {number: law.duration for number, law in zip(lengths, rest_to_rest(rows), strict=True)}
+        found |= zip(lengths, rest_to_rest_times(rows).tolist(), strict=True)
     for number, leg in enumerate(legs):
         if isinstance(leg.joints, SynchronisedJoints):
             found[number] = leg.joints.length  # its parameter is the time

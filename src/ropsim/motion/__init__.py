@@ -146,6 +146,7 @@ from ropsim.motion.time_law import TimeLaw as TimeLaw
 from ropsim.motion.time_law import plan_stages as plan_stages
 from ropsim.motion.time_law import plan_time_law as plan_time_law
 from ropsim.motion.time_law import rest_to_rest as rest_to_rest
+from ropsim.motion.time_law import rest_to_rest_times as rest_to_rest_times
 from ropsim.motion.turn import Turn as Turn
 from ropsim.motion.turn import plan_turn as plan_turn
 from ropsim.motion.zone_diagnostics import BEYOND_LIMITS as BEYOND_LIMITS

@@ -5,6 +5,7 @@ from collections.abc import Iterable
 import numpy as np
 import numpy.typing as npt
 
+from ropsim.core import maker
 from ropsim.motion import law_rows_kernel, law_times_kernel, time_law_kernel
 from ropsim.motion.diagnostics import WRONG_PROFILE_REQUEST
 from ropsim.motion.longer_pieces_kernel import plan_longer
@@ -134,6 +135,9 @@ class TimeLaw:
         return float(out[0])
 
 
+_law = maker(TimeLaw)
+
+
 def plan_time_law(stages: Iterable[Stage]) -> TimeLaw:
     """Return the time law of a way of p pieces, in time proportional to p and the look-ahead.
 
@@ -167,16 +171,35 @@ def rest_to_rest(rows: Array) -> tuple[TimeLaw, ...]:
     Raises:
         ProfileError: M540, as for `plan_time_law`.
     """
+    times, counts, laws = _alone(rows)
+    times.flags.writeable = laws.flags.writeable = False
+    return tuple(
+        _law(laws[k, : 8 * count].reshape(8, count), times[k : k + 1])
+        for k, count in enumerate(map(int, counts.tolist()))
+    )
+
+
+def rest_to_rest_times(rows: Array) -> Array:
+    """Return how long the time laws of `rest_to_rest` last [s], shape (k,).
+
+    Args:
+        rows: as there.
+
+    Raises:
+        ProfileError: M540, as there.
+    """
+    return _alone(rows)[0]
+
+
+def _alone(rows: Array) -> tuple[Array, Array, Array]:
+    """Return times, numbers of segments, and segments of ways of one piece, see `plan_alone`."""
     bounds, (times, counts) = np.ones((len(rows), 6)), np.empty((2, len(rows)))
     bounds[:, :4], bounds[:, 5], laws = rows, -1.0, np.empty((len(rows), 8 * MOST_SEGMENTS))
     ways, courses, room, _, told = _rooms(1)
     plan_alone(bounds, ways, courses, room, told, times, counts, laws)
     if np.isnan(times).any():
         _planned(bounds[np.isnan(times)][:1])
-    return tuple(
-        TimeLaw(law[: 8 * int(count)].reshape(8, -1), end)
-        for law, count, end in zip(laws, counts.tolist(), times[:, None], strict=True)
-    )
+    return times, counts, laws
 
 
 def plan_stages(bounds: Array, counts: Array) -> TimeLaw:

@@ -22,6 +22,7 @@ from ropsim.motion import (
     plan_stages,
     plan_time_law,
     rest_to_rest,
+    rest_to_rest_times,
     time_law_kernel,
 )
 from support.in_python import in_python
@@ -295,6 +296,7 @@ def test_laws_from_rest_to_rest_are_those_of_ways_of_one_piece() -> None:
     rows = np.random.default_rng(3).uniform((1e-3, 0.1, 1.0, 10.0), (2.0, 2.0, 9.0, 500.0), (200, 4))
     alone = [plan_time_law([Stage(*row)]) for row in rows.tolist()]
     assert rest_to_rest(rows) == tuple(alone)
+    assert rest_to_rest_times(rows).tolist() == [law.duration for law in alone]
 
 
 def test_a_way_of_one_piece_that_no_motion_can_have_is_refused_with_its_bounds() -> None:
