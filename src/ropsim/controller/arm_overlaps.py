@@ -10,12 +10,11 @@ from ropsim.codegen import Compiled, bound
 from ropsim.controller.corners import HALF, LEAST_ZONE, Overlap, commanded_zone, overlap_of
 from ropsim.controller.leg import Leg
 from ropsim.controller.motion_chain import MotionChain
-from ropsim.controller.zone_of_arm_kernel import DISTANCE, zones_of_arm
-from ropsim.controller.zone_ways import Crossing, StraightWay
-from ropsim.kinematics import POSES, chain_arrays
+from ropsim.controller.zone_of_arm_kernel import DISTANCE, SIDE_BY_SIDE, zones_of_arm
+from ropsim.controller.zone_ways import Crossing, StraightWay, search_rooms
+from ropsim.kinematics import chain_arrays
 from ropsim.model import RobotModel
 from ropsim.motion import (
-    MOST_LOOKS,
     STRAIGHT,
     SYNCHRONISED,
     ZONE_NODES,
@@ -88,15 +87,9 @@ def _searched(
     robot: RobotModel, asked: list[float], rows: list[Array], tcps: list[Array]
 ) -> Iterator[Crossing]:
     """Return the places that the kernel finds."""
-    numbers, count, steps = (
-        np.fromiter(asked, np.float64).reshape(-1, 9),
-        MOST_LOOKS,
-        len(chain_arrays(robot).slides),
-    )
-    rooms = np.empty((5, count)), np.empty((3, count, robot.n)), np.empty((count, steps))
-    rooms_of_poses = np.empty((count, 4, 4)), np.empty(POSES)
+    numbers = np.fromiter(asked, np.float64).reshape(-1, 9)
     at, tools = np.concatenate(rows).reshape(-1, robot.n), np.concatenate(tcps).reshape(-1, 3)
-    _compiled(robot)(at, tools, numbers, *rooms, *rooms_of_poses)
+    _compiled(robot)(at, tools, numbers, *search_rooms(robot, min(len(numbers), SIDE_BY_SIDE)))
     return iter(map(tuple, numbers[:, : DISTANCE + 1].tolist()))
 
 

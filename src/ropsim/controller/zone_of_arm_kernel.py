@@ -1,4 +1,4 @@
-"""Where an arm on a path of its joints leaves a zone with its tool, in a loop that numba compiles."""
+"""Where an arm on paths of its joints leaves zones with its tool, in a loop that numba compiles."""
 
 from ropsim.codegen import kernel
 from ropsim.kinematics import POSES, forward_rows
@@ -16,86 +16,22 @@ from ropsim.motion import (
 from ropsim.spatial import Array
 
 LENGTH, ZONE, CLIP, FROM_END, KIND, BEGIN, WHOLE, FIRST, LAST = range(9)
-"""What is asked for, see `zone_of_arm`; the last two see `zones_of_arm`."""
+"""What is asked for, see `zones_of_arm`."""
 PLACE, DISTANCE = range(2)
 """What becomes of it."""
-
-
-@kernel(
-    "void(f8[::1], f8[:,::1], f8[:,::1], f8[::1], f8[:,::1], f8[::1], f8[::1],"
-    " f8[:,::1], f8[:,:,::1], f8[:,::1], f8[:,:,::1], f8[::1])"
-)
-def zone_of_arm(
-    shares: Array,
-    nodes: Array,
-    rows: Array,
-    chain: Array,
-    spread: Array,
-    tcp: Array,
-    asked: Array,
-    looks: Array,
-    points: Array,
-    steps: Array,
-    X: Array,
-    poses: Array,
-) -> None:
-    """Search for the place at which the TCP is in a distance from where it is at an end of the path.
-
-    Args:
-        shares: as for `look_further`, and so are nodes.
-        nodes: see there.
-        rows: of the path, see `PathRows`, shape (l, n).
-        chain: `ChainArrays.flat` of the arm, of m steps.
-        spread: `ChainArrays.spread`, shape (m or 0, n + 1).
-        tcp: in the frame of the interface [m], shape (3,).
-        asked: length of the path, the zone [m], how far from that end it may be found at most, 1.0 for the
-            end of the path, 0.0 for its start; then kind, begin and length of `PathRows`; becomes the place,
-            and the distance of the TCP there [m]; shape (7,).
-        looks: room to work in, shape (5, `MOST_LOOKS`).
-        points: room to work in, shape (3, `MOST_LOOKS`, n).
-        steps: room to work in, shape (`MOST_LOOKS`, m).
-        X: room to work in, shape (`MOST_LOOKS`, 4, 4).
-        poses: room to work in, shape (`POSES`,).
-    """
-    places, state = looks[3], looks[4]
-    for i in range(LOOK_STATE):
-        state[i] = 0.0
-    for i in range(POSES):
-        poses[i] = 0.0
-    length, from_end, begin = asked[LENGTH], asked[FROM_END] != 0.0, asked[BEGIN]
-    x = y = z = 0.0
-    first, last = True, False
-    while not last:
-        look_further(shares, nodes, asked[ZONE], asked[CLIP], looks, state)
-        count = int(state[LOOK_COUNT])
-        last = count == 0
-        if last:  # how far it is at the place that was found
-            count = 1
-            looks[LOOK_WAYS, 0] = state[LOOK_FOUND]
-        for i in range(count):
-            places[i] = length - looks[LOOK_WAYS, i] if from_end else looks[LOOK_WAYS, i]
-        asked[PLACE] = places[0]
-        for i in range(count):
-            places[i] += begin
-        if asked[KIND] == SYNCHRONISED:
-            joint_rows(rows[0], rows[1], rows[2:], asked[WHOLE], places[:count], points)
-        else:
-            line_points(rows[0], rows[1], places[:count], points)
-        _move_steps(spread, points[0], count, steps)
-        forward_rows(chain, steps[:count], X[:count], poses)
-        for i in range(count):
-            u = X[i, 0, 0] * tcp[0] + X[i, 0, 1] * tcp[1] + X[i, 0, 2] * tcp[2] + X[i, 0, 3]
-            v = X[i, 1, 0] * tcp[0] + X[i, 1, 1] * tcp[1] + X[i, 1, 2] * tcp[2] + X[i, 1, 3]
-            w = X[i, 2, 0] * tcp[0] + X[i, 2, 1] * tcp[1] + X[i, 2, 2] * tcp[2] + X[i, 2, 3]
-            if first:
-                x, y, z, first = u, v, w, False
-            looks[LOOK_SQUARES, i] = (u - x) * (u - x) + (v - y) * (v - y) + (w - z) * (w - z)
-    asked[DISTANCE] = looks[LOOK_SQUARES, 0] ** 0.5
+SIDE_BY_SIDE = 16
+"""Paths that are searched together: what each looks at one place at a time is computed at once then."""
+PLACES, STATE = 3, 4
+"""Rows of looks, behind those that `look_further` knows."""
+COUNT, ENDS, CENTRED, X, Y, Z, HELD = range(7)
+"""What is held of a search: how many places it looks at, 0 when it is over; 1 once the place is found, and
+once the centre of the zone is known; that centre [m]. How many numbers that is.
+"""
 
 
 @kernel(
     "void(f8[::1], f8[:,::1], f8[::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1],"
-    " f8[:,::1], f8[:,:,::1], f8[:,::1], f8[:,:,::1], f8[::1])"
+    " f8[:,:,::1], f8[:,::1], f8[:,:,::1], f8[:,::1], f8[:,:,::1], f8[::1])"
 )
 def zones_of_arm(
     shares: Array,
@@ -106,30 +42,107 @@ def zones_of_arm(
     tcps: Array,
     asked: Array,
     looks: Array,
+    held: Array,
     points: Array,
     steps: Array,
-    X: Array,
+    poses_at: Array,
     poses: Array,
 ) -> None:
-    """Do the same for k paths of one arm, one after the other.
+    """Search on k paths for the places at which the TCP is in a distance from where it is at an end of each.
 
     Args:
-        shares: as for `zone_of_arm`, and so are all that are not named here.
+        shares: as for `look_further`, and so are nodes.
         nodes: see there.
-        chain: see there.
-        spread: see there.
-        rows: of all paths, shape (r, n).
+        chain: `ChainArrays.flat` of the arm, of m steps.
+        spread: `ChainArrays.spread`, shape (m or 0, n + 1).
+        rows: of all paths, see `PathRows`, shape (r, n).
         tcps: in the frame of the interface [m], shape (k, 3).
-        asked: as there, and behind that the first row of each path and that after its last one, shape (k, 9).
-        looks: see there.
-        points: see there.
-        steps: see there.
-        X: see there.
-        poses: see there.
+        asked: length of each path, the zone [m], how far from that end it may be found at most, 1.0 for the
+            end of the path, 0.0 for its start; then kind, begin and length of `PathRows`, the first row of
+            the path and that after its last one; becomes the place, and the distance of the TCP there [m];
+            shape (k, 9).
+        looks: room to work in for s searches side by side, shape (s, 5, `MOST_LOOKS`).
+        held: likewise, shape (s, `HELD`).
+        points: room to work in, shape (3, `MOST_LOOKS`, n).
+        steps: room to work in, shape (s·`MOST_LOOKS`, m).
+        poses_at: room to work in, shape (s·`MOST_LOOKS`, 4, 4).
+        poses: room to work in, shape (`POSES`,).
     """
+    for i in range(POSES):
+        poses[i] = 0.0
+    for first in range(0, asked.shape[0], looks.shape[0]):
+        beyond = min(first + looks.shape[0], asked.shape[0])
+        own, tools = asked[first:beyond], tcps[first:beyond]
+        for k in range(own.shape[0]):
+            held[k, COUNT], held[k, ENDS], held[k, CENTRED] = 1.0, 0.0, 0.0
+            for i in range(LOOK_STATE):
+                looks[k, STATE, i] = 0.0
+        count = _ask(shares, nodes, spread, rows, own, looks, held, points, steps)
+        while count > 0:
+            forward_rows(chain, steps[:count], poses_at[:count], poses)
+            _answer(tools, poses_at, own, looks, held)
+            count = _ask(shares, nodes, spread, rows, own, looks, held, points, steps)
+
+
+def _ask(
+    shares: Array,
+    nodes: Array,
+    spread: Array,
+    rows: Array,
+    asked: Array,
+    looks: Array,
+    held: Array,
+    points: Array,
+    steps: Array,
+) -> int:
+    """Write coordinates at the places at which searches look next, and return how many these are."""
+    total = 0
     for k in range(asked.shape[0]):
-        own = rows[int(asked[k, FIRST]) : int(asked[k, LAST])]
-        zone_of_arm(shares, nodes, own, chain, spread, tcps[k], asked[k], looks, points, steps, X, poses)
+        if held[k, ENDS] != 0.0:
+            held[k, COUNT] = 0.0
+        if held[k, COUNT] == 0.0:
+            continue
+        one, places, state = asked[k], looks[k, PLACES], looks[k, STATE]
+        look_further(shares, nodes, one[ZONE], one[CLIP], looks[k], state)
+        count = int(state[LOOK_COUNT])
+        if count == 0:  # how far it is at the place that was found
+            count, held[k, ENDS] = 1, 1.0
+            looks[k, LOOK_WAYS, 0] = state[LOOK_FOUND]
+        held[k, COUNT] = count
+        for i in range(count):
+            way = looks[k, LOOK_WAYS, i]
+            places[i] = one[LENGTH] - way if one[FROM_END] != 0.0 else way
+        if held[k, ENDS] != 0.0:
+            one[PLACE] = places[0]
+        for i in range(count):
+            places[i] += one[BEGIN]
+        path = rows[int(one[FIRST]) : int(one[LAST])]
+        if one[KIND] == SYNCHRONISED:
+            joint_rows(path[0], path[1], path[2:], one[WHOLE], places[:count], points)
+        else:
+            line_points(path[0], path[1], places[:count], points)
+        _move_steps(spread, points[0], count, steps[total:])
+        total += count
+    return total
+
+
+def _answer(tcps: Array, poses_at: Array, asked: Array, looks: Array, held: Array) -> None:
+    """Tell searches how far the TCP is from the centre, at first from where it is at the first place."""
+    at = 0
+    for k in range(asked.shape[0]):
+        tcp, count = tcps[k], int(held[k, COUNT])
+        for i in range(count):
+            pose = poses_at[at + i]
+            u = pose[0, 0] * tcp[0] + pose[0, 1] * tcp[1] + pose[0, 2] * tcp[2] + pose[0, 3]
+            v = pose[1, 0] * tcp[0] + pose[1, 1] * tcp[1] + pose[1, 2] * tcp[2] + pose[1, 3]
+            w = pose[2, 0] * tcp[0] + pose[2, 1] * tcp[1] + pose[2, 2] * tcp[2] + pose[2, 3]
+            if held[k, CENTRED] == 0.0:
+                held[k, CENTRED], held[k, X], held[k, Y], held[k, Z] = 1.0, u, v, w
+            x, y, z = u - held[k, X], v - held[k, Y], w - held[k, Z]
+            looks[k, LOOK_SQUARES, i] = x * x + y * y + z * z
+        if held[k, ENDS] != 0.0 and count:
+            asked[k, DISTANCE] = looks[k, LOOK_SQUARES, 0] ** 0.5
+        at += count
 
 
 def _move_steps(spread: Array, Q: Array, count: int, steps: Array) -> None:

@@ -4,7 +4,7 @@ from typing import Protocol
 
 import numpy as np
 
-from ropsim.controller.zone_of_arm_kernel import zone_of_arm
+from ropsim.controller.zone_of_arm_kernel import HELD, zones_of_arm
 from ropsim.kinematics import POSES, chain_arrays, forward_batch
 from ropsim.model import RobotModel
 from ropsim.motion import (
@@ -129,20 +129,20 @@ class _ArmWay(_Way):
         """Return where the way is in a zone at most `clip` from the end (1.0) or the start (0.0)."""
         kind, begin, length, size, flat, _ = self._rows
         chain, rows = self._chain, np.concatenate(flat).reshape(size, -1)
-        asked = np.array((self.length, zone, clip, from_end, kind, begin, length))
-        zone_of_arm(
-            ZONE_SHARES,
-            ZONE_NODES,
-            rows,
-            chain.flat,
-            chain.spread,
-            self._X_MT.position,
-            asked,
-            np.empty((5, MOST_LOOKS)),
-            np.empty((3, MOST_LOOKS, rows.shape[1])),
-            np.empty((MOST_LOOKS, len(chain.slides))),
-            np.empty((MOST_LOOKS, 4, 4)),
-            np.empty(POSES),
-        )
-        place, distance, *_ = asked.tolist()
+        asked = np.array([(self.length, zone, clip, from_end, kind, begin, length, 0.0, size)])
+        own = chain.flat, chain.spread, rows, self._X_MT.position[np.newaxis]
+        zones_of_arm(ZONE_SHARES, ZONE_NODES, *own, asked, *search_rooms(self._robot, 1))
+        place, distance, *_ = asked[0].tolist()
         return place, distance
+
+
+def search_rooms(robot: RobotModel, count: int) -> tuple[Array, ...]:
+    """Return rooms to work in for `zones_of_arm`.
+
+    Args:
+        robot: the arm.
+        count: of the searches side by side.
+    """
+    places, steps = count * MOST_LOOKS, len(chain_arrays(robot).slides)
+    searches = np.empty((count, 5, MOST_LOOKS)), np.empty((count, HELD)), np.empty((3, MOST_LOOKS, robot.n))
+    return *searches, np.empty((places, steps)), np.empty((places, 4, 4)), np.empty(POSES)

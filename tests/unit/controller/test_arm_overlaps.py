@@ -30,7 +30,7 @@ def test_overlaps_are_those_that_are_found_one_by_one(name: str, synchronised: S
     for _ in range(10):
         q = q_start = np.asarray(robot.lower_limits + random.uniform(0.3, 0.7, robot.n) * span)
         legs: list[Leg] = []
-        for _ in range(6):
+        for _ in range(12):  # so that there are more of them than are searched for side by side
             q = q_start + random.normal(scale=0.15, size=robot.n)
             modal = replace(ZONE, zone=10.0 ** random.uniform(-7.0, -0.5))
             move = lin(forward(robot, q), modal) if random.integers(2) else ptp(tuple(q.tolist()), modal)
