@@ -21,6 +21,7 @@ from ropsim.controller.planned_path import PlannedPath
 from ropsim.controller.posture_choice import LIMIT_SLACK
 from ropsim.controller.posture_trouble import max_speeds_of
 from ropsim.controller.posture_wish import other_posture
+from ropsim.core import maker
 from ropsim.flow import ModalState, MotionKind, MoveInstruction
 from ropsim.kinematics import chain_arrays, exact_arm, solver_of
 from ropsim.model import OrientationMode, RobotModel
@@ -31,6 +32,7 @@ _MOST = 129
 """Rows for which there is room on one line; a longer one is led by itself."""
 _EACH = 33
 """Rows for which there is room on each line, when they are many."""
+_traced, _planned, _leg = maker(Traced), maker(PlannedPath), maker(Leg)
 _Room = tuple[Array, Array, Array]
 _BASE = frozen([])
 """Stands for the base frame."""
@@ -71,6 +73,7 @@ class LineLegs:
         room = self.rooms.pop() if self.rooms else _room()
         works[0].lead(targets_of(moves), q_start, poses, numbers, q, derivatives, told, *room)
         self.rooms.append(room)
+        numbers.flags.writeable = q.flags.writeable = derivatives.flags.writeable = False
         legs, at, X_start = list[Leg](), 0, Pose.of_units(poses[0])
         for number, (each, longest) in enumerate(told.tolist()):
             if not each:
@@ -80,14 +83,14 @@ class LineLegs:
             X_end = move.target if works[number].in_base else Pose.of_units(poses[number + 1])
             assert isinstance(X_end, Pose)
             line = Line.of_numbers(X_start, X_end, self.mode, numbers[number])
-            planned = PlannedPath(None, line, known.limits, known.X_MT)
+            planned = _planned(None, line, known.limits, known.X_MT, (), None)
             if planned.least_time > MAX_DURATION:
                 break
             slopes = derivatives[12 * at : 12 * until].reshape(2, until - at, 6)
-            joints = Traced.of_rows(line.length, q[at:until], slopes)
+            joints = _traced(line.length, q[at:until], slopes)
             q_end = joints.q[-1]
             findings = other_posture(move, self.robot, q_end)
-            legs.append(Leg(move, planned, joints, q_end, findings, longest))
+            legs.append(_leg(move, planned, joints, q_end, findings, longest))
             at, X_start = until, X_end
         return legs
 

@@ -1,10 +1,12 @@
 """Line: the TCP on a straight way while the tool turns; or the tool turning about a TCP that stands."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import field
+from typing import cast
 
 import numpy as np
 
+from ropsim.core import maker
 from ropsim.model import OrientationMode
 from ropsim.motion.paths.line_kernel import (
     AXIS,
@@ -47,11 +49,15 @@ class Line:
         start, end, numbers = self.X_start, self.X_end, np.empty(LINE_SIZE)
         drives = int(self.mode is OrientationMode.DRIVE_TRANSFORM)
         line_numbers(start.position, start.orientation, end.position, end.orientation, drives, numbers)
-        self._take(numbers)
+        numbers.flags.writeable = False
+        length, moves = numbers[LINE_LENGTH : MOVES + 1].tolist()
+        object.__setattr__(self, "numbers", numbers)
+        object.__setattr__(self, "moves", bool(moves))
+        object.__setattr__(self, "length", length)
 
-    @classmethod
-    def of_numbers(cls, X_start: Pose, X_end: Pose, mode: OrientationMode, numbers: Array) -> "Line":
-        """Return the line of numbers that `line_numbers` has written; they become read-only.
+    @staticmethod
+    def of_numbers(X_start: Pose, X_end: Pose, mode: OrientationMode, numbers: Array) -> "Line":
+        """Return the line of numbers that `line_numbers` has written, in an array that nobody can change.
 
         Args:
             X_start: as for any line.
@@ -59,19 +65,8 @@ class Line:
             mode: likewise.
             numbers: those of this line, shape (LINE_SIZE,).
         """
-        made = cls.__new__(cls)
-        object.__setattr__(made, "X_start", X_start)
-        object.__setattr__(made, "X_end", X_end)
-        object.__setattr__(made, "mode", mode)
-        made._take(numbers)
-        return made
-
-    def _take(self, numbers: Array) -> None:
-        numbers.flags.writeable = False
         length, moves = numbers[LINE_LENGTH : MOVES + 1].tolist()
-        object.__setattr__(self, "numbers", numbers)
-        object.__setattr__(self, "moves", bool(moves))
-        object.__setattr__(self, "length", length)
+        return _made(X_start, X_end, mode, numbers, bool(moves), length)
 
     @property
     def way(self) -> Array:
@@ -103,6 +98,9 @@ class Line:
 
     def _between(self, r: Array) -> Array:
         return (1.0 - r)[:, None] * self.X_start.position + r[:, None] * self.X_end.position
+
+
+_made = cast("Callable[[Pose, Pose, OrientationMode, Array, bool, float], Line]", maker(Line))
 
 
 def enter_distances(

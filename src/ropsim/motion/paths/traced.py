@@ -40,22 +40,6 @@ class Traced:
         object.__setattr__(self, "q", q)
         object.__setattr__(self, "derivatives", derivatives)
 
-    @classmethod
-    def of_rows(cls, length: float, q: Array, derivatives: Array) -> "Traced":
-        """Return the path through rows that nobody else writes to; they and derivatives become read-only.
-
-        Args:
-            length: of the way, above 0.
-            q: as for any such path.
-            derivatives: likewise.
-        """
-        q.flags.writeable = derivatives.flags.writeable = False
-        made = cls.__new__(cls)
-        object.__setattr__(made, "length", length)
-        object.__setattr__(made, "q", q)
-        object.__setattr__(made, "derivatives", derivatives)
-        return made
-
     def joints(self, s: Array) -> JointPoints:
         """Return the joints and their derivatives at places s, shape (k,)."""
         count, n = self.q.shape
