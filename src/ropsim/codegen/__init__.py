@@ -19,6 +19,8 @@ from ropsim.codegen.hoist import hoisted as hoisted
 from ropsim.codegen.kernel import kernel as kernel
 from ropsim.codegen.kernel import numba_available as numba_available
 from ropsim.codegen.load import load as load
+from ropsim.codegen.shapes import as_row as as_row
+from ropsim.codegen.shapes import as_table as as_table
 from ropsim.codegen.tracer import Scalar as Scalar
 from ropsim.codegen.tracer import Tracer as Tracer
 from ropsim.codegen.tracer import cos as cos

@@ -7,10 +7,11 @@ from llvmlite import ir
 REAL = ir.DoubleType()
 WHOLE = ir.IntType(64)
 _OPERATIONS = {ast.Add: "fadd", ast.Sub: "fsub", ast.Mult: "fmul", ast.Div: "fdiv"}
-_FOREIGN = ("sin", "cos", "tanh")
+_FOREIGN = ("sin", "cos", "tanh", "atan2")
 """Functions of the C library, which Python's `math` calls, too."""
 _COMPARED = {"min": "<", "max": ">"}
-_INTRINSIC = {"abs": "llvm.fabs", "sqrt": "llvm.sqrt"}
+_CONDITIONS = {ast.Lt: "<", ast.LtE: "<=", ast.Gt: ">", ast.GtE: ">=", ast.Eq: "=="}
+_INTRINSIC = {"abs": "llvm.fabs", "sqrt": "llvm.sqrt", "rint": "llvm.rint"}
 """Functions that are an instruction of the processor, the result to the last bit."""
 _CALLED = {"float", *_INTRINSIC, *_COMPARED, *_FOREIGN}
 
@@ -70,6 +71,11 @@ class Instructions:
             case ast.BinOp(left=left, op=op, right=right) if type(op) in _OPERATIONS:
                 write = getattr(self.builder, _OPERATIONS[type(op)])
                 return write(self.value(left), self.value(right))
+            case ast.IfExp(test=ast.Compare(left=left, ops=[op], comparators=[right])) if (
+                type(op) in _CONDITIONS
+            ):
+                holds = self.builder.fcmp_ordered(_CONDITIONS[type(op)], self.value(left), self.value(right))
+                return self.builder.select(holds, self.value(node.body), self.value(node.orelse))
             case ast.Call(func=ast.Attribute(attr=name) | ast.Name(id=name), args=args) if name in _CALLED:
                 return self._call(name, [self.value(one) for one in args])
             case _:
@@ -83,7 +89,7 @@ class Instructions:
         """Return what a function of the C library makes of numbers."""
         found = self.builder.module.globals.get(name)
         if found is None:
-            found = ir.Function(self.builder.module, ir.FunctionType(REAL, [REAL]), name)
+            found = ir.Function(self.builder.module, ir.FunctionType(REAL, [REAL] * len(values)), name)
         return self.builder.call(found, values)
 
     def intrinsic(self, name: str, values: list[ir.Value]) -> ir.Value:

@@ -12,6 +12,7 @@ from ropsim.codegen.caller import Callee, bound
 from ropsim.codegen.columns import Columns
 from ropsim.codegen.direct import Compiled, Door
 from ropsim.codegen.layout import Told
+from ropsim.codegen.shapes import Shape
 from ropsim.codegen.signature import Signature
 
 F = TypeVar("F", bound=Callable[..., None])
@@ -157,7 +158,7 @@ def _scope(function: FunctionType) -> dict[str, Any]:
     for name, one in tuple(scope.items()):
         behind = kernel_of(one)
         inner = behind.function if behind else getattr(one, "__wrapped__", one)
-        if isinstance(one, Columns):
+        if isinstance(one, Columns | Shape):
             scope[name] = one.inside
         elif isinstance(inner, FunctionType) and inner.__module__ == function.__module__:
             scope[name] = inside(FunctionType(inner.__code__, scope, name))

@@ -3,7 +3,9 @@
 Angles are taken off in multiples of π/2, whose first 99 bits stand in three numbers, and what is left goes
 into polynomials (Sun Microsystems 1993, fdlibm: k_sin.c, k_cos.c, e_rem_pio2.c); farther out than a million
 the C library is asked. The hyperbolic tangent is m/(m + 2) with m = exp(2·|x|) - 1, by powers of 2 and the
-series of exp between them. Errors are below 3e-16 of sine and cosine, and of the tangent as a share of it.
+series of exp between them. The direction of (x, y) is a multiple of π/4 and an angle of less than π/8 on one
+side of it, by the polynomial of s_atan.c there. Errors are below 3e-16 of sine and cosine, and of the tangent
+and the direction as a share of it.
 """
 
 import ast
@@ -49,6 +51,35 @@ p = r + (r * r) * p
 b = k + {_WHOLE + 1023.0}
 """
 """Of the tangent: powers of 2 and the series of exp, and the exponent of the power in the last bits of b."""
+_STEEP = 0.41421356237309503
+"""Tangent of π/8."""
+_DIRECTION = f"""\
+one = abs(x)
+other = abs(y)
+less = one if other > one else other
+more = other if other > one else one
+level = {_STEEP} * more
+top = less - more if less > level else less
+both = less + more
+base = both if less > level else more
+r = top / (1.0 if base == 0.0 else base)
+z = r * r
+w = z * z
+u = -1.11111104054623557880e-01 + w * (-7.69187620504482999495e-02 + w * (-5.83357013379057348645e-02 + w * \
+(-3.65315727442169155270e-02)))
+v = 9.09088713343650656196e-02 + w * (6.66107313738753120669e-02 + w * (4.97687799461593236017e-02 + w * \
+1.62858201153657823623e-02))
+u = -1.99999999998764832476e-01 + w * u
+v = 3.33333333333329318027e-01 + w * (1.42857142725034663711e-01 + w * v)
+off = r - r * (z * v + w * u)
+k = 1.0 if less > level else 0.0
+k = 2.0 - k if other > one else k
+side = -1.0 if other > one else 1.0
+k = 4.0 - k if x < 0.0 else k
+side = -side if x < 0.0 else side
+found = k * 0.78539816336706280708 + (k * 3.03855025325309630e-11 + side * off)
+"""
+"""One of 33 bits, of which multiples are exact, and the rest of π/4."""
 
 
 def sine_and_cosine(module: ir.Module) -> ir.Function:
@@ -95,6 +126,49 @@ def tangent(module: ir.Module) -> ir.Function:
     _write(lines, "m = two * p + (two - 1.0)\nfound = m / (m + 2.0)")
     builder.ret(lines.intrinsic("llvm.copysign", [lines.value(ast.Name(id="found")), x]))
     return made
+
+
+def direction(module: ir.Module) -> ir.Function:
+    """Return atan2 of vectors y and x in a module; it is written where it is not there yet.
+
+    Zeros have no sign in x, and the direction of no number and of two infinite ones is none.
+    """
+    symbol = "lanes.direction"
+    known = module.globals.get(symbol)
+    if known is not None:
+        return known
+    made = ir.Function(module, ir.FunctionType(VECTOR, [VECTOR, VECTOR]), symbol)
+    made.linkage = "internal"
+    y, x = made.args
+    lines = LaneValues(ir.IRBuilder(made.append_basic_block()), {}, {"y": y, "x": x})
+    _write(lines, _DIRECTION)
+    lines.builder.ret(lines.intrinsic("llvm.copysign", [lines.value(ast.Name(id="found")), y]))
+    return made
+
+
+class LaneFunctions(LaneValues):
+    """Lines of vectors in which elementary functions are asked for.
+
+    Args:
+        builder: at the end of the function.
+        arrays: see `Instructions`.
+        values: see there.
+    """
+
+    def __init__(
+        self, builder: ir.IRBuilder, arrays: dict[str, ir.Value], values: dict[str, ir.Value] | None = None
+    ) -> None:
+        super().__init__(builder, arrays, values)
+        self._angles: dict[ir.Value, tuple[ir.Value, ir.Value]] = {}
+
+    def _elementary(self, name: str, args: list[ir.Value]) -> ir.Value:
+        module, value = self.builder.module, args[0]
+        if name in ("tanh", "atan2"):
+            return self.builder.call(tangent(module) if name == "tanh" else direction(module), args)
+        if value not in self._angles:
+            both = self.builder.call(sine_and_cosine(module), args)
+            self._angles[value] = self.builder.extract_value(both, 0), self.builder.extract_value(both, 1)
+        return self._angles[value][name == "cos"]
 
 
 def _of_each(lines: LaneValues, name: str, x: ir.Value) -> ir.Value:

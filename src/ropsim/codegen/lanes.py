@@ -9,11 +9,11 @@ import ast
 from llvmlite import ir
 
 from ropsim.codegen.instructions import REAL, WHOLE, Instructions
-from ropsim.codegen.lane_functions import sine_and_cosine, tangent
-from ropsim.codegen.lane_values import LANES, VECTOR, LaneValues
+from ropsim.codegen.lane_functions import LaneFunctions
+from ropsim.codegen.lane_values import LANES, VECTOR
 
 
-class Lanes(LaneValues):
+class Lanes(LaneFunctions):
     """The lines of a function whose arrays are rows of eight lanes, but for one that they share.
 
     Args:
@@ -28,7 +28,6 @@ class Lanes(LaneValues):
         super().__init__(builder, shared)
         self._rows = rows
         self._read: dict[tuple[str, int], ir.Value] = {}
-        self._angles: dict[ir.Value, tuple[ir.Value, ir.Value]] = {}
 
     def _got(self, array: str, number: int) -> ir.Value:
         if (array, number) not in self._read:
@@ -45,15 +44,6 @@ class Lanes(LaneValues):
     def _put(self, value: ir.Value, array: str, number: int) -> None:
         for lane, row in enumerate(self._rows[array]):
             self.builder.store(self.lane(value, lane), self._address(row, number))
-
-    def _elementary(self, name: str, args: list[ir.Value]) -> ir.Value:
-        (value,) = args
-        if name == "tanh":
-            return self.builder.call(tangent(self.builder.module), args)
-        if value not in self._angles:
-            both = self.builder.call(sine_and_cosine(self.builder.module), args)
-            self._angles[value] = self.builder.extract_value(both, 0), self.builder.extract_value(both, 1)
-        return self._angles[value][name == "cos"]
 
 
 def written_for_rows(module: ir.Module, function: ast.FunctionDef, shared: str) -> ir.Function:

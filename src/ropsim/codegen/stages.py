@@ -18,14 +18,14 @@ from numba.core.codegen import CPUCodeLibrary, JITCPUCodegen
 from numba.core.cpu import CPUContext
 from numba.core.registry import CPUDispatcher, CPUTarget, cpu_target
 from numba.core.sigutils import normalize_signature
-from numba.core.types import Array, Type, UniTuple, float64, intp, unliteral
+from numba.core.types import Array, Type, UniTuple, float64, unliteral
 from numba.core.typing import Context
 from numba.core.typing.templates import Signature
 from numba.extending import intrinsic
-from numba.np.arrayobj import populate_array
 
 from ropsim.codegen.call_types import CallTypes
 from ropsim.codegen.direct import Compiled
+from ropsim.codegen.shape_views import array_view
 
 _OPTIONS = {"nopython": True, "error_model": "numpy"}
 _INSIDE = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
@@ -166,15 +166,10 @@ def array_at(_types: Context, address: Type, lengths: UniTuple) -> tuple[Signatu
     def view(
         context: CPUContext, builder: ir.IRBuilder, _signature: Signature, arguments: list[ir.Value]
     ) -> ir.Value:
-        array = context.make_array(kind)(context, builder)
-        shape = cgutils.unpack_tuple(builder, arguments[1], kind.ndim)
-        size = itemsize = context.get_constant(intp, 8)
-        strides = [size]
-        for length in reversed(shape[1:]):
-            size = builder.mul(size, length)
-            strides.insert(0, size)
-        data = builder.inttoptr(arguments[0], array.data.type)
-        populate_array(array, data, shape, strides, itemsize, meminfo=None)
-        return array._getvalue()
+        pointer = context.make_array(kind)(context, builder).data.type
+        data = builder.inttoptr(arguments[0], pointer)
+        return array_view(
+            context, builder, kind, data, cgutils.unpack_tuple(builder, arguments[1], kind.ndim)
+        )
 
     return kind(address, lengths), view

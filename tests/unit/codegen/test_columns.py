@@ -1,6 +1,7 @@
 """Lines that kernels run for eight columns at a time."""
 
 import math
+from math import atan2
 
 import numpy as np
 import pytest
@@ -11,6 +12,9 @@ from ropsim.spatial import Array
 
 MOST = math.inf
 SHIFT = 0.25
+SECOND = 1
+DIRECTIONS = 4e-16
+"""Share by which two ways to take a direction differ at most: two units of the last place."""
 
 
 @columns
@@ -45,8 +49,67 @@ def test_every_bit_is_that_of_the_lines_in_python_and_nothing_else_is_written(co
     np.testing.assert_array_equal(last, expected_last)
 
 
-@pytest.mark.parametrize("place", ["x[j + 1]", "x[k]", "x[k, j]", "x[0]"])
+@columns
+def choices(count: int, given: Array, x: Array, out: Array) -> None:
+    """Choose by comparisons, with a number that all columns share."""
+    for j in range(count):
+        y = x[SECOND, j] if x[SECOND, j] < given[SECOND + 1] else -x[0, j]
+        out[SECOND, j] = y if x[0, j] >= y else np.rint(3.0 * y)
+        out[0, j] = 1.0 if x[0, j] == 0.0 else 2.0
+
+
+@kernel("void(f8[::1], f8[:,::1], f8[:,::1])")
+def chosen(given: Array, x: Array, out: Array) -> None:
+    """Call the lines."""
+    choices(x.shape[1], given, x, out)
+
+
+@columns
+def directions(count: int, y: Array, x: Array, out: Array) -> None:
+    """Take inverse tangents."""
+    for j in range(count):
+        out[j] = atan2(y[j], x[j])
+
+
+@kernel("void(f8[::1], f8[::1], f8[::1])")
+def directed(y: Array, x: Array, out: Array) -> None:
+    """Call the lines."""
+    directions(y.shape[0], y, x, out)
+
+
+def test_what_is_chosen_is_what_python_chooses() -> None:
+    rng = np.random.default_rng(3)
+    given, x = np.array([9.0, 9.0, 0.3]), rng.normal(size=(2, 40))
+    x[0, :3], x[1, 3:5], x[0, 5] = 0.0, math.nan, math.nan
+    x[1, 6] = given[2]
+    out, expected = np.empty((2, 40)), np.empty((2, 40))
+    chosen(given, x, out)
+    choices(40, given, x, expected)
+    np.testing.assert_array_equal(out, expected)
+
+
+def test_directions_are_those_of_the_c_library_but_for_the_last_places() -> None:
+    rng = np.random.default_rng(4)
+    y, x = rng.normal(size=(2, 5000)) * 10.0 ** rng.integers(-15, 15, (2, 5000))
+    angles = np.pi / 8.0 * np.arange(-8, 9)
+    y, x = np.concatenate((y, np.sin(angles))), np.concatenate((x, np.cos(angles)))
+    out = np.empty_like(y)
+    directed(y, x, out)
+    np.testing.assert_allclose(out, np.arctan2(y, x), rtol=DIRECTIONS, atol=0.0)
+
+
+def test_directions_along_the_axes_are_exact_and_that_of_no_number_is_none() -> None:
+    y = np.array([0.0, 0.0, 2.0, -2.0, -0.0, 0.0, math.nan, 1.0])
+    x = np.array([3.0, -3.0, 0.0, 0.0, 3.0, 0.0, 1.0, math.nan])
+    out = np.empty_like(y)
+    directed(y, x, out)
+    expected = [0.0, np.pi, np.pi / 2, -np.pi / 2, -0.0, 0.0, math.nan, math.nan]
+    np.testing.assert_array_equal(out, expected)
+    assert math.copysign(1.0, out[4]) == -1.0
+
+
+@pytest.mark.parametrize("place", ["x[j + 1]", "x[k]", "x[k, j]", "x[-1, j]"])
 def test_only_columns_of_rows_can_be_read(place: str) -> None:
     text = f"def f(count, x, k, out):\n    for j in range(count):\n        out[j] = {place}\n"
     with pytest.raises(ValueError, match="is none of a row at column j"):
-        column_lines(text, {})
+        column_lines(text, {}, {})
