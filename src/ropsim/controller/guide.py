@@ -107,7 +107,7 @@ class Guide:
         q, derivatives, work = np.empty((count, n)), np.empty((2, rows, n)), np.empty(3 + half + ROOM_OF_ROWS)
         picked, coarse = q if every == 1 else np.empty((rows, n)), np.empty((3, half + 1, n))
         given = self.branches(poses) if self.branches else poses
-        self.lead(given, q_start, length, every, q, picked, derivatives, coarse, work)
+        self.lead(given, q_start, every, q, picked, derivatives, coarse, work)
         follows, within, rough = work[:3].tolist()
         return (q, Traced(length, picked, derivatives), rough) if follows and within else None
 

@@ -2,14 +2,14 @@
 
 from ropsim.codegen import kernel
 from ropsim.controller.branch_kernel import follow_row, nearest_branch, unwind
-from ropsim.kinematics import ALL_ROWS, inverse_row
+from ropsim.kinematics import inverse_branch, inverse_rows
 from ropsim.motion import rows_with_roughness
 from ropsim.spatial import Array
 
 
 @kernel(
     "void(f8[::1], f8[:,::1], f8[:,::1], f8[:,:,::1], f8, f8,"
-    " f8[:,:,::1], f8[::1], f8, i8, f8[:,::1], f8[:,::1], f8[:,:,::1], f8[:,:,::1], f8[::1])"
+    " f8[:,:,::1], f8[::1], i8, f8[:,::1], f8[:,::1], f8[:,:,::1], f8[:,:,::1], f8[::1])"
 )
 def lead_wrist(
     arm: Array,
@@ -20,7 +20,6 @@ def lead_wrist(
     slack: float,
     T: Array,
     q_start: Array,
-    length: float,
     every: int,
     q: Array,
     picked: Array,
@@ -31,7 +30,7 @@ def lead_wrist(
     """Write what `lead_branch` does for an arm with spherical wrist, of which only one branch is solved.
 
     Args:
-        arm: as `inverse_row` takes it.
+        arm: as `inverse_rows` takes it.
         axes: as for `follow_row`.
         inner: as for `lead_branch`, as all that follow but for the poses.
         sided: see there.
@@ -39,7 +38,6 @@ def lead_wrist(
         slack: see there.
         T: poses X_BM at equidistant places, shape (2·m·every + 1, 4, 4), m >= 7.
         q_start: see there.
-        length: see there.
         every: see there.
         q: see there.
         picked: see there.
@@ -48,12 +46,12 @@ def lead_wrist(
         work: what is told, as there; shape (3 + m + ROOM_OF_ROWS,).
     """
     m = coarse.shape[1] - 1
-    follow_wrist(arm, axes, close, slack, T, q_start, q, coarse[0][:8], work[3 + m :], work)
-    _smooth(inner, sided, length, every, q, picked, derivatives, coarse, work)
+    follow_wrist(arm, axes, close, slack, T, q_start, q, coarse[:1], work[3 + m :], work)
+    _smooth(inner, sided, every, q, picked, derivatives, coarse, work)
 
 
 @kernel(
-    "void(f8[::1], f8[:,::1], f8, f8, f8[:,:,::1], f8[::1], f8[:,::1], f8[:,::1], f8[::1], f8[::1])",
+    "void(f8[::1], f8[:,::1], f8, f8, f8[:,:,::1], f8[::1], f8[:,::1], f8[:,:,::1], f8[::1], f8[::1])",
 )
 def follow_wrist(
     arm: Array,
@@ -70,33 +68,28 @@ def follow_wrist(
     """Write what `follow_row` does for an arm with spherical wrist, of which only one branch is solved.
 
     Args:
-        arm: as `inverse_row` takes it.
+        arm: as `inverse_rows` takes it.
         axes: as for `follow_row`.
         close: as there.
         slack: as there.
         T: poses X_BM, shape (k, 4, 4).
         q_start: as there.
         q: where the coordinates go [rad | m], shape (k, 6).
-        rows: room for branches, shape (8, 6).
+        rows: room for branches, shape (1, 8 or more, 6).
         room: to work in, shape (ROOM_OF_ROWS,) or more.
         told: as there, shape (2,) or more.
     """
     for j in range(6):
         room[j] = 0.0
-    inverse_row(arm, room, T[0], ALL_ROWS, rows)
-    nearest_branch(rows, q_start, axes[2], told)
-    row = int(told[0])
-    for k in range(T.shape[0]):
-        if k > 0:
-            inverse_row(arm, room, T[k], row, rows)
-        for j in range(6):
-            q[k, j] = rows[row, j]
+    inverse_rows(arm, room, T[:1], rows)
+    nearest_branch(rows[0, :8], q_start, axes[2], told)
+    inverse_branch(arm, room, T, int(told[0]), q)
     unwind(q, q_start, axes, close, slack, told)
 
 
 @kernel(
     "void(f8[:,::1], f8[:,::1], f8[:,:,::1], f8, f8,"
-    " f8[:,:,::1], f8[::1], f8, i8, f8[:,::1], f8[:,::1], f8[:,:,::1], f8[:,:,::1], f8[::1])"
+    " f8[:,:,::1], f8[::1], i8, f8[:,::1], f8[:,::1], f8[:,:,::1], f8[:,:,::1], f8[::1])"
 )
 def lead_branch(
     axes: Array,
@@ -106,7 +99,6 @@ def lead_branch(
     slack: float,
     branches: Array,
     q_start: Array,
-    length: float,
     every: int,
     q: Array,
     picked: Array,
@@ -124,7 +116,6 @@ def lead_branch(
         slack: as there.
         branches: of poses at equidistant places, as there, shape (2·m·every + 1, b, n).
         q_start: as there.
-        length: of the way from the first pose to the last.
         every: of so many rows one is picked, of which all that follows is said.
         q: where the coordinates go [rad | m], shape (2·m·every + 1, n).
         picked: where those of picked rows go, shape (2·m + 1, n); `q` where all are picked.
@@ -134,13 +125,12 @@ def lead_branch(
             [rad | m]; the others are room, shape (3 + m,) or more.
     """
     follow_row(branches, q_start, axes, close, slack, q, work)
-    _smooth(inner, sided, length, every, q, picked, derivatives, coarse, work)
+    _smooth(inner, sided, every, q, picked, derivatives, coarse, work)
 
 
 def _smooth(
     inner: Array,
     sided: Array,
-    length: float,
     every: int,
     q: Array,
     picked: Array,
@@ -155,7 +145,7 @@ def _smooth(
             for j in range(q.shape[1]):
                 picked[k, j] = q[every * k, j]
     rough = work[3 : 2 + coarse.shape[1]]
-    rows_with_roughness(picked, inner, sided, length, derivatives, coarse[0], coarse[1:], rough)
+    rows_with_roughness(picked, inner, sided, derivatives, coarse[0], coarse[1:], rough)
     work[2] = 0.0
     for k in range(rough.shape[0]):
         work[2] = max(work[2], rough[k])

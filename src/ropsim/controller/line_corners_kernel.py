@@ -9,6 +9,7 @@ from ropsim.controller.density import SMOOTH
 from ropsim.controller.interpolator import FEWEST
 from ropsim.controller.lead_kernel import lead_wrist
 from ropsim.controller.samples_kernel import curve_samples
+from ropsim.kinematics import ROOM_OF_ROWS
 from ropsim.motion import (
     COEFFICIENTS,
     CORNER_STEPS,
@@ -42,9 +43,10 @@ that after the last one; both lengths [m].
 DENSITY, FIRST_STAGE, STAGES, TOLD = range(4)
 """What is told of it: density of its samples, 0 where it is left alone, and where its stages are."""
 
-
+LINE_ROOM = LOOKS + GRID + max(3 * CORNER_STEPS + 3, LOOKS + ROOM_OF_ROWS)
+"""So many numbers are room to work in, besides the tables."""
 SHAPES = (
-    (LOOKS + 3 * CORNER_STEPS + 100,),
+    (LINE_ROOM,),
     (15, 3),
     (9 + COEFFICIENTS, 6),
     (4 + CELLS, 4, 4),
@@ -141,7 +143,7 @@ def line_corners(
         rates: likewise.
         stages: where length, speed, acceleration and jerk of all stages go, shape (s, 4).
         told: where goes what is told of each corner, see above, shape (c, TOLD).
-        line: room to work in, shape (LOOKS + 3·CORNER_STEPS + 100,).
+        line: room to work in, shape (LINE_ROOM,).
         triples: room to work in, shape (15, 3).
         sixes: room to work in, shape (9 + COEFFICIENTS, 6).
         poses: room to work in, shape (4 + CELLS, 4, 4).
@@ -156,8 +158,7 @@ def line_corners(
         places: room to work in, shape (4, CELLS).
     """
     found = 0
-    few, work, grid = line[:8], line[8:LOOKS], line[LOOKS : LOOKS + GRID]
-    way_room, rough = line[LOOKS + 64 : LOOKS + 64 + 3 * CORNER_STEPS + 3], line[8:LOOKS]
+    few, rough, grid, work = line[:8], line[8:LOOKS], line[LOOKS : LOOKS + GRID], line[LOOKS + GRID :]
     for c in range(asked.shape[0]):
         told[c, DENSITY] = told[c, FIRST_STAGE] = told[c, STAGES] = 0.0
         curve, middle, own_ends, own_inverse = (
@@ -174,7 +175,7 @@ def line_corners(
         few[0], few[1] = asked[c, LEFT], asked[c, ENTER]
         corner_curve(
             series, points, weights, poses[0:1], sixes[0:1], sixes[1:2], poses[1:2], sixes[2:3], sixes[3:4],
-            given[SWING], CORNER_STEPS, poses[2:4], sixes[4:9], triples, way_room, curve, middle,
+            given[SWING], CORNER_STEPS, poses[2:4], sixes[4:9], triples, work, curve, middle,
             own_ends, own_inverse, few[:2],
         )  # fmt: skip
         if few[0] != 0.0 or few[1] != CORNER_STEPS:
@@ -199,8 +200,8 @@ def line_corners(
         )  # fmt: skip
         own = q[c]
         lead_wrist(
-            arm, axes, inner, sided, given[CLOSE], given[SLACK], poses[4 : 4 + LOOKS], at_ends[0, 0], length,
-            AHEAD, own, q_quarter[c], rates_quarter[2 * c : 2 * c + 2], coarse_quarter, work,
+            arm, axes, inner, sided, given[CLOSE], given[SLACK], poses[4 : 4 + LOOKS], at_ends[0, 0], AHEAD,
+            own, q_quarter[c], rates_quarter[2 * c : 2 * c + 2], coarse_quarter, work,
         )  # fmt: skip
         apart = 0.0
         for j in range(6):
@@ -213,13 +214,13 @@ def line_corners(
             if density == 2:
                 _pick(own, q_half[c])
                 rows_with_roughness(
-                    q_half[c], inner, sided, length, rates_half[2 * c : 2 * c + 2], coarse_half[0],
+                    q_half[c], inner, sided, rates_half[2 * c : 2 * c + 2], coarse_half[0],
                     coarse_half[1:], rough[: LOOKS // 4],
                 )  # fmt: skip
                 most = _greatest(rough[: LOOKS // 4])
             elif density == AHEAD:
                 rows_with_roughness(
-                    own, inner, sided, length, rates[2 * c : 2 * c + 2], coarse[0], coarse[1:],
+                    own, inner, sided, rates[2 * c : 2 * c + 2], coarse[0], coarse[1:],
                     rough[: LOOKS // 2],
                 )  # fmt: skip
                 most = _greatest(rough[: LOOKS // 2])

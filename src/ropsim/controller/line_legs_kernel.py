@@ -56,7 +56,7 @@ def lead_lines(
 
     Args:
         chain: of the arm, as `write_tool_pose` takes it; its steps are the axes.
-        arm: as `inverse_row` takes it.
+        arm: as `inverse_rows` takes it.
         axes: as for `follow_row`.
         inner: as for `rows_with_roughness`.
         sided: likewise.
@@ -149,11 +149,11 @@ def _lead_line(
         if count == 0 or count > min(most, q.shape[0]):
             return 0
         rows, half = q[:count], count // 2
-        follow_wrist(arm, axes, close, slack, T[:count], q_start, rows, sheets[7][:8], free, answer)
+        follow_wrist(arm, axes, close, slack, T[:count], q_start, rows, sheets[7:8], free, answer)
         if answer[0] == 0.0 or answer[1] == 0.0:
             return 0
         coarse = sheets[4][: half + 1]
-        rows_with_roughness(rows, inner, sided, length, sheets[2:4], coarse, sheets[5:7], rough[:half])
+        rows_with_roughness(rows, inner, sided, sheets[2:4], coarse, sheets[5:7], rough[:half])
         worst = 0.0
         for k in range(half):
             worst = max(worst, rough[k])

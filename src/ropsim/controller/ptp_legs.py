@@ -112,7 +112,7 @@ def ptp_legs_of(chain: MotionChain) -> PtpLegs | None:
 
 
 def _arm(robot: RobotModel) -> Array | None:
-    """Return the arm for `inverse_row`, None where more than that solves it."""
+    """Return the arm for `inverse_rows`, None where more than that solves it."""
     if not robot.has_arm or robot.cuts or not chain_arrays(robot).parallel:
         return None
     return exact_arm(solver_of(robot))

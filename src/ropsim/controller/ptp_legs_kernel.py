@@ -4,13 +4,12 @@ from ropsim.codegen import kernel
 from ropsim.controller.move_check import MAX_COORDINATE
 from ropsim.controller.turns_kernel import rows_inside, turn_rows
 from ropsim.kinematics import (
-    ALL_ROWS,
     NEAR_SINGULAR,
     NEIGHBOUR,
     POSES,
     ROOM_OF_ROWS,
     forward_rows,
-    inverse_row,
+    inverse_rows,
     wrist_posture,
     write_pose_product,
 )
@@ -54,7 +53,7 @@ def choose_ends(
 
     Args:
         chain: of the arm, as `forward_rows` takes it; its steps are the axes.
-        arm: as `inverse_row` takes it.
+        arm: as `inverse_rows` takes it.
         axes: as for `follow_row`.
         slack: by which a coordinate may be beyond its limit [rad].
         in_time: 1 where joints have profiles of their own, else 0.
@@ -84,7 +83,7 @@ def choose_ends(
         room = work[31:]
         for j in range(6):
             room[j] = here[j]
-        inverse_row(arm, room, T[0], ALL_ROWS, branches)
+        inverse_rows(arm, room, T[:1], sheets[:1])
         turn_rows(branches, here, axes[0], axes[1], axes[2], slack, turned)
         rows_inside(turned, axes[0], axes[1], slack, work[16:24])
         row = _sooner(arm, here, turned, limits[i], work[16:24], answer)

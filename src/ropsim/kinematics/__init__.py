@@ -66,9 +66,9 @@ from ropsim.kinematics.solver import RedundantSolver as RedundantSolver
 from ropsim.kinematics.solver import Snap as Snap
 from ropsim.kinematics.solvers.axes import NEAR_SINGULAR as NEAR_SINGULAR
 from ropsim.kinematics.solvers.spherical_wrist import exact_arm as exact_arm
-from ropsim.kinematics.solvers.spherical_wrist_kernel import ALL_ROWS as ALL_ROWS
 from ropsim.kinematics.solvers.spherical_wrist_kernel import ROOM_OF_ROWS as ROOM_OF_ROWS
-from ropsim.kinematics.solvers.spherical_wrist_kernel import inverse_row as inverse_row
+from ropsim.kinematics.solvers.spherical_wrist_kernel import inverse_branch as inverse_branch
+from ropsim.kinematics.solvers.spherical_wrist_kernel import inverse_rows as inverse_rows
 from ropsim.kinematics.solvers.spherical_wrist_kernel import wrist_posture as wrist_posture
 from ropsim.kinematics.strut_frames import strut_frames as strut_frames
 from ropsim.kinematics.supports import Standing as Standing

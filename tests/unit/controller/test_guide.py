@@ -10,7 +10,16 @@ from ropsim.controller import MotionChain, Refusal, StandardInterpolator
 from ropsim.controller.guide import guide_of
 from ropsim.controller.interpolator import places
 from ropsim.controller.tracing import trace
-from ropsim.kinematics import ROOM_OF_ROWS, exact_arm, forward, inverse, inverse_batch, inverse_row, solver_of
+from ropsim.kinematics import (
+    ROOM_OF_ROWS,
+    exact_arm,
+    forward,
+    inverse,
+    inverse_batch,
+    inverse_branch,
+    inverse_rows,
+    solver_of,
+)
 from ropsim.model import RobotModel
 from ropsim.motion import Arc, Curve, Line, OrientationMode, ToolPath, Traced, arc, corner, spline
 from ropsim.robots import default_controller
@@ -83,25 +92,24 @@ def test_external_axes_coupled_limits_and_arms_without_names_have_no_guide() -> 
     assert guide_of(chain_for("palletizer")) is None
 
 
-def test_one_branch_of_a_pose_is_that_among_all_of_them() -> None:
+@pytest.mark.parametrize("count", [1, 7, 8, 9, 33])
+def test_one_branch_of_poses_is_that_among_all_of_them(count: int) -> None:
     arm, random = exact_arm(solver_of(PUMA)), np.random.default_rng(5)
     assert arm is not None
-    for _ in range(50):
-        T = forward(PUMA, random.uniform(-3.0, 3.0, 6)).matrix()
-        wanted = inverse_batch(PUMA, T[np.newaxis])[0]
-        for row in range(8):
-            room, out = np.zeros(ROOM_OF_ROWS), np.full((8, 6), 7.0)
-            inverse_row(arm, room, T, row, out)
-            assert np.array_equal(out[row], wanted[row], equal_nan=True)
-            others = [k for k in range(8) if k // 2 != row // 2]
-            assert (out[others] == 7.0).all()
+    T = np.stack([forward(PUMA, random.uniform(-3.0, 3.0, 6)).matrix() for _ in range(count)])
+    wanted = inverse_batch(PUMA, T)
+    for row in range(8):
+        out = np.full((count + 1, 6), 7.0)
+        inverse_branch(arm, np.zeros(ROOM_OF_ROWS), T, row, out[:count])
+        assert np.array_equal(out[:count], wanted[:, row], equal_nan=True)
+        assert (out[count] == 7.0).all()
 
 
 def test_a_pose_of_no_numbers_has_no_branches() -> None:
     arm = exact_arm(solver_of(PUMA))
     assert arm is not None
-    out = np.zeros((8, 6))
-    inverse_row(arm, np.zeros(ROOM_OF_ROWS), np.full((4, 4), np.nan), -1, out)
+    out = np.zeros((1, 8, 6))
+    inverse_rows(arm, np.zeros(ROOM_OF_ROWS), np.full((1, 4, 4), np.nan), out)
     assert np.isnan(out).all()
     assert places(0.3, 3).tolist() == np.linspace(0.0, 0.3, 4).tolist()
     assert exact_arm(solver_of(robots.load("ur10e"))) is None

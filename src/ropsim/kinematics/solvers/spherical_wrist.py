@@ -138,7 +138,7 @@ def closed_form(solver: SphericalWristSolver) -> Compiled:
 
 
 def exact_arm(solver: InverseSolver) -> Array | None:
-    """Return the arm for `inverse_row` where the closed form alone answers, else None."""
+    """Return the arm for `inverse_rows` where the closed form alone answers, else None."""
     if isinstance(solver, SphericalWristSolver) and solver.snapped_by == Snap():
         return solver.strict
     return None

@@ -45,12 +45,11 @@ def row_derivatives(rows: Array, step: float) -> Array:
     return result
 
 
-def derivatives_and_roughness(rows: Array, length: float) -> tuple[Array, Array | None]:
+def derivatives_and_roughness(rows: Array) -> tuple[Array, Array | None]:
     """Return first and second derivatives of rows by their number, and how rough the way through them is.
 
     Args:
         rows: at equidistant places, shape (k, n), k >= 2, without gaps.
-        length: of the way through them, above 0.
 
     Returns:
         the derivatives, shape (2, k, n), and how far the path through every second of 2·m + 1 rows passes the
@@ -61,7 +60,7 @@ def derivatives_and_roughness(rows: Array, length: float) -> tuple[Array, Array 
     if count % 2 == 0 or half <= _SIDED:
         return row_derivatives(rows, 1.0), None
     out, coarse, rough = np.empty((2, count, n)), np.empty((3, half, n)), np.empty(half - 1)
-    rows_with_roughness(rows, *stencils(), length, out, coarse[0], coarse[1:], rough)
+    rows_with_roughness(rows, *stencils(), out, coarse[0], coarse[1:], rough)
     return out, rough
 
 

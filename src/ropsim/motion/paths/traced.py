@@ -66,5 +66,5 @@ def traced_with_roughness(length: float, q: Array) -> tuple[Traced, Array | None
         None for it where rows are fewer than 17 or of even number.
     """
     rows = frozen(q)
-    derivatives, rough = derivatives_and_roughness(rows, length)
+    derivatives, rough = derivatives_and_roughness(rows)
     return Traced(length, rows, derivatives), rough

@@ -1,10 +1,12 @@
 """Traced paths in plain loops that numba compiles: derivatives at the rows, and how rough these are."""
 
-from ropsim.codegen import kernel
+from ropsim.codegen import as_row, columns, kernel
 from ropsim.spatial import Array
 
 HALF = 3
 """So many rows on either side weigh in the derivatives of one; those at the ends have others."""
+SIDED = 8
+"""So many rows weigh in these."""
 
 
 @kernel("void(f8[:,::1], f8[:,::1], f8[:,:,::1], f8[:,:,::1])")
@@ -14,20 +16,19 @@ def row_differences(rows: Array, inner: Array, sided: Array, out: Array) -> None
     Args:
         rows: at equidistant places, shape (k, n).
         inner: weights of the seven rows around a row, shape (2, 7).
-        sided: weights of the first v rows at each of them, shape (2, v, v); the last v rows have them, too.
+        sided: weights of the first rows at each of them, shape (2, SIDED, SIDED); the last have them, too.
         out: where the derivatives go, shape (2, k, n).
     """
     _differences(rows, inner, sided, out)
 
 
 @kernel(
-    "void(f8[:,::1], f8[:,::1], f8[:,:,::1], f8, f8[:,:,::1], f8[:,::1], f8[:,:,::1], f8[::1])",
+    "void(f8[:,::1], f8[:,::1], f8[:,:,::1], f8[:,:,::1], f8[:,::1], f8[:,:,::1], f8[::1])",
 )
 def rows_with_roughness(
     rows: Array,
     inner: Array,
     sided: Array,
-    length: float,
     out: Array,
     coarse: Array,
     coarse_out: Array,
@@ -35,11 +36,13 @@ def rows_with_roughness(
 ) -> None:
     """Write the derivatives of every row, and how far the path through every second row passes the others.
 
+    Half way from one row to the next a quintic is the mean of both rows with 5/32 of the difference of their
+    first derivatives and 1/64 of the sum of the second ones.
+
     Args:
         rows: at equidistant places, shape (2·m + 1, n).
         inner: weights as for `row_differences`.
-        sided: likewise; v is no more than m + 1.
-        length: of the way from the first row to the last.
+        sided: likewise; m + 1 is no less than SIDED.
         out: where the derivatives go, shape (2, 2·m + 1, n).
         coarse: where every second row goes, shape (m + 1, n).
         coarse_out: where its derivatives go, shape (2, m + 1, n).
@@ -50,51 +53,57 @@ def rows_with_roughness(
         for j in range(rows.shape[1]):
             coarse[k, j] = rows[2 * k, j]
     _differences(coarse, inner, sided, coarse_out)
-    step, per_unit = length / (rows.shape[0] - 1), (coarse.shape[0] - 1) / length
+    v, a = coarse_out[0], coarse_out[1]
     for k in range(rough.shape[0]):
-        place = (2.0 * k + 1.0) * step * per_unit
-        row = min(max(int(place), 0), coarse.shape[0] - 2)
-        t, most = place - row, 0.0
+        most = 0.0
         for j in range(rows.shape[1]):
-            start, v, a, c3, c4, c5 = _quintic(coarse, coarse_out, row, j)
-            q = start + t * (v + t * (a + t * (c3 + t * (c4 + t * c5))))
+            mean, bend = 0.5 * (coarse[k, j] + coarse[k + 1, j]), a[k, j] + a[k + 1, j]
+            q = mean + (0.15625 * (v[k, j] - v[k + 1, j]) + 0.015625 * bend)
             most = max(most, abs(q - rows[2 * k + 1, j]))
         rough[k] = most
 
 
 def _differences(rows: Array, inner: Array, sided: Array, out: Array) -> None:
-    count, n, sides = rows.shape[0], rows.shape[1], sided.shape[1]
-    a0, a1, a2, a3, a4, a5, a6 = _seven(inner[0])
-    b0, b1, b2, b3, b4, b5, b6 = _seven(inner[1])
-    for k in range(HALF, count - HALF):
-        for j in range(n):
-            r0, r1, r2, r3 = rows[k - 3, j], rows[k - 2, j], rows[k - 1, j], rows[k, j]
-            r4, r5, r6 = rows[k + 1, j], rows[k + 2, j], rows[k + 3, j]
-            out[0, k, j] = a0 * r0 + a1 * r1 + a2 * r2 + a3 * r3 + a4 * r4 + a5 * r5 + a6 * r6
-            out[1, k, j] = b0 * r0 + b1 * r1 + b2 * r2 + b3 * r3 + b4 * r4 + b5 * r5 + b6 * r6
+    count, n = rows.shape
+    flat, first, second = as_row(rows), as_row(out[0]), as_row(out[1])
+    _central(
+        (count - 2 * HALF) * n, inner[0], inner[1], flat, flat[n:], flat[2 * n :], flat[3 * n :],
+        flat[4 * n :], flat[5 * n :], flat[6 * n :], first[3 * n :], second[3 * n :],
+    )  # fmt: skip
     for order in range(2):
         for end in range(2 * HALF):
             k = end if end < HALF else count - 2 * HALF + end
-            first = 0 if end < HALF else count - sides
-            for j in range(n):
-                total = 0.0
-                for i in range(sides):
-                    total += sided[order, k - first, i] * rows[first + i, j]
-                out[order, k, j] = total
+            begin = 0 if end < HALF else count - SIDED
+            _one_sided(n, sided[order, k - begin], rows[begin : begin + SIDED], out[order, k])
 
 
-def _seven(weights: Array) -> tuple[float, float, float, float, float, float, float]:
-    return weights[0], weights[1], weights[2], weights[3], weights[4], weights[5], weights[6]
+@columns
+def _central(
+    count: int,
+    one: Array,
+    two: Array,
+    r0: Array,
+    r1: Array,
+    r2: Array,
+    r3: Array,
+    r4: Array,
+    r5: Array,
+    r6: Array,
+    first: Array,
+    second: Array,
+) -> None:
+    """Write first and second differences of numbers from those in the rows around theirs."""
+    for j in range(count):
+        a = one[0] * r0[j] + one[1] * r1[j] + one[2] * r2[j] + one[3] * r3[j]
+        first[j] = a + one[4] * r4[j] + one[5] * r5[j] + one[6] * r6[j]
+        b = two[0] * r0[j] + two[1] * r1[j] + two[2] * r2[j] + two[3] * r3[j]
+        second[j] = b + two[4] * r4[j] + two[5] * r5[j] + two[6] * r6[j]
 
 
-def _quintic(
-    rows: Array, derivatives: Array, row: int, j: int
-) -> tuple[float, float, float, float, float, float]:
-    """Return the coefficients of t⁰ to t⁵ between a row and the next one, t from 0 to 1."""
-    start, gap = rows[row, j], rows[row + 1, j] - rows[row, j]
-    v, a = derivatives[0, row, j], 0.5 * derivatives[1, row, j]
-    w, b = derivatives[0, row + 1, j], 0.5 * derivatives[1, row + 1, j]
-    c3 = 10.0 * gap - 6.0 * v - 4.0 * w - 3.0 * a + b
-    c4 = -15.0 * gap + 8.0 * v + 7.0 * w + 3.0 * a - 2.0 * b
-    c5 = 6.0 * gap - 3.0 * (v + w) - a + b
-    return start, v, a, c3, c4, c5
+@columns
+def _one_sided(count: int, weights: Array, rows: Array, out: Array) -> None:
+    """Write differences from eight rows."""
+    for j in range(count):
+        total = weights[0] * rows[0, j] + weights[1] * rows[1, j] + weights[2] * rows[2, j]
+        total = total + weights[3] * rows[3, j] + weights[4] * rows[4, j] + weights[5] * rows[5, j]
+        out[j] = total + weights[6] * rows[6, j] + weights[7] * rows[7, j]
