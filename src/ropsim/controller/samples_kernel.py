@@ -4,7 +4,7 @@ from math import ceil, sqrt
 
 from ropsim.codegen import kernel
 from ropsim.controller.interpolator import FEWEST, LOOKS
-from ropsim.motion import curve_points, straight_points
+from ropsim.motion import curve_points, curve_poses, straight_points
 from ropsim.spatial import Array
 
 _MANY = 1e7
@@ -98,10 +98,7 @@ def curve_samples(
     count = _count(length, way, turn, rates[0], density, told)
     if 0 < count <= T.shape[0]:
         _places(length, count - 1, s)
-        curve_points(
-            series, ends, inverse, steps, coefficients, middles,
-            s[:count], T[:count], rates[0][:count], rates[1][:count],
-        )  # fmt: skip
+        curve_poses(series, ends, inverse, steps, coefficients, middles, s[:count], T[:count])
         _to_interface(T, count, X_TM)
 
 

@@ -99,6 +99,7 @@ from ropsim.motion.paths import arc as arc
 from ropsim.motion.paths import corner as corner
 from ropsim.motion.paths import corner_curve as corner_curve
 from ropsim.motion.paths import curve_points as curve_points
+from ropsim.motion.paths import curve_poses as curve_poses
 from ropsim.motion.paths import enter as enter
 from ropsim.motion.paths import enter_distances as enter_distances
 from ropsim.motion.paths import evenly as evenly

@@ -13,6 +13,7 @@ from ropsim.motion.paths.corner import corner as corner
 from ropsim.motion.paths.corner_kernel import corner_curve as corner_curve
 from ropsim.motion.paths.curve import Curve as Curve
 from ropsim.motion.paths.curve_kernel import curve_points as curve_points
+from ropsim.motion.paths.curve_kernel import curve_poses as curve_poses
 from ropsim.motion.paths.differences import numeric_points as numeric_points
 from ropsim.motion.paths.differences import pose_derivatives as pose_derivatives
 from ropsim.motion.paths.differences import stencils as stencils

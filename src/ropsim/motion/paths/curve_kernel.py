@@ -100,12 +100,46 @@ def curve_points(
             speed = M[i, 0] * w[0] + M[i, 1] * w[1] + M[i, 2] * w[2]
             change = M[i, 0] * a[0] + M[i, 1] * a[1] + M[i, 2] * a[2]
             d1[k, 3 + i], d2[k, 3 + i] = speed * first, change * first * first + speed * second
-        for j in range(3):
-            x, y, z = X[0, j], X[1, j], X[2, j]
-            for i in range(3):
-                X[i, j] = M[i, 0] * x + M[i, 1] * y + M[i, 2] * z
-        X[3, 0] = X[3, 1] = X[3, 2] = 0.0
-        X[3, 3] = 1.0
+        _turn_by(M, X)
+
+
+@kernel("void(f8[:,::1], f8[::1], f8[:,::1], i8, f8[:,:,::1], f8[:,:,::1], f8[::1], f8[:,:,::1])")
+def curve_poses(
+    series: Array,
+    ends: Array,
+    inverse: Array,
+    steps: int,
+    coefficients: Array,
+    middles: Array,
+    s: Array,
+    matrices: Array,
+) -> None:
+    """Write the poses that `curve_points` writes.
+
+    Args:
+        series: as there, and so is all else.
+        ends: see there.
+        inverse: see there.
+        steps: see there.
+        coefficients: see there.
+        middles: see there.
+        s: see there.
+        matrices: see there.
+    """
+    for k in range(s.shape[0]):
+        step = _step_of(ends, s[k])
+        t = _parameter(ends, inverse, step, s[k])
+        C, X = coefficients[step // steps], matrices[k]
+        x, y, z, v0, v1, v2 = C[5, 0], C[5, 1], C[5, 2], C[5, 3], C[5, 4], C[5, 5]
+        for i in range(4, -1, -1):
+            x, y, z = x * t + C[i, 0], y * t + C[i, 1], z * t + C[i, 2]
+            v0, v1, v2 = v0 * t + C[i, 3], v1 * t + C[i, 4], v2 * t + C[i, 5]
+        X[0, 3], X[1, 3], X[2, 3], v = x, y, z, (v0, v1, v2)
+        square, c1, c2 = _dot(v, v), 0.0, 0.0
+        for i in range(_terms(series, square) - 1, -1, -1):
+            c1, c2 = c1 * square + series[0, i], c2 * square + series[1, i]
+        _write_rotation(c1, c2, v, X)
+        _turn_by(middles[step // steps], X)
 
 
 @kernel("void(f8[:,:,::1], f8[::1], f8[:,::1], f8[:,::1], f8[:,::1])")
@@ -254,8 +288,7 @@ def _parameter(ends: Array, inverse: Array, step: int, s: float) -> float:
 def _functions(series: Array, x: float) -> tuple[float, float, float, float, float, float]:
     """Return the six functions of x, by as many terms as have a say in the last bit."""
     c1 = c2 = c3 = c2_x = c3_x = rest = 0.0
-    terms = 1 if x < LEAST else SOME if x < 1.0 else series.shape[1]
-    for k in range(terms - 1, -1, -1):
+    for k in range(_terms(series, x) - 1, -1, -1):
         c1 = c1 * x + series[0, k]
         c2 = c2 * x + series[1, k]
         c3 = c3 * x + series[2, k]
@@ -263,6 +296,11 @@ def _functions(series: Array, x: float) -> tuple[float, float, float, float, flo
         c3_x = c3_x * x + series[4, k]
         rest = rest * x + series[5, k]
     return c1, c2, c3, c2_x, c3_x, rest
+
+
+def _terms(series: Array, x: float) -> int:
+    """Return how many terms have a say in the last bit."""
+    return 1 if x < LEAST else SOME if x < 1.0 else series.shape[1]
 
 
 def _turning(
@@ -307,6 +345,16 @@ def _write_rotation(c1: float, c2: float, v: _Vector, R: Array) -> None:
         R[i, i] = 1.0 - c2 * (v[j] * v[j] + v[k] * v[k])
         R[k, j] = c2 * v[j] * v[k] + c1 * v[i]
         R[j, k] = c2 * v[j] * v[k] - c1 * v[i]
+
+
+def _turn_by(M: Array, X: Array) -> None:
+    """Turn the axes of a pose, whose last row is written, too."""
+    for j in range(3):
+        x, y, z = X[0, j], X[1, j], X[2, j]
+        for i in range(3):
+            X[i, j] = M[i, 0] * x + M[i, 1] * y + M[i, 2] * z
+    X[3, 0] = X[3, 1] = X[3, 2] = 0.0
+    X[3, 3] = 1.0
 
 
 def _dot(a: _Vector, b: _Vector) -> float:
