@@ -58,13 +58,15 @@ def smooth_course(
     for i in range(last, -1, -1):
         lowest = min(lowest, widths[i] + places[i] * _SLOPE)
         widths[i] = max(lowest - places[i] * _SLOPE, _cell(places, i))
+    for i in range(last + 1):
+        widths[i] = 1.0 / widths[i]
     sigma[0] = 0.0
     for i in range(last):
-        windows = (places[i + 1] - places[i]) * (1.0 / widths[i + 1] + 1.0 / widths[i]) / 2.0
+        windows = (places[i + 1] - places[i]) * (widths[i + 1] + widths[i]) / 2.0
         sigma[i + 1] = sigma[i] + windows
     rounded(sigma, counted, work[2:], smooth, changes)
     for i in range(last + 1):
-        changes[i] = smooth[i] * changes[i] / widths[i]
+        changes[i] = smooth[i] * changes[i] * widths[i]
     timed(places, smooth, changes, times)
 
 

@@ -35,12 +35,12 @@ def motion_time_at(
         while i < last - 1 and knots[i + 1] <= t:
             i += 1
         if i != made:
-            step = knots[i + 1] - knots[i]
+            per = 1.0 / (knots[i + 1] - knots[i])
             first, change, end, made = rates[i], changes[i], changes[i + 1], i
-            more = (rates[i + 1] - first) / step
-            square = (3.0 * more - 2.0 * change - end) / step
-            cube = (change + end - 2.0 * more) / (step * step)
-            third = square / 3.0
+            more = (rates[i + 1] - first) * per
+            square = (3.0 * more - 2.0 * change - end) * per
+            cube = (change + end - 2.0 * more) * (per * per)
+            third = square * (1.0 / 3.0)
         past = t - knots[i]
         way = past * (first + past * (change / 2.0 + past * (third + past * cube / 4.0)))
         phi = min(max(places[i] + way, places[i]), places[i + 1])
@@ -60,14 +60,14 @@ def timed(places: Array, rates: Array, changes: Array, times: Array) -> None:
         times: become real times [s], from 0 on, shape (m,).
     """
     last = places.shape[0] - 1
-    left = (places[1] - places[0]) / ((rates[1] + rates[0]) / 2.0)
+    left = (rates[1] + rates[0]) / 2.0 / (places[1] - places[0])
     way, mean, before = 0.0, 1.0, 0.0
     for i in range(last + 1):
         right = left
         if i < last:
-            right = (places[i + 1] - places[i]) / ((rates[i + 1] + rates[i]) / 2.0)
+            right = (rates[i + 1] + rates[i]) / 2.0 / (places[i + 1] - places[i])
         above, below = 3.0 * (1.0 - rates[i]), 3.0 * _INSIDE * rates[i] * (2.0 - _INSIDE) / 2.0
-        up, down = min(above / right, below / left), min(above / left, below / right)
+        up, down = min(above * right, below * left), min(above * left, below * right)
         changes[i] = min(max(changes[i], -down), up)
         if i == 0:
             times[0] = 0.0

@@ -5,7 +5,7 @@ from ropsim.spatial import Array
 
 _WIDE, _NARROW = 2.0 / 3.0, 1.0 / 3.0
 """Half widths of the two windows that are averaged over, together 1: the kernel is a trapezoid."""
-WORK = 6
+WORK = 8
 """Rows of room that rounding needs, each two longer than there are places."""
 
 
@@ -57,35 +57,43 @@ def rounded(sigma: Array, rates: Array, work: Array, smooth: Array, slopes: Arra
     """
     m = sigma.shape[0]
     padded, lack, queue, greatest, mean, slope = work[0], work[1], work[2], work[3], work[4], work[5]
+    per, rise = work[6], work[7]
     for k in range(m):
         padded[k + 1] = sigma[k]
         lack[k + 1] = 1.0 - rates[k]
     padded[0], padded[m + 1] = -3.0, sigma[m - 1] + 3.0  # beyond the ends the rate stays
     lack[0], lack[m + 1] = lack[1], lack[m]
+    for k in range(m + 1):
+        per[k] = 1.0 / (padded[k + 1] - padded[k])
     greatest_nearby(padded, lack, queue, greatest)
-    _average(padded, greatest, _WIDE, queue, mean, slope)
-    _average(padded, mean, _NARROW, queue, lack, slope)
+    _average(padded, per, greatest, _WIDE, queue, rise, mean, slope)
+    _average(padded, per, mean, _NARROW, queue, rise, lack, slope)
     for k in range(m):
         smooth[k] = 1.0 - lack[k + 1]
         slopes[k] = -slope[k + 1]
 
 
-def _average(sigma: Array, values: Array, half: float, until: Array, mean: Array, slope: Array) -> None:
+def _average(
+    sigma: Array, per: Array, values: Array, half: float, until: Array, rise: Array, mean: Array, slope: Array
+) -> None:
     """Write the mean within ±half of each place of what is linear between places, and its slope by σ.
 
     Args:
         sigma: rising, shape (k,).
+        per: inverse of the ways between the places, shape (k - 1,) or longer.
         values: shape (k,).
         half: half width of the window.
         until: room for the areas in front of the places, shape (k,).
+        rise: room for the slopes behind the places, shape (k - 1,) or longer.
         mean: where the means go, shape (k,).
         slope: where the slopes go, shape (k,).
     """
     last = sigma.shape[0] - 1
     until[0] = 0.0
     for k in range(last):
+        rise[k] = (values[k + 1] - values[k]) * per[k]
         until[k + 1] = until[k] + (sigma[k + 1] - sigma[k]) * (values[k + 1] + values[k]) / 2.0
-    i, j = 0, 0
+    i, j, share = 0, 0, 1.0 / (2.0 * half)
     for k in range(last + 1):
         left, right = sigma[k] - half, sigma[k] + half
         while i < last - 1 and sigma[i + 1] <= left:
@@ -93,10 +101,10 @@ def _average(sigma: Array, values: Array, half: float, until: Array, mean: Array
         while j < last - 1 and sigma[j + 1] <= right:
             j += 1
         past = left - sigma[i]
-        begin = values[i] + past * (values[i + 1] - values[i]) / (sigma[i + 1] - sigma[i])
+        begin = values[i] + past * rise[i]
         before = until[i] + past * (values[i] + begin) / 2.0
         past = right - sigma[j]
-        end = values[j] + past * (values[j + 1] - values[j]) / (sigma[j + 1] - sigma[j])
+        end = values[j] + past * rise[j]
         behind = until[j] + past * (values[j] + end) / 2.0
-        mean[k] = (behind - before) / (2.0 * half)
-        slope[k] = (end - begin) / (2.0 * half)
+        mean[k] = (behind - before) * share
+        slope[k] = (end - begin) * share
