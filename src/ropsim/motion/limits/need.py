@@ -6,7 +6,7 @@ import numpy as np
 
 from ropsim.motion.limits.demand import Demand
 from ropsim.motion.limits.joint_bounds import Quantity, torques
-from ropsim.motion.limits.need_kernel import least_rate, room
+from ropsim.motion.limits.need_kernel import least_rate, rates_kept
 from ropsim.spatial import Array
 
 
@@ -35,14 +35,9 @@ def rates_needed(demand: Demand, places: Array, period: float) -> Array:
         places: motion times [s], shape (m,).
         period: of the control ticks [s].
     """
-    bounds, least = demand.bounds, np.empty((3, len(places)))
-    room(*_rows(demand), places, bounds.speed, bounds.jerk, period, least)
-    between = np.ones(len(places))
-    here = np.flatnonzero((least[1] < 1.0) & (least[2] < 1.0))
-    between[here] = np.maximum(np.cbrt(least[1, here]), np.sqrt(least[2, here]))
-    result = np.minimum(least[0], between)
-    result[1:] = np.minimum(result[1:], between[:-1])
-    return np.asarray(result)
+    inverse, rates = 1.0 / np.array([demand.bounds.speed, demand.bounds.jerk]), np.empty(len(places))
+    rates_kept(*_rows(demand), places, inverse, period, rates)
+    return rates
 
 
 def neediest(demand: Demand, places: Array, period: float, begin: int, end: int) -> Need:

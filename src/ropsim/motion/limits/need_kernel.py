@@ -9,37 +9,35 @@ from ropsim.spatial import Array
 _TINY = 1e-300
 
 
-@kernel("void(f8[:,::1], f8[:,::1], f8[::1], f8[::1], f8[::1], f8, f8[:,::1])")
-def room(d1: Array, d2: Array, places: Array, speed: Array, jerk: Array, period: float, out: Array) -> None:
-    """Write what the joint that has least of it leaves of speed and jerk, over what is asked.
+@kernel("void(f8[:,::1], f8[:,::1], f8[::1], f8[:,::1], f8, f8[::1])")
+def rates_kept(d1: Array, d2: Array, places: Array, inverse: Array, period: float, out: Array) -> None:
+    """Write the constant rates, at most 1, at which the joints just keep their limits of speed and jerk.
 
     With the rate w, speeds scale by w and jerk by w³; where acceleration is not steady, its step in one
-    control tick by w².
+    control tick by w². Jerk counts at both ends of a way.
 
     Args:
         d1: first derivatives by motion time, shape (m, n).
         d2: second ones, shape (m, n).
-        places: motion times [s], shape (m,).
-        speed: limits, shape (n,).
-        jerk: limits, shape (n,).
+        places: motion times [s], rising, shape (m,).
+        inverse: of the limits of speed and jerk, shape (2, n).
         period: of the control ticks [s].
-        out: of speed at each place; on the way behind it of a jerk that lasts and of one that is sudden, for
-            the last place those of the last way, shape (3, m).
+        out: becomes the rates, shape (m,).
     """
-    last = d1.shape[0] - 1
+    last, before = d1.shape[0] - 1, 1.0
     for i in range(last + 1):
-        lasting, sudden, slow = math.inf, math.inf, math.inf
+        fast, step = 1.0, 0.0
         for j in range(d1.shape[1]):
-            slow = min(slow, speed[j] / max(abs(d1[i, j]), _TINY))
-            if i < last:
-                step = max(abs(d2[i + 1, j] - d2[i, j]), _TINY)
-                lasting = min(lasting, jerk[j] * (places[i + 1] - places[i]) / step)
-                sudden = min(sudden, jerk[j] * period / step)
-        out[0, i] = slow
-        if i < last:
-            out[1, i], out[2, i] = lasting, sudden
-        else:
-            out[1, i], out[2, i] = out[1, i - 1], out[2, i - 1]
+            fast = max(fast, abs(d1[i, j]) * inverse[0, j])
+        rate = 1.0 / fast if fast > 1.0 else 1.0
+        for j in range(d1.shape[1] if i < last else 0):
+            step = max(step, abs(d2[i + 1, j] - d2[i, j]) * inverse[1, j])
+        behind = 1.0
+        if i < last and step > places[i + 1] - places[i] and step > period:
+            lasting, sudden = (places[i + 1] - places[i]) / step, period / step
+            behind = max(lasting ** (1.0 / 3.0), math.sqrt(sudden))
+        out[i] = min(rate, behind, before)
+        before = behind
 
 
 @kernel("void(f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[::1], f8[:,::1], f8, i8, i8, f8[::1])")
