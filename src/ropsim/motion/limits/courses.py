@@ -5,9 +5,10 @@ import numpy as np
 from ropsim.motion.limits.course import course_below, window_times
 from ropsim.motion.limits.course_kernel import SLACK
 from ropsim.motion.limits.demand import Demand
+from ropsim.motion.limits.give_up_kernel import give_up
 from ropsim.motion.limits.motion_time import MotionTime, unslowed
 from ropsim.motion.limits.need import rates_needed
-from ropsim.motion.limits.place_kernel import give_up, lacks_at
+from ropsim.motion.limits.place_kernel import ROWS_OF_PLACES, lacks_at
 from ropsim.motion.limits.speeds import Speeds
 from ropsim.motion.limits.strain import ROUNDING
 from ropsim.motion.limits.strain_kernel import LOAD, RATE, SWING, WINDOW
@@ -61,11 +62,15 @@ class Courses:
             more: taken off beyond each lack in the first round, as a share; each round takes more.
         """
         first, second = self._asked.along()
-        limits = self._asked.bounds.speed, self._asked.most(), self._asked.most_jerk()
+        paths = first.shape[1] - len(self._asked.bounds.speed)
+        speed = np.append(self._asked.bounds.speed, np.full(paths, np.inf))
+        most, jerk = np.array(self._asked.most()), np.array(self._asked.most_jerk())
+        limits = speed, most, jerk, 1.0 + ROUNDING
+        room = np.empty((ROWS_OF_PLACES, first.shape[1]))
         for number in range(_AT_PLACES):
             clock, beyond = self.clock, float(np.log1p(more * (number + 1)))
-            course = clock.times, clock.rates, clock.changes
-            lacks_at(first, second, *course, *limits, 1.0 + ROUNDING, beyond, self._lacks, self._told)
+            course = self._places, clock.times, clock.rates, clock.changes
+            lacks_at(first, second, *course, *limits, beyond, room, self._lacks, self._told)
             if self._told[0] == 0.0:
                 return
             self.give_up(self._lacks)
