@@ -61,6 +61,10 @@ def column_lines(text: str, known: dict[str, float], places: dict[str, int]) -> 
         text: its source.
         known: floats by name.
         places: whole numbers by name.
+
+    Raises:
+        ValueError: lines are none of columns, or what all columns share is of an array that they change, or
+            when the function is written, of one with two axes.
     """
     (function,) = ast.parse(text).body
     assert isinstance(function, ast.FunctionDef)
@@ -69,6 +73,9 @@ def column_lines(text: str, known: dict[str, float], places: dict[str, int]) -> 
     assert isinstance(loop.target, ast.Name)
     numbered = _Numbered(loop.target.id, places)
     lines = [numbered.visit(line) for line in loop.body]
+    for name, (array, _) in numbered.shared.items():
+        if array in numbered.changed:
+            raise ValueError(f"`{name}` is the same for all columns, which change `{array}`")
 
     def write(builder: ir.IRBuilder, values: dict[str, ir.Value], arrays: dict[str, Row]) -> None:
         count = values.pop(names[0])
@@ -80,6 +87,8 @@ def column_lines(text: str, known: dict[str, float], places: dict[str, int]) -> 
         scalars = {name: spread.number(value) for name, value in known.items()}
         scalars |= {name: spread.spread(value) for name, value in values.items()}
         for name, (array, place) in numbered.shared.items():
+            if len(arrays[array].shape.type) != 1:
+                raise ValueError(f"`{name}` is no number: `{array}` has two axes")
             address = builder.gep(arrays[array].data, [ir.Constant(WHOLE, place)])
             scalars[name] = spread.spread(builder.load(address))
 
@@ -131,14 +140,18 @@ class _Numbered(ast.NodeTransformer):
 
     Attributes:
         shared: array and place of numbers that are the same for all columns, by names that are made for them.
+        changed: names of arrays that are written.
     """
 
     def __init__(self, column: str, known: dict[str, int]) -> None:
         self._column, self._known = column, known
         self.shared: dict[str, tuple[str, int]] = {}
+        self.changed: set[str] = set()
 
     def visit_Subscript(self, node: ast.Subscript) -> ast.Subscript | ast.Name:  # as ast calls it
         """Return the subscript with the number of the row alone, or the name of what all columns share."""
+        if isinstance(node.ctx, ast.Store) and isinstance(node.value, ast.Name):
+            self.changed.add(node.value.id)
         match node.slice:
             case ast.Name(id=self._column):
                 return ast.Subscript(node.value, ast.Constant(0), node.ctx)

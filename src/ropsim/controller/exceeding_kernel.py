@@ -7,7 +7,7 @@ from ropsim.spatial import Array
 
 @kernel("void(f8[:,::1], f8, f8[::1], f8[:,::1], f8[::1], f8[:,::1])")
 def exceeding(used: Array, allowed: float, phi: Array, spans: Array, ticks: Array, told: Array) -> None:
-    """Write the control ticks, without 0, at which a limit is exceeded, and which of them lie in spans.
+    """Write the ticks, without 0, at which a limit is exceeded, and which of them lie in spans.
 
     Args:
         used: of the limits, shape (4, k).
@@ -54,7 +54,7 @@ def walk_at(
     motion: Array,
     changed: Array,
 ) -> None:
-    """Write where a run is at control ticks and at those before them, and what joints do there.
+    """Write where a run is at ticks and at those before them, and what joints do there.
 
     Args:
         segments: of its time law, see `TimeLaw`, shape (8, m).

@@ -1,4 +1,4 @@
-"""How slow a path must be walked at control ticks at which joints cannot follow."""
+"""How slow a path must be walked at ticks at which joints cannot follow."""
 
 from functools import lru_cache
 
@@ -32,7 +32,7 @@ class Caps:
 
 @record
 class Walked:
-    """A path at b control ticks and at those before them; two rows of each, the ticks before first.
+    """A path at b ticks and at those before them; two rows of each, the ticks before first.
 
     Attributes:
         places: on the path, shape (2, b).
@@ -68,7 +68,7 @@ def joint_caps(walked: Walked, arm: ArmBounds, period: float, used: float) -> Ca
     Args:
         walked: the path at ticks at which a limit is exceeded.
         arm: limits of the joints.
-        period: of the control ticks [s].
+        period: of the ticks [s].
         used: share of the limits that is aimed at, in ]0, 1].
     """
     rows, told = np.empty((5, 5 * walked.q.size)), np.empty(1)
@@ -86,7 +86,7 @@ def joint_limits(joints: JointBounds, period: float) -> Array:
 
     Args:
         joints: their bounds.
-        period: of the control ticks [s].
+        period: of the ticks [s].
     """
     effort = np.full(len(joints.speed), np.inf) if joints.effort is None else joints.effort
     return np.array([joints.speed, joints.acceleration, period * joints.jerk, effort])

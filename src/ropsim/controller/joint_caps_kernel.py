@@ -52,7 +52,7 @@ def caps_of(
         loads: torques of the joints at the ticks, what of them goes with the square of the speed, and what
             with the acceleration along the path [N m | N], shape (3, b, n), or (3, 0, n).
         limits: of speed, acceleration, change of acceleration in a tick, and torque, shape (4, n).
-        period: of the control ticks [s].
+        period: of the ticks [s].
         used: share of the limits that is aimed at.
         allowed: what may be used of a limit, 1 and rounding.
         caps: where they go: kind, value, number of the tick, joint, quantity, with room, shape (5, 5·b·n).

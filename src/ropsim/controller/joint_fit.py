@@ -120,7 +120,7 @@ def _bands(fit: Fit) -> dict[int, Bands]:
 
 
 def _exceeding(fit: Fit, numbers: Iterable[int]) -> dict[int, Array]:
-    """Return the control ticks, without 0, at which a limit is exceeded in runs; of those with any."""
+    """Return the ticks, without 0, at which a limit is exceeded in runs; of those with any."""
     reference, runs = fit.reference, fit.course.runs
     table = fit.motion.table
     spans = table.runs if table else np.array([(run.start, run.end) for run in runs])

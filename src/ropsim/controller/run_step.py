@@ -21,7 +21,7 @@ class Aim:
 
     Attributes:
         arm: limits of the joints.
-        period: of the control ticks [s].
+        period: of the ticks at which the motion was looked at [s].
         used: share of the limits, in ]0, 1].
         look_ahead: how many moves beyond the present one are known.
     """
@@ -39,7 +39,7 @@ def slower_run(
 
     Args:
         motion: of the stretch.
-        reference: of it, at all control ticks.
+        reference: of it, at the ticks at which it was looked at.
         number: of the run.
         bands: of it.
         ticks: at which a limit is exceeded, none of them 0, shape (b,).
@@ -108,7 +108,7 @@ def _quick(
 
 
 def _walked(motion: StretchMotion, reference: Reference, number: int, begins: Array, ticks: Array) -> Walked:
-    """Return the path of a run at control ticks and at those before them."""
+    """Return the path of a run at ticks and at those before them."""
     run, b = motion.course.runs[number], len(ticks)
     rows, law, places = reference.rows, np.empty((4, 2 * b)), np.empty((2, b))
     joints, qdd = np.empty((2, 2, b, rows.q.shape[1]))

@@ -72,7 +72,7 @@ def step_of_run(
         rows: see there.
         slopes: see there.
         limits: see `caps_of`, and so are period, used and allowed.
-        period: of the control ticks [s].
+        period: of the ticks [s].
         used: share of the limits that is aimed at.
         allowed: what may be used of a limit, 1 and rounding.
         begins: places at which pieces begin, and the end of the last one, shape (p + 1,).

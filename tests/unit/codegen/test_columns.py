@@ -5,16 +5,18 @@ from math import atan2
 
 import numpy as np
 import pytest
+from llvmlite import ir
 
 from ropsim.codegen import columns, kernel
 from ropsim.codegen.column_lines import column_lines
+from ropsim.codegen.lane_functions import LaneFunctions
 from ropsim.spatial import Array
 
 MOST = math.inf
 SHIFT = 0.25
 SECOND = 1
 DIRECTIONS = 4e-16
-"""Share by which two ways to take a direction differ at most: two units of the last place."""
+"""Share by which two ways to take a direction differ at most: nearly two units of the last place."""
 
 
 @columns
@@ -113,3 +115,32 @@ def test_only_columns_of_rows_can_be_read(place: str) -> None:
     text = f"def f(count, x, k, out):\n    for j in range(count):\n        out[j] = {place}\n"
     with pytest.raises(ValueError, match="is none of a row at column j"):
         column_lines(text, {}, {})
+
+
+def test_what_columns_share_is_not_what_they_change() -> None:
+    text = "def f(count, x):\n    for j in range(count):\n        x[j] = x[j] + x[1]\n"
+    with pytest.raises(ValueError, match="the same for all columns, which change `x`"):
+        column_lines(text, {}, {})
+
+
+@columns
+def _shared(count: int, x: Array, out: Array) -> None:
+    for j in range(count):
+        out[j] = x[1] * 2.0
+
+
+@kernel("void(f8[:,::1], f8[::1])")
+def shared_of_table(x: Array, out: Array) -> None:
+    _shared(out.shape[0], x, out)
+
+
+def test_what_columns_share_is_a_number_of_a_row_not_a_row_of_a_table() -> None:
+    with pytest.raises(Exception, match="`x` has two axes"):
+        shared_of_table(np.ones((2, 3)), np.empty(3))
+
+
+def test_a_function_that_is_not_written_for_vectors_is_none_of_the_others() -> None:
+    made = ir.Function(ir.Module(), ir.FunctionType(ir.VoidType(), []), "f")
+    lines = LaneFunctions(ir.IRBuilder(made.append_basic_block()), {})
+    with pytest.raises(ValueError, match="`exp` is not written for vectors"):
+        lines._elementary("exp", [lines.number(1.0)])
