@@ -48,10 +48,6 @@ class Fit:
         effort = None if self.reference.torque is None else arm.effort
         return as_bounds_allow(self.motion, replace(arm, effort=effort), period)
 
-    def whole(self, period: float, arm: ArmBounds) -> "Fit":
-        """Return the same looked at at each tick, with its torques where they count."""
-        return self.at_each(period, arm).loaded(arm)
-
 
 def as_bounds_allow(motion: StretchMotion, arm: ArmBounds, period: float) -> Fit:
     """Return a motion with what it takes of the joints, whatever they say to it.

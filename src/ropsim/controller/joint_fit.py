@@ -77,7 +77,7 @@ def _fitted(planned: Fit, arm: ArmBounds, looked_at: ArmBounds, period: float, l
         if not ticks and looked_at is not arm:
             now, looked_at = now.loaded(arm), arm
             if not now.reference.strain.is_kept:
-                heavy = planned.whole(period, arm)
+                heavy = planned.loaded(arm)
                 if heavy.reference.strain.peaks[_TORQUE] > 1.0:
                     return fitted(heavy, arm, period, look_ahead)
                 continue
@@ -95,12 +95,12 @@ def _fitted(planned: Fit, arm: ArmBounds, looked_at: ArmBounds, period: float, l
                 bands[number] = own.slower(1.0 / (now.reference.strain.factor * (1.0 + _LESS)))
                 changed[number] = bands[number].replanned(look_ahead)
             if bands[number].share < _LEAST:
-                return planned.whole(period, arm)
+                return planned.loaded(arm)
         course = course_of(changed, len(planned.course.ends))
         if course.duration - planned.course.duration > LONGEST_DELAY:
-            return planned.whole(period, arm)
+            return planned.loaded(arm)
         now = as_bounds_allow(now.motion.timed(course), looked_at, period)
-    return planned.whole(period, arm)
+    return planned.loaded(arm)
 
 
 def _is_too_heavy(reference: Reference, arm: ArmBounds) -> bool:

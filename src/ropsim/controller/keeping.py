@@ -75,7 +75,7 @@ def keeping_of(course: Course, arm: ArmBounds, period: float, look_ahead: int) -
     quick = _keeping(fit, arm, period)
     if fit.motion is planned.motion or quick.duration <= _LONGER * planned.course.duration:
         return quick
-    return min(quick, _keeping(planned.whole(period, arm), arm, period), key=lambda one: one.duration)
+    return min(quick, _keeping(planned.loaded(arm), arm, period), key=lambda one: one.duration)
 
 
 def _keeping(fit: Fit, arm: ArmBounds, period: float) -> Keeping:
