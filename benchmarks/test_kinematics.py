@@ -32,7 +32,7 @@ def bare_call() -> float:
     solver = ropsim.kinematics.solver_of(ROBOT)
     assert isinstance(solver, SphericalWristSolver)
     T = ropsim.kinematics.forward_batch(ROBOT, [ROBOT.home])
-    solve, room, out = closed_form(solver), np.zeros(30), np.empty((1, 8, 6))
+    solve, room, out = closed_form(solver), np.zeros(ropsim.kinematics.ROOM_OF_ROWS), np.empty((1, 8, 6))
     best = float("inf")
     for _ in range(2000):
         start = perf_counter()

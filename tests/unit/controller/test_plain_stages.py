@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from ropsim.controller.coordination import Coordination
 from ropsim.controller.leg import Leg, leg_of
 from ropsim.controller.plain_stages import plain_stages
 from ropsim.controller.stages import joint_stages, tool_stages
@@ -51,6 +52,15 @@ def test_they_are_those_of_each_path_by_itself() -> None:
         else:
             own = joint_stages(leg.joints, leg.planned.limits.joints)
         assert found[number].rows.tolist() == own.rows.tolist()
+
+
+def test_lines_along_which_external_axes_go_are_left_to_be_asked_by_themselves() -> None:
+    (leg,) = legs_of([lin(shifted(interface_pose(START), 0.05, 0.0, 0.0))])
+    assert leg.joints is not None
+    assert leg.tool is not None
+    standing = Coordination(CHAIN.robot, leg.joints, None, leg.planned.limits.joints)
+    along = replace(leg, planned=replace(leg.planned, coordination=standing))
+    assert sorted(plain_stages([leg, along], {0: (0.0, 0.05), 1: (0.0, 0.05)})) == [0]
 
 
 def test_lines_on_which_the_tool_rolls_as_it_swings_are_left_to_be_asked_by_themselves() -> None:

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from ropsim import robots
-from ropsim.kinematics import Method, classes_missed, solver_of
+from ropsim.kinematics import Method, classes_missed, forward_batch, inverse_batch, solver_of
 from ropsim.kinematics.solvers.spherical_wrist import SphericalWristSolver
 from ropsim.kinematics.solvers.wrist_arm import WristArm
 from ropsim.model import DhRow, JointType, RobotModel
@@ -68,3 +68,30 @@ def test_a_prismatic_joint_in_the_table_is_refused() -> None:
     rows = list(PUMA_ROWS)
     rows[2] = DhRow(a=0.0, alpha=pi / 2, d=0.1, type=JointType.PRISMATIC)
     assert classes_missed(arm(tuple(rows)))["spherical wrist"] == "joint `3` is prismatic"
+
+
+@pytest.mark.parametrize("beta", [0.0, pi])
+@pytest.mark.parametrize("robot", all_arms(), ids=lambda robot: robot.name)
+def test_wrists_whose_axes_are_aligned_either_way_are_solved(robot: RobotModel, beta: float) -> None:
+    """Axes 4 and 6 turn the tool alike then, or against each other: only what they do together is told."""
+    arm_found = wrist_arm(robot)
+    q = np.random.default_rng(3).uniform(-1.0, 1.0, (20, 6))
+    q[:, 4] = arm_found.signs[4] * (beta - arm_found.zeros[4])
+    T = forward_batch(robot, q)
+    found = inverse_batch(robot, T)
+    same = np.abs(found[:, :, :3] - q[:, None, :3]).max(axis=2) < 1e-6
+    assert same.any(axis=1).all()
+    again = forward_batch(robot, found[same])
+    np.testing.assert_allclose(again, np.repeat(T, same.sum(axis=1), axis=0), atol=1e-9)
+
+
+@pytest.mark.parametrize("robot", all_arms(), ids=lambda robot: robot.name)
+def test_angles_of_half_a_turn_are_told_in_one_way_only(robot: RobotModel) -> None:
+    """All coordinates lie in (-π, π]; so does what rounding leaves at its ends."""
+    random = np.random.default_rng(4)
+    q = random.choice([-pi, pi, np.nextafter(-pi, 0.0), 0.7, -1.1], (60, 6))
+    found = inverse_batch(robot, forward_batch(robot, q))
+    there = ~np.isnan(found)
+    assert there.any()
+    assert (found[there] > -pi).all()
+    assert (found[there] <= pi).all()
