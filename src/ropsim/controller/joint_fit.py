@@ -49,7 +49,7 @@ def fitted(planned: Fit, arm: ArmBounds, period: float, look_ahead: int) -> Fit:
 
     Args:
         planned: the course as the bounds of its parts alone would have it, looked at at control ticks, or at
-            a few of them with torques aside.
+            a few of them to begin with.
         arm: limits of the joints.
         period: of the control ticks [s].
         look_ahead: how many moves beyond the present one are known.

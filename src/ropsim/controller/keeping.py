@@ -16,7 +16,8 @@ _SPACING = 8e-3
 _NARROW_SPACING = 4e-3
 """The same where the tool is led, for how joints follow it is less even, and where torque is too much."""
 _FIRST_LOOK = 4e-3
-"""Time between two ticks at which a motion is looked at first, at most [s]."""
+"""Time between two ticks at which a motion is looked at first, at most [s]; with twice as much single motions
+last up to 6 % longer."""
 _FEWEST_LOOKS = 64
 """A motion of fewer of them is looked at at all control ticks at once."""
 _TORQUE = list(Quantity).index(Quantity.TORQUE)
