@@ -11,6 +11,7 @@ from ropsim.controller.parts import parts_of
 from ropsim.controller.pieces import Walk, pieces_of
 from ropsim.controller.quicker_stops import Times, quicker_stops, without
 from ropsim.controller.stretch_times import arm_times, times_alone, tool_times
+from ropsim.motion import Ticks
 from ropsim.spatial import record
 
 Corners = Sequence[Corner | None]
@@ -69,9 +70,7 @@ def by_tool(legs: Sequence[Leg], corners: Corners, walks: Sequence[Walk], look_a
     return ByTool(stops, corners, course, alone, times)
 
 
-def by_joints(
-    legs: Sequence[Leg], chosen: ByTool, arm: ArmBounds, period: float, look_ahead: int
-) -> ByJoints:
+def by_joints(legs: Sequence[Leg], chosen: ByTool, arm: ArmBounds, ticks: Ticks, look_ahead: int) -> ByJoints:
     """Return which of the corners that are left are quicker than stops within the limits of the joints.
 
     What joints make of a whole stretch can be a little slower than what they make of its parts. So stops at
@@ -81,18 +80,18 @@ def by_joints(
         legs: the moves.
         chosen: corners that the limits of the tool leave.
         arm: limits of the joints.
-        period: of the control ticks [s].
+        ticks: of control.
         look_ahead: how many moves beyond the present one are known.
     """
 
     def kept(corners: Corners) -> Keeping:
         course = course_of(parts_of(pieces_of(legs, corners), look_ahead), len(legs))
-        return keeping_of(course, arm, period, look_ahead)
+        return keeping_of(course, arm, ticks, look_ahead)
 
     corners = chosen.corners
     stops: tuple[int, ...] = ()
-    keeping = keeping_of(chosen.course, arm, period, look_ahead)
-    times = arm_times(legs, corners, look_ahead, chosen.times, arm, period)
+    keeping = keeping_of(chosen.course, arm, ticks, look_ahead)
+    times = arm_times(legs, corners, look_ahead, chosen.times, arm, ticks)
     while more := quicker_stops(corners, keeping.ends, chosen.alone, times):
         corners, stops = without(corners, more), (*stops, *more)
         keeping = kept(corners)

@@ -5,7 +5,7 @@ from dataclasses import replace
 from ropsim.controller.course import Course
 from ropsim.controller.kept_limits import ArmBounds
 from ropsim.controller.stretch_motion import StretchMotion
-from ropsim.motion import Reference, Slowed, as_planned, loaded
+from ropsim.motion import Reference, Slowed, Ticks, as_planned, loaded
 from ropsim.spatial import record
 
 
@@ -16,13 +16,13 @@ class Fit:
     Attributes:
         motion: of the stretch on the course.
         reference: at ticks, and what it uses of the limits.
-        period: of the ticks [s]: that of control, or a few of it.
+        ticks: at which it was looked at: those of control, or a few of them.
         slowed: where it is slower than its bounds would have it.
     """
 
     motion: StretchMotion
     reference: Reference
-    period: float
+    ticks: Ticks
     slowed: tuple[Slowed, ...]
 
     @property
@@ -36,25 +36,25 @@ class Fit:
             return self
         return replace(self, reference=loaded(self.reference, arm.joints, arm.effort))
 
-    def at_each(self, period: float, arm: ArmBounds) -> "Fit":
+    def at_each(self, ticks: Ticks, arm: ArmBounds) -> "Fit":
         """Return the same looked at at each tick, torques aside where they were so far.
 
         Args:
-            period: of the ticks [s].
+            ticks: of control.
             arm: limits of the joints.
         """
-        if self.period == period:
+        if self.ticks == ticks:
             return self
         effort = None if self.reference.torque is None else arm.effort
-        return as_bounds_allow(self.motion, replace(arm, effort=effort), period)
+        return as_bounds_allow(self.motion, replace(arm, effort=effort), ticks)
 
 
-def as_bounds_allow(motion: StretchMotion, arm: ArmBounds, period: float) -> Fit:
+def as_bounds_allow(motion: StretchMotion, arm: ArmBounds, ticks: Ticks) -> Fit:
     """Return a motion with what it takes of the joints, whatever they say to it.
 
     Args:
         motion: of the stretch.
         arm: limits of the joints.
-        period: of the ticks [s].
+        ticks: at which it is looked at.
     """
-    return Fit(motion, as_planned(motion, arm.joints, arm.effort, period), period, ())
+    return Fit(motion, as_planned(motion, arm.joints, arm.effort, ticks), ticks, ())

@@ -19,6 +19,7 @@ from ropsim.motion import (
     ROUNDING,
     Quantity,
     Reference,
+    Ticks,
     demand,
     too_heavy,
 )
@@ -38,7 +39,7 @@ _LEAST = 1e-3
 """Where joints leave less of the rate than this share, slowing by motion time has its finer means."""
 
 
-def fitted(planned: Fit, arm: ArmBounds, period: float, look_ahead: int) -> Fit:
+def fitted(planned: Fit, arm: ArmBounds, ticks: Ticks, look_ahead: int) -> Fit:
     """Return the course with its bounds brought down where joints could not follow, with its torques.
 
     The limits that the program gives for the tool stay those of every time law. Where joints leave next to
@@ -51,43 +52,43 @@ def fitted(planned: Fit, arm: ArmBounds, period: float, look_ahead: int) -> Fit:
         planned: the course as the bounds of its parts alone would have it, looked at at control ticks, or at
             a few of them to begin with.
         arm: limits of the joints.
-        period: of the control ticks [s].
+        ticks: of control.
         look_ahead: how many moves beyond the present one are known.
     """
     if planned.reference.strain.is_kept:
-        planned = planned.at_each(period, arm)
+        planned = planned.at_each(ticks, arm)
     if not any(run.part.leads_tool for run in planned.course.runs):
         return planned.loaded(arm)
     if planned.reference.torque is None and not planned.reference.strain.is_kept:
-        return _fitted(planned, arm, replace(arm, effort=None), period, look_ahead)
+        return _fitted(planned, arm, replace(arm, effort=None), ticks, look_ahead)
     heavy = planned.loaded(arm)
     if heavy.reference.strain.is_kept or _is_too_heavy(heavy.reference, arm):
         return heavy
-    return _fitted(heavy, arm, arm, period, look_ahead)
+    return _fitted(heavy, arm, arm, ticks, look_ahead)
 
 
-def _fitted(planned: Fit, arm: ArmBounds, looked_at: ArmBounds, period: float, look_ahead: int) -> Fit:
+def _fitted(planned: Fit, arm: ArmBounds, looked_at: ArmBounds, ticks: Ticks, look_ahead: int) -> Fit:
     """Return the course with its bounds brought down; at first with regard to what is looked at alone."""
     now, bands = planned, _bands(planned)
     for attempt in range(_ATTEMPTS + _ROUNDS):
-        ticks = _exceeding(now, bands)
-        if not ticks and now.period != period:
-            now = now.at_each(period, arm)
+        exceeded = _exceeding(now, bands)
+        if not exceeded and now.ticks != ticks:
+            now = now.at_each(ticks, arm)
             continue
-        if not ticks and looked_at is not arm:
+        if not exceeded and looked_at is not arm:
             now, looked_at = now.loaded(arm), arm
             if not now.reference.strain.is_kept:
                 heavy = planned.loaded(arm)
                 if heavy.reference.strain.peaks[_TORQUE] > 1.0:
-                    return fitted(heavy, arm, period, look_ahead)
+                    return fitted(heavy, arm, ticks, look_ahead)
                 continue
-        if not ticks:
+        if not exceeded:
             return replace(now, slowed=slowed_in(planned.course, now.course, bands))
         changed = [run.part for run in now.course.runs]
-        for number, found in ticks.items():
+        for number, found in exceeded.items():
             own = bands[number]
             if attempt < _ATTEMPTS:
-                aim = Aim(looked_at, now.period, 1.0 - _LESS * (1 + attempt), look_ahead)
+                aim = Aim(looked_at, now.ticks.period, 1.0 - _LESS * (1 + attempt), look_ahead)
                 bands[number], changed[number] = slower_run(
                     now.motion, now.reference, number, own, found, aim
                 )
@@ -99,7 +100,7 @@ def _fitted(planned: Fit, arm: ArmBounds, looked_at: ArmBounds, period: float, l
         course = course_of(changed, len(planned.course.ends))
         if course.duration - planned.course.duration > LONGEST_DELAY:
             return planned.loaded(arm)
-        now = as_bounds_allow(now.motion.timed(course), looked_at, period)
+        now = as_bounds_allow(now.motion.timed(course), looked_at, ticks)
     return planned.loaded(arm)
 
 

@@ -8,7 +8,7 @@ from ropsim.controller.fit import Fit, as_bounds_allow
 from ropsim.controller.joint_fit import fitted
 from ropsim.controller.kept_limits import ArmBounds
 from ropsim.controller.stretch_motion import StretchMotion
-from ropsim.motion import ROUNDING, Beyond, Kept, Quantity, Slowed, kept_from
+from ropsim.motion import ROUNDING, Beyond, Kept, Quantity, Slowed, Ticks, kept_from
 from ropsim.spatial import record
 
 _SPACING = 8e-3
@@ -58,7 +58,7 @@ class Keeping:
         return (float("inf"),) * len(ends)
 
 
-def keeping_of(course: Course, arm: ArmBounds, period: float, look_ahead: int) -> Keeping:
+def keeping_of(course: Course, arm: ArmBounds, ticks: Ticks, look_ahead: int) -> Keeping:
     """Return the motion on the course of a stretch.
 
     Time laws with lower bounds lose least where joints lack little. Where they lack much, motion time that
@@ -67,27 +67,28 @@ def keeping_of(course: Course, arm: ArmBounds, period: float, look_ahead: int) -
     Args:
         course: as the bounds of its parts alone would have it.
         arm: limits of the joints.
-        period: of the control ticks [s].
+        ticks: of control.
         look_ahead: how many moves beyond the present one are known.
     """
-    first = _first_period(course, period)
+    first = _first_look(course, ticks)
     planned = as_bounds_allow(StretchMotion.on(course), replace(arm, effort=None), first)
-    fit = fitted(planned, arm, period, look_ahead)
-    quick = _keeping(fit, arm, period)
+    fit = fitted(planned, arm, ticks, look_ahead)
+    quick = _keeping(fit, arm, ticks)
     if fit.motion is planned.motion or quick.duration <= _LONGER * planned.course.duration:
         return quick
-    return min(quick, _keeping(planned.loaded(arm), arm, period), key=lambda one: one.duration)
+    return min(quick, _keeping(planned.loaded(arm), arm, ticks), key=lambda one: one.duration)
 
 
-def _keeping(fit: Fit, arm: ArmBounds, period: float) -> Keeping:
+def _keeping(fit: Fit, arm: ArmBounds, ticks: Ticks) -> Keeping:
     is_led = any(run.part.leads_tool for run in fit.course.runs)
     is_heavy = fit.reference.strain.used[_TORQUE].max() > 1.0
     spacing = _NARROW_SPACING if is_led or is_heavy else _SPACING
-    kept = kept_from(fit.reference, fit.motion, arm.joints, arm.effort, period, spacing)
+    kept = kept_from(fit.reference, fit.motion, arm.joints, arm.effort, ticks, spacing)
     return Keeping(fit.motion, kept, fit.slowed + (kept.slowed if isinstance(kept, Kept) else ()))
 
 
-def _first_period(course: Course, period: float) -> float:
-    """Return the period of the ticks at which a motion is looked at first [s], a few of those of control."""
-    first = period * max(math.floor(_FIRST_LOOK / period * (1.0 + ROUNDING)), 1)
-    return first if course.duration >= _FEWEST_LOOKS * first else period
+def _first_look(course: Course, ticks: Ticks) -> Ticks:
+    """Return the ticks at which a motion is looked at first, a few of those of control apart."""
+    many = math.floor(_FIRST_LOOK / ticks.period * (1.0 + ROUNDING))
+    is_long = course.duration >= _FEWEST_LOOKS * many * ticks.period
+    return Ticks(many * ticks.period) if many > 1 and is_long else ticks

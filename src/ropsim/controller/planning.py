@@ -33,7 +33,7 @@ from ropsim.controller.zone_findings import clipped, stopped
 from ropsim.core import Diagnostic
 from ropsim.flow import MoveInstruction
 from ropsim.model import Payload, RobotModel
-from ropsim.motion import Beyond, JointBounds, SynchronisedJoints
+from ropsim.motion import Beyond, JointBounds, SynchronisedJoints, Ticks
 from ropsim.spatial import Array, record
 
 NO_PAYLOAD = Payload()
@@ -113,7 +113,8 @@ def _planned(
     for piece in (one for pieces, _ in walks for one in pieces):
         if refusal := standing_refusal(legs[piece.leg], piece):
             return _Hurdle(piece.leg, refusal)
-    ahead, period = chain.controller.look_ahead, chain.controller.rates.control_period
+    ahead, rates = chain.controller.look_ahead, chain.controller.rates
+    period = rates.control_period
     chosen = by_tool(legs, corners, walks, ahead)
     findings += (hint for one in chosen.stops for hint in stopped(legs[one].move, Stop.QUICKER))
     course = chosen.course
@@ -126,7 +127,7 @@ def _planned(
         return hopeless
     if any(leg.move.tracking for leg in legs):
         bounds = beside_correction(bounds)
-    flown = by_joints(legs, chosen, bounds, period, ahead)
+    flown = by_joints(legs, chosen, bounds, Ticks(period, rates.interpolation_ticks), ahead)
     findings += (hint for one in flown.stops for hint in stopped(legs[one].move, Stop.SLOWED))
     course, kept = flown.keeping.course, flown.keeping.kept
     if isinstance(kept, Beyond):

@@ -12,7 +12,7 @@ from ropsim.controller.leg import Leg
 from ropsim.controller.parts import Part, parts_of
 from ropsim.controller.pieces import pieces_of
 from ropsim.controller.quicker_stops import Span, Times
-from ropsim.motion import SynchronisedJoints, rest_to_rest_times
+from ropsim.motion import SynchronisedJoints, Ticks, rest_to_rest_times
 
 
 def times_alone(legs: Sequence[Leg], parts: Sequence[Part], look_ahead: int) -> tuple[float, ...]:
@@ -68,7 +68,7 @@ def arm_times(
     look_ahead: int,
     least: Times,
     arm: ArmBounds,
-    period: float,
+    ticks: Ticks,
 ) -> Times:
     """Return the times of moves within the limits of the joints.
 
@@ -78,12 +78,12 @@ def arm_times(
         look_ahead: how many moves beyond the present one are known.
         least: their times by the limits of their paths.
         arm: limits of the joints.
-        period: of the control ticks [s].
+        ticks: of control.
     """
 
     def time(span: Span) -> float:
         course = _course(*_part(legs, corners, span), look_ahead)
-        return keeping_of(course, arm, period, look_ahead).duration
+        return keeping_of(course, arm, ticks, look_ahead).duration
 
     return Times(least.exact, time)
 

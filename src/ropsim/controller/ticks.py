@@ -13,7 +13,7 @@ from ropsim.controller.ticks_kernel import ticks_come
 from ropsim.controller.trigger_ticks import Flown, PlannedTrigger, trigger_ticks
 from ropsim.core import Diagnostic, maker
 from ropsim.flow import JointReference
-from ropsim.motion import JointPoints, Kept
+from ropsim.motion import JointPoints, Kept, Ticks
 from ropsim.spatial import Array
 
 _SLACK = 1e-9
@@ -45,27 +45,22 @@ def in_ticks(
     kept: Kept,
     findings: Sequence[Diagnostic],
 ) -> MotionPlan:
-    """Return the plan of a motion; it lasts a whole number of interpolation ticks.
+    """Return the plan of a motion, which becomes that of the motion's own rows.
 
     Args:
-        chain: the entities; gives the rates.
+        chain: the entities; gives the control period.
         legs: the moves.
         zones: that are flown at their ends [m].
         course: of the stretch.
-        kept: its motion within the limits of the joints.
+        kept: its motion within the limits of the joints, at all ticks of whole interpolation ticks.
         findings: on the moves.
     """
-    rates = chain.controller.rates
-    period, every = rates.control_period, rates.interpolation_ticks
-    rows = len(kept.rows.q) - 1
-    ticks = every * -(-rows // every)
-    reference = _to_rest(kept.rows, legs[-1].q_end, ticks)
-    phi = np.full(ticks, course.duration)
-    phi[:rows] = kept.phi[1:]
+    period, phi = chain.controller.rates.control_period, kept.phi[1:]
+    reference = _to_rest(kept.rows, legs[-1].q_end, Ticks(period).count(kept.clock.duration))
     at, ends = np.empty((len(course.piece_ends) + len(course.runs), 2)), np.empty(len(legs) - 1)
     times = course.table, course.piece_ends, np.array(course.ends[:-1]), phi, _SLACK * period
     ticks_come(*times, at[: len(course.piece_ends)], at[len(course.piece_ends) :], ends)
-    lasts = [0, *map(int, ends.tolist()), ticks]
+    lasts = [0, *map(int, ends.tolist()), reference.ticks]
     moves, found = [], list(findings)
     for leg, zone, (first, last) in zip(legs, zones, pairwise(lasts), strict=True):
         planned, move = leg.planned, leg.move
@@ -107,18 +102,15 @@ def _pieces(
     return tuple(pieces), tuple(sorted(blends))
 
 
-def _to_rest(rows: JointPoints, q_end: Array, ticks: int) -> JointReference:
-    """Return the reference of a motion, standing at its end until a control tick.
+def _to_rest(rows: JointPoints, q_end: Array, at_rest: int) -> JointReference:
+    """Return the reference of a motion: its rows themselves, for which nobody else asks any more.
 
     The end is exact, without the rounding of sums.
 
     Args:
-        rows: of the motion at the control ticks 0, 1, … to its end.
-        q_end: joint coordinates there [rad | m], shape (n,).
-        ticks: control ticks of the reference.
+        rows: of the motion at the control ticks 0, 1, … until it rests.
+        q_end: joint coordinates at its end [rad | m], shape (n,).
+        at_rest: first control tick at which it is there.
     """
-    last = len(rows.q) - 2
-    q, qd, qdd = np.empty((3, ticks, len(q_end)))
-    q[:last], qd[:last], qdd[:last] = rows.q[1:-1], rows.d1[1:-1], rows.d2[1:-1]
-    q[last:], qd[last:], qdd[last:] = q_end, 0.0, 0.0
-    return JointReference(q, qd, qdd)
+    rows.q[at_rest:], rows.d1[at_rest:], rows.d2[at_rest:] = q_end, 0.0, 0.0
+    return JointReference(rows.q[1:], rows.d1[1:], rows.d2[1:])

@@ -38,6 +38,7 @@ from ropsim.motion.limits.reference import as_planned as as_planned
 from ropsim.motion.limits.reference import loaded as loaded
 from ropsim.motion.limits.refusal import too_heavy as too_heavy
 from ropsim.motion.limits.strain import ROUNDING as ROUNDING
+from ropsim.motion.limits.ticks import Ticks as Ticks
 from ropsim.motion.limits.time_optimal import time_optimal as time_optimal
 from ropsim.motion.limits.ways import Ways as Ways
 from ropsim.motion.limits.ways import no_ways as no_ways

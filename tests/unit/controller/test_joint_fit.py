@@ -13,7 +13,7 @@ from ropsim.controller.parts import Part, parts_of
 from ropsim.controller.pieces import pieces_of
 from ropsim.controller.stretch_motion import StretchMotion
 from ropsim.flow import ModalState
-from ropsim.motion import Effort, JointBounds, Kept, keep_limits
+from ropsim.motion import Effort, JointBounds, Kept, Ticks, keep_limits
 from ropsim.spatial import Array
 from support.motion import CHAIN, PUMA, START, interface_pose, lin, shifted
 
@@ -37,8 +37,8 @@ def arm(speed: float, acceleration: float, jerk: float, effort: Effort | None = 
 
 def fit(parts: tuple[Part, ...], bounds: ArmBounds) -> tuple[Fit, Fit]:
     """Return a course as its bounds allow it, and as joints can follow it."""
-    planned = as_bounds_allow(StretchMotion.on(course_of(parts, 1)), bounds, TICK)
-    return planned, fitted(planned, bounds, TICK, AHEAD)
+    planned = as_bounds_allow(StretchMotion.on(course_of(parts, 1)), bounds, Ticks(TICK))
+    return planned, fitted(planned, bounds, Ticks(TICK), AHEAD)
 
 
 def test_a_line_that_joints_leave_more_than_a_thousandth_of_its_rate_is_fitted() -> None:
@@ -83,5 +83,5 @@ def test_of_both_ways_to_keep_the_limits_the_quicker_one_counts(
     assert isinstance(slower, Kept)
     durations = lower.course.duration, slower.clock.duration
     assert min(durations) < 0.95 * max(durations)
-    found = keeping_of(course_of(parts, 1), bounds, TICK, AHEAD)
+    found = keeping_of(course_of(parts, 1), bounds, Ticks(TICK), AHEAD)
     assert found.duration == pytest.approx(min(durations), rel=0.01)  # it looks at fewer ticks at first

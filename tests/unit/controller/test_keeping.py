@@ -9,7 +9,7 @@ from ropsim import robots
 from ropsim.controller import MotionPlan, MotionState, fit, keeping, plan
 from ropsim.flow import ModalState
 from ropsim.model import Payload
-from ropsim.motion import Effort, JointBounds, Reference, as_planned
+from ropsim.motion import Effort, JointBounds, Reference, Ticks, as_planned
 from ropsim.motion.limits.kept import Motion
 from support.cells import chain_of, one_station
 from support.motion import CHAIN as OF_PUMA
@@ -47,9 +47,9 @@ def periods(monkeypatch: pytest.MonkeyPatch) -> list[float]:
     found: list[float] = []
     look = as_planned
 
-    def noted(motion: Motion, bounds: JointBounds, effort: Effort | None, period: float) -> Reference:
-        found.append(period)
-        return look(motion, bounds, effort, period)
+    def noted(motion: Motion, bounds: JointBounds, effort: Effort | None, ticks: Ticks) -> Reference:
+        found.append(ticks.period)
+        return look(motion, bounds, effort, ticks)
 
     monkeypatch.setattr(fit, "as_planned", noted)
     return found

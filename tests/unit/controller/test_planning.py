@@ -13,7 +13,7 @@ from ropsim.controller.stretch_motion import StretchMotion
 from ropsim.flow import ModalState, MotionKind, MoveInstruction, Origin
 from ropsim.kinematics import forward_batch
 from ropsim.model import Rates, RobotModel
-from ropsim.motion import Effort, JointBounds, Reference, ToolSection, as_planned
+from ropsim.motion import Effort, JointBounds, Reference, Ticks, ToolSection, as_planned
 from ropsim.spatial import Array, Pose
 from support.cells import chain_of, with_station
 from support.motion import (
@@ -289,11 +289,9 @@ def test_no_motion_is_looked_at_tick_by_tick_that_would_take_far_too_long(
 ) -> None:
     asked: list[float] = []
 
-    def counted(
-        motion: StretchMotion, bounds: JointBounds, effort: Effort | None, period: float
-    ) -> Reference:
+    def counted(motion: StretchMotion, bounds: JointBounds, effort: Effort | None, ticks: Ticks) -> Reference:
         asked.append(motion.duration)
-        return as_planned(motion, bounds, effort, period)
+        return as_planned(motion, bounds, effort, ticks)
 
     monkeypatch.setattr("ropsim.controller.fit.as_planned", counted)
     monkeypatch.setattr("ropsim.controller.joint_fit.LONGEST_DELAY", 2.0)

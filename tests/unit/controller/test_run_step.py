@@ -14,7 +14,7 @@ from ropsim.controller.parts import Part, parts_of
 from ropsim.controller.pieces import pieces_of
 from ropsim.controller.run_step import Aim, slower_run
 from ropsim.controller.stretch_motion import StretchMotion
-from ropsim.motion import ROUNDING, JointBounds
+from ropsim.motion import ROUNDING, JointBounds, Ticks
 from support.motion import CHAIN, PUMA, START, interface_pose, lin, shifted
 
 AHEAD, TICK = 10, 1e-3
@@ -32,7 +32,7 @@ def test_a_step_on_known_paths_is_that_on_any_path(way: tuple[float, float, floa
     (part,) = line(way)
     bounds = JointBounds(PUMA.max_speeds, share * PUMA.max_accelerations, share * PUMA.max_jerks)
     arm, motion = ArmBounds(bounds, None), StretchMotion.on(course_of([part], 1))
-    fit = as_bounds_allow(motion, arm, TICK)
+    fit = as_bounds_allow(motion, arm, Ticks(TICK))
     over = np.flatnonzero((fit.reference.strain.used > 1.0 + ROUNDING).any(axis=0))
     ticks = over[over > 0].astype(np.float64)
     bands = bands_of(part, np.linspace(0.0, part.law.duration, 80), 0.0)

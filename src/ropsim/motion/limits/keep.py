@@ -16,6 +16,7 @@ from ropsim.motion.limits.need import neediest
 from ropsim.motion.limits.reference import Reference, as_planned, keeps_torque, reference
 from ropsim.motion.limits.refusal import too_heavy, too_slow
 from ropsim.motion.limits.strain import ROUNDING
+from ropsim.motion.limits.ticks import Ticks
 from ropsim.motion.profile import ProfileError
 from ropsim.spatial import Array
 
@@ -56,7 +57,8 @@ def keep_limits(
     References:
         Bobrow, Dubowsky and Gibson 1985; Shin and McKay 1985; Pham and Pham 2018 (see `fastest_kernel`).
     """
-    return kept_from(as_planned(motion, bounds, effort, period), motion, bounds, effort, period, grid)
+    ticks = Ticks(period)
+    return kept_from(as_planned(motion, bounds, effort, ticks), motion, bounds, effort, ticks, grid)
 
 
 def kept_from(
@@ -64,7 +66,7 @@ def kept_from(
     motion: Motion,
     bounds: JointBounds,
     effort: Effort | None,
-    period: float,
+    ticks: Ticks,
     grid: float = 4e-3,
 ) -> Kept | Beyond:
     """Return the same as `keep_limits`, where the references of the plan are known.
@@ -75,7 +77,7 @@ def kept_from(
         motion: the plan.
         bounds: what the joints can do.
         effort: torques at the joints; None where they do not count.
-        period: of the control ticks [s].
+        ticks: of control.
         grid: real time between two places that are planned with, about [s].
     """
     if not (math.isfinite(grid) and grid > 0.0):
@@ -86,10 +88,10 @@ def kept_from(
     places, points = places_of(motion, bounds, grid, planned.phi, plain.rates)
     asked = demand(points, bounds, effort, motion.ways(places))
     first = asked if plain.peaks[3] > 1.0 else asked.without_torque()
-    return too_heavy(asked, places) or _slowed(motion, asked, first, places, period)
+    return too_heavy(asked, places) or _slowed(motion, asked, first, places, ticks)
 
 
-def _slowed(motion: Motion, asked: Demand, planned: Demand, places: Array, period: float) -> Kept | Beyond:
+def _slowed(motion: Motion, asked: Demand, planned: Demand, places: Array, ticks: Ticks) -> Kept | Beyond:
     """Return the motion slowed.
 
     Args:
@@ -97,8 +99,9 @@ def _slowed(motion: Motion, asked: Demand, planned: Demand, places: Array, perio
         asked: what it asks of the joints at places on it.
         planned: the same, or without torque: that is then planned with only if it is found to be too much.
         places: motion times [s], shape (m,).
-        period: of the control ticks [s].
+        ticks: of control.
     """
+    period = ticks.period
     courses = Courses(asked, planned, places, period)
     if asked.ways.speeds.shape[1] == 0:  # what changes at once on paths of their own only ticks tell
         courses.keep_at_places(2.0 * _MORE)
@@ -107,7 +110,7 @@ def _slowed(motion: Motion, asked: Demand, planned: Demand, places: Array, perio
         clock, (slowest, x) = courses.clock, courses.slowest
         if x < LEAST_RATE**2 or clock.duration - motion.duration > LONGEST_DELAY:
             return too_slow(asked, places, neediest(asked, places, period, slowest, slowest + 1))
-        found = reference(motion, clock, planned, places, period, math.log1p(_MORE * (attempt + 1)))
+        found = reference(motion, clock, planned, places, ticks, math.log1p(_MORE * (attempt + 1)))
         kept = found.strain.is_kept
         if kept and (planned is asked or keeps_torque(found.rows, asked.bounds, asked.effort)):
             return Kept(clock, _parts(clock, planned, period), found.phi, found.rows)
@@ -117,21 +120,21 @@ def _slowed(motion: Motion, asked: Demand, planned: Demand, places: Array, perio
             continue
         best = min(best, (clock.duration * found.strain.factor, clock), key=lambda pair: pair[0])
         if attempt == _ATTEMPTS:
-            return _slower(motion, best[1], asked, places, period)
+            return _slower(motion, best[1], asked, places, ticks)
         courses.give_up(found.strain.lacks)
         attempt += 1
 
 
-def _slower(motion: Motion, clock: MotionTime, asked: Demand, places: Array, period: float) -> Kept | Beyond:
+def _slower(motion: Motion, clock: MotionTime, asked: Demand, places: Array, ticks: Ticks) -> Kept | Beyond:
     """Return the motion with all rates brought down by what its worst control tick needs."""
     extra = ROUNDING
     while True:
-        found = reference(motion, clock, asked, places, period, 0.0)
+        found = reference(motion, clock, asked, places, ticks, 0.0)
         if found.strain.is_kept:
-            return Kept(clock, _parts(clock, asked, period), found.phi, found.rows)
+            return Kept(clock, _parts(clock, asked, ticks.period), found.phi, found.rows)
         clock, extra = clock.slower(1.0 / (min(found.strain.factor, 2.0) * (1.0 + extra))), 2.0 * extra
         if clock.duration - motion.duration > LONGEST_DELAY:
-            return too_slow(asked, places, neediest(asked, places, period, 0, len(places)))
+            return too_slow(asked, places, neediest(asked, places, ticks.period, 0, len(places)))
 
 
 def _parts(clock: MotionTime, asked: Demand, period: float) -> tuple[Slowed, ...]:

@@ -49,7 +49,7 @@ class Kept:
     Attributes:
         clock: motion time over real time.
         slowed: the parts that are slowed, in order; none where the plan is within the limits.
-        phi: motion times at the control ticks 0, 1, 2 … until the first one at or behind the end [s], (k,).
+        phi: motion times at the control ticks 0, 1, 2 … until it rests, see `Ticks` [s], shape (k,).
         rows: coordinates, speeds and accelerations by real time there.
     """
 

@@ -13,8 +13,9 @@ from ropsim.motion.limits.kept import Motion
 from ropsim.motion.limits.motion_time import MotionTime
 from ropsim.motion.limits.strain import ROUNDING, Going, Strain, strain, strain_as_planned, with_torque
 from ropsim.motion.limits.strain_kernel import by_real_time
+from ropsim.motion.limits.ticks import Ticks
 from ropsim.motion.paths.path import JointPoints
-from ropsim.motion.profile import ProfileError, whole_periods
+from ropsim.motion.profile import ProfileError
 from ropsim.spatial import Array
 
 _MOST_TICKS = 1e8
@@ -37,13 +38,6 @@ class Reference:
     strain: Strain
 
 
-def tick_times(duration: float, period: float) -> Array:
-    """Return the control ticks [s] from 0 on, the last one at or behind the end, shape (k,)."""
-    ticks = np.arange(whole_periods(duration, period) + 1, dtype=np.float64)
-    ticks *= period
-    return ticks
-
-
 def load(rows: JointPoints, bounds: JointBounds, effort: Effort | None) -> Array | None:
     """Return the torques of rows [N m | N], shape (k, n), or None where torque does not count."""
     counts = effort is not None and bounds.effort is not None
@@ -58,27 +52,28 @@ def keeps_torque(rows: JointPoints, bounds: JointBounds, effort: Effort | None) 
     return bool((np.abs(torque) <= bounds.effort * (1.0 + ROUNDING)).all())
 
 
-def as_planned(motion: Motion, bounds: JointBounds, effort: Effort | None, period: float) -> Reference:
+def as_planned(motion: Motion, bounds: JointBounds, effort: Effort | None, ticks: Ticks) -> Reference:
     """Return the references of a motion that is not slowed.
 
     Args:
         motion: the plan, at rest at both ends.
         bounds: what the joints can do.
         effort: torques at the joints; None where they do not count.
-        period: of the control ticks [s].
+        ticks: at which it is looked at.
 
     Raises:
         ProfileError: M540, the duration or the period is not above 0, or the motion or its torques are none.
     """
     keep_freed_memory()
-    _check(motion.duration, period)
-    phi = tick_times(motion.duration, period)
-    phi[-1] = min(phi[-1], motion.duration)
+    _check(motion.duration, ticks.period)
+    phi = ticks.times(motion.duration)
+    ends = phi[ticks.count(motion.duration) :]
+    np.minimum(ends, motion.duration, out=ends)
     rows = motion.at(phi)
     if rows.q.shape[1:] != bounds.speed.shape:
         found = f"the motion has {rows.q.shape[1:]} joints, the bounds {bounds.speed.shape}"
         raise ProfileError(WRONG_PROFILE_REQUEST.at(None, f"{found}, allowed are the same numbers"))
-    return loaded(Reference(phi, rows, None, strain_as_planned(rows, bounds, period)), bounds, effort)
+    return loaded(Reference(phi, rows, None, strain_as_planned(rows, bounds, ticks.period)), bounds, effort)
 
 
 def loaded(planned: Reference, bounds: JointBounds, effort: Effort | None) -> Reference:
@@ -100,7 +95,7 @@ def loaded(planned: Reference, bounds: JointBounds, effort: Effort | None) -> Re
 
 
 def reference(
-    motion: Motion, clock: MotionTime, demand: Demand, places: Array, period: float, more: float
+    motion: Motion, clock: MotionTime, demand: Demand, places: Array, ticks: Ticks, more: float
 ) -> Reference:
     """Return the references of a motion in its motion time.
 
@@ -111,20 +106,20 @@ def reference(
         clock: its motion time.
         demand: what it asks of the joints at the places.
         places: motion times [s], shape (m,).
-        period: of the control ticks [s].
+        ticks: of control.
         more: added to each lack, see `strain`.
 
     Raises:
         ProfileError: M540, as for `strain`.
     """
-    course = clock.at(tick_times(clock.duration, period))
+    course = clock.at(ticks.times(clock.duration))
     points = motion.at(course[0])
     rates = np.empty((2, *points.q.shape))
     by_real_time(np.ascontiguousarray(points.d1), np.ascontiguousarray(points.d2), course, rates)
     rows = JointPoints(points.q, rates[0], rates[1])
     going = Going(points, motion.ways(course[0]), course, places, demand.still)
     torque = load(rows, demand.bounds, demand.effort)
-    return Reference(course[0], rows, torque, strain(rows, torque, demand.bounds, period, going, more))
+    return Reference(course[0], rows, torque, strain(rows, torque, demand.bounds, ticks.period, going, more))
 
 
 def _check(duration: float, period: float) -> None:

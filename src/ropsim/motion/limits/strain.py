@@ -90,7 +90,8 @@ def strain_as_planned(rows: JointPoints, bounds: JointBounds, period: float) -> 
     """
     limits = np.array([bounds.speed, bounds.acceleration, period * bounds.jerk])
     k, n = rows.q.shape
-    used, peaks, room = np.zeros((4, k)), np.zeros(4), np.empty((ROWS_OF_MOTION, AT_ONCE * n))
+    used, peaks, room = np.empty((4, k)), np.zeros(4), np.empty((ROWS_OF_MOTION, AT_ONCE * n))
+    used[TORQUE] = 0.0
     used_by_motion(rows.d1.reshape(-1), rows.d2.reshape(-1), limits, room, used, peaks)
     return _told(rows, used, peaks)
 
