@@ -12,7 +12,7 @@ from ropsim.controller.move_check import MAX_DURATION, check_duration
 from ropsim.controller.pieces import Piece
 from ropsim.controller.wording import passes
 from ropsim.model import RobotModel
-from ropsim.motion import NO_SPLINE, JointBounds
+from ropsim.motion import NO_SPLINE, JointBounds, Line
 from ropsim.spatial import Array
 
 _PLACES = np.linspace(0.0, 1.0, 33)
@@ -27,9 +27,10 @@ def standing_refusal(leg: Leg, piece: Piece) -> Refusal | None:
 
     Args:
         leg: the move.
-        piece: a part of the course that belongs to it.
+        piece: a part of its path.
     """
-    if leg.tool is None or piece.corner:
+    tool = leg.planned.tool
+    if tool is None or type(tool) is Line:
         return None
     stages = piece.stages.rows
     if len(stages) == 1:
@@ -40,7 +41,7 @@ def standing_refusal(leg: Leg, piece: Piece) -> Refusal | None:
     wrong = np.flatnonzero(~((least > _NOTHING) & (least < math.inf)))
     if len(wrong) == 0:
         return None
-    share = (piece.begin + float(stages[: wrong[0], 0].sum())) / leg.tool.length
+    share = (piece.begin + float(stages[: wrong[0], 0].sum())) / tool.length
     finding = NO_SPLINE.at(
         leg.move.origin.span,
         f"the curve turns back after {share:.0%} of its way, so sharply that the tool cannot pass",

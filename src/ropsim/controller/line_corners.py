@@ -20,6 +20,9 @@ from ropsim.kinematics import exact_arm, solver_of
 from ropsim.motion import STANDS, SWING, Line, Traced, quadrature, series, stencils
 from ropsim.spatial import Array, frozen
 
+_UNKNOWN = frozen([])
+"""Stands for limits that are still to be found."""
+
 
 def line_corners_of(chain: MotionChain, legs: Sequence[Leg]) -> dict[int, Rounding]:
     """Return the corners behind moves of a stretch that are plain, by the number of the move.
@@ -43,9 +46,14 @@ def line_corners_of(chain: MotionChain, legs: Sequence[Leg]) -> dict[int, Roundi
     limits: list[Array] = []
     tools: list[Array] = []
     last = row = 0
+    modal = X_TM = before = behind = None
+    rates = _UNKNOWN
     for number, (one, other) in enumerate(pairwise(lines)):
-        places = one and other and _places(chain, legs[number], one[1], legs[number + 1], other[1])
-        X_TM = guide.inverse.backwards(legs[number].move.modal) if places else None
+        leg, leg_behind = legs[number], legs[number + 1]
+        places = one and other and _places(chain, leg, one[1], leg_behind, other[1])
+        if places and leg.move.modal is not modal:
+            modal = leg.move.modal
+            X_TM = guide.inverse.backwards(modal)
         if one is None or other is None or not places or X_TM is None:
             continue
         if not used or last != number:
@@ -57,8 +65,10 @@ def line_corners_of(chain: MotionChain, legs: Sequence[Leg]) -> dict[int, Roundi
         way, ways = one[1].length, other[1].length
         asked.append((leave, enter, way - leave, len(used) - 2, first, row, end, way, ways))
         last, row = number + 1, end
-        both = (legs[one].planned.limits.tool for one in (number, number + 1))
-        limits.append(rates_of(lesser_limits(*both)))
+        if leg.planned.limits is not before or leg_behind.planned.limits is not behind:
+            before, behind = leg.planned.limits, leg_behind.planned.limits
+            rates = rates_of(lesser_limits(before.tool, behind.tool))
+        limits.append(rates)
         tools.append(X_TM)
     if not asked:
         return {}

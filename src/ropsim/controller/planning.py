@@ -106,13 +106,14 @@ def _planned(
     for number, leg in enumerate(legs):
         if number in crawling and check_duration(leg.move, alone := _time_alone(leg)):
             return _too_long(legs, number, alone)
-        if refusal := correction_refusal(leg):
+        if leg.move.tracking and (refusal := correction_refusal(leg)):
             return _Hurdle(number, refusal)
     corners = _corners(chain, legs, findings)
     walks = pieces_of(legs, corners)
-    for piece in (one for pieces, _ in walks for one in pieces):
-        if refusal := standing_refusal(legs[piece.leg], piece):
-            return _Hurdle(piece.leg, refusal)
+    for pieces, _ in walks:
+        for piece in pieces:
+            if piece.corner is None and (refusal := standing_refusal(legs[piece.leg], piece)):
+                return _Hurdle(piece.leg, refusal)
     ahead, rates = chain.controller.look_ahead, chain.controller.rates
     period = rates.control_period
     chosen = by_tool(legs, corners, walks, ahead)
