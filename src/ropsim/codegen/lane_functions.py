@@ -15,12 +15,14 @@ from llvmlite import ir
 
 from ropsim.codegen.lane_values import LANES, VECTOR, LaneValues
 
+_WHOLES = ir.VectorType(ir.IntType(64), LANES)
 _FARTHEST = 1e6
 """Up to here multiples of the first two parts of π/2 are exact."""
 _WHOLE = 6755399441055744.0
 """1.5·2⁵²: a number that it is added to and taken off from again is rounded to a whole one."""
 _ANGLES = f"""\
-k = (x * 0.6366197723675814 + {_WHOLE}) - {_WHOLE}
+b = x * 0.6366197723675814 + {_WHOLE}
+k = b - {_WHOLE}
 r = ((x - k * 1.57079632673412561417) - k * 6.07710050630396597660e-11) - k * 2.02226624871116645580e-21
 z = r * r
 u = 2.75573137070700676789e-06 + z * (z * 1.58969099521155010221e-10 - 2.50507602534068634195e-08)
@@ -29,17 +31,9 @@ s = r + (z * r) * (z * u - 1.66666666666666324348e-01)
 u = z * (2.08757232129817482790e-09 - z * 1.13596475577881948265e-11) - 2.75573143513906633035e-07
 u = z * (2.48015872894767294178e-05 + z * u) - 1.38888888888741095749e-03
 u = 4.16666666666666019037e-02 + z * u
-h = 0.5 * z
-w = 1.0 - h
-c = w + (((1.0 - w) - h) + (z * z) * u)
-half = (k * 0.5 - 0.25 + {_WHOLE}) - {_WHOLE}
-odd = k - 2.0 * half
-even = 1.0 - odd
-quarter = (half * 0.5 - 0.25 + {_WHOLE}) - {_WHOLE}
-sign = 1.0 - 2.0 * (half - 2.0 * quarter)
-sine = sign * (even * s + odd * c)
-cosine = sign * (even * c - odd * s)
+c = 1.0 - (0.5 * z - (z * z) * u)
 """
+"""Sine and cosine of what is left, and in the last bits of b the number of right angles taken off."""
 _SERIES = 13
 _GROWTH = f"""\
 y = min(2.0 * abs(x), 44.0)
@@ -96,7 +90,13 @@ def sine_and_cosine(module: ir.Module) -> ir.Function:
     lines = LaneValues(builder, {}, {"x": x})
     near = builder.fcmp_ordered("<", lines.intrinsic("llvm.fabs", [x]), lines.number(_FARTHEST))
     _write(lines, _ANGLES)
-    values = [lines.value(ast.Name(id=name)) for name in ("sine", "cosine")]
+    s, c, b = (lines.value(ast.Name(id=name)) for name in "scb")
+    quarters = builder.bitcast(b, _WHOLES)
+    odd = builder.trunc(quarters, ir.VectorType(ir.IntType(1), LANES))
+    values = [
+        _turned(builder, builder.select(odd, c, s), quarters),
+        _turned(builder, builder.select(odd, s, c), builder.add(quarters, _whole(1))),
+    ]
     bits = ir.IntType(LANES)
     all_near = builder.icmp_unsigned("==", builder.bitcast(near, bits), ir.Constant(bits, (1 << LANES) - 1))
     with builder.if_then(builder.not_(all_near), likely=False):
@@ -119,9 +119,8 @@ def tangent(module: ir.Module) -> ir.Function:
     builder = ir.IRBuilder(made.append_basic_block())
     lines = LaneValues(builder, {}, {"x": x})
     _write(lines, _GROWTH)
-    wholes = ir.VectorType(ir.IntType(64), LANES)
-    exponent = builder.bitcast(lines.value(ast.Name(id="b")), wholes)
-    power = builder.bitcast(builder.shl(exponent, ir.Constant(wholes, [52] * LANES)), VECTOR)
+    exponent = builder.bitcast(lines.value(ast.Name(id="b")), _WHOLES)
+    power = builder.bitcast(builder.shl(exponent, _whole(52)), VECTOR)
     lines = LaneValues(builder, {}, {"two": power, "p": lines.value(ast.Name(id="p"))})
     _write(lines, "m = two * p + (two - 1.0)\nfound = m / (m + 2.0)")
     builder.ret(lines.intrinsic("llvm.copysign", [lines.value(ast.Name(id="found")), x]))
@@ -171,6 +170,23 @@ class LaneFunctions(LaneValues):
             both = self.builder.call(sine_and_cosine(module), args)
             self._angles[value] = self.builder.extract_value(both, 0), self.builder.extract_value(both, 1)
         return self._angles[value][name == "cos"]
+
+
+def _turned(builder: ir.IRBuilder, value: ir.Value, quarters: ir.Value) -> ir.Value:
+    """Return a sine with its sign, which that of the first two of four right angles is not changed.
+
+    Args:
+        builder: at the end of the function.
+        value: of the angle in its quarter.
+        quarters: whole numbers whose last two bits tell the quarter.
+    """
+    sign = builder.shl(builder.and_(quarters, _whole(2)), _whole(62))
+    return builder.bitcast(builder.xor(builder.bitcast(value, _WHOLES), sign), VECTOR)
+
+
+def _whole(number: int) -> ir.Value:
+    """Return a whole number in all lanes."""
+    return ir.Constant(_WHOLES, [number] * LANES)
 
 
 def _of_each(lines: LaneValues, name: str, x: ir.Value) -> ir.Value:
