@@ -106,6 +106,11 @@ def bounds_between(
     """
     last, size = s.shape[0] - 2, d2.shape[2]
     for part in range(units.shape[0]):
+        if _stands(d1, d2, part, max(begin - 2, 0), min(end + 2, last) + 1):
+            for row in range(bounds.shape[0]):
+                for i in range(begin, end + 1):
+                    bounds[row, i, part] = 0.0
+            continue
         _write_thirds(begin, end, s, d2, part, room)
         unit = units[part]
         d1_here, d2_here = _size(d1[begin, part]), _size(d2[begin, part])
@@ -150,6 +155,15 @@ def bend_speeds(bounds: Array, limits: Array, out: Array) -> None:
     """
     for i in range(bounds.shape[1]):
         out[i] = _fastest(bounds, 0, i, limits)
+
+
+def _stands(d1: Array, d2: Array, part: int, first: int, last: int) -> bool:
+    """Return whether a part does not move at all at some places."""
+    for i in range(first, last + 1):
+        for c in range(d1.shape[2]):
+            if not (d1[i, part, c] == 0.0 and d2[i, part, c] == 0.0):
+                return False
+    return True
 
 
 def _size(vector: Array) -> float:

@@ -14,6 +14,8 @@ from ropsim.spatial import Array
 _Vector = tuple[float, float, float]
 LEAST = 1e-17
 """Of |θ|²: below, the functions of it are what they are at 0."""
+AT_HAND = 6
+"""So many steps are looked at one by one before the right one is searched for."""
 SOME = 12
 """Terms for |θ| below 1 rad; the rest is below 1e-24 of the first one."""
 
@@ -79,15 +81,25 @@ def curve_points(
         d1: where first derivatives go, shape (k, 6).
         d2: where second derivatives go, shape (k, 6).
     """
+    step, segment, turns = 0, -1, True
     for k in range(s.shape[0]):
-        step = _step_of(ends, s[k])
+        step = _step_from(ends, s[k], step)
         t = _parameter(ends, inverse, step, s[k])
-        C, M, X = coefficients[step // steps], middles[step // steps], matrices[k]
+        if segment < 0 or coefficients.shape[0] > 1:
+            segment = step // steps
+            turns = _turns(coefficients[segment])
+        C, M, X = coefficients[segment], middles[segment], matrices[k]
         for i in range(3):
             X[i, 3], d1[k, i], d2[k, i] = _polynomial(C, i, t)
         p1, p2 = (d1[k, 0], d1[k, 1], d1[k, 2]), (d2[k, 0], d2[k, 1], d2[k, 2])
         square = _dot(p1, p1)
         first, second = 1.0 / sqrt(square), -_dot(p1, p2) / (square * square)  # dt/ds, d²t/ds²
+        if not turns:
+            for i in range(3):
+                d1[k, i], d2[k, i] = p1[i] * first, p2[i] * first * first + p1[i] * second
+                d1[k, 3 + i] = d2[k, 3 + i] = 0.0
+            _stand(M, X)
+            continue
         v0, r0, b0 = _polynomial(C, 3, t)
         v1, r1, b1 = _polynomial(C, 4, t)
         v2, r2, b2 = _polynomial(C, 5, t)
@@ -126,20 +138,27 @@ def curve_poses(
         s: see there.
         matrices: see there.
     """
+    step, segment, turns = 0, -1, True
     for k in range(s.shape[0]):
-        step = _step_of(ends, s[k])
+        step = _step_from(ends, s[k], step)
         t = _parameter(ends, inverse, step, s[k])
-        C, X = coefficients[step // steps], matrices[k]
+        if segment < 0 or coefficients.shape[0] > 1:
+            segment = step // steps
+            turns = _turns(coefficients[segment])
+        C, X = coefficients[segment], matrices[k]
         x, y, z, v0, v1, v2 = C[5, 0], C[5, 1], C[5, 2], C[5, 3], C[5, 4], C[5, 5]
         for i in range(4, -1, -1):
             x, y, z = x * t + C[i, 0], y * t + C[i, 1], z * t + C[i, 2]
             v0, v1, v2 = v0 * t + C[i, 3], v1 * t + C[i, 4], v2 * t + C[i, 5]
         X[0, 3], X[1, 3], X[2, 3], v = x, y, z, (v0, v1, v2)
+        if not turns:
+            _stand(middles[segment], X)
+            continue
         square, c1, c2 = _dot(v, v), 0.0, 0.0
         for i in range(_terms(series, square) - 1, -1, -1):
             c1, c2 = c1 * square + series[0, i], c2 * square + series[1, i]
         _write_rotation(c1, c2, v, X)
-        _turn_by(middles[step // steps], X)
+        _turn_by(middles[segment], X)
 
 
 @kernel("void(f8[:,:,::1], f8[::1], f8[:,::1], f8[:,::1], f8[:,::1])")
@@ -277,12 +296,29 @@ def _step_of(ends: Array, s: float) -> int:
     return low
 
 
+def _step_from(ends: Array, s: float, step: int) -> int:
+    """Return what `_step_of` does, at once where that is little behind a step."""
+    if ends[step] <= s:
+        for near in range(step, min(step + AT_HAND, ends.shape[0] - 1)):
+            if s < ends[near + 1]:
+                return near
+    return _step_of(ends, s)
+
+
 def _parameter(ends: Array, inverse: Array, step: int, s: float) -> float:
     share = (s - ends[step]) / (ends[step + 1] - ends[step])
     t = 0.0
     for k in range(5, -1, -1):
         t = t * share + inverse[step, k]
     return t
+
+
+def _turns(C: Array) -> bool:
+    """Return whether the tool turns along a segment, or is turned all along it."""
+    for k in range(C.shape[0]):
+        if not (C[k, 3] == 0.0 and C[k, 4] == 0.0 and C[k, 5] == 0.0):
+            return True
+    return False
 
 
 def _functions(series: Array, x: float) -> tuple[float, float, float, float, float, float]:
@@ -345,6 +381,13 @@ def _write_rotation(c1: float, c2: float, v: _Vector, R: Array) -> None:
         R[i, i] = 1.0 - c2 * (v[j] * v[j] + v[k] * v[k])
         R[k, j] = c2 * v[j] * v[k] + c1 * v[i]
         R[j, k] = c2 * v[j] * v[k] - c1 * v[i]
+
+
+def _stand(M: Array, X: Array) -> None:
+    """Write the axes of a pose that is not turned, and its last row."""
+    for i in range(3):
+        X[i, 0], X[i, 1], X[i, 2], X[3, i] = M[i, 0], M[i, 1], M[i, 2], 0.0
+    X[3, 3] = 1.0
 
 
 def _turn_by(M: Array, X: Array) -> None:
