@@ -34,8 +34,6 @@ ROUNDS = 100
 """More steps than any search here needs, were it by halves alone."""
 NEAREST = 4e-16
 """Relative; places nearer to each other are not told apart."""
-NARROWINGS = 16
-"""Steps that bring two times together, at most, before halves do the rest."""
 NEWTON = 2e-8
 """Relative; after a step of Newton no greater than this what remains is its square, which is rounding."""
 SIXTH = 1.0 / 6.0
@@ -347,13 +345,7 @@ def _latest(
         top = v1 + 0.5 * a1 * a1 / jerk
         if top >= way[4, k + 1]:
             return low, top, 1, k + 1
-    place, v1, a1 = _after(high, v, a, jerk, until, most)
-    fault, _, _, _, where = _level(way, k, min(place, length), v1, a1, k)
-    if fault == 0:
-        fault, where = 1, k + 1
-    low, found, there = _last_kept(way, k, v, a, until, most, low, high)
-    if found != 0:
-        fault, where = found, there
+    low, fault, where = _last_kept(way, k, v, a, until, most, low, high)
     place, v1, a1 = _after(low, v, a, jerk, until, most)
     found, piece, _, top, there = _level(way, k, min(place, length), v1, a1, k)
     if found != 0:
@@ -368,17 +360,22 @@ def _latest(
     return low, top, 0, where
 
 
-def _fault(way: Array, piece: int, place: float, v: float, a: float, since: int) -> tuple[int, int, float]:
-    """Return the fault and its place that `_level` finds first, and how much room there is to the next bound.
+def _nearest(way: Array, piece: int, place: float, v: float, a: float, since: int) -> tuple[int, int, float]:
+    """Return which bound is the first that is broken or else the nearest where a motion is levelled off.
 
-    The room is a share of the bound, below 0 where it is broken.
+    A boundary bounds nothing as long as the motion is levelled off before it, and little just behind it.
+
+    Returns:
+        the fault and its place that `_level` finds, or would find; how much room there is to the bound, as a
+        share of it, below 0 where it is broken.
     """
     p = way.shape[1] - 1
-    k, room = piece, inf
+    k, where, room = piece, piece + 1, inf
     while True:
         length, jerk = way[0, k], way[3, k]
         t = a / jerk
         end, top = place + t * (v + a * t / 3.0), v + 0.5 * a * t
+        left = (length - end) / length
         if end <= length or k + 1 == p:
             break
         t = _crossing(length - place, v, a, -jerk)
@@ -388,62 +385,27 @@ def _fault(way: Array, piece: int, place: float, v: float, a: float, since: int)
         k += 1
         here = min(way[4, k] - v, (way[2, k] - a) * (way[4, k] / way[2, k]))
         if v > way[4, k] or a > way[2, k]:
-            return 1, k, here / v
-        room = min(room, here / v if v > 0.0 else inf)
+            return 1, k, max(here / v, left)
+        if here < room * v:
+            where, room = k, here / v
     if end > length:
-        return 1, p, (length - end) / length
-    if top > way[1, k]:
-        return 2, k, (way[1, k] - top) / way[1, k]
+        return 1, p, left
+    here = (way[1, k] - top) / way[1, k]
+    if here < 0.0:
+        return 2, k, here
+    fault = 1
     for i in range(since, k):
         if way[5, i] < inf:
             most = _stoppable(way, k, end, i)
             if top > most:
                 return 1, i + 1, (most - top) / top
-            room = min(room, (most - top) / top if top > 0.0 else inf)
-    return 0, k, min(room, (way[1, k] - top) / way[1, k])
-
-
-def _between(
-    way: Array, k: int, v: float, a: float, until: float, most: float, low: float, high: float
-) -> tuple[float, float, int, int]:
-    """Return times up to which a rise keeps all bounds, and from which on it breaks one, near to each other.
-
-    By the Illinois rule on the room that is left, and in small steps from a time at which none is. Where the
-    ends do not tell, they are what is returned.
-
-    Returns:
-        the two times; the fault at the later one and its place, or 0.
-    """
-    jerk = way[3, k]
-    place, v1, a1 = _after(low, v, a, jerk, until, most)
-    found, where, under = _fault(way, k, place, v1, a1, k)
-    place, v1, a1 = _after(high, v, a, jerk, until, most)
-    fault, there, over = _fault(way, k, place, v1, a1, k)
-    if found != 0 or fault == 0 or not under > 0.0:
-        return low, high, 0, 0
-    over, under, side, near = max(over, -1.0), min(under, 1.0), 0, NEAREST
-    for step in range(NARROWINGS):
-        t = 0.5 * (low + high)
-        if under <= ROUNDING or over >= -ROUNDING:
-            t = low + near * high if under <= ROUNDING else high - near * high
-            near *= 4.0
-        elif step % 4 < 3 and over < under:
-            t = low - under * (high - low) / (over - under)
-        if not low < t < high:
-            t = 0.5 * (low + high)
-            if not low < t < high:
-                break
-        place, v1, a1 = _after(t, v, a, jerk, until, most)
-        found, where, room = _fault(way, k, place, v1, a1, k)
-        if found == 0:
-            low, under, over = t, room, 0.5 * over if side < 0 else over
-            side = -1
-        else:
-            high, over, under = t, room, 0.5 * under if side > 0 else under
-            fault, there, side = found, where, 1
-        if not high - low > ROUNDING * high:
-            break
-    return low, high, fault, there
+            if most - top < room * top:
+                where, room = i + 1, (most - top) / top
+    if here < room:
+        fault, where, room = 2, k, here
+    if left < room and way[4, k + 1] - top < room * top:
+        fault, where, room = 1, k + 1, max(left, (way[4, k + 1] - top) / top)
+    return fault, where, room
 
 
 def _last_kept(
@@ -451,28 +413,37 @@ def _last_kept(
 ) -> tuple[float, int, int]:
     """Return the last time between two at which a rise could be levelled off without breaking a bound.
 
-    Found by halves, to the last bit; `_between` has brought them together before.
-
     Returns:
-        the time; the fault just behind it and its place, or 0.
+        the time, a few roundings before the last one; the fault that follows and its place.
     """
-    keeps, breaks, fault, where = _between(way, k, v, a, until, most, low, high)
+    jerk = way[3, k]
+    place, v1, a1 = _after(low, v, a, jerk, until, most)
+    fault, where, other_room = _nearest(way, k, place, v1, a1, k)
+    if other_room <= LEVELLED:
+        return low, fault, where
+    place, v1, a1 = _after(high, v, a, jerk, until, most)
+    fault, where, room = _nearest(way, k, place, v1, a1, k)
+    if room >= 0.0:
+        return high, fault, where
+    here, room, other_end, other_room, share = high, max(room, -1.0), low, min(other_room, 1.0), 0.5
     for _ in range(ROUNDS):
-        middle = 0.5 * (low + high)
-        if not low < middle < high:
+        least = high * NEAREST / abs(other_end - here)
+        t = here + min(max(share, least), 1.0 - least) * (other_end - here)
+        if not min(here, other_end) < t < max(here, other_end):
             break
-        if middle <= keeps:
-            low = middle
-        elif middle >= breaks:
-            high = middle
+        place, v1, a1 = _after(t, v, a, jerk, until, most)
+        found, there, seen = _nearest(way, k, place, v1, a1, k)
+        if seen < 0.0:
+            fault, where = found, there
+        elif seen <= LEVELLED:
+            return t, found, there
+        if (seen >= 0.0) == (room >= 0.0):
+            before, before_room = here, room
         else:
-            place, v1, a1 = _after(middle, v, a, way[3, k], until, most)
-            found, there, _ = _fault(way, k, place, v1, a1, k)
-            if found == 0:
-                low = middle
-            else:
-                high, fault, where = middle, found, there
-    return low, fault, where
+            before, before_room, other_end, other_room = other_end, other_room, here, room
+        here, room = t, seen
+        share = _share(here, room, other_end, other_room, before, before_room)
+    return min(here, other_end), fault, where
 
 
 def _levelled_at(
