@@ -36,7 +36,7 @@ NEAREST = 4e-16
 """Relative; places nearer to each other are not told apart."""
 NEWTON = 2e-8
 """Relative; after a step of Newton no greater than this what remains is its square, which is rounding."""
-SIXTH = 1.0 / 6.0
+SIXTH, THIRD = 1.0 / 6.0, 1.0 / 3.0
 
 
 @kernel("void(f8[:,::1], f8[:,:,::1], f8[:,:,::1], f8[:,::1], f8[::1], f8[::1])")
@@ -85,9 +85,9 @@ def _lay_out(bounds: Array, ways: Array) -> int:
             return i
         horizon = bounds[i, 5]
         there[5, i] = horizon if 0.0 <= horizon < p - 1 else inf
-        gone[i + 1] = gone[i] + there[0, i]
+        there[9, i], gone[i + 1] = inf, gone[i] + there[0, i]
         there[4, i] = 0.0 if i == 0 or bounds[i, 4] == 0.0 else min(there[1, i - 1], there[1, i])
-    there[4, p] = 0.0
+    there[4, p], there[9, p] = 0.0, inf
     if _look_ahead(there):
         for i in range(p - 1):
             if there[5, i] < inf and there[4, i + 1] > 0.0:
@@ -135,16 +135,25 @@ def _is_wrong(bounds: Array, way: Array, i: int) -> bool:
 
 
 def _look_ahead(way: Array) -> bool:
-    """Write from which speeds, without acceleration, it can stop at the end; say whether a horizon counts."""
+    """Write from which speeds, without acceleration, it can stop at the end; say whether a horizon counts.
+
+    Where they are written, no higher than now, only those are found anew that may be lower; else endless.
+    """
     p, limited = way.shape[1] - 1, False
     for i in range(p):
         limited = limited or way[5, i] < inf
         way[10, i] = -1.0
+    lower = way[9, p] > 0.0
     way[9, p] = 0.0
     for k in range(p - 1, -1, -1):
         if not limited:
             break
-        way[9, k] = min(_reached(way[9, k + 1], way[0, k], way[2, k], way[3, k]), way[4, k])
+        before = way[9, k]
+        if lower:
+            way[9, k] = _within(way[9, k + 1], way[0, k], way[2, k], way[3, k], way[4, k])
+        else:
+            way[9, k] = min(before, way[4, k])
+        lower = way[9, k] < before
     return limited
 
 
@@ -159,13 +168,26 @@ def _stoppable(way: Array, piece: int, place: float, ahead: int) -> float:
     if way[10, ahead] >= piece:
         known, speed = int(way[10, ahead]), way[11, ahead]
     for k in range(known, piece, -1):
-        speed = min(_reached(speed, way[0, k], way[2, k], way[3, k]), way[4, k])
+        speed = _within(speed, way[0, k], way[2, k], way[3, k], way[4, k])
         if speed == way[9, k]:
             speed = way[9, piece + 1]
             break
     way[10, ahead], way[11, ahead] = piece, speed
-    speed = _reached(speed, way[0, piece] - place, way[2, piece], way[3, piece])
-    return float(min(speed, way[1, piece]))
+    return _within(speed, way[0, piece] - place, way[2, piece], way[3, piece], way[1, piece])
+
+
+def _within(speed: float, length: float, acceleration: float, jerk: float, most: float) -> float:
+    """Return what `_reached` does, but no more than a bound; mostly that is it, as its way tells at once."""
+    change, both, square = most - speed, most + speed, acceleration * acceleration
+    if change <= 0.0:
+        return most
+    if length > 0.0:
+        if change * jerk < square:
+            if both * both * change <= length * length * jerk:
+                return most
+        elif both * (change * jerk + square) <= 2.0 * length * acceleration * jerk:
+            return most
+    return min(_reached(speed, length, acceleration, jerk), most)
 
 
 def _reached(speed: float, length: float, acceleration: float, jerk: float) -> float:
@@ -234,7 +256,7 @@ def _level(
     while True:
         length, jerk = way[0, k], way[3, k]
         t = a / jerk
-        end, top = place + t * (v + a * t / 3.0), v + 0.5 * a * t
+        end, top = place + t * (v + a * t * THIRD), v + 0.5 * a * t
         if end <= length or k + 1 == p:
             break
         t = _crossing(length - place, v, a, -jerk)
@@ -279,7 +301,7 @@ def _after(
 def _levelled(place: float, v: float, a: float, jerk: float) -> float:
     """Return the place at which a motion is levelled off, were its piece endless."""
     t = a / jerk
-    return place + t * (v + a * t / 3.0)
+    return place + t * (v + a * t * THIRD)
 
 
 def _climb(way: Array, course: Array) -> None:
@@ -374,7 +396,7 @@ def _nearest(way: Array, piece: int, place: float, v: float, a: float, since: in
     while True:
         length, jerk = way[0, k], way[3, k]
         t = a / jerk
-        end, top = place + t * (v + a * t / 3.0), v + 0.5 * a * t
+        end, top = place + t * (v + a * t * THIRD), v + 0.5 * a * t
         left = (length - end) / length
         if end <= length or k + 1 == p:
             break
@@ -703,7 +725,7 @@ def _copy(
     while not levelled:
         length, jerk = way[0, k], way[3, k]
         t = a / jerk
-        end = x + t * (v + a * t / 3.0)
+        end = x + t * (v + a * t * THIRD)
         levelled = end <= length or k + 2 == way.shape[1]
         if not levelled:
             t = _crossing(length - x, v, a, -jerk)
