@@ -32,8 +32,12 @@ LEAST, MOST = 1e-50, 1e50
 """Between them lie the numbers of a piece; what is computed from them is then finite."""
 ROUNDS = 100
 """More steps than any search here needs, were it by halves alone."""
+MET = 1e-13
+"""Relative; a rise and a fall that leave no more of their way between them meet."""
 NEAREST = 4e-16
 """Relative; places nearer to each other are not told apart."""
+LITTLE_LESS = 1.0 - 2.0 * NEAREST
+"""Times what a search takes for the last that is allowed, it mostly is allowed in spite of rounding."""
 NEWTON = 2e-8
 """Relative; after a step of Newton no greater than this what remains is its square, which is rounding."""
 SIXTH, THIRD = 1.0 / 6.0, 1.0 / 3.0
@@ -449,8 +453,7 @@ def _last_kept(
         return high, fault, where
     here, room, other_end, other_room, share = high, max(room, -1.0), low, min(other_room, 1.0), 0.5
     for _ in range(ROUNDS):
-        least = high * NEAREST / abs(other_end - here)
-        t = here + min(max(share, least), 1.0 - least) * (other_end - here)
+        t = _inside(here, other_end, share)
         if not min(here, other_end) < t < max(here, other_end):
             break
         place, v1, a1 = _after(t, v, a, jerk, until, most)
@@ -639,7 +642,7 @@ def _join(ways: Array, courses: Array, first: int, last: int, rows: Array, n: in
             room = (there[0, k] - x) + (gone[i] - gone[k + 1]) + y
         elif i < k:
             room = (y - there[0, i]) - (gone[k] - gone[i + 1]) - x
-        if ended or (step == 0 and room >= 0.0) or 0.0 <= room <= ROUNDING * there[0, first]:
+        if ended or (step == 0 and room >= 0.0) or 0.0 <= room <= MET * (gone[last] - gone[first]):
             break
         if step == 1:
             room = max(room, 0.0)
@@ -653,8 +656,7 @@ def _join(ways: Array, courses: Array, first: int, last: int, rows: Array, n: in
             top = low
             continue
         share = 0.5 if step == 1 else _share(here, seen, other_end, other_room, before, before_room)
-        least = abs(here) * NEAREST / abs(other_end - here)
-        top = here + min(max(share, least), 1.0 - least) * (other_end - here)
+        top = _inside(here, other_end, share)
         if not min(here, other_end) < top < max(here, other_end) or step == ROUNDS - 2:
             top, ended = here if seen >= 0.0 else other_end, True
     n, k, x = _copy(there, courses[0], first, row, t, rows, n)
@@ -674,6 +676,12 @@ def _join(ways: Array, courses: Array, first: int, last: int, rows: Array, n: in
         _add_row(rows, n, i, x, v + h * (a + 0.5 * h * j), -(a + h * j), j, h)
         n += 1
     return n
+
+
+def _inside(x1: float, x2: float, share: float) -> float:
+    """Return what lies at a share of the way from one end to the other, or a little lower, but at neither."""
+    low, high = min(x1, x2), max(x1, x2)
+    return min(max((x1 + share * (x2 - x1)) * LITTLE_LESS, low + NEAREST * high), high - NEAREST * high)
 
 
 def _share(x1: float, f1: float, x2: float, f2: float, x3: float, f3: float) -> float:
