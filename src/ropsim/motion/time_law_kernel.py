@@ -24,8 +24,6 @@ from math import inf, sqrt
 from ropsim.codegen import kernel
 from ropsim.spatial import Array
 
-ROUNDING = 1e-15
-"""Relative; a way that remains below this share of the whole one is none."""
 LEVELLED = 8e-15
 """Relative; a speed that differs by no more from another one is that: so far several pieces round it."""
 LEAST, MOST = 1e-50, 1e50
@@ -248,15 +246,17 @@ def _crossing(way: float, v: float, a: float, j: float) -> float:
 
 def _level(
     way: Array, piece: int, place: float, v: float, a: float, since: int
-) -> tuple[int, int, float, float, int]:
+) -> tuple[int, int, float, float, int, float]:
     """Level the motion off from a place; `since` is the first piece whose horizon counts.
 
     Returns:
         0 where that keeps all bounds, 1 where it leads too fast over a boundary, 2 where its end is too fast
-        for its piece; piece, place and speed at the end; the first boundary or piece where it is too fast.
+        for its piece; piece, place and speed at the end; the first boundary or piece where it is too fast;
+        how much faster the end is with a little more acceleration at the start, as a share of that.
     """
     p = way.shape[1] - 1
     fault, k, where = 0, piece, 0
+    bent, gained, shifted = 1.0, 0.0, 0.0  # acceleration, speed and place at the same time, as such shares
     while True:
         length, jerk = way[0, k], way[3, k]
         t = a / jerk
@@ -264,12 +264,16 @@ def _level(
         if end <= length or k + 1 == p:
             break
         t = _crossing(length - place, v, a, -jerk)
+        shifted += t * (gained + 0.5 * t * bent)
+        gained += t * bent
         v += t * (a - 0.5 * jerk * t)
         a = max(a - jerk * t, 0.0)
         place = 0.0
         k += 1
+        bent += (jerk - way[3, k]) * shifted / v
         if fault == 0 and (v > way[4, k] or a > way[2, k]):
             fault, where = 1, k
+    gained += t * bent
     if fault == 0:
         if end > length:
             fault, where = 1, p
@@ -278,8 +282,8 @@ def _level(
         else:
             for i in range(since, k):
                 if way[5, i] < inf and top > _stoppable(way, k, end, i):
-                    return 1, k, end, top, i + 1
-    return fault, k, end, top, where
+                    return 1, k, end, top, i + 1, gained
+    return fault, k, end, top, where, gained
 
 
 def _after(
@@ -327,7 +331,7 @@ def _climb(way: Array, course: Array) -> None:
             end = until + 2.0 * rest / (v1 + sqrt(v1 * v1 + 2.0 * most * rest))
         _, v1, a1 = _after(end, v, a, jerk, until, most)
         if k + 1 < p and v1 <= way[4, k + 1] and a1 <= way[2, k + 1]:
-            fault, _, _, top, _ = _level(way, k + 1, 0.0, v1, a1, k)
+            fault, _, _, top, _, _ = _level(way, k + 1, 0.0, v1, a1, k)
             if fault == 0:
                 n = _add_rise(way, course, n, k, v, a, until, most, end, length, reached)
                 k, v, a, reached = k + 1, v1, a1, top
@@ -373,7 +377,7 @@ def _latest(
             return low, top, 1, k + 1
     low, fault, where = _last_kept(way, k, v, a, until, most, low, high)
     place, v1, a1 = _after(low, v, a, jerk, until, most)
-    found, piece, _, top, there = _level(way, k, min(place, length), v1, a1, k)
+    found, piece, _, top, there, _ = _level(way, k, min(place, length), v1, a1, k)
     if found != 0:
         fault, where, piece = found, there, there
     where = max(where, k + 2 - fault)  # a rise goes on in a later piece, whatever is rounded
@@ -474,32 +478,25 @@ def _last_kept(
 def _levelled_at(
     length: float, v: float, a: float, jerk: float, until: float, most: float, high: float
 ) -> float:
-    """Return the last time at which a rise can be levelled off within a length, by the Illinois rule."""
-    low, side = 0.0, 0
-    under = _levelled(0.0, v, a, jerk) - length
-    place, v1, a1 = _after(high, v, a, jerk, until, most)
-    over = _levelled(place, v1, a1, jerk) - length
-    for step in range(ROUNDS):
-        t = (
-            0.5 * (low + high)
-            if step % 4 == 3 or not over > under
-            else low - under * (high - low) / (over - under)
-        )
-        if not low < t < high:
-            t = 0.5 * (low + high)
-            if not low < t < high:
-                break
+    """Return the last time no later than another at which a rise can be levelled off within a length.
+
+    Under jerk the place at which it is levelled off is convex in time, so that Newton's steps fall to the
+    root from above; behind that it is a square.
+    """
+    t = min(until, high)
+    place, v1, a1 = _after(t, v, a, jerk, until, most)
+    over, slope = _levelled(place, v1, a1, jerk) - length, v1 + a1 * a1 / jerk
+    if over <= 0.0:
+        t -= 2.0 * over / (slope + sqrt(slope * slope - 2.0 * most * over))
+        return min(t, high) * LITTLE_LESS
+    for _ in range(ROUNDS):
+        step = 0.5 * over / slope
+        t -= step
+        if not step > NEWTON * t:
+            break
         place, v1, a1 = _after(t, v, a, jerk, until, most)
-        beyond = _levelled(place, v1, a1, jerk) - length
-        if beyond <= 0.0:
-            low, under, over = t, beyond, 0.5 * over if side < 0 else over
-            side = -1
-            if beyond >= -ROUNDING * length:
-                break
-        else:
-            high, over, under = t, beyond, 0.5 * under if side > 0 else under
-            side = 1
-    return low
+        over, slope = _levelled(place, v1, a1, jerk) - length, v1 + a1 * a1 / jerk
+    return max(t, 0.0) * LITTLE_LESS
 
 
 def _add_rise(
@@ -521,7 +518,7 @@ def _add_rise(
         return _add(course, n, k, 0.0, v, a, jerk, end, last, reached)
     place, v1, _ = _after(until, v, a, jerk, until, most)
     n = _add(course, n, k, 0.0, v, a, jerk, until, place, reached)
-    _, _, _, top, _ = _level(way, k, place, v1, most, k)
+    _, _, _, top, _, _ = _level(way, k, place, v1, most, k)
     return _add(course, n, k, place, v1, most, 0.0, end - until, last, max(top, reached))
 
 
@@ -598,21 +595,20 @@ def _summit(way: Array, course: Array, start: int, top: float) -> tuple[int, flo
     elif a > 0.0:
         t = (top - v - 0.5 * a * a / jerk) / a
     t = min(max(t, 0.0), h)
-    piece, place, side = k, 0.0, 0
+    piece, place = k, 0.0
     for step in range(ROUNDS):
         x = course[1, row] + t * (v + t * (0.5 * a + t * (change * SIXTH)))
         a1 = max(a + change * t, 0.0)
-        _, piece, place, found, _ = _level(way, k, min(x, way[0, k]), v + t * (a + 0.5 * change * t), a1, k)
+        v1 = v + t * (a + 0.5 * change * t)
+        _, piece, place, found, _, slope = _level(way, k, min(x, way[0, k]), v1, a1, k)
         if (step == 0 and piece == k) or not under < 0.0 < over or abs(found - top) <= LEVELLED * top:
             break
         if found <= top:
-            before, under, over = t, found - top, 0.5 * over if side < 0 else over
-            side = -1
+            before = t
         else:
-            after, over, under = t, found - top, 0.5 * under if side > 0 else under
-            side = 1
-        t = before - under * (after - before) / (over - under) if step % 4 < 3 else 0.5 * (before + after)
-        if not before < t < after:
+            after = t
+        t -= (found - top) / (slope * (change + jerk))
+        if step % 8 == 7 or not before < t < after:
             t = 0.5 * (before + after)
             if not before < t < after:
                 t = before
