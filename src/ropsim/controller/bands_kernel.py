@@ -118,8 +118,9 @@ def _least_share(planned: Array, bounds: Array) -> float:
     """Return the least share of its planned rate that a band is left, in ]0, 1]."""
     least = inf
     for kind in range(bounds.shape[0]):
-        left = inf
+        left = 1.0
         for band in range(bounds.shape[1]):
-            left = min(left, bounds[kind, band] / planned[kind, band])
+            if bounds[kind, band] < planned[kind, band]:
+                left = min(left, bounds[kind, band] / planned[kind, band])
         least = min(least, left if kind == 0 else sqrt(left) if kind == 1 else np.cbrt(left))
     return least
