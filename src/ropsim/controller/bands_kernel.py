@@ -60,11 +60,14 @@ def bring_down(
             if value == bounds[kind, band] and value < before[kind, band]:
                 causes[0, band], causes[1, band] = caps[JOINT, h], caps[QUANTITY, h]
     for kind in range(bounds.shape[0]):
+        step = FIRST_STEP if kind == 0 else SECOND_STEP if kind == 1 else THIRD_STEP
+        known, left = 1.0, 1.0  # neighbours are often the same
         for band in range(bounds.shape[1]):
             if bounds[kind, band] < before[kind, band]:
-                step = FIRST_STEP if kind == 0 else SECOND_STEP if kind == 1 else THIRD_STEP
-                lower = floor(log(bounds[kind, band] / planned[kind, band]) / step) * step
-                bounds[kind, band] = planned[kind, band] * exp(lower)
+                share = bounds[kind, band] / planned[kind, band]
+                if share != known:
+                    known, left = share, exp(floor(log(share) / step) * step)
+                bounds[kind, band] = planned[kind, band] * left
     told[0] = _least_share(planned, bounds)
 
 
@@ -116,10 +119,14 @@ def stages_of(
 
 def _least_share(planned: Array, bounds: Array) -> float:
     """Return the least share of its planned rate that a band is left, in ]0, 1]."""
-    least = inf
+    least, last = inf, bounds.shape[1] - 1
     for kind in range(bounds.shape[0]):
-        left = inf
-        for band in range(bounds.shape[1]):
-            left = min(left, bounds[kind, band] / planned[kind, band])
+        left, band = inf, 0
+        while band <= last:
+            bound, plan = bounds[kind, band], planned[kind, band]
+            left = min(left, bound / plan)
+            band += 1
+            while band <= last and bounds[kind, band] == bound and planned[kind, band] == plan:
+                band += 1  # neighbours are often the same
         least = min(least, left if kind == 0 else sqrt(left) if kind == 1 else np.cbrt(left))
     return least

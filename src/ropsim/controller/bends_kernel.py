@@ -140,7 +140,7 @@ def bounds_between(
         for part in range(units.shape[0]):
             most = _lesser(most, limits[0, part] / _greater(bounds[SEEN, i, part], TINY))
         speeds[i] = _fastest(bounds, 0, i, limits)
-        costs = speeds[i] < CLOSE * most and speeds[i] < CLOSE * _fastest(bounds, SEEN, i, limits)
+        costs = speeds[i] < CLOSE * most and _is_slower(speeds[i] / CLOSE, bounds, i, limits)
         loose[i] = 1.0 if costs else 0.0
 
 
@@ -250,12 +250,7 @@ def _split(
 
 def _fastest(bounds: Array, row: int, i: int, limits: Array) -> float:
     """Return the highest speed at which bends take no more than their share in a cell."""
-    square, cube = np.inf, np.inf
-    for part in range(bounds.shape[2]):
-        second = _length(bounds[row + ALONG, i, part], bounds[row + ACROSS, i, part])
-        third = _length(bounds[row + ALONG + 1, i, part], bounds[row + ACROSS + 1, i, part])
-        square = _lesser(square, SHARE * limits[1, part] / _greater(second, TINY))
-        cube = _lesser(cube, SHARE * limits[2, part] / _greater(third, TINY))
+    square, cube = _powers(bounds, row, i, limits)
     if cube < HUGE and square >= HUGE:
         return float(np.cbrt(cube))
     if cube < HUGE and square < HUGE:
@@ -265,6 +260,23 @@ def _fastest(bounds: Array, row: int, i: int, limits: Array) -> float:
         if other < APART * one:
             return float(np.cbrt(cube))
     return _lesser(sqrt(square), float(np.cbrt(cube)))
+
+
+def _is_slower(speed: float, bounds: Array, i: int, limits: Array) -> bool:
+    """Return whether a speed is below the highest one by what was seen in a cell; this takes no roots."""
+    square, cube = _powers(bounds, SEEN, i, limits)
+    return speed * speed < square and speed * speed * speed < cube
+
+
+def _powers(bounds: Array, row: int, i: int, limits: Array) -> tuple[float, float]:
+    """Return square and cube of the speeds at which acceleration and jerk take no more than their share."""
+    square, cube = np.inf, np.inf
+    for part in range(bounds.shape[2]):
+        second = _length(bounds[row + ALONG, i, part], bounds[row + ACROSS, i, part])
+        third = _length(bounds[row + ALONG + 1, i, part], bounds[row + ACROSS + 1, i, part])
+        square = _lesser(square, SHARE * limits[1, part] / _greater(second, TINY))
+        cube = _lesser(cube, SHARE * limits[2, part] / _greater(third, TINY))
+    return square, cube
 
 
 def _length(along: float, across: float) -> float:

@@ -26,7 +26,7 @@ def slowed_in(planned: Course, course: Course, bands: Mapping[int, Bands]) -> tu
         if own.bounds is own.planned:
             continue
         run, count, law = course.runs[number], len(own.owners), planned.runs[number].law
-        room, ways, told = np.empty((3, 2 * count)), np.empty((4, count)), np.empty(1)
+        room, ways, told = np.empty((4, 2 * count)), np.empty((4, count)), np.empty(1)
         here = own.borders, own.times, own.owners, own.begins, own.planned, own.bounds, own.causes
         laws = run.law.segments, run.law.ends, float(law.speeds.max())
         slower_ways(*here, *laws, room, ways, told)

@@ -41,48 +41,48 @@ def slower_ways(
         segments: of the time law, see `TimeLaw`, shape (8, m).
         ends: times at which its pieces end [s], shape (p,).
         most: greatest speed before joints counted.
-        room: to work in, shape (3, 2·c).
+        room: to work in, shape (4, 2·c).
         ways: where they go: from when and until when [s], share of the greatest speed that is left in the
             slowest band, and its number; shape (4, c).
         told: where the number of ways goes, shape (1,).
     """
-    last, count = planned.shape[1] - 1, 0
+    last, count, goes_on = planned.shape[1] - 1, 0, False
     for band in range(last + 1):
-        if _is_lower(planned, bounds, band):
-            for border in range(
-                band if band == 0 or not _is_lower(planned, bounds, band - 1) else band + 1, band + 2
-            ):
-                piece = owners[min(border, last)]
-                room[0, count], room[1, count] = piece, borders[border] - begins[int(piece)]
-                count += 1
+        lower = (
+            (bounds[0, band] < planned[0, band])
+            | (bounds[1, band] < planned[1, band])
+            | (bounds[2, band] < planned[2, band])
+        )
+        if lower:
+            if not goes_on:
+                count = _ask(borders, owners, begins, band, -1, room, count)
+            count = _ask(borders, owners, begins, band + 1, band, room, count)
+        goes_on = lower
     times_along(segments, ends, room[0, :count], room[1, :count], room[2, :count])
-    way, k, band = 0, 0, 0
-    while band <= last:
-        if not _is_lower(planned, bounds, band):
-            band += 1
+    way = 0
+    for k in range(count):
+        band = int(room[3, k])
+        if band < 0:
+            ways[START, way], ways[SHARE, way], ways[BAND, way] = room[2, k], 1.0, -1.0
             continue
-        ways[START, way], ways[SHARE, way], ways[BAND, way] = room[2, k], 1.0, -1.0
-        while band <= last and _is_lower(planned, bounds, band):
-            if causes[0, band] >= 0.0:
-                length = borders[band + 1] - borders[band]
-                now = length / max(room[2, k + 1] - room[2, k], _TINY)
-                then = length / max(times[band + 1] - times[band], _TINY)
-                share = min(1.0 - (then - now) / most, 1.0)
-                if ways[BAND, way] < 0.0 or share < ways[SHARE, way]:
-                    ways[SHARE, way], ways[BAND, way] = share, band
-            band += 1
-            k += 1
-        ways[STOP, way] = room[2, k]
-        k += 1
-        if ways[BAND, way] >= 0.0:
-            way += 1
+        if causes[0, band] >= 0.0:
+            length = borders[band + 1] - borders[band]
+            now = length / max(room[2, k] - room[2, k - 1], _TINY)
+            then = length / max(times[band + 1] - times[band], _TINY)
+            share = min(1.0 - (then - now) / most, 1.0)
+            if ways[BAND, way] < 0.0 or share < ways[SHARE, way]:
+                ways[SHARE, way], ways[BAND, way] = share, band
+        if k + 1 == count or room[3, k + 1] < 0.0:
+            ways[STOP, way] = room[2, k]
+            if ways[BAND, way] >= 0.0:
+                way += 1
     told[0] = way
 
 
-def _is_lower(planned: Array, bounds: Array, band: int) -> bool:
-    """Return whether a bound of a band was brought down."""
-    return bool(
-        bounds[0, band] < planned[0, band]
-        or bounds[1, band] < planned[1, band]
-        or bounds[2, band] < planned[2, band]
-    )
+def _ask(
+    borders: Array, owners: Array, begins: Array, border: int, band: int, room: Array, count: int
+) -> int:
+    """Write piece and place of a border, and the band that ends there or -1; return the number of all."""
+    piece = owners[min(border, owners.shape[0] - 1)]
+    room[0, count], room[1, count], room[3, count] = piece, borders[border] - begins[int(piece)], band
+    return count + 1

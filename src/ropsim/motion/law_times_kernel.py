@@ -14,8 +14,10 @@ HALVINGS = 80
 SIXTH = 1.0 / 6.0
 ROUNDING = 1e-16
 """Relative; the search for a time ends at a step below this share of it."""
-NEWTON = 1e-9
-"""Relative; after a step of Newton no greater than this what remains is its square, which is rounding."""
+HALLEY = 5e-6
+"""Relative; after a step of Halley no greater than this what remains is its cube, which is rounding."""
+NEARLY_EVEN = 0.2
+"""Relative; where half the change of the speed on a step is below this share of it, the series converges."""
 
 
 @kernel("void(f8[:,::1], f8[::1], f8[::1], f8[::1], f8[::1], f8[::1])")
@@ -74,7 +76,8 @@ def times_along(segments: Array, ends: Array, pieces: Array, places: Array, out:
 def _near(segments: Array, row: int, way: float, u: float) -> float:
     """Return the time since the start of a segment at which a way is gone, no less than `u` [s].
 
-    By Newton's steps from there, kept between the times known to be too early and too late.
+    By Halley's steps from a few terms of the series there, kept between the times known to be too early and
+    too late.
     """
     v, a, j = segments[3, row], segments[4, row], segments[5, row]
     least, most = u, segments[6, row]
@@ -83,7 +86,11 @@ def _near(segments: Array, row: int, way: float, u: float) -> float:
     u = 0.5 * (least + most)
     slope = v + least * (a + 0.5 * least * j)
     if slope > 0.0:
-        tried = least + (way - least * (v + least * (0.5 * a + least * (j * SIXTH)))) / slope
+        ahead = (way - least * (v + least * (0.5 * a + least * (j * SIXTH)))) / slope
+        faster = 0.5 * (a + least * j) / slope * ahead
+        if abs(faster) < NEARLY_EVEN:
+            ahead *= 1.0 - faster * (1.0 - 2.0 * faster) - j * SIXTH * ahead * ahead / slope
+        tried = least + ahead
         u = tried if tried < most else u
     for _ in range(HALVINGS):
         over = u * (v + u * (0.5 * a + u * (j * SIXTH))) - way
@@ -92,9 +99,10 @@ def _near(segments: Array, row: int, way: float, u: float) -> float:
             most = u
         else:
             least = u
-        step = over / slope if slope > 0.0 else inf
+        below = slope * slope - 0.5 * over * (a + u * j)
+        step = over * slope / below if below > 0.0 else inf
         tried = u - step
-        if abs(step) <= NEWTON * u:
+        if abs(step) <= HALLEY * u:
             return float(min(max(tried, least), most))
         u = tried if least < tried < most else 0.5 * (least + most)
     return u

@@ -24,21 +24,21 @@ from math import inf, sqrt
 from ropsim.codegen import kernel
 from ropsim.spatial import Array
 
-ROUNDING = 1e-15
-"""Relative; a way that remains below this share of the whole one is none."""
 LEVELLED = 8e-15
 """Relative; a speed that differs by no more from another one is that: so far several pieces round it."""
 LEAST, MOST = 1e-50, 1e50
 """Between them lie the numbers of a piece; what is computed from them is then finite."""
 ROUNDS = 100
 """More steps than any search here needs, were it by halves alone."""
+MET = 1e-13
+"""Relative; a rise and a fall that leave no more of their way between them meet."""
 NEAREST = 4e-16
 """Relative; places nearer to each other are not told apart."""
-NARROWINGS = 16
-"""Steps that bring two times together, at most, before halves do the rest."""
+LITTLE_LESS = 1.0 - 2.0 * NEAREST
+"""Times what a search takes for the last that is allowed, it mostly is allowed in spite of rounding."""
 NEWTON = 2e-8
 """Relative; after a step of Newton no greater than this what remains is its square, which is rounding."""
-SIXTH = 1.0 / 6.0
+SIXTH, THIRD = 1.0 / 6.0, 1.0 / 3.0
 
 
 @kernel("void(f8[:,::1], f8[:,:,::1], f8[:,:,::1], f8[:,::1], f8[::1], f8[::1])")
@@ -87,9 +87,9 @@ def _lay_out(bounds: Array, ways: Array) -> int:
             return i
         horizon = bounds[i, 5]
         there[5, i] = horizon if 0.0 <= horizon < p - 1 else inf
-        gone[i + 1] = gone[i] + there[0, i]
+        there[9, i], gone[i + 1] = inf, gone[i] + there[0, i]
         there[4, i] = 0.0 if i == 0 or bounds[i, 4] == 0.0 else min(there[1, i - 1], there[1, i])
-    there[4, p] = 0.0
+    there[4, p], there[9, p] = 0.0, inf
     if _look_ahead(there):
         for i in range(p - 1):
             if there[5, i] < inf and there[4, i + 1] > 0.0:
@@ -137,16 +137,25 @@ def _is_wrong(bounds: Array, way: Array, i: int) -> bool:
 
 
 def _look_ahead(way: Array) -> bool:
-    """Write from which speeds, without acceleration, it can stop at the end; say whether a horizon counts."""
+    """Write from which speeds, without acceleration, it can stop at the end; say whether a horizon counts.
+
+    Where they are written, no higher than now, only those are found anew that may be lower; else endless.
+    """
     p, limited = way.shape[1] - 1, False
     for i in range(p):
         limited = limited or way[5, i] < inf
         way[10, i] = -1.0
+    lower = way[9, p] > 0.0
     way[9, p] = 0.0
     for k in range(p - 1, -1, -1):
         if not limited:
             break
-        way[9, k] = min(_reached(way[9, k + 1], way[0, k], way[2, k], way[3, k]), way[4, k])
+        before = way[9, k]
+        if lower:
+            way[9, k] = _within(way[9, k + 1], way[0, k], way[2, k], way[3, k], way[4, k])
+        else:
+            way[9, k] = min(before, way[4, k])
+        lower = way[9, k] < before
     return limited
 
 
@@ -161,13 +170,26 @@ def _stoppable(way: Array, piece: int, place: float, ahead: int) -> float:
     if way[10, ahead] >= piece:
         known, speed = int(way[10, ahead]), way[11, ahead]
     for k in range(known, piece, -1):
-        speed = min(_reached(speed, way[0, k], way[2, k], way[3, k]), way[4, k])
+        speed = _within(speed, way[0, k], way[2, k], way[3, k], way[4, k])
         if speed == way[9, k]:
             speed = way[9, piece + 1]
             break
     way[10, ahead], way[11, ahead] = piece, speed
-    speed = _reached(speed, way[0, piece] - place, way[2, piece], way[3, piece])
-    return float(min(speed, way[1, piece]))
+    return _within(speed, way[0, piece] - place, way[2, piece], way[3, piece], way[1, piece])
+
+
+def _within(speed: float, length: float, acceleration: float, jerk: float, most: float) -> float:
+    """Return what `_reached` does, but no more than a bound; mostly that is it, as its way tells at once."""
+    change, both, square = most - speed, most + speed, acceleration * acceleration
+    if change <= 0.0:
+        return most
+    if length > 0.0:
+        if change * jerk < square:
+            if both * both * change <= length * length * jerk:
+                return most
+        elif both * (change * jerk + square) <= 2.0 * length * acceleration * jerk:
+            return most
+    return min(_reached(speed, length, acceleration, jerk), most)
 
 
 def _reached(speed: float, length: float, acceleration: float, jerk: float) -> float:
@@ -224,28 +246,34 @@ def _crossing(way: float, v: float, a: float, j: float) -> float:
 
 def _level(
     way: Array, piece: int, place: float, v: float, a: float, since: int
-) -> tuple[int, int, float, float, int]:
+) -> tuple[int, int, float, float, int, float]:
     """Level the motion off from a place; `since` is the first piece whose horizon counts.
 
     Returns:
         0 where that keeps all bounds, 1 where it leads too fast over a boundary, 2 where its end is too fast
-        for its piece; piece, place and speed at the end; the first boundary or piece where it is too fast.
+        for its piece; piece, place and speed at the end; the first boundary or piece where it is too fast;
+        how much faster the end is with a little more acceleration at the start, as a share of that.
     """
     p = way.shape[1] - 1
     fault, k, where = 0, piece, 0
+    bent, gained, shifted = 1.0, 0.0, 0.0  # acceleration, speed and place at the same time, as such shares
     while True:
         length, jerk = way[0, k], way[3, k]
         t = a / jerk
-        end, top = place + t * (v + a * t / 3.0), v + 0.5 * a * t
+        end, top = place + t * (v + a * t * THIRD), v + 0.5 * a * t
         if end <= length or k + 1 == p:
             break
         t = _crossing(length - place, v, a, -jerk)
+        shifted += t * (gained + 0.5 * t * bent)
+        gained += t * bent
         v += t * (a - 0.5 * jerk * t)
         a = max(a - jerk * t, 0.0)
         place = 0.0
         k += 1
+        bent += (jerk - way[3, k]) * shifted / v
         if fault == 0 and (v > way[4, k] or a > way[2, k]):
             fault, where = 1, k
+    gained += t * bent
     if fault == 0:
         if end > length:
             fault, where = 1, p
@@ -254,8 +282,8 @@ def _level(
         else:
             for i in range(since, k):
                 if way[5, i] < inf and top > _stoppable(way, k, end, i):
-                    return 1, k, end, top, i + 1
-    return fault, k, end, top, where
+                    return 1, k, end, top, i + 1, gained
+    return fault, k, end, top, where, gained
 
 
 def _after(
@@ -281,7 +309,7 @@ def _after(
 def _levelled(place: float, v: float, a: float, jerk: float) -> float:
     """Return the place at which a motion is levelled off, were its piece endless."""
     t = a / jerk
-    return place + t * (v + a * t / 3.0)
+    return place + t * (v + a * t * THIRD)
 
 
 def _climb(way: Array, course: Array) -> None:
@@ -303,7 +331,7 @@ def _climb(way: Array, course: Array) -> None:
             end = until + 2.0 * rest / (v1 + sqrt(v1 * v1 + 2.0 * most * rest))
         _, v1, a1 = _after(end, v, a, jerk, until, most)
         if k + 1 < p and v1 <= way[4, k + 1] and a1 <= way[2, k + 1]:
-            fault, _, _, top, _ = _level(way, k + 1, 0.0, v1, a1, k)
+            fault, _, _, top, _, _ = _level(way, k + 1, 0.0, v1, a1, k)
             if fault == 0:
                 n = _add_rise(way, course, n, k, v, a, until, most, end, length, reached)
                 k, v, a, reached = k + 1, v1, a1, top
@@ -347,15 +375,9 @@ def _latest(
         top = v1 + 0.5 * a1 * a1 / jerk
         if top >= way[4, k + 1]:
             return low, top, 1, k + 1
-    place, v1, a1 = _after(high, v, a, jerk, until, most)
-    fault, _, _, _, where = _level(way, k, min(place, length), v1, a1, k)
-    if fault == 0:
-        fault, where = 1, k + 1
-    low, found, there = _last_kept(way, k, v, a, until, most, low, high)
-    if found != 0:
-        fault, where = found, there
+    low, fault, where = _last_kept(way, k, v, a, until, most, low, high)
     place, v1, a1 = _after(low, v, a, jerk, until, most)
-    found, piece, _, top, there = _level(way, k, min(place, length), v1, a1, k)
+    found, piece, _, top, there, _ = _level(way, k, min(place, length), v1, a1, k)
     if found != 0:
         fault, where, piece = found, there, there
     where = max(where, k + 2 - fault)  # a rise goes on in a later piece, whatever is rounded
@@ -368,17 +390,22 @@ def _latest(
     return low, top, 0, where
 
 
-def _fault(way: Array, piece: int, place: float, v: float, a: float, since: int) -> tuple[int, int, float]:
-    """Return the fault and its place that `_level` finds first, and how much room there is to the next bound.
+def _nearest(way: Array, piece: int, place: float, v: float, a: float, since: int) -> tuple[int, int, float]:
+    """Return which bound is the first that is broken or else the nearest where a motion is levelled off.
 
-    The room is a share of the bound, below 0 where it is broken.
+    A boundary bounds nothing as long as the motion is levelled off before it, and little just behind it.
+
+    Returns:
+        the fault and its place that `_level` finds, or would find; how much room there is to the bound, as a
+        share of it, below 0 where it is broken.
     """
     p = way.shape[1] - 1
-    k, room = piece, inf
+    k, where, room = piece, piece + 1, inf
     while True:
         length, jerk = way[0, k], way[3, k]
         t = a / jerk
-        end, top = place + t * (v + a * t / 3.0), v + 0.5 * a * t
+        end, top = place + t * (v + a * t * THIRD), v + 0.5 * a * t
+        left = (length - end) / length
         if end <= length or k + 1 == p:
             break
         t = _crossing(length - place, v, a, -jerk)
@@ -388,62 +415,27 @@ def _fault(way: Array, piece: int, place: float, v: float, a: float, since: int)
         k += 1
         here = min(way[4, k] - v, (way[2, k] - a) * (way[4, k] / way[2, k]))
         if v > way[4, k] or a > way[2, k]:
-            return 1, k, here / v
-        room = min(room, here / v if v > 0.0 else inf)
+            return 1, k, max(here / v, left)
+        if here < room * v:
+            where, room = k, here / v
     if end > length:
-        return 1, p, (length - end) / length
-    if top > way[1, k]:
-        return 2, k, (way[1, k] - top) / way[1, k]
+        return 1, p, left
+    here = (way[1, k] - top) / way[1, k]
+    if here < 0.0:
+        return 2, k, here
+    fault = 1
     for i in range(since, k):
         if way[5, i] < inf:
             most = _stoppable(way, k, end, i)
             if top > most:
                 return 1, i + 1, (most - top) / top
-            room = min(room, (most - top) / top if top > 0.0 else inf)
-    return 0, k, min(room, (way[1, k] - top) / way[1, k])
-
-
-def _between(
-    way: Array, k: int, v: float, a: float, until: float, most: float, low: float, high: float
-) -> tuple[float, float, int, int]:
-    """Return times up to which a rise keeps all bounds, and from which on it breaks one, near to each other.
-
-    By the Illinois rule on the room that is left, and in small steps from a time at which none is. Where the
-    ends do not tell, they are what is returned.
-
-    Returns:
-        the two times; the fault at the later one and its place, or 0.
-    """
-    jerk = way[3, k]
-    place, v1, a1 = _after(low, v, a, jerk, until, most)
-    found, where, under = _fault(way, k, place, v1, a1, k)
-    place, v1, a1 = _after(high, v, a, jerk, until, most)
-    fault, there, over = _fault(way, k, place, v1, a1, k)
-    if found != 0 or fault == 0 or not under > 0.0:
-        return low, high, 0, 0
-    over, under, side, near = max(over, -1.0), min(under, 1.0), 0, NEAREST
-    for step in range(NARROWINGS):
-        t = 0.5 * (low + high)
-        if under <= ROUNDING or over >= -ROUNDING:
-            t = low + near * high if under <= ROUNDING else high - near * high
-            near *= 4.0
-        elif step % 4 < 3 and over < under:
-            t = low - under * (high - low) / (over - under)
-        if not low < t < high:
-            t = 0.5 * (low + high)
-            if not low < t < high:
-                break
-        place, v1, a1 = _after(t, v, a, jerk, until, most)
-        found, where, room = _fault(way, k, place, v1, a1, k)
-        if found == 0:
-            low, under, over = t, room, 0.5 * over if side < 0 else over
-            side = -1
-        else:
-            high, over, under = t, room, 0.5 * under if side > 0 else under
-            fault, there, side = found, where, 1
-        if not high - low > ROUNDING * high:
-            break
-    return low, high, fault, there
+            if most - top < room * top:
+                where, room = i + 1, (most - top) / top
+    if here < room:
+        fault, where, room = 2, k, here
+    if left < room and way[4, k + 1] - top < room * top:
+        fault, where, room = 1, k + 1, max(left, (way[4, k + 1] - top) / top)
+    return fault, where, room
 
 
 def _last_kept(
@@ -451,59 +443,60 @@ def _last_kept(
 ) -> tuple[float, int, int]:
     """Return the last time between two at which a rise could be levelled off without breaking a bound.
 
-    Found by halves, to the last bit; `_between` has brought them together before.
-
     Returns:
-        the time; the fault just behind it and its place, or 0.
+        the time, a few roundings before the last one; the fault that follows and its place.
     """
-    keeps, breaks, fault, where = _between(way, k, v, a, until, most, low, high)
+    jerk = way[3, k]
+    place, v1, a1 = _after(low, v, a, jerk, until, most)
+    fault, where, other_room = _nearest(way, k, place, v1, a1, k)
+    if other_room <= LEVELLED:
+        return low, fault, where
+    place, v1, a1 = _after(high, v, a, jerk, until, most)
+    fault, where, room = _nearest(way, k, place, v1, a1, k)
+    if room >= 0.0:
+        return high, fault, where
+    here, room, other_end, other_room, share = high, max(room, -1.0), low, min(other_room, 1.0), 0.5
     for _ in range(ROUNDS):
-        middle = 0.5 * (low + high)
-        if not low < middle < high:
+        t = _inside(here, other_end, share)
+        if not min(here, other_end) < t < max(here, other_end):
             break
-        if middle <= keeps:
-            low = middle
-        elif middle >= breaks:
-            high = middle
+        place, v1, a1 = _after(t, v, a, jerk, until, most)
+        found, there, seen = _nearest(way, k, place, v1, a1, k)
+        if seen < 0.0:
+            fault, where = found, there
+        elif seen <= LEVELLED:
+            return t, found, there
+        if (seen >= 0.0) == (room >= 0.0):
+            before, before_room = here, room
         else:
-            place, v1, a1 = _after(middle, v, a, way[3, k], until, most)
-            found, there, _ = _fault(way, k, place, v1, a1, k)
-            if found == 0:
-                low = middle
-            else:
-                high, fault, where = middle, found, there
-    return low, fault, where
+            before, before_room, other_end, other_room = other_end, other_room, here, room
+        here, room = t, seen
+        share = _share(here, room, other_end, other_room, before, before_room)
+    return min(here, other_end), fault, where
 
 
 def _levelled_at(
     length: float, v: float, a: float, jerk: float, until: float, most: float, high: float
 ) -> float:
-    """Return the last time at which a rise can be levelled off within a length, by the Illinois rule."""
-    low, side = 0.0, 0
-    under = _levelled(0.0, v, a, jerk) - length
-    place, v1, a1 = _after(high, v, a, jerk, until, most)
-    over = _levelled(place, v1, a1, jerk) - length
-    for step in range(ROUNDS):
-        t = (
-            0.5 * (low + high)
-            if step % 4 == 3 or not over > under
-            else low - under * (high - low) / (over - under)
-        )
-        if not low < t < high:
-            t = 0.5 * (low + high)
-            if not low < t < high:
-                break
+    """Return the last time no later than another at which a rise can be levelled off within a length.
+
+    Under jerk the place at which it is levelled off is convex in time, so that Newton's steps fall to the
+    root from above; behind that it is a square.
+    """
+    t = min(until, high)
+    place, v1, a1 = _after(t, v, a, jerk, until, most)
+    over, slope = _levelled(place, v1, a1, jerk) - length, v1 + a1 * a1 / jerk
+    if over <= 0.0:
+        t -= 2.0 * over / (slope + sqrt(slope * slope - 2.0 * most * over))
+        return min(t, high) * LITTLE_LESS
+    for _ in range(ROUNDS):
+        step = 0.5 * over / slope
+        t -= step
+        if not step > NEWTON * t:
+            break
         place, v1, a1 = _after(t, v, a, jerk, until, most)
-        beyond = _levelled(place, v1, a1, jerk) - length
-        if beyond <= 0.0:
-            low, under, over = t, beyond, 0.5 * over if side < 0 else over
-            side = -1
-            if beyond >= -ROUNDING * length:
-                break
-        else:
-            high, over, under = t, beyond, 0.5 * under if side > 0 else under
-            side = 1
-    return low
+        over, slope = _levelled(place, v1, a1, jerk) - length, v1 + a1 * a1 / jerk
+    return max(t, 0.0) * LITTLE_LESS
 
 
 def _add_rise(
@@ -525,7 +518,7 @@ def _add_rise(
         return _add(course, n, k, 0.0, v, a, jerk, end, last, reached)
     place, v1, _ = _after(until, v, a, jerk, until, most)
     n = _add(course, n, k, 0.0, v, a, jerk, until, place, reached)
-    _, _, _, top, _ = _level(way, k, place, v1, most, k)
+    _, _, _, top, _, _ = _level(way, k, place, v1, most, k)
     return _add(course, n, k, place, v1, most, 0.0, end - until, last, max(top, reached))
 
 
@@ -602,21 +595,20 @@ def _summit(way: Array, course: Array, start: int, top: float) -> tuple[int, flo
     elif a > 0.0:
         t = (top - v - 0.5 * a * a / jerk) / a
     t = min(max(t, 0.0), h)
-    piece, place, side = k, 0.0, 0
+    piece, place = k, 0.0
     for step in range(ROUNDS):
         x = course[1, row] + t * (v + t * (0.5 * a + t * (change * SIXTH)))
         a1 = max(a + change * t, 0.0)
-        _, piece, place, found, _ = _level(way, k, min(x, way[0, k]), v + t * (a + 0.5 * change * t), a1, k)
+        v1 = v + t * (a + 0.5 * change * t)
+        _, piece, place, found, _, slope = _level(way, k, min(x, way[0, k]), v1, a1, k)
         if (step == 0 and piece == k) or not under < 0.0 < over or abs(found - top) <= LEVELLED * top:
             break
         if found <= top:
-            before, under, over = t, found - top, 0.5 * over if side < 0 else over
-            side = -1
+            before = t
         else:
-            after, over, under = t, found - top, 0.5 * under if side > 0 else under
-            side = 1
-        t = before - under * (after - before) / (over - under) if step % 4 < 3 else 0.5 * (before + after)
-        if not before < t < after:
+            after = t
+        t -= (found - top) / (slope * (change + jerk))
+        if step % 8 == 7 or not before < t < after:
             t = 0.5 * (before + after)
             if not before < t < after:
                 t = before
@@ -646,7 +638,7 @@ def _join(ways: Array, courses: Array, first: int, last: int, rows: Array, n: in
             room = (there[0, k] - x) + (gone[i] - gone[k + 1]) + y
         elif i < k:
             room = (y - there[0, i]) - (gone[k] - gone[i + 1]) - x
-        if ended or (step == 0 and room >= 0.0) or 0.0 <= room <= ROUNDING * there[0, first]:
+        if ended or (step == 0 and room >= 0.0) or 0.0 <= room <= MET * (gone[last] - gone[first]):
             break
         if step == 1:
             room = max(room, 0.0)
@@ -660,8 +652,7 @@ def _join(ways: Array, courses: Array, first: int, last: int, rows: Array, n: in
             top = low
             continue
         share = 0.5 if step == 1 else _share(here, seen, other_end, other_room, before, before_room)
-        least = abs(here) * NEAREST / abs(other_end - here)
-        top = here + min(max(share, least), 1.0 - least) * (other_end - here)
+        top = _inside(here, other_end, share)
         if not min(here, other_end) < top < max(here, other_end) or step == ROUNDS - 2:
             top, ended = here if seen >= 0.0 else other_end, True
     n, k, x = _copy(there, courses[0], first, row, t, rows, n)
@@ -681,6 +672,12 @@ def _join(ways: Array, courses: Array, first: int, last: int, rows: Array, n: in
         _add_row(rows, n, i, x, v + h * (a + 0.5 * h * j), -(a + h * j), j, h)
         n += 1
     return n
+
+
+def _inside(x1: float, x2: float, share: float) -> float:
+    """Return what lies at a share of the way from one end to the other, or a little lower, but at neither."""
+    low, high = min(x1, x2), max(x1, x2)
+    return min(max((x1 + share * (x2 - x1)) * LITTLE_LESS, low + NEAREST * high), high - NEAREST * high)
 
 
 def _share(x1: float, f1: float, x2: float, f2: float, x3: float, f3: float) -> float:
@@ -732,7 +729,7 @@ def _copy(
     while not levelled:
         length, jerk = way[0, k], way[3, k]
         t = a / jerk
-        end = x + t * (v + a * t / 3.0)
+        end = x + t * (v + a * t * THIRD)
         levelled = end <= length or k + 2 == way.shape[1]
         if not levelled:
             t = _crossing(length - x, v, a, -jerk)

@@ -197,7 +197,7 @@ def test_ways_that_are_slower_are_told_with_the_band_that_loses_most(seed: int) 
     pieces = np.searchsorted(begins[1:-1], borders, "right")
     now, then = (each.times_of(pieces, borders - begins[pieces]) for each in (slow, law))
     fixed = borders, then, owners, begins, planned, bounds, causes, slow.segments, slow.ends, most
-    slower_ways(*fixed, np.empty((3, 2 * c)), ways, told)
+    slower_ways(*fixed, np.empty((4, 2 * c)), ways, told)
     shares = 1.0 - (np.diff(borders) / np.diff(then) - np.diff(borders) / np.diff(now)) / most
     steps = np.diff(np.concatenate(([0], lower.astype(int), [0])))
     wanted = []
