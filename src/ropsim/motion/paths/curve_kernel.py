@@ -315,10 +315,10 @@ def _parameter(ends: Array, inverse: Array, step: int, s: float) -> float:
 
 def _turns(C: Array) -> bool:
     """Return whether the tool turns along a segment, or is turned all along it."""
+    turns = False
     for k in range(C.shape[0]):
-        if not (C[k, 3] == 0.0 and C[k, 4] == 0.0 and C[k, 5] == 0.0):
-            return True
-    return False
+        turns = turns or not (C[k, 3] == 0.0 and C[k, 4] == 0.0 and C[k, 5] == 0.0)
+    return turns
 
 
 def _functions(series: Array, x: float) -> tuple[float, float, float, float, float, float]:
