@@ -6,14 +6,15 @@ import pytest
 from ropsim.motion import JointBounds, JointPoints, ProfileError
 from ropsim.motion.limits.strain_kernel import by_real_time
 from ropsim.motion.limits.walked import keeps_torque
-from ropsim.motion.limits.walked_kernel import AT_ONCE, beyond_torque, walk_at
+from ropsim.motion.limits.walked_kernel import AT_ONCE, ROWS_OF_LOAD, ROWS_OF_WALK, beyond_torque, walk_at
 from ropsim.spatial import Array
 
 
 def walk(first: Array, second: Array, course: Array, limits: Array) -> tuple[Array, float]:
     """Return the speeds and accelerations, and what is beyond limits."""
     out, beyond = np.full((2, *first.shape), np.nan), np.empty(1)
-    walk_at(first, second, course, limits, np.empty((2, first.shape[1])), out, beyond)
+    room = np.empty((ROWS_OF_WALK, AT_ONCE * first.shape[1]))
+    walk_at(first, second, course, limits, room, out.reshape(2, -1), beyond)
     return out, float(beyond[0])
 
 
@@ -55,7 +56,7 @@ def test_torque_is_beyond_its_limit_by_the_most_of_all_rows(k: int) -> None:
     random = np.random.default_rng(k)
     torque, limit = random.normal(size=(k, 6)), random.uniform(0.5, 2.0, 6)
     beyond = np.empty(1)
-    beyond_torque(torque.reshape(-1), limit, np.empty((2, AT_ONCE * 6)), beyond)
+    beyond_torque(torque.reshape(-1), limit, np.empty((ROWS_OF_LOAD, AT_ONCE * 6)), beyond)
     assert beyond[0] == (np.abs(torque) - limit).max()
 
 

@@ -10,7 +10,7 @@ from ropsim.motion.limits.kept import Motion
 from ropsim.motion.limits.motion_time import MotionTime
 from ropsim.motion.limits.reference import tick_times
 from ropsim.motion.limits.strain import ROUNDING, Going, Strain, strain
-from ropsim.motion.limits.walked_kernel import AT_ONCE, beyond_torque, walk_at
+from ropsim.motion.limits.walked_kernel import AT_ONCE, ROWS_OF_LOAD, ROWS_OF_WALK, beyond_torque, walk_at
 from ropsim.motion.paths.path import JointPoints
 from ropsim.spatial import Array
 
@@ -51,7 +51,8 @@ def walked(motion: Motion, clock: MotionTime, bounds: JointBounds, period: float
     first, second = np.ascontiguousarray(points.d1), np.ascontiguousarray(points.d2)
     limits = np.array([bounds.speed, bounds.acceleration, period * bounds.jerk]) * _CLEARLY
     rates, beyond = np.empty((2, *points.q.shape)), np.empty(1)
-    walk_at(first, second, course, limits, np.empty((2, limits.shape[1])), rates, beyond)
+    room = np.empty((ROWS_OF_WALK, AT_ONCE * limits.shape[1]))
+    walk_at(first, second, course, limits, room, rates.reshape(2, -1), beyond)
     return Walked(course, points, JointPoints(points.q, rates[0], rates[1]), bool(beyond[0] < 0.0))
 
 
@@ -95,7 +96,7 @@ def strain_of_walk(
 
 def _keeps(torque: Array, rows: JointPoints, most: Array) -> bool:
     """Return whether no torque is above its limit [N m | N]; an error where one is no number."""
-    room, beyond = np.empty((2, AT_ONCE * len(most))), np.empty(1)
+    room, beyond = np.empty((ROWS_OF_LOAD, AT_ONCE * len(most))), np.empty(1)
     beyond_torque(torque.reshape(-1), most, room, beyond)
     if not beyond[0] < np.inf and not np.isfinite(torque).all():
         raise no_torques(torque, rows.q)
