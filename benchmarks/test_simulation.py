@@ -23,8 +23,7 @@ from ropsim.dynamics.arm_functions import forward_code
 from ropsim.flow import JointReference, ModalState, MotionKind, MoveInstruction, Recording
 from ropsim.kinematics import forward
 from ropsim.model import Cell, Payload
-from ropsim.motion import JointPoints
-from ropsim.motion.limits.reference import load
+from ropsim.motion import JointPoints, torques
 from ropsim.motion.limits.strain import strain_as_planned, with_torque
 from ropsim.simulation import Fidelity, KeptPlans, RunOptions
 from ropsim.simulation.servo.servo import Servo
@@ -231,8 +230,8 @@ def test_planning_of_a_stretch(benchmark: Any, kind: MotionKind) -> None:
 
     def look() -> None:
         strain = strain_as_planned(rows, bounds.joints, done.period)
-        torque = load(rows, bounds.joints, bounds.effort)
-        assert torque is not None
+        assert bounds.effort is not None
+        torque = torques(bounds.effort, rows.q, rows.d1, rows.d2)
         with_torque(strain, rows, torque, bounds.joints)
 
     looking, planning = processor_seconds(look, planned, rounds=20)

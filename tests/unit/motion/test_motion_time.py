@@ -55,6 +55,16 @@ def test_times_outside_count_as_the_ends() -> None:
     assert clock.at(np.array([-1.0, clock.duration, clock.duration + 1.0]))[0].tolist() == [0.0, 2.0, 2.0]
 
 
+def test_each_time_is_told_as_it_is_alone_whatever_is_asked_with_it() -> None:
+    clock = dip()
+    times = np.random.default_rng(3).uniform(-0.1, clock.duration + 0.1, 500)
+    times[:30] = clock.times[:30]
+    alone = np.hstack([clock.at(times[k : k + 1]) for k in range(500)])
+    assert (clock.at(times) == alone).all()
+    order = np.argsort(times)
+    assert (clock.at(times[order]) == alone[:, order]).all()
+
+
 def test_slower_by_a_share_scales_rates_and_their_changes() -> None:
     clock = dip()
     times = np.linspace(0.0, clock.duration, 101)

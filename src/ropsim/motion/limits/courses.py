@@ -59,16 +59,16 @@ class Courses:
         """Give up what speed, acceleration and jerk at the places themselves tell: few ticks lack more then.
 
         Args:
-            more: taken off beyond each lack in the first round, as a share; each round takes more.
+            more: taken off beyond each lack, as a share.
         """
         first, second = self._asked.along()
         paths = first.shape[1] - len(self._asked.bounds.speed)
         speed = np.append(self._asked.bounds.speed, np.full(paths, np.inf))
         most, jerk = np.array(self._asked.most()), np.array(self._asked.most_jerk())
-        limits = speed, most, jerk, 1.0 + ROUNDING
+        limits, beyond = (speed, most, jerk, 1.0 + ROUNDING), float(np.log1p(more))
         room = np.empty((ROWS_OF_PLACES, first.shape[1]))
-        for number in range(_AT_PLACES):
-            clock, beyond = self.clock, float(np.log1p(more * (number + 1)))
+        for _ in range(_AT_PLACES):
+            clock = self.clock
             course = self._places, clock.times, clock.rates, clock.changes
             lacks_at(first, second, *course, *limits, beyond, room, self._lacks, self._told)
             if self._told[0] == 0.0:

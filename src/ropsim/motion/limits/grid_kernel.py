@@ -16,7 +16,7 @@ _MOST_PARTS = 64.0
 
 @kernel("void(f8[::1], f8[::1], f8[::1], f8[::1])")
 def parts_by_rate(places: Array, phi: Array, rates: Array, parts: Array) -> None:
-    """Write into how many parts ways are divided, so that these last about as long as at full rate.
+    """Write into how many parts ways are divided, so that these last but a little longer than at full rate.
 
     Args:
         places: motion times [s], rising, shape (m,).
@@ -32,7 +32,7 @@ def parts_by_rate(places: Array, phi: Array, rates: Array, parts: Array) -> None
         while way < last and places[way + 1] <= phi[k]:
             way += 1
         for i in range(max(way - 1, 0), min(way + 1, last) + 1):
-            parts[i] = max(parts[i], math.ceil(1.0 / rates[k]))
+            parts[i] = max(parts[i], math.ceil(1.0 / (rates[k] * _LONG)))
     for i in range(last + 1):
         parts[i] = min(parts[i], _MOST_PARTS)
 

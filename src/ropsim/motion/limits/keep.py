@@ -13,10 +13,11 @@ from ropsim.motion.limits.joint_bounds import Effort, JointBounds
 from ropsim.motion.limits.kept import Beyond, Kept, Motion, Slowed
 from ropsim.motion.limits.motion_time import MotionTime, unslowed
 from ropsim.motion.limits.need import neediest
-from ropsim.motion.limits.reference import Reference, as_planned, keeps_torque, reference
+from ropsim.motion.limits.reference import Reference, as_planned
 from ropsim.motion.limits.refusal import too_heavy, too_slow
 from ropsim.motion.limits.strain import ROUNDING
 from ropsim.motion.limits.ticks import Ticks
+from ropsim.motion.limits.walked import keeps_torque, strain_of_walk, walked
 from ropsim.motion.profile import ProfileError
 from ropsim.spatial import Array
 
@@ -110,18 +111,18 @@ def _slowed(motion: Motion, asked: Demand, planned: Demand, places: Array, ticks
         clock, (slowest, x) = courses.clock, courses.slowest
         if x < LEAST_RATE**2 or clock.duration - motion.duration > LONGEST_DELAY:
             return too_slow(asked, places, neediest(asked, places, period, slowest, slowest + 1))
-        found = reference(motion, clock, planned, places, ticks, math.log1p(_MORE * (attempt + 1)))
-        kept = found.strain.is_kept
-        if kept and (planned is asked or keeps_torque(found.rows, asked.bounds, asked.effort)):
-            return Kept(clock, _parts(clock, planned, period), found.phi, found.rows)
-        if kept:
+        walk, more = walked(motion, clock, asked.bounds, ticks), math.log1p(_MORE * (attempt + 1))
+        found = strain_of_walk(walk, motion, planned, places, period, more)
+        if found is None or found.is_kept:
+            if planned is asked or keeps_torque(walk.rows, asked.bounds, asked.effort):
+                return Kept(clock, _parts(clock, planned, period), walk.course[0], walk.rows)
             planned = asked
             courses.plan_with(planned)
             continue
-        best = min(best, (clock.duration * found.strain.factor, clock), key=lambda pair: pair[0])
+        best = min(best, (clock.duration * found.factor, clock), key=lambda pair: pair[0])
         if attempt == _ATTEMPTS:
             return _slower(motion, best[1], asked, places, ticks)
-        courses.give_up(found.strain.lacks)
+        courses.give_up(found.lacks)
         attempt += 1
 
 
@@ -129,10 +130,11 @@ def _slower(motion: Motion, clock: MotionTime, asked: Demand, places: Array, tic
     """Return the motion with all rates brought down by what its worst control tick needs."""
     extra = ROUNDING
     while True:
-        found = reference(motion, clock, asked, places, ticks, 0.0)
-        if found.strain.is_kept:
-            return Kept(clock, _parts(clock, asked, ticks.period), found.phi, found.rows)
-        clock, extra = clock.slower(1.0 / (min(found.strain.factor, 2.0) * (1.0 + extra))), 2.0 * extra
+        walk = walked(motion, clock, asked.bounds, ticks)
+        found = strain_of_walk(walk, motion, asked, places, ticks.period, 0.0)
+        if found is None or found.is_kept:
+            return Kept(clock, _parts(clock, asked, ticks.period), walk.course[0], walk.rows)
+        clock, extra = clock.slower(1.0 / (min(found.factor, 2.0) * (1.0 + extra))), 2.0 * extra
         if clock.duration - motion.duration > LONGEST_DELAY:
             return too_slow(asked, places, neediest(asked, places, ticks.period, 0, len(places)))
 

@@ -2,7 +2,7 @@
 
 import math
 
-from ropsim.codegen import kernel
+from ropsim.codegen import columns, kernel
 from ropsim.spatial import Array
 
 _INSIDE = 0.9
@@ -26,27 +26,56 @@ def motion_time_at(
         times: real times [s], best in order, shape (k,).
         out: where the answers go, shape (3, k).
     """
-    last, i, made = knots.shape[0] - 1, 0, -1
-    first, change, square, cube, third = 0.0, 0.0, 0.0, 0.0, 0.0
-    for k in range(times.shape[0]):
-        t = min(max(times[k], knots[0]), knots[last])
+    last, i, begin = knots.shape[0] - 1, 0, 0
+    while begin < times.shape[0]:
+        t = times[begin]
         if t < knots[i]:
             i = 0
         while i < last - 1 and knots[i + 1] <= t:
             i += 1
-        if i != made:
-            per = 1.0 / (knots[i + 1] - knots[i])
-            first, change, end, made = rates[i], changes[i], changes[i + 1], i
-            more = (rates[i + 1] - first) * per
-            square = (3.0 * more - 2.0 * change - end) * per
-            cube = (change + end - 2.0 * more) * (per * per)
-            third = square * (1.0 / 3.0)
-        past = t - knots[i]
+        end, until = begin + 1, knots[i + 1] if i < last - 1 else math.inf
+        while end < times.shape[0] and knots[i] <= times[end] < until:
+            end += 1
+        per = 1.0 / (knots[i + 1] - knots[i])
+        first, change, then = rates[i], changes[i], changes[i + 1]
+        more = (rates[i + 1] - first) * per
+        square = (3.0 * more - 2.0 * change - then) * per
+        cube = (change + then - 2.0 * more) * (per * per)
+        ends = knots[0], knots[last], knots[i], places[i], places[i + 1], places[last]
+        cubic = first, change, square, cube, square * (1.0 / 3.0)
+        phi, rate, rise = out[0, begin:], out[1, begin:], out[2, begin:]
+        _in_cell(end - begin, *ends, *cubic, times[begin:], phi, rate, rise)
+        begin = end
+
+
+@columns
+def _in_cell(
+    count: int,
+    lowest: float,
+    highest: float,
+    knot: float,
+    place: float,
+    behind: float,
+    whole: float,
+    first: float,
+    change: float,
+    square: float,
+    cube: float,
+    third: float,
+    times: Array,
+    phi: Array,
+    rate: Array,
+    rise: Array,
+) -> None:
+    """Write motion time, its rate and the change of that at times between two knots."""
+    for j in range(count):
+        t = min(max(times[j], lowest), highest)
+        past = t - knot
         way = past * (first + past * (change / 2.0 + past * (third + past * cube / 4.0)))
-        phi = min(max(places[i] + way, places[i]), places[i + 1])
-        out[0, k] = phi if t < knots[last] else places[last]
-        out[1, k] = first + past * (change + past * (square + past * cube))
-        out[2, k] = change + past * (2.0 * square + past * 3.0 * cube)
+        here = min(max(place + way, place), behind)
+        phi[j] = here if t < highest else whole
+        rate[j] = first + past * (change + past * (square + past * cube))
+        rise[j] = change + past * (2.0 * square + past * 3.0 * cube)
 
 
 @kernel("void(f8[::1], f8[::1], f8[::1], f8[::1])")

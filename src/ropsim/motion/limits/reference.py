@@ -7,12 +7,9 @@ import numpy as np
 
 from ropsim.core import keep_freed_memory
 from ropsim.motion.diagnostics import WRONG_PROFILE_REQUEST
-from ropsim.motion.limits.demand import Demand
-from ropsim.motion.limits.joint_bounds import Effort, JointBounds, told_torques, torques
+from ropsim.motion.limits.joint_bounds import Effort, JointBounds, told_torques
 from ropsim.motion.limits.kept import Motion
-from ropsim.motion.limits.motion_time import MotionTime
-from ropsim.motion.limits.strain import ROUNDING, Going, Strain, strain, strain_as_planned, with_torque
-from ropsim.motion.limits.strain_kernel import by_real_time
+from ropsim.motion.limits.strain import Strain, strain_as_planned, with_torque
 from ropsim.motion.limits.ticks import Ticks
 from ropsim.motion.paths.path import JointPoints
 from ropsim.motion.profile import ProfileError
@@ -36,20 +33,6 @@ class Reference:
     rows: JointPoints
     torque: Array | None
     strain: Strain
-
-
-def load(rows: JointPoints, bounds: JointBounds, effort: Effort | None) -> Array | None:
-    """Return the torques of rows [N m | N], shape (k, n), or None where torque does not count."""
-    counts = effort is not None and bounds.effort is not None
-    return torques(effort, rows.q, rows.d1, rows.d2) if counts and effort else None
-
-
-def keeps_torque(rows: JointPoints, bounds: JointBounds, effort: Effort | None) -> bool:
-    """Return whether no row takes more torque than there is but by rounding."""
-    torque = load(rows, bounds, effort)
-    if torque is None or bounds.effort is None:
-        return True
-    return bool((np.abs(torque) <= bounds.effort * (1.0 + ROUNDING)).all())
 
 
 def as_planned(motion: Motion, bounds: JointBounds, effort: Effort | None, ticks: Ticks) -> Reference:
@@ -92,34 +75,6 @@ def loaded(planned: Reference, bounds: JointBounds, effort: Effort | None) -> Re
         return planned
     torque = told_torques(effort, rows.q, rows.d1, rows.d2)
     return Reference(planned.phi, rows, torque, with_torque(planned.strain, rows, torque, bounds))
-
-
-def reference(
-    motion: Motion, clock: MotionTime, demand: Demand, places: Array, ticks: Ticks, more: float
-) -> Reference:
-    """Return the references of a motion in its motion time.
-
-    qd = q'·w and qdd = q''·w² + q'·c, with the rate w of motion time and its change c.
-
-    Args:
-        motion: the plan.
-        clock: its motion time.
-        demand: what it asks of the joints at the places.
-        places: motion times [s], shape (m,).
-        ticks: of control.
-        more: added to each lack, see `strain`.
-
-    Raises:
-        ProfileError: M540, as for `strain`.
-    """
-    course = clock.at(ticks.times(clock.duration))
-    points = motion.at(course[0])
-    rates = np.empty((2, *points.q.shape))
-    by_real_time(np.ascontiguousarray(points.d1), np.ascontiguousarray(points.d2), course, rates)
-    rows = JointPoints(points.q, rates[0], rates[1])
-    going = Going(points, motion.ways(course[0]), course, places, demand.still)
-    torque = load(rows, demand.bounds, demand.effort)
-    return Reference(course[0], rows, torque, strain(rows, torque, demand.bounds, ticks.period, going, more))
 
 
 def _check(duration: float, period: float) -> None:

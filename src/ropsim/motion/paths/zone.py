@@ -16,7 +16,7 @@ from ropsim.motion.paths.zone_kernel import (
 )
 from ropsim.spatial import Array, frozen
 
-ZONE_SHARES = frozen([0.0, *(2.0 ** np.arange(-30, -5)), *(np.arange(2, 33) / 32.0)])
+ZONE_SHARES = frozen([0.0, *(2.0 ** np.arange(-30, -5, 2)), *(np.arange(2, 33) / 32.0)])
 """Of the way to search, from the centre of the zone on: finer and finer towards it, 1/32 further out."""
 _EXTREMA = (1.0 - np.cos(np.pi * np.arange(DEGREE + 1) / DEGREE)) / 2.0  # Chebyshev's, in [0, 1]
 ZONE_NODES = frozen(np.vstack((_EXTREMA, np.linalg.inv(_EXTREMA[:, None] ** np.arange(DEGREE + 1)))))

@@ -12,8 +12,8 @@ LOOK_COUNT, LOOK_FOUND, PHASE, FIRST, PEAK, LOW, WIDTH, SHARE, SLOPE, MENDED, LO
 """What is known: how many ways to look at next, 0 at the end; then the way. The rest is of the search."""
 BEGINS, COARSELY, CLOSELY, BETWEEN, MENDS = range(5)
 """Phases: nothing is known yet, or what the squares are of."""
-AT_ONCE = 32
-"""Ways of the first looks; few zones reach farther."""
+AT_ONCE, AT_ONCE_THEN = 20, 8
+"""Ways of the first looks at the grid, and of those behind them: few zones reach far."""
 MOST_LOOKS = 65
 """Ways that are looked at closely, the most at once."""
 DEGREE = 8
@@ -65,7 +65,7 @@ def look_further(shares: Array, nodes: Array, zone: float, clip: float, looks: A
 
 
 def _take_grid(shares: Array, nodes: Array, square: float, clip: float, looks: Array, state: Array) -> None:
-    """Go on from squares of the grid: with the rest of it where all are within the zone."""
+    """Go on from squares of the grid: with the next of it where all are within the zone."""
     begin, count = int(state[FIRST]), int(state[LOOK_COUNT])
     first = begin
     for i in range(count):
@@ -74,7 +74,8 @@ def _take_grid(shares: Array, nodes: Array, square: float, clip: float, looks: A
             first += 1
     state[FIRST] = first
     if first == begin + count and first < shares.shape[0]:
-        _look_at_grid(shares, first, shares.shape[0], clip, looks, state)
+        last = min(first + AT_ONCE_THEN, shares.shape[0])
+        _look_at_grid(shares, first, last, clip, looks, state)
     else:
         _look_closely(shares, nodes, square, clip, looks, state)
 

@@ -67,3 +67,22 @@ def test_ways_in_their_own_unit_are_searched_in_it() -> None:
     assert np.linalg.norm(curved(np.array([place])) - curved(np.ones(1))) == pytest.approx(0.2, rel=1e-10)
     place = enter(curved, 1.0, 0.05, 0.5)  # at u = 0 this way begins without speed
     assert np.linalg.norm(curved(np.array([place]))) == pytest.approx(0.05, rel=1e-9)
+
+
+def test_a_zone_that_reaches_less_far_is_found_with_fewer_looks() -> None:
+    """Beyond twenty places of the grid, and nine between two of them, only those on the way count."""
+
+    def looks(zone: float) -> int:
+        seen = list[int]()
+
+        def positions(s: Array) -> Array:
+            seen.append(len(s))
+            return circle(s)
+
+        enter(positions, 1.0, zone, 1.0)
+        return sum(seen)
+
+    near, middle, far = looks(0.01), looks(0.4), looks(0.9)
+    assert near <= 20 + 9 + 2
+    assert middle == near + 8
+    assert far == near + 3 * 8
