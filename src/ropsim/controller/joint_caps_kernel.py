@@ -82,7 +82,8 @@ def caps_of(
                         (d2[b + k, j] + d2[k, j]) * (v * v - v0 * v0) + (d1[b + k, j] - d1[k, j]) * (a + a0)
                     )
                     third = 0.5 * (d1[b + k, j] + d1[k, j]) * (a - a0)
-                kind, share = _excess(value, bent, along, third, used * limit)
+                own = value if quantity == TORQUE else bent + along + third
+                kind, share = _excess(value, own, bent, along, third, used * limit)
                 if kind < 0:
                     continue
                 if quantity != JERK:
@@ -110,8 +111,20 @@ def _of_speed(speeds: Array, qd: Array, limits: Array, used: float, allowed: flo
     return count
 
 
-def _excess(value: float, bent: float, along: float, third: float, aim: float) -> tuple[int, float]:
+def _excess(
+    value: float, own: float, bent: float, along: float, third: float, aim: float
+) -> tuple[int, float]:
     """Return the greatest part of a value that is too much, and what may be left of it.
+
+    A path with nearly all of the value takes the whole excess, one with less of it as much of the excess.
+
+    Args:
+        value: that is too much, of all motions that go on.
+        own: what the path has of it.
+        bent: part of that which goes with the speed.
+        along: with the acceleration along the path.
+        third: with the jerk along it.
+        aim: what may be left of the value.
 
     Returns:
         the number of the part, 0 where none is great, -1 where the value is that of another motion; and the
@@ -127,7 +140,9 @@ def _excess(value: float, bent: float, along: float, third: float, aim: float) -
         if not total > OWN * whole:
             return -1, 1.0
         part, size = 0, whole
-    return part, min(max(1.0 - (whole - aim) / size, MOST_AT_ONCE), 1.0)
+    mine = max(own * sign / whole, 0.0)
+    excess = (whole - aim) * (mine if mine < 1.0 - GREAT else 1.0)
+    return part, min(max(1.0 - excess / size, MOST_AT_ONCE), 1.0)
 
 
 def _in_order(caps: Array, first: int, found: int, count: int) -> int:

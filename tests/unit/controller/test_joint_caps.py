@@ -132,6 +132,24 @@ def test_where_motions_overlap_the_other_one_may_have_to_be_slower() -> None:
     assert caps.count == 0
 
 
+@pytest.mark.parametrize(("own", "others"), [(4.0, 4.0), (6.0, 2.0), (2.0, 6.0)])
+def test_motions_that_overlap_take_an_excess_together(own: float, others: float) -> None:
+    """Of a sum of 8 with the limit 6, 2 are too much: a motion with a half of the sum gives up 1 of them."""
+    caps = joint_caps(walked((1.0, 1.0), (own, own), others=others), bounds(acceleration=6.0), TICK, 1.0)
+    assert only(caps) == (ACCELERATION, pytest.approx(own * 6.0 / 8.0), Quantity.ACCELERATION)
+
+
+def test_a_motion_that_another_one_works_against_takes_all_of_an_excess() -> None:
+    """Of 9 another motion takes 1 away: with the limit 6, 2 of the sum are too much, and nobody else's."""
+    caps = joint_caps(walked((1.0, 1.0), (9.0, 9.0), others=-1.0), bounds(acceleration=6.0), TICK, 1.0)
+    assert only(caps) == (ACCELERATION, pytest.approx(7.0), Quantity.ACCELERATION)
+
+
+def test_a_motion_with_nearly_all_of_a_sum_takes_all_of_its_excess() -> None:
+    caps = joint_caps(walked((1.0, 1.0), (7.9, 7.9), others=0.1), bounds(acceleration=6.0), TICK, 1.0)
+    assert only(caps) == (ACCELERATION, pytest.approx(5.9), Quantity.ACCELERATION)
+
+
 def test_within_the_limits_nothing_is_bounded() -> None:
     caps = joint_caps(walked((1.0, 1.0), (1.0, 1.001)), bounds(2.0, 2.0, 2.0, 9.0), TICK, 1.0)
     assert caps.count == 0
