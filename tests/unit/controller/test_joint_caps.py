@@ -1,5 +1,7 @@
 """How slow a path must be walked where joints cannot follow: by speed, bend, acceleration, jerk or torque."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -28,6 +30,7 @@ def walked(
     d1: tuple[float, float] = (1.0, 1.0),
     d2: tuple[float, float] = (0.0, 0.0),
     others: float = 0.0,
+    jerks: tuple[float, float] = (0.0, 0.0),
 ) -> Walked:
     """Return a path of one joint at one tick and at the one before it, beside the motion of `others`."""
 
@@ -39,7 +42,16 @@ def walked(
     qdd = second * speeds**2 + first * accelerations + others
     qd = (first * speeds)[1]
     return Walked(
-        pair((0.3, 0.31)), pair(v), pair(a), first, second, np.zeros((1, 1)), qd, qdd, 3.0 * qdd[1] + 2.0
+        pair((0.3, 0.31)),
+        pair(v),
+        pair(a),
+        pair(jerks),
+        first,
+        second,
+        np.zeros((1, 1)),
+        qd,
+        qdd,
+        3.0 * qdd[1] + 2.0,
     )
 
 
@@ -143,6 +155,15 @@ def test_a_motion_that_another_one_works_against_takes_all_of_an_excess() -> Non
     """Of 9 another motion takes 1 away: with the limit 6, 2 of the sum are too much, and nobody else's."""
     caps = joint_caps(walked((1.0, 1.0), (9.0, 9.0), others=-1.0), bounds(acceleration=6.0), TICK, 1.0)
     assert only(caps) == (ACCELERATION, pytest.approx(7.0), Quantity.ACCELERATION)
+
+
+@pytest.mark.parametrize("jerks", [(0.0, 60.0), (60.0, 0.0), (60.0, -60.0)])
+def test_beside_another_motion_a_jerk_counts_as_if_it_filled_its_tick(jerks: tuple[float, float]) -> None:
+    """30 beside 90 are 60 for a part of the tick: of 150 with the limit 100, 40 of the 60 may be left."""
+    way = walked((1.0, 1.0), (2.0, 2.03), jerks=jerks)
+    beside = replace(way, qdd=way.qdd + np.array([0.0, 0.09])[:, None, None])
+    caps = joint_caps(beside, bounds(jerk=100.0), TICK, 1.0)
+    assert only(caps) == (JERK, pytest.approx(40.0), Quantity.JERK)
 
 
 def test_a_motion_with_nearly_all_of_a_sum_takes_all_of_its_excess() -> None:
