@@ -99,7 +99,7 @@ def bands_of(part: Part, times: Array, start: float) -> Bands:
         start: of them at which the part begins [s].
     """
     # rooms of a part are as large as that, not as the stretch: rounding may take one time more at each end
-    first, last = np.searchsorted(times, (start, start + part.law.duration)).tolist()
+    first, last = times.searchsorted((start, start + part.law.duration)).tolist()
     times = times[max(first - 1, 0) : last + 1]
     count, rows, counts = len(times), part.stages.rows, part.counts.astype(np.float64)
     begins, bands, told = np.empty(len(counts) + 1), np.empty((6, count + len(rows) + 1)), np.empty(1)

@@ -67,7 +67,8 @@ def walk_at(
         qd: speeds [rad/s | m/s], likewise.
         qdd: accelerations [rad/s² | m/s²], likewise.
         times: room to work in, shape (2·b,).
-        law: where rows of the time law go, those of the ticks before first, shape (4, 2·b).
+        law: where rows of the time law go, those of the ticks before first, and below them the jerk behind
+            each of these times, shape (5, 2·b).
         places: where places on the whole run go, shape (2, b).
         motion: where coordinates and speeds at the ticks go, shape (2, b, n).
         changed: where accelerations at the ticks before and at the ticks go, shape (2, b, n).
@@ -80,6 +81,18 @@ def walk_at(
             motion[0, k, j], motion[1, k, j] = q[tick, j], qd[tick, j]
             changed[0, k, j], changed[1, k, j] = qdd[tick - 1, j], qdd[tick, j]
     rows_at(segments, duration, times, law)
+    _jerks_at(segments, duration, times, law[4])
     for k in range(b):
         places[0, k] = begins[int(law[0, k])] + law[1, k]
         places[1, k] = begins[int(law[0, b + k])] + law[1, b + k]
+
+
+def _jerks_at(segments: Array, duration: float, times: Array, jerks: Array) -> None:
+    """Write the jerk behind each time, 0 outside of the motion."""
+    row, last = 0, segments.shape[1] - 1
+    for k in range(times.shape[0]):
+        while row > 0 and segments[1, row] > times[k]:
+            row -= 1
+        while row < last and segments[1, row + 1] <= times[k]:
+            row += 1
+        jerks[k] = segments[5, row] if 0.0 <= times[k] < duration else 0.0

@@ -38,6 +38,7 @@ class Walked:
         places: on the path, shape (2, b).
         speeds: along it, shape (2, b).
         accelerations: along it, shape (2, b).
+        jerks: along it, behind these times, shape (2, b).
         d1: first derivatives of the joints by the place, shape (2, b, n).
         d2: second ones.
         q: joint coordinates at the ticks [rad | m], shape (b, n).
@@ -49,6 +50,7 @@ class Walked:
     places: Array
     speeds: Array
     accelerations: Array
+    jerks: Array
     d1: Array
     d2: Array
     q: Array
@@ -62,8 +64,9 @@ def joint_caps(walked: Walked, arm: ArmBounds, period: float, used: float) -> Ca
 
     With the path q(s), its speed v and acceleration a: q̈ = q″·v² + q′·a. What has the greatest part in an
     excess is brought down by it, but by no more than a half at once; where none is great, the speed is,
-    which all parts go with. Where motions overlap, the sum may be that of the other one: nothing is brought
-    down then. A jerk too great is of the path, of speed and bend, or of the jerk along the path.
+    which all parts go with. Where motions overlap, each gives way by its part of the sum: were each to take
+    away the whole excess, both would be walked too slowly. A jerk too great is of the path, of speed and
+    bend, or of the jerk along the path.
 
     Args:
         walked: the path at ticks at which a limit is exceeded.
@@ -74,7 +77,7 @@ def joint_caps(walked: Walked, arm: ArmBounds, period: float, used: float) -> Ca
     rows, told = np.empty((5, 5 * walked.q.size)), np.empty(1)
     b, n = walked.q.shape
     slopes = walked.d1.reshape(2 * b, n), walked.d2.reshape(2 * b, n)
-    at_path = walked.speeds.ravel(), walked.accelerations.ravel(), *slopes
+    at_path = walked.speeds.ravel(), walked.accelerations.ravel(), walked.jerks.ravel(), *slopes
     loads, limits = _loads(walked, arm), joint_limits(arm.joints, period)
     caps_of(*at_path, walked.qd, walked.qdd, loads, limits, period, used, 1.0 + ROUNDING, rows, told)
     return Caps(rows, int(told[0]), walked.places)

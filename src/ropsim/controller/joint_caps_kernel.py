@@ -20,12 +20,13 @@ TORQUE = 3
 
 
 @kernel(
-    "void(f8[::1], f8[::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,:,::1], f8[:,:,::1], f8[:,::1],"
+    "void(f8[::1], f8[::1], f8[::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,:,::1], f8[:,:,::1], f8[:,::1],"
     " f8, f8, f8, f8[:,::1], f8[::1])"
 )
 def caps_of(
     speeds: Array,
     accelerations: Array,
+    jerks: Array,
     d1: Array,
     d2: Array,
     qd: Array,
@@ -40,11 +41,14 @@ def caps_of(
 ) -> None:
     """Write the caps that joints set along a path, first of speed, then of acceleration, jerk and torque.
 
-    Of each quantity those of speed come first, then of acceleration, then of jerk along the path.
+    Of each quantity those of speed come first, then of acceleration, then of jerk along the path. Beside
+    another motion that counts as if it went on for all of a tick in which it begins or ends: with less of it
+    it lasts longer, and into ticks that the other one fills.
 
     Args:
         speeds: along the path at the ticks before, then at the b ticks, shape (2·b,).
         accelerations: likewise, shape (2·b,).
+        jerks: likewise, behind each of these times, shape (2·b,).
         d1: first derivatives of the joints by the place, likewise, shape (2·b, n).
         d2: second ones.
         qd: speeds of the joints at the ticks, of all motions that go on [rad/s | m/s], shape (b, n).
@@ -82,9 +86,17 @@ def caps_of(
                         (d2[b + k, j] + d2[k, j]) * (v * v - v0 * v0) + (d1[b + k, j] - d1[k, j]) * (a + a0)
                     )
                     third = 0.5 * (d1[b + k, j] + d1[k, j]) * (a - a0)
-                kind, share = _excess(value, bent, along, third, used * limit)
+                kind, size = _greatest(value, bent, along, third)
                 if kind < 0:
                     continue
+                whole, aim = abs(value), used * limit
+                own = whole if quantity == TORQUE else (bent + along + third) * (1.0 if value > 0.0 else -1.0)
+                jerk = abs(a - a0) / period
+                if quantity == JERK and kind == JERK and own < (1.0 - GREAT) * whole:
+                    jerk = max(abs(jerks[k]), abs(jerks[b + k]), jerk)
+                    full = max(0.5 * abs(d1[b + k, j] + d1[k, j]) * jerk * period, size)
+                    whole, own, size = whole + full - size, own + full - size, full
+                share = max(1.0 - _excess(whole, own, aim) / size, MOST_AT_ONCE)
                 if quantity != JERK:
                     cap = v * sqrt(share) if kind == SPEED else abs(a) * share
                 elif kind == SPEED:
@@ -92,7 +104,7 @@ def caps_of(
                 elif kind == ACCELERATION:
                     cap = max(abs(a0), abs(a), abs((v - v0) / period)) * share
                 else:
-                    cap = abs(a - a0) / period * share
+                    cap = jerk * share
                 _add(caps, room + found, kind, cap, k, j, quantity)
                 found += 1
         count = _in_order(caps, room, found, count)
@@ -110,12 +122,12 @@ def _of_speed(speeds: Array, qd: Array, limits: Array, used: float, allowed: flo
     return count
 
 
-def _excess(value: float, bent: float, along: float, third: float, aim: float) -> tuple[int, float]:
-    """Return the greatest part of a value that is too much, and what may be left of it.
+def _greatest(value: float, bent: float, along: float, third: float) -> tuple[int, float]:
+    """Return the greatest part of a value that is too much.
 
     Returns:
-        the number of the part, 0 where none is great, -1 where the value is that of another motion; and the
-        share that may be left, in [0.5, 1].
+        its number and how great it is; 0 and the whole where none is great, -1 where the value is that of
+        another motion.
     """
     sign, whole = 1.0 if value > 0.0 else -1.0, abs(value)
     part, size, total = 0, bent * sign, bent * sign + along * sign + third * sign
@@ -124,10 +136,17 @@ def _excess(value: float, bent: float, along: float, third: float, aim: float) -
     if third * sign > size:
         part, size = 2, third * sign
     if size < GREAT * whole:
-        if not total > OWN * whole:
-            return -1, 1.0
-        part, size = 0, whole
-    return part, min(max(1.0 - (whole - aim) / size, MOST_AT_ONCE), 1.0)
+        return (0, whole) if total > OWN * whole else (-1, 0.0)
+    return part, size
+
+
+def _excess(whole: float, own: float, aim: float) -> float:
+    """Return by how much a path is to come down for a value that is too much, and of which it has a part.
+
+    With nearly all of the value it takes all of the excess, with less of it as much of the excess.
+    """
+    mine = max(own / whole, 0.0)
+    return max(whole - aim, 0.0) * (mine if mine < 1.0 - GREAT else 1.0)
 
 
 def _in_order(caps: Array, first: int, found: int, count: int) -> int:

@@ -1,7 +1,6 @@
 """Time laws that joints can follow: where they cannot, a path of the tool is planned with less."""
 
 import math
-from collections.abc import Iterable
 from dataclasses import replace
 
 import numpy as np
@@ -69,9 +68,9 @@ def fitted(planned: Fit, arm: ArmBounds, ticks: Ticks, look_ahead: int) -> Fit:
 
 def _fitted(planned: Fit, arm: ArmBounds, looked_at: ArmBounds, ticks: Ticks, look_ahead: int) -> Fit:
     """Return the course with its bounds brought down; at first with regard to what is looked at alone."""
-    now, bands = planned, _bands(planned)
+    now, times, bands = planned, _band_times(planned), dict[int, Bands]()
     for attempt in range(_ATTEMPTS + _ROUNDS):
-        exceeded = _exceeding(now, bands)
+        exceeded = _exceeding(now)
         if not exceeded and now.ticks != ticks:
             now = now.at_each(ticks, arm)
             continue
@@ -86,7 +85,7 @@ def _fitted(planned: Fit, arm: ArmBounds, looked_at: ArmBounds, ticks: Ticks, lo
             return replace(now, slowed=slowed_in(planned.course, now.course, bands))
         changed = [run.part for run in now.course.runs]
         for number, found in exceeded.items():
-            own = bands[number]
+            own = bands.get(number) or _bands(planned, number, times)
             if attempt < _ATTEMPTS:
                 aim = Aim(looked_at, now.ticks.period, 1.0 - _LESS * (1 + attempt), look_ahead)
                 bands[number], changed[number] = slower_run(
@@ -110,26 +109,30 @@ def _is_too_heavy(reference: Reference, arm: ArmBounds) -> bool:
     return too_heavy(asked, reference.phi) is not None
 
 
-def _bands(fit: Fit) -> dict[int, Bands]:
-    """Return the bands of all parts that are planned with stages, by their number."""
+def _band_times(fit: Fit) -> Array:
+    """Return motion times between which bands lie [s], rising, shape (m,)."""
     reference, duration = fit.reference, fit.course.duration
     count = max(math.ceil(duration / _SPACING), _FEWEST)
     ways, times, told = np.empty((2, count)), np.empty(MOST_PARTS * count + 1), np.empty(1)
     band_times(reference.strain.used, reference.phi, duration, ways, times, told)
-    times, runs = times[: int(told[0])], enumerate(fit.course.runs)
-    return {number: bands_of(run.part, times, run.start) for number, run in runs if run.part.has_stages}
+    return times[: int(told[0])]
 
 
-def _exceeding(fit: Fit, numbers: Iterable[int]) -> dict[int, Array]:
-    """Return the ticks, without 0, at which a limit is exceeded in runs; of those with any."""
+def _bands(planned: Fit, number: int, times: Array) -> Bands:
+    """Return the bands of a run as it was planned, between times, see `_band_times`."""
+    run = planned.course.runs[number]
+    return bands_of(run.part, times, run.start)
+
+
+def _exceeding(fit: Fit) -> dict[int, Array]:
+    """Return the ticks, without 0, at which a limit is exceeded in runs with stages; of those with any."""
     reference, runs = fit.reference, fit.course.runs
     table = fit.motion.table
     spans = table.runs if table else np.array([(run.start, run.end) for run in runs])
     ticks, told = np.empty(len(reference.phi)), np.empty((len(runs), 2))
     exceeding(reference.strain.used, 1.0 + ROUNDING, reference.phi, spans, ticks, told)
-    found = {}
-    for number in numbers:
-        first, until = told[number].tolist()
-        if first < until:
-            found[number] = ticks[int(first) : int(until)]
-    return found
+    return {
+        number: ticks[int(first) : int(until)]
+        for number, (first, until) in enumerate(told.tolist())
+        if first < until and runs[number].part.has_stages
+    }

@@ -95,7 +95,7 @@ def _quick(
         stages,
         counts,
         told,
-        np.empty((8, 2 * b)),
+        np.empty((9, 2 * b)),
         np.empty((COEFFICIENTS, n)),
         np.empty((3, 2 * b, n)),
         np.empty((4, b, n)),
@@ -110,7 +110,7 @@ def _quick(
 def _walked(motion: StretchMotion, reference: Reference, number: int, begins: Array, ticks: Array) -> Walked:
     """Return the path of a run at ticks and at those before them."""
     run, b = motion.course.runs[number], len(ticks)
-    rows, law, places = reference.rows, np.empty((4, 2 * b)), np.empty((2, b))
+    rows, law, places = reference.rows, np.empty((5, 2 * b)), np.empty((2, b))
     joints, qdd = np.empty((2, 2, b, rows.q.shape[1]))
     tables = run.law.segments, run.law.duration, run.start, begins, reference.phi, ticks
     walk_at(*tables, rows.q, rows.d1, rows.d2, np.empty(2 * b), law, places, joints, qdd)
@@ -120,6 +120,7 @@ def _walked(motion: StretchMotion, reference: Reference, number: int, begins: Ar
         places,
         law[2].reshape(2, b),
         law[3].reshape(2, b),
+        law[4].reshape(2, b),
         points.d1.reshape(pairs),
         points.d2.reshape(pairs),
         joints[0],

@@ -87,7 +87,7 @@ def step_of_run(
         stages: where they go, see `stages_of`, shape (c, 6).
         counts: where the number of stages of each piece goes, shape (p,).
         told: where the least share of its rate that a band is left goes, and the number of stages, (2,).
-        law: room to work in, shape (8, 2·b).
+        law: room to work in, shape (9, 2·b).
         cell: likewise, shape (COEFFICIENTS, n).
         points: likewise, shape (3, 2·b, n).
         room: likewise, shape (4, b, n).
@@ -105,18 +105,19 @@ def step_of_run(
         q,
         qd,
         qdd,
-        law[4],
-        law[:4],
+        law[5],
+        law[:5],
         places,
         room[:2],
         room[2:],
     )
     for k in range(law.shape[1]):
-        law[4, k], law[5, k], law[6, k], law[7, k] = law[0, k], law[1, k], 1.0, 0.0  # at speed 1: by place
-    points_on(first, pieces, rows, slopes, law[4:], cell, points)
+        law[5, k], law[6, k], law[7, k], law[8, k] = law[0, k], law[1, k], 1.0, 0.0  # at speed 1: by place
+    points_on(first, pieces, rows, slopes, law[5:], cell, points)
     caps_of(
         law[2],
         law[3],
+        law[4],
         points[1],
         points[2],
         room[1],

@@ -230,7 +230,7 @@ def test_what_joints_do_at_ticks_stands_beside_where_the_run_is(seed: int) -> No
     start, begins, phi = 0.3, begins_of(stages, counts), np.linspace(0.0, law.duration + 0.5, 60)
     ticks, (q, qd, qdd) = np.array([3.0, 4.0, 17.0, 59.0]), rng.normal(size=(3, 60, 2))
     out, places, motion, changed = (
-        np.empty((4, 8)),
+        np.empty((5, 8)),
         np.empty((2, 4)),
         np.empty((2, 4, 2)),
         np.empty((2, 4, 2)),
@@ -240,9 +240,12 @@ def test_what_joints_do_at_ticks_stands_beside_where_the_run_is(seed: int) -> No
     now = ticks.astype(int)
     pair = np.append(now - 1, now)
     rows = law.at(phi[pair] - start)
-    assert out.tolist() == [
+    assert out[:4].tolist() == [
         each.tolist() for each in (rows.pieces, rows.places, rows.speeds, rows.accelerations)
     ]
+    moving = (phi[pair] >= start) & (phi[pair] < start + law.duration)
+    behind = law.segments[5, np.searchsorted(law.times, phi[pair] - start, "right") - 1]
+    assert out[4].tolist() == np.where(moving, behind, 0.0).tolist()
     assert places.ravel().tolist() == (begins[rows.pieces] + rows.places).tolist()
     assert motion.tolist() == [q[now].tolist(), qd[now].tolist()]
     assert changed.tolist() == [qdd[now - 1].tolist(), qdd[now].tolist()]

@@ -1,5 +1,7 @@
 """How slow a path must be walked where joints cannot follow: by speed, bend, acceleration, jerk or torque."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -28,6 +30,7 @@ def walked(
     d1: tuple[float, float] = (1.0, 1.0),
     d2: tuple[float, float] = (0.0, 0.0),
     others: float = 0.0,
+    jerks: tuple[float, float] = (0.0, 0.0),
 ) -> Walked:
     """Return a path of one joint at one tick and at the one before it, beside the motion of `others`."""
 
@@ -39,7 +42,16 @@ def walked(
     qdd = second * speeds**2 + first * accelerations + others
     qd = (first * speeds)[1]
     return Walked(
-        pair((0.3, 0.31)), pair(v), pair(a), first, second, np.zeros((1, 1)), qd, qdd, 3.0 * qdd[1] + 2.0
+        pair((0.3, 0.31)),
+        pair(v),
+        pair(a),
+        pair(jerks),
+        first,
+        second,
+        np.zeros((1, 1)),
+        qd,
+        qdd,
+        3.0 * qdd[1] + 2.0,
     )
 
 
@@ -130,6 +142,33 @@ def test_where_motions_overlap_the_other_one_may_have_to_be_slower() -> None:
     """Nearly all of the acceleration is that of another motion: nothing here could mend it."""
     caps = joint_caps(walked((1.0, 1.0), (0.01, 0.01), others=9.0), bounds(acceleration=5.0), TICK, 1.0)
     assert caps.count == 0
+
+
+@pytest.mark.parametrize(("own", "others"), [(4.0, 4.0), (6.0, 2.0), (2.0, 6.0)])
+def test_motions_that_overlap_take_an_excess_together(own: float, others: float) -> None:
+    """Of a sum of 8 with the limit 6, 2 are too much: a motion with a half of the sum gives up 1 of them."""
+    caps = joint_caps(walked((1.0, 1.0), (own, own), others=others), bounds(acceleration=6.0), TICK, 1.0)
+    assert only(caps) == (ACCELERATION, pytest.approx(own * 6.0 / 8.0), Quantity.ACCELERATION)
+
+
+def test_a_motion_that_another_one_works_against_takes_all_of_an_excess() -> None:
+    """Of 9 another motion takes 1 away: with the limit 6, 2 of the sum are too much, and nobody else's."""
+    caps = joint_caps(walked((1.0, 1.0), (9.0, 9.0), others=-1.0), bounds(acceleration=6.0), TICK, 1.0)
+    assert only(caps) == (ACCELERATION, pytest.approx(7.0), Quantity.ACCELERATION)
+
+
+@pytest.mark.parametrize("jerks", [(0.0, 60.0), (60.0, 0.0), (60.0, -60.0)])
+def test_beside_another_motion_a_jerk_counts_as_if_it_filled_its_tick(jerks: tuple[float, float]) -> None:
+    """30 beside 90 are 60 for a part of the tick: of 150 with the limit 100, 40 of the 60 may be left."""
+    way = walked((1.0, 1.0), (2.0, 2.03), jerks=jerks)
+    beside = replace(way, qdd=way.qdd + np.array([0.0, 0.09])[:, None, None])
+    caps = joint_caps(beside, bounds(jerk=100.0), TICK, 1.0)
+    assert only(caps) == (JERK, pytest.approx(40.0), Quantity.JERK)
+
+
+def test_a_motion_with_nearly_all_of_a_sum_takes_all_of_its_excess() -> None:
+    caps = joint_caps(walked((1.0, 1.0), (7.9, 7.9), others=0.1), bounds(acceleration=6.0), TICK, 1.0)
+    assert only(caps) == (ACCELERATION, pytest.approx(5.9), Quantity.ACCELERATION)
 
 
 def test_within_the_limits_nothing_is_bounded() -> None:

@@ -21,20 +21,21 @@ def test_caps_of_many_ticks_are_those_of_each_by_quantity_and_kind(seed: int, sc
         return tuple(scale * rng.normal(size=shape) for shape in ((2, b), (2, b), (2, b, n), (2, b, n)))
 
     v, a, d1, d2 = sums()
+    jerks = scale * rng.normal(size=(2, b)) / TICK
     qd, qdd = d1[1] * v[1, :, None], d2 * (v * v)[:, :, None] + d1 * a[:, :, None]
     torque = 2.0 * qdd[1] + 0.1 * np.abs(qd)
     walked = Walked(
-        np.sort(rng.uniform(size=(2, b)), axis=0), v, a, d1, d2, np.zeros((b, n)), qd, qdd, torque
+        np.sort(rng.uniform(size=(2, b)), axis=0), v, a, jerks, d1, d2, np.zeros((b, n)), qd, qdd, torque
     )
     caps = joint_caps(walked, arm, TICK, 0.99)
     found = [tuple(column) for column in caps.rows[:, : caps.count].T.tolist()]
     wanted = []
     for tick in range(b):
         here = slice(tick, tick + 1)
-        places, speeds, accelerations, *slopes = (each[:, here] for each in (walked.places, v, a, d1, d2))
-        first, second = map(np.ascontiguousarray, slopes)
+        at = walked.places[:, here], v[:, here], a[:, here], jerks[:, here]
+        first, second = (np.ascontiguousarray(each[:, here]) for each in (d1, d2))
         joints = np.zeros((1, n)), qd[here], np.ascontiguousarray(qdd[:, here]), torque[here]
-        alone = Walked(places, speeds, accelerations, first, second, *joints)
+        alone = Walked(*at, first, second, *joints)
         caps = joint_caps(alone, arm, TICK, 0.99)
         wanted += [
             (*column[:2], float(tick), *column[3:]) for column in caps.rows[:, : caps.count].T.tolist()

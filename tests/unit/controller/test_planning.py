@@ -34,6 +34,9 @@ from support.motion import (
 PERIOD = CELL.first.controller.rates.control_period
 TICKS = CELL.first.controller.rates.interpolation_ticks
 WITHIN = 1.0 + 1e-9
+BESIDE = 0.15
+"""Share of a zone by which the middle of an overlap in time is further away than its nearest place, at most:
+motions that overlap differ in speed."""
 ZONE = ModalState(zone=0.02)
 HERE = interface_pose(START)
 SQUARE = [(-0.1, 0.1, 0.0), (-0.1, 0.1, 0.1), (0.0, 0.15, 0.1), (0.0, 0.0, 0.0)]
@@ -172,7 +175,7 @@ def test_the_path_passes_corners_within_their_zones_and_goes_over_to_the_next_mo
         away = np.linalg.norm(places - shifted(HERE, *shift).position, axis=1)
         nearest = int(np.argmin(away))
         assert 1e-4 < away[nearest] < 0.02
-        assert away[one.last] < away[nearest] + 0.1 * one.zone
+        assert away[one.last] < away[nearest] + BESIDE * one.zone
     lasts = [one.last for one in done.moves]
     assert lasts == sorted(lasts)
     assert lasts[-1] == done.ticks
