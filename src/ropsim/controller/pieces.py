@@ -57,7 +57,7 @@ class Piece:
         return len(self.stages.rows) == 1 and not self.gentler
 
 
-_piece = maker(Piece)
+_piece, _section = maker(Piece), maker(JointSection)
 
 Walk = tuple[list[Piece], Overlap | None]
 """Pieces that are walked together, and how they go over into the next ones; None for a stop."""
@@ -100,7 +100,7 @@ def _straight(number: int, leg: Leg, first: float, last: float, stages: Stages |
     assert joints is not None
     tool, coordination, whole = planned.tool, planned.coordination, first == 0.0 and last == joints.length
     if not whole:
-        joints = JointSection(joints, first, last)
+        joints = _section(joints, first, last)
     if tool is None:
         if stages is None:
             is_timed = isinstance(joints, SynchronisedJoints)
