@@ -21,7 +21,7 @@ def test_ways_are_divided_by_the_lowest_rate_on_them_and_beside_them(seed: int) 
     for place in range(21):
         near = (phi >= places[max(place - 1, 0)]) & (phi < places[min(place + 1, 20)])
         slow[place] = rates[near].min(initial=1.0)
-    expected = np.minimum(np.ceil(1.0 / (1.5 * np.minimum(slow[1:], slow[:-1]))), 64.0)
+    expected = np.minimum(np.ceil(1.0 / (1.03 * np.minimum(slow[1:], slow[:-1]))), 64.0)
     parts = np.empty(20)
     parts_by_rate(places, phi, rates, parts)
     assert (parts == expected).all()

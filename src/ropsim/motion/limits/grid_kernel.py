@@ -9,6 +9,8 @@ _LEAST_PART = 1e-4
 """Ways that are shorter than this share of the grid are not divided further."""
 _LONG = 1.5
 """Greatest real time between two places, over the time that was asked for."""
+_LITTLE_LONGER = 1.03
+"""The same where motion time is slower: with 1.5, arms with much jerk lose up to 7 % on single motions."""
 _STEEP = 0.4
 """Greatest change of the logarithm of the speed that a joint allows, from place to place."""
 _MOST_PARTS = 64.0
@@ -32,7 +34,7 @@ def parts_by_rate(places: Array, phi: Array, rates: Array, parts: Array) -> None
         while way < last and places[way + 1] <= phi[k]:
             way += 1
         for i in range(max(way - 1, 0), min(way + 1, last) + 1):
-            parts[i] = max(parts[i], math.ceil(1.0 / (rates[k] * _LONG)))
+            parts[i] = max(parts[i], math.ceil(1.0 / (rates[k] * _LITTLE_LONGER)))
     for i in range(last + 1):
         parts[i] = min(parts[i], _MOST_PARTS)
 
