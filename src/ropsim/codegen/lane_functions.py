@@ -173,12 +173,13 @@ class LaneFunctions(LaneValues):
 
 
 def _turned(builder: ir.IRBuilder, value: ir.Value, quarters: ir.Value) -> ir.Value:
-    """Return a sine with its sign, which that of the first two of four right angles is not changed.
+    """Return a sine of an angle in its quarter with the sign that it has all round.
 
     Args:
         builder: at the end of the function.
         value: of the angle in its quarter.
-        quarters: whole numbers whose last two bits tell the quarter.
+        quarters: whole numbers whose last two bits tell the quarter; in the last two of four the sign
+            changes.
     """
     sign = builder.shl(builder.and_(quarters, _whole(2)), _whole(62))
     return builder.bitcast(builder.xor(builder.bitcast(value, _WHOLES), sign), VECTOR)

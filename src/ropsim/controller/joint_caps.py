@@ -65,8 +65,8 @@ def joint_caps(walked: Walked, arm: ArmBounds, period: float, used: float) -> Ca
     With the path q(s), its speed v and acceleration a: q̈ = q″·v² + q′·a. What has the greatest part in an
     excess is brought down by it, but by no more than a half at once; where none is great, the speed is,
     which all parts go with. Where motions overlap, each gives way by its part of the sum: were each to take
-    away the whole excess, both would be walked too slowly. A jerk too great is of the path, of speed and
-    bend, or of the jerk along the path.
+    away the whole excess, both would be walked too slowly; of torque each takes the whole excess. A jerk too
+    great is of the path, of speed and bend, or of the jerk along the path.
 
     Args:
         walked: the path at ticks at which a limit is exceeded.

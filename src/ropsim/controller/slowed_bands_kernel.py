@@ -41,7 +41,8 @@ def slower_ways(
         segments: of the time law, see `TimeLaw`, shape (8, m).
         ends: times at which its pieces end [s], shape (p,).
         most: greatest speed before joints counted.
-        room: to work in, shape (4, 2·c).
+        room: to work in: of each border its piece, place on it, time [s], and the band before it, -1 where a
+            way begins, shape (4, 2·c).
         ways: where they go: from when and until when [s], share of the greatest speed that is left in the
             slowest band, and its number; shape (4, c).
         told: where the number of ways goes, shape (1,).

@@ -45,7 +45,7 @@ def in_ticks(
     kept: Kept,
     findings: Sequence[Diagnostic],
 ) -> MotionPlan:
-    """Return the plan of a motion, which becomes that of the motion's own rows.
+    """Return the plan of a motion; it takes over the rows of the motion and writes its end there.
 
     Args:
         chain: the entities; gives the control period.

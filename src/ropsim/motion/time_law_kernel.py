@@ -139,24 +139,25 @@ def _is_wrong(bounds: Array, way: Array, i: int) -> bool:
 def _look_ahead(way: Array) -> bool:
     """Write from which speeds, without acceleration, it can stop at the end; say whether a horizon counts.
 
-    Where they are written, no higher than now, only those are found anew that may be lower; else endless.
+    Those that are written already were so before bounds got lower: only what that makes lower is found anew.
+    They are endless to begin with.
     """
     p, limited = way.shape[1] - 1, False
     for i in range(p):
         limited = limited or way[5, i] < inf
         way[10, i] = -1.0
+    if not limited:
+        return False
     lower = way[9, p] > 0.0
     way[9, p] = 0.0
     for k in range(p - 1, -1, -1):
-        if not limited:
-            break
         before = way[9, k]
         if lower:
             way[9, k] = _within(way[9, k + 1], way[0, k], way[2, k], way[3, k], way[4, k])
         else:
             way[9, k] = min(before, way[4, k])
         lower = way[9, k] < before
-    return limited
+    return True
 
 
 def _stoppable(way: Array, piece: int, place: float, ahead: int) -> float:

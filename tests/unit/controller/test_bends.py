@@ -1,11 +1,13 @@
 """Bounds of derivatives hold between the places that are looked at, where third derivatives jump, too."""
 
 from importlib import import_module
+from itertools import combinations
 
 import numpy as np
 import pytest
 
 from ropsim.controller.bends import bends_of
+from ropsim.controller.bends_kernel import SIZES, bounds_between
 from ropsim.controller.curve_stages import stages_of_curve
 from ropsim.controller.stages import tool_choices, tool_stages
 from ropsim.motion import Curve, JointMotionLimits, Line, ToolLimits, corner
@@ -126,3 +128,19 @@ def rows_at(places: Array, s: Array, d1: Array, d2: Array) -> tuple[Array, Array
         np.where(share == 0.0, r[at], (1.0 - share) * r[at] + share * r[at + 1]) for r in (d1, d2)
     )
     return first, second
+
+
+@pytest.mark.parametrize("moves", [0, 4, 9])
+def test_bounds_of_some_cells_are_those_of_all_though_a_part_stands_there(moves: int) -> None:
+    """A part that moves at one place has a say in the bounds of cells near to it."""
+    s, d1, d2 = np.linspace(0.0, 1.0, 10), np.zeros((10, 2, 3)), np.zeros((10, 2, 3))
+    d1[:, 0], d2[:, 0] = (1.0, 0.0, 0.0), np.random.default_rng(moves).normal(size=(10, 3))
+    d2[moves, 1] = (0.0, 2.0, 1.0)
+    limits, units, room = np.ones((3, 2)), np.array([1.0, 0.0]), np.empty((9, 3 + SIZES))
+    whole, speeds, loose = np.full((10, 9, 2), np.nan), np.empty(9), np.empty(9)
+    bounds_between(0, 8, s, d1, d2, limits, units, room, whole, speeds, loose)
+    assert (whole >= 0.0).all()
+    for first, last in combinations(range(9), 2):
+        part = np.full((10, 9, 2), np.nan)
+        bounds_between(first, last, s, d1, d2, limits, units, room, part, np.empty(9), np.empty(9))
+        assert (part[:, first : last + 1] == whole[:, first : last + 1]).all()

@@ -51,6 +51,15 @@ def test_one_number_beyond_one_limit_is_seen_wherever_it_is(kind: int, tick: int
     assert walk(first, second, course, loose)[1] == 0.5
 
 
+def test_joints_rest_behind_the_last_tick() -> None:
+    """An acceleration that rises in small steps is taken back at once there."""
+    first, second, course = np.zeros((40, 6)), np.zeros((40, 6)), np.ones((3, 40))
+    second[:, 2], course[2] = np.linspace(0.0, 1.5, 40), 0.0
+    limits = np.full((3, 6), np.inf)
+    limits[2] = 1.0
+    assert walk(first, second, course, limits)[1] == 0.5
+
+
 @pytest.mark.parametrize("k", [1, AT_ONCE, AT_ONCE + 1, 100])
 def test_torque_is_beyond_its_limit_by_the_most_of_all_rows(k: int) -> None:
     random = np.random.default_rng(k)

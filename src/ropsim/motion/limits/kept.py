@@ -17,7 +17,10 @@ class Motion(Protocol):
         """Return the motion time of the end [s]."""
 
     def at(self, phi: Array) -> JointPoints:
-        """Return the coordinates at motion times [s], (k,), and their derivatives by φ."""
+        """Return the coordinates at motion times [s], (k,), and their derivatives by φ.
+
+        The arrays are new; whoever asks may write to them.
+        """
 
     def ways(self, phi: Array) -> Ways:
         """Return how paths with limits of their own are walked at motion times [s], rising, (k,)."""
@@ -50,7 +53,8 @@ class Kept:
         clock: motion time over real time.
         slowed: the parts that are slowed, in order; none where the plan is within the limits.
         phi: motion times at the control ticks 0, 1, 2 … until it rests, see `Ticks` [s], shape (k,).
-        rows: coordinates, speeds and accelerations by real time there.
+        rows: coordinates, speeds and accelerations by real time there; a plan that takes them over ends with
+            them exactly at rest.
     """
 
     clock: MotionTime

@@ -12,14 +12,14 @@ class Ticks:
 
     Attributes:
         period: between two of them [s].
-        together: a motion takes a whole number of so many of them, at rest behind its end.
+        together: control ticks of an interpolation tick; a motion takes whole ones, at rest behind its end.
     """
 
     period: float
     together: int = 1
 
     def count(self, duration: float) -> int:
-        """Return the number of the first tick at or behind the end of a motion.
+        """Return the number of the first tick at or behind the end of a motion, whole or not.
 
         Args:
             duration: of the motion [s].

@@ -26,13 +26,13 @@ class Walked:
         course: motion times [s], rates, and changes of these [1/s], shape (3, k).
         points: the joints by motion time.
         rows: coordinates, speeds and accelerations by real time.
-        is_even: whether joints clearly keep their limits of speed, acceleration and jerk.
+        keeps_motion: whether joints clearly keep their limits of speed, acceleration and jerk.
     """
 
     course: Array
     points: JointPoints
     rows: JointPoints
-    is_even: bool
+    keeps_motion: bool
 
 
 def walked(motion: Motion, clock: MotionTime, bounds: JointBounds, ticks: Ticks) -> Walked:
@@ -84,7 +84,7 @@ def strain_of_walk(
         ProfileError: M540, as for `strain`, or torques are no numbers.
     """
     rows, bounds, torque = walk.rows, demand.bounds, None
-    is_kept = walk.is_even and demand.ways.speeds.shape[1] == 0
+    is_kept = walk.keeps_motion and demand.ways.speeds.shape[1] == 0
     if demand.effort is not None and bounds.effort is not None:
         torque = told_torques(demand.effort, rows.q, rows.d1, rows.d2)
         is_kept = _keeps(torque, rows, bounds.effort * _CLEARLY) and is_kept

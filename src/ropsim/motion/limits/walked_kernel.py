@@ -85,16 +85,16 @@ def _by_real_time(
 def _beyond(count: int, speed: Array, swing: Array, before: Array, room: Array) -> None:
     """Keep the most by which speeds, accelerations and their changes are beyond limits."""
     for j in range(count):
-        fast = min(_ENDLESS, abs(speed[j]) - room[2, j])
-        wild = min(_ENDLESS, abs(swing[j]) - room[3, j])
-        jump = min(_ENDLESS, abs(swing[j] - before[j]) - room[4, j])
-        steady = max(room[0, j], fast)
+        fast = min(_ENDLESS, abs(speed[j]) - room[FIRST_LIMIT, j])
+        wild = min(_ENDLESS, abs(swing[j]) - room[FIRST_LIMIT + 1, j])
+        jump = min(_ENDLESS, abs(swing[j] - before[j]) - room[FIRST_LIMIT + 2, j])
+        steady = max(room[WORST, j], fast)
         changing = max(wild, jump)
-        room[0, j] = max(steady, changing)
+        room[WORST, j] = max(steady, changing)
 
 
 @columns
 def _load(count: int, torque: Array, room: Array) -> None:
     """Keep the most by which torques are beyond their limits."""
     for j in range(count):
-        room[0, j] = max(room[0, j], min(_ENDLESS, abs(torque[j]) - room[1, j]))
+        room[WORST, j] = max(room[WORST, j], min(_ENDLESS, abs(torque[j]) - room[MOST, j]))

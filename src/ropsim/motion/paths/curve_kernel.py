@@ -85,7 +85,7 @@ def curve_points(
     for k in range(s.shape[0]):
         step = _step_from(ends, s[k], step)
         t = _parameter(ends, inverse, step, s[k])
-        if segment < 0 or coefficients.shape[0] > 1:
+        if segment < 0 or (coefficients.shape[0] > 1 and step // steps != segment):
             segment = step // steps
             turns = _turns(coefficients[segment])
         C, M, X = coefficients[segment], middles[segment], matrices[k]
@@ -142,7 +142,7 @@ def curve_poses(
     for k in range(s.shape[0]):
         step = _step_from(ends, s[k], step)
         t = _parameter(ends, inverse, step, s[k])
-        if segment < 0 or coefficients.shape[0] > 1:
+        if segment < 0 or (coefficients.shape[0] > 1 and step // steps != segment):
             segment = step // steps
             turns = _turns(coefficients[segment])
         C, X = coefficients[segment], matrices[k]
