@@ -106,7 +106,7 @@ def _planned(
     for number, leg in enumerate(legs):
         if number in crawling and check_duration(leg.move, alone := _time_alone(leg)):
             return _too_long(legs, number, alone)
-        if leg.move.tracking and (refusal := correction_refusal(leg)):
+        if refusal := correction_refusal(leg):
             return _Hurdle(number, refusal)
     corners = _corners(chain, legs, findings)
     walks = pieces_of(legs, corners)
