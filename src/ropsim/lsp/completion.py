@@ -8,6 +8,7 @@ from itertools import chain
 from ropsim import language
 from ropsim.language import Role
 from ropsim.lsp import names, words
+from ropsim.lsp.begun import Numbers, continues, in_number
 from ropsim.lsp.behind_values import behind_value
 from ropsim.lsp.cell_completion import proposed_in_cell
 from ropsim.lsp.cell_place import is_cell_file
@@ -61,12 +62,19 @@ _ROLES = {
 def completions(
     document: Document, params: CompletionAt, documents: Mapping[str, Document], workshop: Workshop
 ) -> Json:
-    """Return what can be written at a place, the likeliest first; it is the whole list."""
+    """Return what can be written at a place, the likeliest first.
+
+    The list is whole, unless there is none for now: in a number or unit, and where all that fits stands there
+    already. What is typed next may then have one.
+    """
     trigger = params.context.trigger_character if params.context is not None else None
-    return {
-        "isIncomplete": False,
-        "items": proposed(document, params.position, documents, workshop, trigger or ""),
-    }
+    line, column = document.line(params.position.line), document.column(params.position)
+    numbers = Numbers.WITH_UNITS if is_program(document) else Numbers.PLAIN
+    if in_number(line[:column], numbers):
+        return {"isIncomplete": True, "items": []}
+    items = proposed(document, params.position, documents, workshop, trigger or "")
+    is_new = continues(line[:column], line[column:], items)
+    return {"isIncomplete": bool(items) and not is_new, "items": items if is_new else []}
 
 
 def proposed(

@@ -237,3 +237,9 @@ def test_a_text_that_is_no_toml_ends_in_no_answer(folder: Path) -> None:
     assert editor.ask("textDocument/documentHighlight", **about) == []
     assert editor.ask("textDocument/documentSymbol", textDocument={"uri": uri}) == []
     assert editor.ask("textDocument/foldingRange", textDocument={"uri": uri}) == []
+
+
+def test_a_value_or_section_written_in_full_is_no_list(folder: Path) -> None:
+    for written in ('x = "a"\n[cell]\nname = 1|', "[cell|", "[tools.jaws.gripper]\nclose_time|"):
+        assert labels(folder, written) == [], written
+    assert "close_time" in labels(folder, "[tools.jaws.gripper]\nclose_tim|")

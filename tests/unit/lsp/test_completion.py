@@ -1,5 +1,6 @@
 """What completion offers compiles where it is offered, and the likeliest comes first."""
 
+import re
 from pathlib import Path
 
 import pytest
@@ -7,7 +8,9 @@ import pytest
 from ropsim import language
 from ropsim.lsp.expected import UNITS_OF
 from ropsim.workbench import new_project
-from support.editors import Editor, uri_of
+from support.editors import Editor, place, uri_of
+from support.programs.making import program as program_of
+from support.programs.text import written
 
 BARE = "file:///nowhere-at-all/x.task"
 HEAD = """program t
@@ -96,7 +99,7 @@ def test_units_that_fit_come_first(line: str, first: list[str]) -> None:
 def test_the_units_of_the_text_come_first_of_those_that_fit() -> None:
     head = HEAD.replace("units mm, deg, s", "units m, rad, s  # mm")
     assert labels("lin p speed 100 |", head=head)[:2] == ["m/s", "rad/s"]
-    assert labels("lin p above 3m|", head=head)[:2] == ["m", "mm"]
+    assert labels("lin p above 3 |", head=head)[:2] == ["m", "mm"]
 
 
 def test_the_units_of_each_kind_are_those_of_the_language() -> None:
@@ -241,3 +244,70 @@ def test_a_motion_is_not_offered_the_frame_that_it_cannot_have() -> None:
 def test_what_is_known_before_the_program_runs_is_made_of_no_variable() -> None:
     assert set(labels("const c = |")).isdisjoint({"n", "lit", "taught", "lamp", "force"})
     assert set(labels("loc z = |")).isdisjoint({"n", "lit", "taught", "lamp", "force"})
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "wait 1|",
+        "wait 1.|",
+        "wait 1.5|",
+        "wait 2e|",
+        "wait 1 s|",
+        "wait 1s|",
+        "wait 1 m|",
+        "wait 1 mi|n",
+        "lin p speed 100 mm|",
+        "lin p speed 100 mm/|",
+        "lin p speed 100 mm/s|",
+        "lin p acc 100 mm/s2|",
+        "mov p speed 20 %|",
+        "mov joints(10 deg|, 20 deg)",
+        "if n > 3 s|",
+    ],
+)
+def test_in_a_number_or_its_unit_nothing_is_offered_yet(line: str) -> None:
+    answer = Editor().at_mark("completion", BARE, HEAD + line)
+    assert answer == {"isIncomplete": True, "items": []}
+
+
+@pytest.mark.parametrize(
+    "line",
+    ["mov home|", "mov HOME|", "mov ho|me", "lin taught|", "close|", "set lamp on|", "x = n2 + twice|"],
+)
+def test_what_stands_there_already_is_no_list(line: str) -> None:
+    answer = Editor().at_mark("completion", BARE, HEAD + line)
+    assert answer == {"isIncomplete": True, "items": []}
+
+
+@pytest.mark.parametrize(
+    ("line", "new"),
+    [
+        ("mo|", "mov"),
+        ("mov|", "movc"),
+        ("end|", "endwith"),
+        ("mov hom|", "home"),
+        ("wait 1 |", "s"),
+        ("for i = 1 t|", "to"),
+        ("lin p speed 100 mm/s b|", "blend"),
+        ("x = 100 mm / t|", "twice"),
+    ],
+)
+def test_what_is_longer_or_other_than_what_stands_there_is_offered(line: str, new: str) -> None:
+    assert new in labels(line)
+
+
+def test_no_list_at_any_place_of_a_program_repeats_the_word_before_it() -> None:
+    for seed in range(6):
+        text = written(program_of(seed))
+        editor = Editor()
+        editor.open(BARE, text)
+        for number, line in enumerate(text.splitlines()):
+            for word in re.finditer(r"\w+", line):
+                answer = editor.ask(
+                    "textDocument/completion",
+                    textDocument={"uri": BARE},
+                    position=place(number, word.end()),
+                )
+                offered = [one["label"] for one in answer["items"]]
+                assert not offered or set(offered) - {word[0]}, line
