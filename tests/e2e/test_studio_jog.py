@@ -290,7 +290,7 @@ def test_every_direction_of_the_tcp_is_in_sight(
     tab.page.set_viewport_size({"width": width, "height": height})
     tab.page.evaluate("() => __ropsim.command('view.reset')")
     panel = tab.panel("Jog")
-    for name in ("Joint 6", "X", "Y", "Z", "Roll", "Pitch", "Yaw"):
+    for name in ("Joint 6", "X", "Y", "Z", "Rx", "Ry", "Rz"):
         expect(panel.get_by_label(f"{name}, typed value")).to_be_in_viewport(ratio=1)
     tab.page.set_viewport_size({"width": 1280, "height": 800})
 

@@ -98,7 +98,7 @@ def test_an_operator_makes_a_palletizing_program_that_runs(
     for axis, value in (("X", "412.5"), ("Y", "-147.5"), ("Z", "600")):
         second.get_by_label(f"place {axis} [mm]").fill(value)
     second.get_by_text("part: box_1").wait_for()
-    for axis, value in (("Pitch", "0"), ("Roll", "180"), ("Yaw", "90")):
+    for axis, value in (("Pitch", "90"), ("Roll", "0"), ("Yaw", "90")):
         second.get_by_label(f"place {axis} [deg]").fill(value)
     points_now = panel.get_by_role("table")
     points_now.get_by_role("row", name=re.compile("90.0$")).wait_for()
@@ -120,7 +120,7 @@ def test_an_operator_makes_a_palletizing_program_that_runs(
     points = panel.get_by_role("table")
     assert points.get_by_role("row", name=re.compile("^point_1")).inner_text().split() == [
         *("point_1", "412.5", "-147.5", "600.0"),
-        *("0.0", "180.0", "0.0"),
+        *("90.0", "0.0", "0.0"),
     ]
     points.get_by_role("button", name="point_1").press("Enter")
     points.get_by_role("button", name="point_1", pressed=True).wait_for()

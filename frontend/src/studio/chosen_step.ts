@@ -56,15 +56,6 @@ export function joinNumbers(numbers: readonly string[]): string {
   return words.join(', ')
 }
 
-/** A pose as the jog panel writes it, which has roll first, as X Y Z Pitch Roll Yaw; empty where it has none. */
-export function numbersOfLocation(location: string): string {
-  const numbers = location.replace(/ external .*$/, '').match(/-?\d+(?:\.\d+)?(?:e[-+]?\d+)?/g) ?? []
-  const [x, y, z, roll, pitch, yaw, ...more] = numbers
-  return yaw !== undefined && more.length === 0
-    ? joinNumbers([x ?? '', y ?? '', z ?? '', pitch ?? '', roll ?? '', yaw])
-    : ''
-}
-
 /** Name of a program text as the language takes it. */
 export function programWord(name: string): string {
   return name.replace(/\W+/g, '_').replace(/^(?=\d)/, 'p')

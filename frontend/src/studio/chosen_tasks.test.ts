@@ -1,14 +1,7 @@
 import { expect, test } from 'vitest'
 import type { Command } from '../wire/commands'
 import type { StepState, TaskList, TasksChecked } from '../wire/messages'
-import {
-  joinNumbers,
-  keptSteps,
-  numbersOfLocation,
-  programWord,
-  splitNumbers,
-  splitValue,
-} from './chosen_step'
+import { joinNumbers, keptSteps, programWord, splitNumbers, splitValue } from './chosen_step'
 import { ChosenTasks } from './chosen_tasks'
 import { UndoStack } from './undo'
 
@@ -157,10 +150,6 @@ test('fields are read and written', () => {
     '',
   ])
   expect(splitNumbers(joinNumbers(['1 234', '', '', '', '']))).toEqual(['1234', '', '', '', '', ''])
-  expect(numbersOfLocation('(1.5 mm, -2 mm, 3 mm; rpy 180 deg 0 deg -90 deg) in base external (5 mm)')).toBe(
-    '1.5, -2, 3, 0, 180, -90',
-  )
-  expect(numbersOfLocation('')).toBe('')
   expect(programWord('2 füll')).toBe('p2_f_ll')
 })
 

@@ -26,6 +26,7 @@ test('what was refused is said no more once it is given up', () => {
     bodies: [],
     words: [{ level: 'error', text: 'too far' }],
     location: '',
+    typed: '',
   } as const
   jog.receive({ type: 'jogged', id: 1, q: [0, 0.5], reached: true, ...refused })
   jog.settle()
@@ -54,6 +55,7 @@ function bench() {
       reached: true,
       words: [],
       location: '',
+      typed: '',
     })
   }
   return { jog, sent, shown, undo, answer }
@@ -161,6 +163,7 @@ test('another station is asked for with its own tool and does not hear what the 
     reached: true,
     words: [],
     location: '',
+    typed: '',
   })
   expect(jog.answer).toBeNull()
   answer()

@@ -190,7 +190,7 @@ export const words = {
     steps: 'A step is from 0.1 mm to 1 m.',
     turns: 'A turn is from 0.1° to 90°.',
     turn: 'Turn',
-    axes: ['X', 'Y', 'Z', 'Roll', 'Pitch', 'Yaw'],
+    axes: ['X', 'Y', 'Z', 'Rx', 'Ry', 'Rz'],
     plus: (axis: string) => `${axis} plus`,
     minus: (axis: string) => `${axis} minus`,
     ok: 'Within the limits, away from singularities.',

@@ -251,6 +251,8 @@ export interface Jogged {
   readonly words: readonly JogWords[]
   /** Pose of the TCP as programs write it; empty where there is none. */
   readonly location: string
+  /** The same as a point of a task is typed, X Y Z Pitch Roll Yaw [mm, deg]; empty without one. */
+  readonly typed: string
 }
 
 /** A parameter of a task. */

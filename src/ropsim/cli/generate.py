@@ -21,7 +21,6 @@ from ropsim.tasks import (
     TaskError,
     Value,
     added,
-    call_words,
     default_text,
     draft_points,
     draft_text,
@@ -159,7 +158,7 @@ def _words(parameter: Parameter) -> str:
 
 def _show(desk: _Desk) -> None:
     """Print the state for each task."""
-    rows = [(call_words(one.call), one) for one in desk.draft.entries]
+    rows = [(str(one.call), one) for one in desk.draft.entries]
     width = max((len(call) for call, _ in rows), default=0)
     for call, one in rows:
         desk.output.text(f"  {call:{width}}  {one.message}")

@@ -1,6 +1,9 @@
 """Values of space: poses and rotations; no robot, no time."""
 
 from ropsim.spatial import quaternion as quaternion
+from ropsim.spatial.angles import TOOL_FROM_APPROACH as TOOL_FROM_APPROACH
+from ropsim.spatial.angles import approach_orientation as approach_orientation
+from ropsim.spatial.angles import pitch_roll_yaw as pitch_roll_yaw
 from ropsim.spatial.angles import roll_pitch_yaw as roll_pitch_yaw
 from ropsim.spatial.bits import bits_of as bits_of
 from ropsim.spatial.bits import bits_without as bits_without

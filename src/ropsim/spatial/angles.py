@@ -1,10 +1,17 @@
-"""Orientations as angles about fixed axes: roll about x, pitch about y, yaw about z, in this order."""
+"""Orientations as angles: roll, pitch, yaw of a frame, and pitch, roll, yaw of an approach direction."""
 
-from math import atan2, cos, hypot, pi, sin
+from math import atan2, cos, hypot, pi, sin, sqrt
+
+import numpy as np
 
 from ropsim.spatial.pose import Pose
+from ropsim.spatial.quaternion import Quaternion, conjugate, from_zyx, multiply
+
+TOOL_FROM_APPROACH: Quaternion = (sqrt(0.5), 0.0, sqrt(0.5), 0.0)
+"""Ry(90°): turns the approach axis +x of pitch, roll and yaw to the tool's z axis."""
 
 _ROUNDING = 2e-15  # rad; angles nearer than that to quarter turns are quarter turns
+_UPRIGHT = 1e-9  # rad; an approach direction that is nearer than that to the vertical is vertical
 
 
 def roll_pitch_yaw(X: Pose) -> tuple[float, float, float]:
@@ -19,6 +26,38 @@ def roll_pitch_yaw(X: Pose) -> tuple[float, float, float]:
     pitch = atan2(-zx, c * xx + s * yx)
     roll = atan2(s * xz - c * yz, c * yy - s * xy)
     return _snapped(roll), _snapped(pitch), yaw
+
+
+def approach_orientation(pitch: float, roll: float, yaw: float) -> Quaternion:
+    """Return the orientation of a tool from the angles of its approach direction.
+
+    R = Rz(yaw)·Ry(pitch)·Rx(roll)·Ry(90°). The tool's z axis is the x axis of the first three turns:
+    level at pitch 0, down at pitch 90°, along +x at yaw 0. Roll turns the tool about its z axis. It is the
+    convention of `(x, y, z, pitch, roll)` in the task language, where yaw is the azimuth of the point.
+
+    Args:
+        pitch: angle of the approach direction below the level [rad].
+        roll: angle about the approach direction [rad].
+        yaw: azimuth of the approach direction [rad].
+    """
+    return multiply(from_zyx(yaw, pitch, roll), TOOL_FROM_APPROACH)
+
+
+def pitch_roll_yaw(X: Pose) -> tuple[float, float, float]:
+    """Return the angles (pitch, roll, yaw) [rad] of `approach_orientation` for the orientation of a pose.
+
+    A tool that points straight down or up has roll 0: roll and yaw turn about the same axis there.
+    """
+    w, i, j, k = X.as_tuple()[3:]
+    q = multiply((w, i, j, k), conjugate(TOOL_FROM_APPROACH))
+    approach = Pose(np.zeros(3), np.array(q))
+    (xx, _, _), (yx, yy, yz), (zx, _, _) = approach.rotation().tolist()
+    if hypot(xx, yx) > _UPRIGHT:
+        roll, pitch, yaw = roll_pitch_yaw(approach)
+        return pitch, roll, yaw
+    if zx < 0.0:  # down: R = Rz(yaw - roll)·Ry(90°)
+        return pi / 2.0, 0.0, _snapped(atan2(yz, yy))
+    return -pi / 2.0, 0.0, _snapped(atan2(-yz, yy))
 
 
 def _snapped(angle: float) -> float:

@@ -400,7 +400,8 @@ class JogReply:
 
     `q` is that of the request where the target cannot be reached. `bodies` are pairs of a body's index in
     the scene and its pose in W, `words` pairs of a level (`error`, `warning`, `info`) and a text.
-    `location` is the pose of the TCP as the task language writes it; empty where there is no arm.
+    `location` is the pose of the TCP as the task language writes it, `typed` the same as a point of a task is
+    typed, X Y Z Pitch Roll Yaw [mm, deg]; both are empty where there is no arm.
     """
 
     q: tuple[float, ...]
@@ -409,6 +410,7 @@ class JogReply:
     reached: bool
     words: tuple[tuple[Level, str], ...]
     location: str = ""
+    typed: str = ""
 
 
 @frozen_dataclass

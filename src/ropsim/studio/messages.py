@@ -310,6 +310,7 @@ class Jogged(Struct, frozen=True, tag_field="type", tag="jogged"):
         reached: whether the arm stands where it was to.
         words: worst first; empty when all is well.
         location: pose of the TCP as programs write it; empty where there is none.
+        typed: the same as a point of a task is typed, X Y Z Pitch Roll Yaw [mm, deg]; empty without one.
     """
 
     id: int
@@ -319,6 +320,7 @@ class Jogged(Struct, frozen=True, tag_field="type", tag="jogged"):
     reached: bool
     words: tuple[JogWords, ...]
     location: str = ""
+    typed: str = ""
 
 
 class Notice(Struct, frozen=True, tag_field="type", tag="notice"):

@@ -64,7 +64,9 @@ class Scenes:
             return Jogged(command.id, command.q, tcp, (), reached=False, words=(JogWords("error", words),))
         bodies = tuple(JogBody(body, pose) for body, pose in reply.bodies)
         words_ = tuple(JogWords(level, text) for level, text in reply.words)
-        return Jogged(command.id, reply.q, reply.tcp, bodies, reply.reached, words_, reply.location)
+        return Jogged(
+            command.id, reply.q, reply.tcp, bodies, reply.reached, words_, reply.location, reply.typed
+        )
 
     async def _refresh(self) -> None:
         while self._again:

@@ -5,7 +5,7 @@ from typing import Protocol
 
 from ropsim.core import frozen_dataclass
 from ropsim.tasks.fact_words import meeting_words
-from ropsim.tasks.task_call import Point
+from ropsim.tasks.point import Point
 
 
 @frozen_dataclass

@@ -7,7 +7,8 @@ from ropsim.tasks.diagnostics import WRONG_FACT
 from ropsim.tasks.errors import TaskError
 from ropsim.tasks.expression_terms import NoTermError, arguments_of
 from ropsim.tasks.expression_text import unit_of
-from ropsim.tasks.task_call import Point, Quantity, TaskCall, Value, point_of_term
+from ropsim.tasks.point import Point, point_of_term
+from ropsim.tasks.task_call import Quantity, TaskCall, Value
 
 _HINT = "write the task, its points and its parameters: `grip (13, 5, 8)` or `Palletize s1, s2, 0.1, 6`"
 

@@ -14,11 +14,13 @@ from ropsim.tasks.known_task import KnownTask, Parameter
 from ropsim.tasks.lacking import is_hindered, lacking_findings
 from ropsim.tasks.not_defined import not_defined, unknown_locations
 from ropsim.tasks.pattern import Spot
+from ropsim.tasks.point import term_of_point
 from ropsim.tasks.set_down import set_down_findings
-from ropsim.tasks.task_call import Quantity, TaskCall, Value, term_of_point, term_of_value
+from ropsim.tasks.task_call import Quantity, TaskCall, Value, term_of_value
 from ropsim.tasks.task_reading import names_in, renamed
 from ropsim.tasks.world_state import WorldState, ordered
 
+_POINT_HINT = "`(x, y, z)`, `(x, y, z, pitch, roll)` or `(x, y, z; pitch p, roll r, yaw w)`"
 OPEN = Atom("$open")
 """What is given for a parameter that the state has to tell."""
 
@@ -182,9 +184,9 @@ def _wrong(call: TaskCall, task: KnownTask) -> Iterator[Diagnostic]:
             message = f"`{task.name}` takes {allowed} {counted}, given: {len(given)}"
             yield WRONG_CALL.at(None, message, hint=words)
     for point in call.points:
-        if not isinstance(point, str) and len(point) not in (3, 5, 6):
+        if isinstance(point, tuple) and len(point) not in (3, 5, 6):
             message = f"a point has 3, 5 or 6 numbers, given: {len(point)}"
-            yield WRONG_CALL.at(None, message, hint="X Y Z, X Y Z Pitch Roll or X Y Z Pitch Roll Yaw")
+            yield WRONG_CALL.at(None, message, hint=_POINT_HINT)
     for value, parameter in zip(call.parameters, others, strict=False):
         if found := wrong_value(task, parameter, value):
             yield found

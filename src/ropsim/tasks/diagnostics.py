@@ -230,8 +230,10 @@ POINT_LIST = define(
     "a list of points cannot be read",
     """
 A file `points/NAME.csv` has the names of its columns, their units, and a point on each further line; pitch
-and roll may be empty or left out. A last column `yaw` may follow; where it is empty the tool points as the
-azimuth of the point. Lengths are in mm, cm, m or inch, angles in deg or rad.
+and roll may be empty or left out. They have the meaning of `(x, y, z, pitch, roll)` in the task language: the
+approach direction of the tool is level at pitch 0 and down at pitch 90. A last column `yaw` may follow: the
+azimuth of the approach direction, 0 along +x. Where it is empty it is the azimuth of the point. Lengths are
+in mm, cm, m or inch, angles in deg or rad.
 
 ```text
 name,x,y,z,pitch,roll

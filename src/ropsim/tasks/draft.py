@@ -7,11 +7,11 @@ from ropsim.core import frozen_dataclass
 from ropsim.prolog import Atom, Struct, Term
 from ropsim.tasks.base import KnowledgeBase
 from ropsim.tasks.call_report import CallReport
-from ropsim.tasks.expression_text import short_text
 from ropsim.tasks.host import CHECK_SECONDS
+from ropsim.tasks.point import Coordinates, Point, point_text
 from ropsim.tasks.point_list import PointList, points_text
 from ropsim.tasks.program_text import UNITS, program_text
-from ropsim.tasks.task_call import Numbers, Point, TaskCall
+from ropsim.tasks.task_call import TaskCall
 from ropsim.tasks.world_state import WorldState
 
 
@@ -43,7 +43,7 @@ class Draft:
         return tuple(dict.fromkeys(word for one in self.entries for word in one.unchecked))
 
     @property
-    def points(self) -> tuple[tuple[str, Numbers], ...]:
+    def points(self) -> tuple[tuple[str, Coordinates], ...]:
         """Return the points that were given by numbers, each once, with their names in the program.
 
         A name that the cell or a task has already is left out: it would mean that place.
@@ -93,7 +93,7 @@ def draft_text(draft: Draft, base: KnowledgeBase, name: str) -> str:
     names = {numbers: point for point, numbers in draft.points}
     calls = [_named(call, names) for call in draft.calls]
     head, _, rest = program_text(base.task, calls, name).partition(f"units {UNITS}\n")
-    places = [f"loc {point} = {_place(numbers)}" for point, numbers in draft.points]
+    places = [f"loc {point} = {point_text(numbers)}" for point, numbers in draft.points]
     return "\n".join([f"{head}units {UNITS}", *places, rest])
 
 
@@ -102,13 +102,6 @@ def draft_points(draft: Draft) -> str:
     return points_text(draft.points)
 
 
-def _place(numbers: Numbers) -> str:
-    """Return a point in task text, where three angles are told to be roll, pitch and yaw."""
-    cells = list(map(short_text, numbers))
-    turned = f"; rpy {' '.join(cells[3:])}" if len(cells) == 6 else ""
-    return f"({', '.join(cells[:3] if turned else cells)}{turned})"
-
-
-def _named(call: TaskCall, names: Mapping[Numbers, str]) -> TaskCall:
+def _named(call: TaskCall, names: Mapping[Coordinates, str]) -> TaskCall:
     points = tuple(point if isinstance(point, str) else names[point] for point in call.points)
     return TaskCall(call.name, points, call.parameters, call.objects)

@@ -2,7 +2,7 @@
 
 from ropsim.prolog import Atom, Struct, Term, Var
 from ropsim.tasks.expression_text import shown
-from ropsim.tasks.task_call import point_of_term, point_words
+from ropsim.tasks.point import point_of_term, point_text
 
 
 def fact_words(fact: Term) -> str:
@@ -102,7 +102,7 @@ def name_words(term: Term) -> str:
         case Var(name):
             return name
         case Atom() | Struct("p") if (point := point_of_term(term)) is not None:
-            return point_words(point)
+            return point_text(point)
         case int() | float():
             return f"{term:g}"
         case Struct(name, arguments):

@@ -9,7 +9,7 @@ from ropsim.tasks.bounds import millimetres
 from ropsim.tasks.conditions import CONDITIONS, IN_ROWS, Condition
 from ropsim.tasks.fact_words import beside_words, name_words, place_words, wider_words
 from ropsim.tasks.pattern import Spot, neighbours, places_in_rows, spots
-from ropsim.tasks.task_call import Point, point_of_term, term_of_point
+from ropsim.tasks.point import Point, point_of_term, term_of_point
 
 
 def unchecked_text(unchecked: tuple[str, ...]) -> str:

@@ -9,7 +9,7 @@ from ropsim.tasks.diagnostics import PRECONDITION
 from ropsim.tasks.fact_words import fact_words, name_words
 from ropsim.tasks.known_task import KnownTask
 from ropsim.tasks.pattern import places_in_rows
-from ropsim.tasks.task_call import point_of_term, term_of_point
+from ropsim.tasks.point import point_of_term, term_of_point
 from ropsim.tasks.world_state import WorldState
 
 MOST_NAMED = 4

@@ -5,7 +5,7 @@ from itertools import chain, islice
 
 from ropsim.core import frozen_dataclass
 from ropsim.tasks.expression_text import short_text
-from ropsim.tasks.task_call import Point, point_text, point_words
+from ropsim.tasks.point import Point, point_text
 
 MOST_PLACES = 64
 """So many places of a pattern are looked at;
@@ -30,7 +30,7 @@ class Spot:
     point: Point
 
     def __str__(self) -> str:
-        return f"row {self.row}, column {self.column} at `{point_words(self.point)}`"
+        return f"row {self.row}, column {self.column} at `{point_text(self.point)}`"
 
 
 def spots(first: Point, columns: int, rows: int, distance: float) -> tuple[Spot, ...]:
@@ -80,6 +80,6 @@ def _point(first: Point, x: float, y: float) -> Point:
     """Return a place that is moved by x along X of another one and by y against its Y [mm]."""
     if x == y == 0:
         return first
-    if not isinstance(first, str) and len(first) == 3:  # the tool points down, its X along that of the base
+    if isinstance(first, tuple) and len(first) == 3:  # the tool points down, its X along that of the base
         return first[0] + x, first[1] + y, first[2]
     return f"{point_text(first)} rel ({short_text(x)}, {short_text(0.0 - y)}, 0)"

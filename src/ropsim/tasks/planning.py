@@ -11,7 +11,8 @@ from ropsim.tasks.geometry import RememberedGeometry
 from ropsim.tasks.host import Host, Progress
 from ropsim.tasks.kinds import LOCATION
 from ropsim.tasks.known_task import KnownTask
-from ropsim.tasks.task_call import Point, Quantity, TaskCall, Value, point_of_term
+from ropsim.tasks.point import Point, point_of_term
+from ropsim.tasks.task_call import Quantity, TaskCall, Value
 from ropsim.tasks.world_state import WorldState, fact_of, ordered
 
 PLAN_SECONDS = 10.0

@@ -8,7 +8,7 @@ from pathlib import Path
 from ropsim.core import Diagnostic, SourceText, Span, frozen_dataclass, read_bytes
 from ropsim.tasks.diagnostics import POINT_LIST
 from ropsim.tasks.expression_text import short_text
-from ropsim.tasks.task_call import Numbers
+from ropsim.tasks.point import Coordinates, typed_numbers, typed_point
 
 COLUMNS = ("name", "x", "y", "z", "pitch", "roll")
 UNITS = ("", "mm", "mm", "mm", "deg", "deg")
@@ -28,11 +28,11 @@ class PointList:
 
     Attributes:
         name: of the list.
-        points: name, and x y z [mm], x y z [mm] pitch roll [deg] or x y z [mm] roll pitch yaw [deg].
+        points: name and numbers [mm, deg].
     """
 
     name: str
-    points: tuple[tuple[str, Numbers], ...]
+    points: tuple[tuple[str, Coordinates], ...]
 
 
 def read_point_list(path: Path) -> tuple[PointList | None, tuple[Diagnostic, ...]]:
@@ -76,7 +76,7 @@ def points_of(text: SourceText, name: str) -> tuple[PointList | None, tuple[Diag
         return None, (
             POINT_LIST.at(span, "the columns of the list or their units are not known", hint=_HINT),
         )
-    points: list[tuple[str, Numbers]] = []
+    points: list[tuple[str, Coordinates]] = []
     findings: list[Diagnostic] = []
     for number, row in enumerate(rows[2 : 2 + MOST_POINTS], 3):
         values = _numbers(row, scales)
@@ -88,23 +88,16 @@ def points_of(text: SourceText, name: str) -> tuple[PointList | None, tuple[Diag
     return PointList(name, tuple(points)), tuple(findings)
 
 
-def points_text(points: Sequence[tuple[str, Numbers]]) -> str:
+def points_text(points: Sequence[tuple[str, Coordinates]]) -> str:
     """Return the text of a list; points without pitch and roll leave them empty, a yaw has a column."""
-    has_yaw = any(len(numbers) == 6 for _, numbers in points)
+    rows_of = [(name, typed_numbers(point)) for name, point in points]
+    has_yaw = any(len(numbers) == 6 for _, numbers in rows_of)
     heads, units = ((*COLUMNS, YAW[0]), (*UNITS, YAW[1])) if has_yaw else (COLUMNS, UNITS)
     rows = [",".join(heads), ",".join(units)]
-    for name, numbers in points:
-        cells = list(map(short_text, exchanged(numbers)))
+    for name, numbers in rows_of:
+        cells = list(map(short_text, numbers))
         rows.append(",".join([name, *cells, *[""] * (len(heads) - 1 - len(cells))]))
     return "\n".join(rows) + "\n"
-
-
-def exchanged(numbers: Numbers) -> Numbers:
-    """Return six numbers with pitch and roll exchanged: task text has roll first, who types has pitch."""
-    if len(numbers) != 6:
-        return numbers
-    x, y, z, one, other, yaw = numbers
-    return x, y, z, other, one, yaw
 
 
 def _scales(heads: Sequence[str], units: Sequence[str]) -> tuple[float, ...] | None:
@@ -116,7 +109,7 @@ def _scales(heads: Sequence[str], units: Sequence[str]) -> tuple[float, ...] | N
     return None if None in found else tuple(one for one in found if one is not None)
 
 
-def _numbers(row: Sequence[str], scales: Sequence[float]) -> Numbers | None:
+def _numbers(row: Sequence[str], scales: Sequence[float]) -> Coordinates | None:
     cells = row[1:]
     while len(cells) > 3 and not cells[-1]:
         cells = cells[:-1]
@@ -128,4 +121,4 @@ def _numbers(row: Sequence[str], scales: Sequence[float]) -> Numbers | None:
         return None
     if not all(abs(one) < 1e12 for one in values):
         return None
-    return exchanged(tuple(value * scale for value, scale in zip(values, scales, strict=False)))
+    return typed_point(tuple(value * scale for value, scale in zip(values, scales, strict=False)))

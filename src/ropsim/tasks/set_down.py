@@ -9,7 +9,7 @@ from ropsim.tasks.diagnostics import IN_THE_AIR
 from ropsim.tasks.geometry import RememberedGeometry
 from ropsim.tasks.known_task import KnownTask
 from ropsim.tasks.pattern import MOST_PLACES
-from ropsim.tasks.task_call import Point, point_of_term, point_words
+from ropsim.tasks.point import Point, point_of_term, point_text
 from ropsim.tasks.world_state import WorldState
 
 ARM = "arm"
@@ -39,7 +39,7 @@ def _finding(part: str, at: Point, found: InTheAir, others: int) -> Diagnostic:
     more = f" and {others} more" if others else ""
     side, down = ("above", "lower") if found.height >= 0.0 else ("below", "on something")
     where = f"{abs(found.height) * 1e3:.1f} mm {side} {found.below}"
-    message = f"`{part}`{more} would lie in the air at `{point_words(at)}`, {where}; {found.words}"
+    message = f"`{part}`{more} would lie in the air at `{point_text(at)}`, {where}; {found.words}"
     hint = f"set it down {down}, or put what carries it into the cell file"
     return IN_THE_AIR.at(None, message, hint=hint)
 

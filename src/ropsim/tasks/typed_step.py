@@ -15,8 +15,9 @@ from ropsim.tasks.errors import TaskError
 from ropsim.tasks.expression_text import unit_of
 from ropsim.tasks.kinds import LOCATION
 from ropsim.tasks.known_task import KnownTask, Parameter
-from ropsim.tasks.point_list import COLUMNS, YAW, PointList, exchanged
-from ropsim.tasks.task_call import Numbers, Point, Quantity, TaskCall, Value
+from ropsim.tasks.point import Numbers, Point, typed_point
+from ropsim.tasks.point_list import COLUMNS, YAW, PointList
+from ropsim.tasks.task_call import Quantity, TaskCall, Value
 from ropsim.tasks.world_state import WorldState
 
 _POINT = "give the name of a location or of a list, or X Y Z, X Y Z Pitch Roll or X Y Z Pitch Roll Yaw"
@@ -86,7 +87,7 @@ def typed_points(typed: str, lists: Mapping[str, PointList]) -> tuple[Point, ...
     if len(words) == 1 and words[0].isidentifier():
         return listed((words[0],), lists)
     numbers = _point(typed, words)
-    return (exchanged(numbers),) if numbers else ()
+    return (typed_point(numbers),) if numbers else ()
 
 
 def typed_values(typed: str, task: KnownTask) -> tuple[Value, ...]:

@@ -89,7 +89,9 @@ place, 450, -300, 120
 
 Lengths are in millimetres and angles in degrees, unless titles tell another unit, as `x [m]`, or the second
 line does. The tool is turned by roll about the fixed x axis, by pitch about y and by yaw about z; where these
-cells are empty any orientation will do. Each number must be finite, and behind the last
+cells are empty any orientation will do. With `pitch` before `roll` the table is a
+[list of points](P148.md) of a project, and its angles are those of the approach direction: pitch 90 is down.
+Each number must be finite, and behind the last
 column there must be nothing: the first line tells whether there are orientations. Wrong lines are left out,
 and the command ends with 1.
 """,

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from ropsim.core import Diagnostic, SourceText, Span, did_you_mean, frozen_dataclass
-from ropsim.spatial import frozen, quaternion
+from ropsim.spatial import approach_orientation, frozen, quaternion
 from ropsim.workspace.diagnostics import BAD_POINT, NO_POINTS
 from ropsim.workspace.task_point import TaskPoint
 
@@ -49,7 +49,9 @@ def read_points(text: SourceText) -> tuple[tuple[TaskPoint, ...], tuple[Diagnost
     The first line may tell the columns, `name, x, y, z, roll, pitch, yaw` in any order and with units as in
     `x [m]`; the second one may tell units. Without titles they are `x, y, z` or `x, y, z, roll, pitch, yaw`,
     behind a name or not. Lengths are in millimetres and angles in degrees. The tool is turned by roll about
-    the fixed x, by pitch about y and by yaw about z; without these columns any orientation will do.
+    the fixed x, by pitch about y and by yaw about z; without these columns any orientation will do. A
+    table with `pitch` before `roll` is a list of points of a project, whose angles are those of
+    `approach_orientation`.
     """
     try:
         rows = [(number, _cells(text, number, line)) for number, line in enumerate(text.lines, start=1)]
@@ -167,7 +169,17 @@ def _point(
     if not set(TURNS) & set(values):
         return TaskPoint(name, frozen(position))
     roll, pitch, yaw = (values.get(one, 0.0) for one in TURNS)
+    if _is_point_list(columns):
+        azimuth = math.atan2(values["y"], values["x"])
+        q = approach_orientation(pitch, roll, values.get("yaw", azimuth))
+        return TaskPoint(name, frozen(position), frozen(q))
     return TaskPoint(name, frozen(position), frozen(quaternion.from_zyx(yaw, pitch, roll)))
+
+
+def _is_point_list(columns: Sequence[_Column]) -> bool:
+    """Return whether angles stand in the order of lists of points: pitch, roll, yaw."""
+    names = [one.name for one in columns]
+    return "pitch" in names and "roll" in names and names.index("pitch") < names.index("roll")
 
 
 def _number(cell: str) -> float | None:

@@ -17,7 +17,6 @@ from ropsim.tasks import (
     WorldState,
     WorldTable,
     added,
-    call_words,
     default_text,
     draft_points,
     draft_text,
@@ -30,8 +29,10 @@ from ropsim.tasks import (
     version_of,
     world_table,
 )
+from ropsim.tasks.call_reading import call_of
+from ropsim.tasks.point import ApproachPose, Coordinates, point_text, term_of_point
 from ropsim.tasks.point_list import PointList, points_of, points_text, read_point_list, read_point_lists
-from ropsim.tasks.task_call import Numbers, Quantity, point_text, term_of_point
+from ropsim.tasks.task_call import Quantity
 from ropsim.tasks.world_state import ordered
 from support.knowledge import CELL, GEOMETRY, base, last
 
@@ -82,12 +83,12 @@ EXACT = ((1234.5678, -0.1, 2345678.0), (1.0, 2.0, 3.0, 57.29577951308232, -1e-5)
 """Numbers of more than six digits, a whole one, and one that is written with an exponent."""
 
 
-JOGGED = (1.5, 2.0, 3.0, 10.0, 20.0, 30.0)
-"""X Y Z [mm] Roll Pitch Yaw [deg]: a list has Pitch before Roll, as Fig. 4 of the paper, then Yaw."""
+JOGGED = ApproachPose(1.5, 2.0, 3.0, 20.0, 10.0, 30.0)
+"""X Y Z [mm] Pitch Roll Yaw [deg], as a list has them."""
 
 
 @pytest.mark.parametrize("more", [(), (("c", JOGGED),)])
-def test_a_written_list_has_the_points_to_the_last_digit(more: tuple[tuple[str, Numbers], ...]) -> None:
+def test_a_written_list_has_the_points_to_the_last_digit(more: tuple[tuple[str, Coordinates], ...]) -> None:
     points = (("a", EXACT[0]), ("b", EXACT[1]), *more)
     text = points_text(points)
     found, findings = points_of(SourceText("p.csv", text), "p")
@@ -106,25 +107,27 @@ def test_a_program_has_its_points_to_the_last_digit() -> None:
     assert [tuple(map(float, line.split("(")[1].rstrip(")").split(","))) for line in lines] == list(EXACT)
 
 
-def test_angles_are_typed_listed_and_told_in_one_order_and_a_program_names_them() -> None:
+def test_angles_are_typed_listed_and_shown_in_one_order_and_a_program_names_them() -> None:
     (typed,) = typed_points("1.5 2 3 20 10 30", {})
+    assert typed == JOGGED
     call = TaskCall("park", (typed,))
     draft = added(Draft(BEGIN), base(), call)
-    assert call_words(call) == "park (1.5, 2, 3, pitch 20, roll 10, yaw 30)"
+    assert str(call) == "park (1.5, 2, 3; pitch 20, roll 10, yaw 30)"
+    assert call_of(str(call)) == call
     assert draft_points(draft).splitlines()[2] == "point_1,1.5,2,3,20,10,30"
     named = draft_text(draft, base(), "p")
-    assert "loc point_1 = (1.5, 2, 3; rpy 10 20 30)" in named.splitlines()
+    assert "loc point_1 = (1.5, 2, 3; pitch 20, roll 10, yaw 30)" in named.splitlines()
     codes = (compile(one, CELL).icr for one in (named, program_text(base().task, [call], "p")))
     one, other = (run(code).moves[0].target for code in codes if code is not None)
     assert one == other
     GEOMETRY.refuse(("arm", str(typed)))
     refused = added(Draft(BEGIN), last(), call).entries[0].message
     assert (
-        refused == "`park` is not possible here: `(1.5, 2, 3, pitch 20, roll 10, yaw 30)` cannot be reached"
+        refused == "`park` is not possible here: `(1.5, 2, 3; pitch 20, roll 10, yaw 30)` cannot be reached"
     )
     for place in (typed, f"{point_text(typed)} rel (75, 0, 0)"):
         table = world_table(WorldState(ordered([Struct("at", (Atom("nut"), term_of_point(place)))])), {})
-        assert table.parts[0][1].startswith("(1.5, 2, 3, pitch 20, roll 10, yaw 30)")
+        assert table.parts[0][1].startswith("(1.5, 2, 3; pitch 20, roll 10, yaw 30)")
 
 
 def test_a_program_names_the_versions_of_the_tasks_that_it_copies() -> None:
@@ -210,7 +213,7 @@ def test_typed_steps_say_what_the_terminal_says() -> None:
         "pick s1",
         "place (31, 42, 86), 20 mm",
         "palletize (31, 42, 86), (830, 220, 150, 20, 30), 75 mm, 2",
-        "park (1, 2, 3, 10, 20, 30)",  # task text has roll before pitch
+        "park (1, 2, 3; pitch 20, roll 10, yaw 30)",
     ]
     assert draft.unchecked == ("draughts",)
 

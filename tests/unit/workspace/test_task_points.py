@@ -44,6 +44,19 @@ def test_a_table_has_points_in_millimetres_and_degrees() -> None:
     assert other.orientation is None
 
 
+def test_a_list_of_points_of_a_project_has_its_own_angles() -> None:
+    """Pitch before roll: the approach direction, with the azimuth of the point where there is no yaw."""
+    down, level, along_x = points(
+        "name,x,y,z,pitch,roll,yaw\n,mm,mm,mm,deg,deg,deg\na,400,-300,40,90,0,0\nb,0,500,40,0,0,\nc,0,500,40,0,0,0\n"
+    )
+    axes = [
+        Pose(one.position, one.orientation).rotation()[:, 2]
+        for one in (down, level, along_x)
+        if one.orientation is not None
+    ]
+    assert np.array(axes) == pytest.approx(np.array([[0, 0, -1], [0, 1, 0], [1, 0, 0]]), abs=1e-12)
+
+
 @pytest.mark.parametrize(
     "text",
     [

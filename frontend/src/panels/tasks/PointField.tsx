@@ -1,6 +1,6 @@
 /** A point: a location or a list of points by its name, typed numbers, or the jogged pose. */
 import { useState } from 'react'
-import { isName, joinNumbers, numbersOfLocation, splitNumbers } from '../../studio/chosen_step'
+import { isName, joinNumbers, splitNumbers } from '../../studio/chosen_step'
 import { useStudio } from '../../studio/context'
 import { useChanges } from '../../studio/hooks'
 import { taskWords } from '../../text/tasks'
@@ -37,7 +37,7 @@ export function PointField({
   const isTyped = value !== '' && !known && !isName(value)
   const byNumbers = isTyped || (typing && !known && value === '')
   const lists = [...new Set(places.filter(one => one.list).map(one => one.list))]
-  const jogged = jog.q ? numbersOfLocation(jog.answer?.location ?? '') : ''
+  const jogged = jog.q ? (jog.answer?.typed ?? '') : ''
   const choose = (text: string) => {
     setTyping(text === NUMBERS)
     onValue(text === NUMBERS ? (isTyped ? value : '') : text)

@@ -1,18 +1,13 @@
 """The numbers of a location: in which frame, in which convention, and its two halves."""
 
-import math
-
 from ropsim.language.check import fold
 from ropsim.language.check.body import Body
 from ropsim.language.check.types import POSE, Type, Value, known
 from ropsim.program import Constant, Expression, Keeping, Kept, Unary, ValueType
-from ropsim.spatial import PoseTuple, quaternion
+from ropsim.spatial import TOOL_FROM_APPROACH, PoseTuple, quaternion
 
 DOWN = (0.0, 1.0, 0.0, 0.0)
 """Rx(180°): the tool points straight down in its frame; the orientation of three plain numbers."""
-
-_LEVEL = (math.cos(math.pi / 4), 0.0, math.sin(math.pi / 4), 0.0)
-"""Ry(90°): turns the approach direction +X of the pitch and roll convention to tool Z."""
 
 UPRIGHT = fold.zyx(fold.real(0.0), fold.real(0.0), fold.real(0.0))
 """The orientation of what says nothing else."""
@@ -35,7 +30,9 @@ def reframed(body: Body, X_AB: PoseTuple, location: Expression) -> Expression:
 
 def pitch_roll(body: Body, location_in_work_frame: Expression) -> tuple[Expression, Expression]:
     """Return pitch and roll of a location in the convention of five numbers."""
-    unturned = fold.compose(location_in_work_frame, fold.pose((0.0, 0.0, 0.0, *quaternion.conjugate(_LEVEL))))
+    unturned = fold.compose(
+        location_in_work_frame, fold.pose((0.0, 0.0, 0.0, *quaternion.conjugate(TOOL_FROM_APPROACH)))
+    )
     X_BT = reframed(body, body.world.X_BK, unturned)
     return fold.component(X_BT, 4), fold.component(X_BT, 3)
 
@@ -66,7 +63,7 @@ def _turned(
     X_BC: PoseTuple, position: Expression, pitch: Expression, roll: Expression, yaw: Expression
 ) -> Expression:
     turned = fold.make_pose(Constant((0.0, 0.0, 0.0), ValueType.VEC), fold.zyx(yaw, pitch, roll))
-    R_BT = fold.compose(turned, fold.pose((0.0, 0.0, 0.0, *_LEVEL)))
+    R_BT = fold.compose(turned, fold.pose((0.0, 0.0, 0.0, *TOOL_FROM_APPROACH)))
     R_CT = fold.compose(_turn(quaternion.conjugate(X_BC[3:])), R_BT)
     return fold.make_pose(position, orientation_of(R_CT))
 

@@ -5,7 +5,7 @@ from typing import TypeAlias
 
 from ropsim.core import frozen_dataclass
 from ropsim.tasks.asked_geometry import Geometry, Obstruction
-from ropsim.tasks.task_call import Point
+from ropsim.tasks.point import Point
 
 Answer: TypeAlias = bool | Obstruction
 """Whether it holds, or what is in the way."""

@@ -133,7 +133,7 @@ def test_each_step_is_answered_in_the_world_that_the_one_before_it_made(desk: De
     assert worlds[3]["parts"] == ({"part": "bolt", "place": "point_1"},)
     assert [one["name"] for one in found["points"]] == ["s1", "point_1", ""]
     assert [one["points"] for one in found["steps"]] == [(0,), (), (), (1,), (2,)]
-    assert found["points"][0]["numbers"] == pytest.approx((400, 100, -200, 0, 180, 0), abs=EXACT)
+    assert found["points"][0]["numbers"] == pytest.approx((400, 100, -200, 90, 0, 180), abs=EXACT)
     assert Pose.from_tuple(found["points"][1]["pose"]).position == pytest.approx((0.5, -0.1, -0.15))
     assert found["text"].splitlines()[-2:] == ["pick s1", "place point_1, 20 mm"]
     assert found["listed"].splitlines()[2:] == ["point_1,400,-100,-150,,"]

@@ -17,7 +17,7 @@ from ropsim.kinematics import (
 from ropsim.model import BodyTree, Cell, Station, body_tree, link_name, tool_body
 from ropsim.spatial import Array, Pose
 from ropsim.studio.desk.jog.choice import nearest
-from ropsim.studio.desk.jog.location import location_text
+from ropsim.studio.desk.jog.location import location_text, typed_text
 from ropsim.studio.desk.jog.stops import within_limits
 from ropsim.studio.desk.jog.words import Words, limit_words, refusal_words, singularity_words, worst_first
 from ropsim.studio.jobs import Failed, JogJoints, JogReply, JogTcp
@@ -87,7 +87,8 @@ class JoggedArm:
         all_words = worst_first([*words, *singularity_words(robot, q)])
         reached = all(level != "error" for level, _ in words)
         location = location_text(robot, X_MT, q) if robot.has_arm else ""
-        return JogReply(tuple(q.tolist()), X_WT.as_tuple(), bodies, reached, all_words, location)
+        typed = typed_text(robot, X_MT, q) if robot.has_arm else ""
+        return JogReply(tuple(q.tolist()), X_WT.as_tuple(), bodies, reached, all_words, location, typed)
 
     def _tool(self, name: str) -> Pose | None:
         """Return X_MT of a tool; without a name that of the station's default tool."""

@@ -6,7 +6,7 @@ import numpy as np
 
 from ropsim.kinematics import forward, posture
 from ropsim.model import JointType, RobotModel
-from ropsim.spatial import Array, Pose, roll_pitch_yaw
+from ropsim.spatial import Array, Pose, pitch_roll_yaw, roll_pitch_yaw
 
 INSIDE = 5e-5
 """So far from the ends of its range each joint is taught: rounding moves it by less [rad | m]."""
@@ -37,6 +37,22 @@ def location_text(robot: RobotModel, X_MT: Pose, q: Array) -> str:
     ]
     carried = f" external ({', '.join(values)})" if values else ""
     return f"({place}; rpy {turn}{_posture(robot, q)}) in base{carried}"
+
+
+def typed_text(robot: RobotModel, X_MT: Pose, q: Array) -> str:
+    """Return the same pose as a point is typed for a task: X, Y, Z, Pitch, Roll, Yaw in mm and deg.
+
+    Args:
+        robot: as with `location_text`; empty where it has external axes, which points do not have.
+        X_MT: as with `location_text`.
+        q: as with `location_text`.
+    """
+    if robot.external:
+        return ""
+    X_BT = forward(robot, q) @ X_MT
+    cells = [f"{round(one * 1e3, 2) + 0.0:.10g}" for one in X_BT.position.tolist()]
+    cells += [f"{round(degrees(one), 3) + 0.0:.10g}" for one in pitch_roll_yaw(X_BT)]
+    return ", ".join(cells)
 
 
 def _posture(robot: RobotModel, q: Array) -> str:

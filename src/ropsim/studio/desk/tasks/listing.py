@@ -6,14 +6,14 @@ from ropsim.studio.desk.tasks.known_project import KnownProject
 from ropsim.studio.task_messages import PartPlace, PlaceChoice, TaskChoice, TaskList, TaskParameter, WorldNow
 from ropsim.tasks import (
     UNITS,
+    Coordinates,
     KnownTask,
-    Numbers,
     Parameter,
     WorldState,
     default_text,
-    exchanged,
     fact_words,
     group_of,
+    typed_numbers,
     words,
     world_table,
 )
@@ -32,7 +32,7 @@ def task_list(known: KnownProject, revision: int) -> TaskList:
     )
 
 
-def world_now(state: WorldState, names: Mapping[Numbers, str]) -> WorldNow:
+def world_now(state: WorldState, names: Mapping[Coordinates, str]) -> WorldNow:
     """Return what is true in a state.
 
     Args:
@@ -62,4 +62,4 @@ def _places(known: KnownProject) -> Iterator[PlaceChoice]:
     for name, found in known.lists.items():
         yield PlaceChoice(name, "", name, len(found.points))
         for point, numbers in found.points:
-            yield PlaceChoice(name, point, " ".join(f"{one:.10g}" for one in exchanged(numbers)), 1)
+            yield PlaceChoice(name, point, " ".join(f"{one:.10g}" for one in typed_numbers(numbers)), 1)

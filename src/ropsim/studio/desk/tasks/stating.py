@@ -1,17 +1,20 @@
 """What is said of the steps that an operator has chosen, and of the points of their program."""
 
-from math import degrees
+from math import degrees, radians
+
+import numpy as np
 
 from ropsim.core import RopsimError
-from ropsim.spatial import roll_pitch_yaw
+from ropsim.spatial import Pose, approach_orientation, pitch_roll_yaw
 from ropsim.studio.desk.tasks.known_project import KnownProject
 from ropsim.studio.desk.tasks.listing import world_now
 from ropsim.studio.jobs import TaskSteps
 from ropsim.studio.task_messages import PartPlace, ProgramPoint, SixNumbers, StepState, TasksChecked
 from ropsim.tasks import (
+    ApproachPose,
     CallReport,
+    Coordinates,
     Draft,
-    Numbers,
     Point,
     TypedStep,
     draft_points,
@@ -19,6 +22,9 @@ from ropsim.tasks import (
     drafted,
     unchecked_text,
 )
+
+_SAME = 1e-9
+"""Poses whose numbers differ by less are the same [m, without unit]."""
 
 PROGRAM = "chosen_tasks"
 """Name of the program of the steps as long as it has none."""
@@ -40,7 +46,7 @@ def checked(known: KnownProject, steps: TaskSteps, number: int, revision: int) -
     return TasksChecked(number, revision, states, told, text, listed, problem, unchecked)
 
 
-def _state(report: CallReport, names: dict[Numbers, str], places: dict[Point, int]) -> StepState:
+def _state(report: CallReport, names: dict[Coordinates, str], places: dict[Point, int]) -> StepState:
     hint = "; ".join(one.hint for one in (*report.findings, *report.warnings) if one.hint)
     warning = "; ".join(one.message for one in report.warnings)
     told = tuple(PartPlace(name, value) for name, value in report.call.objects)
@@ -49,15 +55,24 @@ def _state(report: CallReport, names: dict[Numbers, str], places: dict[Point, in
     return StepState(str(report.call), report.ok, report.message, hint, warning, told, world, points)
 
 
-def _point(known: KnownProject, point: Point, names: dict[Numbers, str]) -> ProgramPoint:
+def _point(known: KnownProject, point: Point, names: dict[Coordinates, str]) -> ProgramPoint:
     name = point if isinstance(point, str) else names.get(point, "")
     X_BT = known.pose(point)
     if X_BT is None or known.cell is None:
         return ProgramPoint(name, None, None)
+    return ProgramPoint(name, _numbers(point, X_BT), (known.cell.first.X_WB @ X_BT).as_tuple())
+
+
+def _numbers(point: Point, X_BT: Pose) -> SixNumbers:
+    """Return X Y Z [mm] Pitch Roll Yaw [deg] of a pose; those that were typed, where they give this pose."""
+    if isinstance(point, ApproachPose):
+        q = approach_orientation(*(radians(one) for one in point.numbers[3:]))
+        typed = Pose(1e-3 * np.array(point.numbers[:3]), np.array(q))
+        if np.allclose(typed.matrix(), X_BT.matrix(), rtol=0.0, atol=_SAME):
+            return point.numbers
     x, y, z = (1e3 * one for one in X_BT.position.tolist())
-    roll, pitch, yaw = map(degrees, roll_pitch_yaw(X_BT))
-    numbers: SixNumbers = (x, y, z, pitch, roll, yaw)
-    return ProgramPoint(name, numbers, (known.cell.first.X_WB @ X_BT).as_tuple())
+    pitch, roll, yaw = map(degrees, pitch_roll_yaw(X_BT))
+    return x, y, z, pitch, roll, yaw
 
 
 def _text(draft: Draft, known: KnownProject) -> tuple[str, str]:
