@@ -381,6 +381,12 @@ class Timeless:
     def attained(self, modal: ModalState) -> Pose | None:
         return Pose() if modal.tool else None
 
+    def commanded(self, modal: ModalState) -> Pose | None:
+        return Pose() if modal.tool else None
+
+    def reached(self, target: icr.Target, then: ModalState, now: ModalState) -> Pose | None:
+        return target if isinstance(target, Pose) and then.tool == now.tool else None
+
 
 @settings(max_examples=40, derandomize=True)
 @given(programs(), st.integers(0, 30))

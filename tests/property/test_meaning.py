@@ -17,7 +17,7 @@ PROGRAMS = 500
 BATCH = 50
 WORDS = """
 if elseif else while repeat until for each with set load lin print return break continue stop const var
-pattern task above offset rel in and or not mod here
+pattern task above offset rel in and or not mod here mov home joints
 """
 
 

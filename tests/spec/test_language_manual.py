@@ -7,11 +7,13 @@ from dataclasses import replace
 
 import pytest
 
-from ropsim import icr
+from ropsim import icr, robots
 from ropsim.flow import MessageInstruction, MoveInstruction
 from ropsim.language import Compiled, Environment, compile
 from ropsim.program import SignalUse, ValueType
 from ropsim.spatial import Pose
+from ropsim.workbench.dry_arm import dry_arm
+from support.cells import one_station
 from support.manual import DOCS, Block, blocks
 from support.tasks import CELL
 
@@ -21,6 +23,9 @@ MANUAL_CELL = replace(
     signals={**CELL.signals, "glue": SignalUse("glue", is_input=False, type=ValueType.BOOL)},
 )
 """The small cell of the tests, with an output, and a robot with a track and a positioner."""
+
+ROBOT = one_station("manual", robots.load("puma560"), robots.default_controller("puma560"))
+"""The arm that `here` and `store` need."""
 
 DOWN = (0.0, 1.0, 0.0, 0.0)
 BLOCKS = blocks(DOCS / "reference" / "language.md", "task")
@@ -80,7 +85,7 @@ def test_an_example_without_its_wrong_lines_runs_as_it_says(block: Block) -> Non
     result = compiled(right_lines(block))
     assert result.icr is not None, [str(one) for one in result.diagnostics]
     assert icr.verify(result.icr) == ()
-    trace = icr.run(result.icr)
+    trace = icr.run(result.icr, icr.StillWorld(arm=dry_arm(ROBOT, ROBOT.first)))
     at: dict[int, list[tuple[float, ...]]] = {}
     says: dict[int, list[str]] = {}
     for step in trace.instructions:

@@ -29,13 +29,16 @@ class Outcome:
 
 
 def outcome(
-    text: str, inputs: Mapping[str, bool | int | float] | None = None, environment: Environment = CELL
+    text: str,
+    inputs: Mapping[str, bool | int | float] | None = None,
+    environment: Environment = CELL,
+    arm: icr.Arm | None = None,
 ) -> Outcome:
     """Compile a program that has no errors, verify and run it."""
     result = compiled(text, environment)
     assert result.icr is not None, [str(one) for one in result.diagnostics]
     assert icr.verify(result.icr) == ()
-    return of_code(result.icr, icr.StillWorld(inputs or {}))
+    return of_code(result.icr, icr.StillWorld(inputs or {}, arm))
 
 
 def of_code(code: icr.Program, world: icr.StillWorld) -> Outcome:

@@ -2,7 +2,7 @@
 
 import argparse
 import shlex
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -23,6 +23,7 @@ from ropsim.workbench import (
     Workspace,
     found_in,
     open_project,
+    program_arm,
 )
 
 if TYPE_CHECKING:
@@ -128,7 +129,9 @@ def _simulate(
         progress(0.0, "preparing the arm (compiled once, then cached)")
         from ropsim.simulation import run as simulate
 
-        return simulate(cell, codes, _run_options(options, _counted(codes.values(), progress)))
+        arms = {name: program_arm(code, cell, cell.stations[name]) for name, code in codes.items()}
+        traces = [icr.run(code, icr.StillWorld(arm=arms[name])) for name, code in codes.items()]
+        return simulate(cell, codes, _run_options(options, _counted(traces, progress)))
 
 
 def _looked_at(project: Project, recording: Recording) -> Recording:
@@ -155,11 +158,8 @@ def _run_options(options: argparse.Namespace, progress: Callable[[str], None]) -
     return with_inputs(RunOptions(fidelity, progress=progress), given)
 
 
-def _counted(
-    programs: Iterable[icr.Program], progress: Callable[[float, str], None]
-) -> Callable[[str], None]:
+def _counted(traces: Collection[icr.DryRun], progress: Callable[[float, str], None]) -> Callable[[str], None]:
     """Return a progress that knows how many moves there will be, from runs without robots."""
-    traces = [icr.run(program) for program in programs]
     # a trace that ends early, at an input that nobody sets there, does not know how many moves there will be
     total = 0 if any(trace.trap for trace in traces) else sum(len(trace.moves) for trace in traces)
     done = 0

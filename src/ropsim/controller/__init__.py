@@ -2,9 +2,11 @@
 
 from ropsim.controller.added_joints import braked as braked
 from ropsim.controller.added_joints import is_within_limits as is_within_limits
+from ropsim.controller.arm_poses import ArmPoses as ArmPoses
 from ropsim.controller.cascaded_p_pi import cascaded_p_pi as cascaded_p_pi
 from ropsim.controller.chain import plan_move as plan_move
 from ropsim.controller.chain import standard_chain as standard_chain
+from ropsim.controller.chain import work_frames as work_frames
 from ropsim.controller.clock_diagnostics import ClockError as ClockError
 from ropsim.controller.coordination import Coordination as Coordination
 from ropsim.controller.correction import Correction as Correction

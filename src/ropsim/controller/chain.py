@@ -17,16 +17,19 @@ from ropsim.spatial import Array
 
 
 def standard_chain(cell: Cell, station: Station) -> MotionChain:
-    """Return the built-in entities for the robot, tools, frames and controller of a station.
-
-    This is the one place where the poses of the world become those of the controller, in the base frame.
-    """
+    """Return the built-in entities for the robot, tools, frames and controller of a station."""
     robot, tools, tool = station.robot, station.tools, station.default_tool
-    frames = in_base(station.X_WB, still_frames(cell.frames))
-    moving, others = moving_frames(cell, station), frames_of_others(cell, station)
+    work = work_frames(cell, station)
     return MotionChain(
         StandardPathPlanner(
-            robot, station.controller, tools, frames, tool, robot.home, moving=moving, others=others
+            robot,
+            station.controller,
+            tools,
+            work.frames,
+            tool,
+            robot.home,
+            moving=work.moving,
+            others=work.others,
         ),
         StandardInterpolator(),
         StandardInverseTransform(robot, tools, tool),
@@ -34,8 +37,18 @@ def standard_chain(cell: Cell, station: Station) -> MotionChain:
         robot,
         station.controller,
         StandardPathCorrector(station.controller.correction),
-        WorkFrames(tools, frames, tool, moving, others),
+        work,
     )
+
+
+def work_frames(cell: Cell, station: Station) -> WorkFrames:
+    """Return the tools and task frames of a station.
+
+    This is the one place where the poses of the world become those of the controller, in the base frame.
+    """
+    frames = in_base(station.X_WB, still_frames(cell.frames))
+    moving, others = moving_frames(cell, station), frames_of_others(cell, station)
+    return WorkFrames(station.tools, frames, station.default_tool, moving, others)
 
 
 def plan_move(chain: MotionChain, move: MoveInstruction, q_start: Array) -> MotionPlan | Refusal:

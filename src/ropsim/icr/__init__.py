@@ -59,7 +59,9 @@ from ropsim.icr.types import Type as Type
 from ropsim.icr.types import Value as Value
 from ropsim.icr.verifier import capabilities as capabilities
 from ropsim.icr.verifier import verify as verify
+from ropsim.icr.world import Arm as Arm
 from ropsim.icr.world import PassingWorld as PassingWorld
 from ropsim.icr.world import StillWorld as StillWorld
+from ropsim.icr.world import Target as Target
 from ropsim.icr.world import World as World
 from ropsim.icr.writer import disassemble as disassemble

@@ -34,7 +34,7 @@ class Machine:
     """A run of one program.
 
     `advance` returns robot instructions in program order, running ahead of the robot. Before the machine
-    reads anything that depends on time (`IN`, `WAIT.IN`, `TIME`, `CURPOSE`) and before `STOP`, it returns a
+    reads anything that depends on time (`IN`, `WAIT.IN`, `TIME`, `ATTAINED`) and before `STOP`, it returns a
     SyncInstruction; by the next call of `advance` the consumer promises that everything before has been
     carried out.
 

@@ -169,7 +169,7 @@ _TABLE = """
 040B GETORI    -        P   O  -     orientation of a pose
 040C DIST      -        PP  R  -     distance of the origins of two poses [m]
 040D ANGLE     -        PP  R  -     angle between the orientations of two poses [rad], 0 .. pi
-040E CURPOSE   -        -   P  -     pose commanded last, X_KT, in the frame and for the tool in force
+040E CURPOSE   -        -   P  -     command pose behind the last move, X_KT, for frame and tool in force
 0410 INFRAME   frame    P   P  -     [pose -> the same numbers in a task frame of its own]; - for none
 0411 REFRAME   -        PP  P  -     [X_AB X_BC -> X_AC]; X_BC as it is where it has a task frame of its own
 0412 GETC      index    *   R  -     component i of a POSE, VEC, ORI or JOINTS: x y z, rx ry rz (fixed XYZ)

@@ -34,6 +34,13 @@ class Commanded(NamedTuple):
     modal: ModalState
 
 
+class CommandedJoints(NamedTuple):
+    """The joint coordinates [rad | m] commanded last, None for the home position, with the modal state."""
+
+    joints: tuple[float, ...] | None
+    modal: ModalState
+
+
 class Caller(NamedTuple):
     """An activation that waits for the procedure it called.
 
@@ -79,7 +86,7 @@ class MachineState:
         call_serials: ordinal of each of them in the run.
         modal: modal state in force.
         saved: modal states saved, the last one on top.
-        commanded: pose commanded last, or None.
+        commanded: target of the last move; None at the start, and where the target does not tell the end.
         triggers: those of the next move.
         guard: that of the next move, or None.
         tracking: that of the next move, or None.
@@ -100,7 +107,7 @@ class MachineState:
     call_serials: tuple[int, ...]
     modal: ModalState
     saved: tuple[ModalState, ...]
-    commanded: Commanded | None
+    commanded: Commanded | CommandedJoints | None
     triggers: tuple[Trigger, ...]
     guard: Guard | None
     tracking: PathTracking | None
@@ -125,7 +132,7 @@ class Registers:
     call_serials: tuple[int, ...] = (0,)
     modal: ModalState = field(default_factory=ModalState)
     saved: list[ModalState] = field(default_factory=list)
-    commanded: Commanded | None = None
+    commanded: Commanded | CommandedJoints | None = None
     triggers: tuple[Trigger, ...] = ()
     guard: Guard | None = None
     tracking: PathTracking | None = None

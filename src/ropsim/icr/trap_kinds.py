@@ -59,12 +59,14 @@ POSE_UNKNOWN = define(
     "I465",
     "command-pose-unknown",
     _ERROR,
-    "trap: the command pose is asked for before a move to a pose",
+    "trap: the pose of the arm is not known",
     """
-`here` (`CURPOSE`) is the pose that was commanded last. At the start, after a move to joint coordinates or
-home, after an arc of an angle and after a move that a condition ends, no pose has been commanded; and when a
-tool comes into force whose pose only the cell knows, it cannot be computed. Move to a pose first, or let the
-move before keep where it ends, `mov home store p`, and use `p` in place of `here`.
+`here` (`CURPOSE`) and `store` (`ATTAINED`) need a robot where the last target does not tell the pose: at the
+start, after a move to joint coordinates or home, after an arc of an angle, and when a tool comes into force
+whose pose only the cell knows. A run without a robot, such as that of `ropsim icr run`, ends there; run the
+program in its cell. In a cell this is told for a tool or a frame that neither cell nor program gives, for
+a task frame that another station moves, and for the distance of locations in frames that move against each
+other.
 """,
 )
 

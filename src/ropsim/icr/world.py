@@ -1,10 +1,13 @@
 """What lies outside the machine: inputs and time."""
 
 from collections.abc import Mapping
-from typing import Protocol
+from typing import Protocol, TypeAlias
 
 from ropsim.flow import Instruction, ModalState, MoveInstruction, OutputInstruction, WaitInstruction
 from ropsim.spatial import Pose
+
+Target: TypeAlias = Pose | tuple[float, ...] | None
+"""A pose X_KT, joint coordinates [rad | m], or None for the home position: that of a `MoveInstruction`."""
 
 
 class World(Protocol):
@@ -37,19 +40,95 @@ class World(Protocol):
         """
         ...
 
+    def reached(self, target: Target, then: ModalState, now: ModalState) -> Pose | None:
+        """Return where a move leads, X_KT; None where it is known only when the arm stands there.
+
+        May be called before the move has been carried out.
+
+        Args:
+            target: of the move.
+            then: its modal state.
+            now: with the tool and the task frame of the pose.
+        """
+        ...
+
+    def commanded(self, modal: ModalState) -> Pose | None:
+        """Return the pose X_KT of the tool of a modal state at which the arm stands by command.
+
+        It differs from `attained` by the error of the drives, and where a condition has ended a move by the
+        distance of braking. None if it is not known.
+        """
+        ...
+
+
+class Arm(Protocol):
+    """The robot of a still world, which stands exactly where its moves lead. Immutable."""
+
+    def after(self, move: MoveInstruction) -> "Arm":
+        """Return the arm behind one more move."""
+        ...
+
+    def standing(self, modal: ModalState) -> Pose | None:
+        """Return the pose X_KT of the tool of a modal state at which the arm stands; None if not known."""
+        ...
+
+    def reached(self, target: Target, then: ModalState, now: ModalState) -> Pose | None:
+        """Return where a move leads; see `World.reached`."""
+        ...
+
+
+class UnknownArm:
+    """An arm of which nothing is known: only targets that are poses tell where it stands.
+
+    Args:
+        last: the last move; None at the start.
+    """
+
+    def __init__(self, last: MoveInstruction | None = None) -> None:
+        self._last = last
+
+    def after(self, move: MoveInstruction) -> "UnknownArm":
+        """Return the arm behind one more move."""
+        return UnknownArm(move)
+
+    def standing(self, modal: ModalState) -> Pose | None:
+        """Return the target of the last move; None for one that does not tell the pose at its end."""
+        last = self._last
+        if last is None or last.angle is not None:
+            return None
+        return self.reached(last.target, last.modal, modal)
+
+    def reached(self, target: Target, then: ModalState, now: ModalState) -> Pose | None:
+        """Return a pose by the frames and tools of the program; None for joint coordinates and home.
+
+        None also for another tool of which only the cell knows the pose.
+        """
+        if not isinstance(target, Pose):
+            return None
+        if (then.frame, then.X_BK) != (now.frame, now.X_BK):
+            target = now.X_BK.inverse() @ (then.X_BK @ target)
+        if (then.tool, then.X_MT) == (now.tool, now.X_MT):
+            return target
+        if then.X_MT is None or now.X_MT is None:
+            return None
+        return target @ then.X_MT.inverse() @ now.X_MT
+
 
 class StillWorld:
-    """A world without a robot: inputs never change, and time passes only by waiting.
+    """A world in which inputs never change, and time passes only by waiting.
 
     Args:
         inputs: channel -> value; all others are FALSE or 0.
+        arm: the robot at the start; None for one of which nothing is known.
     """
 
-    def __init__(self, inputs: Mapping[str, bool | int | float] | None = None) -> None:
+    def __init__(
+        self, inputs: Mapping[str, bool | int | float] | None = None, arm: Arm | None = None
+    ) -> None:
         self._channels = dict(inputs or {})
+        self._arm: Arm = UnknownArm() if arm is None else arm
         self._time = 0.0
         self._met = False
-        self._reached: MoveInstruction | None = None
 
     def read(self, channel: str) -> bool | int | float:
         """Return the value given for a channel, or what the program has set it to."""
@@ -71,18 +150,16 @@ class StillWorld:
         return self._met
 
     def attained(self, modal: ModalState) -> Pose | None:
-        """Return the target of the last move, as if all guarded moves ended there; None where it is no pose.
+        """Return where the arm stands, as if all guarded moves ended at their targets; None if not known."""
+        return self._arm.standing(modal)
 
-        None also for another tool than that of the move.
-        """
-        move = self._reached
-        if move is None or not isinstance(move.target, Pose) or move.angle is not None:
-            return None
-        if (move.modal.tool, move.modal.X_MT) != (modal.tool, modal.X_MT):
-            return None
-        if (move.modal.frame, move.modal.X_BK) == (modal.frame, modal.X_BK):
-            return move.target
-        return modal.X_BK.inverse() @ move.modal.X_BK @ move.target
+    def commanded(self, modal: ModalState) -> Pose | None:
+        """Return the same: the arm stands exactly where it is commanded to."""
+        return self._arm.standing(modal)
+
+    def reached(self, target: Target, then: ModalState, now: ModalState) -> Pose | None:
+        """Return where a move leads, as far as the arm knows."""
+        return self._arm.reached(target, then, now)
 
     def carry_out(self, instruction: Instruction) -> None:
         """Set outputs, or let the duration of a wait pass; everything else takes no time here."""
@@ -91,7 +168,7 @@ class StillWorld:
         elif isinstance(instruction, MoveInstruction):
             for trigger in instruction.triggers:
                 self._channels[trigger.channel] = trigger.value
-            self._reached = instruction
+            self._arm = self._arm.after(instruction)
             if instruction.guard is not None:
                 self._met = instruction.guard.holds(self.read(instruction.guard.channel))
         elif isinstance(instruction, WaitInstruction):

@@ -3,7 +3,7 @@
 from collections.abc import Callable, Mapping
 
 from ropsim.flow import Instruction
-from ropsim.icr import PassingWorld
+from ropsim.icr import Arm, PassingWorld
 
 
 class SupersededError(Exception):
@@ -36,9 +36,11 @@ class Attention:
         if self.is_called():
             raise SupersededError
 
-    def world(self, inputs: Mapping[str, bool | int | float] | None = None) -> "AttentiveWorld":
+    def world(
+        self, inputs: Mapping[str, bool | int | float] | None = None, arm: Arm | None = None
+    ) -> "AttentiveWorld":
         """Return a world for a dry run that gives way; see `PassingWorld`."""
-        return AttentiveWorld(self, inputs)
+        return AttentiveWorld(self, inputs, arm)
 
 
 class AttentiveWorld(PassingWorld):
@@ -47,10 +49,16 @@ class AttentiveWorld(PassingWorld):
     Args:
         attention: looks.
         inputs: channel -> value; all others are FALSE or 0.
+        arm: the robot at the start; None for one of which nothing is known.
     """
 
-    def __init__(self, attention: Attention, inputs: Mapping[str, bool | int | float] | None = None) -> None:
-        super().__init__(inputs)
+    def __init__(
+        self,
+        attention: Attention,
+        inputs: Mapping[str, bool | int | float] | None = None,
+        arm: Arm | None = None,
+    ) -> None:
+        super().__init__(inputs, arm)
         self._attention = attention
 
     def carry_out(self, instruction: Instruction) -> None:

@@ -7,6 +7,7 @@ from ropsim.flow import Instruction, Origin
 from ropsim.lsp.document import Document
 from ropsim.lsp.workshop import Surroundings, Workshop
 from ropsim.query import is_same
+from ropsim.workbench import program_arm
 
 #: ICR instructions after which the comparison of two dry runs ends.
 BUDGET = 100_000
@@ -21,7 +22,9 @@ def has_same_code(document: Document, after: str, around: Surroundings, workshop
 def does_the_same(document: Document, after: str, around: Surroundings, workshop: Workshop) -> bool:
     """Return whether dry runs of both hand out the same instructions, whoever calls for them."""
     old, new = _codes(document, after, around, workshop)
-    return old is not None and new is not None and (_handed_out(old, workshop) == _handed_out(new, workshop))
+    if old is None or new is None:
+        return False
+    return _handed_out(old, around, workshop) == _handed_out(new, around, workshop)
 
 
 def _codes(
@@ -39,8 +42,9 @@ def _steps(code: icr.Program) -> tuple[tuple[icr.Step, ...], ...]:
     return tuple(one.code for one in code.procedures)
 
 
-def _handed_out(code: icr.Program, workshop: Workshop) -> list[Instruction]:
-    run = icr.run_verified(code, workshop.attention.world(), BUDGET)
+def _handed_out(code: icr.Program, around: Surroundings, workshop: Workshop) -> list[Instruction]:
+    arm = program_arm(code, around.cell, around.station)
+    run = icr.run_verified(code, workshop.attention.world(arm=arm), BUDGET)
     return [_without_origin(one) for one in run.instructions]
 
 

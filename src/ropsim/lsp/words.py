@@ -79,7 +79,7 @@ INNER: dict[str, Word] = {
     "do": Word("while c do", "May end the head of a loop."),
     "true": Word("true", "The truth value that holds."),
     "false": Word("false", "The truth value that does not hold."),
-    "here": Word("here", "The pose commanded last, for the tool in force."),
+    "here": Word("here", "Where the arm is commanded to be, for the tool in force."),
     "home": Word("mov home", "The home position of the arm."),
 }
 

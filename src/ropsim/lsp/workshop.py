@@ -26,6 +26,7 @@ from ropsim.workbench import (
     Workspace,
     around_programs,
     moves_by_line,
+    program_arm,
     read_robot,
     read_robot_files,
     read_task_texts,
@@ -210,10 +211,11 @@ class Workshop:
         """
         around = self.named(document, documents)
         code = self.workspace.code(_source(document), around.at)
-        made_of = code, around.environment
+        arm = program_arm(code, around.cell, around.station) if code is not None else None
+        made_of = code, (around.environment, arm)
         known = self._moves.get(document.uri)
         if code is not None and (known is None or not _are_same(known[1], made_of)):
-            found = moves_by_line(code, self.attention.world)
+            found = moves_by_line(code, partial(self.attention.world, arm=arm))
             self._moves[document.uri] = known = document, made_of, found
         if known is None:
             return None

@@ -114,7 +114,7 @@ class MakeJoints:
 
 @frozen_dataclass
 class CommandPose:
-    """The pose commanded last, X_KT (`here`)."""
+    """The pose at which the last move ends by command, X_KT (`here`)."""
 
     type: ValueType = ValueType.POSE
 

@@ -22,7 +22,6 @@ from ropsim.flow import (
 )
 from ropsim.icr import Finished, Machine, Program
 from ropsim.simulation.adapting import adapted
-from ropsim.simulation.attained import attained_pose
 from ropsim.simulation.cell_run import CellRun
 from ropsim.simulation.diagnostics import RUN_TOO_LONG
 from ropsim.simulation.gripping import grip
@@ -34,6 +33,7 @@ from ropsim.simulation.run_options import RunOptions
 from ropsim.simulation.sensing import Senses
 from ropsim.simulation.serving import Serving, is_needed
 from ropsim.simulation.servo.diagnostics import DivergedError, ServoArrayError
+from ropsim.simulation.station_arm import StationArm
 from ropsim.simulation.station_run import StationRun
 from ropsim.simulation.steps import Steps
 from ropsim.simulation.stretch import gather
@@ -60,7 +60,7 @@ def work(run: CellRun, at: StationRun, program: Program, options: RunOptions) ->
         lambda: at.time,
         lambda: run.watch.reading(run),
         options.longest_wait,
-        lambda modal, q_then: attained_pose(at, modal, q_then),
+        StationArm(at),
     )
     machine = Machine(program, world)
     steps = Steps(adapted(machine.advance, options.adapt))

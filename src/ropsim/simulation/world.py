@@ -5,7 +5,9 @@ from dataclasses import dataclass, field
 
 from ropsim.controller import Sample
 from ropsim.flow import ModalState
+from ropsim.icr import Target
 from ropsim.simulation.polling import Polling
+from ropsim.simulation.station_arm import StationArm
 from ropsim.spatial import Array, Pose
 
 
@@ -18,8 +20,7 @@ class SimulatedWorld:
         now: returns the simulated time of the station [s].
         look: is called before each reading.
         longest_wait: a wait without a timeout ends after this time [s].
-        where: returns the pose that the tool in force has in the task frame in force, X_KT, with the arm at
-            given coordinates [rad | m], shape (n,), or as it is where there are none.
+        arm: tells poses of the arm of the station.
         came: whether the channel that was waited for last came to have its value.
         guard_met: whether the condition of the guarded move that was carried out last ended it.
         q_met: attained coordinates at the tick at which it was seen to be true [rad | m], shape (n,); None
@@ -31,7 +32,7 @@ class SimulatedWorld:
     now: Callable[[], float]
     look: Callable[[], None]
     longest_wait: float
-    where: Callable[[ModalState, Array | None], Pose]
+    arm: StationArm
     came: bool = False
     guard_met: bool = False
     q_met: Array | None = None
@@ -69,4 +70,13 @@ class SimulatedWorld:
         Behind a move that its condition has ended it is that at which the condition was seen to be true.
         """
         self.look()
-        return self.where(modal, self.q_met)
+        return self.arm.attained(modal, self.q_met)
+
+    def commanded(self, modal: ModalState) -> Pose | None:
+        """Return the pose X_KT of the tool in force at which the arm stands by command."""
+        self.look()
+        return self.arm.commanded(modal)
+
+    def reached(self, target: Target, then: ModalState, now: ModalState) -> Pose | None:
+        """Return where a move leads, by the tools and frames of the cell."""
+        return self.arm.reached(target, then, now)

@@ -9,6 +9,7 @@ from ropsim.flow import MoveInstruction
 from ropsim.model import Station
 from ropsim.spatial import Pose
 from ropsim.workbench.environment import environment_of
+from ropsim.workbench.program_arm import program_arm
 from ropsim.workbench.project import Project
 from ropsim.workbench.resolved import BUDGET
 
@@ -48,7 +49,8 @@ def program_points(
     found: dict[tuple[float, ...], TaskPoint] = {}
     left = 0
     lines: dict[str, int] = {}
-    for move in icr.run(compiled.icr, budget=BUDGET).moves:
+    world = icr.StillWorld(arm=program_arm(compiled.icr, project.cell, station))
+    for move in icr.run(compiled.icr, world, BUDGET).moves:
         poses = tuple(_flange_poses(project, station, move))
         left += not poses
         for X_BM in poses:

@@ -22,14 +22,12 @@ class Sight:
         constants: declared ones, as literals whose text is their name.
         counters: names of open loops over patterns.
         references: how many reference locations there are.
-        has_here: whether a location has just been moved to.
     """
 
     names: dict[str, str] = field(default_factory=dict)
     constants: list[Expr] = field(default_factory=list)
     counters: list[str] = field(default_factory=list)
     references: int = 0
-    has_here: bool = False
 
     def of(self, kind: str) -> list[str]:
         """Return the variables of a kind."""
@@ -117,7 +115,7 @@ def _leaf(random: Random, sight: Sight, kind: str) -> Expr:
         return random.choice(constants)
     if kind == "bool" and random.random() < 0.1:
         return Expr("signal", kind, text="part_ok")
-    if kind == "loc" and sight.has_here and random.random() < 0.3:
+    if kind == "loc" and random.random() < 0.2:
         return Expr("here", kind, text="here")
     if names and random.random() < 0.75:
         return Expr("name", kind, text=random.choice(names))

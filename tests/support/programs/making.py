@@ -119,10 +119,8 @@ class _Maker(Simple):
     def block(self, sight: Sight, depth: int, count: int, around: tuple[str, ...]) -> list[Stmt]:
         """Return statements; `around` says which ways out there are: loops, and the result of the task."""
         found: list[Stmt] = []
-        before = sight.has_here
         for _ in range(count):
             found += self.statement(sight, depth, around)
-        sight.has_here = before
         return found
 
     def statement(self, sight: Sight, depth: int, around: tuple[str, ...]) -> list[Stmt]:
@@ -137,17 +135,13 @@ class _Maker(Simple):
             self.called,
         ]
         if depth > 0 and random.random() < 0.45:
-            here, sight.has_here = sight.has_here, False
             choices = (self.branch, self.counted, self.counting, self.waiting, self.through, self.framed)
-            found = random.choice(choices)(sight, depth - 1, around)
-            sight.has_here = False if found else here
-            return found
+            return random.choice(choices)(sight, depth - 1, around)
         if around and random.random() < 0.12:
             return self.way_out(sight, around)
         if random.random() < 0.01:
             return [Stmt("stop")]
         if around and random.random() < 0.05:
-            sight.has_here = False
             return [Stmt("set", random.choice(("base", "pallet", "shelf", "tilted")))]
         return random.choice(simple)(sight)
 

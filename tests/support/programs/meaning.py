@@ -7,7 +7,7 @@ from support.programs import places
 from support.programs.grids import cells
 from support.programs.nodes import Expr, Program, Stmt, Task
 from support.programs.numbers import TrapError, shown
-from support.programs.places import FRAMES, Place
+from support.programs.places import ARM, FRAMES, Place
 from support.programs.values import AXES, Datum, Scope, TooLongError, Values
 
 STEPS = 3_000
@@ -31,10 +31,13 @@ class _ReturnError(Exception):
 
 @dataclass(slots=True)
 class Run:
-    """What has happened so far: what was said, where the arm was sent, how it ended."""
+    """What has happened so far: what was said, where the arm was sent, how it ended.
+
+    Moves to joint coordinates and home are there as they are written.
+    """
 
     says: list[str] = field(default_factory=list)
-    moves: list[Place] = field(default_factory=list)
+    moves: list[Place | str] = field(default_factory=list)
     trap: tuple[str, int] | None = None
     values: dict[str, Datum] = field(default_factory=dict)
 
@@ -140,6 +143,10 @@ class _Meaning(Values):
     def do_lin(self, scope: Scope, one: Stmt) -> None:
         self.here = self.place(scope, one.parts[0])
         self.done.moves.append(self.here)
+
+    def do_mov(self, _scope: Scope, one: Stmt) -> None:
+        self.here = ARM[one.name]
+        self.done.moves.append(one.name)
 
     def do_when(self, scope: Scope, one: Stmt) -> None:
         if self.number(scope, one.parts[0]):

@@ -3,6 +3,13 @@
 import math
 from dataclasses import dataclass
 
+import numpy as np
+
+from ropsim import robots
+from ropsim.kinematics import forward
+from ropsim.model import Cell
+from ropsim.spatial import Array
+from support.cells import one_station
 from support.tasks import CELL
 
 Row = tuple[float, float, float]
@@ -90,3 +97,21 @@ FRAMES = {
     ),
 }
 INFEED = Place(DOWN, (CELL.locations["infeed"][0], CELL.locations["infeed"][1], CELL.locations["infeed"][2]))
+
+STATION: Cell = one_station("programs", robots.load("puma560"), robots.default_controller("puma560"))
+"""The robot that the programs move; it stands in its home position at the start."""
+
+
+def _tool(q: Array) -> Place:
+    """Return where the tool `jaws` is: its length lies along the approach direction."""
+    X_BM = forward(STATION.first.robot, q).matrix().tolist()
+    turn: Matrix = ((*X_BM[0][:3],), (*X_BM[1][:3],), (*X_BM[2][:3],))
+    reach = turned(turn, (0.0, 0.0, CELL.tools["jaws"][2]))
+    return Place(turn, added((X_BM[0][3], X_BM[1][3], X_BM[2][3]), reach))
+
+
+ARM = {
+    "home": _tool(STATION.first.robot.home),
+    "joints(10, 20, -100, 30, -60, 5)": _tool(np.radians([10.0, 20.0, -100.0, 30.0, -60.0, 5.0])),
+}
+"""Targets that are no locations, and where the tool is then."""

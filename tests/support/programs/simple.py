@@ -4,6 +4,7 @@ from random import Random
 
 from support.programs.expressions import Sight, literal, made
 from support.programs.nodes import PLACE, Expr, Program, Stmt
+from support.programs.places import ARM
 
 
 class Simple:
@@ -56,9 +57,9 @@ class Simple:
         return Stmt("print", parts=parts or (literal(self.random, "int"),))
 
     def moved(self, sight: Sight) -> list[Stmt]:
-        found = Stmt("lin", parts=(made(self.random, sight, "loc", 3),))
-        sight.has_here = True
-        return [found]
+        if self.random.random() < 0.2:
+            return [Stmt("mov", self.random.choice(tuple(ARM)))]
+        return [Stmt("lin", parts=(made(self.random, sight, "loc", 3),))]
 
     def called(self, sight: Sight) -> list[Stmt]:
         if not self.made.tasks:
@@ -78,7 +79,6 @@ class Simple:
             else:
                 parts.append(made(random, sight, one.kind, 2))
         targets = [n for n in sight.of(task.result) if n not in sight.counters and not n.startswith("k")]
-        sight.has_here = False
         if targets and random.random() < 0.8:
             return [Stmt("result", task.name, tuple(parts), names=(*names, random.choice(targets)))]
         is_plain = any(part.op == "reference" for part in parts)

@@ -98,6 +98,7 @@ def _head(one: Stmt) -> str:
         "return": lambda: f"return {parts[0]}" if parts else "return",
         "print": lambda: f"print {', '.join(parts)}",
         "lin": lambda: f"lin {parts[0]}",
+        "mov": lambda: f"mov {one.name}",
         "when": lambda: f"if {parts[0]} then {one.name}",
         "if": lambda: f"if {parts[0]}",
         "while": lambda: f"while {parts[0]}",

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, replace
 from support.programs import places
 from support.programs.nodes import PLACE, Expr
 from support.programs.numbers import DEGREE, REAL, TRUTH, WHOLE, Number
-from support.programs.places import BASE, FRAMES, INFEED, Place
+from support.programs.places import ARM, BASE, FRAMES, INFEED, Place
 
 Datum = Number | Place
 FAR = 1e3
@@ -45,13 +45,13 @@ class Values:
     Attributes:
         inputs: the inputs of the cell.
         shared: variables that all tasks see, and those of the control statements.
-        here: the location moved to last.
+        here: where the arm stands.
     """
 
     def __init__(self, inputs: Mapping[str, bool]) -> None:
         self.inputs = inputs
         self.shared: dict[str, Datum] = {}
-        self.here = BASE
+        self.here = ARM["home"]
 
     def store(self, scope: Scope, name: str, value: Datum) -> None:
         around = next((loop for loop in reversed(scope.loops) if name in loop), None)

@@ -23,6 +23,7 @@ from ropsim.icr import (
     MachineOptions,
     Program,
     StillWorld,
+    Target,
     UnverifiedError,
     assemble,
     run,
@@ -328,11 +329,12 @@ def test_a_program_is_told_whether_the_condition_came_true(
     assert message.text == ("true" if met else "false")
 
 
-def test_where_a_guarded_move_ends_is_asked_not_assumed() -> None:
+@pytest.mark.parametrize("asked", ["ATTAINED", "CURPOSE"])
+def test_where_a_guarded_move_ends_is_read_when_it_has_ended(asked: str) -> None:
     guarded = f"PUSH BOOL TRUE/PUSH REAL 0.0/GUARD is part/{TARGET}/MOVE.LIN"
-    assert trap(f"{guarded}/CURPOSE/POP/HALT") == "I465"
-    *_, last, _ = flow(f"{guarded}/ATTAINED/MOVE.LIN/HALT")
-    assert places(last) == ([], 0.1)
+    *_, sync, last, _ = flow(f"{guarded}/{asked}/MOVE.LIN/HALT")
+    assert isinstance(sync, SyncInstruction)
+    assert (sync.before, places(last)) == (asked, ([], 0.1))
 
 
 def test_the_attained_pose_is_seen_in_the_frame_in_force_for_the_tool_in_force() -> None:
@@ -437,6 +439,15 @@ class Recorder:
         self.asked.append(f"attained {modal.tool}")
         return Pose()
 
+    def commanded(self, modal: ModalState) -> Pose:
+        self.asked.append(f"commanded {modal.tool}")
+        return Pose()
+
+    def reached(self, target: Target, then: ModalState, now: ModalState) -> Pose | None:
+        del then, now
+        self.asked.append(f"reached {target}")
+        return Pose() if target == FOLDED else None
+
 
 @pytest.mark.parametrize(
     ("code", "asked"),
@@ -457,6 +468,36 @@ def test_the_world_is_asked_only_after_a_synchronisation(code: str, asked: str) 
     assert world.asked == []
     assert machine.advance() == Finished(None, 2 + len(code.split("/")))
     assert world.asked == [asked]
+
+
+def asked_between(code: str) -> tuple[list[str], list[str]]:
+    """Return what code asks of the world, and before which instructions it waits until all is done."""
+    world, waits = Recorder(), []
+    machine = Machine(program(f"{code}/HALT"), world)
+    while not isinstance(one := machine.advance(), Finished):
+        waits += [one.before] if isinstance(one, SyncInstruction) else []
+    assert one.trap is None
+    return world.asked, waits
+
+
+FOLDED = (0.25, 0.5)
+
+
+@pytest.mark.parametrize(
+    ("code", "asked", "waits"),
+    [
+        ("CURPOSE/POP", ["commanded "], ["CURPOSE"]),
+        ("HOME/CURPOSE/POP", ["reached None", "commanded "], ["CURPOSE"]),
+        ("PUSH JOINTS 0.25 0.5/MOVE.PTP.J/CURPOSE/POP", [f"reached {FOLDED}"], []),
+        (f"{pose(0.1)}/MOVE.LIN/CURPOSE/POP", [], []),
+        (f"{pose(0.1)}/{pose(0.2)}/PUSH REAL 1.0/MOVE.CIRC.A/CURPOSE/POP", ["commanded "], ["CURPOSE"]),
+        ("CURPOSE/POP/CURPOSE/POP", ["commanded "], ["CURPOSE"]),
+    ],
+)
+def test_the_command_pose_waits_for_the_arm_only_where_the_last_move_does_not_tell_it(
+    code: str, asked: list[str], waits: list[str]
+) -> None:
+    assert asked_between(code) == (asked, waits)
 
 
 def test_an_output_reads_back_as_it_was_set() -> None:

@@ -84,12 +84,10 @@ def test_a_pose_is_kept_for_the_tool_of_the_motion_and_without_a_condition() -> 
     assert text.index("TOOL probe\n") < text.index("ATTAINED\n  STORE touch\n  MODAL.RESTORE")
 
 
-def test_after_a_guarded_motion_here_is_not_known() -> None:
-    result = compiled(UNITS + "lin infeed until part_ok\nlin here above 5", SIGNALS)
-    assert result.icr is not None
-    trap = run(result.icr).trap
-    assert trap is not None
-    assert (trap.code, "store" in trap.hint) == ("I465", True)
+def test_after_a_guarded_motion_here_is_read_when_it_has_ended() -> None:
+    _, up = moves("lin infeed until part_ok\nlin here above 5")
+    assert isinstance(up.target, Pose)
+    assert up.target.as_tuple()[2] == pytest.approx(0.105)
 
 
 def test_an_arc_after_a_guarded_motion_begins_somewhere() -> None:

@@ -4,8 +4,8 @@ from dataclasses import replace
 
 import pytest
 
-from ropsim.flow import MoveInstruction, PathTracking, ToolDirection
-from ropsim.icr import StillWorld, disassemble, read_text, run
+from ropsim.flow import MoveInstruction, PathTracking, SyncInstruction, ToolDirection
+from ropsim.icr import Finished, Machine, StillWorld, disassemble, read_text, run
 from ropsim.program import SignalUse, ValueType
 from support.tasks import CELL, codes, compiled
 
@@ -99,12 +99,15 @@ def test_the_words_of_the_clause_may_be_names() -> None:
     )
 
 
-def test_a_pose_is_not_known_behind_a_path_that_is_corrected() -> None:
+def test_behind_a_path_that_is_corrected_the_program_waits_for_the_pose() -> None:
     result = compiled(UNITS + "lin infeed track height = 12 mm\nlin here above 5", SIGNALS)
     assert result.icr is not None
-    trace = run(result.icr, StillWorld({}))
-    assert trace.trap is not None
-    assert trace.trap.code == "I465"
+    machine = Machine(result.icr, world := StillWorld())
+    handed = []
+    while not isinstance(step := machine.advance(), Finished):
+        world.carry_out(step)
+        handed.append(step.before if isinstance(step, SyncInstruction) else type(step).__name__)
+    assert handed == ["MoveInstruction", "CURPOSE", "MoveInstruction", "HALT"]
 
 
 def test_a_gain_that_is_computed_and_is_not_positive_is_a_trap() -> None:

@@ -1,6 +1,5 @@
-"""Operations of motion and gripper, and the pose commanded last."""
+"""Operations of motion and gripper."""
 
-import math
 from dataclasses import replace
 from functools import lru_cache
 from struct import Struct
@@ -22,13 +21,14 @@ from ropsim.flow import (
 from ropsim.icr import trap_kinds as kinds
 from ropsim.icr.geometry import check_same_frame
 from ropsim.icr.handlers import Datum
-from ropsim.icr.location import Location, along, composed, external_part, pose_part, posture_of, tag_of
+from ropsim.icr.location import Location, external_part, pose_part, posture_of, tag_of
+from ropsim.icr.operations.command_pose import command_pose
 from ropsim.icr.rules.operands import setting_fault
 from ropsim.icr.site import Operation, Site, barrier
-from ropsim.icr.state import Commanded, Finished, Registers
+from ropsim.icr.state import Commanded, CommandedJoints, Finished, Registers
 from ropsim.icr.traps import TrapError, out_of_range
 from ropsim.icr.world import World
-from ropsim.spatial import Pose, quaternion
+from ropsim.spatial import Pose
 
 
 class _AtPose(NamedTuple):
@@ -51,8 +51,8 @@ def _pose(numbers: bytes) -> Pose:
 
 
 def _move_joints(registers: Registers, _world: World, site: Site) -> Instruction:
-    registers.commanded = None
-    return _told(registers, site, MotionKind.PTP, registers.stack.pop(), registers.modal)
+    registers.commanded = CommandedJoints(joints := registers.stack.pop(), registers.modal)
+    return _told(registers, site, MotionKind.PTP, joints, registers.modal)
 
 
 def _move_pose(registers: Registers, _world: World, site: Site) -> Instruction:
@@ -64,7 +64,7 @@ def _move_arc(registers: Registers, _world: World, site: Site) -> Instruction:
 
 
 def _move_arc_angle(registers: Registers, _world: World, site: Site) -> Instruction:
-    """Hand out an arc that ends where its angle says, so that no pose is commanded after it."""
+    """Hand out an arc that ends where its angle says, which the program does not know."""
     angle = registers.stack.pop()
     if fault := setting_fault(site.mnemonic, angle):
         raise out_of_range(fault)
@@ -109,7 +109,7 @@ def _told(
 ) -> MoveInstruction:
     """Return a move with all that has been said about the next one.
 
-    Where a guarded move ends is not commanded, nor where one that a sensor corrects.
+    The program does not know where a guarded move ends, nor one that a sensor corrects.
     """
     triggers, registers.triggers = registers.triggers, ()
     guard, registers.guard = registers.guard, None
@@ -140,7 +140,7 @@ def _check_via(name: str, point: Location, target: Location) -> None:
 
 
 def _home(registers: Registers, _world: World, site: Site) -> Instruction:
-    registers.commanded = None
+    registers.commanded = CommandedJoints(None, registers.modal)
     return _told(registers, site, MotionKind.PTP, None, registers.modal)
 
 
@@ -166,41 +166,6 @@ def _grip(registers: Registers, _world: World, site: Site) -> Instruction:
     return GripInstruction(GripAction(action), tool, registers.modal, registers.origin(site.key, site.span))
 
 
-def _command_pose(registers: Registers, _world: World, site: Site) -> Instruction | None:
-    if (sync := barrier(registers, site)) is not None:
-        return sync
-    location = along(_seen_now(registers), None)
-    if not all(map(math.isfinite, pose_part(location))):
-        raise out_of_range("the result of `CURPOSE` is not finite")
-    registers.stack.append(location)
-    return None
-
-
-def _seen_now(registers: Registers) -> Location:
-    """Return the pose commanded last, X_KT for the frame and the tool in force now.
-
-    The values of external axes that were commanded with it stay with it: the axes are still there, as every
-    other way to move them leaves no pose commanded. A location in a task frame of its own is still in that.
-    """
-    if registers.commanded is None:
-        raise TrapError(kinds.POSE_UNKNOWN, "`here` is not known: no move to a pose came before", _UNKNOWN)
-    target, then = registers.commanded
-    now = registers.modal
-    if tag_of(target) is None and (then.frame != now.frame or then.X_BK != now.X_BK):
-        X_BT = composed(then.X_BK.as_tuple(), target)
-        target = composed(quaternion.invert(now.X_BK.as_tuple()), X_BT)
-    if then.tool != now.tool or then.X_MT != now.X_MT:
-        if then.X_MT is None or now.X_MT is None:
-            message = (
-                f"the pose of tool `{now.tool}` relative to tool `{then.tool}` is known to the cell only"
-            )
-            raise TrapError(kinds.POSE_UNKNOWN, message, "move to a pose with the new tool before")
-        X_KM = composed(target, quaternion.invert(then.X_MT.as_tuple()))
-        target = composed(X_KM, now.X_MT.as_tuple())
-    return target
-
-
-_UNKNOWN = "move to a pose before, or let the move before keep where it ends: `store NAME`, then use NAME"
 _SIDES = {"before": Side.BEFORE_END, "after": Side.AFTER_START}
 _TO_POSES = {"MOVE.PTP": MotionKind.PTP, "MOVE.LIN": MotionKind.LIN}
 """Kinds of the moves to one pose."""
@@ -218,6 +183,6 @@ MOTION: dict[str, Operation] = {
     "SYNC": _sync,
     "STOP": _stop,
     "GRIP": _grip,
-    "CURPOSE": _command_pose,
+    "CURPOSE": command_pose,
 }
 """Mnemonic -> operation."""
