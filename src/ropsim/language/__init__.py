@@ -23,6 +23,7 @@ from ropsim.language.outline import Outline as Outline
 from ropsim.language.outline import Role as Role
 from ropsim.language.outline import TaskOutline as TaskOutline
 from ropsim.language.outline import outline as outline
+from ropsim.language.own_tasks import OwnTasks as OwnTasks
 from ropsim.language.places import named_at as named_at
 from ropsim.language.prelude import goes_on as goes_on
 from ropsim.language.prelude import prelude as prelude

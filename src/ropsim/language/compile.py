@@ -151,9 +151,8 @@ def _lowered(
 
 def _circles(program: Program, db: Database) -> tuple[Diagnostic, ...]:
     """Return a finding for each call that closes a circle."""
-    if len(program.tasks) > len(db.ask(questions.own_tasks)):
-        return recursion(program)  # tasks of a library call as well
-    return db.ask(questions.circles_of)
+    own, library = db.ask(questions.circles_of), program.tasks[len(db.ask(questions.own_tasks)) :]
+    return (*own, *recursion(library)) if library else own  # those of a library call each other only
 
 
 def _checked(

@@ -6,10 +6,9 @@ from enum import Enum
 
 from ropsim.core import SourceText, Span, frozen_dataclass
 from ropsim.language.block_ends import ANY, closed, opened
-from ropsim.language.cache import LineCache
 from ropsim.language.syntax import statements as syntax
 from ropsim.language.syntax.nodes import Name
-from ropsim.language.text import Line, read
+from ropsim.language.text import Line, Parser, read
 
 _COMMENT = re.compile(r"\s*(?:#|//)+\s?(.*)")
 
@@ -70,7 +69,7 @@ class Outline:
     tasks: tuple[TaskOutline, ...]
 
 
-def outline(source: SourceText, cache: LineCache) -> Outline:
+def outline(source: SourceText, cache: Parser) -> Outline:
     """Return what a text defines; any text has an outline."""
     definitions: list[Definition] = []
     tasks: list[TaskOutline] = []

@@ -9,9 +9,9 @@ from ropsim.program.statements import Call
 from ropsim.program.walk import walk
 
 
-def recursion(program: Program) -> tuple[Diagnostic, ...]:
-    """Return one diagnostic for each call that closes a cycle of calls, with the chain."""
-    return circles({task.name: tuple((one.task, one.span) for one in _calls(task)) for task in program.tasks})
+def recursion(tasks: Iterable[Task]) -> tuple[Diagnostic, ...]:
+    """Return one diagnostic for each call that closes a cycle of calls among tasks, with the chain."""
+    return circles({task.name: tuple((one.task, one.span) for one in _calls(task)) for task in tasks})
 
 
 def circles(calls: Mapping[str, Iterable[tuple[str, Span]]]) -> tuple[Diagnostic, ...]:

@@ -42,7 +42,7 @@ def differing_tasks(
 
 
 def _lines(text: SourceText, span: Span) -> str:
-    return "\n".join(text.text.splitlines()[span.line - 1 : span.end_line])
+    return "\n".join(text.lines[span.line - 1 : span.end_line])
 
 
 def _form(text: str) -> list[str]:

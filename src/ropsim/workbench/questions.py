@@ -38,6 +38,8 @@ KEPT = "kept answers"
 """Input: answers of earlier processes, None for none; they are what would be answered now."""
 ENGINE = "engine of tasks"
 """Input: what reads knowledge bases; it changes no answer."""
+OWN_TASKS = "own tasks"
+"""Input: remembers which tasks texts have; it changes no answer."""
 MENTIONS = "mentions of tasks"
 """Input: remembers of which names texts are made up; it changes no answer."""
 NO_ROBOTS: Mapping[str, ReadRobot] = MappingProxyType({})
@@ -105,6 +107,12 @@ def own_tasks(db: Database, cell: str) -> tuple[str, ...]:
     return tuple(told_tasks((*texts.own, *texts.users)))
 
 
+def tasks_in(db: Database, name: str) -> frozenset[str]:
+    """Return the names of the tasks that a text has."""
+    headers: language.OwnTasks = db.read(OWN_TASKS)
+    return headers.names(_text(db, name))
+
+
 def called_tasks(db: Database, name: str, cell: str) -> tuple[tuple[str, ...], tuple[str, ...]]:
     """Return the tasks of knowledge bases that a program names, and those whose names its own tasks have."""
     listed = db.ask(listed_tasks, cell)
@@ -112,7 +120,7 @@ def called_tasks(db: Database, name: str, cell: str) -> tuple[tuple[str, ...], t
     found = mentions.mentioned(name, _text(db, name).text, listed)
     if not found:
         return (), ()
-    own = frozenset(one.definition.name for one in db.ask(outline, name).tasks)
+    own = db.ask(tasks_in, name)
     return tuple(one for one in found if one not in own), tuple(one for one in listed if one in own)
 
 
@@ -147,8 +155,8 @@ def other_tasks(db: Database, name: str, cell: str) -> tuple[Diagnostic, ...]:
     from ropsim.tasks import differing_tasks
 
     engine: TaskEngine = db.read(ENGINE)
-    spans = {one.definition.name: one.span for one in db.ask(outline, name).tasks}
-    own = {one: spans[one] for one in names}
+    headers: language.OwnTasks = db.read(OWN_TASKS)
+    own = headers.spans(_text(db, name), frozenset(names))
     return differing_tasks(engine.base(_task_texts(db, cell)), _text(db, name), own)
 
 

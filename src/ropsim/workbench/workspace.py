@@ -44,7 +44,8 @@ class Workspace:
         self._db = Database(MAX_KEPT)
         self._engine = TaskEngine()
         self._db.give({questions.LINES: self.lines, questions.KEPT: kept, questions.ENGINE: self._engine})
-        self._db.give({questions.MENTIONS: Mentions()})
+        own_tasks = language.OwnTasks(self.lines)
+        self._db.give({questions.MENTIONS: Mentions(), questions.OWN_TASKS: own_tasks})
 
     @property
     def events(self) -> list[Event] | None:

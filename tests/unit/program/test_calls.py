@@ -1,7 +1,7 @@
 from itertools import pairwise
 
 from ropsim.core import Span
-from ropsim.program import Block, Call, Program, Repeat, Statement, Task, recursion
+from ropsim.program import Block, Call, Repeat, Statement, Task, recursion
 
 
 def at(line: int) -> Span:
@@ -14,7 +14,7 @@ def call(name: str, line: int) -> Call:
 
 def messages(**tasks: Block) -> list[str]:
     made = tuple(Task(name, (), (), None, body, (), at(1)) for name, body in tasks.items())
-    return [f"{one.span}: {one.message}" for one in recursion(Program("t", (), (), made))]
+    return [f"{one.span}: {one.message}" for one in recursion(made)]
 
 
 def test_calls_without_a_cycle_are_accepted() -> None:

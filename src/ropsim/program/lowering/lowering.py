@@ -49,7 +49,7 @@ def lower_with_findings(program: Program, source: str) -> tuple[icr.Program, tup
         lowered = _lowered(program, known)
     places = SourceMap(source)
     drafts = {name: draft_of(one) for name, one in lowered.items()}
-    is_sound = not recursion(program)
+    is_sound = not recursion(program.tasks)
     needs = icr.unassigned(icr.Program(program.name, tuple(drafts.values()))) if is_sound else {}
     axes = axes_of(lowered.values())
     made = []
