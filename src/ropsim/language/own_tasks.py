@@ -82,4 +82,5 @@ class OwnTasks:
 
     def _tasks(self, chunk: Chunk) -> frozenset[str]:
         statements = (line.statement for line in read_lines(chunk.lines, self._parser))
-        return frozenset(one.name.text for one in statements if isinstance(one, syntax.TaskHeader)) or _NO_NAMES
+        headers = (one for one in statements if isinstance(one, syntax.TaskHeader))
+        return frozenset(one.name.text for one in headers) or _NO_NAMES

@@ -4,7 +4,7 @@ from collections.abc import Iterable, Iterator, Mapping
 
 from ropsim.core import Diagnostic, Span
 from ropsim.program.diagnostics import RECURSION
-from ropsim.program.program import Program, Task
+from ropsim.program.program import Task
 from ropsim.program.statements import Call
 from ropsim.program.walk import walk
 
