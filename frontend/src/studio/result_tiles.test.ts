@@ -17,6 +17,7 @@ const RESULT: ResultFigures = {
   peak_speed: null,
   closest_limit: {
     margin: 0.0733,
+    closeness: 'far',
     unit: 'rad',
     station: 'robot',
     joint: '5',
@@ -102,6 +103,25 @@ test('parts with a destination are counted where a cell has some', () => {
 test('what a run does not know is said, and leads nowhere', () => {
   expect(tile('torque', { peak_torque: null })).toMatchObject({ value: '–', time: null, line: 0 })
   expect(tile('path', { path_error: null })).toMatchObject({ value: '–', time: null })
+})
+
+test('a run without drives has no path error and no settling', () => {
+  const driven = { ...RUN, channels: [{ name: 'tau' }] } as unknown as Run
+  expect(tile('path', { path_error: null })).toMatchObject({ value: '–', detail: 'without drives' })
+  expect(tile('path', { path_error: null }, driven)).toMatchObject({ value: '–', detail: 'no tool paths' })
+  expect(tile('settling', { settling: null })).toMatchObject({
+    value: '–',
+    detail: 'without drives',
+    time: null,
+  })
+})
+
+test('a joint near the end of its range is a warning, one beyond it an error', () => {
+  const margin = RESULT.closest_limit
+  if (!margin) throw new Error('the result has a margin')
+  const at = (closeness: PeakFigure['closeness']) =>
+    tile('limit', { closest_limit: { ...margin, closeness } }).tone
+  expect((['far', 'near', 'beyond'] as const).map(at)).toEqual(['plain', 'warning', 'error'])
 })
 
 test('a torque without a limit in the model is no torque that was not simulated', () => {

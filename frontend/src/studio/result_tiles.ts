@@ -64,6 +64,9 @@ function cycle(run: Run, { cycle_time, cycle_time_valid, cycle_time_by_hand }: R
 
 /** The click leads to the longest wait of all. */
 function settling(run: Run, { settling }: ResultFigures): Tile {
+  if (!settling) {
+    return { ...NOWHERE, id: 'settling', label: words.settling, value: '–', detail: words.withoutDrives }
+  }
   const { total, share, time, station, line } = settling
   return {
     id: 'settling',
@@ -94,13 +97,13 @@ function torque(run: Run, { peak_torque }: ResultFigures): Tile {
 
 function limit(run: Run, { closest_limit }: ResultFigures): Tile {
   if (!closest_limit) return { ...NOWHERE, id: 'limit', label: words.limit, value: '–', detail: '' }
-  const { margin, unit, station, joint, side, line, time } = closest_limit
+  const { margin, closeness, unit, station, joint, side, line, time } = closest_limit
   return {
     id: 'limit',
     label: words.limit,
     value: formatQuantity(margin, unit),
     detail: words.side(labelled(run.stations, station, jointName(joint)), side),
-    tone: margin < 0 ? 'error' : 'plain',
+    tone: TONES[closeness],
     source: sourceOf(run, station),
     line,
     time,
@@ -108,7 +111,10 @@ function limit(run: Run, { closest_limit }: ResultFigures): Tile {
 }
 
 function path(run: Run, { path_error }: ResultFigures): Tile {
-  if (!path_error) return { ...NOWHERE, id: 'path', label: words.path, value: '–', detail: words.noPath }
+  if (!path_error) {
+    const detail = isDriven(run) ? words.noPath : words.withoutDrives
+    return { ...NOWHERE, id: 'path', label: words.path, value: '–', detail }
+  }
   const { max, station, line, time } = path_error
   return {
     id: 'path',
@@ -141,13 +147,17 @@ function findings(run: Run, { errors, warnings, hints }: ResultFigures): Tile {
 
 const NOWHERE = { tone: 'plain', time: null, source: '', line: 0 } as const
 
-/** Name of the text that a station runs. */
 /** Why no torque is a share of a limit: none was simulated, or the model does not say how much there is. */
-function noShare({ channels }: Run): string {
-  const simulated = channels.some(({ name }) => partsOf(name).quantity === 'tau')
-  return simulated ? words.limitUnknown : words.notSimulated
+function noShare(run: Run): string {
+  return isDriven(run) ? words.limitUnknown : words.notSimulated
 }
 
+/** Whether drives moved an arm of the run. */
+function isDriven({ channels }: Run): boolean {
+  return channels.some(({ name }) => partsOf(name).quantity === 'tau')
+}
+
+/** Name of the text that a station runs. */
 function sourceOf(run: Run, station: string): string {
   return run.stations.find(one => one.name === station)?.source ?? ''
 }

@@ -15,6 +15,7 @@ export const resultWords = {
   ofCycle: (share: string) => `${share} of the cycle`,
   torque: 'Peak torque',
   notSimulated: 'not simulated',
+  withoutDrives: 'without drives',
   limitUnknown: 'limit unknown',
   limit: 'Smallest joint margin',
   side: (joint: string, side: 'lower' | 'upper') => `${joint}, ${side} limit`,

@@ -45,6 +45,8 @@ export interface PeakFigure {
 export interface MarginFigure {
   /** Distance left [rad | m]; negative beyond the end. */
   readonly margin: number
+  /** How it stands to the end; the report says it by the same rule. */
+  readonly closeness: 'far' | 'near' | 'beyond'
   /** Of the margin. */
   readonly unit: 'rad' | 'm'
   /** Whose joint it is. */
@@ -91,15 +93,15 @@ export interface ResultFigures {
    * wherever that is shown.
    */
   readonly cycle_time_by_hand: string
-  /** What settling after moves cost. */
-  readonly settling: SettlingFigure
+  /** What settling after moves cost; null without drives. */
+  readonly settling: SettlingFigure | null
   /** Null where no limit is known. */
   readonly peak_torque: PeakFigure | null
   /** Null where no limit is known. */
   readonly peak_speed: PeakFigure | null
   /** Null where no margin is known. */
   readonly closest_limit: MarginFigure | null
-  /** Null where no move has a path of the tool. */
+  /** Null where no move has a path of the tool, and without drives. */
   readonly path_error: PathFigure | null
   /** Number of findings of this severity, repeats included. */
   readonly errors: number

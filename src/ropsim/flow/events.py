@@ -67,6 +67,9 @@ class MoveEvent(Event):
         path_error_max: largest distance of the TCP from the path of the tool [m]; None where there is none.
         target: where the command puts the TCP if the move goes to its end, in the base frame [m], three
             numbers; empty where it is not known.
+        out_of_position: largest error of a joint at its end, as a share of what the controller calls in
+            position: up to 1 the arm was; None where the move went on to the next one, or the run was cut
+            short.
     """
 
     kind: ClassVar[str] = "move"
@@ -83,6 +86,7 @@ class MoveEvent(Event):
     path_speed: float | None = None
     path_error_max: float | None = None
     target: tuple[float, ...] = ()
+    out_of_position: float | None = None
 
 
 @frozen_dataclass

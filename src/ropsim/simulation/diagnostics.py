@@ -22,8 +22,9 @@ FAR_FROM_TARGET = define(
     Severity.ERROR,
     "an arm came to rest far from its target, or did not come to rest at all",
     """
-When `settle_timeout` was over, a joint was more than fifty times `in_position` away from its target: the
-drives do not carry the arm there. What the program does after that is not what it says.
+When `settle_timeout` was over, a joint was more than fifty times `in_position` away from its target, or the
+tool more than 10 mm and a joint more than twice `in_position`: the drives do not carry the arm there. What
+the program does after that is not what it says.
 
 Usual reasons are gains that are far too low, a speed loop that oscillates, and a payload that is too heavy.
 """,

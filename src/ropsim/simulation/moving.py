@@ -93,9 +93,9 @@ def _follow(
         if follower.lookout:
             run.findings += _told_by(follower.lookout, follower, one, first)
         run.findings += follower.correcting.findings() if follower.correcting else ()
-        end = at.tick
+        end, out = at.tick, None
         if number == len(planned.moves) - 1 and not at.cut_short:
-            yield from settle(run, at, one.move)
+            out = yield from settle(run, at, one.move)
         at.moves.append(MoveSpan(one.move, since, end, at.tick))
         at.track("move", -1)
         done = MoveEvent(
@@ -111,6 +111,7 @@ def _follow(
             critical=motion.critical[number],
             path_speed=_path_speed(at, one.move),
             target=_commanded(at, one.X_MT) if tracking else motion.places[number],
+            out_of_position=out,
         )
         run.note(at, since, done)
         run.moved += 1

@@ -47,6 +47,12 @@ class StationView:
         """Return the times of the rows [s], shape (n,)."""
         return self.recording.time
 
+    @property
+    def is_driven(self) -> bool:
+        """Return whether drives moved the arm; without them it is where its reference is, exactly."""
+        named = bool(self.facts.law) or self.name("tau") in self.recording.channels
+        return named and not self.recording.facts.is_kinematic
+
     def label(self, text: str) -> str:
         """Return a text with the name of the station before it where the run has several ones."""
         return labelled(self.recording, self.facts.name, text)

@@ -38,12 +38,16 @@ DEFINITIONS: Mapping[str, str] = MappingProxyType(
         "cornering deviations, CR and CO": "CR is the least distance of the attained path from the corner "
         "point of a rounded corner; CO the largest one from the commanded path behind it, on the outer side "
         "(8.5).",
-        "position overshoot, OV": "Largest distance from the place of rest after the arm has first come "
-        "within 0.1 mm of it; 0 where it stays there. The stabilization time lasts from then until it stays, "
-        "whatever the program does meanwhile: it may be longer than settling, which joints in position end "
-        "(7.4, 7.5).",
-        "near, beyond": "Near: from 90 % of the limit. Beyond: above the limit, for speeds by more than 2 %, "
-        "which the servo may overshoot.",
+        "position overshoot, OV": "Largest distance of the tool centre point from the place of the stop "
+        "after it has first come there, within 0.1 mm or passing by; 0 where it stays within 0.1 mm. The "
+        "place is where the arm, in position, rests for 0.1 s before it goes on, otherwise the commanded "
+        "one. The stabilization time lasts from the first coming until the arm stays within 0.1 mm, whatever "
+        "the program does meanwhile: it may be longer than settling, which joints in position end (7.4, "
+        "7.5).",
+        "not reached": "Stops after which the program went on before all joints were in position, and how "
+        "far the tool centre point was from its target then.",
+        "near, beyond": "Near: from 90 % of the limit, and a joint with less than 1° or 1 mm of its range "
+        "left. Beyond: above the limit, for speeds by more than 2 %, which the servo may overshoot.",
         "margin": "Smallest distance of the attained joint coordinate from the limit.",
         "charts": "Drawn from the smallest and the largest sample of each short stretch, so peaks are "
         "kept; values at the time cursor are read off the drawn curves. "

@@ -8,6 +8,8 @@ from ropsim.flow import AxisType
 
 UNKNOWN = "–"
 """What stands in place of a number that is not known."""
+WITHOUT_DRIVES = f"{UNKNOWN}, without drives"
+"""What stands in place of figures of an arm that is where its reference is, exactly."""
 
 
 @frozen_dataclass

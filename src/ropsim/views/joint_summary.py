@@ -16,6 +16,9 @@ from ropsim.views.channels import Peak, StationView, rms, station_views
 NEAR = 0.9
 """Share of a torque limit from which on a peak is marked as near it."""
 
+NEAR_END = {AxisType.REVOLUTE: math.radians(1.0), AxisType.PRISMATIC: 1e-3}
+"""Distance from the end of its range below which a joint is marked as near it [rad | m]."""
+
 LimitSide: TypeAlias = Literal["lower", "upper"]
 """Which end of the range of a joint."""
 
@@ -61,7 +64,8 @@ class JointSummary:
         current: largest motor current [A].
         nearest_lower: closest approach to the lower limit.
         nearest_upper: closest approach to the upper limit.
-        following_max: largest following error (reference minus attained coordinate) [rad | m].
+        following_max: largest following error (reference minus attained coordinate) [rad | m]; NaN without
+            drives.
         following_rms: root of its mean square [rad | m].
     """
 
@@ -102,6 +106,11 @@ class JointSummary:
         return Closeness.BEYOND if self.speed_share > 1.0 + SPEED_OVERSHOOT else Closeness.FAR
 
     @property
+    def margin_closeness(self) -> Closeness:
+        """Return how the joint stands to the nearer end of its range."""
+        return end_closeness(self.nearest.margin, self.facts.type)
+
+    @property
     def share_of_range_left(self) -> float:
         """Return the least margin as a share of the range; 0 for a range without end."""
         return self.nearest.margin / (self.facts.upper - self.facts.lower)
@@ -111,6 +120,13 @@ class JointSummary:
         """Return the closer of the two approaches."""
         lower, upper = self.nearest_lower, self.nearest_upper
         return upper if not math.isfinite(lower.margin) or upper.margin < lower.margin else lower
+
+
+def end_closeness(margin: float, joint: AxisType) -> Closeness:
+    """Return how a margin to an end of the range of a joint stands to it [rad | m]; NaN is far."""
+    if margin < 0.0:
+        return Closeness.BEYOND
+    return Closeness.NEAR if margin < NEAR_END[joint] else Closeness.FAR
 
 
 def closest_to_torque_limit(joints: Iterable[JointSummary]) -> JointSummary | None:
@@ -151,6 +167,8 @@ def summarize_joints(recording: Recording) -> tuple[JointSummary, ...]:
 
 def _of_station(station: StationView) -> tuple[JointSummary, ...]:
     q, qd, tau, current, error = map(station.joints, ("q", "qd", "tau", "current", "q_error"))
+    if not station.is_driven:
+        error = np.full_like(error, np.nan)
     return tuple(
         JointSummary(
             station.facts.name,

@@ -7,6 +7,7 @@ are made is told in `views/accuracy`.
 
 import math
 from collections.abc import Iterator
+from dataclasses import replace
 
 import numpy as np
 import numpy.typing as npt
@@ -35,8 +36,9 @@ class PathMove:
         ordinal: of the move in its station.
         line: source line, 0 where unknown.
         visit: loop pass, 0 where unknown.
-        time: when the largest error occurred [s].
-        max_error: largest distance of the attained TCP from the path of the tool [m].
+        time: when the largest error occurred [s]; without drives when the move began.
+        max_error: largest distance of the attained TCP from the path of the tool [m]; NaN without drives, as
+            are all figures of the attained path: the arm is where its reference is.
         rms_error: root of the mean square of that distance [m].
         max_angle: largest angle between attained and commanded orientation at one place of the path [rad];
             NaN where it is not known.
@@ -81,8 +83,8 @@ class PathLine:
 
     @property
     def worst(self) -> PathMove:
-        """Return the move with the largest error."""
-        return max(self.moves, key=lambda move: move.max_error)
+        """Return the move with the largest error, the first one where none is known."""
+        return max(self.moves, key=lambda move: move.max_error if math.isfinite(move.max_error) else -1.0)
 
     @property
     def rms_error(self) -> float:
@@ -118,8 +120,9 @@ class PathSummary:
 
     @property
     def worst(self) -> PathMove | None:
-        """Return the move with the largest error, None where there is none."""
-        return max(self.moves, key=lambda move: move.max_error, default=None)
+        """Return the move with the largest error, None where none is known."""
+        known = [move for move in self.moves if math.isfinite(move.max_error)]
+        return max(known, key=lambda move: move.max_error, default=None)
 
     @property
     def max_error(self) -> float:
@@ -171,14 +174,19 @@ def largest_speed_error(moves: tuple[PathMove, ...]) -> PathMove | None:
 
 
 def summarize_path(recording: Recording) -> PathSummary:
-    """Return the accuracy of all moves for which the recording has a path error, in order of time."""
+    """Return the accuracy of all moves for which the recording has a path error, in order of time.
+
+    A station without drives has moves and their command speeds, and no figure of its attained path.
+    """
     stations = [(station, station.series("path_error")) for station in station_views(recording)]
-    known = np.concatenate([error[np.isfinite(error)] for _, error in stations] or [np.empty(0)])
-    if known.size == 0:
-        return PathSummary()
+    driven = [error[np.isfinite(error)] for station, error in stations if station.is_driven]
     lines = [line for station, error in stations for line in _lines(station, error)]
+    ordered = tuple(sorted(lines, key=lambda line: (line.station, line.line)))
+    known = np.concatenate(driven or [np.empty(0)])
+    if known.size == 0:
+        return PathSummary(ordered)
     return PathSummary(
-        lines=tuple(sorted(lines, key=lambda line: (line.station, line.line))),
+        lines=ordered,
         mean_error=float(np.mean(known)),
         rms_error=rms(known),
         p95_error=float(np.percentile(known, 95.0)),
@@ -236,7 +244,7 @@ def _lines(station: StationView, error: Array) -> Iterator[PathLine]:
             command, attained = run.ways
             moves.setdefault(move.line, []).append((move, (command[piece], attained[piece])))
     for line, passes in moves.items():
-        repeats = path_repeatability([ways for _, ways in passes])
+        repeats = path_repeatability([ways for _, ways in passes]) if station.is_driven else math.nan
         yield PathLine(station.facts.name, line, tuple(move for move, _ in passes), repeats)
 
 
@@ -245,7 +253,7 @@ def _move(run: _Run, piece: Indices, ordinal: int, event: MoveEvent | None) -> P
     station, (command, attained), (wanted, had) = run.station, run.ways, run.turned
     worst = int(piece[np.argmax(run.error[piece])])
     angle = largest_angle(station.time[piece], (command[piece], wanted[piece]), (attained[piece], had[piece]))
-    return PathMove(
+    move = PathMove(
         station.facts.name,
         ordinal,
         station.line(worst),
@@ -257,6 +265,20 @@ def _move(run: _Run, piece: Indices, ordinal: int, event: MoveEvent | None) -> P
         speed_figures(run.speeds[0][piece], run.speeds[1][piece]),
         math.nan if event is None or event.path_speed is None else event.path_speed,
         event is not None and _is_early(run, piece, event),
+    )
+    return move if station.is_driven else _commanded(move, station, int(piece[0]))
+
+
+def _commanded(move: PathMove, station: StationView, first: int) -> PathMove:
+    """Return what is known of a move of an arm without drives, which begins at row `first`."""
+    return replace(
+        move,
+        line=station.line(first),
+        time=float(station.time[first]),
+        max_error=math.nan,
+        rms_error=math.nan,
+        max_angle=math.nan,
+        speeds=SpeedFigures(command=move.speeds.command),
     )
 
 

@@ -54,6 +54,7 @@ class MarginFigure:
 
     Attributes:
         margin: distance left [rad | m]; negative beyond the end.
+        closeness: how it stands to the end; the report says it by the same rule.
         unit: of the margin.
         station: whose joint it is.
         joint: its name.
@@ -63,6 +64,7 @@ class MarginFigure:
     """
 
     margin: float
+    closeness: Closeness
     unit: Literal["rad", "m"]
     station: str
     joint: str
@@ -102,11 +104,11 @@ class ResultFigures:
             is not that of the program then.
         cycle_time_by_hand: how long the run was held and slowed within it, in words; empty for nothing. It
             stands at the cycle time, wherever that is shown.
-        settling: what settling after moves cost.
+        settling: what settling after moves cost; None without drives.
         peak_torque: None where no limit is known.
         peak_speed: None where no limit is known.
         closest_limit: None where no margin is known.
-        path_error: None where no move has a path of the tool.
+        path_error: None where no move has a path of the tool, and without drives.
         errors: number of findings of this severity, repeats included.
         warnings: number of them.
         hints: number of them.
@@ -120,7 +122,7 @@ class ResultFigures:
     cycle_time: float
     cycle_time_valid: bool
     cycle_time_by_hand: str
-    settling: SettlingFigure
+    settling: SettlingFigure | None
     peak_torque: PeakFigure | None
     peak_speed: PeakFigure | None
     closest_limit: MarginFigure | None

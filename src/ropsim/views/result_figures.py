@@ -26,7 +26,7 @@ def result_figures(summary: Summary) -> ResultFigures:
         cycle_time=summary.cycle_time,
         cycle_time_valid=summary.cycle_time_valid,
         cycle_time_by_hand=summary.by_hand.mark,
-        settling=_settling(summary.settling),
+        settling=_settling(summary.settling) if summary.is_driven else None,
         peak_torque=_peak_torque(torque) if torque else None,
         peak_speed=_peak_speed(speed) if speed else None,
         closest_limit=_margin(closest) if closest else None,
@@ -61,6 +61,7 @@ def _margin(joint: JointSummary) -> MarginFigure:
     near = joint.nearest
     return MarginFigure(
         near.margin,
+        joint.margin_closeness,
         "rad" if joint.facts.type is AxisType.REVOLUTE else "m",
         joint.station,
         joint.facts.name,

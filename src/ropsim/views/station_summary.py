@@ -51,6 +51,8 @@ class StationSummary:
         corners: how corners are passed that are rounded, in order of time.
         stops: how moves come to rest, in order of time; of a kinematic run there are none.
         cycle: of what its cycle time consists.
+        is_driven: whether drives moved its arm; without them it is where its reference is, exactly, and
+            nothing is known of settling, torques and accuracy.
     """
 
     facts: StationFacts
@@ -69,6 +71,7 @@ class StationSummary:
     corners: tuple[CornerFigures, ...]
     stops: tuple[StopFigures, ...]
     cycle: CycleTime = field(default_factory=CycleTime)
+    is_driven: bool = True
 
 
 class Figures(Protocol):
@@ -82,6 +85,11 @@ class Figures(Protocol):
     @property
     def share_in_motion(self) -> float:
         """Return the share of the cycle time in which moves were on their way."""
+        ...
+
+    @property
+    def is_driven(self) -> bool:
+        """Return whether drives moved an arm."""
         ...
 
     @property
@@ -192,4 +200,5 @@ def _station(recording: Recording, facts: StationFacts, cycle: CycleTime) -> Sta
         corners=tuple(one for station in views for one in corner_figures(station)),
         stops=tuple(one for station in views for one in stop_figures(station)),
         cycle=cycle,
+        is_driven=any(station.is_driven for station in views),
     )

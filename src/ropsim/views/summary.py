@@ -106,6 +106,13 @@ class Summary:
     devices: tuple[DeviceSummary, ...] = ()
 
     @property
+    def is_driven(self) -> bool:
+        """Return whether drives moved an arm of the run."""
+        if not self.stations:
+            return not self.facts.is_kinematic
+        return any(one.is_driven for one in self.stations)
+
+    @property
     def title(self) -> str:
         """Return project and programs, each once, or `run` where none of them has a name."""
         names = (self.facts.project, *(station.program for station in self.facts.stations))

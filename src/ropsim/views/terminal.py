@@ -15,10 +15,10 @@ from ropsim.views.summary import Summary
 from ropsim.views.terminal_accuracy import accuracy_lines
 from ropsim.views.terminal_figures import (
     COLUMNS,
-    LEGEND,
     cycle_time_line,
     effort_lines,
     joint_lines,
+    legend,
     more,
     task_lines,
 )
@@ -54,7 +54,7 @@ def terminal_report(summary: Summary, style: Style) -> str:
 def _whole(summary: Summary, style: Style) -> list[list[str]]:
     """Return the sections of a run with one station."""
     time = [cycle_time_line(summary, summary, style), *effort_lines(summary, summary), *_cell_lines(summary)]
-    joints = [*joint_lines(summary.joints, style), *(LEGEND if summary.joints else ())]
+    joints = [*joint_lines(summary.joints, style), *legend(summary.joints)]
     cycles = [cycle_lines(one.cycle, style) for one in summary.stations]
     return [time, task_lines(summary.tasks, style), *cycles, joints, accuracy_lines(summary, style)]
 
@@ -74,7 +74,7 @@ def _blocks(summary: Summary, style: Style) -> list[list[str]]:
             joint_lines(one.joints, style),
             accuracy_lines(one, style),
         ]
-    return [*sections, [*LEGEND] if summary.joints else []]
+    return [*sections, legend(summary.joints)]
 
 
 def _station_title(station: StationSummary) -> str:

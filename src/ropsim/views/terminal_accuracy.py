@@ -9,6 +9,8 @@ from ropsim.views.figures import (
     MILLIMETRES,
     MILLIMETRES_PER_SECOND,
     PERCENT,
+    UNKNOWN,
+    WITHOUT_DRIVES,
     seconds,
     with_unit,
 )
@@ -17,14 +19,35 @@ from ropsim.views.path_summary import PathSummary
 from ropsim.views.station_summary import Figures
 from ropsim.views.style import Style, Tone, paint
 
+_OFF = 1e-3
+"""Distance from its target beyond which it is said of a stop that is reached [m]."""
+
 
 def accuracy_lines(figures: Figures, style: Style) -> list[str]:
     """Return the accuracy of paths, corners and stops; nothing of what the run does not have."""
+    if not figures.is_driven:
+        return [*_commanded(figures.path, style), *_planned(figures.corners, style)]
     return [
         *_path(figures.path, style),
         *_corners(figures.corners, style),
         *_stops(figures.stops, style),
     ]
+
+
+def _commanded(path: PathSummary, style: Style) -> list[str]:
+    """Return what is said of the tool paths of an arm without drives."""
+    if not path.moves:
+        return []
+    title = paint(f"path error of tool paths ({plural(len(path.moves), 'move')})", Tone.QUIET, style)
+    return [f"{title}: {WITHOUT_DRIVES}", *_slow(path)]
+
+
+def _planned(corners: tuple[CornerFigures, ...], style: Style) -> list[str]:
+    """Return what is said of the corners of an arm without drives."""
+    if not corners:
+        return []
+    title = paint(f"rounded corners ({len(corners)})", Tone.QUIET, style)
+    return [f"{title}: {WITHOUT_DRIVES}; planned {_ends([one.planned for one in corners])} from the corner"]
 
 
 def _path(path: PathSummary, style: Style) -> list[str]:
@@ -97,8 +120,7 @@ def _corners(corners: tuple[CornerFigures, ...], style: Style) -> list[str]:
         return []
     nearest, farthest = (pick(corners, key=lambda one: one.rounding) for pick in (min, max))
     beyond = max(corners, key=lambda one: one.overshoot if math.isfinite(one.overshoot) else -1.0)
-    ends = (with_unit(one.rounding, MILLIMETRES, 3) for one in (nearest, farthest))
-    away = " to ".join(dict.fromkeys(ends))
+    away = _ends([nearest.rounding, farthest.rounding])
     lines = [
         paint(f"rounded corners ({len(corners)})", Tone.QUIET, style),
         f"  corner rounding CR: {away}{place_text(farthest.line, farthest.visit)}",
@@ -113,18 +135,50 @@ def _stops(stops: tuple[StopFigures, ...], style: Style) -> list[str]:
     if not stops:
         return []
     title = paint(f"stops ({len(stops)})", Tone.QUIET, style)
-    slow = max(stops, key=lambda one: one.stabilization)
-    far = max(stops, key=lambda one: one.overshoot)
+    return [title, *_ends_of(stops, style), *_overshoot(stops), *_stabilization(stops)]
+
+
+def _ends_of(stops: tuple[StopFigures, ...], style: Style) -> list[str]:
+    """Return how far stops end from their targets, and how many of them are not reached."""
+    missed = [one for one in stops if not one.is_reached]
+    far = max(missed or stops, key=lambda one: one.away)
+    away = f"{with_unit(far.away, MILLIMETRES, 3)}{place_text(far.line, far.visit)}"
+    if missed:
+        return [paint(f"  ! not reached: {len(missed)} of {len(stops)}, farthest {away}", Tone.ERROR, style)]
+    return [f"  distance from the target at the end: max {away}"] if far.away > _OFF else []
+
+
+def _overshoot(stops: tuple[StopFigures, ...]) -> list[str]:
+    known = [one for one in stops if math.isfinite(one.overshoot)]
+    if not known:
+        return [f"  position overshoot OV: {UNKNOWN}, the TCP comes to no target"]
+    far = max(known, key=lambda one: one.overshoot)
     if not far.overshoot > 0.0:
-        return [title, f"  position overshoot OV: none beyond {with_unit(BAND, MILLIMETRES, 1)}"]
-    band = with_unit(BAND, MILLIMETRES, 1)
+        return [f"  position overshoot OV: none beyond {with_unit(BAND, MILLIMETRES, 1)}"]
     over = f"{with_unit(far.overshoot, MILLIMETRES, 3)}{place_text(far.line, far.visit)}"
-    longest = f"max {slow.stabilization:.3f} s{place_text(slow.line, slow.visit)}"
-    return [
-        title,
-        f"  position overshoot OV: max {over}",
-        f"  stabilization time, from first coming within {band} of its rest until the TCP stays: {longest}",
-    ]
+    return [f"  position overshoot OV: max {over}"]
+
+
+def _stabilization(stops: tuple[StopFigures, ...]) -> list[str]:
+    """Return how long the TCP takes until it stays at its place; nothing where it never goes beyond it."""
+    if not any(one.overshoot > 0.0 or not one.is_reached for one in stops):
+        return []
+    band = with_unit(BAND, MILLIMETRES, 1)
+    known = [one for one in stops if math.isfinite(one.stabilization)]
+    lines, restless = [], len(stops) - len(known)
+    slow = max(known, key=lambda one: one.stabilization, default=None)
+    if slow is not None and slow.stabilization > 0.0:
+        lines.append(
+            f"  stabilization time: max {slow.stabilization:.3f} s{place_text(slow.line, slow.visit)}"
+        )
+    if restless:
+        lines.append(f"  not within {band} of its place when it went on: {plural(restless, 'stop')}")
+    return lines
+
+
+def _ends(lengths: list[float]) -> str:
+    """Return the least and the largest of some lengths [m], one where they read the same."""
+    return " to ".join(dict.fromkeys(with_unit(one, MILLIMETRES, 3) for one in (min(lengths), max(lengths))))
 
 
 def _signed(share: float) -> str:

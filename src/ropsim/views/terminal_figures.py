@@ -9,6 +9,7 @@ from ropsim.views.columns import TableCell, columns_text
 from ropsim.views.figures import (
     PERCENT,
     UNKNOWN,
+    WITHOUT_DRIVES,
     coordinate_scale,
     effort_scale,
     fixed,
@@ -26,6 +27,8 @@ from ropsim.views.summary import Summary
 from ropsim.views.task_summary import TaskSummary
 
 COLUMNS = 80
+RANGE_LEGEND = "  ! less than 1° or 1 mm of the range left, !! beyond its end"
+"""What the signs of a range mean; it stands below `LEGEND` where there is one."""
 LEGEND = (
     "  largest torque and speed, their share of the limit: ! torque from 90 % on,",
     "  !! beyond it (speeds: 2 %); range left: least distance to the end of a joint's",
@@ -69,6 +72,8 @@ def _settling(figures: Figures, summary: Summary) -> list[str]:
     settling = figures.settling
     if summary.facts.is_kinematic:
         return [f"settling     {UNKNOWN} (a kinematic run has no servo that settles)"]
+    if not figures.is_driven:
+        return [f"settling     {WITHOUT_DRIVES}"]
     share = with_unit(settling.share, PERCENT, 1)
     lines = [f"settling     {seconds(settling.total)} s after moves, {share} of the cycle time"]
     if settling.longest > 0.0:
@@ -119,6 +124,14 @@ def joint_lines(joints: tuple[JointSummary, ...], style: Style) -> list[str]:
     return columns_text(beside if widest <= COLUMNS else below, rows, style)
 
 
+def legend(joints: tuple[JointSummary, ...]) -> list[str]:
+    """Return what the signs in the table of joints mean; nothing without joints."""
+    if not joints:
+        return []
+    is_marked = any(one.margin_closeness is not Closeness.FAR for one in joints)
+    return [*LEGEND, RANGE_LEGEND] if is_marked else [*LEGEND]
+
+
 def _joint_titles(joints: tuple[JointSummary, ...], between: str) -> tuple[str, ...]:
     """Return the titles of the columns, with `between` before each unit."""
     types = [joint.facts.type for joint in joints]
@@ -150,7 +163,7 @@ def _joint_row(joint: JointSummary) -> tuple[TableCell, ...]:
         _limit_cell(joint.effort_share, joint.effort_closeness),
         TableCell(fixed(joint.speed.size, speed_scale(facts.type), 1)),
         _limit_cell(joint.speed_share, joint.speed_closeness),
-        _margin_cell(f"{fixed(near.margin, coordinate, 1)} {near.side}", near.margin),
+        _margin_cell(f"{fixed(near.margin, coordinate, 1)} {near.side}", joint),
         TableCell(str(near.line) if near.line else ""),
         TableCell(fixed(joint.following_max.size, coordinate, 3)),
     )
@@ -160,7 +173,8 @@ def _limit_cell(share: float, closeness: Closeness) -> TableCell:
     return TableCell(percent(share) + _SIGNS[closeness], _SIGN_TONES.get(closeness))
 
 
-def _margin_cell(text: str, margin: float) -> TableCell:
-    if not math.isfinite(margin):
+def _margin_cell(text: str, joint: JointSummary) -> TableCell:
+    if not math.isfinite(joint.nearest.margin):
         return TableCell(text.split(maxsplit=1)[0])
-    return TableCell(f"!! {text}", Tone.ERROR) if margin < 0.0 else TableCell(text)
+    closeness = joint.margin_closeness
+    return TableCell(f"{_SIGNS[closeness]} {text}".strip(), _SIGN_TONES.get(closeness))

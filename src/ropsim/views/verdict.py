@@ -3,6 +3,9 @@
 from enum import Enum
 
 from ropsim.core import frozen_dataclass, plural
+from ropsim.views.characters import clean
+from ropsim.views.figures import coordinate_scale, with_unit
+from ropsim.views.joint_summary import Closeness, closest_to_position_limit
 from ropsim.views.summary import Summary
 
 COLLISION = "S751"
@@ -30,7 +33,8 @@ class VerdictText:
 def verdict(summary: Summary) -> VerdictText:
     """Return the verdict.
 
-    Failed with errors, skipped moves or broken samples; doubtful with warnings or when ended by hand.
+    Failed with errors, skipped moves or broken samples; doubtful with warnings, with a joint that is nearly
+    at the end of its range, or when ended by hand.
     """
     reasons = []
     if summary.invalid_samples:
@@ -49,11 +53,28 @@ def verdict(summary: Summary) -> VerdictText:
     if failed:
         return VerdictText(Verdict.FAILED, "failed: " + ", ".join(reasons))
     end = "ended by hand before the program ended" if summary.stopped_by_hand else "ran to the end"
+    near = _near_end(summary)
     if reasons:
         how = f", but {met}:" if met else " with"
-        return VerdictText(Verdict.DOUBTFUL, f"{end}{how} " + ", ".join(reasons))
+        also = f"; {near}" if near else ""
+        return VerdictText(Verdict.DOUBTFUL, f"{end}{how} " + ", ".join(reasons) + also)
+    if near:
+        return VerdictText(Verdict.DOUBTFUL, f"{end}, but {near}")
     kind = Verdict.DOUBTFUL if summary.stopped_by_hand else Verdict.GOOD
     return VerdictText(kind, f"{end}, no errors, no warnings")
+
+
+def _near_end(summary: Summary) -> str:
+    """Return which joint is nearly at the end of its range or beyond it, in words; empty for none."""
+    near = [one for one in summary.joints if one.margin_closeness is not Closeness.FAR]
+    worst = closest_to_position_limit(near)
+    if worst is None:
+        return ""
+    margin = with_unit(abs(worst.nearest.margin), coordinate_scale(worst.facts.type), 1)
+    is_beyond = worst.margin_closeness is Closeness.BEYOND
+    how = f"is {margin} beyond" if is_beyond else f"comes within {margin} of"
+    more = f", {len(near) - 1} more within 1° or 1 mm" if len(near) > 1 else ""
+    return f"joint {clean(worst.name)} {how} the end of its range{more}"
 
 
 def _met(summary: Summary) -> str:

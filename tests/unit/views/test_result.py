@@ -3,7 +3,16 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from ropsim.flow import AxisFacts, AxisType, Channel, Destinations, MotionKind, MoveEvent, SkipEvent
+from ropsim.flow import (
+    AxisFacts,
+    AxisType,
+    Channel,
+    Destinations,
+    Fidelity,
+    MotionKind,
+    MoveEvent,
+    SkipEvent,
+)
 from ropsim.views import Closeness, Verdict, result_figures, summarize, verdict
 from ropsim.views.result import SettlingFigure
 from support.recordings import empty_recording, facts, pick_and_place, station, two_findings, two_stations
@@ -70,6 +79,32 @@ def test_the_least_margin_names_its_side_and_unit() -> None:
     assert (closest.joint, closest.side, closest.unit, closest.time) == ("3", "lower", "rad", 0.1)
 
 
+@pytest.mark.parametrize(
+    ("margin", "closeness"), [(0.3, Closeness.NEAR), (1.5, Closeness.FAR), (-0.5, Closeness.BEYOND)]
+)
+def test_a_margin_says_how_near_it_is_and_a_small_one_is_not_good(
+    margin: float, closeness: Closeness
+) -> None:
+    q = np.zeros((3, 6))
+    q[1, 2] = -np.deg2rad(135.0 - margin)
+    recording = replace(pick_and_place(1), time=np.arange(3) / 10.0, channels={"q": Channel(q, "rad")})
+    result = result_figures(summarize(recording))
+    assert result.closest_limit is not None
+    assert result.closest_limit.closeness is closeness
+    how = {Closeness.NEAR: "comes within 0.3° of", Closeness.BEYOND: "is 0.5° beyond"}.get(closeness)
+    reason = f"ran to the end, but joint 3 {how} the end of its range"
+    assert result.verdict.text == (reason if how else "ran to the end, no errors, no warnings")
+    assert result.verdict.kind is (Verdict.DOUBTFUL if how else Verdict.GOOD)
+
+
+def test_a_run_without_drives_has_neither_path_error_nor_settling() -> None:
+    recording = pick_and_place(1)
+    kinematic = replace(recording, facts=facts(fidelity=Fidelity.KINEMATIC))
+    assert result_figures(summarize(recording)).path_error is not None
+    result = result_figures(summarize(kinematic))
+    assert (result.path_error, result.settling) == (None, None)
+
+
 def test_a_margin_of_a_sliding_joint_is_in_metres() -> None:
     axis = AxisFacts("1", AxisType.PRISMATIC, 0.0, 1.0)
     rail = replace(
@@ -91,6 +126,7 @@ def test_settling_leads_to_the_longest_wait() -> None:
     events[events.index(slow)] = replace(slow, settle=0.05)
     summary = summarize(replace(recording, events=tuple(events)))
     settling = result_figures(summary).settling
+    assert settling is not None
     assert (settling.total, settling.share) == (summary.settling.total, summary.settling.share)
     assert (settling.station, settling.line) == (slow.station, slow.line)
     assert settling.time == pytest.approx(slow.time + slow.duration - 0.05)

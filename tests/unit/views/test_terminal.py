@@ -3,6 +3,7 @@ from dataclasses import replace
 from typing import Any
 
 import numpy as np
+import pytest
 
 from ropsim.core import Diagnostic, Severity
 from ropsim.flow import (
@@ -122,6 +123,50 @@ def test_settling_is_a_line_with_its_share_and_the_longest_wait() -> None:
 def test_a_kinematic_run_does_not_claim_to_settle_at_once() -> None:
     text = report(facts=facts(fidelity=Fidelity.KINEMATIC))
     assert "settling     – (a kinematic run has no servo that settles)" in text
+
+
+def test_a_run_without_drives_has_no_figures_of_its_attained_path() -> None:
+    recording = pick_and_place(3)
+    driven = terminal_report(summarize(recording), Style.PLAIN)
+    text = report(facts=facts(fidelity=Fidelity.KINEMATIC))
+    assert "path error of tool paths (12 moves): –, without drives" in text
+    for figure in ("max ", "RMS", "orientation:", "velocity accuracy", "repeatability", "stops ("):
+        assert figure in driven
+        assert figure not in text
+    rows = [line.split() for line in text.splitlines() if re.match(r"  [1-6]  ", line)]
+    assert [row[-1] for row in rows] == ["–"] * 6
+
+
+def test_of_two_stations_only_the_one_with_drives_has_figures_of_its_attained_path() -> None:
+    recording = two_stations(2)
+    left, right = recording.facts.stations
+    stations = (left, replace(right, law=""))
+    channels = {name: one for name, one in recording.channels.items() if name != "right/tau"}
+    mixed = replace(recording, channels=channels, facts=replace(recording.facts, stations=stations))
+    summary = summarize(mixed)
+    assert [one.is_driven for one in summary.stations] == [True, False]
+    assert {one.station for one in summary.stops} == {"left"}
+    assert summary.path.worst is not None
+    assert summary.path.worst.station == "left"
+    _, first, second = re.split(
+        r"^(?=left runs|right runs)", terminal_report(summary, Style.PLAIN), flags=re.MULTILINE
+    )
+    assert "settling     –, without drives" in second
+    assert "settling     –" not in first
+
+
+@pytest.mark.parametrize(
+    ("margin", "sign"),
+    [(0.3, "! 0.3 lower"), (0.9, "! 0.9 lower"), (1.1, "1.1 lower"), (-0.5, "!! -0.5 lower")],
+)
+def test_a_joint_that_is_nearly_at_the_end_of_its_range_is_marked(margin: float, sign: str) -> None:
+    q = np.zeros((3, 6))
+    q[1, 2] = np.deg2rad(margin - 135.0)
+    recording = replace(pick_and_place(1), time=np.arange(3) / 10.0, channels={"q": Channel(q, "rad")})
+    text = terminal_report(summarize(recording), Style.PLAIN)
+    (row,) = [line for line in text.splitlines() if line.startswith("  3  ")]
+    assert re.search(rf"  {re.escape(sign)}(  |$)", row)
+    assert ("! less than 1° or 1 mm of the range left" in text) == sign.startswith("!")
 
 
 def test_what_was_not_looked_at_breaks_between_its_parts_only() -> None:

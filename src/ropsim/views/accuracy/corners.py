@@ -27,10 +27,10 @@ class CornerFigures:
         station: whose move ends there.
         line: source line of that move, 0 where unknown.
         visit: its loop pass.
-        time: when the arm was nearest to the corner [s].
+        time: when the arm was nearest to the corner [s]; without drives its command.
         zone: distance from the corner at which the commanded path leaves the one before [m].
         planned: least distance of the commanded path from the corner point [m].
-        rounding: CR, that of the attained path [m].
+        rounding: CR, that of the attained path [m]; NaN without drives, as is CO.
         overshoot: CO, largest distance of the attained path beyond the commanded one behind the corner, on
             its outer side [m]; NaN where the corner has none.
     """
@@ -100,6 +100,8 @@ def corner_figures(station: StationView) -> tuple[CornerFigures, ...]:
         middle = int(np.searchsorted(station.time[rows], behind.time))
         row, *figures = cornering(corner, move.flown, middle, command[rows], attained[rows])
         time = float(np.interp(row, np.arange(len(rows)), station.time[rows]))
+        if not station.is_driven:
+            figures[1:] = [math.nan, math.nan]
         name = station.facts.name
         found.append(CornerFigures(name, move.line, move.visit, time, move.flown, *figures))
     return tuple(found)

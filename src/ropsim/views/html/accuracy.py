@@ -8,6 +8,7 @@ from ropsim.core import SourceText
 from ropsim.views.accuracy import CornerFigures, StopFigures
 from ropsim.views.figures import (
     DEGREES,
+    METRES,
     MILLIMETRES,
     MILLIMETRES_PER_SECOND,
     PERCENT,
@@ -36,7 +37,10 @@ def accuracy_section(figures: Figures, of: str, source: SourceText | None) -> st
         corner_table(figures.corners) if figures.corners else "",
         stop_table(figures.stops) if figures.stops else "",
     )
-    return f"<section><h2>Accuracy{of}</h2>\n{''.join(tables)}</section>\n" if any(tables) else ""
+    if not any(tables):
+        return ""
+    note = "" if figures.is_driven else "<p>Without drives: the arm is where its reference is.</p>\n"
+    return f"<section><h2>Accuracy{of}</h2>\n{note}{''.join(tables)}</section>\n"
 
 
 def path_table(path: PathSummary, source: SourceText | None) -> str:
@@ -82,7 +86,7 @@ def corner_table(corners: Sequence[CornerFigures]) -> str:
     )
     rows = []
     for line, passes in _by_line(corners):
-        worst = max(passes, key=lambda one: one.overshoot if math.isfinite(one.overshoot) else -1.0)
+        worst = max(passes, key=lambda one: _largest(one.overshoot))
         rows.append(
             (
                 _line(line),
@@ -104,6 +108,7 @@ def corner_table(corners: Sequence[CornerFigures]) -> str:
 
 def stop_table(stops: Sequence[StopFigures]) -> str:
     """Return how moves come to rest: of each source line the largest of each figure."""
+    missed = any(not one.is_reached for one in stops)
     header = (
         "line",
         "passes",
@@ -111,27 +116,42 @@ def stop_table(stops: Sequence[StopFigures]) -> str:
         "OV max<br>at t [s]",
         "stabilization<br>max [s]",
         "stabilization<br>max at t [s]",
+        *(["not reached,<br>away max [mm]"] if missed else ()),
     )
     rows = []
     for line, passes in _by_line(stops):
-        far = max(passes, key=lambda one: one.overshoot)
-        slow = max(passes, key=lambda one: one.stabilization)
+        far = max(passes, key=lambda one: _largest(one.overshoot))
+        slow = max(passes, key=lambda one: _largest(one.stabilization))
         rows.append(
             (
                 _line(line),
                 str(len(passes)),
                 fixed(far.overshoot, MILLIMETRES, 3),
                 seconds(far.time),
-                f"{slow.stabilization:.3f}",
+                fixed(slow.stabilization, METRES, 3),
                 seconds(slow.time),
+                *([_missed(passes)] if missed else ()),
             )
         )
     return table(
-        "Stops by source line: overshoot, and time from the first coming within 0.1 mm of the place of rest "
-        "until the arm stays there; each with the pass in which it is largest.",
+        "Stops by source line: overshoot, and time from the first coming to the place of rest until the arm "
+        "stays within 0.1 mm of it; each with the pass in which it is largest.",
         header,
         rows,
     )
+
+
+def _missed(passes: Sequence[StopFigures]) -> str:
+    """Return in how many passes a stop is not reached, and how far from its target the worst one ends."""
+    away = [one.away for one in passes if not one.is_reached]
+    if not away:
+        return ""
+    return f'<span class="mark">{len(away)}: {fixed(max(away), MILLIMETRES, 3)}</span>'
+
+
+def _largest(value: float) -> float:
+    """Return a figure for comparing; one that is not known is less than all others."""
+    return value if math.isfinite(value) else -1.0
 
 
 def _by_line(found: Sequence[T]) -> list[tuple[int, list[T]]]:
@@ -158,10 +178,10 @@ def _path_row(line: PathLine, source: SourceText | None) -> tuple[str, ...]:
         fixed(worst.max_error, MILLIMETRES, 3),
         fixed(line.rms_error, MILLIMETRES, 3),
         str(worst.visit) if worst.visit else UNKNOWN,
-        seconds(worst.time),
+        seconds(worst.time) if math.isfinite(worst.max_error) else UNKNOWN,
         fixed(max(angles, default=math.nan), DEGREES, 3),
         fixed(line.repeatability, MILLIMETRES, 3),
-        _speed(line.worst_speed),
+        _speed(line.worst_speed or line.worst),
         fixed(speeds.accuracy if speeds else math.nan, PERCENT, 2),
         fixed(max(fluctuations, default=math.nan), MILLIMETRES_PER_SECOND, 2),
         source_cell(source, line.line),

@@ -5,8 +5,17 @@ from typing import TypeAlias
 from ropsim.core import plural
 from ropsim.flow import SLOW
 from ropsim.views.device_summary import DeviceSummary
-from ropsim.views.figures import MILLIMETRES, PERCENT, coordinate_scale, percent, seconds, with_unit
+from ropsim.views.figures import (
+    MILLIMETRES,
+    PERCENT,
+    UNKNOWN,
+    coordinate_scale,
+    percent,
+    seconds,
+    with_unit,
+)
 from ropsim.views.findings import place_text
+from ropsim.views.html.tables import marked
 from ropsim.views.joint_summary import (
     JointSummary,
     closest_to_position_limit,
@@ -26,7 +35,7 @@ def key_figures(summary: Summary) -> str:
     return _cards(
         [
             _cycle_time(summary, summary),
-            *_settling_figure(summary, summary),
+            *_settling_figure(summary),
             *(_waiting_figure(summary) if len(summary.stations) == 1 else ()),
             *_work(summary),
             *_destinations_figure(summary),
@@ -43,7 +52,7 @@ def station_figures(station: StationSummary, summary: Summary) -> str:
     return _cards(
         [
             _cycle_time(station, summary),
-            *_settling_figure(station, summary),
+            *_settling_figure(station),
             *_waiting_figure(station),
             *_work(station),
             *_path_figure(station),
@@ -83,10 +92,10 @@ def _cards(figures: list[Card], label: str) -> str:
     return f'<section class="figures" aria-label="{label}">\n{cells}</section>\n'
 
 
-def _settling_figure(figures: Figures, summary: Summary) -> list[Card]:
+def _settling_figure(figures: Figures) -> list[Card]:
     settling = figures.settling
-    if summary.facts.is_kinematic:
-        return []
+    if not figures.is_driven:
+        return [("settling", UNKNOWN, "without drives")]
     share = f"{with_unit(settling.share, PERCENT, 1)} of the cycle time"
     place = place_text(settling.line, settling.visit)
     longest = f"; longest {settling.longest:.3f} s{place}" if settling.longest > 0.0 else ""
@@ -114,10 +123,11 @@ def _destinations_figure(summary: Summary) -> list[Card]:
 def _path_figure(figures: Figures) -> list[Card]:
     if not figures.path.moves:
         return []
-    mean = with_unit(figures.path.mean_error, MILLIMETRES, 3)
-    return [
-        ("path error of tool paths, max", with_unit(figures.path.max_error, MILLIMETRES, 3), f"mean {mean}")
-    ]
+    title, path = "path error of tool paths, max", figures.path
+    if path.worst is None:
+        return [(title, UNKNOWN, "without drives")]
+    mean = with_unit(path.mean_error, MILLIMETRES, 3)
+    return [(title, with_unit(path.max_error, MILLIMETRES, 3), f"mean {mean}")]
 
 
 def _joint_figures(joints: tuple[JointSummary, ...]) -> list[Card]:
@@ -129,7 +139,10 @@ def _joint_figures(joints: tuple[JointSummary, ...]) -> list[Card]:
         result.append(("peak speed", percent(speed.speed_share), _of_the_limit(speed)))
     closest = closest_to_position_limit(joints)
     if closest is not None:
-        margin = with_unit(closest.nearest.margin, coordinate_scale(closest.facts.type), 1)
+        margin = marked(
+            with_unit(closest.nearest.margin, coordinate_scale(closest.facts.type), 1),
+            closest.margin_closeness,
+        )
         result.append(("closest to a limit", margin, f"joint {text(closest.name)}, {closest.nearest.side}"))
     return result
 

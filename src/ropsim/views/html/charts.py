@@ -101,7 +101,7 @@ def _joint_figure(stations: tuple[StationView, ...], quantity: _JointQuantity) -
     rows = tuple(
         _joint_row(station.label(f"joint {axis.name}"), axis, quantity, values[:, k])
         for station, values in found
-        if np.any(np.isfinite(values))
+        if np.any(np.isfinite(values)) and (station.is_driven or quantity.channel != "q_error")
         for k, axis in enumerate(station.facts.axes)
     )
     if not rows:
@@ -129,7 +129,7 @@ def _path_accuracy(station: StationView) -> str:
     if np.any(np.isfinite(attained)):
         traces = (Trace("command", command, "c2"), Trace("attained", attained))
         rows.append(TraceRow("TCP speed", MILLIMETRES_PER_SECOND.unit, traces, height=100.0))
-    if np.any(np.isfinite(error)):
+    if station.is_driven and np.any(np.isfinite(error)):
         rows.append(TraceRow("path error", MILLIMETRES.unit, (Trace("path error", error),), height=100.0))
     if not rows:
         return ""

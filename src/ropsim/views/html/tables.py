@@ -10,7 +10,7 @@ from ropsim.views.figures import (
     seconds,
     speed_scale,
 )
-from ropsim.views.joint_summary import Closeness, JointSummary, LimitApproach
+from ropsim.views.joint_summary import Closeness, JointSummary, LimitApproach, end_closeness
 from ropsim.views.markup import table, text
 from ropsim.views.summary import Summary
 from ropsim.views.task_summary import TaskSummary
@@ -120,10 +120,10 @@ def _joint_row(joint: JointSummary) -> tuple[str, ...]:
         text(joint.name),
         fixed(joint.effort.size, effort, 1),
         fixed(facts.max_effort, effort, 1),
-        _marked(joint.effort_share, joint.effort_closeness),
+        marked(percent(joint.effort_share), joint.effort_closeness),
         fixed(joint.speed.size, speed, 1),
         fixed(facts.max_speed, speed, 1),
-        _marked(joint.speed_share, joint.speed_closeness),
+        marked(percent(joint.speed_share), joint.speed_closeness),
         fixed(joint.current.size, effort, 2),
         fixed(joint.following_rms, coordinate, 3),
         fixed(joint.following_max.size, coordinate, 3),
@@ -132,11 +132,10 @@ def _joint_row(joint: JointSummary) -> tuple[str, ...]:
 
 def _approach_cells(joint: JointSummary, approach: LimitApproach, limit: float) -> tuple[str, ...]:
     scale = coordinate_scale(joint.facts.type)
-    margin = fixed(approach.margin, scale, 1)
     return (
         fixed(limit, scale, 1),
         fixed(approach.coordinate, scale, 1),
-        f'<span class="mark">beyond {margin}</span>' if approach.margin < 0.0 else margin,
+        marked(fixed(approach.margin, scale, 1), end_closeness(approach.margin, joint.facts.type)),
         seconds(approach.time),
         _line(approach.line),
     )
@@ -150,8 +149,9 @@ def _share(part: float, whole: float) -> str:
     return percent(part / whole) if whole > 0.0 else UNKNOWN
 
 
-def _marked(share: float, closeness: Closeness) -> str:
+def marked(figure: str, closeness: Closeness) -> str:
+    """Return a figure with how it stands to its limit before it, where it is near or beyond that; HTML."""
     if closeness is Closeness.FAR:
-        return percent(share)
+        return figure
     kind = "mark" if closeness is Closeness.BEYOND else "near"
-    return f'<span class="{kind}">{closeness.value} {percent(share)}</span>'
+    return f'<span class="{kind}">{closeness.value} {figure}</span>'
