@@ -96,6 +96,9 @@ def check(options: argparse.Namespace, output: Output) -> int:
     return 0 if is_good else 1
 
 
+NOT_SHOWN = "not shown: that no fewer tasks reach the goal"
+
+
 def plan(options: argparse.Namespace, output: Output) -> int:
     """Print the fewest tasks that reach a goal."""
     known = open_knowledge(options.path, Prolog(options.prolog))
@@ -112,12 +115,16 @@ def plan(options: argparse.Namespace, output: Output) -> int:
     program = program_text(known.base.task, found.calls, "plan") if found.ok else ""
     output.text(program.rstrip("\n") if options.program else _steps(found.calls) if found.ok else "no plan")
     if found.ok and not options.program:
+        if not found.is_fewest:
+            output.text(NOT_SHOWN)
         output.text(unchecked_text(found.unchecked))
     output.document(
         {
             "ok": found.ok,
             "calls": [_call(one) for one in found.calls],
             "looked_at": found.looked_at,
+            "inferences": found.inferences,
+            "fewest": found.ok and found.is_fewest,
             "unchecked": found.unchecked,
             "program": program,
             **diagnostic_document((*known.findings, *found.findings)),

@@ -24,7 +24,7 @@ from ropsim.tasks.diagnostics import TOO_DEEP
 from ropsim.tasks.findings import Wording
 from ropsim.tasks.layer import Layer
 
-SOURCES = ("kb", "world", "planner")
+SOURCES = ("kb", "world", "templates", "exclusion", "planner")
 TEXTS, GEOMETRY = "ropsim_kb_texts", "ropsim_kb_geometry"
 LIMITS = Limits(seconds=10.0)
 ALONE = Limits(seconds=2.0)

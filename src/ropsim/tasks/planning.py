@@ -28,12 +28,16 @@ class Plan:
         findings: why there is no plan; empty where there is one.
         looked_at: states that were looked at.
         unchecked: what conditions may name and nothing has looked at, such as `collisions`.
+        inferences: steps of Prolog that it took, the same on every machine; 0 where it was stopped.
+        is_fewest: no plan has fewer tasks; else that is not known.
     """
 
     calls: tuple[TaskCall, ...]
     findings: tuple[Diagnostic, ...]
     looked_at: int
     unchecked: tuple[str, ...] = ()
+    inferences: int = 0
+    is_fewest: bool = True
 
     @property
     def ok(self) -> bool:
@@ -74,10 +78,11 @@ def planned(
     except GoalError as error:
         return Plan((), (_stopped(error, seconds),), 0)
     match found:
-        case Struct("plan", (tuple(heads), int(looked_at))):
-            return Plan(tuple(_call(head, task) for head in heads), (), looked_at)
-        case Struct("none", (why, int(looked_at))):
-            return Plan((), (_nothing(why, wanted, geometry),), looked_at)
+        case Struct("plan", (tuple(heads), how, int(looked_at), int(inferences))):
+            calls = tuple(_call(head, task) for head in heads)
+            return Plan(calls, (), looked_at, inferences=inferences, is_fewest=how == Atom("fewest"))
+        case Struct("none", (why, int(looked_at), int(inferences))):
+            return Plan((), (_nothing(why, wanted, geometry),), looked_at, inferences=inferences)
     raise ValueError(f"{found} is no plan")
 
 
@@ -102,6 +107,10 @@ def _nothing(why: Term, wanted: Sequence[Term], geometry: RememberedGeometry) ->
             hints = tuple(dict.fromkeys(geometry.hint(one) for one in conditions))
             others = "choose other locations, or move them in the cell"
             return NO_PLAN.at(None, message, hint=hints[0] if len(hints) == 1 else others)
+        case Struct("exclude", (one, other)):
+            message = f"no plan: {fact_words(one)} and {fact_words(other)} exclude each other"
+            hint = "no task makes one of them without ending the other: leave one of them out of the goal"
+            return NO_PLAN.at(None, message, hint=hint)
     if len(wanted) == 1:
         message = f"no plan: no tasks in a row make {fact_words(wanted[0])} from this state"
         return NO_PLAN.at(None, message, hint="a free place to put something down may be missing")

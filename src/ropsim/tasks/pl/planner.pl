@@ -11,34 +11,47 @@
 :- use_module(library(ordsets)).
 :- use_module(library(heaps)).
 :- use_module(library(pairs)).
+:- use_module(library(solution_sequences)).
+
+most_inferences(3000000).   % so many may be made to find the fewest tasks
 
 :- dynamic seen/3.             % seen(Hash, State, Steps)
 :- dynamic looked/2.           % looked(Condition, yes | no)
 :- dynamic landmark/3.         % landmark(Fact, Number of its makers, Needs)
 :- dynamic made_by/2, meets/2. % made_by(Number, Makers); meets(Number, Numbers of sets with a task of this one)
-:- dynamic template/1.         % t(Head, Parameters, Pre, Eff, Geo) of the tasks that may serve
 :- dynamic fact/1.             % what could become true, if nothing ever ceased to be
 :- dynamic expanded/1, refusals/1.
 
-%   plan(+Facts, +Goals, -Reply): Reply is plan(Calls, Expanded) | none(Why, Expanded).
-%   Why: nobody(Fact) | refused(Fact, Conditions) | goals_clash.
+%   plan(+Facts, +Goals, -Reply): Reply is plan(Calls, How, Expanded, Inferences) | none(Why, Expanded, Inferences).
+%   How: fewest | any, where it is not known whether fewer tasks would do.
+%   Why: nobody(Fact) | refused(Fact, Conditions) | exclude(Goal, Goal) | goals_clash.
 plan(Facts, Goals, Reply) :-
-    forall(member(Old, [seen(_, _, _), looked(_, _), template(_), fact(_), expanded(_), refusals(_), refused_lately]),
+    forall(member(Old, [seen(_, _, _), looked(_, _), fact(_), expanded(_), refusals(_), refused_lately]),
            retractall(Old)),
     no_landmarks,
+    statistics(inferences, Begun),
     assertz(expanded(0)), assertz(refusals(0)),
     ropsim_world:state(Facts, State),
-    templates(State, Goals),
+    ropsim_templates:prepared(State, Goals),
     (   unreachable(State, Goals, Why)
     ->  Result = none(Why)
+    ;   ropsim_exclusion:exclusive_pair(Goals, State, One, Other)
+    ->  Result = none(exclude(One, Other))
     ;   constants(State, Goals, Alike),
-        searched(State, Goals, Alike, Result0),
-        (   Result0 = none, Alike \== [] -> retractall(seen(_, _, _)), searched(State, Goals, [], Result1) ; Result1 = Result0 ),
-        explained(Result1, State, Goals, Result)
+        most_inferences(Most), Last is Begun + Most,
+        searched(State, Goals, Alike, fewest(Last), Result0),
+        (   Result0 = none, Alike \== [] -> retractall(seen(_, _, _)), searched(State, Goals, [], fewest(Last), Result1)
+        ;   Result1 = Result0
+        ),
+        (   Result1 = weary -> retractall(seen(_, _, _)), searched(State, Goals, [], any, Result2) ; Result2 = Result1 ),
+        explained(Result2, State, Goals, Result)
     ),
+    ( Result1 == weary -> How = any ; How = fewest ),
     expanded(N),
-    ( Result = plan(Calls) -> Reply = plan(Calls, N) ; Result = none(Reason), Reply = none(Reason, N) ),
-    forall(member(Old, [seen(_, _, _), template(_), fact(_)]), retractall(Old)),
+    statistics(inferences, Ended), Inferences is Ended - Begun,
+    ( Result = plan(Calls) -> Reply = plan(Calls, How, N, Inferences) ; Result = none(Reason), Reply = none(Reason, N, Inferences) ),
+    forall(member(Old, [seen(_, _, _), fact(_)]), retractall(Old)),
+    ropsim_templates:forgotten,
     no_landmarks.
 
 no_landmarks :-
@@ -50,90 +63,66 @@ explained(dead(Why), _, _, none(Why)).
 explained(none, State, Goals, none(Why)) :-
     (   unreachable(State, Goals, Found) -> Why = Found ; Why = goals_clash ).
 
-%   templates(+State, +Goals): tasks that make, or end, what the goals or other such tasks look at, and all of whose numbers
-%   somebody tells.
-templates(State, Goals) :-
-    findall(Name/Arity, ( member(Goal, Goals), ropsim_kb:condition(Goal, Name, Arity) ), Wanted0),
-    sort(Wanted0, Wanted),
-    findall(Name-t(Head, Parameters, Pre, Eff, Geo),
-            ( ropsim_kb:known(Name, _, task(Head, _, Parameters, Pre, Eff, Geo, _, _, _, _)),
-              \+ untold(Parameters, Pre, State) ), All),
-    relevant(Wanted, [], All, State).
-
-untold(Parameters, Pre, State) :-
-    member(p(Value, Kind, none), Parameters),
-    ropsim_kb:measured(Kind),
-    exclude(ropsim_kb:of_pattern, Pre, Telling),    % they look at numbers and bind none
-    term_variables(Telling, Told), \+ ( member(V, Told), V == Value ),
-    \+ ropsim_kb:makes(Kind, 1),
-    functor(Fact, Kind, 1), \+ memberchk(Fact, State), !.
-
-relevant([], _, _, _) :- !.
-relevant(Wanted, Done, All, State) :-
-    ord_union(Wanted, Done, Done1),
-    partition(serves(Wanted), All, Serving, Others),
-    forall(member(_-Template, Serving), assertz(template(Template))),
-    findall(Name/Arity, ( member(_-t(_, _, Pre, _, _), Serving), member(One, Pre), ropsim_kb:condition(One, Name, Arity) ), New0),
-    findall(Name/Arity, ( member(Name1/Arity1, Wanted), functor(Head, Name1, Arity1), ropsim_kb:rule(Head, Body),
-                          ropsim_kb:condition(Body, Name, Arity) ), New1),
-    findall(tool/1, ( memberchk(gripper/1, Wanted), memberchk(without_gripper(_), State) ), New2),    % see ropsim_world:holds
-    append([New0, New1, New2], New3), sort(New3, New4),
-    ord_subtract(New4, Done1, New),
-    relevant(New, Done1, Others, State).
-
-serves(Wanted, _-t(_, _, _, Eff, _)) :-
-    member(Effect, Eff), arg(1, Effect, Fact), functor(Fact, Name, Arity),
-    ord_memberchk(Name/Arity, Wanted), !.
-
-%   searched(+State, +Goals, +Alike, -Result): plan(Calls) | none | dead(Why).
-searched(State, Goals, Alike, Result) :-
-    (   estimate(Goals, State, H) -> empty_heap(Empty), add_to_heap(Empty, k(H, H, 0), node(State, 0, [], [], []), Heap)
+%   searched(+State, +Goals, +Alike, +Mode, -Result): plan(Calls) | none | dead(Why) | weary. Mode is fewest(Last): A*, up to so
+%   many inferences, or any: a state with fewer landmarks left goes first, however many tasks lead to it (Richter and
+%   Westphal 2010).
+searched(State, Goals, Alike, Mode, Result) :-
+    (   estimate(Mode, Goals, State, H) -> empty_heap(Empty), add_to_heap(Empty, k(H, H, 0), node(State, 0, [], [], [], [], State), Heap)
     ;   empty_heap(Heap)
     ),
-    search(Heap, w(State, Goals, Alike), 0, Result).
+    search(Heap, w(State, Goals, Alike, Mode), 0, Result).
 
 search(Heap, World, N, Result) :-
-    (   get_from_heap(Heap, k(F, _, _), node(State, G, Path, Geo, Instead), Heap1)
-    ->  step(F, State, G, Path, Geo, Instead, Heap1, World, N, Result)
+    (   World = w(_, _, _, fewest(Last)), statistics(inferences, Now), Now > Last
+    ->  Result = weary
+    ;   get_from_heap(Heap, k(F, _, _), Node, Heap1)
+    ->  step(F, Node, Heap1, World, N, Result)
     ;   Result = none
     ).
 
-step(F, State, G, Path, Geo, Instead, Heap, World, N, Result) :-
-    World = w(Begin, Goals, Alike),
-    (   (   seen_before(State, G) ; needless(Instead) ; \+ allowed(Geo) )
-    ->  ( hopeless(Begin, Goals, Why) -> Result = dead(Why) ; search(Heap, World, N, Result) )
-    ;   ropsim_world:all_hold(Goals, State)
+%   A node has the geometry, and the parameters left open, of the task that leads to it, and the state before that task.
+step(F, node(State, G, Path, Geo, Free, Instead, Before), Heap, World, N, Result) :-
+    (   \+ seen_before(State, G), \+ needless(Instead, Before), allowed(Geo), filled(Free, Before)
+    ->  reached(F, State, G, Path, Heap, World, N, Result)
+    ;   World = w(Begin, Goals, _, _), hopeless(Begin, Goals, Why)
+    ->  Result = dead(Why)
+    ;   search(Heap, World, N, Result)
+    ).
+
+reached(F, State, G, Path, Heap, World, N, Result) :-
+    World = w(_, Goals, Alike, Mode),
+    (   ropsim_world:all_hold(Goals, State)
     ->  reverse(Path, Calls), Result = plan(Calls)
-    ;   \+ estimate(Goals, State, _)
+    ;   \+ estimate(Mode, Goals, State, _)
     ->  search(Heap, World, N, Result)
     ;   see(State, G),
         counted,
         G1 is G + 1,
         alike(Alike, State, Pairs),
-        findall(Next, next(State, Goals, Pairs, G1, Next), Nexts),
+        findall(Next, next(Mode, State, Goals, Pairs, G1, Next), Nexts),
         reverse(Nexts, Last),    % the first of them goes on the heap last and comes from it first
-        pushed(Last, G1, F, Path, Heap, Heap1, N, N1),
+        pushed(Last, s(Mode, G1, F, Path, State), Heap, Heap1, N, N1),
         search(Heap1, World, N1, Result)
     ).
 
-pushed([], _, _, _, Heap, Heap, N, N).
-pushed([next(H, S, Head, Geo, Instead)|More], G, F0, Path, Heap0, Heap, N0, N) :-
-    F is max(F0, G + H),
+pushed([], _, Heap, Heap, N, N).
+pushed([next(H, S, Head, Geo, Free, Instead)|More], From, Heap0, Heap, N0, N) :-
+    From = s(Mode, G, F0, Path, Before),
+    ( Mode == any -> F is G + 4 * H ; F is max(F0, G + H) ),
     N1 is N0 - 1,
-    add_to_heap(Heap0, k(F, H, N1), node(S, G, [Head|Path], Geo, Instead), Heap1),
-    pushed(More, G, F0, Path, Heap1, Heap, N1, N).
+    add_to_heap(Heap0, k(F, H, N1), node(S, G, [Head|Path], Geo, Free, Instead, Before), Heap1),
+    pushed(More, From, Heap1, Heap, N1, N).
 
-next(State, Goals, Pairs, G, next(H, After, Head, Geo, Instead)) :-
-    template(t(Head, Parameters, Pre, Eff, Geo)),
-    ropsim_world:all_hold(Pre, State),
-    ropsim_world:chosen(Parameters, State),
+next(Mode, State, Goals, Pairs, G, next(H, After, Head, Geo, Free, Instead)) :-
+    ropsim_templates:template(t(Head, Parameters, Pre, Eff, Geo, Free)),
+    distinct(Parameters, ( ropsim_world:all_hold(Pre, State), ropsim_world:chosen(Parameters, State) )),
     ground(Eff-Geo),
     \+ ( member(One, Geo), looked(One, no) ),
     ropsim_world:applied(Eff, State, After),
     After \== State,
     \+ seen_before(After, G),
-    estimate(Goals, After, H),
-    findall(Geo1, exchangeable(Pairs, Head, Geo, Geo1), Instead).
+    estimate(Mode, Goals, After, H),
+    findall(Other, exchangeable(Pairs, Head, Geo-Free, Other), Instead).
 
 seen_before(State, G) :- term_hash(State, Hash), seen(Hash, State, Before), Before =< G, !.
 
@@ -160,14 +149,23 @@ allowed([One|More]) :-
 
 :- dynamic refused_lately/0.
 
+%   filled(+Free, +Before): each group of open parameters has values that its conditions and geometry allow, the first ones.
+filled([], _).
+filled([one(Parameters, Pre, Geo)|More], Before) :-
+    once(( ropsim_world:all_hold(Pre, Before), ropsim_world:chosen(Parameters, Before), ground(Geo), \+ ( member(One, Geo), looked(One, no) ), allowed(Geo) )),
+    filled(More, Before).
+
 %   hopeless(+Begin, +Goals, -Why): after a refusal, now and then, whether the goals can still be reached at all.
 hopeless(Begin, Goals, Why) :-
     retract(refused_lately),
     refusals(N), ( N =< 16 -> true ; N mod 16 =:= 0 ),
     unreachable(Begin, Goals, Why).
 
-%   estimate(+Goals, +State, -H): fails where a fact is missing that nothing can make.
-estimate(Goals, State, H) :-
+%   estimate(+Mode, +Goals, +State, -H): fails where a fact is missing that nothing can make.
+estimate(any, Goals, State, H) :-
+    landmarks(Goals, State, [], Numbers),
+    length(Numbers, H).
+estimate(fewest(_), Goals, State, H) :-
     landmarks(Goals, State, [], Numbers0),
     sort(Numbers0, Numbers),
     conflicts(Numbers, Numbers, Counted),
@@ -232,7 +230,7 @@ numbered(Makers, Number) :-
 meet(One, Other) :- member(Head, One), \+ \+ memberchk(Head, Other), !.
 
 maker(Fact, Head, Ground) :-
-    template(t(Head, _, Pre, Eff, Geo)),
+    ropsim_templates:template(t(Head, _, Pre, Eff, Geo, _)),
     member(+ Fact, Eff),
     \+ ( member(One, Geo), ground(One), looked(One, no) ),
     \+ ( member(-One, Eff), One == Fact, \+ ( member(+Two, Eff), Two == Fact ) ),
@@ -246,7 +244,7 @@ common([First|More], Needs) :- foldl(ord_intersection, More, First, Needs).
 constants(State, Goals, Alike) :-
     findall(Constant, ( member(Fact, State), compound(Fact), arg(_, Fact, Constant), atomic(Constant) ), All),
     findall(Constant, ( member(Goal, Goals), within(Goal, Constant) ), Named0),
-    findall(Constant, ( template(t(_, Parameters, Pre, Eff, Geo)), within([Parameters, Pre, Eff, Geo], Constant) ), Named1),
+    findall(Constant, ( ropsim_templates:template(t(_, Parameters, Pre, Eff, Geo, Free)), within([Parameters, Pre, Eff, Geo, Free], Constant) ), Named1),
     findall(Constant, ( ropsim_kb:rule(Head, Body), within([Head, Body], Constant) ), Named2),
     append([Named0, Named1, Named2], Named),
     sort(All, Sorted), sort(Named, Named3),
@@ -271,16 +269,16 @@ alike(Constants, State, Pairs) :-
 
 about(Fact, N, Name-Others) :- Fact =.. [Name|Arguments], nth1(N, Arguments, _, Rest), Others = N-Rest.
 
-%   exchangeable(+Pairs, +Head, +Geo, -Geo1): the geometry of the same with something alike instead, which leads to the same.
-exchangeable(Pairs, Head, Geo, Geo1) :-
+%   exchangeable(+Pairs, +Head, +Asked, -Other): Geo-Free of the same with something alike instead, which leads to the same.
+exchangeable(Pairs, Head, Asked, Other1) :-
     compound(Head),
     arg(_, Head, Later), atomic(Later),
     memberchk(Later-Earlier, Pairs),
     \+ ( arg(_, Head, Other), Other == Earlier ),
-    exchanged(Geo, Later, Earlier, Geo1).
+    exchanged(Asked, Later, Earlier, Other1).
 
-%   needless(+Instead): geometry allows one of the others.
-needless(Instead) :- member(Geo, Instead), allowed(Geo), !.
+%   needless(+Instead, +Before): geometry allows one of the others.
+needless(Instead, Before) :- member(Geo-Free, Instead), allowed(Geo), \+ \+ filled(Free, Before), !.
 
 exchanged(Term, Later, Earlier, Earlier) :- Term == Later, !.
 exchanged(Term, Later, Earlier, Changed) :-
@@ -314,12 +312,24 @@ grown :-
 
 made(at(Next, Place)) :- fact(follows(Next, Part)), fact(at(Part, Place)).    % its supply brings it
 made(Fact) :-
-    template(t(_, Parameters, Pre, Eff, Geo)),
+    ropsim_templates:relaxed(Fact, Parameters, Pre, Geo, Groups),
     could_all(Pre),
+    could_fill(Groups, Fact),
     could_choose(Parameters),
     \+ ( member(One, Geo), looked(One, no) ),
-    member(+ Fact, Eff),
     ground(Fact).
+
+%   could_fill(+Groups, ?Fact): values that geometry has not refused are left for all open parameters; what such a group says
+%   of the fact is one solution for each.
+could_fill([], _).
+could_fill([one(Parameters, Pre, Geo)|More], Fact) :-
+    Group = ( could_all(Pre), could_choose(Parameters), \+ ( member(One, Geo), ground(One), looked(One, no) ) ),
+    (   ground(Fact) -> \+ \+ Group
+    ;   term_variables(Fact, Open), term_variables(Pre-Geo, Own),
+        include(ropsim_templates:is_in(Own), Open, Keys),
+        findall(Keys, Group, All0), sort(All0, All), member(Keys, All)
+    ),
+    could_fill(More, Fact).
 
 could_all([]).
 could_all([One|More]) :- could(One, 20), could_all(More).
@@ -357,10 +367,13 @@ why(Condition, Asked, Why) :-
     ).
 
 refuses(Fact, One) :-
-    template(t(_, Parameters, Pre, Eff, Geo)),
+    ropsim_templates:template(t(_, Parameters, Pre, Eff, Geo, Free)),
     member(+ Fact, Eff),
     could_all(Pre), could_choose(Parameters),
-    member(One, Geo), looked(One, no).
+    (   member(One, Geo)
+    ;   member(one(Open, OpenPre, OpenGeo), Free), could_all(OpenPre), could_choose(Open), member(One, OpenGeo)
+    ),
+    looked(One, no).
 
 %   lacking(+Fact, -Need): what a maker of a fact needs and cannot have; rather about the same thing.
 lacking(Fact, Need) :-
@@ -370,7 +383,7 @@ lacking(Fact, Need) :-
     ).
 
 needed(Fact, Need) :-
-    (   template(t(_, _, Pre, Eff, _)), member(+ Fact, Eff) ; ropsim_kb:rule(Fact, Body), Pre = [Body] ),
+    (   ropsim_templates:template(t(_, _, Pre, Eff, _, _)), member(+ Fact, Eff) ; ropsim_kb:rule(Fact, Body), Pre = [Body] ),
     (   member(Need, Pre), \+ could(Need, 20)
     ;   \+ ( member(One, Pre), \+ could(One, 20) ), first_lacking(Pre, Need)
     ).

@@ -228,7 +228,7 @@ provider(Condition0, State, Level, Name) :-
     copy_term(Condition0, Condition),
     made_so(Condition, Effect),
     limit(50, candidate(Effect, Name, Parameters, Pre)),
-    \+ ropsim_planner:untold(Parameters, Pre, State),
+    \+ ropsim_templates:untold(Parameters, Pre, State),
     able(Pre, State, Level).
 
 candidate(Effect, Name, Parameters, Pre) :-
