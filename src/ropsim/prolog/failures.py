@@ -88,7 +88,7 @@ def failures_told() -> Iterator[None]:
     try:
         yield
     except StoppedError as error:
-        kind, message, hint = _STOPPED["time"]
+        kind, message, hint = _STOPPED[error.why]
         raise GoalError(kind.at(None, message, hint=hint)) from error
     except CrashError as error:
         raise GoalError(CRASHED.at(None, f"Prolog ended in the middle of its work: {error}")) from error

@@ -26,7 +26,13 @@ class CrashError(Exception):
 
 
 class StoppedError(CrashError):
-    """The program was ended from outside."""
+    """The program was ended from outside.
+
+    Attributes:
+        why: `time` or `cancelled`, a key of what is said about it.
+    """
+
+    why = "time"
 
 
 class TooLongError(Exception):

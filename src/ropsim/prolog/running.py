@@ -6,7 +6,7 @@ from threading import Lock
 from time import monotonic
 
 from ropsim.prolog.limits import Limits
-from ropsim.prolog.program import Start, TooLongError
+from ropsim.prolog.program import Start, StoppedError, TooLongError
 from ropsim.prolog.reading import read_term
 from ropsim.prolog.terms import Atom, Struct, Term
 from ropsim.prolog.watchdog import watchdog
@@ -131,6 +131,9 @@ class RunningProlog:
             watchdog().watch(self._number, self._ends[-1] + self._program.grace, self._program.stop)
         try:
             return work()
+        except StoppedError as error:
+            error.why = "cancelled" if self._cancelled else "time"
+            raise
         finally:
             with self._lock:
                 self._ends.pop()

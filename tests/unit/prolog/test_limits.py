@@ -173,3 +173,12 @@ def test_limits_that_are_none_are_refused(values: dict[str, float]) -> None:
         Limits(**values)  # type: ignore[arg-type] # on purpose
     assert GRACE < 0.1
     assert Sort.ATOM.value == "atom"
+
+
+def test_a_cancelled_goal_that_had_to_be_ended_is_cancelled_and_not_late(engine: Engine) -> None:
+    def begin() -> list[tuple[Term, ...]]:
+        engine.cancel()
+        return [()]
+
+    engine.register(Predicate("begin_stubborn", (), (), begin))
+    assert code_of(engine, "begin_stubborn, stubborn", Limits(seconds=PATIENCE)) == "P115"

@@ -52,8 +52,8 @@ relaxed_of(t(_, Parameters, Pre, Eff, Geo0, Free), relaxed(Fact, Bound, Pre1, Ge
 
 %   grouped(+Open, +Pre, +Geo, -Groups): one(Parameters, Pre, Geo) of the conditions about open parameters.
 grouped(Open, Pre, Geo0, Free) :-
-    findall(pre, member(_, Pre), Pres), findall(geo, member(_, Geo0), Geos),
-    pairs_keys_values(Tagged0, Pres, Pre), pairs_keys_values(Tagged1, Geos, Geo0),
+    findall(pre, member(_, Pre), PreTags), findall(geo, member(_, Geo0), GeoTags),
+    pairs_keys_values(Tagged0, PreTags, Pre), pairs_keys_values(Tagged1, GeoTags, Geo0),
     append(Tagged0, Tagged1, Tagged),
     include(about_any(Open), Tagged, OpenTagged),
     maplist(group_of, Open, Own),
