@@ -7,6 +7,7 @@ from ropsim.language.check.one_part import AnyState, Left
 from ropsim.language.check.sight import Seen
 from ropsim.language.questions.parts import AT_FIRST, Before
 from ropsim.query import Database, is_same
+from ropsim.spatial import PoseTuple
 
 
 @dataclass(slots=True)
@@ -30,7 +31,8 @@ class Way:
         if self.left is None:
             return AT_FIRST
         seen = tuple(map(self.names.get, mentions))
-        return Before(seen, states, self.left.X_KC, self.left.moving, self.left.joint_count)
+        left = self.left
+        return Before(seen, states, left.X_KC, left.moving, left.joint_count, left.ended)
 
     def is_new_to(self, mentions: Collection[str]) -> bool:
         """Return whether parts that mention these names see something else than the last time."""
@@ -41,9 +43,7 @@ class Way:
             return False
         if one is None or other is None:
             return True
-        return not is_same(
-            (one.X_KC, one.moving, one.joint_count), (other.X_KC, other.moving, other.joint_count)
-        )
+        return not is_same(_without_names(one), _without_names(other))
 
     def pass_by(self, left: Left) -> None:
         """Go on behind what leaves what it left the last time."""
@@ -81,7 +81,11 @@ def left_by(parts: Iterable[Left]) -> Left:
     for last in parts:
         names |= last.names
     assert last is not None
-    return Left(names, last.X_KC, last.moving, last.joint_count)
+    return Left(names, *_without_names(last))
+
+
+def _without_names(left: Left) -> tuple[PoseTuple, str, int, str]:
+    return left.X_KC, left.moving, left.joint_count, left.ended
 
 
 def give_equal(db: Database, name: Hashable, value: object) -> None:

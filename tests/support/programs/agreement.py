@@ -55,9 +55,11 @@ def _difference(made: Program, meant: Run, found: Outcome) -> str:
         return f"says {found.says}, meant is {meant.says}"
     if len(meant.moves) != len(found.moves):
         return f"{len(found.moves)} moves, meant are {len(meant.moves)}"
-    for number, (place, move) in enumerate(zip(meant.moves, found.moves, strict=True)):
-        if not _is_there(place, move):
-            return f"move {number} goes to {move.target}, meant is {place}"
+    for number, (sent, move) in enumerate(zip(meant.moves, found.moves, strict=True)):
+        if not _is_there(sent.place, move):
+            return f"move {number} goes to {move.target}, meant is {sent.place}"
+        if (sent.speed, sent.zone) != (move.modal.path_speed, move.modal.zone):
+            return f"move {number} has {move.modal.path_speed} m/s, zone {move.modal.zone} m, meant is {sent}"
     for name, value in meant.values.items():
         is_exact = made.kinds.get(name, PLACE) != PLACE
         if not _is_same(value, found.values[name], PLACES * (not is_exact)):

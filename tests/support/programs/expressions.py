@@ -164,14 +164,31 @@ def _read(random: Random, sight: Sight, depth: int) -> Expr:
     return Expr(op.strip(), PLACE, pair)
 
 
+def written_place(random: Random) -> Expr:
+    """Return a location in numbers that the compiler knows, of any sort."""
+    numbers = tuple(literal(random, "length") for _ in range(3))
+    model = Expr("name", "loc", text="infeed")
+    return _oriented(random, random.choice(("location", "polar", "like")), numbers, model)
+
+
+def _oriented(random: Random, op: str, numbers: tuple[Expr, ...], model: Expr) -> Expr:
+    """Return a location of three numbers with the orientation of its sort."""
+    if op == "polar":
+        angles = (
+            Expr("literal", "num", text=str(n), value=n) for n in random.choices((90.0, 30.0, 0.0), k=2)
+        )
+        return Expr(op, "loc", (*numbers, *angles))
+    return Expr(op, "loc", (*numbers, model) if op == "like" else numbers)
+
+
 def _location(random: Random, sight: Sight, depth: int) -> Expr:
     if depth <= 0:
         return _leaf(random, sight, "loc")
-    op = random.choice(("location", "above", "offset", "rel", "in", "in", "offset"))
+    op = random.choice(("location", "polar", "like", "above", "offset", "rel", "in", "in", "offset"))
     way = random.choice(("length", "length", PLACE))
-    if op == "location":
+    if op in ("location", "polar", "like"):
         numbers = tuple(made(random, sight, way, depth - 1) for _ in range(3))
-        return Expr(op, "loc", numbers)
+        return _oriented(random, op, numbers, _leaf(random, sight, "loc"))
     base = _location(random, sight, depth - 1)
     if op == "in":
         return Expr(op, "loc", (base,), text=random.choice(("base", "pallet", "shelf", "tilted")))

@@ -5,7 +5,7 @@ from random import Random
 from support.programs.expressions import Sight, literal, made, place
 from support.programs.nodes import KINDS, PLACE, Expr, Parameter, Pattern, Program, Stmt, Task
 from support.programs.numbers import MM
-from support.programs.simple import Simple
+from support.programs.simple import FRAMES, Simple
 
 _NUMBERS = ("int", "num", "bool", "length")
 
@@ -141,9 +141,13 @@ class _Maker(Simple):
             return self.way_out(sight, around)
         if random.random() < 0.01:
             return [Stmt("stop")]
-        if around and random.random() < 0.05:
-            return [Stmt("set", random.choice(("base", "pallet", "shelf", "tilted")))]
-        return random.choice(simple)(sight)
+        if random.random() < 0.05:
+            return self.frame_set(sight)
+        if depth == 2 and not around and random.random() < 0.1:
+            return self.declared(sight)
+        if random.random() < 0.12:
+            return self.on_one_line(sight, around, [*simple, self.frame_set, self.setting])
+        return random.choice((*simple, self.setting))(sight)
 
     # --- blocks
 
@@ -219,5 +223,10 @@ class _Maker(Simple):
         return [Stmt("each", name, blocks=(body,), names=(pattern,))]
 
     def framed(self, sight: Sight, depth: int, around: tuple[str, ...]) -> list[Stmt]:
-        frame = self.random.choice(("base", "pallet", "shelf", "tilted"))
-        return [Stmt("with", frame, blocks=(self.inner(sight, depth, around),))]
+        """Return a `with` of a frame alone, of settings alone, or of both."""
+        random = self.random
+        settings = random.sample(("speed", "blend"), random.choice((0, 0, 1, 2)))
+        parts = tuple(self.setting_of(one).parts[0] for one in settings)
+        frame = random.choice(FRAMES) if not settings or random.random() < 0.5 else ""
+        body = self.inner(sight, depth, around)
+        return [Stmt("with", frame, parts, (body,), tuple(settings))]

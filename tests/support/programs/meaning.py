@@ -29,15 +29,24 @@ class _ReturnError(Exception):
     pass
 
 
-@dataclass(slots=True)
-class Run:
-    """What has happened so far: what was said, where the arm was sent, how it ended.
+@dataclass(frozen=True, slots=True)
+class Sent:
+    """Where the arm was sent, with the speed in force [m/s], None for that of the cell, and the zone [m].
 
-    Moves to joint coordinates and home are there as they are written.
+    Joint coordinates and home are there as they are written.
     """
 
+    place: Place | str
+    speed: float | None
+    zone: float
+
+
+@dataclass(slots=True)
+class Run:
+    """What has happened so far: what was said, where the arm was sent, how it ended."""
+
     says: list[str] = field(default_factory=list)
-    moves: list[Place | str] = field(default_factory=list)
+    moves: list[Sent] = field(default_factory=list)
     trap: tuple[str, int] | None = None
     values: dict[str, Datum] = field(default_factory=dict)
 
@@ -58,6 +67,7 @@ class _Meaning(Values):
         self.tasks = {task.name: task for task in program.tasks}
         self.patterns = {pattern.name: pattern for pattern in program.patterns}
         self.result: Datum | None = None
+        self.settings: dict[str, float | None] = {"speed": None, "blend": 0.0}
 
     def run(self) -> Run:
         main = Scope(self.shared)
@@ -142,11 +152,31 @@ class _Meaning(Values):
 
     def do_lin(self, scope: Scope, one: Stmt) -> None:
         self.here = self.place(scope, one.parts[0])
-        self.done.moves.append(self.here)
+        self.send(self.here)
+
+    def send(self, place: Place | str) -> None:
+        self.done.moves.append(Sent(place, self.settings["speed"], self.settings["blend"] or 0.0))
+
+    def do_setting(self, scope: Scope, one: Stmt) -> None:
+        self.settings[one.name] = float(self.number(scope, one.parts[0]))
+
+    def do_loc(self, scope: Scope, one: Stmt) -> None:
+        self.fixed[one.name] = self.place(scope, one.parts[0])
+
+    def do_then(self, scope: Scope, one: Stmt) -> None:
+        if self.number(scope, one.parts[0]):
+            self.block(scope, one.blocks[0])
+
+    def do_wait(self, scope: Scope, one: Stmt) -> None:
+        if self.number(scope, one.parts[0]):
+            return
+        if not one.blocks:
+            raise TrapError("I462")
+        self.block(scope, one.blocks[0])
 
     def do_mov(self, _scope: Scope, one: Stmt) -> None:
         self.here = ARM[one.name]
-        self.done.moves.append(one.name)
+        self.send(one.name)
 
     def do_when(self, scope: Scope, one: Stmt) -> None:
         if self.number(scope, one.parts[0]):
@@ -168,7 +198,15 @@ class _Meaning(Values):
         raise _StopError
 
     def do_with(self, scope: Scope, one: Stmt) -> None:
-        self.block(scope, [Stmt("set", one.name, line=one.line), *one.blocks[0]])
+        """Carry out a block; all settings are then what they were, however it ends."""
+        before = dict(self.settings)
+        values = [float(self.number(scope, part)) for part in one.parts]
+        self.settings.update(zip(one.names, values, strict=True))
+        frame = [Stmt("set", one.name, line=one.line)] if one.name else []
+        try:
+            self.block(scope, [*frame, *one.blocks[0]])
+        finally:
+            self.settings = before
 
     # --- loops
 

@@ -33,6 +33,12 @@ class Expr:
     value: bool | int | float = 0
 
     @property
+    def is_written(self) -> bool:
+        """Return whether this is a location in numbers, moved or not."""
+        moved = self.op in ("above", "offset", "rel")
+        return self.op in ("location", "polar", "like") or (moved and self.parts[0].is_written)
+
+    @property
     def is_constant(self) -> bool:
         """Return whether the compiler can know the value."""
         return self.op not in ("name", "signal", "here", "reference") and all(

@@ -1,10 +1,15 @@
 """Statements of one line at random."""
 
+from collections.abc import Callable
 from random import Random
 
-from support.programs.expressions import Sight, literal, made
+from support.programs.expressions import Sight, literal, made, written_place
 from support.programs.nodes import PLACE, Expr, Program, Stmt
+from support.programs.numbers import MM
 from support.programs.places import ARM
+
+FRAMES = ("base", "pallet", "shelf", "tilted")
+Maker = Callable[[Sight], list[Stmt]]
 
 
 class Simple:
@@ -83,6 +88,40 @@ class Simple:
             return [Stmt("result", task.name, tuple(parts), names=(*names, random.choice(targets)))]
         is_plain = any(part.op == "reference" for part in parts)
         return [Stmt("plain call" if is_plain else "call", task.name, tuple(parts), names=tuple(names))]
+
+    def frame_set(self, _: Sight) -> list[Stmt]:
+        return [Stmt("set", self.random.choice(FRAMES))]
+
+    def setting(self, _: Sight) -> list[Stmt]:
+        return [self.setting_of(self.random.choice(("speed", "blend")))]
+
+    def setting_of(self, word: str) -> Stmt:
+        """Return `set speed` or `set blend` with a value of its own."""
+        number, unit = self.random.randint(1, 99), "mm/s" if word == "speed" else "mm"
+        return Stmt("setting", word, (Expr("literal", "length", text=f"{number} {unit}", value=number * MM),))
+
+    def declared(self, sight: Sight) -> list[Stmt]:
+        """Return a `loc` among the control statements, read in the frame in force there."""
+        name = self.name("fixed")
+        written = written_place(self.random)
+        if self.random.random() < 0.3:
+            written = Expr("in", "loc", (written,), text=self.random.choice(FRAMES))
+        sight.constants.append(Expr("name", "loc", text=name))
+        return [Stmt("loc", name, (written,))]
+
+    def on_one_line(self, sight: Sight, around: tuple[str, ...], simple: list[Maker]) -> list[Stmt]:
+        """Return a statement behind `then` or `else`, or a wait that may time out."""
+        random = self.random
+        condition = made(random, sight, "bool", 2)
+        if random.random() < 0.1:
+            return [Stmt("wait", parts=(condition,))]
+        inner = [Stmt("return")] if around and around[1] == "" and around[0] else []
+        inner = inner if random.random() < 0.2 else random.choice(simple)(sight)
+        if not inner or (inner[0].blocks and inner[0].op not in ("then", "wait")):
+            return []
+        if random.random() < 0.2:
+            inner = [Stmt("then", parts=(made(random, sight, "bool", 1),), blocks=(inner,))]
+        return [Stmt(random.choice(("then", "then", "wait")), parts=(condition,), blocks=(inner,))]
 
     def way_out(self, sight: Sight, around: tuple[str, ...]) -> list[Stmt]:
         if "loop" in around:

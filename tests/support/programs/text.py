@@ -21,6 +21,7 @@ _DIMENSIONS = {
     "more mm": "({} + {})",
 }
 """Where a plain number becomes a quantity, or a quantity one."""
+_ONE_LINE = ("then", "wait")
 _CLOSERS = {
     "if": "endif",
     "while": "endw",
@@ -65,6 +66,9 @@ def _block(lines: list[str], block: list[Stmt], depth: int) -> None:
     for one in block:
         lines.append("  " * depth + _head(one))
         one.line, one.lines = len(lines), (len(lines),)
+        if one.op in _ONE_LINE:
+            _place_inner(one)
+            continue
         for number, inner in enumerate(one.blocks):
             if number:
                 condition = f"elseif {expression(one.parts[number])}" if number < len(one.parts) else "else"
@@ -76,6 +80,13 @@ def _block(lines: list[str], block: list[Stmt], depth: int) -> None:
             one.lines = (*one.lines, len(lines))
         elif one.op in _CLOSERS:
             lines.append("  " * depth + _closer(lines, _CLOSERS[one.op]))
+
+
+def _place_inner(one: Stmt) -> None:
+    """Note the line of the statements that stand on the line of another one."""
+    for inner in (inner for block in one.blocks for inner in block):
+        inner.line, inner.lines = one.line, one.lines
+        _place_inner(inner)
 
 
 def _closer(lines: list[str], long: str) -> str:
@@ -106,10 +117,24 @@ def _head(one: Stmt) -> str:
         "until": lambda: f"repeat {parts[0]}",
         "for": lambda: f"for {one.name} = {parts[0]} to {parts[1]} step {parts[2]}",
         "each": lambda: f"for each {one.name} in {one.names[0]}",
-        "with": lambda: f"with frame {one.name}",
+        "with": lambda: f"with {_settings(one)}",
+        "setting": lambda: f"set {one.name} {parts[0]}",
+        "loc": lambda: f"loc {one.name} = {parts[0]}",
+        "then": lambda: f"if {parts[0]} then {_head(one.blocks[0][0])}",
+        "wait": lambda: (
+            f"wait until {parts[0]} timeout 10 ms"
+            + (f" else {_head(one.blocks[0][0])}" if one.blocks else "")
+        ),
         "set": lambda: f"set frame {one.name}",
     }
     return texts[one.op]() if one.op in texts else one.op
+
+
+def _settings(one: Stmt) -> str:
+    """Return the settings in the header of `with`."""
+    frame = [f"frame {one.name}"] if one.name else []
+    given = [f"{word} {expression(part)}" for word, part in zip(one.names, one.parts, strict=True)]
+    return ", ".join([*frame, *given])
 
 
 def expression(one: Expr) -> str:
@@ -123,9 +148,8 @@ def expression(one: Expr) -> str:
         return f"(-{parts[0]})" if one.op == "neg" else f"(not {parts[0]})"
     if one.op == "of":
         return f"{parts[0]}.{one.text}"
-    if one.op == "location":
-        turned = f"; {one.text} ({parts[3]} * 1 deg)" if len(parts) > 3 else ""
-        return f"({', '.join(parts[:3])}{turned})"
+    if one.op in ("location", "polar", "like"):
+        return f"({', '.join(parts[:3])}{_orientation(one, parts[3:])})"
     if one.op == "above":
         return f"({parts[0]} above {parts[1]})"
     if one.op in ("offset", "rel"):
@@ -135,3 +159,12 @@ def expression(one: Expr) -> str:
     if one.op in _DIMENSIONS:
         return _DIMENSIONS[one.op].format(*parts)
     return f"{one.op}({', '.join(parts)})"
+
+
+def _orientation(one: Expr, parts: list[str]) -> str:
+    """Return what stands behind the three lengths of a location."""
+    if one.op == "polar":
+        return f", {parts[0]} * 1 deg, {parts[1]} * 1 deg"
+    if one.op == "like":
+        return f"; like {parts[0]}"
+    return f"; {one.text} ({parts[0]} * 1 deg)" if parts else ""

@@ -10,6 +10,8 @@ from support.programs.numbers import DEGREE, REAL, TRUTH, WHOLE, Number
 from support.programs.places import ARM, BASE, FRAMES, INFEED, Place
 
 Datum = Number | Place
+LEAST = 1e-5
+"""Nearer to the axis of the base than this the azimuth of a point is a matter of rounding [m]."""
 FAR = 1e3
 """Where a pose is no longer exact to `agreement.PLACES` [m]."""
 AXES = {"x": 0, "y": 1, "z": 2}
@@ -45,12 +47,14 @@ class Values:
     Attributes:
         inputs: the inputs of the cell.
         shared: variables that all tasks see, and those of the control statements.
+        fixed: locations that the program declares.
         here: where the arm stands.
     """
 
     def __init__(self, inputs: Mapping[str, bool]) -> None:
         self.inputs = inputs
         self.shared: dict[str, Datum] = {}
+        self.fixed: dict[str, Place] = {}
         self.here = ARM["home"]
 
     def store(self, scope: Scope, name: str, value: Datum) -> None:
@@ -97,17 +101,25 @@ class Values:
 
     def found_place(self, scope: Scope, one: Expr) -> Place:
         if one.op == "name":
-            found = INFEED if one.text == "infeed" else self.find(scope, one, one.text)
+            known = {"infeed": INFEED, **self.fixed}
+            found = known[one.text] if one.text in known else self.find(scope, one, one.text)
             assert isinstance(found, Place)
             return found
         if one.op == "reference":
             return self.place(scope, Expr("name", "loc", text="l" if one.text == "1" else f"l{one.text}"))
         if one.op == "here":
             return replace(self.here, axes=scope.frame.turn)
+        if one.op == "in" and one.parts[0].is_written:
+            return self.place(replace(scope, frame=FRAMES[one.text]), one.parts[0])
         numbers = [float(self.number(scope, part)) for part in one.parts if part.kind != "loc"]
         if one.op == "location":
             turn = places.rotation(one.text, numbers[3] * DEGREE) if len(numbers) > 3 else places.DOWN
             return places.read_in(Place(turn, (numbers[0], numbers[1], numbers[2])), scope.frame)
+        if one.op == "polar":
+            return _polar(numbers, scope.frame)
+        if one.op == "like":
+            at = places.read_in(Place(places.DOWN, (numbers[0], numbers[1], numbers[2])), scope.frame)
+            return replace(at, turn=self.place(scope, one.parts[3]).turn)
         base = self.place(scope, one.parts[0])
         if one.op == "in":
             return places.read_in(places.seen(base, scope.frame), FRAMES[one.text])
@@ -122,6 +134,17 @@ class Values:
 def _real(one: Expr, values: list[Number]) -> Number:
     found = REAL[one.op](*map(float, values))
     return found if one.kind == "int" else float(found)
+
+
+def _polar(numbers: list[float], frame: Place) -> Place:
+    """Return the location of x, y, z, pitch, roll: the azimuth is that of the point in the base frame."""
+    there = places.read_in(Place(places.DOWN, (numbers[0], numbers[1], numbers[2])), frame)
+    if math.hypot(there.at[0], there.at[1]) < LEAST:
+        raise TooLongError
+    turn = places.rotation("rz", math.atan2(there.at[1], there.at[0]))
+    for axis, angle in (("ry", numbers[3] * DEGREE), ("rx", numbers[4] * DEGREE), ("ry", math.pi / 2.0)):
+        turn = places.product(turn, places.rotation(axis, angle))
+    return replace(there, turn=turn)
 
 
 def _near(place: Place) -> Place:

@@ -6,7 +6,8 @@ import pytest
 
 from ropsim.icr import run
 from ropsim.language import Environment
-from ropsim.spatial import Pose
+from ropsim.spatial import Pose, quaternion
+from support.outcomes import outcome
 from support.tasks import CELL, codes, compiled
 
 TURNED = (0.5, 0.0, 0.2, 0.7071067811865476, 0.0, 0.0, 0.7071067811865475)
@@ -43,6 +44,101 @@ def base_positions(text: str, environment: Environment = IN_FRAME) -> list[tuple
 )
 def test_numbers_of_a_frame_reach_the_same_point(text: str) -> None:
     assert base_positions(text)[0] == pytest.approx((0.48, 0.01, 0.23), abs=ROUNDING)
+
+
+LITERALS = (
+    "(10, 20, 30)",
+    "(10, 20, 30, 80, 5)",
+    "(10, 20, 30, 5, 6, 7)",
+    "(10, 20, 30; pitch 70)",
+    "(10, 20, 30; like infeed)",
+    "(10, 20, 30; down, rz 30)",
+    "(10, 20, 30, 80, 5) above 4",
+    "(10, 20, 30; like infeed) rel (1, 2, 3; rx 10)",
+    "(10, 20, 30; like infeed) offset (1, 2, 3)",
+    "(10, 20, 30, 80, 5) offset (1, 2, 3) above 4",
+)
+OF_VARIABLES = ("(q.x, q.y, 30; like q)", "(q.x + 5, 20, 30, 80, 5)", "(10, d, 30; rz q.rz)")
+WAYS = (
+    "lin {} in F",
+    "a = {} in F\nlin a",
+    "with frame F\nlin {}\nendwith",
+    "set frame F\nlin {}",
+    "set frame F\nwith frame base\nlin {} in F\nendwith",
+    "with frame F\na = {}\nendwith\nlin a",
+    "task Go\nset frame F\nlin {}\nendp\nGo",
+    "task There -> loc\nreturn {} in F\nendp\na = There()\nlin a",
+)
+DECLARED = (
+    "loc a = {} in F\nlin a",
+    "set frame F\nloc a = {}\nlin a",
+    "set frame base\nset frame F\nloc a = {}\nset frame base\nlin a",
+    "const a = {} in F\nlin a",
+    "set frame F\nconst a = {}\nlin a",
+    "var a: loc = {} in F\nlin a",
+    "set frame F\nvar a: loc = {}\nlin a",
+    "pattern s = grid 1 from {} in F step (1, 0, 0)\nfor each a in s\nlin a\nendf",
+    "set frame F\npattern s = grid 1 from {} step (1, 0, 0)\nfor each a in s\nlin a\nendf",
+)
+
+
+@pytest.mark.parametrize("work", ["", "table"])
+@pytest.mark.parametrize("frame", ["tilted", "base"])
+@pytest.mark.parametrize("written", [*LITERALS, *OF_VARIABLES])
+def test_a_location_in_numbers_is_read_alike_however_its_frame_is_named(
+    written: str, frame: str, work: str
+) -> None:
+    """By `in`, `with` or `set`, in a move, a task, a variable or a declaration, in any work frame."""
+    head = "program p\nunits mm, deg, s\nframe tilted = (-40, 30, 10; rx 30, rz 25) in pallet\n"
+    start = "var q: loc\nvar d: length = 7 mm\nq = infeed rel (0, 0, 0; rz 12)\nlin infeed\n"
+    ways = WAYS if written in OF_VARIABLES else (*WAYS, *DECLARED)
+    inside = replace(IN_FRAME, frame=work)
+    found = {}
+    for way in ways:
+        text = f"{head}{start}{way.format(written)}".replace(" F", f" {frame}")
+        moves = outcome(text, environment=inside).moves
+        target = moves[-1].target
+        assert isinstance(target, Pose)
+        found[way] = (moves[-1].modal.X_BK @ target).matrix()
+    first = found[ways[0]]
+    assert [way for way, one in found.items() if abs(one - first).max() > ROUNDING] == []
+
+
+def test_five_numbers_count_from_the_base_frame_wherever_they_are_read() -> None:
+    """The azimuth is that of the point in the base frame, and so is that of the approach direction."""
+    for text in ("lin (100, 0, 0, 0, 0) in table", "with frame table\nlin (100, 0, 0, 0, 0)\nendwith"):
+        (move,) = outcome(f"program p\nunits mm\n{text}", environment=IN_FRAME).moves
+        assert isinstance(move.target, Pose)
+        x, y, _, *turn = (move.modal.X_BK @ move.target).as_tuple()
+        w, a, b, c = turn
+        approach = quaternion.rotate((w, a, b, c), (0.0, 0.0, 1.0))
+        assert (x, y) == pytest.approx((0.5, 0.1), abs=ROUNDING)
+        assert approach == pytest.approx((0.5 / 0.26**0.5, 0.1 / 0.26**0.5, 0.0), abs=ROUNDING)
+
+
+def test_like_takes_the_orientation_of_its_model_in_the_room() -> None:
+    for text in ("lin (1, 2, 3; like infeed) in table", "set frame table\nlin (1, 2, 3; like infeed)"):
+        move = outcome(f"program p\nunits mm\nopen\n{text}", environment=IN_FRAME).moves[-1]
+        assert isinstance(move.target, Pose)
+        assert (move.modal.X_BK @ move.target).as_tuple()[3:] == pytest.approx(CELL.locations["infeed"][3:7])
+
+
+@pytest.mark.parametrize("frame", ["", "pallet", "table"])
+def test_five_numbers_of_a_step_and_a_tool_count_from_the_axes_of_these(frame: str) -> None:
+    """They are no places in the room, so the frame of the lines around them has no say."""
+    inside = replace(IN_FRAME, frame=frame)
+    text = "program p\nunits mm\ntool t = (10, 0, 100, 90, 0)\nopen\n{}lin infeed rel (10, 0, 5, 0, 0) tool t"
+    found = []
+    for setting in ("", "set frame table\n"):
+        (move,) = outcome(text.format(setting), environment=inside).moves
+        assert isinstance(move.target, Pose)
+        assert move.modal.X_MT is not None
+        found += [move.modal.X_MT.matrix(), (move.modal.X_BK @ move.target).matrix()]
+    X_MT, X_BT = found[:2]
+    assert abs(found[2] - X_MT).max() < ROUNDING
+    assert abs(found[3] - X_BT).max() < ROUNDING
+    assert X_MT[:3, 2] == pytest.approx((0.0, 0.0, -1.0), abs=ROUNDING)
+    assert X_BT[:3, 2] == pytest.approx((1.0, 0.0, 0.0), abs=ROUNDING)
 
 
 def test_named_locations_do_not_move_with_the_work_frame() -> None:

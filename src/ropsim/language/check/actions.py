@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from ropsim.core import Kind, did_you_mean
 from ropsim.flow import GripAction
-from ropsim.language.check import convert, fold, plausible, settings, shown, values
+from ropsim.language.check import convert, fold, frames, plausible, settings, shown, values
 from ropsim.language.check.body import Body, RejectedError
 from ropsim.language.check.types import BOOL, NUMBER, STR, TIME, Type, article, known
 from ropsim.language.check.world import Poison
@@ -150,7 +150,7 @@ def set_mode(body: Body, node: syntax.SetMode) -> Block:
     """Return a modal setting; `set frame` acts on the literals that follow and leaves nothing to run."""
     if node.setting.word == "frame":
         assert node.setting.name is not None
-        body.X_KC, body.moving = body.frame(node.setting.name)
+        frames.set_frame(body, node.setting.name)
         return ()
     return (Set(settings.gather(body, (node.setting,)), body.statement_span),)
 

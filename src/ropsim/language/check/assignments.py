@@ -8,6 +8,7 @@ from ropsim.language.check import (
     facing,
     first_values,
     fold,
+    frames,
     other_values,
     poses,
     values,
@@ -170,7 +171,7 @@ def _assign_member(body: Body, node: syntax.Assign, member: nodes.Name) -> Block
         body, Value(VariableExpression(variable.name, POSE.value), kind), POSE, node.name, "the location"
     )
     value = values.expect(body, node.value, member_type, f"`{member.text}`")
-    if body.X_KC == fold.IDENTITY:
+    if frames.read(body) == fold.IDENTITY:
         return (AssignComponent(variable.name, index, value, body.statement_span),)
     return _assign_in_frame(body, variable.name, index, value)
 
@@ -184,7 +185,7 @@ def _assign_in_frame(body: Body, name: str, index: int, value: Expression) -> Bl
     return (
         Assign(copy, components.numbers_in_frame(body, here), span),
         AssignComponent(copy, index, value, span),
-        Assign(name, components.reframed(body, body.X_KC, seen), span),
+        Assign(name, components.reframed(body, body.in_force.X_KC, seen), span),
     )
 
 

@@ -6,6 +6,7 @@ from typing import Any, NoReturn
 
 from ropsim.core import Diagnostic, Kind, Span, did_you_mean, frozen_dataclass, maker
 from ropsim.language.check.fold import IDENTITY
+from ropsim.language.check.in_force import FrameInForce
 from ropsim.language.check.sight import NOTHING_BEFORE, Sight
 from ropsim.language.check.table import Table
 from ropsim.language.check.types import AnyType, Type, Unknown, Value, known
@@ -88,8 +89,8 @@ class Body:
         result: type of the value to return, or None.
         task: name of the task, empty for the control statements.
         line: the line in hand.
-        X_KC: frame of literals, in the work frame; the identity where that frame moves.
-        moving: name of the frame of literals where it moves, empty where it stands still.
+        in_force: the frame in which locations are read.
+        ended: name of a frame that was set in a block that has ended, while no location was read since.
         loops: open loops, innermost last.
         depth: nesting of the lines in hand; 1 outside all blocks.
         is_tolerant: unknown names are not reported (the header of the task could not be read).
@@ -131,8 +132,8 @@ class Body:
         self.task = task
         self.line = Line.empty()
         self.looked_through = self.line, False
-        self.X_KC = sight.X_KC
-        self.moving = sight.moving
+        self.in_force = FrameInForce(sight.X_KC, sight.moving)
+        self.ended = sight.ended
         self.loops: list[Loop] = []
         self.depth = 0
         self.is_tolerant = False
@@ -275,6 +276,8 @@ class Body:
         """
         if name.text in self.world.environment.moving:
             return IDENTITY, name.text
+        if self.world.frame and name.text == self.world.frame:
+            return IDENTITY, ""
         frames = self.world.frames
         if name.text == "base" and "base" not in frames:
             return quaternion.invert(self.world.X_BK), ""
@@ -323,16 +326,6 @@ class Body:
         self.fail(kind, name, f"there is no {what} `{name.text}`", hint, fix=fix)
 
     # --- scopes
-
-    @contextmanager
-    def in_frame(self, X_KC: PoseTuple, moving: str) -> Iterator[None]:
-        """Read literals in another frame for a while; `frame` tells what it is."""
-        before = self.X_KC, self.moving
-        self.X_KC, self.moving = X_KC, moving
-        try:
-            yield
-        finally:
-            self.X_KC, self.moving = before
 
     @contextmanager
     def with_name(self, name: str, symbol: Symbol) -> Iterator[None]:

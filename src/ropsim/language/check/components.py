@@ -1,6 +1,6 @@
 """The numbers of a location: in which frame, in which convention, and its two halves."""
 
-from ropsim.language.check import fold
+from ropsim.language.check import fold, frames
 from ropsim.language.check.body import Body
 from ropsim.language.check.types import POSE, Type, Value, known
 from ropsim.program import Constant, Expression, Keeping, Kept, Unary, ValueType
@@ -18,7 +18,7 @@ def numbers_in_frame(body: Body, location_in_work_frame: Expression) -> Expressi
 
     A location in a frame that moves has the numbers that it has there.
     """
-    return reframed(body, quaternion.invert(body.X_KC), location_in_work_frame)
+    return reframed(body, quaternion.invert(frames.read(body)), location_in_work_frame)
 
 
 def reframed(body: Body, X_AB: PoseTuple, location: Expression) -> Expression:
@@ -37,14 +37,27 @@ def pitch_roll(body: Body, location_in_work_frame: Expression) -> tuple[Expressi
     return fold.component(X_BT, 4), fold.component(X_BT, 3)
 
 
+def frame_in_base(body: Body) -> PoseTuple:
+    """Return X_BC of the frame in force; the identity where it moves."""
+    if body.in_force.moving:
+        return fold.IDENTITY
+    return quaternion.compose(body.world.X_BK, body.in_force.X_KC)
+
+
 def polar(
-    body: Body, position: Expression, pitch: Expression, roll: Expression, yaw: Expression | None
+    X_BC: PoseTuple, position: Expression, pitch: Expression, roll: Expression, yaw: Expression | None
 ) -> Expression:
     """Return X_CT with R_BT = Rz(azimuth)·Ry(pitch)·Rx(roll)·Ry(90°); `yaw` overrides the azimuth.
 
     The azimuth is that of the position, which is computed once.
+
+    Args:
+        X_BC: frame of the position.
+        position: VEC in that frame.
+        pitch: REAL [rad].
+        roll: REAL [rad].
+        yaw: REAL [rad]; None for the azimuth of the position.
     """
-    X_BC = fold.IDENTITY if body.moving else quaternion.compose(body.world.X_BK, body.X_KC)
     if yaw is not None:
         return _turned(X_BC, position, pitch, roll, yaw)
     if isinstance(position, Constant):

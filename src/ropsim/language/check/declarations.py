@@ -7,7 +7,7 @@ from types import NoneType
 from ropsim.core import Diagnostic, frozen_dataclass
 from ropsim.icr import Location, composed, external_part, pose_part
 from ropsim.language.blocks import Block
-from ropsim.language.check import convert, facing, fold, hidden, metres, poses, values
+from ropsim.language.check import convert, facing, fold, frames, hidden, metres, poses, values
 from ropsim.language.check.body import Body, RejectedError
 from ropsim.language.check.expressions import EXPRESSIONS
 from ropsim.language.check.types import INT, JOINTS, NAMED, POSE, AnyType, Unknown, Value, closed, known
@@ -108,11 +108,18 @@ def may_stand_above(item: Line | Block) -> bool:
 
 
 def may_declare(item: Line | Block) -> bool:
-    """Return whether an item declares something, or was meant to."""
+    """Return whether an item declares something, was meant to, or sets the frame of declarations below."""
     node = item.statement if isinstance(item, Line) else None
     if isinstance(node, syntax.Broken):
         return node.head in _DECLARING
-    return type(node) in _DECLARATIONS
+    return type(node) in _DECLARATIONS or _frame_set(node) is not None
+
+
+def _frame_set(node: syntax.Statement | None) -> nodes.Name | None:
+    """Return the frame that a statement sets for the lines below it; None for any other statement."""
+    if isinstance(node, syntax.SetMode) and node.setting.word == "frame":
+        return node.setting.name
+    return None
 
 
 def _location(moving: str, X_KB: PoseTuple, pose: Location, X_KF: PoseTuple) -> Value:
@@ -173,13 +180,9 @@ def _frames(
     for item in tree:
         if not may_stand_above(item):
             break
-        node = item.statement if isinstance(item, Line) else None
-        if (
-            isinstance(node, syntax.SetMode)
-            and node.setting.word == "frame"
-            and node.setting.name is not None
-        ):
-            name = node.setting.name.text
+        named = _frame_set(item.statement) if isinstance(item, Line) else None
+        if named is not None:
+            name = named.text
             chosen = name if name in frames else chosen
             chosen = "" if (name == "base" and name not in frames) or name in environment.moving else chosen
             break
@@ -204,7 +207,10 @@ def _declare_all(
         body.line = line
         node = line.statement
         try:
-            if isinstance(node, syntax.Broken):
+            named = _frame_set(node)
+            if named is not None and named.text in (*world.frames, "base"):
+                frames.set_frame(body, named)
+            elif isinstance(node, syntax.Broken):
                 _poison(tables, node)
             elif isinstance(node, syntax.Units):
                 _agree(body, node, units)
@@ -353,7 +359,7 @@ def _pattern(body: Body, node: syntax.PatternDeclaration) -> Pattern:
     origin = fold.location_of(numbers)
     assert origin is not None
     checked = values.check(body, node.origin)
-    X_KF = checked.X_KF if checked.X_KF is not None else body.X_KC
+    X_KF = checked.X_KF if checked.X_KF is not None else body.in_force.X_KC
     steps = []
     for step in node.steps:
         vector = convert.constant(body, poses.shift(body, step, "a step of a grid"), step, "a step of a grid")
@@ -366,16 +372,18 @@ def _pattern(body: Body, node: syntax.PatternDeclaration) -> Pattern:
     return Pattern(size, pose_part(origin), tuple(steps), order, external_part(origin), moving, posture, X_KF)
 
 
-def _constant_pose(body: Body, node: nodes.Node, what: str) -> PoseTuple:
+def _constant_pose(body: Body, node: nodes.Node, what: str, X_BC: PoseTuple = fold.IDENTITY) -> PoseTuple:
+    """Return the pose of a frame or a tool; `X_BC` is the frame of the room in which it is given."""
     if isinstance(node, nodes.Rebase):
-        inner = _constant_pose(body, node.operand, what)
         X_KF, moving = body.frame(node.frame)
         if moving:
             message = f"{what} cannot be given in `{moving}`, which an external axis moves"
             hint = "describe it in the cell file, with the same `parent`"
             body.fail(name_kinds.FRAME_MOVES, node.frame, message, hint)
-        return quaternion.compose(X_KF, inner)
-    value = fold.location_of(convert.constant(body, poses.transform(body, node), node, what))
+        return quaternion.compose(
+            X_KF, _constant_pose(body, node.operand, what, quaternion.compose(X_BC, X_KF))
+        )
+    value = fold.location_of(convert.constant(body, poses.transform(body, node, X_BC), node, what))
     assert value is not None
     metres.check_frame(body, node)
     if external_part(value):

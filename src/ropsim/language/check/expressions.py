@@ -67,10 +67,6 @@ def _unary(body: Body, node: nodes.Unary) -> Value:
     return Value(fold.unary("not", operand, ValueType.BOOL), BOOL)
 
 
-def _rebase(body: Body, node: nodes.Rebase) -> Value:
-    return poses.rebased(body, values.check(body, node.operand), node)
-
-
 def _external(body: Body, node: nodes.External) -> Value:
     return poses.with_external(body, values.check(body, node.operand), node)
 
@@ -158,7 +154,7 @@ EXPRESSIONS: Expressions = {
     nodes.Name: values.name,
     nodes.Unary: _unary,
     nodes.Binary: _binary,
-    nodes.Rebase: _rebase,
+    nodes.Rebase: poses.rebased,
     nodes.External: _external,
     nodes.State: _state,
     nodes.Function: functions.call,

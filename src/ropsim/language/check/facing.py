@@ -18,7 +18,7 @@ def check_target(body: Body, node: nodes.Node) -> None:
     """
     match node.operand if isinstance(node, nodes.External) else node:
         case nodes.Tuple(turns=turns) as located if _turns_about_z(turns):
-            _check(body, located, body.X_KC, body.moving)
+            _check(body, located, body.in_force.X_KC, body.in_force.moving)
         case nodes.Rebase(operand=nodes.Tuple(turns=turns) as located, frame=frame) if _turns_about_z(turns):
             _check(body, located, *body.frame(frame))
 

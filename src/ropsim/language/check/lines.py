@@ -4,14 +4,14 @@ from collections.abc import Callable
 from typing import Any
 
 from ropsim.core import maker
-from ropsim.language.check import actions, assignments, calls, jumps, motions, never_run, values
+from ropsim.language.check import actions, assignments, calls, frames, jumps, motions, never_run, values
 from ropsim.language.check.body import Body
 from ropsim.language.check.types import BOOL
 from ropsim.language.findings import syntax as kinds
 from ropsim.language.syntax import statements as syntax
 from ropsim.language.syntax.nodes import Name
 from ropsim.language.syntax.words import RESERVED
-from ropsim.program import Block, If
+from ropsim.program import Block, If, Set, Settings
 
 _DECLARATIONS = (
     syntax.ProgramHeader, syntax.Units, syntax.Mode, syntax.FrameDeclaration, syntax.LocationDeclaration,
@@ -51,19 +51,28 @@ def poison_targets(body: Body, node: syntax.Statement | None) -> None:
             poison_targets(body, inner)
 
 
+def _in_block(body: Body, node: syntax.Statement | None) -> Block:
+    """Return the statement behind `then` or `else` on a line: a block of one statement, never empty.
+
+    A `set frame` leaves nothing to run, but a wait with `else` does not end the program.
+    """
+    with frames.in_block(body):
+        return statement(body, node) or (Set(Settings(), body.statement_span),)
+
+
 def _call(body: Body, node: syntax.Call) -> Block:
     return (calls.call(body, node),)
 
 
 def _wait_until(body: Body, node: syntax.WaitCondition) -> Block:
-    otherwise = statement(body, node.otherwise) if node.otherwise else ()
+    otherwise = _in_block(body, node.otherwise) if node.otherwise else ()
     return actions.wait_until(body, node, otherwise)
 
 
 def _one_line_if(body: Body, node: syntax.If) -> Block:
     condition = values.expect(body, node.condition, BOOL, "the condition of `if`")
     never_run.check_condition(body, node, node.condition, condition)
-    return (_if(((condition, statement(body, node.body)),), (), body.statement_span, ()),)
+    return (_if(((condition, _in_block(body, node.body)),), (), body.statement_span, ()),)
 
 
 def _variable(body: Body, node: syntax.VariableDeclaration) -> Block:
@@ -87,7 +96,7 @@ def _contract(body: Body, node: syntax.ContractClause) -> Block:
 
 def _broken(body: Body, node: syntax.Broken) -> Block:
     """Return nothing: the line has its finding already."""
-    body.has_gaps = True
+    body.has_gaps = body.in_force.is_read = True
     poison_targets(body, node)
     return ()
 

@@ -9,6 +9,7 @@ from ropsim.language.check import (
     convert,
     facing,
     fold,
+    frames,
     guards,
     poses,
     radians,
@@ -79,7 +80,7 @@ def motion(body: Body, node: syntax.Motion) -> Block:
     if not store:
         return (move,)
     attained = Variable(store, POSE.value)
-    seen = poses.kept(Value(attained, POSE, X_KF=body.X_KC), attained)
+    seen = poses.kept(Value(attained, POSE, X_KF=frames.read(body)), attained)
     return (move,) if seen is attained else (move, Assign(store, seen, span))
 
 

@@ -51,12 +51,14 @@ class Left:
         X_KC: frame of literals, in the work frame; the identity where that frame moves.
         moving: name of the frame of literals where it moves, empty where it stands still.
         joint_count: how many coordinates `joints(…)` has, 0 as long as there is none.
+        ended: name of a frame that was set in a block that has ended, while no location was read since.
     """
 
     names: Mapping[str, Seen]
     X_KC: PoseTuple
     moving: str
     joint_count: int
+    ended: str
 
 
 @frozen_dataclass
@@ -225,7 +227,9 @@ def _state(name: str, variable: Variable, firsts: dict[int, str]) -> AnyState:
 
 
 def _left(body: Body, sight: Sight) -> Left:
-    return Left(dict(_changed(body, sight)), body.X_KC, body.moving, body.joint_count)
+    return Left(
+        dict(_changed(body, sight)), body.in_force.X_KC, body.in_force.moving, body.joint_count, body.ended
+    )
 
 
 def _changed(body: Body, sight: Sight) -> Iterator[tuple[str, Seen]]:

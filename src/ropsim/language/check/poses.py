@@ -1,10 +1,14 @@
 """Locations: tuples with their orientations, and the operators that move and re-base them."""
 
+from collections.abc import Callable
+from functools import partial
+
 from ropsim.icr import MAX_EXTERNAL
 from ropsim.language.check import (
     components,
     convert,
     fold,
+    frames,
     metres,
     numerals,
     postures,
@@ -19,7 +23,7 @@ from ropsim.language.findings import types as kinds
 from ropsim.language.syntax import nodes
 from ropsim.language.syntax.lexer import LARGEST
 from ropsim.program import CommandPose, Constant, Expression, ValueType
-from ropsim.spatial import quaternion
+from ropsim.spatial import PoseTuple, quaternion
 
 _DOWN = Constant(components.DOWN, ValueType.ORI)
 
@@ -36,17 +40,24 @@ def location(body: Body, node: nodes.Tuple) -> Value:
     Raises:
         RejectedError: the tuple is not a location.
     """
-    X_CT = _pose(body, node, _DOWN)
+    X_CT = _pose(body, node, _DOWN, partial(components.frame_in_base, body))
     metres.check_place(body, node)
-    X_KT = X_CT if body.X_KC == fold.IDENTITY else fold.compose(fold.pose(body.X_KC), X_CT)
+    X_KC = frames.read(body)
+    X_KT = X_CT if X_KC == fold.IDENTITY else fold.compose(fold.pose(X_KC), X_CT)
     if node.posture is not None:
         X_KT = fold.in_posture(X_KT, postures.request(body, node.posture))
-    placed = fold.in_frame(X_KT, body.moving) if body.moving else X_KT
-    return valued(placed, POSE, is_bare=False, X_KF=body.X_KC)
+    placed = fold.in_frame(X_KT, body.in_force.moving) if body.in_force.moving else X_KT
+    return valued(placed, POSE, is_bare=False, X_KF=X_KC)
 
 
-def transform(body: Body, node: nodes.Node) -> Expression:
+def transform(body: Body, node: nodes.Node, X_BC: PoseTuple = fold.IDENTITY) -> Expression:
     """Return the pose of a tuple whose orientation is upright unless it says otherwise.
+
+    Args:
+        body: where it stands.
+        node: the tuple.
+        X_BC: its frame, where that is one of the room: pitch and roll count in the base frame. A step and a
+            tool are given in the tool and in the mechanical interface, where they count from its axes.
 
     Raises:
         RejectedError: the node is not such a tuple.
@@ -58,7 +69,7 @@ def transform(body: Body, node: nodes.Node) -> Expression:
         body.fail(
             kinds.WRONG_TYPE, node.posture, "a step, a frame and a tool have no posture and no turns", hint
         )
-    return _pose(body, node, components.UPRIGHT)
+    return _pose(body, node, components.UPRIGHT, lambda: X_BC)
 
 
 def shift(body: Body, node: nodes.Node, what: str) -> Expression:
@@ -112,8 +123,9 @@ def _step(body: Body, node: nodes.Node) -> Expression:
 
 def here(body: Body) -> Expression:
     """Return the pose commanded last; it is shifted along the frame in force, or its own frame that moves."""
-    is_turned = body.X_KC[3:] != quaternion.IDENTITY
-    return fold.in_axes(CommandPose(), body.X_KC) if is_turned else CommandPose()
+    X_KC = frames.read(body)
+    is_turned = X_KC[3:] != quaternion.IDENTITY
+    return fold.in_axes(CommandPose(), X_KC) if is_turned else CommandPose()
 
 
 def _without_axes(body: Body, location: Expression) -> Expression:
@@ -128,15 +140,33 @@ def kept(value: Value, expression: Expression) -> Expression:
     return fold.in_axes(expression, value.X_KF) if is_turned and value.X_KF is not None else expression
 
 
-def rebased(body: Body, value: Value, node: nodes.Rebase) -> Value:
-    """Return `A in F`: the numbers that A has in the frame in force, read in F."""
+def rebased(body: Body, node: nodes.Rebase) -> Value:
+    """Return `A in F`: a location written there as F in force would read it, else the numbers of A read in F.
+
+    The numbers of A are those that it has in the frame in force.
+    """
     X_KF, moving = body.frame(node.frame)
+    if _is_written(node.operand):
+        with frames.in_frame(body, X_KF, moving):
+            return values.check(body, node.operand)
+    value = values.check(body, node.operand)
     base = convert.to(body, value, POSE, node.operand, "the left side of `in`")
     if body.world.environment.moving:
         numbers = fold.without_frame(components.numbers_in_frame(body, base))
         return Value(fold.in_frame(fold.compose(fold.pose(X_KF), numbers), moving), POSE, X_KF=X_KF)
-    change = fold.compose(fold.pose(X_KF), fold.pose(quaternion.invert(body.X_KC)))
+    change = fold.compose(fold.pose(X_KF), fold.pose(quaternion.invert(frames.read(body))))
     return Value(_without_axes(body, fold.compose(change, base)), POSE, X_KF=X_KF)
+
+
+def _is_written(node: nodes.Node) -> bool:
+    """Return whether an expression is a location in numbers, moved by `above`, `offset` and `rel` or not."""
+    while not isinstance(node, nodes.Tuple):
+        match node:
+            case nodes.Binary(op="above" | "offset" | "rel", left=inner) | nodes.External(operand=inner):
+                node = inner
+            case _:
+                return False
+    return True
 
 
 def with_external(body: Body, value: Value, node: nodes.External) -> Value:
@@ -166,7 +196,8 @@ def with_external(body: Body, value: Value, node: nodes.External) -> Value:
     return Value(fold.external(base, tuple(numbers)), POSE, X_KF=value.X_KF)
 
 
-def _pose(body: Body, node: nodes.Tuple, default: Expression) -> Expression:
+def _pose(body: Body, node: nodes.Tuple, default: Expression, base: Callable[[], PoseTuple]) -> Expression:
+    """Return the numbers of a tuple; `base` returns X_BC of the frame in which they are given."""
     for item in node.items:
         if item.name is not None:
             body.fail(
@@ -189,14 +220,14 @@ def _pose(body: Body, node: nodes.Tuple, default: Expression) -> Expression:
         radians.check_angles(body, node)
     if count == 5:
         return components.polar(
-            body, position, _angle(body, node, 3, "pitch"), _angle(body, node, 4, "roll"), None
+            base(), position, _angle(body, node, 3, "pitch"), _angle(body, node, 4, "roll"), None
         )
     if count == 6:
         roll, pitch, yaw = (_angle(body, node, k, w) for k, w in ((3, "roll"), (4, "pitch"), (5, "yaw")))
         return fold.make_pose(position, fold.zyx(yaw, pitch, roll))
     if not node.turns:
         return fold.make_pose(position, default)
-    return turns.oriented(body, position, node.turns)
+    return turns.oriented(body, position, node.turns, base)
 
 
 def _position(body: Body, node: nodes.Tuple) -> Expression:

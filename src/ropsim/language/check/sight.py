@@ -33,6 +33,7 @@ class Sight:
         X_KC: frame of literals, in the work frame; the identity where that frame moves.
         moving: name of the frame of literals where it moves, empty where it stands still.
         joint_count: how many coordinates `joints(…)` has, 0 as long as there is none.
+        ended: name of a frame that was set in a block that has ended, while no location was read since.
         around: all names that have a meaning, None where nobody has asked for them.
     """
 
@@ -40,6 +41,7 @@ class Sight:
     X_KC: PoseTuple = IDENTITY
     moving: str = ""
     joint_count: int = 0
+    ended: str = ""
     around: tuple[str, ...] | None = None
 
     def symbols(self) -> dict[str, Symbol]:

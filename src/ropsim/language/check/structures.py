@@ -5,7 +5,7 @@ from contextlib import nullcontext
 
 from ropsim.language.blocks import Block as SyntaxBlock
 from ropsim.language.blocks import Section
-from ropsim.language.check import lines, loops, never_run, settings, values
+from ropsim.language.check import frames, lines, loops, never_run, settings, values
 from ropsim.language.check.body import Body, Loop, RejectedError
 from ropsim.language.check.silent import tells_nothing
 from ropsim.language.check.types import BOOL
@@ -22,10 +22,8 @@ def walk(body: Body, items: Iterable[Line | SyntaxBlock]) -> Block:
 
     A `set frame` holds up to the end of these items.
     """
-    before = body.X_KC, body.moving
-    result = walk_part(body, items)
-    body.X_KC, body.moving = before
-    return result
+    with frames.in_block(body):
+        return walk_part(body, items)
 
 
 def walk_part(body: Body, items: Iterable[Line | SyntaxBlock]) -> Block:
@@ -43,6 +41,7 @@ def walk_part(body: Body, items: Iterable[Line | SyntaxBlock]) -> Block:
                 _block(body, item) if isinstance(item, SyntaxBlock) else lines.statement(body, line.statement)
             )
         except RejectedError:
+            body.in_force.is_read = True  # what the line would have read is not known
             body.has_gaps |= isinstance(line.statement, syntax.Return | syntax.Call)
             lines.poison_targets(body, line.statement)
     body.depth -= 1
@@ -164,13 +163,12 @@ def _for(body: Body, section: Section, node: syntax.For) -> Block:
 
 def _with(body: Body, section: Section, node: syntax.With) -> Block:
     chosen = settings.gather(body, node.settings)
-    frames = [s for s in node.settings if s.word == "frame" and s.name is not None]
-    here = body.X_KC, body.moving
-    X_KC, moving = body.frame(frames[0].name) if frames and frames[0].name else here
-    with body.in_frame(X_KC, moving):
+    here = body.in_force.X_KC, body.in_force.moving
+    named = next((one.name for one in node.settings if one.word == "frame" and one.name is not None), None)
+    with frames.in_frame(body, *(body.frame(named) if named is not None else here)):
         inner = walk(body, section.body)
     body.line = section.header
-    return inner if chosen.is_empty else (With(chosen, inner, body.statement_span),)
+    return (With(chosen, inner, body.statement_span),)
 
 
 def _loop_body(body: Body, section: Section) -> Block:

@@ -1,6 +1,7 @@
 """Orientation terms of a location: `; down, rz 45`."""
 
 import math
+from collections.abc import Callable
 
 from ropsim.language.check import components, convert, fold, radians, values
 from ropsim.language.check.body import Body
@@ -8,7 +9,7 @@ from ropsim.language.check.types import ANGLE, NUMBER, POSE, Type
 from ropsim.language.findings import types as kinds
 from ropsim.language.syntax import nodes
 from ropsim.program import Constant, Expression, ValueType
-from ropsim.spatial import quaternion
+from ropsim.spatial import PoseTuple, quaternion
 
 _ORIGIN = Constant((0.0, 0.0, 0.0), ValueType.VEC)
 _UNTURNED = fold.pose(fold.IDENTITY)
@@ -19,8 +20,10 @@ _NOT_UNIT = 1e-3
 """A quaternion whose length differs more than this from 1 is hardly meant."""
 
 
-def oriented(body: Body, position: Expression, terms: tuple[nodes.Turn, ...]) -> Expression:
-    """Return the pose of a position and orientation terms.
+def oriented(
+    body: Body, position: Expression, terms: tuple[nodes.Turn, ...], base: Callable[[], PoseTuple]
+) -> Expression:
+    """Return the pose of a position and orientation terms; `base` returns X_BC of their frame.
 
     The terms are carried out from left to right, each about the fixed axes of the frame. `pitch`, `roll` and
     `yaw` belong together and follow the convention of five numbers; a missing pitch is 90° (down).
@@ -41,7 +44,8 @@ def oriented(body: Body, position: Expression, terms: tuple[nodes.Turn, ...]) ->
             )
         angles = {t.word: _angle(body, t, 0) for t in polar}
         pitch = angles.get("pitch", fold.real(_STRAIGHT_DOWN))
-        return components.polar(body, position, pitch, angles.get("roll", fold.real(0.0)), angles.get("yaw"))
+        roll = angles.get("roll", fold.real(0.0))
+        return components.polar(base(), position, pitch, roll, angles.get("yaw"))
     if len(terms) == 1 and terms[0].word == "rpy":
         orientation = fold.zyx(*(_angle(body, terms[0], k) for k in (2, 1, 0)))
         if isinstance(orientation, Constant):

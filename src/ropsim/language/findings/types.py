@@ -134,6 +134,44 @@ cell is below 12 m. Write the unit, `until gap < 12 mm`. A value of another dime
 means what it seems to.
 """,
 )
+FRAME_WITHOUT_LINES = define(
+    "T314",
+    "frame-without-lines",
+    Severity.WARNING,
+    "a frame is set where no line is read in it",
+    """
+Frames are resolved when a program is compiled, not when it runs. `set frame F` says in which frame the lines
+below it are read, up to the end of the block or task in which it stands. Behind `then` or `else` on a line it
+therefore ends with the line, and a condition cannot choose the frame of the lines below:
+
+```text
+if part_ok then set frame left       # acts on nothing
+lin (0, 0, 50)                       # read in the frame that was in force before
+```
+
+Write the moves into the branches, each with its frame, or keep the location in a variable:
+
+```text
+q = (0, 0, 50) in right
+if part_ok then q = (0, 0, 50) in left
+lin q
+```
+""",
+)
+FRAME_ENDED = define(
+    "T315",
+    "frame-ended-with-block",
+    Severity.WARNING,
+    "a location below a block in which another frame was set",
+    """
+A `set frame` in a block ends with the block: what stands below is read in the frame that was in force above
+it. Speeds, zones and tools that are set in a block stay set, so the frame may have been expected to stay set.
+The first location below the block is marked.
+
+Write `with frame F` … `endwith` inside the block, where the frame shall end there. Write `set frame F` before
+the block, or once more behind it, where it shall go on.
+""",
+)
 IN_CELL = define(
     "T312",
     "tool-data-not-used",

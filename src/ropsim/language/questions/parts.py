@@ -32,6 +32,7 @@ class Before:
         X_KC: frame of literals, in the work frame; the identity where that frame moves.
         moving: name of the frame of literals where it moves, empty where it stands still.
         joint_count: how many coordinates `joints(…)` has, 0 as long as there is none.
+        ended: name of a frame that was set in a block that has ended, while no location was read since.
     """
 
     names: tuple[Seen | None, ...] = ()
@@ -39,6 +40,7 @@ class Before:
     X_KC: PoseTuple = IDENTITY
     moving: str = ""
     joint_count: int = 0
+    ended: str = ""
 
 
 AT_FIRST = Before()
@@ -131,4 +133,4 @@ def _part(db: Database, unit: str) -> Part:
 def _sight(db: Database, unit: str, before: Before, around: tuple[str, ...] | None) -> Sight:
     pairs = zip(db.ask(mentions, unit), before.names, strict=False)
     names = {name: one for name, one in pairs if one is not None}
-    return Sight(names, before.X_KC, before.moving, before.joint_count, around)
+    return Sight(names, before.X_KC, before.moving, before.joint_count, before.ended, around)

@@ -245,9 +245,6 @@ def _call(scope: Scope, statement: st.Call) -> None:
 
 
 def _with(scope: Scope, statement: st.With) -> None:
-    if statement.settings.is_empty:
-        _block(scope, statement.body)
-        return
     scope.emitter.emit("MODAL.SAVE")
     robot.lower_settings(scope, statement.settings)
     scope.depth += 1
