@@ -16,6 +16,7 @@ from ropsim.dynamics.axis_inertia import free_inertias as free_inertias
 from ropsim.dynamics.axis_inertia import mass_matrices as mass_matrices
 from ropsim.dynamics.axis_inertia import rotor_inertias as rotor_inertias
 from ropsim.dynamics.diagnostics import JointCountError as JointCountError
+from ropsim.dynamics.diagnostics import MissingMassError as MissingMassError
 from ropsim.dynamics.diagnostics import ModelNumberError as ModelNumberError
 from ropsim.dynamics.diagnostics import StateShapeError as StateShapeError
 from ropsim.dynamics.drives import Carried as Carried

@@ -5,6 +5,7 @@ import numpy.typing as npt
 
 from ropsim.dynamics.arm_functions import compiled
 from ropsim.dynamics.diagnostics import WRONG_SHAPE, StateShapeError
+from ropsim.dynamics.mass_check import check_inertias, check_masses, missing_inertia
 from ropsim.dynamics.model_check import check_model
 from ropsim.dynamics.structure import arm_numbers, structure_of
 from ropsim.dynamics.traced_drives import drive_sides
@@ -40,7 +41,9 @@ def inverse_dynamics(
         NotFiniteError: an array holds NaN or infinity.
         JointCountError: the arm has no joints, or not one link and one drive for each.
         ModelNumberError: a number of the model is not finite.
+        MissingMassError: no link of the arm has a mass.
     """
+    check_masses(robot)
     tip = np.zeros(6) if wrench is None else _array("wrench", wrench, 6)
     tau = np.empty(robot.n)
     compiled(robot, payload).inverse(*_motion(robot, q, qd, qdd), tip, tau)
@@ -58,6 +61,7 @@ def rigid_inverse_dynamics(
 
     Arguments and errors are those of `inverse_dynamics`.
     """
+    check_masses(robot)
     tau = np.empty(robot.n)
     compiled(robot, payload).rigid_inverse(*_motion(robot, q, qd, qdd), np.zeros(6), tau)
     return tau
@@ -101,11 +105,18 @@ def forward_dynamics(
         NotFiniteError: an array holds NaN or infinity.
         JointCountError: the arm has no joints, or not one link and one drive for each.
         ModelNumberError: a number of the model is not finite.
+        MissingMassError: no link has a mass, or an axis moves nothing that has an inertia.
     """
+    check_inertias(robot, payload)
     n = robot.n
     qdd = np.empty(n)
     inputs = (_array("q", q, n), _array("qd", qd, n), _array("tau", tau, n))
-    compiled(robot, payload).forward(*inputs, qdd)
+    try:
+        compiled(robot, payload).forward(*inputs, qdd)
+    except ZeroDivisionError:
+        raise missing_inertia(robot, ()) from None
+    if not np.isfinite(qdd).all():
+        raise missing_inertia(robot, ())
     return qdd
 
 
@@ -114,6 +125,7 @@ def mass_matrix(robot: Mechanism, q: npt.ArrayLike, payload: Payload | None = No
 
     Arguments and errors are those of `inverse_dynamics`.
     """
+    check_masses(robot)
     n = robot.n
     entries = np.empty(n * n)
     compiled(robot, payload).mass_matrix(_array("q", q, n), entries)

@@ -4,6 +4,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ropsim.dynamics.drives import reflected_inertia
+from ropsim.dynamics.mass_check import idle_axes, missing_inertia
 from ropsim.kinematics import frames_of_steps
 from ropsim.model import BASE_LINK, JointType, Linkage, Mechanism, check_counts, check_open, joint_tree
 from ropsim.spatial import Array, Pose, cross
@@ -87,6 +88,10 @@ def free_inertias(robot: Mechanism, Q: npt.ArrayLike) -> Array:
     It is 1 / (M⁻¹)ᵢᵢ, what a torque meets at once; arguments and errors are those of `mass_matrices`.
 
     Raises:
-        LinAlgError: a mass matrix is singular, as of an arm with a link that has no mass.
+        MissingMassError: M591, an axis moves nothing that has an inertia.
     """
-    return np.asarray(1.0 / np.einsum("kii->ki", np.linalg.inv(mass_matrices(robot, Q))))
+    matrices = mass_matrices(robot, Q)
+    try:
+        return np.asarray(1.0 / np.einsum("kii->ki", np.linalg.inv(matrices)))
+    except np.linalg.LinAlgError:
+        raise missing_inertia(robot, idle_axes(matrices[0])) from None

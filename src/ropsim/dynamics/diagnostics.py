@@ -60,6 +60,40 @@ an estimate and mark it `estimated`.
 )
 
 
+WITHOUT_MASSES = define(
+    "M590",
+    "arm-without-masses",
+    Severity.ERROR,
+    "the dynamics of an arm whose links have no masses",
+    """
+Many models of arms hold lengths and limits only: makers publish no masses. Torques of such an arm are not
+zero, they are unknown, so the functions of `ropsim.dynamics` refuse it. Kinematics, planning and kinematic
+runs need no masses.
+
+Give the robot file `links` with masses, centres of mass and inertias, or `mass`, that of all moving links,
+from which the others are estimated. `ropsim robots` tells which built-in arms have masses.
+""",
+)
+
+AXIS_WITHOUT_INERTIA = define(
+    "M591",
+    "axis-without-inertia",
+    Severity.ERROR,
+    "an axis moves nothing that has an inertia, so a torque gives it no finite acceleration",
+    """
+Forward dynamics solves M(q)·q̈ = τ - h for the accelerations. Where everything behind an axis has neither mass
+nor inertia, and its drive no rotor, the mass matrix M is singular, and any torque would accelerate the axis
+without bound. A mass that lies exactly on the axis of a turning joint does not help: it needs an inertia.
+
+Give the last links an inertia, or their drives the inertia of their rotors.
+""",
+)
+
+
+class MissingMassError(RopsimError):
+    """An arm lacks the masses that its equations of motion need."""
+
+
 class StateShapeError(RopsimError):
     """An array has the wrong shape."""
 

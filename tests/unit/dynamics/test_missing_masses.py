@@ -1,0 +1,86 @@
+"""Arms without masses: their torques are unknown, not zero, and no function ends in a bare error."""
+
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from ropsim import dynamics, robots
+from ropsim.dynamics import MissingMassError
+from ropsim.model import Link, Payload, RobotModel
+from ropsim.spatial import Array
+
+FUNCTIONS: dict[str, Callable[[RobotModel, Array, Array], object]] = {
+    "inverse_dynamics": lambda robot, q, rest: dynamics.inverse_dynamics(robot, q, rest, rest),
+    "rigid_inverse_dynamics": lambda robot, q, rest: dynamics.rigid_inverse_dynamics(robot, q, rest, rest),
+    "gravity": lambda robot, q, _: dynamics.gravity(robot, q),
+    "bias": dynamics.bias,
+    "forward_dynamics": lambda robot, q, rest: dynamics.forward_dynamics(robot, q, rest, rest),
+    "mass_matrix": lambda robot, q, _: dynamics.mass_matrix(robot, q),
+    "friction": dynamics.friction,
+    "mass_matrices": lambda robot, q, _: dynamics.mass_matrices(robot, q[None]),
+    "axis_inertias": lambda robot, q, _: dynamics.axis_inertias(robot, q[None]),
+    "free_inertias": lambda robot, q, _: dynamics.free_inertias(robot, q[None]),
+    "rotor_inertias": lambda robot, q, _: dynamics.rotor_inertias(robot, q[None]),
+}
+NEED_MASSES = (
+    "inverse_dynamics",
+    "rigid_inverse_dynamics",
+    "gravity",
+    "bias",
+    "forward_dynamics",
+    "mass_matrix",
+    "free_inertias",
+)
+NOTHING = Link(0.0, np.zeros(3), np.zeros((3, 3)))
+
+
+MASSLESS = tuple(name for name in robots.names() if not any(link.mass for link in robots.load(name).links))
+
+
+@pytest.mark.parametrize("name", robots.names())
+def test_every_function_on_every_arm_of_the_library_gives_numbers_or_says_what_is_missing(name: str) -> None:
+    robot = robots.load(name)
+    for function, call in FUNCTIONS.items():
+        if name in MASSLESS and function in NEED_MASSES:
+            with pytest.raises(MissingMassError, match=f"`{name}`"):
+                call(robot, np.array(robot.home), np.zeros(robot.n))
+        else:
+            found = call(robot, np.array(robot.home), np.zeros(robot.n))
+            assert np.isfinite(np.asarray(found, np.float64)).all(), function
+
+
+def test_most_arms_of_the_library_have_no_masses_and_the_error_says_so() -> None:
+    assert len(MASSLESS) == 19
+    robot = robots.load("tx60")
+    with pytest.raises(MissingMassError) as caught:
+        dynamics.forward_dynamics(robot, robot.home, np.zeros(6), np.zeros(6))
+    assert caught.value.diagnostic.code == "M590"
+    assert "no link of arm `tx60` has a mass" in caught.value.diagnostic.message
+
+
+def test_an_axis_that_moves_no_inertia_is_named() -> None:
+    puma = robots.load("puma560")
+    bare = replace(puma, links=(*puma.links[:5], NOTHING), drives=())
+    with pytest.raises(MissingMassError) as caught:
+        dynamics.forward_dynamics(bare, bare.home, np.zeros(6), np.zeros(6))
+    assert caught.value.diagnostic.code == "M591"
+    assert "axis `6` of arm `puma560`" in caught.value.diagnostic.message
+
+
+def test_a_mass_on_the_axis_gives_it_no_inertia_and_a_payload_beside_it_does() -> None:
+    puma = robots.load("puma560")
+    on_axis = Link(1.0, np.array([0.0, 0.0, 0.1]), np.zeros((3, 3)))
+    bare = replace(puma, links=(*puma.links[:5], on_axis), drives=())
+    with pytest.raises(MissingMassError):
+        dynamics.forward_dynamics(bare, bare.home, np.zeros(6), np.zeros(6))
+    beside = Payload(2.0, np.array([0.1, 0.0, 0.0]), np.zeros((3, 3)))
+    found = dynamics.forward_dynamics(bare, bare.home, np.zeros(6), np.zeros(6), beside)
+    assert np.isfinite(found).all()
+
+
+def test_a_rotor_is_inertia_enough_for_an_axis() -> None:
+    puma = robots.load("puma560")
+    driven = replace(puma, links=(*puma.links[:5], NOTHING))
+    assert np.isfinite(dynamics.forward_dynamics(driven, driven.home, np.zeros(6), np.zeros(6))).all()
