@@ -37,6 +37,7 @@ HOMES = {
     "Finding": "../run/run",
     "Pose": "../scene/description",
     "ResultFigures": "./result",
+    "WayFacts": "./facts",
     "RunEvent": "../run/run",
     "SceneDescription": "../scene/description",
 }

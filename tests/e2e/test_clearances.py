@@ -24,7 +24,7 @@ NAMES = ["first_cell", "fig5", "operator", "palletizing"]
 def run_of(name: str) -> tuple[Cell, Recording]:
     project = ropsim.open(EXAMPLES / name)
     assert project.cell is not None
-    return project.cell, project.simulate()
+    return project.cell, project.checked(project.simulate())
 
 
 def raised(cell: Cell, name: str, height: float) -> Cell:

@@ -150,7 +150,7 @@ def test_brackets_choose_the_repeated_stretch_wherever_the_keyboard_is(
 def test_a_result_leads_to_the_moment_and_line_where_it_arises(tab: StudioPage, first_run: Recording) -> None:
     strip = tab.page.get_by_role("region", name="Result of the run")
     strip.get_by_text(f"{first_run.duration:.2f} s").wait_for()
-    strip.get_by_text("not checked: collisions of tool:jaws without a known shape").wait_for()
+    strip.get_by_text("not checked: rated payload").wait_for()
     tab.seek(0.0)
     strip.get_by_role("button", name="Peak torque").click()
     assert tab.time() > 0.0

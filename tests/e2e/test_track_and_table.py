@@ -9,9 +9,8 @@ import pytest
 import ropsim
 from ropsim.flow import Recording
 from ropsim.kinematics import body_poses
-from ropsim.model import BodyKind, Cell, body_tree, link_name, tool_body
+from ropsim.model import BodyKind, Cell, body_tree, grip_width, link_name, tool_body, tool_shapes
 from ropsim.spatial import Array
-from ropsim.views.scene.tool import grip_width, tool_shapes
 from support.arm_capsules import block_around, fixed_blocks
 from support.clearance import arm_tracks
 from support.separation import Track, least_gap

@@ -7,9 +7,8 @@ import numpy as np
 
 from ropsim.flow import Placement, Recording
 from ropsim.kinematics import body_poses
-from ropsim.model import BodyKind, Cell, Part, body_tree, tool_body
+from ropsim.model import BodyKind, Cell, Part, body_tree, grip_width, tool_body, tool_shapes
 from ropsim.spatial import Array, Pose
-from ropsim.views.scene.tool import grip_width, tool_shapes
 from support.arm_capsules import PUMA_CAPSULES, Block, base_blocks, block_around, fixed_blocks
 from support.separation import FAR, Mask, Track, least_gap
 

@@ -106,7 +106,7 @@ export interface Clearance {
   readonly one: string
   /** Name of the other one. */
   readonly other: string
-  /** Between them [m]; negative where they were in each other. */
+  /** Between them [m]; negative: depth of a penetration; 0 where they touch. */
   readonly distance: number
   /** When [s]. */
   readonly time: number
@@ -124,17 +124,49 @@ export interface BodyPair {
   readonly other: string
 }
 
-/** What was seen on the ways of a run, and what was not looked at. */
+/** Two bodies that penetrate each other, or come nearer than the cell allows, without a break. */
+export interface Contact {
+  /** Name of a body; the one that moves, if only one does. */
+  readonly one: string
+  /** Name of the other one. */
+  readonly other: string
+  /** First recorded time of it [s]. */
+  readonly begin: number
+  /** Last recorded time of it [s]. */
+  readonly end: number
+  /** Least distance in between [m]; negative: the depth of the penetration. */
+  readonly distance: number
+  /** When that was [s]. */
+  readonly time: number
+  /** Where that was, in the world frame [m], three numbers. */
+  readonly place: readonly number[]
+  /** What findings call the two, such as `jaws – pallet`; a part of a supply by the name of that. */
+  readonly bodies: string
+  /** Whose arm it was; empty for none. */
+  readonly station: string
+  /** Its source line at the beginning, from 1; 0 for none. */
+  readonly line: number
+  /** Loop pass of that line, from 1; 0 where unknown. */
+  readonly visit: number
+}
+
+/** Contacts and the least distance of a run, and what was not checked. */
 export interface WayFacts {
   /**
-   * How near bodies came at the least, those of one robot against each other left out; null where nothing
-   * moved against anything.
+   * Least distance of the run, bodies of one robot against each other left out; null where nothing moved
+   * against anything.
    */
   readonly clearance: Clearance | null
-  /** Names of bodies of which no shape is known. */
+  /** Names of bodies without a known shape. */
   readonly unseen: readonly string[]
-  /** Pairs that were in each other at the start, or are drawn into each other. */
+  /** Pairs that are drawn into each other, or parts that are in something at the start. */
   readonly met: readonly BodyPair[]
+  /** Penetrations, in order of time. */
+  readonly contacts: readonly Contact[]
+  /** Bodies that came nearer than the cell requires, in order of time. */
+  readonly near: readonly Contact[]
+  /** Clearance that the cell requires [m]; 0 for none. */
+  readonly required: number
 }
 
 /** Who ran what, where and how. */

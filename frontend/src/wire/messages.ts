@@ -6,6 +6,7 @@
 import type { Finding, RunEvent } from '../run/run'
 import type { Pose, SceneDescription } from '../scene/description'
 import type { ResultFigures } from './result'
+import type { WayFacts } from './facts'
 
 /** A text of the project. */
 export interface DocumentState {
@@ -129,7 +130,7 @@ export interface RunStatus {
   readonly results: Readonly<Record<string, readonly string[]>>
 }
 
-/** What is said of a finished run since its ways were looked at: what met on them is a finding. */
+/** The collisions of a finished run, once they are checked. */
 export interface RunWays {
   readonly type: 'ways'
   /** Its number. */
@@ -138,6 +139,8 @@ export interface RunWays {
   readonly findings: readonly Finding[]
   /** Its figures, instead of those in its pack. */
   readonly result: ResultFigures
+  /** Its contacts; null for a cell in which nothing can collide. */
+  readonly ways: WayFacts | null
 }
 
 /** How a live run stands. */

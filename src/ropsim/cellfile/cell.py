@@ -43,6 +43,8 @@ from ropsim.tomltext import (
     read_units,
 )
 
+_WIDEST = 1.0
+"""Greatest clearance [m]."""
 _OF_ROBOT = "a body of the robot has it: `base`, `link1` and so on, `tool:NAME`"
 
 
@@ -115,6 +117,7 @@ def _cell(root: TomlTable, folder_name: str, library: RobotLibrary) -> Cell | No
     name = head.text("name", folder_name)
     if ROBOT in stations:
         head.text("program", "main")
+    clearance = head.number("clearance", units.position.within(0.0, _WIDEST), 0.0)
     head.finish()
     root.finish()
     known = {name: station for name, station in stations.items() if station is not None}
@@ -136,6 +139,7 @@ def _cell(root: TomlTable, folder_name: str, library: RobotLibrary) -> Cell | No
         classic=classic,
         external=external,
         tools=tuple(tools),
+        clearance=clearance,
     )
     if not any(found.is_error for found in root.findings.items):
         note_standings(cell, groups)

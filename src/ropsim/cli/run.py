@@ -44,7 +44,7 @@ def run(options: argparse.Namespace, output: Output) -> int:
     project.workspace.keep()
     recording = _simulate(project, programs, options)
     if options.collisions:
-        recording = _looked_at(project, recording)
+        recording = _checked(project, recording)
     report = project.report(recording, before)
     if options.what_if:
         report = replace(report, comparison=_compared(project, recording, options))
@@ -134,12 +134,9 @@ def _simulate(
         return simulate(cell, codes, _run_options(options, _counted(traces, progress)))
 
 
-def _looked_at(project: Project, recording: Recording) -> Recording:
-    from ropsim.simulation import with_collisions
-
-    with Progress(f"looking for collisions, {project.folder.resolve().name}") as progress:
-        found = project.collisions(recording, lambda share: progress(share, "ways"))
-    return with_collisions(recording, found)
+def _checked(project: Project, recording: Recording) -> Recording:
+    with Progress(f"checking collisions, {project.folder.resolve().name}") as progress:
+        return project.checked(recording, lambda share: progress(share, "ways"))
 
 
 def _compared(project: Project, recording: Recording, options: argparse.Namespace) -> Comparison:

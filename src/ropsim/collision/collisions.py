@@ -14,7 +14,7 @@ from ropsim.collision.solid_bodies import Rows, SolidBodies
 from ropsim.collision.solids import NO_MESHES, MeshPoints, convexes, readable
 from ropsim.core import frozen_dataclass
 from ropsim.kinematics import NotFiniteError, body_poses
-from ropsim.model import Body, Cell, Mesh, body_tree, start_of
+from ropsim.model import Body, BodyKind, Cell, Mechanism, Mesh, body_tree, is_bare, start_of
 from ropsim.spatial import Array
 
 TOUCH = 1e-6
@@ -63,7 +63,9 @@ class Collisions:
         }
         self._hidden = frozenset(body.name for body in self.tree.bodies if not body.visible)
         self._known: dict[Hashable, Looked] = {}
-        self.shapeless = tuple(body.name for body in self.tree.bodies if not _is_seen(body, meshes))
+        self.shapeless = tuple(
+            body.name for body in self.tree.bodies if not _is_seen(body, self.tree.mechanisms, meshes)
+        )
         self.unseen = tuple(name for name in self.shapeless if name not in self._hidden)
         self.bodies = SolidBodies({name: some for name, some in solids.items() if some})
         self._at_rest: frozenset[Pair] = frozenset()
@@ -176,7 +178,10 @@ class Collisions:
         return [one.pair for one in self._meetings(self._home, asked, AS_AT_START)]
 
 
-def _is_seen(body: Body, meshes: MeshPoints) -> bool:
-    """Return whether a body has shapes, and the points of all its meshes are known."""
-    solids = [shape.solid for shape in body.shapes]
-    return bool(solids) and all(one in meshes for one in solids if isinstance(one, Mesh))
+def _is_seen(body: Body, mechanisms: Mapping[str, Mechanism], meshes: MeshPoints) -> bool:
+    """Return whether the points of all meshes of a body are known, and nothing else is drawn of it."""
+    if body.shapes:
+        return all(one.solid in meshes for one in body.shapes if isinstance(one.solid, Mesh))
+    if body.kind is BodyKind.LINK and body.mover:
+        return is_bare(mechanisms[body.mover.mechanism], body.mover.joint)
+    return body.kind is not BodyKind.BASE  # views draw a stand-in for arms only

@@ -14,6 +14,8 @@ from ropsim.spatial import Array
 
 Rows = npt.NDArray[np.intp]
 """Numbers of two convex bodies each, shape (p, 2)."""
+_APART = 1e-4
+"""Bodies are parted by so much more than their depth, so that their nearest points are known [m]."""
 
 
 class SolidBodies:
@@ -65,6 +67,25 @@ class SolidBodies:
         distances(self._points, self._bodies, placed, numbers, bounds, np.array(limits), room, found)
         return found
 
+    def gaps(self, pair: Sequence[int], first: Array, second: Array) -> Array:
+        """Return the distances of two convex bodies at many poses, with their margins [m], shape (k,).
+
+        Distances are 0 or less where the bodies touch; depths are not computed.
+
+        Args:
+            pair: two numbers.
+            first: R_W by rows and p_W [m] of the first body, shape (k, 12).
+            second: the same of the second body.
+        """
+        count = len(first)
+        bodies = np.repeat(self._bodies[list(pair)], count, axis=0)
+        rows = np.column_stack([np.arange(count), np.arange(count, 2 * count)]).astype(np.float64)
+        found, room = np.empty((count, 7)), np.zeros((16, 4))
+        placed = np.ascontiguousarray(np.concatenate([first, second]))
+        limits = np.array([np.inf, np.inf])
+        distances(self._points, bodies, placed, rows, np.zeros(count), limits, room, found)
+        return found[:, 0] - float(self._bodies[list(pair), 3].sum())
+
     def box(self, number: int) -> tuple[Array, Array]:
         """Return middle and half edges of the box around a convex body, in its frame [m], shape (3,)."""
         return self._centres[number], self._halves[number]
@@ -98,10 +119,19 @@ class SolidBodies:
         if distance > 0.0:
             normal = (second - first) / np.linalg.norm(second - first)
         else:
-            depth, away, first = depth_of(self._support(placed, i), self._support(placed, j), fine)
+            depth, away, _ = depth_of(self._support(placed, i), self._support(placed, j), fine)
+            first = self._deepest(placed, (i, j), depth, away)
             distance, normal, second = -depth, -away, first + depth * away
         first, second = first + margins[0] * normal, second - margins[1] * normal
         return Nearness(self.owners[i], self.owners[j], distance - sum(margins), first, second)
+
+    def _deepest(self, placed: Array, pair: tuple[int, int], depth: float, away: Array) -> Array:
+        """Return the point of the first body that leaves the other one last when it is parted [m]."""
+        apart = placed.copy()
+        shift = (depth + _APART) * away
+        apart[pair[0], 9:] += shift
+        found = self.distances(apart, np.array([pair]), np.zeros(1), (np.inf, np.inf))[0]
+        return np.asarray(found[1:4] - shift)
 
     def margins(self, pairs: Rows) -> Array:
         """Return the sum of the margins of each pair [m], shape (p,)."""

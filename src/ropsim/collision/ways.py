@@ -36,7 +36,7 @@ class Approach:
         gaps: least distance that was found of each pair [m], shape (p,); inf where another one was nearer.
         rows: where that was, shape (p,).
         near: numbers of the rows behind which a pair may come nearer still.
-        episodes: pair, first and last row of each episode in which two meet, shape (m, 3).
+        episodes: pair, first and last row of each episode in which two are near enough, shape (m, 3).
     """
 
     least: float
@@ -77,8 +77,9 @@ def closest(
         bodies: the convex bodies.
         items: those on carriers, as `carried` makes them, shape (t, 22).
         pairs: numbers of two items, first row, the one behind the last, 1 where the least distance counts, 0
-            where it is only asked whether they meet, row of `travel` that tells how the carrier of the second
-            moves as the first sees it, -1 where the motions of both are added; shape (p, 6).
+            where only episodes count, row of `travel` that tells how the carrier of the second moves as the
+            first sees it, -1 where the motions of both are added, distance at which an episode begins [m];
+            shape (p, 7).
         carriers: what moves.
         least: a distance that some pair is known to have [m]; nothing beyond it is looked at closely.
         progress: told which share of the pairs has been followed.

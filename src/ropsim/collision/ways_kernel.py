@@ -36,9 +36,10 @@ def closest_on_ways(
             radius of a ball around it in the frame of the carrier [m], how far it reaches from the origin of
             that [m], R by rows and p of its pose there [m], half edges of the box around it [m]; shape
             (t, 22).
-        pairs: numbers of two items, first row, the one behind the last, 1 where the least distance counts;
-            else it is only asked whether they meet; row of `travel` that tells how the carrier of the second
-            moves as the first sees it, -1 where the motions of both are added; shape (p, 6).
+        pairs: numbers of two items, first row, the one behind the last, 1 where the least distance counts, 0
+            where only episodes count; row of `travel` that tells how the carrier of the second moves as the
+            first sees it, -1 where the motions of both are added; distance at which an episode begins [m];
+            shape (p, 7).
         frames: R_W by rows and p_W [m] of the carriers by rows, shape (c, k, 12).
         travel: how far the origin of each carrier has come at most at each row [m], how far it has turned
             [rad]; then the same of carriers as others see them; shape (t, 2, k).
@@ -50,8 +51,8 @@ def closest_on_ways(
             the last row is room; shape (p + 1, 7).
         near: becomes 1 where a pair that counts may come nearer than the least distance before the next row,
             shape (k,).
-        episodes: pair, first and last row of each episode in which two meet, shape (m, 3); what does not fit
-            is counted only.
+        episodes: pair, first and last row of each episode in which two are that near, shape (m, 3); what does
+            not fit is counted only.
     """
     least[1] = 0.0
     for p in range(pairs.shape[0]):
@@ -59,9 +60,9 @@ def closest_on_ways(
         a, b = int(pairs[p, 0]), int(pairs[p, 1])
         k, last = int(pairs[p, 2]), int(pairs[p, 3])
         i, j = int(items[a, 0]), int(items[b, 0])
-        begun = -1
+        begun, within = -1, pairs[p, 6]
         while k < last:
-            limit = max(least[0], 0.0) if pairs[p, 4] > 0.0 else 0.0
+            limit = max(least[0], within) if pairs[p, 4] > 0.0 else within
             gap = _rough_gap(items, frames, room, a, b, k)
             if gap <= limit:
                 _put(items, frames, poses, a, i, k)
@@ -72,10 +73,10 @@ def closest_on_ways(
                     found[p, 0], found[p, 1] = gap, k
                 if pairs[p, 4] > 0.0 and gap < least[0]:
                     least[0] = gap
-                    limit = max(gap, 0.0)
-            if gap <= 0.0 and begun < 0:
+                    limit = max(gap, within)
+            if gap <= within and begun < 0:
                 begun = k
-            if gap > 0.0 and begun >= 0:
+            if gap > within and begun >= 0:
                 _note(episodes, least, p, begun, k - 1)
                 begun = -1
             ahead = _ahead(items, travel, pairs, p, k, gap - limit)

@@ -65,4 +65,6 @@ from ropsim.flow.waiting import Waiting as Waiting
 from ropsim.flow.waiting import waiting_of as waiting_of
 from ropsim.flow.way_facts import BodyPair as BodyPair
 from ropsim.flow.way_facts import Clearance as Clearance
+from ropsim.flow.way_facts import Contact as Contact
 from ropsim.flow.way_facts import WayFacts as WayFacts
+from ropsim.flow.way_facts import body_title as body_title

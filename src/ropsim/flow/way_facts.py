@@ -1,4 +1,4 @@
-"""What a look at the ways of a run has seen: how near bodies came, and what was not looked at."""
+"""Collision facts of a run: contacts, the least distance, and what was not checked."""
 
 from ropsim.core import frozen_dataclass
 
@@ -10,7 +10,7 @@ class Clearance:
     Attributes:
         one: name of a body.
         other: name of the other one.
-        distance: between them [m]; negative where they were in each other.
+        distance: between them [m]; negative: depth of a penetration; 0 where they touch.
         time: when [s].
         station: whose arm it was; empty for none.
         line: its source line then, from 1; 0 for none.
@@ -22,6 +22,37 @@ class Clearance:
     time: float
     station: str = ""
     line: int = 0
+
+
+@frozen_dataclass
+class Contact:
+    """Two bodies that penetrate each other, or come nearer than the cell allows, without a break.
+
+    Attributes:
+        one: name of a body; the one that moves, if only one does.
+        other: name of the other one.
+        begin: first recorded time of it [s].
+        end: last recorded time of it [s].
+        distance: least distance in between [m]; negative: the depth of the penetration.
+        time: when that was [s].
+        place: where that was, in the world frame [m], three numbers.
+        bodies: what findings call the two, such as `jaws – pallet`; a part of a supply by the name of that.
+        station: whose arm it was; empty for none.
+        line: its source line at the beginning, from 1; 0 for none.
+        visit: loop pass of that line, from 1; 0 where unknown.
+    """
+
+    one: str
+    other: str
+    begin: float
+    end: float
+    distance: float
+    time: float
+    place: tuple[float, ...]
+    bodies: str = ""
+    station: str = ""
+    line: int = 0
+    visit: int = 0
 
 
 @frozen_dataclass
@@ -39,15 +70,27 @@ class BodyPair:
 
 @frozen_dataclass
 class WayFacts:
-    """What was seen on the ways of a run, and what was not looked at.
+    """Contacts and the least distance of a run, and what was not checked.
 
     Attributes:
-        clearance: how near bodies came at the least, those of one robot against each other left out; null
-            where nothing moved against anything.
-        unseen: names of bodies of which no shape is known.
-        met: pairs that were in each other at the start, or are drawn into each other.
+        clearance: least distance of the run, bodies of one robot against each other left out; null where
+            nothing moved against anything.
+        unseen: names of bodies without a known shape.
+        met: pairs that are drawn into each other, or parts that are in something at the start.
+        contacts: penetrations, in order of time.
+        near: bodies that came nearer than the cell requires, in order of time.
+        required: clearance that the cell requires [m]; 0 for none.
     """
 
     clearance: Clearance | None = None
     unseen: tuple[str, ...] = ()
     met: tuple[BodyPair, ...] = ()
+    contacts: tuple[Contact, ...] = ()
+    near: tuple[Contact, ...] = ()
+    required: float = 0.0
+
+
+def body_title(name: str) -> str:
+    """Return what a finding calls a body: a tool `left/tool:jaws` is `left/jaws`."""
+    station, mark, tool = name.rpartition("tool:")
+    return f"{station}{tool}" if mark else name

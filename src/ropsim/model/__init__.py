@@ -11,6 +11,7 @@ from ropsim.model.audit_place import PlaceOf as PlaceOf
 from ropsim.model.axes_words import axes_words as axes_words
 from ropsim.model.axes_words import external_words as external_words
 from ropsim.model.axis_limits import with_axis_limits as with_axis_limits
+from ropsim.model.bare_links import is_bare as is_bare
 from ropsim.model.base_frame import in_base as in_base
 from ropsim.model.bearers import bearers as bearers
 from ropsim.model.bearers import carriages as carriages
@@ -27,6 +28,7 @@ from ropsim.model.cell import ClassicSettings as ClassicSettings
 from ropsim.model.cell_bodies import BASE as BASE
 from ropsim.model.cell_bodies import body_tree as body_tree
 from ropsim.model.cell_bodies import fingers_of as fingers_of
+from ropsim.model.cell_bodies import has_surroundings as has_surroundings
 from ropsim.model.cell_bodies import link_name as link_name
 from ropsim.model.cell_bodies import mount_of as mount_of
 from ropsim.model.cell_bodies import part_shape as part_shape
@@ -166,4 +168,7 @@ from ropsim.model.tool import Fingers as Fingers
 from ropsim.model.tool import Gripper as Gripper
 from ropsim.model.tool import Tool as Tool
 from ropsim.model.tool import ToolPart as ToolPart
+from ropsim.model.tool_shapes import flange_height as flange_height
+from ropsim.model.tool_shapes import grip_width as grip_width
+from ropsim.model.tool_shapes import tool_shapes as tool_shapes
 from ropsim.model.written_robot import WrittenRobot as WrittenRobot

@@ -72,7 +72,7 @@ class Body:
         kind: what it is.
         parent: name of the body that it hangs on, `WORLD` for none.
         X_PB: its frame in that of the parent; of a moved body at joint coordinate 0.
-        shapes: what it looks like, in its own frame; without any, views draw a stand-in for arms and tools.
+        shapes: what it looks like, in its own frame; without any, views draw a stand-in for arms.
         mover: what moves it; None where it stands still on its parent.
         visible: False for a tool that is not mounted and for a part that waits in its supply.
     """

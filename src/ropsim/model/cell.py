@@ -49,6 +49,7 @@ class Cell:
         classic: settings for classic files.
         external: where external axes stand at a location, by its name, for those that say so.
         tools: names of all tools, also of those that no station has.
+        clearance: distance required between what moves and all else in a run [m]; 0 for none.
     """
 
     name: str
@@ -66,6 +67,7 @@ class Cell:
     external: Mapping[str, ExternalValues] = field(default_factory=dict)
     tools: tuple[str, ...] = ()
     given: Mapping[str, str] = field(default_factory=dict)
+    clearance: float = 0.0
 
     def __repr__(self) -> str:
         """Return one line: its name, the robots, and how many things of each sort there are."""

@@ -13,6 +13,7 @@ from ropsim.model.mechanism import Mechanism
 from ropsim.model.part import Part
 from ropsim.model.station import Station
 from ropsim.model.tool import Fingers
+from ropsim.model.tool_shapes import flange_height, grip_width, tool_shapes
 from ropsim.spatial import Array, Pose, frozen
 
 BASE = "base"
@@ -25,12 +26,19 @@ def body_tree(cell: Cell) -> BodyTree:
     The links are called `link1` to `linkN`, the tools `tool:NAME`, behind the name of their station where it
     has one of its own (`left/link1`); objects and parts as in the cell.
     """
-    stations = [body for one in cell.stations.values() for body in (*_robot(one), *_tools(one))]
+    width = grip_width(cell)
+    stations = [body for one in cell.stations.values() for body in (*_robot(one), *_tools(one, width))]
     devices = [body for one in cell.devices.values() for body in _device(one)]
     mechanisms: dict[str, Mechanism] = {name: one.robot for name, one in cell.stations.items()}
     mechanisms |= {name: one.mechanism for name, one in cell.devices.items()}
     mechanisms |= {name: fingers.mechanism for name, fingers in fingers_of(cell).items()}
     return BodyTree((*stations, *devices, *_objects(cell), *_parts(cell)), mechanisms)
+
+
+def has_surroundings(cell: Cell) -> bool:
+    """Return whether a cell has bodies that may collide: more than one arm without a tool."""
+    more = len(cell.stations) > 1 or cell.devices or cell.objects or cell.parts
+    return bool(more) or any(body.kind is BodyKind.TOOL and body.shapes for body in body_tree(cell).bodies)
 
 
 def start_of(cell: Cell) -> dict[str, Array]:
@@ -95,12 +103,13 @@ def _links(mechanism: Mechanism, name: str, kind: BodyKind) -> Iterator[Body]:
         yield Body(link_name(k + 1, name), kind, parent, joint.placement, shapes, mover)
 
 
-def _tools(station: Station) -> Iterator[Body]:
+def _tools(station: Station, width: float) -> Iterator[Body]:
     last, X_nM = link_name(station.robot.tip + 1, station.name), station.robot.X_nM
+    height = flange_height(station.robot)
     for name, tool in station.tools.items():
         mounted = name == station.default_tool
         body = tool_body(name, station.name)
-        yield Body(body, BodyKind.TOOL, last, X_nM, tool.look, visible=mounted)
+        yield Body(body, BodyKind.TOOL, last, X_nM, tool_shapes(tool, width, height), visible=mounted)
         mechanism = tool.fingers.mechanism if tool.fingers else None
         for k, joint in enumerate(mechanism.joints if mechanism else ()):
             shapes = mechanism.links[k].shapes if mechanism else ()

@@ -71,7 +71,7 @@ class Tool:
         inertia: about the centre of mass, in axes of the mechanical interface [kg·m²], shape (3, 3).
         gripper: None for a tool that cannot grasp.
         shapes: what it looks like, in the mechanical interface frame; where neither it nor its parts have
-            any, views draw a stand-in.
+            any, `tool_shapes` makes a stand-in.
         parts: what else it is made of.
     """
 

@@ -26,5 +26,8 @@ from ropsim.simulation.watch import NobodyWatches as NobodyWatches
 from ropsim.simulation.watch import RunView as RunView
 from ropsim.simulation.watch import Watch as Watch
 from ropsim.simulation.ways import RunCollisions as RunCollisions
+from ropsim.simulation.ways import contact_findings as contact_findings
+from ropsim.simulation.ways import needs_check as needs_check
 from ropsim.simulation.ways import run_collisions as run_collisions
 from ropsim.simulation.ways import with_collisions as with_collisions
+from ropsim.simulation.ways import without_contact_findings as without_contact_findings

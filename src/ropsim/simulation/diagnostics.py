@@ -1,4 +1,4 @@
-"""Diagnostics of simulated runs (S720 to S749, S751 to S754); servo, inputs, arms without drives: others."""
+"""Diagnostics of simulated runs (S720 to S749, S751 to S754, S770); others have servo and inputs."""
 
 from ropsim.core import Severity, define
 
@@ -170,27 +170,50 @@ A payload much heavier than the arm is tuned for settles slowly, too: slow the m
 """,
 )
 
-COLLISION = define(
+PENETRATION = define(
     "S751",
-    "collision",
-    Severity.WARNING,
-    "bodies are in each other on the way",
+    "penetration",
+    Severity.ERROR,
+    "two bodies collide in the run",
     """
-On its way an arm, its tool, the part that it holds or a device was in something else. The message names both
-and says how deep they were, the label when that began. A real arm would have hit it.
+An arm, its tool, the part in it or a device penetrated something else. The message names both bodies, the
+greatest depth of all passes, the line on which the contact began, and in how many passes. Depth is the length
+of the shortest shift that parts the two convex bodies that are the deepest in each other. A real arm would
+have hit it, so the run has failed.
 
-**What is looked at.** Everything that moves, with what it carries, against everything else, at all recorded
-rows at which two may meet; the bodies of one robot against each other every 20 ms. Meshes and prisms count as
-their convex hulls: a hollow of them is no room here. Parts may be as deep in other things as `depth` of
-`[supports]` says, 2 mm where nothing is said; all else touches at most.
+**What is checked.** Everything that moves, with what it carries, against everything else, at all recorded
+times at which two may meet; the bodies of one robot against each other, and a part against what it is taken
+from or put on, every 20 ms. Tools without shapes are checked as they are drawn. Meshes and prisms count as
+their convex hulls: a hollow of them is no room here.
 
-**What is not.** What nothing moves against each other; links with a joint between them; what is drawn into
-each other, at rest or at the start; bodies without a shape. From the beginning of the last move before a part
-is gripped or released until the end of the first one after it, the part may touch the hand, and what it is
-taken from or put on.
+**What is allowed.** Bodies that are up to 0.5 mm in each other touch: an arm keeps to its path no better.
+Parts may be as deep in other things as `depth` of `[supports]` says, 2 mm where nothing is said.
 
-**How to mend it.** Lead the arm round it by a point on the way, lift the part higher before it goes across,
+**What is not checked.** What nothing moves against each other; links with a joint between them; what is drawn
+into each other, at rest or all the time; parts against what they are in at the start; bodies without a known
+shape. From the beginning of the last move before a part is gripped or released until the end of the first
+one after it, the part may be in the hand. A part that leaves by a sink may be in anything.
+
+**How to mend it.** Lead the arm around it by a point on the way, lift the part higher before it goes across,
 take another posture, or move what is in the way.
+""",
+)
+
+TOO_NEAR = define(
+    "S770",
+    "too-near",
+    Severity.WARNING,
+    "two bodies come nearer to each other than the cell requires",
+    """
+`clearance` in `[cell]` of the cell file requires a distance between what moves and all else. Here it was
+less. The message names both bodies, the least distance of all passes, the line on which they came too near,
+and in how many passes. Bodies that penetrate each other are a collision (S751).
+
+Bodies of one robot, with its tool and what that holds, are not meant, nor is a part against what it is taken
+from or put on, from the beginning of the last move before until the end of the first one after it.
+
+**How to mend it.** Lead the arm farther from it, move what is too near, or require less. Without `clearance`,
+or with 0, no distance is required.
 """,
 )
 

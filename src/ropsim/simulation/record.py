@@ -26,6 +26,7 @@ from ropsim.flow import (
 )
 from ropsim.icr import Program, code_lines, line_contents_of_all, program_id
 from ropsim.kinematics import forward_batch
+from ropsim.model import has_surroundings
 from ropsim.motion import Line, enter_distances
 from ropsim.simulation.arrivals import Arrivals, are_untouched, arrivals
 from ropsim.simulation.cell_run import CellRun
@@ -158,20 +159,28 @@ def _station_channels(at: StationRun, logged: Mapping[str, Array], rows: Array) 
 
 def _facts(run: CellRun, programs: Mapping[str, Program], options: RunOptions, arrived: Arrivals) -> RunFacts:
     """Return what the recording says about its run."""
-    robots = [at.station.robot for at in run.stations.values()]
     slowest = min(run.stations.values(), key=lambda at: at.hz / at.plant.record_ticks)
     return RunFacts(
         ropsim=__version__,
         project=run.cell.name,
         fidelity=_fidelity(run, options),
         record_hz=slowest.hz / slowest.plant.record_ticks,
-        checked=("rated payload",) if has_rated_payloads(robots) else (),  # collisions are not looked at
+        checked=_checked(run),
         inputs=tuple(inputs_taken(run)),
         overrides=overrides_taken(run),
         stopped=run.stop_tick / run.hz if run.stop_tick is not None and run.is_stopped(run.tick) else None,
         parts_left=tuple(run.parts.left),
         destinations=Destinations(arrived.wanted, arrived.wanted - len(arrived.findings)),
         stations=tuple(_station_facts(run, name, programs.get(name), options) for name in run.stations),
+    )
+
+
+def _checked(run: CellRun) -> tuple[str, ...]:
+    """Return what a run checks, or leaves no doubt about: an arm alone collides with nothing."""
+    rated = has_rated_payloads([at.station.robot for at in run.stations.values()])
+    return (
+        *(("rated payload",) if rated else ()),
+        *(() if has_surroundings(run.cell) else ("collisions",)),
     )
 
 

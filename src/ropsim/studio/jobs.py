@@ -101,7 +101,7 @@ class SaveRun:
 
 @frozen_dataclass
 class LookAtWays:
-    """Look at what met on the ways of the finished run of the job of this number (`WaysReply`).
+    """Check the collisions of the finished run of the job of this number (`WaysReply`).
 
     Orders may only be to give it up.
     """
@@ -383,15 +383,17 @@ class SavedRun:
 
 @frozen_dataclass
 class WaysReply:
-    """What is said of a run since somebody has looked at its ways.
+    """The collisions of a run.
 
     Attributes:
         findings: all of the run, as its pack has them.
         result: its figures, as its pack has them.
+        ways: its contacts, as the facts of its pack have them; None for a cell in which nothing can collide.
     """
 
     findings: tuple[Mapping[str, object], ...]
     result: Mapping[str, object]
+    ways: Mapping[str, object] | None = None
 
 
 @frozen_dataclass

@@ -26,6 +26,7 @@ RunEvent: TypeAlias = Annotated[Mapping[str, object], Meta(title="RunEvent")]
 """An event of a run as plain JSON values."""
 
 Result: TypeAlias = Annotated[Mapping[str, object], Meta(title="ResultFigures")]
+Ways: TypeAlias = Annotated[Mapping[str, object], Meta(title="WayFacts")]
 """Figures of a run as plain JSON values."""
 
 Scene: TypeAlias = Annotated[Mapping[str, object], Meta(title="SceneDescription")]
@@ -170,17 +171,19 @@ class RunStatus(Struct, frozen=True, tag_field="type", tag="run"):
 
 
 class RunWays(Struct, frozen=True, tag_field="type", tag="ways"):
-    """What is said of a finished run since its ways were looked at: what met on them is a finding.
+    """The collisions of a finished run, once they are checked.
 
     Attributes:
         run: its number.
         findings: all of the run, instead of those in its pack.
         result: its figures, instead of those in its pack.
+        ways: its contacts; null for a cell in which nothing can collide.
     """
 
     run: int
     findings: tuple[Finding, ...]
     result: Result
+    ways: Ways | None = None
 
 
 class LiveStatus(Struct, frozen=True, tag_field="type", tag="live"):

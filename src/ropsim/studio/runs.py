@@ -251,7 +251,7 @@ class Runs:
             self._look_at_ways()
 
     def _look_at_ways(self) -> None:
-        """Let the simulator look at what met in the kept run; the next run ends that."""
+        """Let the simulator check the collisions of the kept run; the next run ends that."""
         if self._kept is None or self._look is not None:
             return
         run, number = self._kept
@@ -262,7 +262,7 @@ class Runs:
             self._look = None
             reply = None if done.cancelled() else done.result()
             if isinstance(reply, jobs.WaysReply) and self._kept == (run, number):
-                self._ways = RunWays(run, reply.findings, reply.result)
+                self._ways = RunWays(run, reply.findings, reply.result, reply.ways)
                 self._tell(self._ways)
 
         look.reply.add_done_callback(over)

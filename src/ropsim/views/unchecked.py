@@ -1,4 +1,4 @@
-"""What a verdict rests on and did not look at: one line beside it, in terminal, page and studio the same."""
+"""What a verdict leaves unchecked: one line next to it, the same in terminal, page and studio."""
 
 from collections.abc import Iterator, Sequence
 
@@ -8,8 +8,8 @@ from ropsim.views.by_hand import ByHand, percentage, shown
 from ropsim.views.characters import clean
 from ropsim.views.figures import seconds
 
-LOOKED_AT_IF_SAID = ("collisions", "rated payload")
-"""What a run has looked at only where its recording says so."""
+CHECKED_IF_SAID = ("collisions", "rated payload")
+"""What a run has checked only where its recording says so."""
 
 WITHOUT_DYNAMICS = ("torques", "drives", "servo")
 """What a kinematic run does not look at, beside that."""
@@ -57,7 +57,7 @@ def unchecked(facts: RunFacts, events: Sequence[Event], hand: ByHand) -> Uncheck
         events: of the run.
         hand: how long it was held and slowed.
     """
-    aspects = LOOKED_AT_IF_SAID + (WITHOUT_DYNAMICS if facts.is_kinematic else ())
+    aspects = CHECKED_IF_SAID + (WITHOUT_DYNAMICS if facts.is_kinematic else ())
     zoned = {
         event.line
         for event in events

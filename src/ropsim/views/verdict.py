@@ -9,9 +9,9 @@ from ropsim.views.joint_summary import Closeness, closest_to_position_limit
 from ropsim.views.summary import Summary
 
 COLLISION = "S751"
-"""Code of bodies that met on a way."""
+"""Code of a penetration."""
 NAMED = 4
-"""Lines on which bodies met are named up to so many, else counted."""
+"""Lines with collisions are named up to so many, else counted."""
 
 
 class Verdict(Enum):
@@ -45,19 +45,17 @@ def verdict(summary: Summary) -> VerdictText:
         )
     if summary.error_count:
         reasons.append(plural(summary.error_count, "error"))
-    failed, met = bool(reasons), _met(summary)
-    if failed and met:
-        reasons.append(met)
+    failed, collision = bool(reasons), _collision(summary)
     if summary.warning_count:
         reasons.append(plural(summary.warning_count, "warning"))
     if failed:
-        return VerdictText(Verdict.FAILED, "failed: " + ", ".join(reasons))
+        first = f"{collision}; " if collision else ""
+        return VerdictText(Verdict.FAILED, f"failed: {first}{', '.join(reasons)}")
     end = "ended by hand before the program ended" if summary.stopped_by_hand else "ran to the end"
     near = _near_end(summary)
     if reasons:
-        how = f", but {met}:" if met else " with"
         also = f"; {near}" if near else ""
-        return VerdictText(Verdict.DOUBTFUL, f"{end}{how} " + ", ".join(reasons) + also)
+        return VerdictText(Verdict.DOUBTFUL, f"{end} with {', '.join(reasons)}{also}")
     if near:
         return VerdictText(Verdict.DOUBTFUL, f"{end}, but {near}")
     kind = Verdict.DOUBTFUL if summary.stopped_by_hand else Verdict.GOOD
@@ -77,16 +75,21 @@ def _near_end(summary: Summary) -> str:
     return f"joint {clean(worst.name)} {how} the end of its range{more}"
 
 
-def _met(summary: Summary) -> str:
-    """Return on which lines bodies met, in words; empty where none did."""
-    spans = [one.first.span for one in summary.findings if one.first.code == COLLISION]
-    lines = sorted({span.line for span in spans if span})
-    if not spans:
+def _collision(summary: Summary) -> str:
+    """Return lines, bodies and depth of the collisions of a run, the deepest one named; empty for none."""
+    found = [one.first for one in summary.findings if one.first.code == COLLISION]
+    if not found:
         return ""
+    deepest = min(found, key=lambda one: float(str(one.data["distance_m"])))
+    bodies = f"{deepest.data['bodies']}, {-1e3 * float(str(deepest.data['distance_m'])):.1f} mm"
+    lines = sorted({one.span.line for one in found if one.span})
+    return f"collision{_on(lines)}: {bodies}"
+
+
+def _on(lines: list[int]) -> str:
     if not lines:
-        return "bodies met"
+        return ""
     if len(lines) > NAMED:
-        return f"bodies met on {len(lines)} lines"
+        return f" on {len(lines)} lines"
     *before, last = map(str, lines)
-    where = f"lines {', '.join(before)} and {last}" if before else f"line {last}"
-    return f"bodies met on {where}"
+    return f" on lines {', '.join(before)} and {last}" if before else f" on line {last}"

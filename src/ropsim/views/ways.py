@@ -1,32 +1,34 @@
-"""What was seen on the ways of a run: lines for a terminal, and a section of the HTML report."""
+"""Collisions and the least distance of a run: lines for a terminal, and a section of the HTML report."""
 
 import textwrap
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
-from ropsim.flow import Clearance, RunFacts, WayFacts
+from ropsim.core import plural
+from ropsim.flow import Clearance, Contact, RunFacts, WayFacts, body_title
 from ropsim.views.characters import clean, fit
 from ropsim.views.figures import seconds
 from ropsim.views.markup import table, text
 
 COLUMNS = 80
 INDENT = 13
-NOTHING = "nothing moved against anything of a known shape"
+MOST = 100
+"""So many contacts are listed in a report."""
+NOTHING = "nothing moves against anything with a known shape"
 UNSEEN = "no shape is known of"
-MET = "not looked at, since they are in each other at the start or drawn so"
+MET = "not checked, in each other at the start or drawn so"
 
 
 def way_lines(facts: RunFacts) -> list[str]:
-    """Return the lines on the ways of a run; none where nobody looked for collisions."""
+    """Return the lines on collisions and clearance; none where collisions were not checked."""
     if facts.ways is None:
         return []
     near = facts.ways.clearance
-    first = NOTHING
-    if near is not None:
-        first = f"{_distance(near)}: {clean(near.one)} and {clean(near.other)}"
-    lines = [fit(f"{'nearest':<{INDENT}}{first}", COLUMNS)]
+    word = "collision" if near is not None and near.distance < 0.0 else "nearest"
+    first = NOTHING if near is None else f"{_distance(near.distance)}: {clean(_bodies(near))}"
+    lines = [fit(f"{word:<{INDENT}}{first}", COLUMNS)]
     if near is not None:
         lines.append(f"{'':<{INDENT}}{', '.join(_when(near, facts))}")
-    for entry in _not_looked_at(facts.ways):
+    for entry in _unchecked(facts.ways):
         lines += textwrap.wrap(
             clean(entry), COLUMNS, initial_indent=" " * INDENT, subsequent_indent=" " * INDENT
         )
@@ -34,24 +36,61 @@ def way_lines(facts: RunFacts) -> list[str]:
 
 
 def ways_section(facts: RunFacts) -> str:
-    """Return the section of the HTML report; nothing where nobody looked for collisions."""
-    if facts.ways is None:
+    """Return the section of the HTML report; nothing where collisions were not checked."""
+    ways = facts.ways
+    if ways is None:
         return ""
-    near, shown = facts.ways.clearance, f"<p>{NOTHING.capitalize()}.</p>\n"
-    if near is not None:
-        bodies = f"{text(near.one)} and {text(near.other)}"
-        line = str(near.line) if near.line else ""
-        cells = (bodies, _distance(near), seconds(near.time), line, text(near.station))
+    shown = f"<p>{NOTHING.capitalize()}.</p>\n"
+    if ways.clearance is not None:
+        near = ways.clearance
+        cells = (text(_bodies(near)), _distance(near.distance), seconds(near.time), _line(near))
         header = ("bodies", "distance", "at t [s]", "line", "station")
-        shown = table("Least distance of the run; bodies of one robot do not count.", header, [cells])
-    left = "".join(f"<p>{text(entry)}.</p>\n" for entry in _not_looked_at(facts.ways))
-    return f"<section><h2>Ways</h2>\n{shown}{left}</section>\n"
+        caption = "Least distance of the run; bodies of one robot do not count."
+        shown = table(caption, header, [(*cells, text(near.station))])
+    shown += _contacts("Collisions.", "depth", ways.contacts)
+    shown += _contacts(f"Nearer than the required {1e3 * ways.required:g} mm.", "distance", ways.near)
+    left = "".join(f"<p>{text(entry)}.</p>\n" for entry in _unchecked(ways))
+    return f"<section><h2>Collisions and clearance</h2>\n{shown}{left}</section>\n"
 
 
-def _distance(near: Clearance) -> str:
+def _contacts(caption: str, figure: str, contacts: Sequence[Contact]) -> str:
+    """Return a table of contacts; nothing for none."""
+    if not contacts:
+        return ""
+    header = ("bodies", figure, "from t [s]", "until t [s]", "worst at t [s]", "line", "pass", "station")
+    rows = [
+        (
+            text(_bodies(one)),
+            _millimetres(one.distance),
+            seconds(one.begin),
+            seconds(one.end),
+            seconds(one.time),
+            _line(one),
+            str(one.visit or ""),
+            text(one.station),
+        )
+        for one in contacts[:MOST]
+    ]
+    more = len(contacts) - len(rows)
+    return table(caption, header, rows) + (f"<p>And {plural(more, 'contact')} more.</p>\n" if more else "")
+
+
+def _bodies(near: Clearance | Contact) -> str:
+    return f"{body_title(near.one)} – {body_title(near.other)}"
+
+
+def _line(near: Clearance | Contact) -> str:
+    return str(near.line) if near.line else ""
+
+
+def _millimetres(distance: float) -> str:
+    return f"{abs(1e3 * distance):.1f} mm"
+
+
+def _distance(distance: float) -> str:
     """Return a distance in words, a negative one as a depth."""
-    millimetres = round(near.distance * 1e3, 1)
-    return f"{abs(millimetres):.1f} mm{' in each other' if millimetres < 0.0 else ''}"
+    words = " deep" if distance < 0.0 else ", touching" if distance == 0.0 else ""
+    return f"{_millimetres(distance)}{words}"
 
 
 def _when(near: Clearance, facts: RunFacts) -> Iterator[str]:
@@ -63,8 +102,8 @@ def _when(near: Clearance, facts: RunFacts) -> Iterator[str]:
         yield f"station {clean(near.station)}"
 
 
-def _not_looked_at(ways: WayFacts) -> Iterator[str]:
-    """Yield sentences without their stops on what was not looked at."""
+def _unchecked(ways: WayFacts) -> Iterator[str]:
+    """Yield sentences without their stops on what was not checked."""
     if ways.unseen:
         yield f"{UNSEEN} {', '.join(ways.unseen)}"
     if ways.met:

@@ -228,11 +228,11 @@ class Project:
     def collisions(
         self, recording: "Recording", progress: Callable[[float], None] = lambda _: None
     ) -> "RunCollisions":
-        """Return what met on the ways of a run of this project, and how near bodies came at the least.
+        """Return the collisions of a run of this project, and the least distance between bodies.
 
         Args:
             recording: of a run in its cell.
-            progress: told which share has been looked at, from 0 to 1.
+            progress: receives the share that has been checked, from 0 to 1.
 
         Raises:
             ProjectError: the project has no cell.
@@ -243,6 +243,26 @@ class Project:
         if self.cell is None:
             raise ProjectError(NO_CELL.at(None, f"`{self.folder}` has no cell"))
         return run_collisions(recording, self.cell, mesh_points(self.folder, self.cell), progress)
+
+    def checked(
+        self, recording: "Recording", progress: Callable[[float], None] = lambda _: None
+    ) -> "Recording":
+        """Return a recording of a run of this project whose collisions are checked.
+
+        Nothing is checked twice, nor in a cell that has nothing but an arm.
+
+        Args:
+            recording: of a run in its cell.
+            progress: receives the share that has been checked, from 0 to 1.
+
+        Raises:
+            ProjectError: the project has no cell.
+        """
+        from ropsim.simulation import needs_check, with_collisions
+
+        if self.cell is not None and not needs_check(recording, self.cell):
+            return recording
+        return with_collisions(recording, self.collisions(recording, progress))
 
     def changes(self, texts: Iterable[str]) -> "list[Change | Subject]":
         """Return what texts change in the cell; nothing is run for it.
@@ -281,13 +301,15 @@ class Project:
             ProjectError: no such program, no cell, or an error in one of them.
             WhatIfError: X896, a text is no change, or the cell has nothing of what is to be changed.
         """
+        from ropsim.meshes import mesh_points
         from ropsim.simulation import RunOptions, run
         from ropsim.workbench.what_if.comparing import compare
 
         wanted = self.changes(changes)
         cell, codes = self.runnable(self.programs(program))
         options = options or RunOptions()
-        return compare(recording or run(cell, codes, options), cell, codes, wanted, options)
+        meshes = mesh_points(self.folder, cell)
+        return compare(recording or run(cell, codes, options), cell, codes, wanted, options, meshes)
 
     def calibrate(
         self,

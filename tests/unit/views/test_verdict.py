@@ -31,17 +31,31 @@ def test_a_run_is_good_only_where_it_came_to_its_end_with_nothing_found(
     ("lines", "said"),
     [
         ((), "ran to the end with 1 warning"),
-        ((9, 9), "ran to the end, but bodies met on line 9: 3 warnings"),
-        ((9, 17, 9), "ran to the end, but bodies met on lines 9 and 17: 4 warnings"),
-        ((1, 2, 3, 4), "ran to the end, but bodies met on lines 1, 2, 3 and 4: 5 warnings"),
-        ((1, 2, 3, 4, 5), "ran to the end, but bodies met on 5 lines: 6 warnings"),
+        ((9, 9), "failed: collision on line 9: jaws – box 1, 2.0 mm; 2 errors, 1 warning"),
+        ((9, 17, 9), "failed: collision on lines 9 and 17: jaws – box 2, 3.0 mm; 3 errors, 1 warning"),
+        (
+            (1, 2, 3, 4),
+            "failed: collision on lines 1, 2, 3 and 4: jaws – box 3, 4.0 mm; 4 errors, 1 warning",
+        ),
+        ((1, 2, 3, 4, 5), "failed: collision on 5 lines: jaws – box 4, 5.0 mm; 5 errors, 1 warning"),
     ],
 )
-def test_lines_on_which_bodies_met_are_said_before_all_else(lines: tuple[int, ...], said: str) -> None:
+def test_a_collision_fails_the_run_and_the_deepest_one_is_named_first(
+    lines: tuple[int, ...], said: str
+) -> None:
     met = [
-        Diagnostic("S751", "collision", Severity.WARNING, f"{k}", span=Span.whole_line("main.task", line))
+        Diagnostic(
+            "S751",
+            "penetration",
+            Severity.ERROR,
+            f"{k}",
+            span=Span.whole_line("main.task", line),
+            data={"bodies": f"jaws – box {k}", "distance_m": -1e-3 * (k + 1)},
+        )
         for k, line in enumerate(lines)
     ]
-    assert verdict(summarize(pick_and_place(1, findings=(WARNED, *met)))).text == said
+    found = verdict(summarize(pick_and_place(1, findings=(WARNED, *met))))
+    assert found.text == said
+    assert (found.kind is Verdict.FAILED) == bool(lines)
     failed = verdict(summarize(pick_and_place(1, findings=(WRONG, *met)))).text
-    assert ("bodies met" in failed) == bool(lines)
+    assert ("collision" in failed) == bool(lines)

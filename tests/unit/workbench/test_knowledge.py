@@ -139,7 +139,6 @@ def test_what_stands_at_a_destination_refuses_it_with_both_names_and_the_depth(k
     assert there.unchecked == (
         "collisions on the way between places",
         "collisions with parts at other places",
-        "collisions of the tool `jaws` without a known shape",
     )
 
 

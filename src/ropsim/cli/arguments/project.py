@@ -1,5 +1,7 @@
 """Commands about projects and their programs."""
 
+import argparse
+
 from ropsim.cli.arguments.command import Commands, command, lazy
 
 
@@ -69,7 +71,10 @@ def run(commands: Commands) -> None:
     parser.add_argument("--report", metavar="FILE.html", help="write the report as one HTML page")
     parser.add_argument("--record", metavar="FILE.npz", help="write the recording")
     parser.add_argument(
-        "--collisions", action="store_true", help="look at all ways: what met, and the least distance"
+        "--collisions",
+        action=argparse.BooleanOptionalAction,
+        default=True,
+        help="check all ways for collisions (the default); without it the verdict says so",
     )
     parser.add_argument("--inputs", metavar="FILE", help="inputs of a live run to take again (.npz or .json)")
     parser.add_argument(

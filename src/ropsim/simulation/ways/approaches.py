@@ -21,7 +21,7 @@ from ropsim.core import frozen_dataclass
 from ropsim.flow import Recording
 from ropsim.kinematics import body_poses
 from ropsim.model import WORLD, BodyKind
-from ropsim.simulation.ways.intents import Span
+from ropsim.simulation.ways.intents import Intents, Span
 from ropsim.simulation.ways.tracks import Track
 from ropsim.spatial import Array, record
 
@@ -48,8 +48,8 @@ class Looked:
         owner: number of the track of each item, shape (t,).
         carriers: names of what moves, by number.
         seen: numbers of two carriers, of which the second one is looked at as the first one sees it.
-        pairs: items, times from and until [s], 1 where the least distance counts, and the row of `travel`;
-            shape (p, 6).
+        pairs: items, times from and until [s], 1 where the least distance counts, the row of `travel`, and
+            the distance at which an episode begins [m]; shape (p, 7).
     """
 
     tracks: tuple[Track, ...]
@@ -82,31 +82,35 @@ class Nearest:
     Attributes:
         gaps: least distance that was found of each pair [m], shape (p,); inf where another one was nearer.
         rows: of the recording where that was, shape (p,).
-        episodes: pair, first and last row of the recording in which two meet, shape (m, 3).
+        episodes: pair, first and last row of the recording in which two are near enough, shape (m, 3).
+        step: rows of the recording between two that were checked, at most.
     """
 
     gaps: Array
     rows: Rows
     episodes: Rows
+    step: int
 
 
 def looked_at(
     solids: Collisions,
     made: Sequence[Track],
-    intents: Mapping[Pair, Sequence[Span]],
+    intents: Intents,
     met: frozenset[Pair],
+    clearance: float,
 ) -> Looked:
-    """Return the pairs that are looked at.
+    """Return the pairs that are checked.
 
-    Left out is what `left_out` of `ropsim.collision` names, what was in each other at the start, and what
-    touches on purpose while it does. Distances within one robot, its tool and what that holds do not count as
-    the least one: they are about the same all the time.
+    Left out is what `left_out` of `ropsim.collision` names, what was in each other at the start, and what is
+    gripped while it is. Distances within one robot, its tool and what that holds do not count as the least
+    one: they are about the same all the time. Nor do those of a part and what it is taken from or put on.
 
     Args:
         solids: the bodies of the cell.
         made: tracks of all bodies.
-        intents: when bodies may touch, by pair.
-        met: pairs that are not looked at.
+        intents: when bodies touch on purpose.
+        met: pairs that are not checked.
+        clearance: distance of pairs that count at which an episode begins [m].
     """
     seen = tuple(track for track in made if track.body in solids.bodies.rows)
     carriers = tuple(dict.fromkeys(track.carrier for track in seen if track.carrier != WORLD))
@@ -128,14 +132,14 @@ def looked_at(
     between: dict[tuple[int, int], int] = {}
     for one, other, span, counts in _pairs(seen, intents, never, belongs):
         a, b = own[one], own[other]
-        block = np.empty((len(a) * len(b), 6))
+        block = np.empty((len(a) * len(b), 7))
         block[:, 0], block[:, 1] = np.repeat(a, len(b)), np.tile(b, len(a))
-        block[:, 2:5], block[:, 5] = (*span, counts), -1.0
+        block[:, 2:5], block[:, 5], block[:, 6] = (*span, counts), -1.0, clearance * counts
         if not counts:  # of one arm: it moves as a whole more than its links against each other
             both = number[seen[one].carrier], number[seen[other].carrier]
             block[:, 5] = len(carriers) + between.setdefault(both, len(between))
         rows.append(block)
-    pairs = np.concatenate([np.empty((0, 6)), *rows])
+    pairs = np.concatenate([np.empty((0, 7)), *rows])
     return Looked(seen, np.array(items).reshape(-1, 22), tuple(owner), carriers, tuple(between), pairs)
 
 
@@ -163,7 +167,7 @@ def nearest(
     told = _told(progress, (0.0, GLANCED))
     least = _over(solids, looked, motion, rows[::GLANCE], np.inf, told).least
     found = _over(solids, looked, motion, rows, least, _told(progress, (GLANCED, SEEN)))
-    whole = Nearest(found.gaps, rows[found.rows], _in_rows(found.episodes, rows))
+    whole = Nearest(found.gaps, rows[found.rows], _in_rows(found.episodes, rows), step)
     last = len(rows) - 1
     ahead = [np.arange(rows[k], rows[min(k + 1, last)] + 1) for k in found.near.tolist()]
     if not ahead:
@@ -175,6 +179,7 @@ def nearest(
         np.where(better, more.gaps, whole.gaps),
         np.where(better, dense[more.rows], whole.rows),
         np.concatenate([whole.episodes, _in_rows(more.episodes, dense)]),
+        step,
     )
 
 
@@ -246,11 +251,11 @@ def _travel(frames: Array, wiggle: Array) -> Array:
 
 def _pairs(
     made: Sequence[Track],
-    intents: Mapping[Pair, Sequence[Span]],
+    intents: Intents,
     never: frozenset[Pair],
     belongs: Mapping[str, str],
 ) -> Iterator[tuple[int, int, Span, float]]:
-    """Yield two tracks, when they are looked at, and 1 where their distance counts."""
+    """Yield two tracks, when they are checked, and 1 where their distance counts."""
     owner = [belongs.get(one.body if one.carrier == WORLD else one.carrier, "") for one in made]
     starts, ends = np.array([one.start for one in made]), np.array([one.end for one in made])
     for k, one in enumerate(made):
@@ -264,8 +269,13 @@ def _pairs(
             span = max(one.start, other.start), min(one.end, other.end)
             counts = 0.0 if owner[k] and owner[k] == owner[m] else 1.0
             first, second = (k, m) if other.carrier != WORLD else (m, k)
-            for left in _without(span, intents.get((one.body, other.body), ())):
-                yield first, second, left, counts
+            near = intents.carried.get((one.body, other.body), ())
+            for left in _without(span, intents.gripped.get((one.body, other.body), ())):
+                apart = list(_without(left, near))
+                for some in apart:
+                    yield first, second, some, counts
+                for some in _without(left, apart):
+                    yield first, second, some, 0.0
 
 
 def _both(one: Track, other: Track) -> tuple[Pair, Pair]:

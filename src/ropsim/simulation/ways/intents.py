@@ -1,4 +1,4 @@
-"""What touches on purpose: a hand and the part that it takes or leaves, a part and what it is taken from."""
+"""Bodies that touch on purpose: a hand and the part that it grips, a part and what carries it."""
 
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 import numpy as np
 
 from ropsim.collision import Pair, owners
+from ropsim.core import frozen_dataclass
 from ropsim.flow import MoveEvent, Recording
 from ropsim.model import WORLD, BodyKind, BodyTree, Cell, tool_body
 from ropsim.simulation.ways.tracks import Track
@@ -14,15 +15,28 @@ Span = tuple[float, float]
 """From and until when [s]."""
 
 
-def intended(
-    cell: Cell, tree: BodyTree, recording: Recording, made: Sequence[Track]
-) -> Mapping[Pair, Sequence[Span]]:
-    """Return when bodies may touch, by pair in either order.
+@frozen_dataclass
+class Intents:
+    """When bodies touch on purpose, by pair in either order.
+
+    Attributes:
+        gripped: when one grips the other: such pairs are not checked then.
+        carried: when one is taken from the other or put on it: such pairs come near on purpose, so only
+            penetrations count then.
+    """
+
+    gripped: Mapping[Pair, Sequence[Span]]
+    carried: Mapping[Pair, Sequence[Span]]
+
+
+def intended(cell: Cell, tree: BodyTree, recording: Recording, made: Sequence[Track]) -> Intents:
+    """Return when bodies touch on purpose.
 
     That is from the beginning of the last move before a part is gripped or released until the end of the
-    first move after it: for the part against the hand, its fingers, and what the part is taken from or put
-    on; and for fingers as long as their tool holds the part. Parts that come out of a supply while another
-    one is lifted out of its place, or follow it on a belt, may touch that one and the hand until then, too.
+    first move after it. The part may be in the hand and its fingers then, and in fingers as long as their
+    tool holds it; it comes near to what it is taken from or put on. Parts that come out of a supply while
+    another one is lifted out of its place, or follow it on a belt, may be in that one and the hand until
+    then.
 
     Args:
         cell: as it was simulated.
@@ -45,6 +59,7 @@ def intended(
     for event in recording.events_of(MoveEvent):
         moves[event.station].append(event)
     found: dict[Pair, list[Span]] = defaultdict(list)
+    carried: dict[Pair, list[Span]] = defaultdict(list)
     comes = _first(made)
     standing = [name for name, body in bodies.items() if body.kind in (BodyKind.OBJECT, BodyKind.DEVICE)]
     for before, held, after in _journeys(made):
@@ -60,10 +75,19 @@ def intended(
                 found[one, new].append((held.start, taken[1]))
         if before is not None:
             for one in _device_of(before.hand, belongs):  # what lies on a belt lies on its frame, too
-                found[one, held.body].append(taken)
-        below = [after.hand] if after is not None else standing  # what has left does not say what it stood on
-        for one in below:
-            found[one, held.body].append(left)
+                carried[one, held.body].append(taken)
+        if after is not None and after.hand in hands:
+            found[after.hand, held.body].append(left)
+        if after is not None:
+            carried[after.hand, held.body].append(left)
+        else:  # it leaves by a sink: the hollow of a chute counts as solid
+            for one in standing:
+                found[one, held.body].append(left)
+    return Intents(_both_ways(found), _both_ways(carried))
+
+
+def _both_ways(found: Mapping[Pair, Sequence[Span]]) -> Mapping[Pair, Sequence[Span]]:
+    """Return spans by pair in either order."""
     return {**found, **{(other, one): spans for (one, other), spans in found.items()}}
 
 

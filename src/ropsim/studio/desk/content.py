@@ -9,9 +9,10 @@ from itertools import zip_longest
 import numpy as np
 
 from ropsim.core import Diagnostic, Span
-from ropsim.flow import Channel, Event, Recording
+from ropsim.flow import Channel, Contact, Event, Recording, RunFacts, WayFacts
 from ropsim.icr import Program, program_id
 from ropsim.model import Cell
+from ropsim.simulation import contact_findings, without_contact_findings
 from ropsim.studio.jobs import Fidelity, InputChange
 
 
@@ -79,12 +80,31 @@ def on_lines(recording: Recording, source: str, lines: Mapping[int, int]) -> Rec
     for name in (facts.channel("line", one.name) for one in facts.stations if one.source == source):
         if name in channels:
             channels[name] = _renumbered(channels[name], lines)
+    facts = replace(facts, ways=facts.ways and _ways_on_lines(facts, facts.ways, source, lines))
     return replace(
         recording,
         channels=channels,
         events=tuple(map(event, recording.events)),
-        findings=tuple(map(finding, recording.findings)),
+        findings=(
+            *(finding(one) for one in without_contact_findings(recording.findings)),
+            *contact_findings(facts),
+        ),
+        facts=facts,
     )
+
+
+def _ways_on_lines(facts: RunFacts, ways: WayFacts, source: str, lines: Mapping[int, int]) -> WayFacts:
+    """Return the contacts of a run with the lines of one text renumbered."""
+    own = {one.name for one in facts.stations if one.source == source}
+
+    def contact(one: Contact) -> Contact:
+        return replace(one, line=lines.get(one.line, one.line)) if one.station in own else one
+
+    near = ways.clearance
+    if near is not None and near.station in own:
+        near = replace(near, line=lines.get(near.line, near.line))
+    contacts, others = tuple(map(contact, ways.contacts)), tuple(map(contact, ways.near))
+    return replace(ways, clearance=near, contacts=contacts, near=others)
 
 
 def _renumbered(channel: Channel, lines: Mapping[int, int]) -> Channel:

@@ -8,6 +8,7 @@ from ropsim.core import Diagnostic, RopsimError, frozen_dataclass, kept_from_col
 from ropsim.flow import Recording
 from ropsim.model import Cell
 from ropsim.records import inputs_of
+from ropsim.simulation import needs_check
 from ropsim.studio.jobs import InputChange, LiveStart, RunReply, Simulate
 from ropsim.views import plain_findings
 from ropsim.workbench import Project, Workspace, found_in, open_overlaid, pack_of
@@ -42,7 +43,7 @@ class Runnable:
     def finished(self, recording: Recording) -> RunReply:
         """Return the reply to a run of this program."""
         pack = pack_of(self.project, recording, self.findings)
-        inputs, ways = used_inputs(recording), recording.facts.ways is not None
+        inputs, ways = used_inputs(recording), not needs_check(recording, self.cell)
         results = results_of(recording)
         return RunReply("done", self.name, pack=pack, inputs=inputs, ways=ways, results=results)
 

@@ -1,9 +1,8 @@
-"""The ways of the finished run: what met on them, looked at while nothing else is wanted."""
+"""The collisions of the finished run, checked while nothing else is wanted."""
 
 from dataclasses import asdict, replace
 from functools import partial
 
-from ropsim.simulation import with_collisions
 from ropsim.studio.desk.finished import Shelf
 from ropsim.studio.desk.line import Line
 from ropsim.studio.jobs import WaysReply
@@ -11,7 +10,7 @@ from ropsim.views import result_figures, run_findings, summarize
 
 
 def look_at_ways(number: int, line: Line, shelf: Shelf) -> WaysReply | None:
-    """Return what is said of a run once its ways have been looked at; the kept run says it from then on.
+    """Return the collisions of a run; the kept run has them from then on.
 
     Args:
         number: of the job that made the run.
@@ -27,16 +26,17 @@ def look_at_ways(number: int, line: Line, shelf: Shelf) -> WaysReply | None:
     kept = shelf.run
     if kept is None or kept.number != number:
         return None
-    ready, recording = kept.ready, kept.recording
-    if recording.facts.ways is None:
-        found = ready.project.collisions(recording, partial(_listen, line))
-        recording = with_collisions(recording, found)
-        shelf.run = replace(kept, recording=recording)
+    ready = kept.ready
+    recording = ready.project.checked(kept.recording, partial(_listen, line))
+    shelf.run = replace(kept, recording=recording)
     figures = result_figures(summarize(recording, ready.findings))
-    return WaysReply(tuple(run_findings(recording, ready.findings)), asdict(figures))
+    ways = recording.facts.ways
+    return WaysReply(
+        tuple(run_findings(recording, ready.findings)), asdict(figures), asdict(ways) if ways else None
+    )
 
 
 def _listen(line: Line, share: float) -> None:
-    """Go on, whatever share has been looked at, unless the look is given up."""
+    """Go on, whatever share has been checked, unless the check is given up."""
     del share
     line.orders(0.0)

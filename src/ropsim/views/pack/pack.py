@@ -101,7 +101,12 @@ def time_of(finding: Diagnostic, events: Iterable[Event]) -> float | None:
 
 
 def plain_finding(finding: Diagnostic, time: float | None = None) -> dict[str, object]:
-    """Return a finding as plain values, with the time [s] at which it arose; None where it has none."""
+    """Return a finding as plain values.
+
+    Args:
+        finding: of compiling or of a run.
+        time: at which it arose [s]; None where it has none.
+    """
     return {
         "code": finding.code,
         "severity": finding.severity.value,
@@ -110,6 +115,7 @@ def plain_finding(finding: Diagnostic, time: float | None = None) -> dict[str, o
         "span": asdict(finding.span) if finding.span else None,
         "time": time,
         "follows": _cause(finding),
+        "place": finding.data.get("place_m"),
     }
 
 

@@ -6,7 +6,7 @@ next, as paper 1 draws an arm from its Denavit–Hartenberg table.
 
 import numpy as np
 
-from ropsim.model import BASE_LINK, Cylinder, Joint, JointType, RobotModel, Shape, rod
+from ropsim.model import BASE_LINK, Cylinder, Joint, JointType, RobotModel, Shape, is_bare, rod
 from ropsim.spatial import Array, Pose
 
 _HUB = "#4a525a"
@@ -32,10 +32,12 @@ def base_shapes(robot: RobotModel) -> tuple[Shape, ...]:
 def link_shapes(robot: RobotModel, number: int) -> tuple[Shape, ...]:
     """Return what link `number`, from 1, looks like in the frame of its joint.
 
-    A crank that only counts an axis, without mass and with nothing on it, is not there to be seen.
+    Of a crank that only counts an axis, without mass and with nothing on it, and of a step between two joints
+    of an arm with shapes, nothing is drawn.
     """
     own = robot.links[number - 1].shapes if number <= len(robot.links) else ()
-    return own or (() if _only_counts(robot, number - 1) else _stand_in(robot, number))
+    bare = _only_counts(robot, number - 1) or is_bare(robot, number - 1)
+    return own or (() if bare else _stand_in(robot, number))
 
 
 def reach(robot: RobotModel) -> tuple[Array, float]:

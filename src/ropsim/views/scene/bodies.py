@@ -2,10 +2,9 @@
 
 from ropsim.core import frozen_dataclass
 from ropsim.kinematics import body_poses
-from ropsim.model import Body, BodyKind, Cell, Shape, Station, body_tree, link_name, start_of, tool_body
+from ropsim.model import Body, BodyKind, Cell, Shape, Station, body_tree, link_name, start_of
 from ropsim.spatial import Pose
 from ropsim.views.scene.arm import base_shapes, link_shapes
-from ropsim.views.scene.tool import grip_width, tool_shapes
 
 NO_BODY = -1
 """Place of the parent of what is fixed on no moving body: its pose is in the world frame."""
@@ -52,11 +51,10 @@ def scene_bodies(cell: Cell) -> tuple[SceneBody, ...]:
 
 
 def _looks(cell: Cell) -> dict[str, tuple[Shape, ...]]:
-    """Return how arms and tools are drawn, by name of their bodies: by own shapes, else by stand-ins."""
-    width = grip_width(cell)
+    """Return how arms are drawn, by name of their bodies: by own shapes, else by stand-ins."""
     looks: dict[str, tuple[Shape, ...]] = {}
     for station in cell.stations.values():
-        looks |= _arm_looks(station) | _tool_looks(station, width)
+        looks |= _arm_looks(station)
     return looks
 
 
@@ -65,7 +63,3 @@ def _arm_looks(station: Station) -> dict[str, tuple[Shape, ...]]:
     numbers = range(1, len(robot.joints) + 1)
     links = {link_name(number, name): link_shapes(robot, number) for number in numbers}
     return {link_name(0, name): base_shapes(robot), **links}
-
-
-def _tool_looks(station: Station, width: float) -> dict[str, tuple[Shape, ...]]:
-    return {tool_body(name, station.name): tool_shapes(tool, width) for name, tool in station.tools.items()}

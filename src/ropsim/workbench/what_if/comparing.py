@@ -5,11 +5,12 @@ from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from pathlib import PurePath
 
+from ropsim.collision import NO_MESHES, MeshPoints
 from ropsim.core import Diagnostic
 from ropsim.flow import GripEvent, MoveEvent, Recording
 from ropsim.icr import Program
 from ropsim.model import Cell
-from ropsim.simulation import RunOptions, run
+from ropsim.simulation import RunOptions, needs_check, run, run_collisions, with_collisions
 from ropsim.views import Alternative, Comparison, summarize
 from ropsim.workbench.what_if.applying import adaptation, changed_cell
 from ropsim.workbench.what_if.change import NOTHING_COMPARED, Change, Subject
@@ -23,6 +24,7 @@ def compare(
     codes: dict[str, Program],
     changes: Sequence[Change | Subject],
     options: RunOptions,
+    meshes: MeshPoints = NO_MESHES,
 ) -> Comparison:
     """Return the run of a program beside runs with one change each.
 
@@ -32,6 +34,7 @@ def compare(
         codes: verified programs by station.
         changes: as `read_change` returns them; `Subject.ZONES` stands for one of each line with a zone.
         options: of all runs.
+        meshes: points of the meshes of the cell; collisions are checked where they are in the recording.
 
     Returns:
         the comparison; without alternatives where the program as it is does not come to its end.
@@ -50,6 +53,8 @@ def compare(
     alternatives = []
     for change, changed in zip(wanted, cells, strict=True):
         other = run(changed, codes, replace(options, adapt=adaptation(change)))
+        if needs_check(other, changed) and not needs_check(recording, cell):
+            other = with_collisions(other, run_collisions(other, changed, meshes))
         judged = summarize(other)
         new = tuple(_told(found for found in other.findings if content_of(found) not in known))
         name = (

@@ -1,4 +1,4 @@
-"""The ways of the finished run: looked at once, told with it from then on, given up for what is newer."""
+"""Collisions of the finished run: checked once, part of it from then on, given up for what is newer."""
 
 import json
 from collections.abc import Sequence
@@ -83,11 +83,19 @@ def test_what_met_is_told_with_the_run_from_then_on(asked: Simulate) -> None:
     assert {one["span"]["line"] for one in met} == {4}  # type: ignore[index]
     assert all(isinstance(one["time"], float) for one in met)
     assert "collisions" not in str(seen.result["unchecked"]).partition(" · ")[0].removeprefix("not checked: ")
-    told = json.loads(wire(RunWays(1, seen.findings, seen.result)))
-    assert told["result"]["verdict"]["kind"] == "doubtful"
+    told = json.loads(wire(RunWays(1, seen.findings, seen.result, seen.ways)))
+    assert told["result"]["verdict"]["kind"] == "failed"
+    assert {one["severity"] for one in met} == {"error"}
+    contacts = told["ways"]["contacts"]
+    assert {one["other"] for one in contacts} == {"post"}
+    assert all(one["begin"] <= one["time"] <= one["end"] for one in contacts)
+    assert [list(one["place"]) for one in met] == [  # type: ignore[call-overload]
+        min((c for c in contacts if c["bodies"] in str(one["message"])), key=lambda c: c["distance"])["place"]
+        for one in met
+    ]
     report = desk.do(SaveRun(1, "report"), line)
     assert isinstance(report, SavedRun)
-    assert b"<h2>Ways</h2>" in report.content
+    assert b"<h2>Collisions and clearance</h2>" in report.content
     again = desk.do(asked, line)
     assert isinstance(again, RunReply)
     assert (again.made, again.ways) == ("kept", True)

@@ -1,0 +1,275 @@
+"""Contacts of a run: which bodies penetrate each other or are too near, from when until when, and where."""
+
+from bisect import bisect_right
+from collections import defaultdict
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+
+import numpy as np
+
+from ropsim.collision import ROUGH, Collisions, Nearness, Pair
+from ropsim.core import frozen_dataclass
+from ropsim.flow import Contact, Event, Recording, body_title
+from ropsim.model import WORLD, Body, BodyKind, Cell
+from ropsim.simulation.ways.approaches import Looked, Nearest
+from ropsim.simulation.ways.episodes import PairRows, pair_rows
+from ropsim.spatial import Array
+
+TOUCHING = 5e-4
+"""Bodies that are no deeper in each other touch [m]: an arm keeps to its path to some tenths of a millimetre,
+and shapes are drawn no finer."""
+MOST = 400
+"""So many depths are computed for one contact; what is deeper than the deepest of them by more than `ROUGH`
+is found long before."""
+
+PARALLEL = 1e-9
+"""A line whose direction is no more across a face is parallel to it."""
+
+_RANK = (
+    BodyKind.TOOL,
+    BodyKind.FINGER,
+    BodyKind.CYLINDER,
+    BodyKind.LINK,
+    BodyKind.PART,
+    BodyKind.DEVICE,
+    BodyKind.BASE,
+    BodyKind.OBJECT,
+)
+"""Order of two bodies in a finding."""
+
+
+@frozen_dataclass
+class Contacts:
+    """Contacts of a run.
+
+    Attributes:
+        deep: penetrations, in order of time.
+        near: bodies nearer than the clearance of the cell, in order of time.
+        drawn: pairs that are in each other all the time: they are drawn so.
+    """
+
+    deep: tuple[Contact, ...]
+    near: tuple[Contact, ...]
+    drawn: tuple[Pair, ...]
+
+
+def contacts_of(
+    solids: Collisions,
+    looked: Looked,
+    seen: Nearest,
+    recording: Recording,
+    cell: Cell,
+    at_start: frozenset[Pair],
+) -> Contacts:
+    """Return the contacts of a run.
+
+    Args:
+        solids: the bodies of the cell.
+        looked: the pairs.
+        seen: how near they come.
+        recording: of the run.
+        cell: as it was simulated.
+        at_start: pairs that are in each other at the start; one that never parts is drawn so.
+    """
+    bodies = solids.tree.by_name()
+    limits = {
+        pair: _allowed(bodies, _bodies_of(looked, pair), cell) for pair in {*seen.episodes[:, 0].tolist()}
+    }
+    deep: dict[Pair, list[PairRows]] = defaultdict(list)
+    near: dict[Pair, list[PairRows]] = defaultdict(list)
+    for one in pair_rows(solids, looked, seen, recording, limits.__getitem__):
+        key = _ordered(looked, bodies, one.pair)
+        inside = (one.gaps <= 0.0) & (one.most > limits[one.pair])
+        if inside.any():
+            deep[key].append(one.at(inside))
+        close = np.isfinite(one.gaps) & (one.gaps <= looked.pairs[one.pair, 6])
+        if looked.pairs[one.pair, 6] > 0.0 and close.any():
+            near[key].append(one.at(close))
+    places = _Places(solids, looked, recording, cell, bodies)
+    last = len(recording.time) - 1
+    found: list[Contact] = []
+    drawn: list[Pair] = []
+    spans: dict[Pair, list[tuple[int, int]]] = defaultdict(list)
+    for key, some in deep.items():
+        for begin, end, parts in _joined(some):
+            is_known = key in at_start or key[::-1] in at_start
+            if is_known and begin == 0 and end == last:
+                drawn.append(key)
+                continue
+            allowed = limits[parts[0].pair]
+            deepest = _deepest(solids, looked, parts, allowed)
+            if deepest is not None:
+                spans[key].append((begin, end))
+                found.append(places.contact(key, begin, end, *deepest))
+    approached = [
+        places.contact(key, begin, end, *_nearest(solids, looked, parts))
+        for key, some in near.items()
+        for begin, end, parts in _joined(some)
+        if key not in drawn and not any(first <= end and begin <= until for first, until in spans[key])
+    ]
+    return Contacts(tuple(sorted(found, key=_in_time)), tuple(sorted(approached, key=_in_time)), tuple(drawn))
+
+
+def _in_time(one: Contact) -> tuple[float, str, str]:
+    return one.begin, one.one, one.other
+
+
+def _bodies_of(looked: Looked, pair: int) -> Pair:
+    """Return the names of the bodies of a pair of convex bodies."""
+    one, other = (looked.tracks[looked.owner[int(item)]].body for item in looked.pairs[pair, :2])
+    return one, other
+
+
+def _ordered(looked: Looked, bodies: Mapping[str, Body], pair: int) -> Pair:
+    """Return the names of the bodies of a pair: what moves first, tools before arms, arms before parts."""
+    tracks = [looked.tracks[looked.owner[int(item)]] for item in looked.pairs[pair, :2]]
+    tracks.sort(key=lambda one: (one.carrier == WORLD, _RANK.index(bodies[one.body].kind), one.body))
+    return tracks[0].body, tracks[1].body
+
+
+def _allowed(bodies: Mapping[str, Body], pair: Pair, cell: Cell) -> float:
+    """Return how deep two bodies may be in each other [m]."""
+    with_part = any(bodies[name].kind is BodyKind.PART for name in pair)
+    return max(cell.supports.depth, TOUCHING) if with_part else TOUCHING
+
+
+def _joined(some: Sequence[PairRows]) -> Iterator[tuple[int, int, list[PairRows]]]:
+    """Yield first and last row of each contact of two bodies, with the convex bodies that are part of it."""
+    rows = np.unique(np.concatenate([one.rows for one in some]))
+    breaks = np.flatnonzero(np.diff(rows) > 1)
+    for first, last in zip([0, *(breaks + 1)], [*breaks, len(rows) - 1], strict=True):
+        begin, end = int(rows[first]), int(rows[last])
+        cut = [one.at((one.rows >= begin) & (one.rows <= end)) for one in some]
+        yield begin, end, [one for one in cut if len(one.rows)]
+
+
+def _deepest(
+    solids: Collisions, looked: Looked, parts: Sequence[PairRows], allowed: float
+) -> tuple[PairRows, int, Nearness] | None:
+    """Return where a contact is the deepest: its convex bodies, a row of them, how near they are there.
+
+    Branch and bound: bounds of the depth tell at which row it is computed next, and a depth bounds those of
+    the rows around it by the way in between. The answer is the greatest one to `ROUGH`; None where no depth
+    is more than allowed.
+    """
+    most = [one.most.copy() for one in parts]
+    best: tuple[PairRows, int, Nearness] | None = None
+    depth = allowed
+    for _ in range(MOST):
+        number = max(range(len(parts)), key=lambda k: (float(most[k].max()), -k))
+        row = int(np.argmax(most[number]))
+        if most[number][row] <= depth + ROUGH:
+            break
+        one = parts[number]
+        near = _nearness(solids, looked, one, row)
+        if -near.distance > depth:
+            depth, best = -near.distance, (one, row, near)
+        np.minimum(most[number], np.abs(one.way - one.way[row]) - near.distance, out=most[number])
+        most[number][row] = -np.inf
+    return best
+
+
+def _nearest(solids: Collisions, looked: Looked, parts: Sequence[PairRows]) -> tuple[PairRows, int, Nearness]:
+    """Return where two bodies that are too near are the nearest."""
+    one = min(parts, key=lambda each: float(each.gaps.min()))
+    row = int(np.argmin(one.gaps))
+    return one, row, _nearness(solids, looked, one, row)
+
+
+def _nearness(solids: Collisions, looked: Looked, one: PairRows, row: int) -> Nearness:
+    """Return how near two convex bodies are at a row."""
+    numbers = [int(number) for number in looked.items[looked.pairs[one.pair, :2].astype(int), 0]]
+    poses = np.zeros((len(solids.bodies.convexes), 12))
+    poses[numbers[0]], poses[numbers[1]] = one.first[row], one.second[row]
+    found = solids.bodies.distances(poses, np.array([numbers]), np.zeros(1), (np.inf, np.inf))
+    return solids.bodies.nearness(poses, numbers, found[0], ROUGH)
+
+
+def _place(solids: Collisions, looked: Looked, one: PairRows, row: int, near: Nearness) -> Array:
+    """Return a point in both bodies, or half way between two that are apart, in W [m], shape (3,).
+
+    It is the middle of what the boxes around both have in common on the line along which they are parted.
+    """
+    start, way = near.point_one, near.point_other - near.point_one
+    length = float(np.linalg.norm(way))
+    if near.distance >= 0.0 or length == 0.0:
+        return np.asarray(start + 0.5 * way)
+    least, most = -np.inf, np.inf
+    for item, pose in zip(looked.pairs[one.pair, :2], (one.first[row], one.second[row]), strict=True):
+        middle, halves = solids.bodies.box(int(looked.items[int(item), 0]))
+        R = pose[:9].reshape(3, 3)
+        at, along = R.T @ (start - pose[9:]) - middle, R.T @ way / length
+        for k in range(3):
+            if abs(along[k]) > PARALLEL:
+                ends = sorted(((-halves[k] - at[k]) / along[k], (halves[k] - at[k]) / along[k]))
+                least, most = max(least, ends[0]), min(most, ends[1])
+    return np.asarray(start + 0.5 * (least + most) * way / length)
+
+
+class _Places:
+    """Finds lines, passes and names of contacts."""
+
+    def __init__(
+        self,
+        solids: Collisions,
+        looked: Looked,
+        recording: Recording,
+        cell: Cell,
+        bodies: Mapping[str, Body],
+    ) -> None:
+        self._solids = solids
+        self._looked, self._recording, self._bodies = looked, recording, bodies
+        self._supplies = {part.name: part.supply for part in cell.parts if part.supply}
+        self._passes = _passes(recording.events)
+
+    def contact(self, key: Pair, begin: int, end: int, one: PairRows, row: int, near: Nearness) -> Contact:
+        """Return the record of a contact."""
+        time = self._recording.time
+        start = float(time[begin])
+        line, station = line_of(self._looked, one.pair, start, self._recording, self._bodies)
+        return Contact(
+            *key,
+            start,
+            float(time[end]),
+            near.distance,
+            float(time[one.rows[row]]),
+            tuple(_place(self._solids, self._looked, one, row, near).tolist()),
+            " – ".join(body_title(self._supplies.get(name, name)) for name in key),
+            station,
+            line,
+            self._pass(station, line, start),
+        )
+
+    def _pass(self, station: str, line: int, time: float) -> int:
+        """Return the loop pass of a line that was carried out at a time; 0 where unknown."""
+        times, visits = self._passes.get((station, line), ((), ()))
+        at = bisect_right(times, time + 1e-9)
+        return visits[max(at - 1, 0)] if visits else 0
+
+
+def _passes(events: Iterable[Event]) -> Mapping[tuple[str, int], tuple[list[float], list[int]]]:
+    """Return when each line of each station was carried out, and the loop pass, in order of time."""
+    found: dict[tuple[str, int], tuple[list[float], list[int]]] = defaultdict(lambda: ([], []))
+    for event in sorted(events, key=lambda one: one.time):
+        if event.line and event.visit:
+            times, visits = found[event.station, event.line]
+            times.append(event.time)
+            visits.append(event.visit)
+    return found
+
+
+def line_of(
+    looked: Looked, pair: int, time: float, recording: Recording, bodies: Mapping[str, Body]
+) -> tuple[int, str]:
+    """Return source line and station of what moves in a pair, at a time."""
+    facts = recording.facts
+    for item in looked.pairs[pair, :2].astype(int):
+        name = looked.tracks[looked.owner[int(item)]].carrier
+        while name != WORLD:
+            body = bodies[name]
+            station = facts.station(body.mover.mechanism) if body.mover else None
+            if station is not None:
+                channel = facts.channel("line", station.name)
+                if channel in recording.channels:
+                    return int(recording.at(channel, time)), station.name
+            name = body.parent
+    return 0, ""

@@ -1,0 +1,145 @@
+"""Rows of a recording at which two convex bodies may penetrate each other, or are too near."""
+
+from collections import defaultdict
+from collections.abc import Callable, Iterator, Mapping
+
+import numpy as np
+import numpy.typing as npt
+
+from ropsim.collision import Collisions
+from ropsim.flow import Recording
+from ropsim.simulation.ways.approaches import Looked, Nearest, Rows, frames_at
+from ropsim.spatial import Array, record
+
+Mask = npt.NDArray[np.bool_]
+"""True at the rows that are chosen."""
+
+SLACK = 1.1
+"""A chord of a turn is shorter than the way: steps are counted longer by this factor."""
+
+
+@record
+class PairRows:
+    """Two convex bodies at rows of a recording.
+
+    Attributes:
+        pair: its number.
+        rows: of the recording, ascending, shape (k,).
+        first: R_W by rows and p_W [m] of the first body, shape (k, 12).
+        second: the same of the second body.
+        most: upper bound of the depth at each row [m], shape (k,); no penetration where it is not positive.
+        way: how far the second body has moved at most up to each row, as the first one sees it [m],
+            shape (k,).
+        gaps: distance at each row, 0 or less where they touch [m], shape (k,); inf where it is not needed.
+    """
+
+    pair: int
+    rows: Rows
+    first: Array
+    second: Array
+    most: Array
+    way: Array
+    gaps: Array
+
+    def at(self, chosen: Mask) -> "PairRows":
+        """Return the pair at some of its rows."""
+        return PairRows(
+            self.pair,
+            self.rows[chosen],
+            self.first[chosen],
+            self.second[chosen],
+            self.most[chosen],
+            self.way[chosen],
+            self.gaps[chosen],
+        )
+
+
+def pair_rows(
+    solids: Collisions,
+    looked: Looked,
+    seen: Nearest,
+    recording: Recording,
+    allowed: Callable[[int], float],
+) -> Iterator[PairRows]:
+    """Yield the rows around the episodes of each pair, with bounds of depth and with distances.
+
+    Args:
+        solids: the bodies of the cell.
+        looked: the pairs.
+        seen: their episodes.
+        recording: of the run.
+        allowed: returns how deep the bodies of a pair may be in each other [m].
+    """
+    windows = _windows(looked, seen, recording.time)
+    if not windows:
+        return
+    rows = np.unique(np.concatenate([each for each, _ in windows.values()]))
+    Q = {
+        name: recording.channels[recording.facts.channel("q", name)].values[rows].reshape(len(rows), -1)
+        for name in solids.tree.mechanisms
+    }
+    frames = frames_at(solids, looked, Q)
+    for pair, (own, known) in windows.items():
+        a, b = looked.pairs[pair, :2].astype(int)
+        at = np.searchsorted(rows, own)
+        first, second = _poses(looked.items[a], frames, at), _poses(looked.items[b], frames, at)
+        numbers = int(looked.items[a, 0]), int(looked.items[b, 0])
+        most, way = _bounds(solids, numbers, first, second)
+        within = float(looked.pairs[pair, 6])
+        wanted = most > (-within if within > 0.0 else allowed(pair))
+        gaps = np.where(known & wanted if within <= 0.0 else np.zeros_like(known), 0.0, np.inf)
+        unknown = wanted & ~np.isfinite(gaps)
+        if unknown.any():
+            gaps[unknown] = solids.bodies.gaps(numbers, first[unknown], second[unknown])
+        yield PairRows(pair, own, first, second, most, way, gaps)
+
+
+def _windows(looked: Looked, seen: Nearest, time: Array) -> Mapping[int, tuple[Rows, Mask]]:
+    """Return the rows around the episodes of each pair, and whether each lies in an episode."""
+    spans: dict[int, list[tuple[int, int]]] = defaultdict(list)
+    for pair, first, last in seen.episodes.tolist():
+        spans[pair].append((first, last))
+    found: dict[int, tuple[Rows, Mask]] = {}
+    for pair, some in sorted(spans.items()):
+        start, end = np.searchsorted(time, looked.pairs[pair, 2:4])
+        around = [
+            np.arange(max(first - seen.step, start), min(last + seen.step, end - 1) + 1)
+            for first, last in some
+        ]
+        rows = np.unique(np.concatenate(around))
+        known = np.zeros(len(rows), dtype=bool)
+        for first, last in some:
+            known |= (rows >= first) & (rows <= last)
+        found[pair] = rows, known
+    return found
+
+
+def _poses(item: Array, frames: Array, at: Rows) -> Array:
+    """Return R_W by rows and p_W [m] of a convex body on its carrier, shape (k, 12)."""
+    R, p = item[7:16].reshape(3, 3), item[16:19]
+    carrier = int(item[1])
+    if carrier < 0:
+        return np.tile(np.concatenate([R.ravel(), p]), (len(at), 1))
+    X = frames[carrier, at]
+    R_W = X[:, :9].reshape(-1, 3, 3)
+    return np.hstack([(R_W @ R).reshape(-1, 9), R_W @ p + X[:, 9:]])
+
+
+def _bounds(solids: Collisions, numbers: tuple[int, int], first: Array, second: Array) -> tuple[Array, Array]:
+    """Return upper bounds of the depth, and how far the second body moves as the first one sees it.
+
+    Two bodies are parted by a shift along an edge of one of the boxes around them; for two boxes whose faces
+    meet this is the depth (separating axes: Gottschalk, Lin and Manocha 1996).
+    """
+    (m_a, h_a), (m_b, h_b) = (solids.bodies.box(number) for number in numbers)
+    R_a, R_b = first[:, :9].reshape(-1, 3, 3), second[:, :9].reshape(-1, 3, 3)
+    between = R_b @ m_b + second[:, 9:] - R_a @ m_a - first[:, 9:]
+    R = np.einsum("kji,kjl->kil", R_a, R_b)
+    on_a, on_b = np.einsum("kji,kj->ki", R_a, between), np.einsum("kji,kj->ki", R_b, between)
+    over_a = h_a + np.abs(R) @ h_b - np.abs(on_a)
+    over_b = h_b + np.abs(R).transpose(0, 2, 1) @ h_a - np.abs(on_b)
+    most = np.minimum(over_a.min(axis=1), over_b.min(axis=1))
+    shift = np.linalg.norm(np.diff(on_a, axis=0), axis=1)
+    turn = np.linalg.norm(np.diff(R, axis=0).reshape(-1, 9), axis=1) / np.sqrt(2.0)
+    way = np.concatenate([[0.0], np.cumsum(SLACK * (shift + float(np.linalg.norm(h_b)) * turn))])
+    return most, way
