@@ -52,6 +52,7 @@ function ProblemRow({ group }: { group: ProblemGroup }) {
     const chosen = nextOf(group, studio.cursor.time)
     if (document) studio.goTo(document, Math.max(line, 1), Math.max(chosen.column, 1))
     if (chosen.time !== null) studio.transport.go(chosen.time)
+    if (chosen.place) studio.picture.stage?.frame([...chosen.place])
   }
   const when = time === null ? '' : count > 1 ? words.firstTime(time) : words.time(time)
   const place = [document, line > 0 ? words.at(line) : '', when]

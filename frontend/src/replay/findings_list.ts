@@ -7,7 +7,7 @@ import { words } from './words'
 export function findingsList(
   findings: readonly Finding[],
   files: 'named' | 'known',
-  go: (time: number) => void,
+  go: (time: number, place: Finding['place']) => void,
 ): HTMLElement {
   if (findings.length === 0) return element('p', { class: 'replay-quiet' }, words.noFindings)
   const list = element('ul', { class: 'replay-findings' })
@@ -15,7 +15,11 @@ export function findingsList(
   return list
 }
 
-function entry(finding: Finding, files: 'named' | 'known', go: (time: number) => void): HTMLElement {
+function entry(
+  finding: Finding,
+  files: 'named' | 'known',
+  go: (time: number, place: Finding['place']) => void,
+): HTMLElement {
   const { code, severity, message, hint, span, time } = finding
   const file = span && files === 'named' ? `${span.source.replace(/^.*[\\/]/, '')} ` : ''
   const place = [span ? file + words.line(span.line) : '', time === null ? '' : `${time.toFixed(2)} s`]
@@ -27,6 +31,6 @@ function entry(finding: Finding, files: 'named' | 'known', go: (time: number) =>
   ]
   if (time === null) return element('p', {}, ...content)
   const button = element('button', { type: 'button' }, ...content)
-  button.addEventListener('click', () => go(time))
+  button.addEventListener('click', () => go(time, finding.place))
   return button
 }

@@ -8,6 +8,8 @@ export interface ReplayHook {
   readonly time: () => number
   /** Name of each body that is shown → its pose in W. */
   readonly poses: () => Readonly<Record<string, readonly number[]>>
+  /** Names of the bodies that are red, and the marks of collisions in W. */
+  readonly colliding: () => unknown
   readonly project: (view: number | string, point: Vector3) => { x: number; y: number } | null
   readonly stats: () => StageStats
 }
@@ -27,6 +29,10 @@ export function hookOf(replay: Replay, scene: SceneDescription): ReplayHook {
           picture.isVisible(body) ? [[name, picture.pose(body)] as const] : [],
         ),
       ),
+    colliding: () => {
+      const { bodies, marks } = picture.stage.colliding
+      return { bodies: bodies.map(at => scene.bodies[at]?.name ?? ''), marks }
+    },
     project: (view, point) => picture.stage.project(view, point),
     stats: () => picture.stage.stats(),
   }

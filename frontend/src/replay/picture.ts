@@ -1,4 +1,5 @@
 /** The 3-D views of a replay with their few switches. */
+import { contactsAt } from '../run/contacts'
 import type { Run } from '../run/run'
 import type { SceneDescription } from '../scene/description'
 import { type Move, movesAmong, pathWindow } from '../scene/path_window'
@@ -16,6 +17,7 @@ export class Picture {
   readonly #poses: Float32Array
   readonly #visible: Uint8Array
   readonly #run: Run
+  readonly #scene: SceneDescription
   /** By station. */
   readonly #moves: readonly (readonly Move[])[]
   #path: PathShown = 'recent'
@@ -23,6 +25,7 @@ export class Picture {
 
   constructor(run: Run, scene: SceneDescription, meshes: MeshSource) {
     this.#run = run
+    this.#scene = scene
     this.#moves = run.stations.map(({ name }) => movesAmong(run.events, name))
     this.#poses = new Float32Array(7 * scene.bodies.length)
     this.#visible = new Uint8Array(scene.bodies.length)
@@ -54,6 +57,7 @@ export class Picture {
   show(time: number): void {
     this.#run.bodies(time, this.#poses, this.#visible)
     this.stage.show(this.#poses, this.#visible)
+    this.stage.collisions(contactsAt(this.#run.contacts ?? [], this.#scene, time))
     this.#time = time
     this.stage.trailWindows(this.#moves.map(moves => pathWindow(this.#path, time, moves)))
   }

@@ -58,7 +58,10 @@ export class Replay {
         panel(
           words.findings,
           'replay-found',
-          findingsList(run.findings, run.stations.length > 1 ? 'named' : 'known', time => this.#go(time)),
+          findingsList(run.findings, run.stations.length > 1 ? 'named' : 'known', (time, place) => {
+            this.#go(time)
+            if (place) this.picture.stage.frame([...place])
+          }),
         ),
         plot,
       ),

@@ -1,6 +1,6 @@
 /** A finished run, read from its pack. */
 import type { SceneDescription } from '../scene/description'
-import type { RunFacts } from '../wire/facts'
+import type { Contact, RunFacts, WayFacts } from '../wire/facts'
 import type { ResultFigures } from '../wire/result'
 import { Clock, Column } from './column'
 import { unitsByAxes } from './column_units'
@@ -31,6 +31,7 @@ export class RecordedRun implements Run {
   readonly #speeds = new Map<string, Series>()
   #findings: readonly Finding[]
   #result: ResultFigures
+  #ways: WayFacts | null
   #placements: Placements
   /** Seven values a sample for each body with poses, by place in the scene. */
   #poses: ReadonlyMap<number, Float64Array> = new Map()
@@ -46,6 +47,7 @@ export class RecordedRun implements Run {
     this.events = header.events
     this.#findings = header.findings
     this.#result = header.result
+    this.#ways = header.facts.ways
     this.facts = header.facts
     this.#clock = new Clock(header.rate, header.duration, header.count)
     for (const channel of header.channels) {
@@ -85,10 +87,15 @@ export class RecordedRun implements Run {
     return new RecordedRun(header, body, scene)
   }
 
-  /** Let other findings and figures be told of the run, since more of it has been looked at. */
-  tell(findings: readonly Finding[], result: ResultFigures): void {
+  /** Take findings, figures and contacts that are known since the collisions of the run were checked. */
+  tell(findings: readonly Finding[], result: ResultFigures, ways: WayFacts | null): void {
     this.#findings = findings
     this.#result = result
+    this.#ways = ways
+  }
+
+  get contacts(): readonly Contact[] | undefined {
+    return this.#ways?.contacts
   }
 
   get findings(): readonly Finding[] {

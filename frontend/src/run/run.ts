@@ -1,4 +1,5 @@
 /** A run as views, plots and tables see it: one recording, asked by time. Live and finished runs look alike. */
+import type { Contact } from '../wire/facts'
 import type { ResultFigures } from '../wire/result'
 import type { RunStation } from './station'
 
@@ -20,6 +21,8 @@ export interface Finding {
   readonly time: number | null
   /** From where it likely follows; null or absent where it stands alone. */
   readonly follows?: { readonly source: string; readonly line: number } | null
+  /** Where in the world it is [m]; null or absent where it has no place. */
+  readonly place?: readonly [number, number, number] | null
 }
 
 export interface RunEvent {
@@ -69,6 +72,8 @@ export interface Run {
   readonly findings: readonly Finding[]
   /** What is to be known of the run at once; undefined while it is live. */
   readonly result?: ResultFigures | undefined
+  /** Penetrations of bodies, in order of time; undefined where they are not known. */
+  readonly contacts?: readonly Contact[] | undefined
   /** Value of a column at a time; NaN where there is none. Times outside are clamped. */
   value(channel: string, column: number, time: number): number
   /** A column as samples; the same object until the run grows. Undefined for unknown channels. */

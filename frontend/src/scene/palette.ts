@@ -17,6 +17,8 @@ export interface Palette {
   readonly jogged: Color
   readonly attained: Color
   readonly command: Color
+  /** Bodies that collide. */
+  readonly collision: Color
 }
 
 type Colours = Record<Exclude<keyof Palette, 'inkStrength' | 'shade'>, string>
@@ -36,6 +38,7 @@ const DEFAULTS: Record<Exclude<Theme, 'print'>, Colours> = {
     jogged: '#c2570c',
     attained: '#c01f5b',
     command: '#0b6fae',
+    collision: '#c8211a',
   },
   dark: {
     top: '#2b333f',
@@ -47,6 +50,7 @@ const DEFAULTS: Record<Exclude<Theme, 'print'>, Colours> = {
     jogged: '#ffa14d',
     attained: '#ffd04d',
     command: '#6fd0ff',
+    collision: '#ff6a5e',
   },
 }
 
@@ -82,6 +86,7 @@ export function paletteOf(theme: Theme, host: HTMLElement): Palette {
     jogged: colour('jogged'),
     attained: colour('attained'),
     command: colour('command'),
+    collision: colour('collision'),
   }
   probe.remove()
   return palette

@@ -1,8 +1,10 @@
 /** Everything that is in the picture, as one three.js scene; knows no canvas. */
 import { Box3, Scene, Vector3 } from 'three'
+import type { ShownContact } from '../run/contacts'
 import { Backdrop } from './backdrop'
 import { Bodies, standsStill } from './bodies'
 import { cornersOf } from './camera_pose'
+import { CollisionMarks } from './collision_marks'
 import { Contacts } from './contacts'
 import { Crosses } from './crosses'
 import type { SceneDescription } from './description'
@@ -35,6 +37,7 @@ export class Scenery {
   readonly #ghost: TintedArm
   readonly #jogged: TintedArm
   readonly #mark: SelectionMark
+  readonly collisions: CollisionMarks
   readonly attained = new TrailLines(this.scene, 1)
   readonly command = new TrailLines(this.scene, 0.6)
   readonly #backdrop = new Backdrop(this.scene)
@@ -60,6 +63,7 @@ export class Scenery {
     this.#ghost = new TintedArm(this.scene, this.bodies, new Tint(0.3, 5, 'beside'))
     this.#jogged = new TintedArm(this.scene, this.bodies, new Tint(0.45, 6, 'beside'))
     this.#mark = new SelectionMark(this.scene, this.bodies, new Tint(0.2, 7, 'upon'))
+    this.collisions = new CollisionMarks(this.scene, this.bodies, new Tint(0.55, 8, 'upon'))
     this.crosses = new Crosses(this.scene, this.bodies)
     this.setPalette(palette)
   }
@@ -70,6 +74,7 @@ export class Scenery {
     this.#extent.min.set(...scene.extent.min)
     this.#extent.max.set(...scene.extent.max)
     this.#mark.set(null)
+    this.collisions.set([])
     this.crosses.load(scene.frames)
     this.#formed()
     this.#looks.fetch(scene.bodies, meshes, () => {
@@ -112,6 +117,13 @@ export class Scenery {
 
   select(body: number | null): void {
     this.#mark.set(body)
+  }
+
+  /** Show these collisions; whether the picture is different then. */
+  setCollisions(contacts: readonly ShownContact[]): boolean {
+    if (areSame(contacts, this.collisions.shown)) return false
+    this.collisions.set(contacts)
+    return true
   }
 
   setOpacity(body: number, opacity: number): void {
@@ -160,6 +172,7 @@ export class Scenery {
     this.#ghost.tint.colour = palette.ghost
     this.#jogged.tint.colour = palette.jogged
     this.#mark.tint.colour = palette.accent
+    this.collisions.colour = palette.collision
     this.#points.setColours(palette.jogged, palette.accent)
   }
 
@@ -203,7 +216,13 @@ export class Scenery {
       rank: selected ? 1 : 2,
       point,
     }))
-    return [...problems, ...selection, ...points, ...frames]
+    const collisions = this.collisions.shown.map(({ text, point }) => ({
+      text,
+      kind: 'problem' as const,
+      rank: 0,
+      point,
+    }))
+    return [...problems, ...collisions, ...selection, ...points, ...frames]
   }
 
   /** What all views show at first: everything there is now, and some of the room that the arm reaches. */
@@ -240,6 +259,7 @@ export class Scenery {
       this.#contacts,
       this.crosses,
       this.#points,
+      this.collisions,
       this.#ghost.tint,
       this.#jogged.tint,
       this.#mark.tint,
@@ -252,6 +272,7 @@ export class Scenery {
   #formed(): void {
     this.#ghost.refresh()
     this.#jogged.refresh()
+    this.collisions.refresh()
     const standing = this.bodies.list.flatMap((body, i) => (standsStill(body) ? [this.bodies.boxOf(i)] : []))
     const all = standing.reduce((sum, box) => sum.union(box), new Box3())
     this.floor.put(all, this.bodies.box())
@@ -269,6 +290,7 @@ export class Scenery {
     this.shadow.touch()
     this.crosses.update()
     this.#mark.update()
+    this.collisions.update()
     this.#movePoints()
   }
 
@@ -286,6 +308,12 @@ export class Scenery {
       if (matrix) point.setFromMatrixPosition(matrix)
     }
   }
+}
+
+/** Whether the same collisions are meant: each is known by its words and its place. */
+function areSame(some: readonly ShownContact[], others: readonly ShownContact[]): boolean {
+  const key = ({ text, place, bodies }: ShownContact) => [text, ...place, ...bodies].join('|')
+  return some.length === others.length && some.every((one, k) => key(one) === key(others[k] as ShownContact))
 }
 
 /** The middles of the six faces of a box. */

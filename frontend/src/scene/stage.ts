@@ -1,5 +1,7 @@
 /** The 3-D stage: a cell in one to four viewports on one canvas. Knows nothing of runs or React. */
-import { Vector3 } from 'three'
+import { Box3, Vector3 } from 'three'
+import type { ShownContact } from '../run/contacts'
+import { cornersOf } from './camera_pose'
 import type { Pose, SceneDescription, Vector3 as Triple } from './description'
 import { Listeners } from './listeners'
 import type { MeshSource } from './looks'
@@ -30,6 +32,9 @@ import './stage.css'
 
 export type { MeshSource } from './looks'
 export type { StageOptions } from './settings'
+
+/** So far around a place a view shows when it is framed [m]. */
+const AROUND = 0.2
 
 export class Stage {
   readonly #scenery: Scenery
@@ -126,6 +131,25 @@ export class Stage {
   select(body: number | null): void {
     this.#scenery.select(body)
     this.#screen.relabel()
+  }
+
+  /** Show these collisions: their bodies red, a mark at the deepest point of each. */
+  collisions(contacts: readonly ShownContact[]): void {
+    if (this.#scenery.setCollisions(contacts)) this.#screen.relabel()
+  }
+
+  /** Bodies that are red, and the marks of collisions in W. */
+  get colliding(): { readonly bodies: readonly number[]; readonly marks: readonly Triple[] } {
+    const { red, shown } = this.#scenery.collisions
+    return { bodies: red, marks: shown.map(({ place }) => place) }
+  }
+
+  /** Frame a place in every viewport, with what is around it. */
+  frame([x, y, z]: Triple): void {
+    const near = new Vector3(AROUND, AROUND, AROUND)
+    const middle = new Vector3(x, y, z)
+    const points = cornersOf(new Box3(middle.clone().sub(near), middle.clone().add(near)))
+    for (const view of this.#screen.views) view.pilot.fit(points)
   }
 
   /** Mark points of a program, with their names. */

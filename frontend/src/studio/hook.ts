@@ -12,6 +12,8 @@ export interface StudioHook {
   /** The same of the ghost and of the jogged arm; null where there is none. */
   readonly ghost: () => NamedPoses | null
   readonly jogged: () => NamedPoses | null
+  /** Names of the bodies that are red, and the marks of collisions in W. */
+  readonly colliding: () => unknown
   readonly project: (view: number | string, point: readonly [number, number, number]) => unknown
   readonly stats: () => unknown
   /** Time lines of the plots, in the order in which they were opened. */
@@ -48,6 +50,10 @@ export function installHook(studio: Studio): void {
     poses: () => named(picture.poses),
     ghost: () => picture.ghostPoses && named(picture.ghostPoses),
     jogged: () => picture.joggedPoses && named(picture.joggedPoses),
+    colliding: () => {
+      const { bodies = [], marks = [] } = picture.stage?.colliding ?? {}
+      return { bodies: bodies.map(at => store.getState().scene?.bodies[at]?.name ?? ''), marks }
+    },
     project: (view, point) => picture.stage?.project(view, point) ?? null,
     stats: () => picture.stage?.stats() ?? null,
     plots: () => [...studio.plots].map(one => one.timeLine),

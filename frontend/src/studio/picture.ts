@@ -1,4 +1,5 @@
 /** What the 3-D stage is told: poses of the run at the cursor, trails, the ghost and the jogged arm. */
+import { contactsAt } from '../run/contacts'
 import type { Cursor } from '../run/cursor'
 import type { Run } from '../run/run'
 import type { Pose, SceneDescription } from '../scene/description'
@@ -136,6 +137,7 @@ export class Picture {
     const time = this.#cursor.time
     this.#run?.bodies(time, this.#poses, this.#visible)
     this.#stage?.show(this.#poses, this.#visible)
+    this.#stage?.collisions(contactsAt(this.#run?.contacts ?? [], this.#scene, time))
     this.#stage?.trailWindows(this.#moves.map(moves => pathWindow(this.#look.path, time, moves)))
   }
 

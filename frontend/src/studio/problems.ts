@@ -19,6 +19,8 @@ export interface Problem {
   readonly time: number | null
   /** From where it likely follows; absent where it stands alone. */
   readonly follows?: { readonly document: string; readonly line: number }
+  /** Where in the world it is [m]; absent where it has no place. */
+  readonly place?: readonly [number, number, number]
 }
 
 const RANK: Readonly<Record<Severity, number>> = { error: 0, warning: 1, info: 2, hint: 3 }
@@ -37,6 +39,7 @@ export function problemOf(finding: Finding, documentOf: (source: string) => stri
     message: finding.message,
     hint: finding.hint,
     time: finding.time,
+    ...(finding.place ? { place: finding.place } : {}),
     ...(finding.follows
       ? { follows: { document: documentOf(finding.follows.source), line: finding.follows.line } }
       : {}),

@@ -95,7 +95,7 @@ export class Runs {
     this.#ways = ways
     const run = this.#recorded
     if (!run || run !== this.#run || this.#shown.id !== ways.run) return
-    run.tell(ways.findings, ways.result)
+    run.tell(ways.findings, ways.result, ways.ways)
     this.#wires.onTold(run, this.#shown)
   }
 
@@ -149,7 +149,7 @@ export class Runs {
     // Another scene may have come while the pack was unpacked.
     if (this.#scene && this.#scene !== scene) run.showIn(this.#scene)
     const ways = this.#ways
-    if (ways?.run === this.#wanted.id) run.tell(ways.findings, ways.result)
+    if (ways?.run === this.#wanted.id) run.tell(ways.findings, ways.result, ways.ways)
     this.#recorded = run
     this.#live = null
     this.#show(run, this.#wanted)

@@ -5,8 +5,8 @@
  */
 import type { Finding, RunEvent } from '../run/run'
 import type { Pose, SceneDescription } from '../scene/description'
-import type { ResultFigures } from './result'
 import type { WayFacts } from './facts'
+import type { ResultFigures } from './result'
 
 /** A text of the project. */
 export interface DocumentState {
