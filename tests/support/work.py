@@ -35,3 +35,20 @@ def peak_of(action: Callable[[], object]) -> int:
         return tracemalloc.get_traced_memory()[1]
     finally:
         tracemalloc.stop()
+
+
+def calls_of(action: Callable[[], object]) -> int:
+    """Return how many functions are called, of Python and of the interpreter; quicker than `steps_of`."""
+    count = 0
+
+    def watch(_frame: FrameType, event: str, _: object) -> None:
+        nonlocal count
+        count += event in ("call", "c_call")
+
+    before = sys.getprofile()
+    sys.setprofile(watch)
+    try:
+        action()
+    finally:
+        sys.setprofile(before)
+    return count

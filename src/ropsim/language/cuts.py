@@ -129,8 +129,9 @@ def _cuts(lines: Sequence[str], kinds: bytes, start: int, end: int, closed: dict
     while number + 1 < end:
         number += 1
         if size < ENOUGH and unended is None and not in_contract and number >= goes_on:  # mostly
-            match = _NOTABLE.search(kinds, number, end)
-            until = match.start() if match is not None else end
+            most = min(number + ENOUGH, end)
+            match = _NOTABLE.search(kinds, number, most)
+            until = match.start() if match is not None else most
             begun = kinds.count(BEGINS, number, until)
             if size + begun <= ENOUGH:
                 size += begun

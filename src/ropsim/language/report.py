@@ -98,6 +98,8 @@ class Report:
         Raises:
             TooManyFindingsError: the list is full.
         """
+        if self.muted:
+            return
         self.log.append(diagnostic)
         fix = diagnostic.fix
         if diagnostic.code in _OF_NAMES and (fix is None or fix.span == diagnostic.span):

@@ -7,7 +7,7 @@ from ropsim.core import frozen_dataclass
 from ropsim.language import ParameterForm, TaskForm
 
 _CALL = re.compile(
-    r"^\s*(?:\d+\.\s*)?(?:.*\b(?:then|else)\s+)?(?:call\s+)?([A-Za-z_]\w*)([ (].*)$",
+    r"^\s*+(?:\d++\.\s*+)?(?:.*\b(?:then|else)\s++)?(?:call\s++)?([A-Za-z_]\w*+)([ (].*)$",
     re.ASCII | re.IGNORECASE,
 )
 _NAMED = re.compile(r"\s*([A-Za-z_]\w*)\s*:?=(?!=)", re.ASCII)

@@ -120,6 +120,10 @@ class Document:
         before = self.line(line)[: max(column, 0)]
         return {"line": line, "character": _units(before, self.encoding)}
 
+    def width(self, line: int) -> int:
+        """Return how many units of the protocol a line has, counted from 0; 0 beyond the text."""
+        return _units(self.line(line), self.encoding)
+
     def units(self, line: int, first: int, last: int) -> int:
         """Return how many units of the protocol stand between two characters of a line, counted from 0."""
         begin, end = self.starts[line], self.end(line)

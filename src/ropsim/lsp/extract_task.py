@@ -20,8 +20,8 @@ TITLE = "make a task of these lines"
 KIND = "refactor.extract"
 
 _STAYS = re.compile(
-    r"^\s*(?:\d+\.\s+)?(program|units|classic|strict|frame|loc|tool|signal|const|var|pattern|task|needs|assumes"
-    r"|endp|endtask|return|set\s+(?:speed|acc|blend|frame|tool))\b",
+    r"^[ \t]*+(?:\d++\.[ \t]++)?(program|units|classic|strict|frame|loc|tool|signal|const|var|pattern|task"
+    r"|needs|assumes|endp|endtask|return|set[ \t]+(?:speed|acc|blend|frame|tool))\b",
     re.IGNORECASE | re.MULTILINE,
 )
 _RETURNS = re.compile(r"\b(?:then|else)\s+return\b", re.IGNORECASE)

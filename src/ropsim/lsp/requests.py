@@ -22,6 +22,7 @@ from ropsim.lsp.semantic_tokens import all_tokens, tokens_in, tokens_since
 from ropsim.lsp.signature_help import signature_help
 from ropsim.lsp.state import State
 from ropsim.lsp.symbols import symbols
+from ropsim.lsp.within import within
 from ropsim.lsp.workshop import Workshop
 from ropsim.lsp.workspace_symbols import workspace_symbols
 
@@ -53,7 +54,9 @@ def _about(
 
     def answered(state: State, given: P, workshop: Workshop) -> object:
         document = state.documents.get(given.text_document.uri)
-        return run(document, given, state.documents, workshop) if document is not None else otherwise()
+        if document is None:
+            return otherwise()
+        return run(document, within(document, given), state.documents, workshop)
 
     return Method(params, answered)
 

@@ -39,7 +39,7 @@ def name_project(folder: Path, name: str) -> None:
     if found is None:
         return
     _write(cell, _CELL_NAME.sub(rf'\g<1>"{name}"', text, count=1))
-    header = re.compile(rf"^(\s*program\s+){re.escape(found[2])}\b", re.MULTILINE)
+    header = re.compile(rf"^([ \t]*+program[ \t]+){re.escape(found[2])}\b", re.MULTILINE)
     for program in sorted((folder / "programs").glob("*.task")):
         text = _read(program)
         named = header.sub(rf"\g<1>{name}", text, count=1)

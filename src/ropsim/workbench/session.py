@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 SESSION = "session"
 """Name of the text of the commands."""
 
-_PROGRAM = re.compile(r"^\s*program\s+\w+", re.MULTILINE | re.IGNORECASE)
+_PROGRAM = re.compile(r"^[ \t]*+program[ \t]+\w+", re.MULTILINE | re.IGNORECASE)
 _FOR_ALL = re.compile(r"[ \t]*+(program|units|classic|strict)\b", re.IGNORECASE)
 _NAME = re.compile(r"[A-Za-z_]\w*", re.ASCII)
 _START = "wait 0 s"

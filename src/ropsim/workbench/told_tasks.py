@@ -5,7 +5,8 @@ No task that Prolog reads may be missed: programs call only what is told here.
 """
 
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from bisect import bisect_right
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import lru_cache
 from pathlib import Path
 
@@ -14,6 +15,7 @@ from ropsim.workbench.prolog_glance import behind_layout, unquoted
 
 _TASK = re.compile(r"(?:\btask|'task'|'([^'\\]{0,3}\\(?:[^'\\]|\\.){0,60}+)')\(", re.DOTALL)
 """The word, bare, in quotes, or with escapes as the group."""
+_LINE_FEED = re.compile("\n")
 _NAME = re.compile(r"[^\W\d]\w*|'((?:[^'\\]|\\.|'')*+)'", re.DOTALL)
 """A name, bare or in quotes as the group."""
 _DOC = re.compile(r"\bdoc\(\s*\"((?:[^\"\\]|\\.)*)\"")
@@ -58,7 +60,8 @@ def told_tasks(texts: Iterable[SourceText]) -> Mapping[str, ToldTask]:
 def _told(text: SourceText) -> tuple[ToldTask, ...]:
     heads = tuple(_heads(text.text))
     ends = (*(begin for begin, _ in heads[1:]), len(text.text))
-    return tuple(_task(text, name, end) for (_, name), end in zip(heads, ends, strict=False))
+    starts = (0, *(found.end() for found in _LINE_FEED.finditer(text.text)))
+    return tuple(_task(text, name, end, starts) for (_, name), end in zip(heads, ends, strict=False))
 
 
 def _heads(text: str) -> Iterator[tuple[int, re.Match[str]]]:
@@ -74,12 +77,13 @@ def _read(name: re.Match[str]) -> str:
     return name[0] if name[1] is None else unquoted(name[1])
 
 
-def _task(text: SourceText, name: re.Match[str], end: int) -> ToldTask:
+def _task(text: SourceText, name: re.Match[str], end: int, starts: Sequence[int]) -> ToldTask:
+    """Return the task of a name, whose clause ends before `end`; `starts` are the places of all lines."""
     doc = _DOC.search(text.text, name.end(), end)
     listed = _PARAMETERS.search(text.text, name.end(), end)
     begin, behind = name.span() if name[1] is None else name.span(1)
-    line = text.text.count("\n", 0, begin) + 1
-    column = begin - (text.text.rfind("\n", 0, begin) + 1) + 1
+    line = bisect_right(starts, begin)
+    column = begin - starts[line - 1] + 1
     return ToldTask(
         _read(name),
         tuple(

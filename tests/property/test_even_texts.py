@@ -1,0 +1,184 @@
+"""Texts of one character, and of right or wrong lines: every reader and request takes linear work of them.
+
+Work is counted in calls of functions. That misses what a pattern does inside of one call, so patterns are
+held to a rule of their own: one that begins anew on each line of a text stays on that line.
+"""
+
+import ast
+import re
+from collections.abc import Callable, Iterator
+from contextlib import suppress
+from pathlib import Path
+
+import pytest
+
+import ropsim
+from ropsim import icr, language, robots
+from ropsim.calibration.trace_reader import read_trace
+from ropsim.cellfile import read_cell
+from ropsim.core import RopsimError, SourceText
+from ropsim.language import cuts
+from ropsim.language.line_kinds import kinds_of
+from ropsim.lsp.requests import ASKED
+from ropsim.records import read_inputs
+from ropsim.workbench.robot_files import read_robot
+from ropsim.workbench.told_tasks import told_tasks
+from ropsim.workspace.point_table import read_points
+from support.editors import Editor, place, uri_of
+from support.work import calls_of
+
+SIZE = 500
+"""Characters, or lines; the same again is read for comparison."""
+LARGE = 10_000
+LINES = 2_000
+MOST = 2.5
+"""Work of twice the text: twice the work, and what lists and tables do when they grow."""
+LITTLE = 3_000
+"""Calls that any text may take."""
+
+CHARACTERS = "\n\t (\"'x1-#%._[{\\/,:=<&"
+RIGHT = {
+    "task": "mov home\n",
+    "cell.toml": "# a comment\n",
+    "robot.toml": "# a comment\n",
+    "robot.urdf": "<!-- a comment -->\n",
+    "robot.xacro": "<!-- a comment -->\n",
+    "robot.xml": "<!-- a comment -->\n",
+    "robot.sdf": "<!-- a comment -->\n",
+    "robot.stp": "/* a comment */\n",
+    "icr": "; a comment\n",
+    "points.csv": "100, 200, 300\n",
+    "trace.csv": "0.1, 0, 0, 0, 0, 0, 0\n",
+    "inputs.json": " \n",
+    "tasks.pl": "task(a, []).\n",
+    "fmt": "mov home\n",
+}
+WRONG = "x=\n"
+
+JOINTS = robots.load("puma560").joints
+
+
+def _inputs(text: str, folder: Path) -> None:
+    (folder / "inputs.json").write_text(text, "utf-8")
+    with suppress(RopsimError):
+        read_inputs(folder / "inputs.json")
+
+
+READERS: dict[str, Callable[[str, Path], object]] = {
+    "task": lambda text, _: language.compile(text),
+    "fmt": lambda text, _: language.formatted(text),
+    "icr": lambda text, _: icr.read_text(text, "a.icr"),
+    "cell.toml": lambda text, _: read_cell(SourceText("cell.toml", text), "c"),
+    "points.csv": lambda text, _: read_points(SourceText("p.csv", text)),
+    "trace.csv": lambda text, _: read_trace(text.encode(), JOINTS, "t.csv"),
+    "inputs.json": _inputs,
+    "tasks.pl": lambda text, _: told_tasks([SourceText("a.pl", text)]),
+    **{
+        f"robot.{ending}": lambda text, _, ending=ending: read_robot(SourceText(f"r.{ending}", text))
+        for ending in ("toml", "urdf", "xacro", "xml", "sdf", "stp")
+    },
+}
+
+
+def is_linear(action: Callable[[int], object]) -> bool:
+    once, twice = (calls_of(lambda size=size: action(size)) for size in (SIZE, 2 * SIZE))
+    return twice <= max(MOST * once, LITTLE)
+
+
+@pytest.mark.parametrize("reader", READERS)
+def test_a_reader_takes_linear_work_of_even_texts(reader: str, tmp_path: Path) -> None:
+    read = READERS[reader]
+    for unit in (*CHARACTERS, RIGHT[reader], WRONG):
+        assert is_linear(lambda size, unit=unit: read(unit * size, tmp_path)), repr(unit)
+
+
+@pytest.mark.parametrize("reader", READERS)
+def test_a_reader_answers_long_even_texts(reader: str, tmp_path: Path) -> None:
+    for unit in CHARACTERS:
+        READERS[reader](unit * LARGE, tmp_path)
+    for unit in (RIGHT[reader], WRONG):
+        READERS[reader](unit * LINES, tmp_path)
+
+
+def test_the_form_of_a_text_of_wrong_lines_is_the_text() -> None:
+    text = "program a\n" + WRONG * 201
+    assert language.formatted(text) == text
+
+
+NAMES = ("main.task", "cell.toml", "tasks.pl", "robots/r.toml")
+
+
+def opened(text: str, folder: Path, name: str) -> tuple[Editor, str]:
+    editor, uri = Editor(), uri_of(folder / name)
+    editor.open(uri, text)
+    return editor, uri
+
+
+def asked(editor: Editor, uri: str, method: str, text: str) -> object:
+    line = text.count("\n")
+    end = place(line, len(text) - text.rfind("\n") - 1)
+    whole = {"start": place(0, 0), "end": end}
+    more = {"newName": "other", "previousResultId": "1", "query": "a"}
+    return editor.ask(method, textDocument={"uri": uri}, position=end, range=whole, **more)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_request_takes_linear_work_of_even_texts(name: str, tmp_path: Path) -> None:
+    for unit in (*'\n ("x1-#%', RIGHT["task"], WRONG):
+        small, large = unit * SIZE, unit * (2 * SIZE)
+        work: list[dict[str, int]] = []
+        for text in (small, large):
+            editor, uri = opened(text, tmp_path, name)
+            asked(editor, uri, "textDocument/documentSymbol", text)
+            work.append(
+                {
+                    method: calls_of(lambda m=method, e=editor, u=uri, t=text: asked(e, u, m, t))
+                    for method in ASKED
+                }
+            )
+        for method, once in work[0].items():
+            assert work[1][method] <= max(MOST * once, LITTLE), (repr(unit), method)
+
+
+def test_a_selection_of_blank_lines_is_answered(tmp_path: Path) -> None:
+    text = "program p\nmov home\n" + "\n" * LINES + "mov home\n"
+    editor, uri = opened(text, tmp_path, "main.task")
+    assert isinstance(asked(editor, uri, "textDocument/codeAction", text), list)
+
+
+def patterns() -> Iterator[tuple[str, str]]:
+    """Yield the patterns of the sources that look at each line of a text, with their places."""
+    for path in sorted(Path(ropsim.__file__).parent.rglob("*.py")):
+        source = path.read_text("utf-8")
+        if "MULTILINE" not in source:
+            continue
+        for node in ast.walk(ast.parse(source)):
+            if not isinstance(node, ast.Call) or "MULTILINE" not in ast.unparse(node):
+                continue
+            if node.args and isinstance(node.args[0], ast.Constant | ast.JoinedStr):
+                yield f"{path.name}:{node.lineno}", ast.unparse(node.args[0])
+
+
+def test_a_pattern_that_begins_on_each_line_stays_on_it() -> None:
+    """Blanks behind the begin of a line, line ends included, are all that follow: n² characters."""
+    found = list(patterns())
+    assert len(found) > 3
+    assert [place for place, text in found if re.search(r"\^\(*(?:\?:)?\\+s[*+]", text)] == []
+
+
+def test_a_text_is_cut_without_a_look_at_all_further_lines(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    looked: list[int] = []
+
+    class Watched:
+        def search(self, kinds: bytes, begin: int, end: int) -> re.Match[bytes] | None:
+            found = notable.search(kinds, begin, end)
+            looked.append((found.end() if found is not None else end) - begin)
+            return found
+
+    notable = cuts._NOTABLE
+    monkeypatch.setattr(cuts, "_NOTABLE", Watched())
+    lines = ["mov home"] * LINES
+    cuts.cuts(lines, kinds_of(lines), 0, LINES)
+    assert 0 < sum(looked) <= cuts.ENOUGH * LINES
