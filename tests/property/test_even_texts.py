@@ -8,6 +8,7 @@ import ast
 import re
 from collections.abc import Callable, Iterator
 from contextlib import suppress
+from functools import partial
 from pathlib import Path
 
 import pytest
@@ -64,6 +65,10 @@ def _inputs(text: str, folder: Path) -> None:
         read_inputs(folder / "inputs.json")
 
 
+def _robot(ending: str) -> Callable[[str, Path], object]:
+    return lambda text, _: read_robot(SourceText(f"r.{ending}", text))
+
+
 READERS: dict[str, Callable[[str, Path], object]] = {
     "task": lambda text, _: language.compile(text),
     "fmt": lambda text, _: language.formatted(text),
@@ -73,23 +78,16 @@ READERS: dict[str, Callable[[str, Path], object]] = {
     "trace.csv": lambda text, _: read_trace(text.encode(), JOINTS, "t.csv"),
     "inputs.json": _inputs,
     "tasks.pl": lambda text, _: told_tasks([SourceText("a.pl", text)]),
-    **{
-        f"robot.{ending}": lambda text, _, ending=ending: read_robot(SourceText(f"r.{ending}", text))
-        for ending in ("toml", "urdf", "xacro", "xml", "sdf", "stp")
-    },
+    **{f"robot.{ending}": _robot(ending) for ending in ("toml", "urdf", "xacro", "xml", "sdf", "stp")},
 }
-
-
-def is_linear(action: Callable[[int], object]) -> bool:
-    once, twice = (calls_of(lambda size=size: action(size)) for size in (SIZE, 2 * SIZE))
-    return twice <= max(MOST * once, LITTLE)
 
 
 @pytest.mark.parametrize("reader", READERS)
 def test_a_reader_takes_linear_work_of_even_texts(reader: str, tmp_path: Path) -> None:
     read = READERS[reader]
     for unit in (*CHARACTERS, RIGHT[reader], WRONG):
-        assert is_linear(lambda size, unit=unit: read(unit * size, tmp_path)), repr(unit)
+        once, twice = (calls_of(partial(read, unit * size, tmp_path)) for size in (SIZE, 2 * SIZE))
+        assert twice <= max(MOST * once, LITTLE), repr(unit)
 
 
 @pytest.mark.parametrize("reader", READERS)
@@ -130,12 +128,7 @@ def test_a_request_takes_linear_work_of_even_texts(name: str, tmp_path: Path) ->
         for text in (small, large):
             editor, uri = opened(text, tmp_path, name)
             asked(editor, uri, "textDocument/documentSymbol", text)
-            work.append(
-                {
-                    method: calls_of(lambda m=method, e=editor, u=uri, t=text: asked(e, u, m, t))
-                    for method in ASKED
-                }
-            )
+            work.append({method: calls_of(partial(asked, editor, uri, method, text)) for method in ASKED})
         for method, once in work[0].items():
             assert work[1][method] <= max(MOST * once, LITTLE), (repr(unit), method)
 
