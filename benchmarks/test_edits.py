@@ -18,8 +18,7 @@ from measuring import Measure
 from test_front_end import flat_program_of, program_of
 
 import ropsim
-from ropsim.core import kept_from_collection
-from ropsim.userfiles import KeptAnswers
+from ropsim.core import KeptFiles, kept_from_collection
 from ropsim.workbench import Workspace, new_project, open_project
 
 TEXTS: dict[str, Callable[[int], str]] = {"of tasks": program_of, "flat": flat_program_of}
@@ -179,7 +178,7 @@ def test_opening_100k_lines_that_were_compiled_before(benchmark: Any, kind: str,
     measure = Measure(benchmark)
     new_project(tmp_path / "p")
     (tmp_path / "p" / "programs" / "main.task").write_text(TEXTS[kind](100_000), encoding="utf-8")
-    kept = KeptAnswers(tmp_path / "kept")
+    kept = KeptFiles("kept", 64_000_000, 16_000_000, lambda: tmp_path)
 
     def opened() -> tuple[float, float]:
         workspace = Workspace(kept)

@@ -39,8 +39,8 @@ BANDS = {
     "S7": Band("Simulation", ("simulation",)),
     "X8": Band("Projects, cell files, models, recordings", (*_FILES, "workbench")),
     "X9": Band(
-        "Robots in files",
-        ("exchange", "express", "model", "nirox", "part21", "robotfile", "workbench"),
+        "Robots in files; files and memory of the machine",
+        ("core", "exchange", "express", "model", "nirox", "part21", "robotfile", "workbench"),
     ),
     "U9": Band("Use of the commands", ("cli", "lsp", "studio")),
     "P1": Band("Knowledge bases", ("prolog", "tasks")),

@@ -15,12 +15,11 @@ HIGH |= {"robotfile", "tomltext", "meshes"}
 """Packages that read and write files of users."""
 OWN_FILES = {
     "core/files.py",
-    "core/turns.py",
+    "core/own_folder.py",
     "codegen/code_digest.py",
-    "codegen/machine_code.py",
     "prolog/native/program.py",
 }
-"""The door to the disk; the compiler's version; machine code that is kept; the folder of a child process."""
+"""The doors to the disk; the compiler's version; the folder of a child process."""
 OUTPUT = {"print", "open", "input"}
 
 
@@ -88,3 +87,58 @@ def test_nothing_below_the_readers_of_files_opens_or_prints() -> None:
         and node.func.attr in {"read_bytes", "write_bytes", "write_text", "mkdir", "unlink"}
     }
     assert (calls, paths) == (set(), set())
+
+
+CACHE_DOOR = {"core/kept_files.py", "core/user_folders.py", "core/own_folder.py"}
+"""The one way to what is kept between processes: see `core/kept_files.py`."""
+CACHE_NAMES = {"cache_folder", "CACHE_OVERRIDE", "OwnFolder", "lock_file"}
+CACHE_TEXTS = ("ROPSIM_CACHE_DIR", "XDG_CACHE_HOME", "XDG_STATE_HOME", "XDG_CONFIG_HOME", "XDG_RUNTIME_DIR")
+
+
+def names_the_cache(tree: ast.Module) -> bool:
+    """Return whether a module knows where the cache folder lies, or reads the variables that say so."""
+    texts = docstrings(tree)
+    for node in ast.walk(tree):
+        match node:
+            case ast.Name(id=name) | ast.Attribute(attr=name) | ast.alias(name=name) if name in CACHE_NAMES:
+                return True
+            case ast.Constant(value=str() as text) if node not in texts:
+                if text in CACHE_TEXTS:
+                    return True
+            case _:
+                pass
+    return False
+
+
+def docstrings(tree: ast.Module) -> set[ast.AST]:
+    """Return the texts that stand alone, as docstrings do."""
+    return {node.value for node in ast.walk(tree) if isinstance(node, ast.Expr)}
+
+
+@pytest.mark.parametrize(
+    ("text", "found"),
+    [
+        ("from ropsim.core import cache_folder", True),
+        ("import os\nplace = os.environ['XDG_CACHE_HOME']", True),
+        ("from ropsim.core.own_folder import OwnFolder", True),
+        ("from ropsim.core import KeptFiles", False),
+    ],
+)
+def test_a_way_around_the_door_of_the_cache_is_seen(text: str, found: bool) -> None:
+    assert names_the_cache(ast.parse(text)) is found
+
+
+def test_what_is_kept_goes_through_one_door() -> None:
+    found = {path for path, tree in trees().items() if path != "core/__init__.py" and names_the_cache(tree)}
+    assert found == CACHE_DOOR
+
+
+def test_machine_code_is_loaded_where_its_seal_was_checked() -> None:
+    loaders = {
+        path
+        for path, tree in trees().items()
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Attribute)
+        and node.attr in {"deserialize", "deserialize_file", "add_object_file", "CDLL", "LoadLibrary"}
+    }
+    assert loaders == {"codegen/machine_code.py", "prolog/wasm/module_cache.py"}

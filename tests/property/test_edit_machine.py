@@ -11,9 +11,8 @@ from hypothesis import settings
 from hypothesis import strategies as st
 from hypothesis.stateful import RuleBasedStateMachine, initialize, invariant, rule
 
-from ropsim.core import SourceText
+from ropsim.core import KeptFiles, SourceText
 from ropsim.query import is_same
-from ropsim.userfiles import KeptAnswers
 from ropsim.workbench import Workspace, questions
 
 CELL = """[cell]
@@ -77,7 +76,8 @@ class Edited(RuleBasedStateMachine):
     @initialize()
     def begin(self) -> None:
         self.folder = tempfile.TemporaryDirectory()
-        self.kept = KeptAnswers(Path(self.folder.name) / "kept")
+        self.answers = Path(self.folder.name) / "kept"
+        self.kept = KeptFiles("kept", 64_000_000, 16_000_000, lambda: Path(self.folder.name))
         self.workspace = Workspace(self.kept)
         self.lines = {name: list(START) for name in NAMES}
         self.cell = CELL
@@ -121,7 +121,7 @@ class Edited(RuleBasedStateMachine):
 
     @rule(place=st.integers(0, 10_000), value=st.integers(0, 255))
     def damage(self, place: int, value: int) -> None:
-        for path in self.kept.folder.iterdir() if self.kept.folder.is_dir() else ():
+        for path in self.answers.iterdir() if self.answers.is_dir() else ():
             content = bytearray(path.read_bytes())
             content[place % len(content)] = value
             path.write_bytes(content)

@@ -5,7 +5,7 @@ import argparse
 from ropsim.cli.output import Output
 from ropsim.cli.watch import watch
 from ropsim.records import diagnostic_document
-from ropsim.userfiles import kept_by_user
+from ropsim.userfiles import KEPT_ANSWERS
 from ropsim.views import count_text
 from ropsim.workbench import Workspace, open_project, task_findings
 
@@ -14,7 +14,7 @@ def check(options: argparse.Namespace, output: Output) -> int:
     """Compile every program of a project and return the exit code."""
     if options.watch:
         return watch(options, output)
-    project = open_project(options.path, Workspace(kept_by_user()))
+    project = open_project(options.path, Workspace(KEPT_ANSWERS))
     compiled = project.compile()
     more, texts = task_findings(project)
     found = (*compiled.diagnostics, *more)

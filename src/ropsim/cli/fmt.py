@@ -10,7 +10,7 @@ from ropsim.cli.output import Output, cannot_write
 from ropsim.core import Diagnostic, RopsimError, Severity, define, frozen_dataclass, read_bytes, replace_file
 from ropsim.language import formatted
 from ropsim.records import diagnostic_document
-from ropsim.userfiles import UNREADABLE, read_text_file
+from ropsim.userfiles import LARGEST, UNREADABLE, read_text_file
 from ropsim.workbench import ProjectError, open_project
 
 NO_TASK_TEXT = define(
@@ -99,13 +99,18 @@ def _read(given: str, found: list[Diagnostic]) -> Iterator[_Text]:
         text, problems = read_text_file(one, str(one))
         found += problems
         if text is not None:
-            mark = _MARK if read_bytes(one).startswith(_MARK) else b""
+            mark = _MARK if read_bytes(one, LARGEST).startswith(_MARK) else b""
             yield _Text(str(one), one, text.text, formatted(text.text), mark)
 
 
 def _piped(found: list[Diagnostic]) -> Iterator[_Text]:
     try:
-        text = sys.stdin.buffer.read().decode()
+        content = sys.stdin.buffer.read(LARGEST + 1)
+        if len(content) > LARGEST:
+            message = f"standard input has more than {LARGEST / 1e6:.0f} MB"
+            found.append(UNREADABLE.at(None, message, hint="is this a program?"))
+            return
+        text = content.decode()
     except UnicodeDecodeError as error:
         message = f"byte {error.start + 1} of standard input is no UTF-8"
         found.append(UNREADABLE.at(None, message, hint="give UTF-8 text"))

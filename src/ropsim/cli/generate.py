@@ -169,7 +169,7 @@ def _show(desk: _Desk) -> None:
 def _asked(prompt: str) -> str | None:
     """Return what is typed behind a prompt, None at the end of the input."""
     print(f"{prompt}: ", end="", flush=True)
-    line = sys.stdin.readline()
+    line = sys.stdin.readline(1000)
     return line.strip() if line else None
 
 

@@ -17,7 +17,7 @@ from ropsim.flow import (
 )
 from ropsim.records import diagnostic_document
 from ropsim.spatial import Pose, quaternion
-from ropsim.userfiles import kept_by_user, read_program_file
+from ropsim.userfiles import KEPT_ANSWERS, read_program_file
 from ropsim.workbench import CompiledProgram, ProjectError, Workspace, open_project
 
 _BINARY = ".icb"
@@ -158,7 +158,7 @@ def _open(path: str) -> tuple[Mapping[str, SourceText], CompiledProgram]:
     """Return the texts of a project and its program; a binary program has none."""
     if path.endswith(_BINARY) and Path(path).exists():
         return {}, _read_binary(path)
-    project = open_project(path, Workspace(kept_by_user()))
+    project = open_project(path, Workspace(KEPT_ANSWERS))
     program = project.program()
     project.workspace.keep()
     return project.texts, program

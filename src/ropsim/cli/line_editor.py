@@ -5,9 +5,11 @@ import sys
 from collections.abc import Callable
 from pathlib import Path
 
+from ropsim.core import state_folder
 from ropsim.lsp import Workshop, offered
-from ropsim.userfiles import state_folder
 
+LONGEST_LINE = 1_000_000
+"""Characters that are read of a line; an endless one ends there."""
 LONGEST_HISTORY = 1000
 """Lines that are kept between two sessions."""
 
@@ -44,7 +46,7 @@ class LineEditor:
         try:
             if self.is_typed:
                 return input(prompt)
-            line = sys.stdin.readline()
+            line = sys.stdin.readline(LONGEST_LINE)
         except (EOFError, UnicodeDecodeError):
             return None
         return line.rstrip("\r\n") if line else None

@@ -56,7 +56,7 @@ def main(arguments: Sequence[str]) -> int:
 
 def _run(options: "argparse.Namespace") -> int:
     from ropsim.cli.output import Output
-    from ropsim.core import RopsimError
+    from ropsim.core import RopsimError, kept_findings, shortage
 
     output = Output.of(options)
     try:
@@ -64,6 +64,14 @@ def _run(options: "argparse.Namespace") -> int:
     except RopsimError as error:
         output.failure(error.diagnostic)
         return output.code_of(error)
+    except (MemoryError, OSError, ImportError) as error:
+        lacking = shortage(error)
+        if lacking is None:
+            raise
+        output.failure(lacking)
+        return 1
+    finally:
+        output.remarks(kept_findings())
     return code
 
 

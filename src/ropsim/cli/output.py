@@ -64,6 +64,14 @@ class Output:
             say(diagnostics_text(diagnostics, sources, self.style), sys.stderr)
         return 1 if any(one.severity is Severity.ERROR for one in diagnostics) else 0
 
+    def remarks(self, found: Iterable[Diagnostic]) -> None:
+        """Print what is said of the machine and not of the work: as text on stderr, never in a document."""
+        diagnostics = tuple(found)
+        if diagnostics:
+            from ropsim.views import diagnostics_text
+
+            say(diagnostics_text(diagnostics, {}, self.style), sys.stderr)
+
     def failure(self, diagnostic: Diagnostic) -> None:
         """Print why a command could not do its work."""
         from ropsim.records import diagnostic_document

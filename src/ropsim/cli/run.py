@@ -13,7 +13,7 @@ from ropsim.cli.progress import Progress
 from ropsim.core import Diagnostic
 from ropsim.flow import Recording
 from ropsim.records import diagnostic_document, readable
-from ropsim.userfiles import kept_by_user
+from ropsim.userfiles import KEPT_ANSWERS
 from ropsim.views import Comparison, Message, messages, messages_text, result_figures
 from ropsim.workbench import (
     NOT_WRITABLE,
@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 
 def run(options: argparse.Namespace, output: Output) -> int:
     """Run a program of a project and return the exit code."""
-    project = open_project(options.path, Workspace(kept_by_user()))
+    project = open_project(options.path, Workspace(KEPT_ANSWERS))
     sources = project.texts
     _check_places(options, project)
     project.changes(options.what_if)  # what cannot be is told before anything runs

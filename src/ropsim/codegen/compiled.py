@@ -1,15 +1,14 @@
 """From what numba compiles to a function that Python calls, by way of the cache folder."""
 
-import contextlib
 from collections.abc import Callable
-from pathlib import Path
 from types import FunctionType
 
 from ropsim.codegen.code_digest import digest_of
 from ropsim.codegen.direct import Compiled
-from ropsim.codegen.machine_code import MissingNameError, emit_object, keep, load, read
+from ropsim.codegen.kept_code import GENERATED, keep_code, kept_address
+from ropsim.codegen.machine_code import MissingNameError, emit_object, load
 from ropsim.codegen.signature import Signature
-from ropsim.core import cache_folder, turn, without_collection
+from ropsim.core import without_collection
 
 _Build = Callable[[], tuple[FunctionType, Callable[..., None]]]
 
@@ -26,17 +25,18 @@ def compiled(name: str, source: str, signature: Signature, build: _Build) -> Com
         build: imports numba and returns the function `entry` of `Signature.entry_text`, and the one that it
             calls as `stages` makes it, for a system where the machine code does not stand alone.
     """
-    folder, digest = cache_folder() / "generated", digest_of(source)
-    path = folder / f"{name}_{digest}.code"
-    with contextlib.suppress(OSError, ValueError, MissingNameError):
-        return signature.caller(load(read(path)))
-    with turn(folder / "turns", int(digest, 16)), without_collection():
-        with contextlib.suppress(OSError, ValueError, MissingNameError):
-            return signature.caller(load(read(path)))  # made by another process meanwhile
-        return _made(path, signature, build)
+    digest = digest_of(source)
+    entry = f"{name}_{digest}.code"
+    address = kept_address(entry)
+    if address is None:
+        with GENERATED.turn(int(digest, 16)), without_collection():
+            address = kept_address(entry)  # made by another process meanwhile
+            if address is None:
+                return _made(entry, signature, build)
+    return signature.caller(address)
 
 
-def _made(path: Path, signature: Signature, build: _Build) -> Compiled:
+def _made(name: str, signature: Signature, build: _Build) -> Compiled:
     """Return a function that has been compiled just now and is kept, if it stands alone."""
     entry, function = build()
     from ropsim.codegen.stages import outside, written
@@ -46,6 +46,5 @@ def _made(path: Path, signature: Signature, build: _Build) -> Compiled:
         address = load(code)
     except (ValueError, MissingNameError):
         return outside(function)
-    with contextlib.suppress(OSError):
-        keep(code, path)
+    keep_code(name, code)
     return signature.caller(address)

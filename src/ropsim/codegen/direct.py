@@ -1,6 +1,5 @@
 """Functions of Python's own kind that run machine code: a call of one takes no step of Python."""
 
-import contextlib
 import ctypes
 from collections.abc import Callable
 from functools import lru_cache
@@ -12,8 +11,8 @@ import numpy as np
 from ropsim.codegen import machine_code
 from ropsim.codegen.code_digest import digest_of
 from ropsim.codegen.direct_text import REAL, WORDS, direct_text
+from ropsim.codegen.kept_code import keep_code, kept_address
 from ropsim.codegen.layout import Told, is_as_read
-from ropsim.core import cache_folder
 
 Compiled = Callable[..., Any]
 _FLAGS = 0x0080 | 0x0002
@@ -124,16 +123,16 @@ def _direct() -> int | None:
     if not is_as_read():
         return None
     text = direct_text()
-    path = cache_folder() / "generated" / f"direct_{digest_of(text)}.door"
-    with contextlib.suppress(OSError, ValueError, machine_code.MissingNameError):
-        return machine_code.load(machine_code.read(path))
+    name = f"direct_{digest_of(text)}.door"
+    kept = kept_address(name)
+    if kept is not None:
+        return kept
     try:
         code = machine_code.emit_object(text, "direct")
         address = machine_code.load(code)
     except (ValueError, machine_code.MissingNameError):
         return None
-    with contextlib.suppress(OSError):
-        machine_code.keep(code, path)
+    keep_code(name, code)
     return address
 
 

@@ -6,12 +6,10 @@ numba brings, such as room for new arrays, numba is started first.
 """
 
 from functools import lru_cache
-from hashlib import sha256
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ropsim.codegen.object_symbols import names_from_elsewhere
-from ropsim.core import frozen_dataclass, read_bytes, replace_file
+from ropsim.core import frozen_dataclass
 
 if TYPE_CHECKING:
     from llvmlite.binding import TargetMachine
@@ -85,28 +83,19 @@ def load(code: MachineCode) -> int:
     return address
 
 
-def read(path: Path) -> MachineCode:
-    """Return what a file holds.
+def packed(code: MachineCode) -> bytes:
+    """Return machine code as bytes."""
+    return b"\n".join((code.symbol.encode(), " ".join(code.needs).encode(), code.object_file))
+
+
+def unpacked(content: bytes) -> MachineCode:
+    """Return the machine code that `packed` made bytes of.
 
     Raises:
-        OSError: it cannot be read.
-        ValueError: it is not what `keep` wrote.
+        ValueError: these are no such bytes.
     """
-    digest, _, rest = read_bytes(path).partition(b"\n")
-    if sha256(rest).hexdigest().encode() != digest:
-        raise ValueError(f"{path} is damaged")
-    symbol, needs, object_file = rest.split(b"\n", 2)
+    symbol, needs, object_file = content.split(b"\n", 2)
     return MachineCode(symbol.decode(), tuple(needs.decode().split()), object_file)
-
-
-def keep(code: MachineCode, path: Path) -> None:
-    """Write machine code to a file.
-
-    Raises:
-        OSError: the file cannot be written.
-    """
-    rest = b"\n".join((code.symbol.encode(), " ".join(code.needs).encode(), code.object_file))
-    replace_file(path, sha256(rest).hexdigest().encode() + b"\n" + rest)
 
 
 def host() -> str:

@@ -1,38 +1,69 @@
-"""The one door to the disk for everything below `meshes`.
+"""The one door to the disk: ordinary files of bounded size are read, files are replaced in one step."""
 
-Reads whole files, replaces files so that a reader sees the old or the new content and never half
-of it, and knows the user's cache folder.
-"""
-
+import errno
 import os
 import stat
-import sys
 import tempfile
 from pathlib import Path
 
+MOST_BYTES = 64_000_000
+"""Bytes that a file may have where its reader names no other bound."""
+_WITHOUT_WAITING = getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
+"""A pipe is opened at once, whether somebody writes to it or not; ordinary files are read as ever."""
 
-def read_bytes(path: Path) -> bytes:
-    """Return the content of a file.
+
+class NoOrdinaryFileError(OSError):
+    """What a path names is a folder, a device, a pipe or a socket."""
+
+
+class LongFileError(OSError):
+    """A file has more bytes than are read."""
+
+
+def read_bytes(path: Path, most: int = MOST_BYTES) -> bytes:
+    """Return the content of an ordinary file; nobody waits for a pipe, and no device is read without end.
+
+    Args:
+        path: of the file; links are followed.
+        most: bytes that it may have.
 
     Raises:
         OSError: the file cannot be read.
+        NoOrdinaryFileError: it is a folder, a device, a pipe or a socket.
+        LongFileError: it has more bytes.
     """
-    return path.read_bytes()
+    return _read(path, most)[0]
 
 
-def read_own_bytes(path: Path) -> bytes:
-    """Return the content of a file that nobody but the user could have written.
+def read_own_bytes(path: Path, most: int = MOST_BYTES) -> bytes:
+    """Return the content of an ordinary file that nobody but the user could have written.
+
+    A link to such a file will do: settings often lie elsewhere.
 
     Raises:
-        OSError: the file cannot be read; `PermissionError` where it is a link or others may write it.
+        OSError: as `read_bytes`; `PermissionError` where others may write the file.
     """
-    with os.fdopen(
-        os.open(path, os.O_RDONLY | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_BINARY", 0)), "rb"
-    ) as stream:
-        found = os.fstat(stream.fileno())
-        if sys.platform != "win32" and (found.st_uid != os.geteuid() or found.st_mode & 0o022):
-            raise PermissionError(f"{path} could have been written by others")
-        return stream.read()
+    content, facts = _read(path, most)
+    if hasattr(os, "geteuid") and (facts.st_uid != os.geteuid() or facts.st_mode & 0o022):
+        raise PermissionError(errno.EACCES, "others can have written it", str(path))
+    return content
+
+
+def _read(path: Path, most: int) -> tuple[bytes, os.stat_result]:
+    """Return what is in a file and what the system tells of the same file."""
+    handle = os.open(path, os.O_RDONLY | _WITHOUT_WAITING)
+    with os.fdopen(handle, "rb") as stream:
+        facts = os.fstat(handle)
+        if not stat.S_ISREG(facts.st_mode):
+            raise NoOrdinaryFileError(errno.EINVAL, "it is no ordinary file", str(path))
+        content = stream.read(most + 1) if facts.st_size <= most else b""
+        if facts.st_size > most or len(content) > most:  # some files of the system do not tell their size
+            raise LongFileError(errno.EFBIG, f"it has more than {_size(most)}", str(path))
+    return content, facts
+
+
+def _size(count: int) -> str:
+    return f"{count / 1e6:g} MB" if count >= 1e6 else f"{count} bytes"
 
 
 def replace_file(path: Path, content: bytes) -> None:
@@ -76,23 +107,6 @@ def replace_private_file(path: Path, content: bytes) -> None:
     os.close(os.open(path, os.O_CREAT | os.O_WRONLY, 0o600))
     path.chmod(0o600)
     replace_file(path, content)
-
-
-def cache_folder() -> Path:
-    """Return the folder of generated code and other things that can be made again.
-
-    `ROPSIM_CACHE_DIR` overrides the place that the operating system uses for caches.
-    """
-    override = os.environ.get("ROPSIM_CACHE_DIR")
-    if override:
-        return Path(override)
-    if sys.platform == "win32":
-        base = Path(os.environ.get("LOCALAPPDATA", str(Path.home() / "AppData" / "Local")))
-    elif sys.platform == "darwin":
-        base = Path.home() / "Library" / "Caches"
-    else:
-        base = Path(os.environ.get("XDG_CACHE_HOME", str(Path.home() / ".cache")))
-    return base / "ropsim"
 
 
 def _mode(path: Path) -> int | None:

@@ -67,7 +67,7 @@ class RobotFolder:
         try:
             if place is None or place.stat().st_size > _LARGEST:
                 return None
-            return read_bytes(place).decode("utf-8-sig")
+            return read_bytes(place, _LARGEST).decode("utf-8-sig")
         except (OSError, UnicodeDecodeError):
             return None
 

@@ -8,7 +8,7 @@ from typing import BinaryIO, Protocol
 
 import msgspec
 
-from ropsim.core import collect_seldom, kept_from_collection
+from ropsim.core import collect_seldom, kept_from_collection, shortage
 from ropsim.lsp.attention import SupersededError, nobody_calls
 from ropsim.lsp.framing import FrameFault, FrameReader, framed
 from ropsim.lsp.inbox import Ended, Inbox
@@ -16,7 +16,7 @@ from ropsim.lsp.messages import Call, ErrorCode, Fault, Json, failure, notificat
 from ropsim.lsp.server import answer, first_sight, mark, settle
 from ropsim.lsp.state import Phase, State
 from ropsim.lsp.workshop import Workshop
-from ropsim.userfiles import kept_by_user
+from ropsim.userfiles import KEPT_ANSWERS
 
 _CHUNK = 65536
 
@@ -36,7 +36,7 @@ def serve(source: _Source, sink: BinaryIO) -> int:
     collect_seldom()
     inbox: queue.SimpleQueue[bytes | FrameFault | None] = queue.SimpleQueue()
     threading.Thread(target=_read, args=(source, inbox), daemon=True).start()
-    state, workshop, waiting = State(), Workshop(kept_by_user()), Inbox()
+    state, workshop, waiting = State(), Workshop(KEPT_ANSWERS), Inbox()
     is_open = True
 
     def is_changed() -> bool:
@@ -166,7 +166,9 @@ def _marked(state: State, workshop: Workshop) -> tuple[State, tuple[Json, ...]]:
 
 
 def _own_fault(error: Exception, call: Call | None) -> Json:
-    words = f"this is a bug in ropsim, not in your input: {type(error).__name__}: {error}"
+    lacking = shortage(error)
+    fault = f"this is a bug in ropsim, not in your input: {type(error).__name__}: {error}"
+    words = lacking.message if lacking else fault
     if call is not None and call.is_request:
         return failure(call.id, ErrorCode.INTERNAL_ERROR, words)
     return notification("window/logMessage", {"type": 1, "message": words})

@@ -8,12 +8,12 @@ from types import MappingProxyType
 
 from ropsim import icr, language
 from ropsim.cellfile import robot_files
-from ropsim.core import Diagnostic, SourceText, frozen_dataclass
+from ropsim.core import Diagnostic, KeptFiles, SourceText, frozen_dataclass
 from ropsim.lsp.attention import Attention
 from ropsim.lsp.document import Document
 from ropsim.lsp.recorded_runs import RecordedRuns
 from ropsim.model import Cell, Station
-from ropsim.userfiles import UNREADABLE, KeptAnswers, read_text_file
+from ropsim.userfiles import UNREADABLE, read_text_file
 from ropsim.workbench import (
     NO_TASKS,
     NOWHERE,
@@ -104,7 +104,7 @@ class Workshop:
         told_tokens: name and numbers of the last answer about the words of each document.
     """
 
-    def __init__(self, kept: KeptAnswers | None = None) -> None:
+    def __init__(self, kept: KeptFiles | None = None) -> None:
         self.workspace = Workspace(kept)
         self._surroundings: dict[tuple[Path, str], Surroundings] = {}
         self._called: dict[str, CheckedText] = {}

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from pathlib import Path, PureWindowsPath
 from typing import TYPE_CHECKING, TypeAlias
 
-from ropsim.core import Diagnostic, Span, did_you_mean, frozen_dataclass
+from ropsim.core import Diagnostic, Span, did_you_mean, frozen_dataclass, read_bytes
 from ropsim.meshes.diagnostics import MANY_TRIANGLES, MESH_MISSING, MESH_OUTSIDE, MESH_TOO_LARGE
 from ropsim.meshes.formats import MeshFileError
 from ropsim.meshes.glb import glb_bytes
@@ -155,7 +155,7 @@ def mesh_content(folder: Path, file: str) -> bytes:
         if size > LARGEST:
             found = f"has {size / 1e6:.0f} MB, at most {LARGEST / 1e6:.0f} MB are read"
             raise MeshFileError(MESH_TOO_LARGE, found, "export it with a coarser tolerance")
-        return place.read_bytes()
+        return read_bytes(place, LARGEST)
     except FileNotFoundError:
         raise MeshFileError(MESH_MISSING, "is not in the project folder", _near(path)) from None
     except (OSError, RuntimeError, ValueError) as error:  # permissions, links that go round, odd characters

@@ -90,7 +90,7 @@ def read_recording(path: str | Path) -> Recording:
     try:
         if path.stat().st_size > FILE_LIMIT:
             raise _error(TOO_LARGE, path, "more than 4 GiB", _AGAIN)
-        content = read_bytes(path)
+        content = read_bytes(path, FILE_LIMIT)
     except OSError as error:
         raise _error(UNREADABLE, path, _reason(error), "look at the path and its permissions") from error
     try:

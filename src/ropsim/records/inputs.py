@@ -83,7 +83,7 @@ def read_inputs(path: str | Path) -> Interventions:
             raise unreadable(str(path), "it is no ordinary file")
         if facts.st_size > LARGEST:
             raise unreadable(str(path), f"it is larger than {LARGEST / 1e6:.0f} MB")
-        text = read_bytes(path).decode("utf-8-sig")
+        text = read_bytes(path, LARGEST).decode("utf-8-sig")
     except OSError as error:
         raise unreadable(str(path), (error.strerror or type(error).__name__).lower()) from error
     except UnicodeDecodeError as error:

@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import TypeAlias
 
-from ropsim.core import Diagnostic
+from ropsim.core import Diagnostic, shortage
 from ropsim.studio import commands
 from ropsim.studio.diagnostics import INTERNAL, NO_JOURNAL, PROJECT_GONE, READ_ONLY
 from ropsim.studio.document import Document
@@ -147,7 +147,7 @@ class Editing:
                 await self._look()
             except Exception as error:  # the next look may succeed
                 message = f"the files of the project cannot be watched: {type(error).__name__}: {error}"
-                self._warn(INTERNAL.at(None, message, hint="please report it"))
+                self._warn(shortage(error) or INTERNAL.at(None, message, hint="please report it"))
 
     async def _look(self) -> None:
         was_gone = self.documents.gone

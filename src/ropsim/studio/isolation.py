@@ -4,17 +4,9 @@ import os
 import sys
 from pathlib import Path
 
-from ropsim.userfiles import CONFIGURATION_OVERRIDE, STATE_OVERRIDE
-
 
 def leave_project(neutral: Path, folder: Path) -> None:
-    """Work in the `neutral` folder from now on, without modules of the project folder.
-
-    Relative places in the environment are those of the folder that is left, so they are made absolute.
-    """
-    for name in (CONFIGURATION_OVERRIDE, STATE_OVERRIDE, "ROPSIM_CACHE_DIR"):
-        if os.environ.get(name):
-            os.environ[name] = str(Path(os.environ[name]).absolute())
+    """Work in the `neutral` folder from now on, without modules of the project folder."""
     shut_out(folder)
     os.environ["PYTHONSAFEPATH"] = "1"
     os.chdir(neutral)

@@ -14,8 +14,7 @@ from typing import Annotated
 import msgspec
 from msgspec import Meta, Struct
 
-from ropsim.core import read_bytes, replace_private_file
-from ropsim.userfiles import state_folder
+from ropsim.core import read_own_bytes, replace_private_file, state_folder
 
 LONGEST = 7 * 24 * 3600.0
 """Age at which a secret is made anew [s]."""
@@ -44,7 +43,7 @@ def place_of(folder: Path, now: float) -> Place:
     """
     fresh = Place(0, secrets.token_urlsafe(24), now)
     try:
-        kept = msgspec.json.decode(read_bytes(_file(folder)), type=Place)
+        kept = msgspec.json.decode(read_own_bytes(_file(folder)), type=Place)
     except (OSError, ValueError, RecursionError):
         return fresh
     return kept if 0.0 <= fresh.made - kept.made < LONGEST else fresh
@@ -53,9 +52,8 @@ def place_of(folder: Path, now: float) -> Place:
 def keep_place(folder: Path, place: Place) -> None:
     """Remember a place for the next start; without a place to write it, the next start is a new one."""
     content = msgspec.json.encode(place)
-    file = _file(folder)
     with contextlib.suppress(OSError):
-        replace_private_file(file, content)
+        replace_private_file(_file(folder), content)
 
 
 def _file(folder: Path) -> Path:

@@ -5,7 +5,7 @@ import time
 from collections.abc import Callable, Coroutine
 from pathlib import Path
 
-from ropsim.core import Diagnostic, RopsimError
+from ropsim.core import Diagnostic, RopsimError, shortage
 from ropsim.studio import commands, jobs
 from ropsim.studio.command_line import CommandLine, LineCommand
 from ropsim.studio.diagnostics import (
@@ -125,7 +125,8 @@ class Session:
             await self._do(tab, command)
         except Exception as error:  # one request may fail, the texts of the session must not
             message = f"`{type(command).__name__}` failed: {type(error).__name__}: {error}"
-            tab.send(notice(INTERNAL.at(None, message, hint="the rest goes on; please report it")))
+            fault = INTERNAL.at(None, message, hint="the rest goes on; please report it")
+            tab.send(notice(shortage(error) or fault))
 
     async def leave(self, tab: Tab) -> None:
         """Forget a tab that is gone; what it has not saved is kept first."""

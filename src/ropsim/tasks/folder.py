@@ -53,7 +53,7 @@ def _read(files: list[Path]) -> tuple[tuple[SourceText, ...], tuple[Diagnostic, 
                     UNREADABLE_BASE.at(None, f"`{name}` is left out: more than {MOST_BYTES} bytes in all")
                 )
                 continue
-            content = read_bytes(path)
+            content = read_bytes(path, left)
             left -= len(content)
             texts.append(SourceText(name, content.decode("utf-8-sig")))
         except OSError as error:
@@ -72,7 +72,7 @@ def _manifest(path: Path, files: list[str]) -> tuple[list[str], list[Diagnostic]
     name = path.as_posix()
     hint = 'write `order = ["first.pl", "second.pl"]`'
     try:
-        table = tomllib.loads(read_bytes(path).decode("utf-8-sig"))
+        table = tomllib.loads(read_bytes(path, MOST_BYTES).decode("utf-8-sig"))
     except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError, RecursionError) as error:
         return [], [MANIFEST.at(None, f"`{name}` cannot be read: {error}", hint=hint)]
     found = [MANIFEST.at(None, f"`{name}` has no key `{key}`", hint=hint) for key in table if key != "order"]

@@ -39,7 +39,7 @@ def read_point_list(path: Path) -> tuple[PointList | None, tuple[Diagnostic, ...
     """Return the list of a file, None where it cannot be read at all; lines that are wrong are left out."""
     label = path.as_posix()
     try:
-        content = read_bytes(path) if path.stat().st_size <= MOST_BYTES else b""
+        content = read_bytes(path, MOST_BYTES) if path.stat().st_size <= MOST_BYTES else b""
         text = SourceText(label, content.decode("utf-8-sig"))
     except (OSError, UnicodeDecodeError) as error:
         return None, (POINT_LIST.at(None, f"`{label}` cannot be read: {error}", hint=_HINT),)

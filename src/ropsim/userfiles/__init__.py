@@ -1,22 +1,18 @@
 """Files of the user: the texts of projects, which code in them is trusted, unsaved texts, recent projects."""
 
+from ropsim.userfiles.answers import KEPT_ANSWERS as KEPT_ANSWERS
 from ropsim.userfiles.code_files import code_in as code_in
 from ropsim.userfiles.diagnostics import TrustError as TrustError
 from ropsim.userfiles.examples import STARTER as STARTER
 from ropsim.userfiles.examples import example_names as example_names
 from ropsim.userfiles.examples import example_summary as example_summary
 from ropsim.userfiles.examples import examples_folder as examples_folder
-from ropsim.userfiles.folders import CONFIGURATION_OVERRIDE as CONFIGURATION_OVERRIDE
-from ropsim.userfiles.folders import STATE_OVERRIDE as STATE_OVERRIDE
-from ropsim.userfiles.folders import configuration_folder as configuration_folder
-from ropsim.userfiles.folders import state_folder as state_folder
 from ropsim.userfiles.journal import Draft as Draft
 from ropsim.userfiles.journal import Journal as Journal
-from ropsim.userfiles.kept_answers import KeptAnswers as KeptAnswers
-from ropsim.userfiles.kept_answers import kept_by_user as kept_by_user
 from ropsim.userfiles.recent_projects import recent_projects as recent_projects
 from ropsim.userfiles.recent_projects import remember_project as remember_project
 from ropsim.userfiles.text_diagnostics import UNREADABLE as UNREADABLE
+from ropsim.userfiles.text_file import LARGEST as LARGEST
 from ropsim.userfiles.text_file import missing_file as missing_file
 from ropsim.userfiles.text_file import read_program_file as read_program_file
 from ropsim.userfiles.text_file import read_text_file as read_text_file

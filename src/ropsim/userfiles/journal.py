@@ -8,13 +8,14 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import IO
 
-from ropsim.core import Diagnostic, frozen_dataclass, read_bytes, replace_file
+from ropsim.core import Diagnostic, frozen_dataclass, read_bytes, replace_private_file, state_folder
 from ropsim.userfiles.diagnostics import DAMAGED_JOURNAL
-from ropsim.userfiles.folders import state_folder
 
 VERSION = 1
 MOST_SLOTS = 16
 """Sessions that may have the same project open at once, each with a journal of its own."""
+LARGEST = 1_000_000_000
+"""Bytes of a journal: far above those of all texts that a session can have open."""
 
 _TAKEN = (errno.EAGAIN, errno.EACCES, errno.EDEADLK)
 
@@ -57,7 +58,7 @@ class Journal:
     def read(self) -> tuple[Mapping[str, Draft], tuple[Diagnostic, ...]]:
         """Return what an earlier session has left, by the names of the documents."""
         try:
-            content = read_bytes(self._place)
+            content = read_bytes(self._place, LARGEST)
         except OSError:
             return {}, ()
         drafts = _drafts(content)
@@ -79,7 +80,7 @@ class Journal:
             return
         entries = {name: {"text": draft.text, "base": draft.base} for name, draft in drafts.items()}
         document = {"version": VERSION, "folder": str(self._folder), "documents": entries}
-        replace_file(self._place, json.dumps(document).encode())
+        replace_private_file(self._place, json.dumps(document).encode())
 
     def close(self) -> None:
         """Leave the place to the next session."""

@@ -4,8 +4,7 @@ import contextlib
 import json
 from pathlib import Path
 
-from ropsim.core import read_bytes, replace_private_file
-from ropsim.userfiles.folders import state_folder
+from ropsim.core import read_bytes, replace_private_file, state_folder
 
 VERSION = 1
 MOST = 12

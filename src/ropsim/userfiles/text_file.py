@@ -39,7 +39,7 @@ def read_program_file(path: Path, name: str) -> tuple[bytes | None, tuple[Diagno
                 f"`{name}` has {size / 1e6:.1f} MB, at most {LARGEST / 1e6:.0f} MB are read as a program"
             )
             return None, (TOO_LARGE.at(None, message, hint="is this a program?", data={"bytes": size}),)
-        return read_bytes(path), ()
+        return read_bytes(path, LARGEST), ()
     except FileNotFoundError:
         return None, (missing_file(path, name),)
     except OSError as error:

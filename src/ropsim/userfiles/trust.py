@@ -4,12 +4,13 @@ import json
 from enum import Enum
 from pathlib import Path
 
-from ropsim.core import Diagnostic, read_bytes, replace_file
+from ropsim.core import Diagnostic, configuration_folder, read_own_bytes, replace_private_file
 from ropsim.userfiles.code_files import code_in
 from ropsim.userfiles.diagnostics import INERT, NOT_A_FOLDER, NOT_KEPT, TrustError
-from ropsim.userfiles.folders import configuration_folder
 
 VERSION = 1
+_NAME = "trust.json"
+"""Of the list in the configuration folder."""
 
 
 class Trust(Enum):
@@ -39,9 +40,9 @@ def set_trust(folder: Path, trust: Trust) -> None:
         return
     document = {"version": VERSION, "folders": sorted(folders)}
     try:
-        replace_file(_place(), json.dumps(document, indent=2).encode())
+        replace_private_file(_place(), json.dumps(document, indent=2).encode())
     except OSError as error:
-        message = f"`{_place()}` cannot be written: {error.strerror or error}"
+        message = f"`{_NAME}` cannot be written: {error.strerror or error}"
         raise TrustError(NOT_KEPT.at(None, message, hint="nothing has changed")) from error
 
 
@@ -57,13 +58,13 @@ def inert_code(folder: Path) -> tuple[Diagnostic, ...]:
 
 
 def _place() -> Path:
-    return configuration_folder() / "trust.json"
+    return configuration_folder() / _NAME
 
 
 def _trusted() -> frozenset[str]:
-    """Return the trusted folders; none where the list is absent, damaged or of a newer ropsim."""
+    """Return the trusted folders; none where others can write the list, or it is absent, damaged or newer."""
     try:
-        document = json.loads(read_bytes(_place()))
+        document = json.loads(read_own_bytes(_place()))
     except (OSError, ValueError, RecursionError):
         return frozenset()
     if not isinstance(document, dict) or document.get("version") != VERSION:

@@ -116,10 +116,7 @@ def _opened(path: Path, name: str) -> bytes:
         CalibrationError: X840 or X841, it is not there or cannot be opened.
     """
     try:
-        if path.is_file() and path.stat().st_size > LARGEST:
-            with path.open("rb") as stream:
-                return stream.read(LARGEST + 1)
-        return read_bytes(path)
+        return read_bytes(path, LARGEST)
     except FileNotFoundError:
         raise CalibrationError(missing_file(path, name)) from None
     except OSError as error:

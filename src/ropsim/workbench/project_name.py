@@ -4,6 +4,7 @@ import re
 import unicodedata
 from pathlib import Path
 
+from ropsim.core import read_bytes
 from ropsim.language import INNER_WORDS, STATEMENT_WORDS
 
 LONGEST = 60
@@ -48,7 +49,7 @@ def name_project(folder: Path, name: str) -> None:
 
 
 def _read(path: Path) -> str:
-    return path.read_bytes().decode("utf-8")
+    return read_bytes(path).decode("utf-8")
 
 
 def _write(path: Path, text: str) -> None:

@@ -13,10 +13,9 @@ from typing import TYPE_CHECKING
 
 from ropsim import icr, language
 from ropsim.cellfile import read_cell
-from ropsim.core import Diagnostic, SourceText, frozen_dataclass
+from ropsim.core import Diagnostic, KeptFiles, SourceText, frozen_dataclass
 from ropsim.model import Cell, ReadRobot, Station
 from ropsim.query import Database, always_new
-from ropsim.userfiles import KeptAnswers
 from ropsim.workbench.answer_form import Translation, UnknownFormError, Verified, read_as, written
 from ropsim.workbench.at_station import AtStation
 from ropsim.workbench.bound_names import unbound
@@ -250,7 +249,7 @@ def key_of(question: Question, content: str) -> str:
 
 def _kept(db: Database, question: Question, name: str, at: AtStation) -> bytes | None:
     """Return the answer that an earlier process gave; None where there is none."""
-    store: KeptAnswers | None = db.read(KEPT)
+    store: KeptFiles | None = db.read(KEPT)
     content = db.ask(content_of, name, at) if store is not None else ""
     return store.find(key_of(question, content)) if store is not None and content else None
 

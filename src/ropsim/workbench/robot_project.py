@@ -3,6 +3,7 @@
 from pathlib import Path
 
 from ropsim.cellfile import POINTER, new_cell, written_coordinates
+from ropsim.core import read_bytes
 from ropsim.flow import Fidelity
 from ropsim.model import Mesh, RobotModel, Shape
 from ropsim.robots import swings
@@ -48,8 +49,8 @@ def _copied(folder: Path, file: Path, model: RobotModel) -> str:
     for mesh in sorted({solid.file for solid in map(_solid, _shapes(model)) if isinstance(solid, Mesh)}):
         source = (root / mesh).resolve()
         if source.is_relative_to(root) and source.is_file():
-            _write(folder / mesh, source.read_bytes())
-    _write(folder / inside, file.read_bytes())
+            _write(folder / mesh, read_bytes(source))
+    _write(folder / inside, read_bytes(file))
     return inside
 
 

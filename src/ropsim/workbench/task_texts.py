@@ -3,8 +3,7 @@
 from collections.abc import Callable, Mapping
 from pathlib import Path
 
-from ropsim.core import Diagnostic, SourceText, frozen_dataclass
-from ropsim.userfiles import configuration_folder
+from ropsim.core import Diagnostic, SourceText, configuration_folder, frozen_dataclass
 from ropsim.workbench.told_tasks import ToldTask, library_texts, told_tasks
 
 KNOWLEDGE, ENDING = "kb", ".pl"
@@ -57,9 +56,12 @@ def read_task_texts(
     return TaskTexts(own, users, (*findings, *more))
 
 
-def users_folder() -> Path:
-    """Return the folder of the user's own tasks."""
-    return configuration_folder() / KNOWLEDGE
+def users_folder() -> Path | None:
+    """Return the folder of the user's own tasks; None for a user without a home folder."""
+    try:
+        return configuration_folder() / KNOWLEDGE
+    except OSError:
+        return None
 
 
 def is_task_text(place: str) -> bool:
@@ -68,8 +70,8 @@ def is_task_text(place: str) -> bool:
     return folder == KNOWLEDGE and name.endswith(ENDING)
 
 
-def _read(folder: Path) -> tuple[tuple[SourceText, ...], tuple[Diagnostic, ...]]:
-    if not folder.is_dir():
+def _read(folder: Path | None) -> tuple[tuple[SourceText, ...], tuple[Diagnostic, ...]]:
+    if folder is None or not folder.is_dir():
         return (), ()
     from ropsim.tasks import read_folder  # with its engine it takes a tenth of a start
 

@@ -6,10 +6,9 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from ropsim import icr, language
-from ropsim.core import SourceText
+from ropsim.core import KeptFiles, SourceText
 from ropsim.model import ROBOT, ReadRobot
 from ropsim.query import Database, Event
-from ropsim.userfiles import KeptAnswers
 from ropsim.workbench import questions
 from ropsim.workbench.answer_form import UnknownFormError, written
 from ropsim.workbench.at_station import NOWHERE, AtStation
@@ -37,7 +36,7 @@ class Workspace:
         lines: what the compiler keeps between versions of texts.
     """
 
-    def __init__(self, kept: KeptAnswers | None = None) -> None:
+    def __init__(self, kept: KeptFiles | None = None) -> None:
         self.lines = language.LineCache()
         self._kept = kept
         self._asked: set[tuple[Question, str, AtStation]] = set()

@@ -5,7 +5,7 @@ from threading import Thread
 
 import pytest
 
-from ropsim.core import cache_folder, replace_file
+from ropsim.core import LongFileError, NoOrdinaryFileError, read_bytes, read_own_bytes, replace_file
 
 
 def test_a_file_is_replaced_as_a_whole(tmp_path: Path) -> None:
@@ -61,8 +61,40 @@ def test_a_name_of_the_greatest_length_can_be_written(tmp_path: Path) -> None:
     assert path.read_bytes() == b"one"
 
 
-def test_the_cache_folder_can_be_moved(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    monkeypatch.setenv("ROPSIM_CACHE_DIR", str(tmp_path))
-    assert cache_folder() == tmp_path
-    monkeypatch.delenv("ROPSIM_CACHE_DIR")
-    assert cache_folder().name == "ropsim"
+def test_a_file_is_read_up_to_its_bound(tmp_path: Path) -> None:
+    path = tmp_path / "a.txt"
+    path.write_bytes(bytes(100))
+    assert read_bytes(path, 100) == bytes(100)
+    with pytest.raises(LongFileError, match="has more than 99 bytes"):
+        read_bytes(path, 99)
+
+
+@pytest.mark.skipif(not Path("/proc/self/status").exists(), reason="files that do not tell their size")
+def test_a_file_that_does_not_tell_its_size_has_the_same_bound() -> None:
+    path = Path("/proc/self/status")
+    assert path.stat().st_size == 0
+    assert b"VmSize" in read_bytes(path)
+    with pytest.raises(LongFileError):
+        read_bytes(path, 100)
+
+
+@pytest.mark.parametrize("place", ["/dev/zero", "/dev/null", "pipe", "folder"])
+def test_what_is_no_ordinary_file_is_refused_and_nobody_waits(tmp_path: Path, place: str) -> None:
+    os.mkfifo(tmp_path / "pipe")
+    (tmp_path / "folder").mkdir()
+    (tmp_path / "link").symlink_to(tmp_path / place)
+    for path in (tmp_path / place, tmp_path / "link"):
+        with pytest.raises((NoOrdinaryFileError, IsADirectoryError)):
+            read_bytes(path)
+
+
+def test_a_file_that_others_could_have_written_is_not_the_own(tmp_path: Path) -> None:
+    path, link = tmp_path / "file", tmp_path / "link"
+    path.write_bytes(b"x")
+    link.symlink_to(path)
+    path.chmod(0o600)
+    assert read_own_bytes(path) == read_own_bytes(link) == b"x"
+    for others in (0o020, 0o002):
+        path.chmod(0o600 | others)
+        with pytest.raises(PermissionError, match="others can have written it"):
+            read_own_bytes(path)

@@ -1,12 +1,16 @@
 """Turns of processes: one has it, others wait, and it ends with its process."""
 
+import os
+import signal
 import subprocess
 import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
 
-from ropsim.core import turn
+from ropsim.core.turns import turn
 
 OTHER = """
 import fcntl, os, sys
@@ -18,13 +22,18 @@ for number in (7, 8):
     except OSError:
         print("taken")
 """
-ENDING = """
+HOLDER = """
 import os, sys
-from pathlib import Path
-from ropsim.core import turn
-with turn(Path(sys.argv[1]), 7):
-    os._exit(0)
+from ropsim.core.turns import turn
+with turn(os.open(sys.argv[1], os.O_RDWR | os.O_CREAT), 7):
+    print("has it", flush=True)
+    {}
 """
+posix = pytest.mark.skipif(sys.platform == "win32", reason="the other process asks as POSIX does")
+
+
+def opened(file: Path) -> int:
+    return os.open(file, os.O_RDWR | os.O_CREAT, 0o600)
 
 
 def seen_by_another(file: Path) -> list[str]:
@@ -34,10 +43,24 @@ def seen_by_another(file: Path) -> list[str]:
     return done.stdout.split()
 
 
-@pytest.mark.skipif(sys.platform == "win32", reason="the other process asks as POSIX does")
+@contextmanager
+def stopped_holder(file: Path) -> Iterator[None]:
+    """Have a process that was stopped in its turn."""
+    command = [sys.executable, "-c", HOLDER.format("sys.stdin.read()"), str(file)]
+    with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE) as holder:
+        assert holder.stdout is not None
+        assert holder.stdout.readline() == b"has it\n"
+        holder.send_signal(signal.SIGSTOP)
+        try:
+            yield
+        finally:
+            holder.kill()
+
+
+@posix
 def test_another_process_finds_a_turn_taken_until_its_end_and_others_free(tmp_path: Path) -> None:
-    file = tmp_path / "new" / "turns"
-    with turn(file, 7):
+    file = tmp_path / "turns"
+    with turn(opened(file), 7):
         assert seen_by_another(file) == ["taken", "free"]
     assert seen_by_another(file) == ["free", "free"]
     assert file.read_bytes() == b""
@@ -45,14 +68,38 @@ def test_another_process_finds_a_turn_taken_until_its_end_and_others_free(tmp_pa
 
 def test_a_process_that_ends_in_its_turn_keeps_nobody_waiting(tmp_path: Path) -> None:
     file = tmp_path / "turns"
-    subprocess.run([sys.executable, "-c", ENDING, str(file)], check=True)
-    with turn(file, 7):
-        pass
+    subprocess.run([sys.executable, "-c", HOLDER.format("os._exit(0)"), str(file)], check=True)
+    with turn(opened(file), 7, attempts=1):
+        assert sys.platform == "win32" or seen_by_another(file) == ["taken", "free"]
 
 
-def test_where_no_file_can_be_written_nobody_waits(tmp_path: Path) -> None:
-    (tmp_path / "file").write_text("no folder")
+@posix
+def test_a_process_that_was_stopped_in_its_turn_keeps_nobody_for_ever(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    pauses: list[float] = []
+    monkeypatch.setattr("ropsim.core.turns.sleep", pauses.append)
+    file = tmp_path / "turns"
+    with stopped_holder(file):
+        with turn(opened(file), 7, attempts=3):
+            assert len(pauses) == 3
+        with turn(opened(file), 8, attempts=3):
+            assert len(pauses) == 3
+
+
+def test_where_there_is_no_file_nobody_waits() -> None:
     done = []
-    with turn(tmp_path / "file" / "turns", 7):
+    with turn(None, 7):
         done.append(7)
     assert done == [7]
+
+
+@posix
+def test_where_files_cannot_be_locked_nobody_waits(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def without_locks(*_anything: object) -> None:
+        raise OSError(37, "No locks available")
+
+    monkeypatch.setattr("ropsim.core.turns._lock", without_locks)
+    monkeypatch.setattr("ropsim.core.turns.sleep", lambda _: pytest.fail("it waits"))
+    with turn(opened(tmp_path / "turns"), 7):
+        pass

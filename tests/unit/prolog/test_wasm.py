@@ -1,9 +1,7 @@
 """Below Prolog: the tables of its package, packed files, files in memory, the watchdog, own files."""
 
-import os
 import threading
 from dataclasses import replace
-from hashlib import sha256
 from pathlib import Path
 from typing import cast
 
@@ -11,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from ropsim.core import RopsimError, read_own_bytes, replace_private_file
+from ropsim.core import RopsimError
 from ropsim.prolog import Engine
 from ropsim.prolog.program import CrashError
 from ropsim.prolog.wasm.artefact import NAMES, artefact, artefact_in
@@ -21,7 +19,6 @@ from ropsim.prolog.wasm.jumps import ASKED, BRIDGED, LEFT, THROWN, jumps
 from ropsim.prolog.wasm.library import Library, Packed
 from ropsim.prolog.wasm.linking import linked
 from ropsim.prolog.wasm.lz4 import DamagedBlockError, unpacked
-from ropsim.prolog.wasm.module_cache import kept_code
 from ropsim.prolog.watchdog import Watchdog
 from support.patience import PATIENCE
 
@@ -214,27 +211,3 @@ def test_the_watchdog_acts_in_time_and_not_when_it_was_called_off() -> None:
     dog.call_off("b")
     dog.watch("c", 0.0, acted.set)
     assert acted.wait(PATIENCE)
-
-
-@pytest.mark.skipif(os.name == "nt", reason="permissions of Windows are others")
-def test_a_file_that_others_could_have_written_is_not_trusted(tmp_path: Path) -> None:
-    path = tmp_path / "file"
-    path.write_bytes(b"x")
-    path.chmod(0o600)
-    assert read_own_bytes(path) == b"x"
-    path.chmod(0o666)
-    with pytest.raises(PermissionError, match="written by others"):
-        read_own_bytes(path)
-    path.chmod(0o600)
-    (tmp_path / "link").symlink_to(path)
-    with pytest.raises(OSError, match="link"):
-        read_own_bytes(tmp_path / "link")
-
-
-def test_machine_code_that_is_damaged_is_not_run(tmp_path: Path) -> None:
-    path = tmp_path / "code"
-    replace_private_file(path, b"\0" * 32 + b"code")
-    with pytest.raises(ValueError, match="is damaged"):
-        kept_code(path)
-    replace_private_file(path, sha256(b"code").digest() + b"code")
-    assert kept_code(path) == b"code"

@@ -1,16 +1,10 @@
+import os
 from pathlib import Path
 
 import pytest
 
-from ropsim.userfiles import (
-    Trust,
-    TrustError,
-    code_in,
-    configuration_folder,
-    set_trust,
-    state_folder,
-    trust_in,
-)
+from ropsim.core import configuration_folder
+from ropsim.userfiles import Trust, TrustError, code_in, set_trust, trust_in
 from ropsim.workbench import new_project, open_project
 
 
@@ -84,16 +78,25 @@ def test_opening_says_which_code_stays_inert_until_the_folder_is_trusted(project
     assert open_project(project).diagnostics == ()
 
 
-def test_folders_of_the_user_follow_the_rules_of_the_system(
-    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+@pytest.mark.skipif(not hasattr(os, "geteuid"), reason="no owners of files")
+@pytest.mark.parametrize("others", [0o020, 0o002])
+def test_a_list_that_others_can_write_trusts_nobody(project: Path, others: int) -> None:
+    set_trust(project, Trust.GIVEN)
+    place = configuration_folder() / "trust.json"
+    assert place.stat().st_mode & 0o777 == 0o600
+    place.chmod(0o600 | others)
+    assert trust_in(project) is Trust.WITHHELD
+    set_trust(project, Trust.GIVEN)
+    assert trust_in(project) is Trust.GIVEN
+
+
+def test_a_list_in_the_working_folder_trusts_nobody(
+    project: Path, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    monkeypatch.setattr("sys.platform", "linux")
-    for name in ("ROPSIM_CONFIG_HOME", "ROPSIM_STATE_HOME"):
-        monkeypatch.delenv(name, raising=False)
-    monkeypatch.setenv("HOME", str(tmp_path))
-    monkeypatch.setenv("XDG_CONFIG_HOME", "relative/is/ignored")
-    monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path / "elsewhere"))
-    assert configuration_folder() == tmp_path / ".config" / "ropsim"
-    assert state_folder() == tmp_path / "elsewhere" / "ropsim"
-    monkeypatch.setenv("ROPSIM_STATE_HOME", str(tmp_path / "mine"))
-    assert state_folder() == tmp_path / "mine"
+    set_trust(project, Trust.GIVEN)
+    planted = (configuration_folder() / "trust.json").rename(tmp_path / "trust.json")
+    monkeypatch.chdir(planted.parent)
+    monkeypatch.setenv("HOME", str(tmp_path / "home"))
+    for place in ("", "."):
+        monkeypatch.setenv("ROPSIM_CONFIG_HOME", place)
+        assert trust_in(project) is Trust.WITHHELD

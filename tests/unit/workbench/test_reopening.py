@@ -6,8 +6,8 @@ from pathlib import Path
 import pytest
 
 from ropsim import language
+from ropsim.core import KeptFiles
 from ropsim.query import is_same
-from ropsim.userfiles import KeptAnswers
 from ropsim.workbench import CompiledProject, Workspace, new_project, open_project, questions
 from ropsim.workbench.answer_form import Translation, UnknownFormError, read, written
 from support.tasks import CELL
@@ -24,7 +24,8 @@ class Reopened:
         self.folder = folder / "p"
         self.program = self.folder / "programs" / "main.task"
         self.program.write_text(self.program.read_text("utf-8") + LONG, encoding="utf-8")
-        self.kept = KeptAnswers(folder / "kept")
+        self.answers = folder / "kept"
+        self.kept = KeptFiles("kept", 64_000_000, 16_000_000, lambda: folder)
         self.texts: list[str] = []
 
     def compiled(self) -> CompiledProject:
@@ -114,7 +115,7 @@ def test_any_damage_costs_time_only(reopened: Reopened) -> None:
     right = reopened.compiled()
     chosen = random.Random(2)
     for _ in range(4):
-        for path in reopened.kept.folder.iterdir():
+        for path in reopened.answers.iterdir():
             content = bytearray(path.read_bytes())
             content[chosen.randrange(len(content))] ^= 255
             path.write_bytes(content)
@@ -136,7 +137,7 @@ def test_answers_of_other_kinds_are_not_taken(reopened: Reopened) -> None:
         written(("not", 1)),
         b"[" * 100_000,
     ):
-        for path in list(reopened.kept.folder.iterdir()):
+        for path in list(reopened.answers.iterdir()):
             path.unlink()
             reopened.kept.keep(path.name, content)
         assert is_same(reopened.compiled(), right)

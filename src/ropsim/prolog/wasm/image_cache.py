@@ -6,8 +6,9 @@ from functools import lru_cache
 from hashlib import sha256
 from pathlib import Path
 
-from ropsim.core import cache_folder, read_bytes, read_own_bytes, replace_private_file
+from ropsim.core import read_bytes
 from ropsim.prolog.wasm.image import Image, unpacked_image
+from ropsim.prolog.wasm.kept import KEPT
 from ropsim.version import __version__
 
 
@@ -25,26 +26,23 @@ def mark_of(program: str, memory_bytes: int, sources: Mapping[str, bytes]) -> st
     return hasher.hexdigest()
 
 
-def image_path(*marks: str) -> Path:
-    """Return the file that holds the image of a program, by what tells it from others."""
-    digest = sha256(" ".join(marks).encode()).hexdigest()
-    return cache_folder() / "prolog" / f"{digest[:32]}.image"
+def image_name(*marks: str) -> str:
+    """Return under what the image of a program is kept, by what tells it from others."""
+    return f"{sha256(' '.join(marks).encode()).hexdigest()[:32]}.image"
 
 
-def kept_image(path: Path) -> Image | None:
-    """Return the image in a file; None where there is none, or one that somebody else could have written."""
-    with suppress(OSError, ValueError):
-        content = read_own_bytes(path)
-        if sha256(content[32:]).digest() == content[:32]:
-            return _image(content[32:])
+def kept_image(name: str) -> Image | None:
+    """Return a kept image; None where there is none that is whole."""
+    packed = KEPT.find(name)
+    if packed is not None:
+        with suppress(ValueError):
+            return _image(packed)
     return None
 
 
-def keep_image(path: Path, image: Image) -> None:
-    """Write an image to a file; where that cannot be, the next start takes longer."""
-    packed = image.packed()
-    with suppress(OSError):
-        replace_private_file(path, sha256(packed).digest() + packed)
+def keep_image(name: str, image: Image) -> None:
+    """Keep an image for other processes; where that cannot be, the next start takes longer."""
+    KEPT.keep(name, image.packed())
 
 
 @lru_cache(maxsize=4)

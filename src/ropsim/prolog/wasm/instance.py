@@ -7,12 +7,13 @@ from ropsim.core import frozen_without_equality
 from ropsim.prolog.program import CrashError, StoppedError
 from ropsim.prolog.wasm.artefact import Artefact
 from ropsim.prolog.wasm.clock_calls import ClockCalls
+from ropsim.prolog.wasm.configuration import configuration
 from ropsim.prolog.wasm.file_calls import FileCalls
 from ropsim.prolog.wasm.files import MemoryFiles
 from ropsim.prolog.wasm.image import Image
 from ropsim.prolog.wasm.jumps import ASKED, LEFT, THROWN, LongJumpError
 from ropsim.prolog.wasm.linking import linked
-from ropsim.prolog.wasm.memory import PAGE, LinearMemory, NoAddressError
+from ropsim.prolog.wasm.memory import PAGE, LinearMemory, NoAddressError, memory_needed
 from ropsim.prolog.wasm.stream_calls import StreamCalls
 
 if TYPE_CHECKING:
@@ -43,7 +44,7 @@ class Instance:
     """One program with memory and files of its own; it belongs to one thread, except for `stop`."""
 
     def __init__(self, artefact: Artefact, host: Host) -> None:
-        from wasmtime import Config, Engine, Memory, Store
+        from wasmtime import Engine, Memory, Store
 
         self._artefact = artefact
         self._host = host
@@ -53,17 +54,15 @@ class Instance:
         self._file_calls = file_calls = FileCalls(self._streams)
         self._clock = clock_calls = ClockCalls()
         self._held: frozenset[int] = frozenset()
-        config = Config()
-        config.epoch_interruption = True
-        config.wasm_exceptions = True
-        # An engine of its own: whoever moves its epoch on stops this program and no other.
-        self._engine: Engine = Engine(config)
+        # An engine of its own: its epoch stops this program and no other.
+        self._engine: Engine = Engine(configuration())
         self._store = Store(self._engine)
         self._store.set_limits(memory_size=max(host.memory_bytes, FEWEST_BYTES))
         self._store.set_epoch_deadline(FOREVER)
         tables = (self._streams.table(), file_calls.table(), clock_calls.table(), self._table())
         answers = dict(item for table in tables for item in table.items())
-        exports = linked(self._engine, self._store, artefact, answers)
+        with memory_needed():
+            exports = linked(self._engine, self._store, artefact, answers)
         self._exports = {name: cast("Func", exports[short]) for name, short in artefact.exports.items()}
         memory = next(one for one in exports.values() if isinstance(one, Memory))
         self.memory = LinearMemory(memory, self._store)

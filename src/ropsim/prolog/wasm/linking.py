@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 
 from ropsim.prolog.program import CrashError
 from ropsim.prolog.wasm.artefact import Artefact
+from ropsim.prolog.wasm.configuration import SETTINGS
 from ropsim.prolog.wasm.jumps import ASKED, BRIDGE, BRIDGED, jumps
 from ropsim.prolog.wasm.module_cache import compiled
 
@@ -31,7 +32,7 @@ def linked(
     """
     from wasmtime import FuncType, Linker, Module, Table, ValType
 
-    module, linker, i32 = compiled(engine, artefact.code), Linker(engine), ValType.i32()
+    module, linker, i32 = compiled(engine, SETTINGS, artefact.code), Linker(engine), ValType.i32()
     invoked = [name for name in artefact.imports.values() if name.startswith("invoke_")]
     linker.define_func("host", "asked", FuncType([i32, i32, i32], [i32]), answers[ASKED])
     caught = linker.instantiate(store, Module(engine, jumps(invoked))).exports(store)

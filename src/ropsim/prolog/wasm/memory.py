@@ -1,6 +1,9 @@
 """The memory of a WebAssembly program, read and written in terms of C."""
 
+import re
 import struct
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -8,6 +11,10 @@ if TYPE_CHECKING:
 
 PAGE = 65536
 """Bytes by which memory grows."""
+
+
+_NO_MEMORY = re.compile(r"[Cc]annot allocate memory|\(os error (?:12|8|14|1455)\)")
+"""How the system says it on Linux and macOS; 8, 14 and 1455 are numbers of Windows."""
 
 
 class NoAddressError(Exception):
@@ -74,3 +81,20 @@ class LinearMemory:
         except WasmtimeError:
             return False
         return True
+
+
+@contextmanager
+def memory_needed() -> Iterator[None]:
+    """Let a program be made.
+
+    Raises:
+        MemoryError: the system has no memory, or no addresses, left for it.
+    """
+    from wasmtime import WasmtimeError
+
+    try:
+        yield
+    except WasmtimeError as error:
+        if _NO_MEMORY.search(str(error)):
+            raise MemoryError("the system has no room left for SWI-Prolog") from error
+        raise

@@ -5,7 +5,7 @@ from collections.abc import Callable, Generator
 from ropsim.prolog.program import own_sources
 from ropsim.prolog.wasm.artefact import artefact
 from ropsim.prolog.wasm.foreign import Foreign
-from ropsim.prolog.wasm.image_cache import image_path, keep_image, kept_image, mark_of
+from ropsim.prolog.wasm.image_cache import image_name, keep_image, kept_image, mark_of
 from ropsim.prolog.wasm.instance import Host, Instance
 
 START = "start"
@@ -65,13 +65,13 @@ class WasmProgram:
 
     def go_on(self, mark: str) -> bool:
         """Go on from where another one was kept under a mark; return whether there is one."""
-        image = kept_image(image_path(self._mark, mark))
+        image = kept_image(image_name(self._mark, mark))
         return image is not None and self._instance.go_on_from(image)
 
     def keep(self, mark: str) -> None:
         """Keep the program as it is now; one that has changed files by itself is not kept."""
         if self._instance.files.changes == self._changes:
-            keep_image(image_path(self._mark, mark), self._instance.image())
+            keep_image(image_name(self._mark, mark), self._instance.image())
 
     def limit(self) -> None:
         """Let the next `stop` end what runs from now on."""

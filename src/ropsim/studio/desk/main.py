@@ -3,12 +3,12 @@
 import contextlib
 from multiprocessing.connection import Connection
 
-from ropsim.core import RopsimError, collect_seldom, keep_from_collection
+from ropsim.core import RopsimError, collect_seldom, keep_from_collection, shortage
 from ropsim.studio.desk.desk import Desk
 from ropsim.studio.desk.line import Cancelled, Line
 from ropsim.studio.desk.mailbox import Mailbox, StopAsked, given_up
 from ropsim.studio.jobs import Failed, Job, LiveStart, Reply, RunReply, Simulate
-from ropsim.userfiles import kept_by_user
+from ropsim.userfiles import KEPT_ANSWERS
 from ropsim.workbench import Workspace
 
 
@@ -19,7 +19,7 @@ def main(connection: Connection) -> None:
         connection: this process's end of the pipe; it carries `Request` and `Answer`.
     """
     collect_seldom()
-    desk = Desk(workspace=Workspace(kept_by_user()))
+    desk = Desk(workspace=Workspace(KEPT_ANSWERS))
     mailbox = Mailbox(connection)
     with contextlib.suppress(StopAsked):
         while True:
@@ -43,7 +43,9 @@ def answered(desk: Desk, job: Job, line: Line) -> Reply:
     except StopAsked:
         raise
     except Exception as error:  # the worker must outlive its own faults
-        return failure(job, f"a fault of ropsim: {type(error).__name__}: {error}"[:500])
+        lacking = shortage(error)
+        fault = f"a fault of ropsim: {type(error).__name__}: {error}"[:500]
+        return failure(job, lacking.message if lacking else fault)
 
 
 def failure(job: Job, words: str) -> Reply:
