@@ -153,7 +153,9 @@ def file(place: str, hint: object) -> str:
         if other != here and re.search(rf"\b{one}\b", re.sub(r"/\*\*.*?\*/", "", body, flags=re.DOTALL)):
             needed.setdefault(other, []).append(one)
     lines = comment(f"{(inspect.getdoc(home) or '').partition(chr(10))[0]}\n\n{about}")
-    lines += [f"import type {{ {', '.join(names)} }} from '{other}'" for other, names in sorted(needed.items())]
+    lines += [
+        f"import type {{ {', '.join(names)} }} from '{other}'" for other, names in sorted(needed.items())
+    ]
     return "\n".join(lines) + f"\n\n{body}\n"
 
 
