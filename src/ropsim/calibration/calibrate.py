@@ -1,11 +1,12 @@
 """Calibration: the limits and the look-ahead of a controller from a trace of its robot."""
 
-from collections.abc import Callable, Sequence
+import math
+from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 
 from ropsim.calibration.calibration import Calibration, StretchTimes
-from ropsim.calibration.comparing import compared
+from ropsim.calibration.comparing import Reason, compared, held, not_compared, reasons
 from ropsim.calibration.demands import largest
 from ropsim.calibration.diagnostics import MISFIT, OTHER_TRACE, CalibrationError
 from ropsim.calibration.knowledge import felt, knowledge
@@ -61,14 +62,18 @@ def calibrate(
     fitted = felt(replan, problem.chosen(logged), found)
     motions = [motion for one in logged if (motion := replan(one.number, found))]
     asked = np.max([largest(motion, found) for motion in motions], axis=0)
-    times = _times(problem, known, found)
+    times, strayed = _times(problem, known, found)
     if not times:
         return None, (*findings, _nothing_compared(made))
-    findings += _misfits(times)
+    holds = held(replan, orders, known, station.robot.axis_joints, trace)
+    why = {**reasons(holds, orders, {one.number for one in logged}), **strayed}
+    lasted = {number: holds.lasted(number, trace) for number in why}
+    left_out = _left_out(problem, known, found, why, lasted)
+    findings += (*_misfits(times), *not_compared(strayed, orders, made))
     spread = spreads(replan, problem.chosen(logged), found, fitted)
     told = knowledge(replan, numbers, found, asked, fitted, spread)
     axes = tuple(one.name for one in station.robot.axis_joints)
-    made_of = Calibration(station.name, axes, known, found, told, look.kind, times, made, findings)
+    made_of = Calibration(station.name, axes, known, found, told, look.kind, times, made, findings, left_out)
     return made_of, findings
 
 
@@ -77,23 +82,44 @@ def _nothing_compared(made: int) -> Diagnostic:
     return OTHER_TRACE.at(None, message, hint="log the whole program, with all its stops")
 
 
-def _times(problem: Problem, before: MotionSettings, after: MotionSettings) -> tuple[StretchTimes, ...]:
-    found = []
+def _times(
+    problem: Problem, before: MotionSettings, after: MotionSettings
+) -> tuple[tuple[StretchTimes, ...], dict[int, Reason]]:
+    """Return the times of stretches that the trace has, and why some of them cannot be compared."""
+    found, strayed = [], dict[int, Reason]()
     for logged in problem.logged:
         old, new = (problem.replan(logged.number, one) for one in (before, after))
         if old is None or new is None:
+            strayed[logged.number] = Reason.UNPLANNED
             continue
-        moves = problem.orders[logged.number].moves
         fit = placed(logged, after, new)
-        if not goes_there(fit):
-            continue
         lasted = duration(logged, new, fit.start)
-        if not lasted > 0.0:
+        if not goes_there(fit) or not lasted > 0.0:
+            strayed[logged.number] = Reason.OTHER_WAY
             continue
-        first, last = moves[0].origin, moves[-1].origin
+        first, last = (problem.orders[logged.number].moves[end].origin for end in (0, -1))
         found.append(
             StretchTimes(first.span, last.span, last.visit, lasted, old.duration, new.duration, fit.error)
         )
+    return tuple(found), strayed
+
+
+def _left_out(
+    problem: Problem,
+    before: MotionSettings,
+    after: MotionSettings,
+    why: Mapping[int, Reason],
+    lasted: Mapping[int, float],
+) -> tuple[StretchTimes, ...]:
+    """Return the stretches that are not compared, in order, with what is known of their times."""
+    logged, found = {one.number: one for one in problem.logged}, []
+    for number, reason in sorted(why.items()):
+        first, last = (problem.orders[number].moves[end].origin for end in (0, -1))
+        old, new = (problem.replan(number, one) for one in (before, after))
+        error = placed(logged[number], after, new).error if new and number in logged else math.nan
+        planned, fitted = (one.duration if one else math.nan for one in (old, new))
+        times = lasted[number], planned, fitted
+        found.append(StretchTimes(first.span, last.span, last.visit, *times, error, reason.value))
     return tuple(found)
 
 

@@ -19,7 +19,8 @@ class StretchTimes:
         logged: in the trace [s].
         before: with the limits of the project [s].
         after: with the limits that were found [s].
-        error: of the joints after, at equal times, root of the mean square [rad | m].
+        error: of the joints after, at equal times, root of the mean square [rad | m]; NaN where unknown.
+        reason: why it is not compared, as the end of a sentence; empty where it is.
     """
 
     first: Span | None
@@ -29,6 +30,7 @@ class StretchTimes:
     before: float
     after: float
     error: float
+    reason: str = ""
 
     @property
     def remaining(self) -> float:
@@ -49,7 +51,9 @@ class Calibration:
         look_ahead: what it says of the look-ahead.
         stretches: times of those that were compared, in order.
         made: how many stretches with a motion the program has.
-        findings: warnings and hints.
+        findings: of the calibration.
+        left_out: stretches that were not compared, each with its reason; how long it lasted is NaN where the
+            trace does not have it.
     """
 
     station: str
@@ -61,35 +65,45 @@ class Calibration:
     stretches: tuple[StretchTimes, ...]
     made: int
     findings: tuple[Diagnostic, ...]
+    left_out: tuple[StretchTimes, ...] = ()
+
+    @property
+    def in_trace(self) -> tuple[StretchTimes, ...]:
+        """Return all stretches that the trace has, compared or not: errors are those over all its time."""
+        return (*self.stretches, *(one for one in self.left_out if math.isfinite(one.remaining)))
 
     @property
     def logged(self) -> float:
         """Return the time in motion in the trace [s]."""
-        return sum(one.logged for one in self.stretches)
+        return sum(one.logged for one in self.in_trace)
 
     @property
     def time_before(self) -> float:
         """Return the same with the limits of the project [s]."""
-        return sum(one.before for one in self.stretches)
+        return sum(one.before for one in self.in_trace)
 
     @property
     def time_after(self) -> float:
         """Return the same with the limits that were found [s]."""
-        return sum(one.after for one in self.stretches)
+        return sum(one.after for one in self.in_trace)
 
     @property
     def remaining(self) -> float:
         """Return the share by which the time of a stretch is still wrong, root of the mean square."""
-        squares = [one.remaining**2 for one in self.stretches]
+        squares = [one.remaining**2 for one in self.in_trace]
         return math.sqrt(sum(squares) / len(squares))
 
     @property
     def worst(self) -> StretchTimes:
         """Return the stretch whose time is most wrong, in share."""
-        return max(self.stretches, key=lambda one: abs(one.remaining))
+        return max(self.in_trace, key=lambda one: abs(one.remaining))
 
     @property
     def error(self) -> float:
-        """Return how far the joints are from the trace at equal times, root of the mean square [rad | m]."""
-        whole = sum(one.logged for one in self.stretches)
-        return math.sqrt(sum(one.error**2 * one.logged for one in self.stretches) / whole)
+        """Return how far the joints are from the trace at equal times, root of the mean square [rad | m].
+
+        It is that of all stretches of which it is known: one that stood on its way has none.
+        """
+        known = [one for one in self.in_trace if math.isfinite(one.error)]
+        whole = sum(one.logged for one in known)
+        return math.sqrt(sum(one.error**2 * one.logged for one in known) / whole)

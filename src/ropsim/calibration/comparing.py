@@ -1,7 +1,9 @@
 """Which stretches of a program a trace has."""
 
-from collections.abc import Sequence
+import math
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
+from enum import StrEnum
 
 import numpy as np
 
@@ -14,8 +16,8 @@ from ropsim.calibration.rests import Rests, rests_of
 from ropsim.calibration.shift import shift_of
 from ropsim.calibration.trace import Trace
 from ropsim.calibration.zeros import zeros_beside
-from ropsim.controller import StretchOrder
-from ropsim.core import Diagnostic
+from ropsim.controller import MotionPlan, StretchOrder
+from ropsim.core import Diagnostic, frozen_dataclass
 from ropsim.model import Joint
 from ropsim.spatial import Array
 
@@ -24,6 +26,95 @@ _ENOUGH = 0.5
 _LEAST = 2
 """Stretches that a trace must have that is of a part of the program."""
 _TOLD = 3
+_NAMED = 8
+"""Motions that are not compared are named with their reasons up to so many."""
+
+
+class Reason(StrEnum):
+    """Why a motion of the program is not compared with the trace, as the end of a sentence about it."""
+
+    ABSENT = "is not in the trace"
+    BEYOND = "lies behind the end of the trace"
+    STOOD = "stands on its way in the trace"
+    SENSOR = "hangs on a sensor"
+    OTHER_WAY = "goes another way in the trace than it is planned"
+    UNPLANNED = "cannot be planned under the limits found"
+
+
+@frozen_dataclass
+class Held:
+    """What a trace holds of a program.
+
+    Attributes:
+        motions: the stretches that move, as planned, by their numbers.
+        rests: stops of the trace.
+        passages: where the trace has a stretch, by its number.
+    """
+
+    motions: Mapping[int, MotionPlan]
+    rests: Rests
+    passages: Mapping[int, Passage]
+
+    def lasted(self, number: int, trace: Trace) -> float:
+        """Return how long the robot moved between the two stops of a stretch [s]; NaN where it has none."""
+        passage = self.passages.get(number)
+        if passage is None:
+            return math.nan
+        spans = self.rests.spans
+        return float(trace.time[spans[passage.end][0]] - trace.time[spans[passage.start][1]])
+
+
+def held(
+    replan: Replan,
+    orders: Sequence[StretchOrder],
+    known: MotionSettings,
+    joints: Sequence[Joint],
+    trace: Trace,
+) -> Held:
+    """Return which stretches of a program a trace holds.
+
+    Arguments are those of `compared`.
+
+    Raises:
+        CalibrationError: X889, the program has no motion.
+    """
+    planned = {number: replan(number, known) for number in range(len(orders))}
+    motions = {number: motion for number, motion in planned.items() if motion and motion.ticks > 1}
+    if not motions:
+        raise CalibrationError(OTHER_TRACE.at(None, "the program has no motion that can be compared"))
+    numbers = list(motions)
+    ends = _ends(motions)
+    rests = rests_of(trace)
+    passages = {numbers[one.stretch]: one for one in _passages(rests, ends, joints)}
+    return Held(motions, rests, passages)
+
+
+def reasons(found: Held, orders: Sequence[StretchOrder], compared: Collection[int]) -> dict[int, Reason]:
+    """Return why stretches are not compared, by their numbers.
+
+    Args:
+        found: what the trace holds.
+        orders: the stretches.
+        compared: numbers of those that are.
+    """
+    last = max(found.passages, default=-1)
+    return {
+        number: _reason(found, orders, number, last) for number in found.motions if number not in compared
+    }
+
+
+def _reason(found: Held, orders: Sequence[StretchOrder], number: int, last: int) -> Reason:
+    if _hangs_on_sensors(orders, number):
+        return Reason.SENSOR
+    if number in found.passages:
+        return Reason.STOOD
+    return Reason.BEYOND if number > last else Reason.ABSENT
+
+
+def _ends(motions: Mapping[int, MotionPlan]) -> Array:
+    """Return where a program stands: at its start, and at the end of each stretch [rad | m]."""
+    made = list(motions.values())
+    return np.array([made[0].q_start, *(motion.q_end for motion in made)])
 
 
 def compared(
@@ -45,18 +136,12 @@ def compared(
     Raises:
         CalibrationError: X889, it has less than half of them, and less than half of it is of them.
     """
-    motions = {number: replan(number, known) for number in range(len(orders))}
-    moving = {number: motion for number, motion in motions.items() if motion and motion.ticks > 1}
-    if not moving:
-        raise CalibrationError(OTHER_TRACE.at(None, "the program has no motion that can be compared"))
-    numbers = list(moving)
-    ends = np.array([moving[numbers[0]].q_start, *(moving[number].q_end for number in numbers)])
-    rests = rests_of(trace)
-    found: dict[int, LoggedStretch | None] = {}
-    passages = _passages(rests, ends, joints)
-    for passage in passages:
-        number = numbers[passage.stretch]
-        found[number] = logged_stretch(trace, rests, passage, moving[number], number)
+    holds = held(replan, orders, known, joints, trace)
+    numbers, rests = list(holds.motions), holds.rests
+    found = {
+        number: logged_stretch(trace, rests, passage, holds.motions[number], number)
+        for number, passage in holds.passages.items()
+    }
     is_a_part = len(found) >= max(_LEAST, _ENOUGH * (rests.count - 1))
     if len(found) < _ENOUGH * len(numbers) and not is_a_part:
         message = (
@@ -67,9 +152,9 @@ def compared(
         raise CalibrationError(OTHER_TRACE.at(None, message, hint=hint))
     own = {number for number in numbers if not _hangs_on_sensors(orders, number)}
     usable = [one for number, one in found.items() if one is not None and number in own]
-    lost = [number for number in numbers if found.get(number) is None or number not in own]
-    beside = zeros_beside(rests, ends, passages, joints)
-    return usable, len(numbers), (*beside, *_lost(lost, orders, len(numbers), max(found)))
+    why = reasons(holds, orders, {one.number for one in usable})
+    beside = zeros_beside(rests, _ends(holds.motions), list(holds.passages.values()), joints)
+    return usable, len(numbers), (*beside, *not_compared(why, orders, len(numbers)))
 
 
 def _passages(rests: Rests, ends: Array, joints: Sequence[Joint]) -> tuple[Passage, ...]:
@@ -89,23 +174,36 @@ def _hangs_on_sensors(orders: Sequence[StretchOrder], number: int) -> bool:
     return any(move.tracking or move.guard for move in (*before, *orders[number].moves))
 
 
-def _lost(
-    lost: Sequence[int], orders: Sequence[StretchOrder], count: int, last: int
+def not_compared(
+    why: Mapping[int, Reason], orders: Sequence[StretchOrder], count: int
 ) -> tuple[Diagnostic, ...]:
-    """Return X894 where stretches are missing, at the first one; the trace has nothing behind `last`."""
-    if not lost:
+    """Return X894 where stretches are not compared, at the first one, with the reason of each.
+
+    Args:
+        why: reasons by number of the stretch.
+        orders: all stretches.
+        count: how many of them move.
+    """
+    if not why:
         return ()
-    spans = [orders[number].moves[-1].origin.span for number in lost]
-    if lost[0] > last:
-        where = f" on the way to line {spans[0].line}" if spans[0] else ""
-        message = f"the trace ends{where}: the last {len(lost)} of {count} motions are not in it"
+    numbers = sorted(why)
+    origins = [orders[number].moves[-1].origin for number in numbers]
+    span, lost = origins[0].span, len(numbers)
+    if set(why.values()) == {Reason.BEYOND}:
+        where = f" on the way to line {span.line}" if span else ""
+        message = f"the trace ends{where}: the last {lost} of {count} motions are not in it"
         hint = "limits that only these motions are at are not told: log the program to its end"
-        return (NOT_IN_TRACE.at(spans[0], message, hint=hint, data={"stretches": len(lost)}),)
-    lines = list(dict.fromkeys(str(span.line) for span in spans if span))
-    more = f" and {len(lines) - _TOLD} more" if len(lines) > _TOLD else ""
-    message = (
-        f"{len(lost)} of {count} motions are not in the trace, stood meanwhile or hang on a sensor: to line"
-        f"{'s' if len(lines) > 1 else ''} {', '.join(lines[:_TOLD])}{more}"
+    else:
+        lines = list(dict.fromkeys(str(one.span.line) for one in origins if one.span))
+        more = f" and {len(lines) - _TOLD} more" if len(lines) > _TOLD else ""
+        message = (
+            f"{lost} of {count} motions are not compared: to line{'s' if len(lines) > 1 else ''} "
+            f"{', '.join(lines[:_TOLD])}{more}"
+        )
+        hint = "log without stops by hand, at full override; motions with `until` or `track` are not compared"
+    notes = tuple(
+        f"the motion {f'to line {one.span.line} ' if one.span else ''}pass {one.visit} {why[number].value}"
+        for number, one in zip(numbers[:_NAMED], origins, strict=False)
     )
-    hint = "log without stops by hand, at full override; motions with `until` or `track` are not compared"
-    return (NOT_IN_TRACE.at(spans[0], message, hint=hint, data={"stretches": len(lost)}),)
+    notes += (f"and {lost - _NAMED} more",) if lost > _NAMED else ()
+    return (NOT_IN_TRACE.at(span, message, hint=hint, notes=notes, data={"stretches": lost}),)

@@ -43,16 +43,22 @@ program, are there with the same shift (X800).
 NOT_IN_TRACE = define(
     "X894",
     "stretch-not-compared",
-    Severity.WARNING,
-    "moves of the program that were not compared with the trace",
+    Severity.ERROR,
+    "moves of the program that are not compared with the trace, so no limits are written",
     """
-Moves between two stops were not found in the trace, which may end before the program does, stood longer than
-a tenth of a second on their way, or went another way than they are planned. Their times say nothing about the
-robot and were not used. Nor are motions used whose end or path a sensor decides (`until`, `track`), and those
-that begin behind them.
+Limits hold for the whole program. Where one of its motions cannot be compared, the trace does not tell
+whether they are right there: the motion that is left out may be the very one that matters, such as a chain
+of moves with zones. The finding names each of them with its reason. `ropsim calibrate` shows what the other
+motions tell and writes nothing; the errors that it states are those over all time that the robot moved in
+the trace, these motions included.
 
-Pauses between moves do no harm. Look whether somebody held the robot, slowed it down by its override, or
-whether points were corrected on the robot and not in the program.
+A motion that *goes another way in the trace than it is planned* was programmed with other points, zones or
+orientations on the robot. One that *stands on its way* was held, or slowed down to a stop. One that *hangs
+on a sensor* (`until`, `track`) ends elsewhere each time: log a program without it. One that *is not in the
+trace* or *lies behind its end* was not logged.
+
+**How to mend it.** Log the whole program once more, at full override and without holds, and give the very
+text that ran on the robot. Limits may be put into the cell file by hand all the same.
 """,
 )
 

@@ -6,7 +6,7 @@ import math
 from collections.abc import Sequence
 from pathlib import Path
 
-from ropsim.calibration import Calibration, Knowledge
+from ropsim.calibration import Calibration, Knowledge, StretchTimes
 from ropsim.cli.calibration_text import calibration_text
 from ropsim.cli.output import Output, cannot_write
 from ropsim.cli.progress import Progress
@@ -38,7 +38,7 @@ def calibrate(options: argparse.Namespace, output: Output) -> int:
     if found is None:
         output.document({"ok": False, **diagnostic_document(findings)})
         return code or 1
-    written = _write(found) if options.write else []
+    written = _write(found) if options.write and not found.calibration.left_out else []
     output.text(calibration_text(found.calibration, found.axes, output.style))
     output.text(_ending(found, written))
     output.document(
@@ -85,21 +85,22 @@ def calibration_entry(calibration: Calibration) -> dict[str, object]:
             }
             for name, numbers in named
         },
-        "motions": [
-            {
-                "source": one.last.source if one.last else "",
-                "first_line": one.first.line if one.first else 0,
-                "last_line": one.last.line if one.last else 0,
-                "pass": one.visit,
-                "logged": one.logged,
-                "before": one.before,
-                "after": one.after,
-                "joint_error": one.error,
-            }
-            for one in calibration.stretches
-        ],
+        "motions": [_motion_entry(one) for one in calibration.stretches],
+        "not_compared": [{**_motion_entry(one), "reason": one.reason} for one in calibration.left_out],
         "compared": len(calibration.stretches),
         "made": calibration.made,
+    }
+
+
+def _motion_entry(one: StretchTimes) -> dict[str, object]:
+    """Return a motion between two stops; times that are not known are null."""
+    times = {"logged": one.logged, "before": one.before, "after": one.after, "joint_error": one.error}
+    return {
+        "source": one.last.source if one.last else "",
+        "first_line": one.first.line if one.first else 0,
+        "last_line": one.last.line if one.last else 0,
+        "pass": one.visit,
+        **{name: value if math.isfinite(value) else None for name, value in times.items()},
     }
 
 
@@ -138,4 +139,6 @@ def _ending(found: CalibratedProject, written: Sequence[str]) -> str:
         return f"wrote {written[0]}"
     lines = "\n".join(f"{key} = {value}" for key, value in found.values.items())
     where = "put this into cell.toml" if found.cell_text is None else "for cell.toml, as --write writes it"
+    if found.calibration.left_out:
+        where = "nothing is written; the compared motions alone tell"
     return f"{where}:\n\n[{found.section}]\n{lines}"

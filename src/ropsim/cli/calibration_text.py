@@ -3,12 +3,15 @@
 import math
 from collections.abc import Iterable, Sequence
 from itertools import groupby
+from textwrap import wrap
 
 from ropsim.calibration import Calibration, Knowledge, StretchTimes
+from ropsim.core import plural
 from ropsim.model import JointType
 from ropsim.views import Style, TableCell, Tone, columns_text
 
 _SHOWN_LINES = 20
+_COLUMNS = 80
 _WORTH_MARKING = 0.02
 _POWERS = ("/s", "/s²", "/s³")
 _TURN, _SLIDE = (math.degrees(1.0), "°"), (1e3, "mm")
@@ -23,7 +26,8 @@ def calibration_text(calibration: Calibration, axes: Sequence[JointType], style:
         axes: whether each axis turns or slides, n of them.
         style: whether it has colours.
     """
-    lines = [*_times(calibration.stretches, style), "", *_totals(calibration, axes), ""]
+    lines = [*_times(calibration.stretches, style), *_left_out(calibration), "", *_totals(calibration, axes)]
+    lines.append("")
     return "\n".join([*lines, *_limits(calibration, axes, style)]) + "\n"
 
 
@@ -33,6 +37,17 @@ def _times(stretches: Sequence[StretchTimes], style: Style) -> list[str]:
     more = len(rows) - _SHOWN_LINES
     found = columns_text(title, rows[:_SHOWN_LINES], style)
     return [*found, f"  … {more} more"] if more > 0 else found
+
+
+def _left_out(calibration: Calibration) -> list[str]:
+    """Return the motions that are not compared, each with its reason."""
+    told = [
+        line
+        for one in calibration.left_out[:_SHOWN_LINES]
+        for line in wrap(f"not compared: {_name(one)} pass {one.visit} {one.reason}", _COLUMNS)
+    ]
+    more = len(calibration.left_out) - _SHOWN_LINES
+    return ["", *told, *([f"  … {more} more"] if more > 0 else [])] if told else []
 
 
 def _by_lines(stretches: Sequence[StretchTimes]) -> Iterable[tuple[str, Iterable[StretchTimes]]]:
@@ -72,12 +87,14 @@ def _totals(calibration: Calibration, axes: Sequence[JointType]) -> list[str]:
     compared = (
         f"{count} of {calibration.made} motions" if count < calibration.made else f"all {count} motions"
     )
+    alone = sum(not math.isfinite(one.error) for one in calibration.in_trace)
+    without = f"; without {plural(alone, 'motion')} of which it is not known" if alone else ""
     return [
         f"in motion    logged {calibration.logged:.3f} s, before {calibration.time_before:.3f} s, "
         f"after {calibration.time_after:.3f} s; {compared} compared",
         f"error left   {calibration.remaining * 100.0:.2f} % of the time of a motion (RMS), "
         f"largest {_percent(worst.remaining)} % ({_name(worst)} pass {worst.visit})",
-        f"joints       {calibration.error * factor:.2g} {unit} from the trace at equal times (RMS)",
+        f"joints       {calibration.error * factor:.2g} {unit} from the trace at equal times (RMS){without}",
     ]
 
 

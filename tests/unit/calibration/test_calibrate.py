@@ -1,5 +1,6 @@
 """Calibration: a robot with other limits is logged, and its limits come back."""
 
+from collections.abc import Callable
 from dataclasses import replace
 from functools import cache
 
@@ -249,3 +250,65 @@ def test_motions_that_a_sensor_leads_and_those_behind_them_are_left_out_and_said
     assert found is not None
     assert len(every.stretches) - 2 <= len(found.stretches) < len(every.stretches)
     assert "X894" in {one.code for one in findings}
+
+
+def moving(logs: Trace) -> list[tuple[int, int]]:
+    """Return the samples at which each motion of a trace begins and ends."""
+    goes = np.abs(np.diff(logs.q, axis=0)).max(axis=1) > 0.0
+    begins, ends = (np.flatnonzero(np.diff(np.pad(goes, 1).astype(int)) == way).tolist() for way in (1, -1))
+    return [span for span in zip(begins, ends, strict=True) if span[1] - span[0] > int(0.3 * RATE)]
+
+
+def bent() -> Trace:
+    """Return the trace of the weak robot, whose second motion goes another way than it is planned."""
+    logs = weak()[1]
+    (_, (first, last), *_) = moving(logs)
+    q = logs.q.copy()
+    q[first : last + 1, 2] += 0.3 * np.sin(np.linspace(0.0, np.pi, last + 1 - first)) ** 2
+    return Trace(logs.time, q)
+
+
+def halted() -> Trace:
+    """Return the trace of the weak robot, which is held for half a second on its second motion."""
+    logs = weak()[1]
+    (_, (first, last), *_) = moving(logs)
+    middle = (first + last) // 2
+    pause = np.repeat(logs.q[middle : middle + 1], int(0.5 * RATE), axis=0)
+    q = np.vstack((logs.q[:middle], pause, logs.q[middle:]))
+    return Trace(np.arange(len(q)) / RATE, q)
+
+
+@pytest.mark.parametrize(
+    ("logs", "reason"),
+    [
+        (bent, "goes another way in the trace than it is planned"),
+        (halted, "stands on its way in the trace"),
+    ],
+)
+def test_a_motion_that_is_not_compared_is_named_with_its_reason_and_counts_in_the_error(
+    logs: Callable[[], Trace], reason: str
+) -> None:
+    made, every = site(SHORT), weak()[2]
+    found, findings = calibrate(made.cell, made.station, made.orders, logs())
+    assert found is not None
+    (lost,) = found.left_out
+    assert (lost.last.line if lost.last else 0, lost.visit, lost.reason) == (5, 1, reason)
+    (said,) = [one for one in findings if one.code == "X894"]
+    assert said.is_error
+    assert said.notes == (f"the motion to line 5 pass 1 {reason}",)
+    assert len(found.stretches) == len(every.stretches) - 1
+    shares = [one.after / one.logged - 1.0 for one in (*found.stretches, lost)]
+    assert found.remaining == pytest.approx(float(np.sqrt(np.mean(np.square(shares)))))
+    assert found.logged == pytest.approx(every.logged + (0.5 if logs is halted else 0.0), abs=0.1)
+
+
+def test_what_the_trace_does_not_have_is_named_and_has_no_time_in_it() -> None:
+    made, logs = site(SHORT), weak()[1]
+    end = moving(logs)[-1][0] - int(0.1 * RATE)
+    found, findings = calibrate(made.cell, made.station, made.orders, Trace(logs.time[:end], logs.q[:end]))
+    assert found is not None
+    (lost,) = found.left_out
+    assert lost.reason == "lies behind the end of the trace"
+    assert np.isnan(lost.logged)
+    assert "X894" in {one.code for one in findings}
+    assert found.logged == pytest.approx(sum(one.logged for one in found.stretches))

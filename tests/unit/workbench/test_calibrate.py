@@ -71,6 +71,32 @@ def test_written_limits_are_those_of_the_robot(folder: Path, capsys: pytest.Capt
     assert [line for line in kept if line not in written] == []
 
 
+def test_where_a_motion_was_held_nothing_is_written_and_the_motion_is_named(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    title, *rows = text().splitlines()
+    third = len(rows) * 3 // 4  # on the way of the last motion
+    later = [f"{float(time.replace(',', '.')) + 0.5:.4f};{rest}" for time, _, rest in _cut(rows[third:])]
+    stood = [f"{k / 125.0 + _time(rows[third]):.4f};{rows[third].split(';', 1)[1]}" for k in range(1, 62)]
+    lines = [title, *rows[: third + 1], *(line.replace(".", ",") for line in (*stood, *later[1:]))]
+    (folder / "trace.csv").write_text("\n".join(lines) + "\n")
+    assert called(folder, "--write") == 1
+    said = capsys.readouterr()
+    assert "error[X894]" in said.err
+    assert "not compared: line 6 pass 1 stands on its way in the trace" in said.out
+    assert "2 of 3 motions compared" in said.out
+    assert "nothing is written" in said.out
+    assert (folder / "p" / "cell.toml").read_text() == CELL
+
+
+def _time(row: str) -> float:
+    return float(row.split(";", 1)[0].replace(",", "."))
+
+
+def _cut(rows: list[str]) -> list[tuple[str, str, str]]:
+    return [row.partition(";") for row in rows]
+
+
 def test_a_second_calibration_has_nothing_to_write(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert called(folder, "--write") == 0
     capsys.readouterr()
