@@ -40,6 +40,7 @@ check:
 	.venv/bin/python -m tools.robot_library --check
 	.venv/bin/python -m tools.robot_page --check
 	.venv/bin/python tools/wire_types.py --check
+	.venv/bin/python tools/block_words.py --check
 	.venv/bin/python tools/pack_fixture.py --check
 	.venv/bin/python -m tools.frontend
 
@@ -55,6 +56,7 @@ docs:
 	.venv/bin/python -m tools.robot_library
 	.venv/bin/python -m tools.robot_page
 	.venv/bin/python tools/wire_types.py
+	.venv/bin/python tools/block_words.py
 
 pictures:
 	@$(VENV) test

@@ -1,5 +1,6 @@
 """The robot moved by hand: the page shows what the real kinematics say, and what they say in words."""
 
+import re
 from math import degrees, radians
 from typing import TYPE_CHECKING
 
@@ -32,6 +33,9 @@ ESCAPE_BEYOND = """y => {
     return true
 }"""
 """Presses Escape where the keyboard is, once the last link is beyond y [m]."""
+
+MOVED = "before => __ropsim.jogged().link6.some((one, at) => Math.abs(one - before[at]) > 1e-3)"
+"""The last link stands elsewhere [m]."""
 
 
 @pytest.fixture
@@ -228,18 +232,50 @@ def test_a_jogged_pose_is_written_into_the_program_and_runs(
     put(panel, "Joint 1", "30 deg")
     stands_at(fresh, first_project, np.array([radians(30.0), *start[1:]]))
     shown = fresh.state()["shown"]
-    fresh.write("program taught\nunits m, rad, s\nmov home\n# \nmov ")
+    fresh.write("program taught\nunits m, rad, s\nconst p1 = 3\nmov home\n# \nmov ")
     panel.get_by_role("button", name="Teach", exact=True).click()
-    fresh.until(lambda: ", config (" in fresh.text() and fresh.text().endswith(") in base"))
+    fresh.until(lambda: fresh.text().endswith("mov p2"))
+    declared = fresh.text().splitlines()[3]
+    assert re.fullmatch(r"loc p2 = \(.*; rpy .*, config \(.*\)\) in base", declared)
     fresh.rerun(shown)
     fresh.seek(1e9)
     assert first_project.cell is not None
     expected = body_poses(first_project.cell, np.array([radians(30.0), *start[1:]]))
     fresh.until(lambda: max(worst_apart(fresh.poses(), expected)) < TAUGHT)
-    fresh.page.keyboard.press("Enter")
     panel.get_by_role("button", name="Teach", exact=True).click()
-    fresh.until(lambda: fresh.text().splitlines()[-1].startswith("mov (") or fresh.text().endswith("\n"))
-    assert fresh.text().splitlines()[4] == fresh.text().splitlines()[5]  # whole moves, both
+    fresh.until(lambda: fresh.text().endswith("mov p2\nmov p2"))  # the same place has one name
+    assert fresh.text().count("loc ") == 1
+
+
+def test_points_are_taught_one_after_the_other_in_a_long_program_that_does_not_scroll(
+    fresh: StudioPage,
+) -> None:
+    panel = fresh.panel("Jog")
+    panel.get_by_role("button", name="Jog from here").click()
+    panel.get_by_role("heading", name="Joints").wait_for()
+    rows = "".join(f"n = {number}\n" for number in range(1, 200))
+    fresh.write(f"program long\nunits mm, deg, s\n{rows}stop")
+    fresh.page.keyboard.press("Control+Home")
+    for _ in range(60):
+        fresh.page.keyboard.press("ArrowDown")
+    for _ in range(8):  # away from the edge of what is seen
+        fresh.page.keyboard.press("ArrowUp")
+    fresh.page.keyboard.press("End")
+    stands = fresh.page.locator(".cm-activeLine")
+    assert stands.text_content() == "n = 51"
+    place = fresh.page.locator(".cm-line", has_text=re.compile("^n = 51$"))
+    top = "line => line.getBoundingClientRect().top"
+    before = place.evaluate(top)
+    for number, angle in enumerate(("20 deg", "25 deg", "30 deg"), 1):
+        poses = fresh.poses("jogged")
+        put(panel, "Joint 1", angle)
+        fresh.holds(MOVED, arg=poses["link6"])
+        panel.get_by_role("button", name="Teach", exact=True).click()
+        fresh.page.locator(".cm-activeLine", has_text=f"mov p{number}").wait_for()
+    assert abs(place.evaluate(top) - before) < 3  # scrolled by whole pixels, thrice
+    text = str(fresh.page.evaluate("() => __ropsim.text('programs/main.task')"))
+    assert "n = 51\nmov p1\nmov p2\nmov p3\nn = 52" in text
+    assert [line[:6] for line in text.split("\n")[2:5]] == ["loc p1", "loc p2", "loc p3"]
 
 
 def test_the_table_of_states_jogs_from_the_shown_time(

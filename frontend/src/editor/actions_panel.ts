@@ -70,6 +70,7 @@ function panel(view: EditorView, offer: Offer): Panel {
   dom.setAttribute('aria-label', words.actions)
   const entries = offer.actions.map(action => entry(view, offer, action))
   const close = button(words.phrases.close, () => closeActions(view))
+  close.name = 'close'
   if (entries.length === 0) {
     const none = document.createElement('span')
     none.textContent = words.noActions

@@ -1,9 +1,16 @@
 /** The language server in the editor: marks after 30 ms, completion, hover, names, calls, actions. */
-import { hoverTooltips, LSPClient, LSPPlugin, serverCompletion, signatureHelp } from '@codemirror/lsp-client'
+import {
+  hoverTooltips,
+  LSPClient,
+  LSPPlugin,
+  serverCompletionSource,
+  signatureHelp,
+} from '@codemirror/lsp-client'
 import { type EditorView, keymap, ViewPlugin, type ViewUpdate } from '@codemirror/view'
 import type { LineContent } from '../studio/line_contents'
 import type { Problem } from '../studio/problems'
 import { actionsPanel } from './actions_panel'
+import { completions } from './completions'
 import { EDIT_KEYS } from './edit_actions'
 import { marksOf, type Published, problemsOf } from './findings'
 import { foundMarks } from './found_marks'
@@ -87,7 +94,7 @@ export class LanguageClient {
       },
       extensions: [
         soon,
-        serverCompletion({ override: true }),
+        completions(serverCompletionSource),
         hoverTooltips({ hoverTime: 300 }),
         signatureHelp({ keymap: false }),
         sameName,

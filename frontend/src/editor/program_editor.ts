@@ -1,5 +1,5 @@
 /** The text editor of the studio: one view, one history per document, marks of the run and of the compiler. */
-import { closeBrackets, closeBracketsKeymap, completionKeymap } from '@codemirror/autocomplete'
+import { closeBracketsKeymap } from '@codemirror/autocomplete'
 import { defaultKeymap, history, historyKeymap, indentWithTab, redo, undo } from '@codemirror/commands'
 import { bracketMatching, codeFolding, foldGutter, foldKeymap, indentUnit } from '@codemirror/language'
 import { lintGutter } from '@codemirror/lint'
@@ -26,19 +26,21 @@ import { commandOf } from './edit_actions'
 import { showFound } from './found_marks'
 import { LanguageClient } from './language_client'
 import { closesLateWords } from './late_words'
+import { breakLine } from './line_break'
 import { LineEnds } from './line_ends'
 import type { LineInSight } from './line_in_sight'
 import { lineMarks, type MarkedLines, showMarks } from './marks'
+import { panelRoom } from './panel_room'
 import { prolog } from './prolog_language'
 import { refusalsOfThisText } from './refusals'
 import { replacement } from './replacement'
 import { resultMarks, showResults } from './result_marks'
 import { staysOpen } from './shown_marks'
 import { task } from './task_language'
-import { taughtMove } from './taught_move'
+import { lastTaught, taughtMove } from './taught_move'
 import { theme } from './theme'
 import { toml } from './toml_language'
-import { lineInSight } from './view_sight'
+import { inPlace, lineInSight } from './view_sight'
 import { words } from './words'
 import type { OpenedDocument } from './workspace'
 
@@ -185,22 +187,17 @@ export class ProgramEditor {
     this.#view.focus()
   }
 
-  /** Write a location at the cursor, in place of what is selected; beside a whole line a move to it. */
-  teach(location: string): WayBack | null {
+  /** Declare a location under a new name, and write a move to it at the cursor, or its name in a line. */
+  teach(location: string, taken: ReadonlySet<string>): WayBack | null {
     if (this.#isReadOnly || !this.#name) return null
-    const move = taughtMove(this.#view.state, location)
-    if (move) this.#view.dispatch({ ...move, scrollIntoView: true, userEvent: 'input.paste' })
-    else this.#write(location)
-    this.#view.focus()
-    return { undo: () => undo(this.#view), redo: () => redo(this.#view) }
-  }
-
-  #write(text: string): void {
-    this.#view.dispatch({
-      ...this.#view.state.replaceSelection(text),
-      scrollIntoView: true,
+    const taught = this.#view.state.update(taughtMove(this.#view.state, location, taken), {
       userEvent: 'input.paste',
     })
+    const line = this.#view.state.doc.lineAt(this.#view.state.selection.main.head).from
+    inPlace(this.#view, line, taught)
+    this.#view.dispatch({ effects: EditorView.scrollIntoView(this.#view.state.selection.main.head) })
+    this.#view.focus()
+    return { undo: () => undo(this.#view), redo: () => redo(this.#view) }
   }
 
   /** Do what a command of the Edit menu says, as its key does. */
@@ -292,13 +289,14 @@ export class ProgramEditor {
       lintGutter(),
       staysOpen(),
       closesLateWords(),
+      panelRoom(),
+      lastTaught,
       history(),
       drawSelection(),
       highlightActiveLine(),
       highlightActiveLineGutter(),
       highlightSelectionMatches(),
       bracketMatching(),
-      closeBrackets(),
       indentUnit.of('  '),
       search({ top: true }),
       // Lists and hints may be larger than the panel; they stay inside the page's landmark.
@@ -307,7 +305,7 @@ export class ProgramEditor {
       this.#language.extension(document),
       keymap.of([
         ...closeBracketsKeymap,
-        ...completionKeymap,
+        { key: 'Enter', run: breakLine, shift: breakLine },
         ...searchKeymap,
         ...historyKeymap,
         ...foldKeymap,

@@ -1,5 +1,6 @@
 /** Texts of tasks for CodeMirror: colours of Prolog, comments, brackets. */
 import { LanguageSupport, StreamLanguage, type StringStream } from '@codemirror/language'
+import { brackets } from './brackets'
 
 interface Scanner {
   /** Inside a comment that goes on from the line before. */
@@ -34,10 +35,10 @@ const prologLanguage = StreamLanguage.define<Scanner>({
   token,
   languageData: {
     commentTokens: { line: '%', block: { open: '/*', close: '*/' } },
-    closeBrackets: { brackets: ['(', '[', '"'] },
   },
 })
 
 export function prolog(): LanguageSupport {
-  return new LanguageSupport(prologLanguage)
+  const signs = { brackets: ['(', '[', '"'], comment: '%', quotes: '"\'' }
+  return new LanguageSupport(prologLanguage, brackets(signs))
 }

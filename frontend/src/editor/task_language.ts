@@ -1,8 +1,10 @@
-/** The task language for CodeMirror: colours, folding, comments. */
+/** The task language for CodeMirror: colours, folding, depth of lines, brackets. */
 import { foldService, LanguageSupport, LRLanguage } from '@codemirror/language'
 import { styleTags, tags } from '@lezer/highlight'
 import { foldedBy } from './blocks'
+import { brackets } from './brackets'
 import { parser } from './generated/task-parser.js'
+import { indentation } from './indentation'
 
 export const taskLanguage = LRLanguage.define({
   name: 'task',
@@ -25,13 +27,18 @@ export const taskLanguage = LRLanguage.define({
   }),
   languageData: {
     commentTokens: { line: '#' },
-    closeBrackets: { brackets: ['(', '[', '"'] },
-    indentOnInput: /^\s*(?:end\w*|until|else|elseif)$/i,
   },
 })
+
+const SIGNS = {
+  brackets: ['(', '[', '"'],
+  comment: '#|//',
+  quotes: '"',
+  prose: /^\s*(?:needs|assumes)\b/i,
+} as const
 
 const folding = foldService.of((state, from) => foldedBy(state.doc, state.doc.lineAt(from).number))
 
 export function task(): LanguageSupport {
-  return new LanguageSupport(taskLanguage, [folding])
+  return new LanguageSupport(taskLanguage, [folding, indentation(), brackets(SIGNS)])
 }

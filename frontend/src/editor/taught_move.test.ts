@@ -1,40 +1,91 @@
 import { EditorState } from '@codemirror/state'
-import { expect, test } from 'vitest'
-import { taughtMove } from './taught_move'
+import { describe, expect, it, test } from 'vitest'
+import { task } from './task_language'
+import { lastTaught, taughtMove } from './taught_move'
 
-/** A text after teaching `A` where `|` stands, with the cursor as `|`; null where it is no line for a move. */
-function taught(text: string): string | null {
+const HEAD = 'program t\nunits mm, deg, s\n'
+
+function stateOf(text: string): EditorState {
   const at = text.indexOf('|')
-  const state = EditorState.create({ doc: text.replace('|', ''), selection: { anchor: at } })
-  const change = taughtMove(state, 'A')
-  if (!change) return null
-  const after = state.update(change).state
-  const { head } = after.selection.main
-  return `${after.sliceDoc(0, head)}|${after.sliceDoc(head)}`
+  const extensions = [task(), lastTaught]
+  return EditorState.create({ doc: text.replace('|', ''), selection: { anchor: at }, extensions })
 }
 
-test('a move takes an empty line, and the next one follows it', () => {
-  expect(taught('mov home\n|')).toBe('mov home\nmov A\n|')
-  expect(taught('mov home\nmov A\n|\nmov b')).toBe('mov home\nmov A\nmov A\n|\nmov b')
-  expect(taught('|\n\nmov b')).toBe('mov A\n|\nmov b')
+function taughtIn(state: EditorState, location: string, taken: readonly string[] = []): EditorState {
+  const names = new Set([...taken, ...(state.doc.toString().toLowerCase().match(/\w+/g) ?? [])])
+  return state.update(taughtMove(state, location, names)).state
+}
+
+function marked(state: EditorState): string {
+  const { head } = state.selection.main
+  return `${state.sliceDoc(0, head)}|${state.sliceDoc(head)}`
+}
+
+/** A text after teaching `(1)` where `|` stands, with the cursor as `|`. */
+function taught(text: string, taken: readonly string[] = []): string {
+  return marked(taughtIn(stateOf(text), '(1)', taken))
+}
+
+describe('the line of a taught point', () => {
+  it.each([
+    ['mov home\n|', 'loc p1 = (1)\nmov home\n|mov p1'],
+    [`${HEAD}|`, `${HEAD}loc p1 = (1)\n|mov p1`],
+    [`${HEAD}mov home|`, `${HEAD}loc p1 = (1)\nmov home\n|mov p1`],
+    [`${HEAD}|mov home`, `${HEAD}loc p1 = (1)\n|mov p1\nmov home`],
+    [`${HEAD}task T\n  open|\nendp`, `${HEAD}loc p1 = (1)\ntask T\n  open\n  |mov p1\nendp`],
+    [`${HEAD}task T|\nendp`, `${HEAD}loc p1 = (1)\ntask T\n  |mov p1\nendp`],
+    [`${HEAD}task T\n|\nendp`, `${HEAD}loc p1 = (1)\ntask T\n  |mov p1\nendp`],
+    [`${HEAD}repeat 2\n    |\nendr`, `${HEAD}loc p1 = (1)\nrepeat 2\n    |mov p1\nendr`],
+    ['|', 'loc p1 = (1)\n|mov p1'],
+    ['# of two\n\n|', '# of two\n\nloc p1 = (1)\n|mov p1'],
+    ['# of two\nopen|', '# of two\nloc p1 = (1)\nopen\n|mov p1'],
+  ])('in %j', (before, behind) => {
+    expect(taught(before)).toBe(behind)
+  })
 })
 
-test('it is as deep as the block that it stands in', () => {
-  expect(taught('task T\n|\n  open\nendp')).toBe('task T\n  mov A\n  |\n  open\nendp')
-  expect(taught('task T\n  open\n|\nendp')).toBe('task T\n  open\n  mov A\n  |\nendp')
-  expect(taught('task T\n  open\nendp\n|\nT')).toBe('task T\n  open\nendp\nmov A\n|\nT')
-  expect(taught('repeat 2\n    |\nendr')).toBe('repeat 2\n    mov A\n    |\nendr')
+describe('where a target is missing its name belongs', () => {
+  it.each([
+    ['mov |', 'mov p1|'],
+    ['  lin |', '  lin p1|'],
+    ['circ via |', 'circ via p1|'],
+    ['T a, |', 'T a, p1|'],
+    ['mov |speed 20 %', 'mov p1|speed 20 %'],
+  ])('in %j', (before, behind) => {
+    expect(taught(`${HEAD}${before}`)).toBe(`${HEAD}loc p1 = (1)\n${behind}`)
+  })
+
+  it('but in a declaration the location itself', () => {
+    expect(taught(`${HEAD}loc there = |`)).toBe(`${HEAD}loc there = (1)|`)
+  })
 })
 
-test('beside a whole line it is a line of its own', () => {
-  expect(taught('mov home|')).toBe('mov home\nmov A|')
-  expect(taught('|mov home')).toBe('mov A|\nmov home')
-  expect(taught('task T\n  open|\nendp')).toBe('task T\n  open\n  mov A|\nendp')
-  expect(taught('  |lin b')).toBe('  mov A|\n  lin b')
+describe('the name of a taught point', () => {
+  it('is none that means something in the project', () => {
+    const text = `${HEAD}loc p1 = (2)\nP3 = 4\n|`
+    expect(taught(text, ['p4', 'p6'])).toBe(`${HEAD}loc p1 = (2)\nloc p2 = (1)\nP3 = 4\n|mov p2`)
+    expect(taught(text, ['p2', 'p4'])).toContain('loc p5 = (1)\nP3')
+  })
+
+  it('is that of the same place where there is one', () => {
+    expect(taught(`${HEAD}loc there = (1)\nopen|`)).toBe(`${HEAD}loc there = (1)\nopen\n|mov there`)
+  })
+
+  it('stands behind the whole last declaration of a point, before the first statement', () => {
+    expect(taught(`loc a = (1,\n  2)\nvar n = 1\nn = 2\nloc late = (3)\n|`)).toBe(
+      'loc a = (1,\n  2)\nloc p1 = (1)\nvar n = 1\nn = 2\nloc late = (3)\n|mov p1',
+    )
+  })
 })
 
-test('where a target is missing the pose itself belongs', () => {
-  for (const text of ['mov |', '  lin |', 'circ via |', 'q = |', 'T (|', 'T a, |', 'mov |speed 20 %']) {
-    expect(taught(text)).toBeNull()
-  }
+test('points that are taught one after the other follow each other; an edit or another cursor ends that', () => {
+  let state = stateOf(`${HEAD}repeat 2\n  open|\nendr`)
+  for (const one of ['(1)', '(2)', '(1)']) state = taughtIn(state, one)
+  const head = `${HEAD}loc p1 = (1)\nloc p2 = (2)\nrepeat 2\n  open\n  mov p1\n  mov p2\n`
+  expect(marked(state)).toBe(`${head}  |mov p1\nendr`)
+  const { head: place } = state.selection.main
+  const moved = state
+    .update({ selection: { anchor: place + 1 } })
+    .state.update({ selection: { anchor: place } })
+  expect(marked(taughtIn(moved.state, '(2)'))).toBe(`${head}  |mov p2\n  mov p1\nendr`)
 })

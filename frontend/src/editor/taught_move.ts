@@ -1,51 +1,130 @@
-/** A taught pose as a whole move: on an empty line, or before or behind the line at whose end the cursor stands. */
-import type { EditorState, TransactionSpec } from '@codemirror/state'
+/** A taught pose: a point with a name above, and at the cursor a move to it, or its name where that is missing. */
+import { getIndentation, IndentContext, indentString } from '@codemirror/language'
+import {
+  type ChangeSpec,
+  type EditorState,
+  StateEffect,
+  StateField,
+  type TransactionSpec,
+} from '@codemirror/state'
+import { statementAt } from './block_lines'
 
-/** Behind this the pose itself is wanted: a word that takes a target, an operator, an opening parenthesis. */
-const OPEN = /(?:^|[\s(])(?:mov|lin|circ|spline|via|to|from|in|and|or|not)\s*$|[=(,+*/-]\s*$/
+/** Behind this the target itself is missing: a word that takes one, an operator, an opening parenthesis. */
+const OPEN = /(?:^|[\s(])(?:mov[jlc]?|lin|circ|spline|via|to|from|in|and|or|not)\s*$|[=(,+*/-]\s*$/i
+/** Statements that hold before the program runs; what they name is known below. */
+const DECLARATION = /^\s*(?:program|units|classic|strict|frame|loc|tool|signal|const|var|pattern)\b/i
+const POINT = /^\s*loc\b/i
+const NOTE = /^\s*(?:$|#|\/\/)/
+const NAMED = /^\s*loc\s+(\w+)\s*:?=\s*(.*?)\s*$/i
 
-/** The change that writes a move to a location at the cursor; null where the pose itself belongs there. */
-export function taughtMove(state: EditorState, location: string): TransactionSpec | null {
+const setTaught = StateEffect.define<number>()
+
+/** Where the line that was taught last begins, as long as the cursor stays there; the next one goes below it. */
+export const lastTaught = StateField.define<number | null>({
+  create: () => null,
+  update(before, transaction) {
+    const put = transaction.effects.find(one => one.is(setTaught))
+    if (put) return put.value
+    if (before === null || transaction.docChanged) return null
+    return transaction.newSelection.main.head === before ? before : null
+  },
+})
+
+interface Point {
+  readonly name: string
+  /** What declares it, and where; null where it is declared already. */
+  readonly declared: { readonly from: number; readonly insert: string } | null
+}
+
+/**
+ * The change that teaches a location.
+ *
+ * @param location as a text of the task language
+ * @param taken names that mean something already, in small letters
+ */
+export function taughtMove(
+  state: EditorState,
+  location: string,
+  taken: ReadonlySet<string>,
+): TransactionSpec {
+  const { main } = state.selection
+  const line = state.doc.lineAt(main.from)
+  const before = line.text.slice(0, main.from - line.from)
+  const behind = line.text.slice(main.from - line.from)
+  if (DECLARATION.test(line.text) && (OPEN.test(before) || !main.empty)) return piece(state, location, null)
+  const point = pointFor(state, location, taken)
+  if (!main.empty || OPEN.test(before)) return piece(state, point.name, point.declared)
+  const isTaught = state.field(lastTaught, false) === main.head
+  const isAbove = before.trim() === '' && behind.trim() !== '' && !isTaught
+  if (behind.trim() !== '' && !isAbove && !isTaught) return piece(state, point.name, point.declared)
+  return withLine(state, point, line.text.trim() === '' ? 'here' : isAbove ? 'above' : 'below')
+}
+
+/** The change that writes a text in place of what is selected. */
+function piece(state: EditorState, text: string, declared: Point['declared']): TransactionSpec {
+  const { from, to } = state.selection.main
+  const anchor = from + (declared?.insert.length ?? 0) + text.length
+  return { changes: changed(declared, { from, to, insert: text }), selection: { anchor } }
+}
+
+/** The change that writes a move as a line of its own, with the cursor at its first letter. */
+function withLine(state: EditorState, point: Point, side: 'here' | 'above' | 'below'): TransactionSpec {
+  const line = state.doc.lineAt(state.selection.main.head)
+  const move = `mov ${point.name}`
+  const blank = /^\s*/.exec(line.text)?.[0] ?? ''
+  const place = side === 'below' ? line.to : line.from
+  const broken = side === 'below' ? { simulateBreak: place } : {}
+  const depth = getIndentation(new IndentContext(state, broken), place) ?? 0
+  const indent = side === 'above' || (side === 'here' && blank) ? blank : indentString(state, depth)
+  const written = {
+    here: { from: line.from, to: line.to, insert: `${indent}${move}` },
+    above: { from: line.from, insert: `${indent}${move}\n` },
+    below: { from: line.to, insert: `\n${indent}${move}` },
+  }[side]
+  const begin = (side === 'below' ? 1 : 0) + indent.length
+  const anchor = written.from + (point.declared?.insert.length ?? 0) + begin
+  return {
+    changes: changed(point.declared, written),
+    selection: { anchor },
+    effects: setTaught.of(anchor),
+  }
+}
+
+function changed(declared: Point['declared'], written: ChangeSpec): ChangeSpec {
+  return declared ? [declared, written] : written
+}
+
+/** The point at a location: one that is declared so above, else a new one. */
+function pointFor(state: EditorState, location: string, taken: ReadonlySet<string>): Point {
   const { doc, selection } = state
-  const { main } = selection
-  const line = doc.lineAt(main.head)
-  if (!main.empty) return null
-  if (line.text.trim() === '') return onEmptyLine(state, location)
-  const indent = /^\s*/.exec(line.text)?.[0] ?? ''
-  const before = line.text.slice(0, main.head - line.from)
-  const behind = line.text.slice(main.head - line.from)
-  const move = `${indent}mov ${location}`
-  if (before.trim() === '') {
-    return {
-      changes: { from: line.from, insert: `${move}\n` },
-      selection: { anchor: line.from + move.length },
-    }
+  const cursor = doc.lineAt(selection.main.from)
+  const lines = doc.toString().split('\n')
+  const same = lines.slice(0, cursor.number - 1).map(line => NAMED.exec(line))
+  const known = same.find(found => found?.[2] === location)?.[1]
+  if (known) return { name: known, declared: null }
+  let number = 1
+  while (taken.has(`p${number}`)) number += 1
+  const name = `p${number}`
+  const insert = `loc ${name} = ${location}`
+  const last = lastDeclaration(lines.slice(0, cursor.number))
+  if (last !== null && last < cursor.number) {
+    return { name, declared: { from: doc.line(last).to, insert: `\n${insert}` } }
   }
-  if (behind.trim() !== '' || OPEN.test(before)) return null
-  const at = line.to + 1 + move.length
-  return { changes: { from: line.to, insert: `\n${move}` }, selection: { anchor: at } }
+  const first = lines.slice(0, cursor.number - 1).findIndex(line => !NOTE.test(line))
+  const from = first < 0 ? cursor.from : doc.line(first + 1).from
+  return { name, declared: { from, insert: `${insert}\n` } }
 }
 
-function onEmptyLine({ doc, selection }: EditorState, location: string): TransactionSpec {
-  const line = doc.lineAt(selection.main.head)
-  const indent = line.text || deepest(depthFrom(-1), depthFrom(1))
-  const insert = `${indent}mov ${location}`
-  const next = line.number < doc.lines ? doc.line(line.number + 1) : null
-  const isFree = next !== null && next.text.trim() === ''
-  const change = { from: line.from, to: line.to, insert: isFree ? insert : `${insert}\n${indent}` }
-  const moved = line.from + change.insert.length
-  return { changes: change, selection: { anchor: isFree ? moved + 1 + next.length : moved } }
-
-  /** White space before the nearest line with words, up or down. */
-  function depthFrom(step: 1 | -1): string {
-    for (let at = line.number + step; at >= 1 && at <= doc.lines; at += step) {
-      const { text } = doc.line(at)
-      if (text.trim()) return /^\s*/.exec(text)?.[0] ?? ''
-    }
-    return ''
+/** The line (from 1) behind which a point is declared: the last `loc` of the head, else its last declaration. */
+function lastDeclaration(lines: readonly string[]): number | null {
+  let [point, other]: (number | null)[] = [null, null]
+  for (let at = 0; at < lines.length; ) {
+    const statement = statementAt(lines, at)
+    const text = lines[at] ?? ''
+    if (!NOTE.test(text) && !DECLARATION.test(text)) break
+    at += statement.length
+    if (POINT.test(text)) point = at
+    else if (DECLARATION.test(text)) other = at
   }
-}
-
-function deepest(above: string, below: string): string {
-  return below.length > above.length ? below : above
+  return point ?? other ?? null
 }

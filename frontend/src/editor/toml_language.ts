@@ -1,6 +1,7 @@
 /** The cell file for CodeMirror: colours of TOML, comments, brackets. */
 import { LanguageSupport, StreamLanguage, type StringStream } from '@codemirror/language'
 import { tags } from '@lezer/highlight'
+import { brackets } from './brackets'
 
 type Quotes = '"""' | "'''"
 
@@ -99,10 +100,10 @@ export const tomlLanguage = StreamLanguage.define<Scanner>({
   tokenTable: { heading: tags.heading },
   languageData: {
     commentTokens: { line: '#' },
-    closeBrackets: { brackets: ['(', '[', '{', '"'] },
   },
 })
 
 export function toml(): LanguageSupport {
-  return new LanguageSupport(tomlLanguage)
+  const signs = { brackets: ['(', '[', '{', '"'], comment: '#', quotes: '"\'' }
+  return new LanguageSupport(tomlLanguage, brackets(signs))
 }

@@ -1,4 +1,5 @@
 /** The lines of an editor's view as they are seen, and what counts as the user being busy with them. */
+import type { Transaction } from '@codemirror/state'
 import { EditorView } from '@codemirror/view'
 import { LineInSight } from './line_in_sight'
 
@@ -16,4 +17,12 @@ export function lineInSight(view: EditorView): LineInSight {
     view.dom.addEventListener(kind, () => sight.touch(), { passive: true })
   }
   return sight
+}
+
+/** Carry out a change while the place `at` of the text stays where it is seen. */
+export function inPlace(view: EditorView, at: number, change: Transaction): void {
+  const before = view.coordsAtPos(at)?.top
+  view.dispatch(change)
+  const after = view.coordsAtPos(change.changes.mapPos(at, 1))?.top
+  if (before !== undefined && after !== undefined) view.scrollDOM.scrollTop += after - before
 }

@@ -62,7 +62,10 @@ function useDocuments(editor: ProgramEditor | null): void {
     editor.open({ ...shown, text: studio.text(name) })
     goToWanted(editor, wanted)
   }, [studio, editor, documents, name])
-  useEffect(() => (editor ? studio.desk.onTeach(text => editor.teach(text)) : undefined), [studio, editor])
+  useEffect(
+    () => (editor ? studio.desk.onTeach((text, taken) => editor.teach(text, taken)) : undefined),
+    [studio, editor],
+  )
   useEffect(() => (editor ? studio.desk.onAct(entry => editor.act(entry)) : undefined), [studio, editor])
   useEffect(() => editor?.setReadOnly(editing ? 'write' : 'read'), [editor, editing])
   useEffect(

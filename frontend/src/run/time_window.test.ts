@@ -58,4 +58,23 @@ describe('the shown stretch of time', () => {
     shown.setEnd(3)
     expect([shown.from, shown.to]).toEqual([0, 3])
   })
+
+  it('stays where it was chosen while results of other lengths come', () => {
+    shown.zoom(10, 60)
+    const chosen = [shown.from, shown.to]
+    for (const end of [120, 30, 5, 0, 61, 100]) {
+      shown.setEnd(end)
+      expect(shown.to).toBeLessThanOrEqual(end)
+      expect(shown.follow(Math.min(60, end))).toBe(false)
+    }
+    expect([shown.from, shown.to]).toEqual(chosen)
+  })
+
+  it('is the whole of each result once the user has gone back to that', () => {
+    shown.zoom(10, 60)
+    shown.setEnd(3)
+    shown.fit()
+    shown.setEnd(100)
+    expect([shown.from, shown.to]).toEqual([0, 100])
+  })
 })

@@ -6,10 +6,18 @@ export const SHORTEST = 0.02
 /** Where a followed cursor comes to lie when the stretch moves on: this share from the left. */
 const LEAD = 0.1
 
+/** A stretch of time [s]. */
+interface Stretch {
+  readonly from: number
+  readonly to: number
+}
+
 export class TimeWindow {
   #end = 0
   #from = 0
   #to = 0
+  /** What the user has chosen, also where a run is too short for it; null for the whole run. */
+  #chosen: Stretch | null = null
 
   get from(): number {
     return this.#from
@@ -24,15 +32,15 @@ export class TimeWindow {
     return this.#from > 0 || this.#to < this.#end
   }
 
-  /** The run has this length [s]; who saw the whole of it sees the whole of it again. */
+  /** The run has this length [s]: the chosen stretch stays, as far as the run has it, and returns with a longer one. */
   setEnd(end: number): void {
-    const whole = !this.zoomed
     this.#end = end
-    if (whole || this.#from >= end) this.fit()
-    else this.#show(this.#from, this.#to - this.#from)
+    if (this.#chosen) this.#clamp(this.#chosen.from, this.#chosen.to - this.#chosen.from)
+    else this.fit()
   }
 
   fit(): void {
+    this.#chosen = null
     this.#from = 0
     this.#to = this.#end
   }
@@ -71,6 +79,11 @@ export class TimeWindow {
   }
 
   #show(from: number, length: number): void {
+    this.#clamp(from, length)
+    this.#chosen = this.zoomed ? { from: this.#from, to: this.#to } : null
+  }
+
+  #clamp(from: number, length: number): void {
     const shown = Math.min(length, this.#end)
     this.#from = Math.min(Math.max(from, 0), this.#end - shown)
     this.#to = this.#from + shown

@@ -98,6 +98,7 @@ export class Track {
   /** Follow the cursor's time; cheap enough for every frame. */
   follow(): void {
     const { time, end } = this.#cursor
+    this.#window.setEnd(end) // the cursor of a shorter run has moved already
     if (this.#window.follow(time)) this.#redraw()
     const x = this.#window.x(time, this.#width)
     this.#head.style.transform = `translateX(${x}px)`

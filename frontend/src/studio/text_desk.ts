@@ -20,8 +20,8 @@ export interface WayBack {
   readonly redo: () => void
 }
 
-/** Writes a location into a text. */
-type Pen = (text: string) => WayBack | null
+/** Writes a location into a text; a name that it needs is none of those taken, which are in small letters. */
+type Pen = (text: string, taken: ReadonlySet<string>) => WayBack | null
 
 export class TextDesk {
   readonly documents = new Documents()
@@ -115,8 +115,14 @@ export class TextDesk {
   /** Have a location written where the cursor of the editor is; the way back, null where no editor takes it. */
   teach(text: string): WayBack | null {
     let back: WayBack | null = null
-    for (const pen of this.#pens) back = pen(text) ?? back
+    for (const pen of this.#pens) back = pen(text, this.#words()) ?? back
     return back
+  }
+
+  /** All words of the project's texts: names of programs, cell and tasks are among them. */
+  #words(): ReadonlySet<string> {
+    const found = [...this.now().values()].flatMap(text => text.toLowerCase().match(/[a-z_]\w*/g) ?? [])
+    return new Set(found)
   }
 
   /** Have something done in the editor; false where none is open: the next one does it. */

@@ -179,7 +179,8 @@ export const words = {
     restart: 'From the run',
     restartTitle: 'Start again from where the run is at its time',
     write: 'Teach',
-    writeTitle: 'Writes where the TCP stands at the cursor of the program; on an empty line a move there',
+    writeTitle:
+      'Declares where the TCP stands as a point and writes a move to it at the cursor of the program',
     notWritten:
       'The pose was not written: open the Program panel first, and put its cursor where the pose belongs.',
     joints: 'Joints',

@@ -1,5 +1,6 @@
 """The task language: text to structured program and ICR, with a diagnostic for every wrong line."""
 
+from ropsim.language.block_ends import DIVIDERS as DIVIDERS
 from ropsim.language.cache import LineCache as LineCache
 from ropsim.language.code import Code as Code
 from ropsim.language.compile import Compiled as Compiled
@@ -29,6 +30,8 @@ from ropsim.language.prelude import goes_on as goes_on
 from ropsim.language.prelude import prelude as prelude
 from ropsim.language.syntax import nodes as nodes
 from ropsim.language.syntax import statements as statements
+from ropsim.language.syntax.words import HEADS as HEADS
+from ropsim.language.syntax.words import OPENERS as OPENERS
 from ropsim.language.task_form import ParameterForm as ParameterForm
 from ropsim.language.task_form import TaskForm as TaskForm
 from ropsim.language.text import Line as Line

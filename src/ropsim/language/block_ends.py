@@ -34,7 +34,8 @@ _OPENS: dict[type, str] = {
 }
 STEERING = frozenset({*_OPENS, Broken, Closer, Until, Else, ElseIf})
 """Statements that may open, close or divide a block."""
-_MIDDLE = {"else": ("if", "try"), "elseif": ("if",), "catch": ("try",)}
+DIVIDERS = {"else": ("if", "try"), "elseif": ("if",), "catch": ("try",)}
+"""Openers of the blocks that a word may divide."""
 _ASSIGNED = re.compile(r"\s*\w+\s*:?=")
 _ONE_LINE_IF = re.compile(r"\bthen\s+[^\s#/]", re.IGNORECASE)
 
@@ -68,5 +69,5 @@ def middle(line: Line) -> tuple[str, ...]:
     """Return the openers of the blocks that a line may divide, as `else` does; empty for none."""
     match line.statement:
         case Else() | ElseIf() | Broken():
-            return _MIDDLE.get(line.head, ())
+            return DIVIDERS.get(line.head, ())
     return ()

@@ -11,6 +11,13 @@ from ropsim.spatial import Array, Pose, pitch_roll_yaw, roll_pitch_yaw
 INSIDE = 5e-5
 """So far from the ends of its range each joint is taught: rounding moves it by less [rad | m]."""
 
+DEGREES = 3
+"""Decimals of degrees.
+
+Rounding moves each coordinate of the TCP by at most 0.005 mm and each angle by at most 0.0005°. A point of
+tool or part within 1 m of the TCP then moves by less than 0.009 mm + 3 · 0.0005° · 1 m = 0.036 mm.
+"""
+
 UNSURE = 1e-3
 """A joint that is so near to the border of two turns may come back in either [rad]."""
 
@@ -30,7 +37,7 @@ def location_text(robot: RobotModel, X_MT: Pose, q: Array) -> str:
     q = np.clip(q, robot.lower_limits + INSIDE, robot.upper_limits - INSIDE)
     X_BT = forward(robot, q) @ X_MT
     place = ", ".join(_millimetres(value) for value in X_BT.position.tolist())
-    turn = " ".join(_degrees(angle) for angle in roll_pitch_yaw(X_BT))
+    turn = " ".join(_degrees(_in_first_turn(angle)) for angle in roll_pitch_yaw(X_BT))
     values = [
         _degrees(q[axis]) if robot.axis_joints[axis].measure is JointType.REVOLUTE else _millimetres(q[axis])
         for axis in robot.external
@@ -83,4 +90,9 @@ def _millimetres(value: float) -> str:
 
 
 def _degrees(angle: float) -> str:
-    return f"{round(degrees(angle), 3) + 0.0:.10g} deg"
+    return f"{round(degrees(angle), DEGREES) + 0.0:.10g} deg"
+
+
+def _in_first_turn(angle: float) -> float:
+    """Return an angle as the equal one that is written as more than -180 and at most 180 degrees."""
+    return angle + tau if round(degrees(angle), DEGREES) <= -180.0 else angle

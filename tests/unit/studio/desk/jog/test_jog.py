@@ -1,5 +1,6 @@
 """Jogging: where the arm goes and what it says about limits, reach and singularities."""
 
+import re
 from math import degrees, pi, radians
 
 import numpy as np
@@ -35,6 +36,14 @@ BENT = (0.1, 1.2, -2.8, 0.2, 0.5, 0.3)
 SOLVER = solver_of(PUMA)
 assert isinstance(SOLVER, SphericalWristSolver)
 STRETCHED = -float(SOLVER.arm.zeros[2])
+INSIDE = st.tuples(
+    *(
+        st.floats(low + 0.01, high - 0.01)
+        for low, high in zip(PUMA.lower_limits.tolist(), PUMA.upper_limits.tolist(), strict=True)
+    )
+)
+ROUNDED = 3.6e-5
+"""Hundredths of millimetres and thousandths of degrees move no point within 1 m of the TCP farther [m]."""
 STEPS = st.tuples(*[st.floats(-0.03, 0.03)] * 6)
 
 
@@ -66,6 +75,37 @@ def test_the_location_is_that_of_the_tcp_in_the_base_frame() -> None:
     assert move.target.position == pytest.approx(X_BT.position, abs=1e-5)
     turned = (move.target.inverse() @ X_BT).rotation()
     assert turned == pytest.approx(np.eye(3), abs=radians(2e-3))
+
+
+def target_of(location: str) -> Pose:
+    code = compiled(f"units mm, deg\nmov {location}\n").icr
+    assert code is not None
+    (move,) = icr.run(code).moves
+    assert isinstance(move.target, Pose)
+    return move.target
+
+
+@given(q=INSIDE)
+def test_rounding_a_location_moves_no_point_near_the_tcp_by_a_twentieth_of_a_millimetre(
+    q: tuple[float, ...],
+) -> None:
+    reply = joints(q)
+    target = target_of(reply.location)
+    X_BT = forward(PUMA, np.array(reply.q)) @ TOOL.X_MT
+    for axis in np.vstack((np.eye(3), -np.eye(3))):
+        for distance in (0.0, 1.0):
+            point = Pose(frozen((distance * axis).tolist()))
+            apart = np.linalg.norm((target @ point).position - (X_BT @ point).position)
+            assert apart < ROUNDED
+
+
+@given(q=st.tuples(*[st.sampled_from([-pi, -pi / 2, 0.0, pi / 2, pi, 1e-7, -1e-7])] * 6))
+def test_a_location_is_written_with_the_figures_that_matter(q: tuple[float, ...]) -> None:
+    numbers = re.findall(r"-?\d[\d.e+-]*(?= (?:mm|deg))", joints(q).location)
+    assert len(numbers) == 6
+    for number in numbers:
+        assert re.fullmatch(r"-?\d+(\.\d{1,3})?", number)
+        assert number not in {"-0", "-180"}
 
 
 @pytest.mark.parametrize(
