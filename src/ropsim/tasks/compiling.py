@@ -17,6 +17,8 @@ from ropsim.tasks.task_version import version_of_text
 
 _UNKNOWN_TASK = "N201"
 """Of the compiler; the knowledge base itself tells of such calls, or what is wrong with what they call."""
+_HIDDEN = "N223"
+"""Of the compiler; a body that uses something of the cell has no parameter of its name, see `text_names`."""
 _HEAD = ("program bodies", f"units {UNITS}")
 
 
@@ -65,7 +67,7 @@ class _Bodies:
         for one in compiled.diagnostics:
             number = one.span.line - 1 if one.span else 0
             owner = self.owners[number] if number < len(self.owners) else None
-            if one.is_error and owner is not None:
+            if one.is_error and one.code != _HIDDEN and owner is not None:
                 found.append((owner, self.lines[number].strip(), one))
         return made, found
 

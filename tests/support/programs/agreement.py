@@ -12,7 +12,7 @@ from support.programs.nodes import PLACE, Program
 from support.programs.places import STATION, Place
 from support.programs.text import written
 from support.programs.values import TooLongError
-from support.tasks import CELL
+from support.tasks import CELL, compiled
 
 MOVING = replace(
     CELL, frames={**CELL.frames, "plate": (0.5, 0.5, 0.5, 0.6, 0.0, 0.8, 0.0)}, moving=frozenset({"plate"})
@@ -34,6 +34,10 @@ def disagreement(seed: int) -> str | None:
     made = program(seed)
     text = written(made)
     inputs = {"part_ok": seed % 2 == 0}
+    if made.wrong is not None:
+        line, code = made.wrong
+        refused = [one.code for one in compiled(text, CELL).diagnostics if one.is_error]
+        return "" if refused == [code] else f"program {seed}: {refused}, meant is {code} of `{line}`\n{text}"
     try:
         meant = carried_out(made, inputs)
     except TooLongError:

@@ -51,7 +51,24 @@ class _Maker(Simple):
         self.made.main = [*self.start(sight, "m"), *self.block(sight, 2, random.randint(1, 4), ())]
         self.made.main.append(self.told(sight))
         self.made.kinds = dict(sight.names)
+        if random.random() < 0.05:
+            self.made.wrong = self.hiding()
         return self.made
+
+    def hiding(self) -> tuple[str, str]:
+        """Return a line that takes the name of something declared, and the code of its finding."""
+        made, random = self.made, self.random
+        of_text = ["shelf", "tilted", *made.constants]
+        of_text += [one.name for one in (*made.patterns, *made.tasks)]
+        of_cell = ["pallet", "infeed", "part_ok", "jaws"]
+        assigned = ("{} = 3", "load (x, {}, z), infeed", "lin infeed store {}", "if part_ok then {} = infeed")
+        declared = ("var {}: int", "const {} = 3", "pattern {} = grid 2 from (0, 0, 0) step (1, 0, 0)")
+        name = random.choice((*of_text, *of_cell))
+        if random.random() < 0.5:
+            return random.choice(assigned).format(name), "N207"
+        if random.random() < 0.5:
+            return f"task Hides({name}: int)\nendp", "N223"
+        return random.choice(declared).format(name), "N206" if name in of_text else "N223"
 
     def sight(self, names: dict[str, str]) -> Sight:
         constants = self.made.constants.items()

@@ -110,7 +110,8 @@ class Pattern:
 class Program:
     """A text: constants, variables of all tasks with their first values, patterns, tasks, control statements.
 
-    `kinds` tells those of all variables of the control statements.
+    `kinds` tells those of all variables of the control statements, `wrong` a line behind these that the
+    compiler refuses, with the code of its finding.
     """
 
     constants: dict[str, Expr] = field(default_factory=dict)
@@ -119,3 +120,4 @@ class Program:
     patterns: list[Pattern] = field(default_factory=list)
     tasks: list[Task] = field(default_factory=list)
     main: list[Stmt] = field(default_factory=list)
+    wrong: tuple[str, str] | None = None

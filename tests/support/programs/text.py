@@ -52,6 +52,7 @@ def written(program: Program) -> str:
         _block(lines, task.body, 1)
         lines.append(_closer(lines, "endp"))
     _block(lines, program.main, 0)
+    lines += [program.wrong[0]] if program.wrong else []
     return "\n".join(lines) + "\n"
 
 

@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import pytest
 
+from ropsim.language import compile_library
 from ropsim.program import SignalUse, ValueType
 from support.outcomes import outcome
 from support.tasks import CELL, codes, compiled, only
@@ -36,6 +37,10 @@ def test_no_task_has_the_name_of_a_function(name: str) -> None:
         ("count: int", "a variable"),
         ("gap: length", "a constant"),
         ("slots: int", "a pattern"),
+        ("pallet: loc", "a frame"),
+        ("shelf: loc", "a frame"),
+        ("jaws: int", "a tool"),
+        ("Go: int", "a task"),
     ],
 )
 def test_a_parameter_that_hides_another_name_is_told_at_its_place(parameter: str, hidden: str) -> None:
@@ -45,25 +50,115 @@ loc corner = (1, 2, 3)
 var count: int = 0
 const gap = 3 mm
 pattern slots = grid 2 from (0, 0, 40) step (70, 0, 0)
+frame shelf = (1, 2, 3)
 task T({parameter})
+  open
+endp
+task Go
   open
 endp
 """
     found = next(one for one in compiled(text + "open", WORLD).diagnostics if one.code == "N223")
     name = parameter.split(":", maxsplit=1)[0]
-    assert not found.is_error
+    assert found.is_error
     assert found.message == f"parameter `{name}` hides {hidden} of that name in the whole task"
     assert found.span is not None
-    assert (found.span.line, found.span.column) == (7, 8)
+    assert (found.span.line, found.span.column) == (8, 8)
 
 
-@pytest.mark.parametrize("name", ["part_ok", "glue", "force", "infeed"])
+DECLARED = """program p
+units mm
+frame shelf = (1, 2, 3)
+tool probe = (1, 2, 3)
+loc corner = (1, 2, 3)
+const gap = 3 mm
+pattern slots = grid 2 from (0, 0, 40) step (70, 0, 0)
+task Give -> loc
+  return infeed
+endp
+"""
+OF_CELL = ("part_ok", "glue", "force", "infeed", "pallet", "jaws")
+OF_TEXT = ("shelf", "probe", "corner", "gap", "slots", "Give")
+
+
+@pytest.mark.parametrize("name", [*OF_CELL, *OF_TEXT])
 @pytest.mark.parametrize(
-    "line", ["{} = 3", "for {} = 1 to 3\nendf", "load (x, {}, z), (1, 2, 3)", "lin (1, 2, 3) store {}"]
+    "line",
+    [
+        "{} = 3",
+        "{} = (1, 2, 3)",
+        "{} = Give()",
+        "for {} = 1 to 3\nendf",
+        "for each {} in slots\nendf",
+        "load (x, {}, z), (1, 2, 3)",
+        "lin (1, 2, 3) store {}",
+        "if part_ok then {} = 3",
+    ],
 )
-def test_no_variable_takes_the_name_of_a_signal_or_location(line: str, name: str) -> None:
-    text = f"program p\ntask T\n{line.format(name)}\nendp\nT"
-    assert codes(text, WORLD) == ["N207"]
+@pytest.mark.parametrize("body", ["task T\n{}\nendp\nT", "open\n{}"])
+def test_no_variable_takes_the_name_of_something_declared(line: str, name: str, body: str) -> None:
+    found = compiled(DECLARED + body.format(line.format(name)), WORLD).diagnostics
+    assert [one.code for one in found if one.is_error] == ["N207"]
+
+
+@pytest.mark.parametrize("name", OF_TEXT)
+@pytest.mark.parametrize(
+    "line",
+    [
+        "frame {} = (1, 2, 3)",
+        "tool {} = (1, 2, 3)",
+        "loc {} = (1, 2, 3)",
+        "const {} = 3",
+        "var {}: int",
+        "signal {} = input 3",
+        "pattern {} = grid 2 from (0, 0, 0) step (1, 0, 0)",
+    ],
+)
+def test_no_two_declarations_share_a_name_whatever_they_declare(line: str, name: str) -> None:
+    found = compiled(f"{DECLARED}{line.format(name)}\nopen", WORLD).diagnostics
+    assert [one.code for one in found if one.is_error] == ["N206"]
+
+
+@pytest.mark.parametrize("name", OF_CELL)
+def test_no_task_has_the_name_of_something_in_the_cell(name: str) -> None:
+    found = only(f"program p\ntask {name}\n  open\nendp\n{name}", WORLD)
+    assert (found.code, found.is_error, found.span and found.span.line) == ("N223", True, 2)
+
+
+def test_a_frame_that_a_wrong_line_would_have_assigned_is_still_the_frame() -> None:
+    found = compiled(
+        "program p\nunits mm\npallet = (1, 2, 3)\nlin (0, 0, 5) in pallet\nlin pallet"
+    ).diagnostics
+    assert [(one.code, one.span and one.span.line) for one in found] == [("N207", 3)]
+
+
+@pytest.mark.parametrize(
+    ("text", "lines"),
+    [
+        ("task Pick(q: loc)\n  lin q\nendp\npick infeed", [4]),
+        ("task Pick(q: loc)\n  lin q\nendp\nPick infeed", []),
+        ("task Pick(q: loc)\n  lin q\nendp\nPick infeed\nif part_ok then pick infeed", [5]),
+        (
+            "task Pick(q: loc)\n  lin q\nendp\ntask PICK(q: loc)\n  open\nendp\nPick infeed\nPICK infeed",
+            [7, 8],
+        ),
+        ("task Go\n  pick infeed\nendp\ntask Pick(q: loc)\n  lin q\nendp\nGo\nPick infeed", [2]),
+        ("pick infeed", []),
+    ],
+)
+def test_a_call_of_a_task_that_another_one_differs_from_by_case_is_told(text: str, lines: list[int]) -> None:
+    _, made = compile_library("program l\ntask pick(q: loc)\n  lin q\n  close\nendp")
+    found = compiled(text, replace(WORLD, tasks=made)).diagnostics
+    assert [one.span and one.span.line for one in found if one.code == "N217"] == lines
+
+
+def test_such_a_call_of_the_library_names_both_tasks_and_offers_that_of_the_text() -> None:
+    _, made = compile_library("program l\ntask pick(q: loc)\n  lin q\nendp")
+    text = "program p\ntask Pick(q: loc)\n  lin q above 5\nendp\npick infeed"
+    found = next(one for one in compiled(text, replace(WORLD, tasks=made)).diagnostics if one.code == "N217")
+    assert found.message == "`pick` is a task of the library, and this text has a task `Pick`"
+    assert found.fix is not None
+    assert found.fix.replacement == "Pick"
 
 
 @pytest.mark.parametrize(

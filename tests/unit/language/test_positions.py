@@ -15,7 +15,7 @@ PROGRAMS = {
     name: (FOLDER / f"{name}.task").read_text(encoding="utf-8")
     for name in ("everything", "contract", "motions")
 }
-TASK = "task Unused(a: loc)\n  mov a\n  if part_ok then mov a above 20 mm\nendp\n"
+TASK = "task Unused(spot: loc)\n  mov spot\n  if part_ok then mov spot above 20 mm\nendp\n"
 
 
 def meaning(result: language.Compiled) -> tuple[str, str]:

@@ -4,7 +4,7 @@ from functools import lru_cache
 
 from ropsim.language.check import convert, fold, units
 from ropsim.language.check.body import Body
-from ropsim.language.check.readings import check_reading
+from ropsim.language.check.readings import check_compared, check_reading
 from ropsim.language.check.types import (
     BOOL,
     INT,
@@ -65,6 +65,8 @@ def comparison(body: Body, node: nodes.Binary, left: Value, right: Value) -> Val
     for signal, other, place in ((left, right, node.right), (right, left, node.left)):
         if isinstance(signal.expression, SignalValue):
             check_reading(body, signal.expression.name, other, place)
+        else:
+            check_compared(body, signal, other, place)
     if _is_measured(left, right) or _is_measured(right, left):
         a, b = convert.real(left), convert.real(right)
     else:

@@ -9,6 +9,8 @@ from ropsim.language.check import (
     first_values,
     fold,
     frames,
+    hidden,
+    origins,
     other_values,
     poses,
     values,
@@ -56,6 +58,7 @@ def assign(body: Body, node: syntax.Assign) -> Block:
     if known(variable.type) == INT:
         first_values.look(body, node, variable, value)
     expression = convert.to(body, value, variable.type, node.value, f"the value of `{node.name.text}`")
+    origins.note(body, node.name.text, variable, expression)
     return (_assign(variable.name, poses.kept(value, expression), body.statement_span),)
 
 
@@ -117,7 +120,9 @@ def target(body: Body, name: nodes.Name, kind: AnyType) -> Variable:
     symbol = body.find(name.text)
     if isinstance(symbol, Variable) and not symbol.is_fixed:
         return symbol
-    if symbol is None or isinstance(symbol, Poison):
+    taken = _what(symbol) if symbol is not None and not isinstance(symbol, Poison) else ""
+    taken = taken or hidden.declared_as(body.world, name.text)
+    if not taken:
         if body.world.is_strict and symbol is None:
             hint = f"write `var {name.text}: type` outside the tasks, or make it a parameter"
             body.fail(kinds.UNDECLARED, name, f"`{name.text}` is not declared", hint)
@@ -127,7 +132,7 @@ def target(body: Body, name: nodes.Name, kind: AnyType) -> Variable:
     body.fail(
         name_kinds.NOT_ASSIGNABLE,
         name,
-        f"`{name.text}` cannot be assigned: it is {_what(symbol)}",
+        f"`{name.text}` cannot be assigned: it is {taken}",
         "choose another name for the variable",
     )
 
@@ -205,6 +210,9 @@ def _assign_call(body: Body, node: syntax.Assign, call: nodes.Function) -> Block
         returned = article(signature.result)
         message = f"`{node.name.text}` is {article(kind)}, task `{signature.name}` returns {returned}"
         body.fail(kinds.WRONG_TYPE, call, message, "use a variable of its own for the result")
+    if origins.is_number(variable):
+        formals = tuple(formal.name for formal in signature.formals)
+        origins.keep(body, node.name.text, variable, origins.of_result(body, statement, formals))
     return (calls.with_result(statement, variable.name),)
 
 

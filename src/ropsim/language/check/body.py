@@ -10,7 +10,7 @@ from ropsim.language.check.in_force import FrameInForce
 from ropsim.language.check.sight import NOTHING_BEFORE, Sight
 from ropsim.language.check.table import Table
 from ropsim.language.check.types import AnyType, Type, Unknown, Value, known
-from ropsim.language.check.world import Poison, Symbol, Variable, World
+from ropsim.language.check.world import OfParameter, Origin, Poison, Symbol, Variable, World
 from ropsim.language.findings import names as kinds
 from ropsim.language.report import Placed, Report
 from ropsim.language.syntax.nodes import Name
@@ -102,6 +102,9 @@ class Body:
         looked_through: the last line of which was asked whether it has a long length, and whether it has.
         quantities: variables with whole numbers that stand where a quantity is wanted, each with its unit.
         read: names of the variables that are read.
+        readings: what parameters are compared with that count in SI units, `length` or `force`, by name.
+        returned: where the results come from that it returns.
+        counted: variables whose plain numbers stand beside readings.
         used_signals: signals that are named.
         joint_count: how many coordinates `joints(…)` has, 0 as long as there is none.
         lacks_result: whether a value is returned and the header has no type for it.
@@ -143,6 +146,9 @@ class Body:
         self.unfit: list[Unfit] = []
         self.quantities: set[tuple[str, str]] = set()
         self.read: set[str] = set()
+        self.readings: dict[str, str] = {}
+        self.returned: list[Origin | None] = []
+        self.counted: set[str] = set()
         self.used_signals: dict[str, SignalUse] = {}
         self.joint_count = sight.joint_count or world.joint_count
         self.lacks_result = False
@@ -227,7 +233,10 @@ class Body:
 
     def enter(self, name: str, kind: AnyType) -> None:
         """Enter a parameter."""
-        self.names[name] = self.variables[name] = _variable(name, kind, is_fixed=False, has_counters=False)
+        origin = OfParameter(name)
+        self.names[name] = self.variables[name] = _variable(
+            name, kind, is_fixed=False, has_counters=False, origin=origin
+        )
 
     def declare(self, name: str, kind: AnyType | None = None) -> Variable:
         """Enter a variable of this body; without `kind` its type is what the first pass found."""
@@ -250,7 +259,9 @@ class Body:
         if self._told is not None:
             kind = self._told(name, kind)
         kind = kind if kind is not None else Unknown()
-        variable = self.variables[name] = _variable(name, kind, is_fixed=False, has_counters=False)
+        variable = self.variables[name] = _variable(
+            name, kind, is_fixed=False, has_counters=False, origin=None
+        )
         return variable
 
     def _free(self, name: str) -> str:

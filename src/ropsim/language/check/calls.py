@@ -6,11 +6,12 @@ from functools import partial
 from typing import NoReturn
 
 from ropsim.core import TextEdit, did_you_mean, near
-from ropsim.language.check import components, convert, facing, poses, values
+from ropsim.language.check import components, convert, facing, poses, readings, values
 from ropsim.language.check.body import Body, RejectedError
 from ropsim.language.check.foreign_lines import translated
 from ropsim.language.check.types import POSE, Value, known
 from ropsim.language.check.world import Formal, Signature
+from ropsim.language.findings import hidden as hidden_kinds
 from ropsim.language.findings import names as name_kinds
 from ropsim.language.findings import types as kinds
 from ropsim.language.prose import edit_distance
@@ -32,6 +33,7 @@ def call(body: Body, node: syntax.Call) -> Call:
     signature = body.world.signatures.get(node.name.text)
     if signature is None:
         unknown_task(body, node)
+    _check_case(body, node)
     if not signature.is_known:
         raise RejectedError
     if body.world.is_classic:
@@ -41,6 +43,22 @@ def call(body: Body, node: syntax.Call) -> Call:
     bound = _bind(body, node, signature, items)
     arguments = tuple(_argument(body, signature, formal, bound) for formal in signature.formals)
     return Call(signature.name, arguments, body.statement_span)
+
+
+def _check_case(body: Body, node: syntax.Call) -> None:
+    """Warn of a call where another task of the text has the same name in another case (N217)."""
+    name = node.name.text
+    others = [one for one in body.world.alike.get(name.lower(), ()) if one != name]
+    if not others:
+        return
+    other = others[0]
+    if name in body.world.own:
+        message = f"the tasks `{name}` and `{other}` of this text differ by upper and lower case only"
+        body.warn(hidden_kinds.OTHER_CASE, node.name, message, "rename one of them")
+        return
+    message = f"`{name}` is a task of the library, and this text has a task `{other}`"
+    hint = f"write `{other}` where the task of the text is meant, or give that one another name"
+    body.warn(hidden_kinds.OTHER_CASE, node.name, message, hint, fix=other)
 
 
 def as_call(node: nodes.Function, signature: Signature) -> syntax.Call:
@@ -299,7 +317,9 @@ def _argument(body: Body, signature: Signature, formal: Formal, bound: dict[str,
         return _reference(body, node)
     value = values.check(body, node)
     facing.check_target(body, node)
-    return poses.kept(value, convert.to(body, value, formal.type, node, what))
+    expression = convert.to(body, value, formal.type, node, what)
+    readings.check_argument(body, signature.name, formal, expression, node)
+    return poses.kept(value, expression)
 
 
 def _reference(body: Body, node: nodes.Number) -> Expression:

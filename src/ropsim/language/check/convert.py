@@ -1,6 +1,6 @@
 """A value to the type that its place needs: units of bare numbers, whole numbers to real ones."""
 
-from ropsim.language.check import fold, units
+from ropsim.language.check import fold, origins, two_units, units
 from ropsim.language.check.body import Body
 from ropsim.language.check.types import AnyType, Type, Unknown, Value, article, bind, known
 from ropsim.language.findings import types as kinds
@@ -79,7 +79,12 @@ def _real(body: Body, value: Value, wanted: Type, place: Placed, what: str) -> E
         )
     if not isinstance(expression, Constant):
         unit = body.world.units.name(wanted.dimension)
-        body.quantities.update((name, unit) for name in variables_of(expression))
+        names = {*variables_of(expression)}
+        body.quantities.update((name, unit) for name in names)
+        both = sorted(names if origins.is_reading(body, expression) else names & body.counted)
+        si = units.SI.name(wanted.dimension)
+        if both and unit != si and wanted.dimension in (units.LENGTH, units.FORCE):
+            two_units.warn(body, both[0], unit, si, place)
     factor = body.world.units.factor(wanted.dimension)
     try:
         return fold.scaled(expression, factor)

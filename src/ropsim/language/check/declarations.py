@@ -7,12 +7,13 @@ from types import NoneType
 from ropsim.core import Diagnostic, frozen_dataclass
 from ropsim.icr import Location, composed, external_part, pose_part
 from ropsim.language.blocks import Block
-from ropsim.language.check import convert, facing, fold, frames, hidden, metres, poses, values
+from ropsim.language.check import convert, facing, fold, frames, grids, hidden, metres, origins, poses, values
 from ropsim.language.check.body import Body, RejectedError
 from ropsim.language.check.expressions import EXPRESSIONS
+from ropsim.language.check.taken_names import TakenNames
 from ropsim.language.check.types import INT, JOINTS, NAMED, POSE, AnyType, Unknown, Value, closed, known
 from ropsim.language.check.units import UNITS, Dimension, UnitSystem
-from ropsim.language.check.world import Pattern, Poison, Symbol, Variable, World
+from ropsim.language.check.world import Origin, Poison, Symbol, Variable, World
 from ropsim.language.environment import Environment
 from ropsim.language.findings import hidden as hidden_kinds
 from ropsim.language.findings import names as name_kinds
@@ -42,14 +43,19 @@ _SYMBOLS = ("loc", "signal", "const", "var", "pattern")
 
 @frozen_dataclass
 class _Tables:
-    """What becomes symbols and tools of the world while it is read."""
+    """What becomes symbols and tools of the world while it is read, and the names that are taken."""
 
     symbols: dict[str, Symbol]
     tools: dict[str, PoseTuple]
+    names: TakenNames
 
 
 def world(
-    parts: tuple[Part, ...], environment: Environment, report: Report, tasks: Container[str]
+    parts: tuple[Part, ...],
+    environment: Environment,
+    report: Report,
+    tasks: Container[str],
+    own: Container[str],
 ) -> Declared:
     """Return what a text and its environment declare; wrong declarations are reported.
 
@@ -59,7 +65,9 @@ def world(
         environment: cell and library.
         report: takes findings.
         tasks: names of those that can be called.
+        own: names of those of the text.
     """
+    names = TakenNames(environment, own)
     top = [
         (part.unit, item)
         for part in parts
@@ -70,7 +78,7 @@ def world(
     named = (line.statement.name.text for _, line in top if isinstance(line.statement, syntax.ProgramHeader))
     title = next(named, None)
     tree = tuple(item for part in parts for item in part.items)
-    frames, X_BK, frame = _frames(top, tree, environment, report)
+    frames, X_BK, frame = _frames(top, tree, names, report)
     X_KB = quaternion.invert(X_BK)
     has_axes = bool(environment.moving) or any(
         X_BF[3:] != X_BK[3:] for X_BF in (*frames.values(), *environment.given.values(), fold.IDENTITY)
@@ -93,7 +101,7 @@ def world(
         X_KF = quaternion.compose(X_KB, environment.given.get(name, fold.IDENTITY))
         symbols[name] = _location(environment.located.get(name, ""), X_KB, X_BL, X_KF)
     symbols.update(environment.signals)
-    count = _declare_all(result, _Tables(symbols, tools), top, report, tasks)
+    count = _declare_all(result, _Tables(symbols, tools, names), top, report, tasks)
     for name, symbol in symbols.items():
         if isinstance(symbol, Variable):
             symbols[name] = replace(symbol, type=closed(symbol.type))
@@ -139,13 +147,14 @@ def _units(top: Iterable[tuple[str, Line]], environment: Environment) -> UnitSys
 
 
 def _frames(
-    top: list[tuple[str, Line]], tree: tuple[Line | Block, ...], environment: Environment, report: Report
+    top: list[tuple[str, Line]], tree: tuple[Line | Block, ...], names: TakenNames, report: Report
 ) -> tuple[dict[str, PoseTuple], PoseTuple, str]:
     """Return all frames in the base frame, and pose and name of the work frame.
 
     The work frame is that of the environment, or of a `set frame` that stands before anything is done: only
     declarations and other `set` statements may come before it. Further down it is lexical, like in a task.
     """
+    environment = names.environment
     frames = dict(environment.frames)
     bare = World(
         environment,
@@ -157,7 +166,6 @@ def _frames(
         frames=frames,
         tools={},
     )
-    declared: set[str] = set()
     for unit, line in top:
         node = line.statement
         if isinstance(node, syntax.FrameDeclaration):
@@ -165,7 +173,7 @@ def _frames(
             body = Body(bare, report, EXPRESSIONS, None)
             body.line = line
             try:
-                _unique(body, node.name, declared)
+                names.take(body, node, node.name)
                 if node.name.text == "base" and "base" not in environment.frames:
                     hint = "choose another name; the base frame has this one"
                     body.fail(name_kinds.DUPLICATE, node.name, "`base` is the base frame of the robot", hint)
@@ -199,8 +207,6 @@ def _declare_all(
     """Enter all declarations; return how many coordinates `joints(…)` has in them."""
     body = Body(world, report, EXPRESSIONS, None)
     body.tasks = tasks
-    declared: set[str] = set()
-    tools: set[str] = set()
     units: dict[Dimension, str] = {}
     for unit, line in top:
         report.source = unit
@@ -216,7 +222,7 @@ def _declare_all(
                 _agree(body, node, units)
             elif isinstance(node, syntax.ToolDeclaration):
                 tables.tools.setdefault(node.name.text, fold.IDENTITY)
-                _unique(body, node.name, tools)
+                tables.names.take(body, node, node.name)
                 pose = _constant_pose(body, node.value, "a tool")
                 if not _is_given(body, node.name, world.environment.tools, "tool"):
                     tables.tools[node.name.text] = pose
@@ -228,7 +234,7 @@ def _declare_all(
                         "move it there",
                     )
             elif isinstance(node, syntax.SYMBOLS):
-                _unique(body, node.name, declared)
+                tables.names.take(body, node, node.name)
                 _declare(tables.symbols, body, node)
         except RejectedError:
             continue
@@ -249,7 +255,7 @@ def _agree(body: Body, node: syntax.Units, units: dict[Dimension, str]) -> None:
 
 
 def _declare(symbols: dict[str, Symbol], body: Body, node: "_SymbolNode") -> None:
-    """Enter a symbol; what the cell knows of its name holds, or is hidden and told.
+    """Enter a symbol; where the cell has it, what the cell knows of it holds.
 
     Raises:
         RejectedError: the declaration is wrong.
@@ -263,9 +269,6 @@ def _declare(symbols: dict[str, Symbol], body: Body, node: "_SymbolNode") -> Non
     elif isinstance(of_cell, Value) and isinstance(node, syntax.LocationDeclaration):
         _is_given(body, node.name, (name,), "location")
         symbol = of_cell
-    elif of_cell is not None:
-        message = f"`{name}` hides {hidden.what(of_cell)} of that name, which the cell has"
-        body.warn(hidden_kinds.HIDDEN, node.name, message, "choose another name")
     symbols[name] = symbol
 
 
@@ -325,14 +328,26 @@ def _symbol(body: Body, node: _SymbolNode) -> Symbol:
                 value = Value(expression, wanted, is_bare=wanted == INT)
             return _fixed(body, value, node.value, "a constant")
         case syntax.VariableDeclaration():
-            return Variable(node.name.text, _variable_type(body, node))
-    return _pattern(body, node)
+            variable = Variable(node.name.text, _variable_type(body, node))
+            return (
+                replace(variable, origin=_first_origin(body, node))
+                if origins.is_number(variable)
+                else variable
+            )
+    return grids.pattern(body, node)
 
 
 def _fixed(body: Body, value: Value, node: nodes.Node, what: str) -> Value:
     inner, posture, moving = fold.opened(value.expression)
     numbers = convert.constant(body, inner, node, what)
     return Value(fold.closed(numbers, posture, moving), value.type, value.is_bare, value.X_KF)
+
+
+def _first_origin(body: Body, node: syntax.VariableDeclaration) -> Origin | None:
+    """Return where the plain number comes from that a variable has first."""
+    if node.value is None or not origins.has_sensors(body.world):
+        return None
+    return origins.origin_of(body, values.check(body, node.value).expression)
 
 
 def _variable_type(body: Body, node: syntax.VariableDeclaration) -> AnyType:
@@ -342,34 +357,6 @@ def _variable_type(body: Body, node: syntax.VariableDeclaration) -> AnyType:
         return Unknown()
     value = values.check(body, node.value)
     return Unknown() if value.is_bare and body.world.is_classic else value.type
-
-
-def _pattern(body: Body, node: syntax.PatternDeclaration) -> Pattern:
-    counts = [1, 1, 1]
-    for k, count in enumerate(node.counts):
-        expression = values.expect(body, count, INT, "a count of a grid")
-        number = fold.number_of(convert.constant(body, expression, count, "a count of a grid"))
-        if number is None or not 1 <= number <= 10_000:
-            body.fail(kinds.OUT_OF_RANGE, count, f"a count of a grid must be 1 to 10000, found {number:g}")
-        counts[k] = int(number)
-    first = values.expect(body, node.origin, POSE, "the first location")
-    facing.check_target(body, node.origin)
-    inner, posture, moving = fold.opened(first)
-    numbers = convert.constant(body, inner, node.origin, "the first location")
-    origin = fold.location_of(numbers)
-    assert origin is not None
-    checked = values.check(body, node.origin)
-    X_KF = checked.X_KF if checked.X_KF is not None else body.in_force.X_KC
-    steps = []
-    for step in node.steps:
-        vector = convert.constant(body, poses.shift(body, step, "a step of a grid"), step, "a step of a grid")
-        assert isinstance(vector.value, tuple)
-        x, y, z = vector.value
-        turned = quaternion.rotate(X_KF[3:], (x, y, z))
-        steps.append((_snapped(turned[0]), _snapped(turned[1]), _snapped(turned[2])))
-    order = node.order.text if node.order is not None else "row"
-    size = (counts[0], counts[1], counts[2])
-    return Pattern(size, pose_part(origin), tuple(steps), order, external_part(origin), moving, posture, X_KF)
 
 
 def _constant_pose(body: Body, node: nodes.Node, what: str, X_BC: PoseTuple = fold.IDENTITY) -> PoseTuple:
@@ -403,14 +390,3 @@ def _is_given(body: Body, name: nodes.Name, given: Container[str], what: str) ->
         f"remove this line, or give the {what} another name",
     )
     return True
-
-
-def _unique(body: Body, name: nodes.Name, declared: set[str]) -> None:
-    if name.text in declared:
-        body.fail(name_kinds.DUPLICATE, name, f"`{name.text}` is declared twice", "rename one of them")
-    declared.add(name.text)
-
-
-def _snapped(length: float) -> float:
-    """Return 0 for what rounding leaves of a turned zero; a step of less than 1 pm is none."""
-    return 0.0 if abs(length) < 1e-12 else length

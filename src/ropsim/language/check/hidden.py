@@ -1,7 +1,8 @@
-"""What a name means that a parameter or a declaration takes for itself."""
+"""What a name is declared as, so that a variable, a parameter or another declaration cannot take it."""
 
 from ropsim.language.check.types import POSE, Value, known
-from ropsim.language.check.world import Pattern, Symbol
+from ropsim.language.check.world import Pattern, Poison, Symbol, Variable, World
+from ropsim.language.environment import Environment
 from ropsim.program import SignalUse, ValueType
 
 
@@ -15,3 +16,34 @@ def what(symbol: Symbol) -> str:
         case Value(type=kind):
             return "a location" if known(kind) == POSE else "a constant"
     return "a variable"
+
+
+def declared_as(world: World, name: str) -> str:
+    """Return what the cell or the text declares by a name that is no variable, empty for nothing."""
+    symbol = world.symbols.get(name)
+    if symbol is not None and not isinstance(symbol, Variable | Poison):
+        return what(symbol)
+    if name in world.frames:
+        return "a frame"
+    if name in world.tools:
+        return "a tool"
+    return "a task" if name in world.own else ""
+
+
+def hidden_by_parameter(world: World, name: str) -> str:
+    """Return what a parameter of that name would hide, variables of all tasks included; empty for nothing."""
+    if isinstance(world.symbols.get(name), Variable):
+        return "a variable"
+    return declared_as(world, name)
+
+
+def in_cell(environment: Environment, name: str) -> str:
+    """Return what the cell has by a name, empty for nothing."""
+    if name in environment.frames:
+        return "a frame"
+    if name in environment.tools:
+        return "a tool"
+    if name in environment.locations:
+        return "a location"
+    signal = environment.signals.get(name)
+    return what(signal) if signal is not None else ""

@@ -1,6 +1,6 @@
 """Ways out: `break`, `continue` and `return`."""
 
-from ropsim.language.check import convert, facing, fold, poses, values
+from ropsim.language.check import convert, facing, fold, origins, poses, values
 from ropsim.language.check.body import Body, RejectedError
 from ropsim.language.check.types import article
 from ropsim.language.findings import syntax as kinds
@@ -44,4 +44,6 @@ def return_statement(body: Body, node: syntax.Return) -> Block:
     value = values.check(body, node.value)
     facing.check_target(body, node.value)
     expression = convert.to(body, value, body.result, node.value, "the value of `return`")
+    if origins.has_sensors(body.world):
+        body.returned.append(origins.origin_of(body, expression))
     return (Return(poses.kept(value, expression), body.statement_span),)

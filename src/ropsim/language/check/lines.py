@@ -56,8 +56,12 @@ def _in_block(body: Body, node: syntax.Statement | None) -> Block:
 
     A `set frame` leaves nothing to run, but a wait with `else` does not end the program.
     """
+    body.depth += 1
     with frames.in_block(body):
-        return statement(body, node) or (Set(Settings(), body.statement_span),)
+        try:
+            return statement(body, node) or (Set(Settings(), body.statement_span),)
+        finally:
+            body.depth -= 1
 
 
 def _call(body: Body, node: syntax.Call) -> Block:

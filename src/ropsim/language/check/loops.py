@@ -3,13 +3,14 @@
 from collections.abc import Callable
 from dataclasses import replace
 
-from ropsim.language.check import convert, fold, values
+from ropsim.language.check import convert, fold, hidden, values
 from ropsim.language.check.body import Body, Loop, RejectedError
 from ropsim.language.check.types import BOOL, INT, POSE, AnyType, Type, article, known
 from ropsim.language.check.world import Pattern, Poison, Variable
 from ropsim.language.findings import names as name_kinds
 from ropsim.language.findings import types as kinds
 from ropsim.language.syntax import statements as syntax
+from ropsim.language.syntax.nodes import Name
 from ropsim.program import (
     Assign,
     Binary,
@@ -65,15 +66,9 @@ def for_header(body: Body, node: syntax.For) -> tuple[Variable, Expression, Expr
     around = {loop.variable for loop in body.loops}
     if isinstance(symbol, Variable) and symbol.name not in around:
         variable = symbol
-    elif symbol is None or isinstance(symbol, Variable | Poison):
-        variable = body.loop_variable(node.name.text, kind)
     else:
-        body.fail(
-            name_kinds.NOT_ASSIGNABLE,
-            node.name,
-            f"`{node.name.text}` cannot be a loop variable",
-            "choose another name",
-        )
+        _refuse_declared(body, node.name)
+        variable = body.loop_variable(node.name.text, kind)
     low = convert.to(body, first, variable.type, node.first, "the first value of `for`")
     high = convert.to(body, last, variable.type, node.last, "the last value of `for`")
     if step is None or node.step is None:
@@ -93,6 +88,18 @@ def for_header(body: Body, node: syntax.For) -> tuple[Variable, Expression, Expr
     return variable, low, high, way
 
 
+def _refuse_declared(body: Body, name: Name) -> None:
+    """Report a loop variable with the name of something that is declared.
+
+    Raises:
+        RejectedError: it has such a name.
+    """
+    taken = hidden.declared_as(body.world, name.text)
+    if taken:
+        message = f"`{name.text}` cannot be a loop variable: it is {taken}"
+        body.fail(name_kinds.NOT_ASSIGNABLE, name, message, "choose another name")
+
+
 def for_each(body: Body, node: syntax.ForEach, walk: Walk) -> Block:
     """Return nested loops over layers, rows and columns of a pattern.
 
@@ -109,10 +116,7 @@ def for_each(body: Body, node: syntax.ForEach, walk: Walk) -> Block:
         patterns = [n for n, s in body.world.symbols.items() if isinstance(s, Pattern)]
         body.unknown(name_kinds.UNKNOWN_PATTERN, node.pattern, "pattern", patterns)
     name = node.name.text
-    if not isinstance(body.find(name), Variable | Poison | None):
-        body.fail(
-            name_kinds.NOT_ASSIGNABLE, node.name, f"`{name}` cannot be a loop variable", "choose another name"
-        )
+    _refuse_declared(body, node.name)
     variable = replace(body.loop_variable(name, POSE), is_fixed=True, has_counters=True)
     for counter in ("row", "col", "layer", "pass", "line"):
         body.hidden(f"{variable.name}.{counter}", INT)

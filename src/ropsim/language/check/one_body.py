@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping
 from contextlib import suppress
 
-from ropsim.language.check import hidden, structures
+from ropsim.language.check import hidden, origins, structures
 from ropsim.language.check.body import Body, Told, settled
 from ropsim.language.check.expressions import EXPRESSIONS
 from ropsim.language.check.first_values import with_first_values
@@ -12,7 +12,7 @@ from ropsim.language.check.outcome import Outcome
 from ropsim.language.check.reached import late
 from ropsim.language.check.tasks import TaskText
 from ropsim.language.check.types import POSE, Type, known
-from ropsim.language.check.world import Poison, Signature, Variable, World
+from ropsim.language.check.world import Signature, TaskOrigins, Variable, World
 from ropsim.language.clause import Clause
 from ropsim.language.findings import hidden as hidden_kinds
 from ropsim.language.findings import types as kinds
@@ -56,6 +56,7 @@ def checked_task(world: World, task: TaskText, signature: Signature, types: Mapp
         tuple((one.task, one.span) for one in walk(block) if isinstance(one, Call)),
         tuple(late(block)),
         points_of(block),
+        TaskOrigins(body.readings, origins.joined(body.returned)),
     )
 
 
@@ -119,14 +120,14 @@ def _check_near_names(body: Body) -> None:
 
 
 def _check_hidden(body: Body, task: TaskText, signature: Signature) -> None:
-    """Warn of parameters that have the name of something that the whole text sees."""
+    """Report parameters that have the name of something that the whole text sees."""
     if task.header is None:
         return
     places = {one.name.text: one.name for one in task.header.parameters or ()}
     for formal in signature.formals:
-        symbol = body.world.symbols.get(formal.name)
-        if symbol is not None and not isinstance(symbol, Poison):
-            message = f"parameter `{formal.name}` hides {hidden.what(symbol)} of that name in the whole task"
+        taken = hidden.hidden_by_parameter(body.world, formal.name)
+        if taken:
+            message = f"parameter `{formal.name}` hides {taken} of that name in the whole task"
             hint = "rename the parameter"
             body.warn(hidden_kinds.HIDDEN, places.get(formal.name, task.header), message, hint)
 

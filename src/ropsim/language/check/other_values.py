@@ -70,8 +70,7 @@ def _composed(body: Body, values: Sequence[nodes.Node]) -> str:
 
 
 def _is_frame(body: Body, node: nodes.Node) -> bool:
-    world = body.world
-    return isinstance(node, nodes.Name) and node.text in (*world.frames, *world.environment.moving, "base")
+    return isinstance(node, nodes.Name) and (node.text == "base" or node.text in body.world.frames)
 
 
 def refuse_name(body: Body, node: nodes.Name) -> None:

@@ -1,6 +1,7 @@
 """What the checker tells of one body: a task or the control statements, without regard to any other body."""
 
 from ropsim.core import Diagnostic, Span, frozen_dataclass
+from ropsim.language.check.world import NO_ORIGINS, TaskOrigins
 from ropsim.program import Block, Local, SignalUse, Task
 
 
@@ -18,6 +19,7 @@ class Outcome:
         calls: tasks that it calls, and where.
         late: what no way leads to, and what stands before that.
         impossible: arcs and curves whose points make none.
+        origins: what it tells of plain numbers.
     """
 
     block: Block
@@ -29,3 +31,4 @@ class Outcome:
     calls: tuple[tuple[str, Span], ...]
     late: tuple[tuple[Span, Span], ...]
     impossible: tuple[Diagnostic, ...]
+    origins: TaskOrigins = NO_ORIGINS

@@ -4,7 +4,7 @@ from collections.abc import Container, Sequence
 from dataclasses import replace
 
 from ropsim.language.blocks import Block
-from ropsim.language.check import convert, fold, functions, implicit, poses, values
+from ropsim.language.check import convert, fold, functions, hidden, implicit, poses, values
 from ropsim.language.check.body import Body, RejectedError, settled
 from ropsim.language.check.tasks import TaskText
 from ropsim.language.check.types import NAMED, NUMBER, POSE, AnyType, Type, Unknown
@@ -63,6 +63,10 @@ def of_text(body: Body, task: TaskText, task_names: Container[str]) -> Signature
         message = f"`{task.name}` is a function of the language"
         hint = "choose another name for the task"
         body.warn(hidden_kinds.FUNCTION_NAME, header.name, message, hint)
+    taken = hidden.in_cell(world.environment, task.name)
+    if taken:
+        message = f"task `{task.name}` has the name of {taken} of the cell"
+        body.warn(hidden_kinds.HIDDEN, header.name, message, "choose another name for the task")
     result = NAMED[header.result.text] if header.result is not None else None
     if header.parameters is not None:
         formals = _explicit(body, header.parameters)
@@ -70,7 +74,9 @@ def of_text(body: Body, task: TaskText, task_names: Container[str]) -> Signature
         return Signature(task.name, formals, references, result)
     if not world.is_classic:
         return Signature(task.name, (), (), result)
-    references, scalars = implicit.uses(task.block, lambda n: n in world.symbols, world.signatures)
+    references, scalars = implicit.uses(
+        task.block, lambda name: bool(hidden.hidden_by_parameter(world, name)), world.signatures
+    )
     formals = (*(Formal(n, POSE) for n in references), *(Formal(n, Unknown()) for n in scalars))
     return Signature(
         task.name, formals, references, result, is_known=not _has_wrong_line(task.block, task_names)

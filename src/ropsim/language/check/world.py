@@ -74,6 +74,48 @@ class Pattern:
 
 
 @frozen_dataclass
+class Written:
+    """A number that the text has without a unit; None where it is computed of such."""
+
+    number: float | None = None
+
+
+@frozen_dataclass
+class Reading:
+    """A number in SI units: a sensor measures it, `length` or `force`."""
+
+    measure: str
+
+
+@frozen_dataclass
+class OfParameter:
+    """A number that callers give to a parameter."""
+
+    name: str
+
+
+Origin = Written | Reading | OfParameter
+"""Where a plain number comes from."""
+
+
+@frozen_dataclass
+class TaskOrigins:
+    """What a task tells of plain numbers.
+
+    Attributes:
+        readings: what parameters are compared with that count in SI units, `length` or `force`, by name.
+        result: where its result comes from.
+    """
+
+    readings: Mapping[str, str] = field(default_factory=dict)
+    result: Origin | None = None
+
+
+NO_ORIGINS = TaskOrigins()
+"""Of a task that tells nothing."""
+
+
+@frozen_dataclass
 class Variable:
     """Something that can be read, and assigned unless `is_fixed`.
 
@@ -82,12 +124,14 @@ class Variable:
         type: known, or a cell that use tells.
         is_fixed: whether it keeps the value that its loop gives it.
         has_counters: whether `.row`, `.col` and `.layer` of it tell the place in a pattern.
+        origin: where the plain number comes from that it keeps; None where that is not known.
     """
 
     name: str
     type: AnyType
     is_fixed: bool = False
     has_counters: bool = False
+    origin: Origin | None = None
 
 
 @frozen_dataclass
@@ -118,6 +162,9 @@ class World:
         without_result: tasks that return a value and whose header has no type for it, which is told there.
         joint_count: how many coordinates `joints(…)` has in this text, 0 as long as there is none.
         untyped: variables seen everywhere whose types only use tells.
+        own: names of the tasks of the text.
+        alike: the tasks of the text whose names are the same in small letters, by these.
+        origins: what tasks of the text tell of plain numbers, by name.
     """
 
     environment: Environment
@@ -134,3 +181,6 @@ class World:
     without_result: Container[str] = frozenset()
     joint_count: int = 0
     untyped: Container[str] = frozenset()
+    own: Container[str] = frozenset()
+    alike: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    origins: Mapping[str, TaskOrigins] = field(default_factory=dict)

@@ -1,4 +1,4 @@
-"""Diagnostics of names that stand for two things, N222 to N224."""
+"""Diagnostics of names that stand for two things."""
 
 from ropsim.core import Severity, define
 
@@ -15,14 +15,29 @@ of such a name would be meant by `x = sqrt(9)`, the function by `print sqrt(9)`.
 HIDDEN = define(
     "N223",
     "hides-another-name",
-    Severity.WARNING,
-    "a name that hides a signal, a location or another declaration",
+    Severity.ERROR,
+    "a name that hides something of the cell or another declaration",
     """
-A parameter means its argument in the whole task, and a declaration its value in the whole text, also where
-the cell has a signal or a location of that name, or, for a parameter, where the text declares one. So
-`wait until part_ok` in a task with a parameter `part_ok` does not look at the input.
+Cell and text have one space of names: frames, tools, locations, signals, constants, patterns, tasks and
+variables of all tasks. A parameter, a declaration or a task with the name of one of them would hide it: in a
+task with a parameter `part_ok`, `wait until part_ok` would not look at the input, and `in shelf` would still
+mean the frame where `loc shelf` declares a location.
 
-Choose another name; where the signal or location is meant, leave the parameter or declaration out.
+Choose another name; where the thing of the cell is meant, leave the parameter or declaration out. A `loc`,
+`frame` or `tool` that the cell has as the same sort of thing is told by N214, a `signal` by N224.
+""",
+)
+OTHER_CASE = define(
+    "N217",
+    "names-differ-by-case",
+    Severity.WARNING,
+    "a call of a task where another one has the same name but for upper and lower case",
+    """
+Upper and lower case count in the names of tasks. Where a text has a task `Pick`, the call `pick infeed`
+carries out the task `pick` of the library, which is another one. Two tasks of one text whose names differ by
+case only are as easily taken for each other.
+
+Write the name of the task that is meant, or give the task of the text a name of its own.
 """,
 )
 OTHER_SIGNAL = define(

@@ -75,8 +75,9 @@ DUPLICATE = define(
     Severity.ERROR,
     "a name is declared twice",
     """
-Every task, frame, tool, location, signal, constant, variable, pattern and parameter has one
-declaration. The first one counts; rename or remove the other. `load` gives each of its names one number.
+Every task, frame, tool, location, signal, constant, variable, pattern and parameter has one declaration, and
+a name of its own: a frame and a location cannot share one. The first declaration counts; rename or remove the
+other. `load` gives each of its names one number.
 """,
 )
 NOT_ASSIGNABLE = define(
@@ -85,9 +86,10 @@ NOT_ASSIGNABLE = define(
     Severity.ERROR,
     "something that cannot be given a value",
     """
-Constants, locations, patterns and the counters `.row .col .layer` of a pattern keep their value. Inputs
-are set by the cell, outputs by `set name on`, `off` or `= value`. To change a location, copy it first:
-`q = infeed`, then `q.y = q.y + 5 mm`.
+Constants, locations, patterns and the counters `.row .col .layer` of a pattern keep their value. Inputs are
+set by the cell, outputs by `set name on`, `off` or `= value`. Frames, tools and tasks are no variables: no
+assignment, `load`, `store`, result of a call or loop takes the name of one. To change a location, copy it
+first: `q = infeed`, then `q.y = q.y + 5 mm`.
 """,
 )
 UNKNOWN_MEMBER = define(

@@ -128,10 +128,34 @@ READING = define(
     Severity.WARNING,
     "a reading of a sensor is compared with a number that counts in another unit than it seems to",
     """
-A sensor of the cell file measures a length in m or a force in N. A bare number beside it counts in these SI
-units, whatever `units` says: under `units mm`, `until gap < 12` ends the motion at once, as every gap in the
-cell is below 12 m. Write the unit, `until gap < 12 mm`. A value of another dimension, such as a time, never
-means what it seems to.
+A sensor of the cell file measures a length in m or a force in N. A number without a unit next to it counts
+in these SI units, whatever `units` says: under `units mm`, `until gap < 12` ends the motion at once, as every
+gap in the cell is below 12 m. Write the unit, `until gap < 12 mm`.
+
+The number is followed through constants, variables, arithmetic, parameters and results of tasks: `h = 150`
+and `until gap < h` is the same mistake. Mend it where the number gets its value, `h = 150 mm`; a parameter is
+declared as `h: length`. What is worked out of readings is in SI units, too. A value of another dimension, as
+a time, never means what it seems to.
+""",
+)
+TWO_COUNTS = define(
+    "T316",
+    "number-counts-in-two-units",
+    Severity.WARNING,
+    "a number without a unit that counts in two units",
+    """
+A number without a unit takes the unit of the place where it stands: behind `above` it counts in the unit of
+`units`, next to a reading of a sensor in m or N. A variable or parameter that stands at both places means two
+quantities, of which one is wrong:
+
+```text
+task Seek(h: int)
+  lin infeed above h                # h mm
+  lin infeed until gap < h          # h m
+endp
+```
+
+Give the parameter the type `length`, or the variable a value with a unit.
 """,
 )
 FRAME_WITHOUT_LINES = define(

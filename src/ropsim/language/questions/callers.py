@@ -21,6 +21,19 @@ def is_own(db: Database, name: str) -> bool:
     return db.ask(task, name) is not None
 
 
+def spellings(db: Database) -> Mapping[str, tuple[str, ...]]:
+    """Return the tasks of the text by their names in small letters."""
+    found: dict[str, tuple[str, ...]] = {}
+    for name in db.read(TASKS):
+        found[name.lower()] = (*found.get(name.lower(), ()), name)
+    return found
+
+
+def alike(db: Database, lower: str) -> tuple[str, ...]:
+    """Return the tasks of the text that have a name in small letters."""
+    return db.ask(spellings).get(lower, ())
+
+
 def callees_of(db: Database, name: str) -> tuple[str, ...]:
     """Return the names that a task calls or may call."""
     text = db.ask(task, name)

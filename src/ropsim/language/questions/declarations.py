@@ -5,10 +5,12 @@ from dataclasses import replace
 
 from ropsim.language.check import declarations, fold
 from ropsim.language.check.declarations import Declared
+from ropsim.language.check.table import Marked
 from ropsim.language.check.types import is_open
 from ropsim.language.check.units import UnitSystem
 from ropsim.language.check.world import Symbol, Variable, World
 from ropsim.language.environment import Environment
+from ropsim.language.questions.callers import is_own
 from ropsim.language.questions.groups import Group, part_groups
 from ropsim.language.questions.inputs import DECLARED, ENVIRONMENT, PART, PARTS
 from ropsim.language.questions.told import inferred
@@ -25,7 +27,9 @@ def declared(db: Database) -> Declared:
     environment: Environment = db.read(ENVIRONMENT)
     report = Report(CONTROL)
     try:
-        return declarations.world(tuple(_declaring_parts(db)), environment, report, Names(db, CALLABLE))
+        own = Marked(lambda name: db.ask(is_own, name))
+        parts = tuple(_declaring_parts(db))
+        return declarations.world(parts, environment, report, Names(db, CALLABLE), own)
     except TooManyFindingsError:
         return Declared(_nothing(environment), tuple(report.log))
 

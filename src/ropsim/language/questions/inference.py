@@ -43,8 +43,9 @@ def inference(db: Database) -> Inferred | None:
     symbols = {name: of_body(one) for name, one in world.symbols.items()}
     environment: Environment = db.read(ENVIRONMENT)
     called = {name: signatures.of_library(one) for name, one in environment.tasks.items()}
-    world = replace(world, symbols=symbols, signatures=called, untyped=db.ask(untyped))
     names = db.read(ORDER)
+    own = frozenset(names)
+    world = replace(world, symbols=symbols, signatures=called, untyped=db.ask(untyped), own=own)
     texts = {name: text for name in names if (text := db.ask(task, name)) is not None}
     for name, text in texts.items():
         if world.is_classic:

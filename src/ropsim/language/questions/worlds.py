@@ -1,15 +1,18 @@
 """What a body sees while types are not known."""
 
-from collections.abc import Callable, Container
+from collections.abc import Callable, Container, Mapping
 from dataclasses import replace
 
 from ropsim.language.check.one_part import ToldElsewhereError
-from ropsim.language.check.table import Table
+from ropsim.language.check.table import Marked, Table
 from ropsim.language.check.types import is_open, opened
-from ropsim.language.check.world import Signature, Symbol, Variable, World
-from ropsim.language.questions.callers import all_tasks, is_own, library
+from ropsim.language.check.world import Signature, Symbol, TaskOrigins, Variable, World
+from ropsim.language.questions.callers import alike, all_tasks, is_own, library
 from ropsim.language.questions.declarations import basics, declared_symbol, frame, names_in, tool, untyped
 from ropsim.query import Database
+
+NOTHING_TOLD: Mapping[str, TaskOrigins] = {}
+"""What tasks tell of plain numbers while types are not known."""
 
 
 def world_of(db: Database, called: Callable[[str], Signature | None]) -> World:
@@ -54,6 +57,7 @@ def world_with(
     symbols: Table[Symbol],
     without_result: Container[str],
     joint_count: int,
+    origins: Mapping[str, TaskOrigins] = NOTHING_TOLD,
 ) -> World:
     """Return the world as a body sees it that is told these things."""
     text = db.ask(basics)
@@ -72,6 +76,9 @@ def world_with(
         without_result,
         joint_count,
         db.ask(untyped),
+        Marked(lambda name: db.ask(is_own, name)),
+        Table(lambda lower: db.ask(alike, lower) or None, tuple),
+        origins,
     )
 
 
