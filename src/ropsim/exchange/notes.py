@@ -2,12 +2,22 @@
 
 from collections.abc import Iterable, Mapping
 
-from ropsim.core import Diagnostic, Kind, Severity, Span, near
+from ropsim.core import Diagnostic, Kind, Severity, Span, frozen_dataclass, near
 
 MOST_NOTES = 100
 """So many errors are kept, and so many others: a file with more is not mended one by one."""
 _LONGEST = 400  # characters of a message: names are as long as their file has them
 _NAMED = 6  # so many entities are named in a message
+
+
+@frozen_dataclass
+class _Absent:
+    """Meshes of one folder that are missing: where the first is named, why, and their names in order."""
+
+    span: Span
+    why: str
+    hint: str
+    names: dict[str, None]
 
 
 class Notes:
@@ -16,12 +26,17 @@ class Notes:
     def __init__(self) -> None:
         self._found: list[Diagnostic] = []
         self._counts = {Severity.ERROR: 0, Severity.WARNING: 0, Severity.HINT: 0}
+        self._absent: dict[tuple[Kind, str], _Absent] = {}
 
     @property
     def found(self) -> tuple[Diagnostic, ...]:
-        """Return the findings in the order of the file; those without a place come last."""
-        files = list(dict.fromkeys(one.span.source for one in self._found if one.span))
-        return tuple(sorted(self._found, key=lambda one: _place(one, files)))
+        """Return the findings, errors first, in the order of the file; those without a place are last."""
+        found = [
+            *self._found,
+            *(_absence(kind, folder, absent) for (kind, folder), absent in self._absent.items()),
+        ]
+        files = list(dict.fromkeys(one.span.source for one in found if one.span))
+        return tuple(sorted(found, key=lambda one: (not one.is_error, *_place(one, files))))
 
     @property
     def fatal(self) -> bool:
@@ -42,6 +57,20 @@ class Notes:
             line = " ".join(message.split())
             line = line if len(line) <= _LONGEST else line[: _LONGEST - 3] + "..."
             self._found.append(kind.at(span, line, hint=hint, data=data))
+
+    def absent(self, kind: Kind, folder: str, span: Span, mesh: str, why: str, hint: str) -> None:
+        """Note a mesh that is missing; those of one folder become one finding with their number.
+
+        Args:
+            kind: of the finding.
+            folder: that the mesh is of, such as a package.
+            span: of the element that names it.
+            mesh: its name.
+            why: what follows `is` or `are`, such as `not there`.
+            hint: what to do.
+        """
+        one = self._absent.setdefault((kind, folder), _Absent(span, why, hint, {}))
+        one.names.setdefault(mesh)
 
     def unknown(self, kind: Kind, span: Span | None, what: str, name: str, known: Iterable[str]) -> None:
         """Note a name that stands for nothing, with the names that look like it."""
@@ -67,3 +96,13 @@ def _place(one: Diagnostic, files: list[str]) -> tuple[int, int, int]:
     if one.span is None:
         return len(files), 0, 0
     return files.index(one.span.source), one.span.line, one.span.column
+
+
+def _absence(kind: Kind, folder: str, absent: _Absent) -> Diagnostic:
+    """Return the finding of the meshes of one folder."""
+    first, count = next(iter(absent.names)), len(absent.names)
+    of = f" of `{folder}`" if folder else ""
+    message = f"the mesh `{first}` is {absent.why}"
+    if count > 1:
+        message = f"{count} meshes{of} are {absent.why}, such as `{first}`"
+    return kind.at(absent.span, message, hint=absent.hint, data={"folder": folder, "meshes": count})

@@ -7,6 +7,16 @@ from ropsim.exchange.loss_diagnostics import LOST_DESCRIPTION
 from ropsim.exchange.notes import Notes, shown
 from ropsim.model import MESH_ENDINGS, Mesh
 
+_SCHEMES = ("package://", "model://")
+
+
+def package_of(name: str) -> str:
+    """Return the package of a mesh as a robot file names it, otherwise its folder; bounded in length."""
+    for scheme in _SCHEMES:
+        if name.startswith(scheme):
+            return shown(scheme + name.removeprefix(scheme).partition("/")[0])
+    return shown(name.replace("\\", "/").rpartition("/")[0])
+
 
 def mesh_of(
     name: str, scale: tuple[float, ...], folder: RobotFolder, span: Span, notes: Notes
@@ -22,8 +32,8 @@ def mesh_of(
     """
     path = folder.path(name)
     if path is None:
-        words = f"the mesh `{shown(name)}` is not inside of the given folders"
-        notes.add(MESH_MISSING, span, words, "give the folder of its package")
+        why, hint = "not inside of the given folders", "give the folder of its package"
+        notes.absent(MESH_MISSING, package_of(name), span, shown(name), why, hint)
         return None
     if not path.lower().endswith(MESH_ENDINGS):
         words = f"the mesh `{shown(name)}` is not drawn: read are {', '.join(MESH_ENDINGS)}"
@@ -37,7 +47,7 @@ def mesh_of(
         notes.add(LOST_DESCRIPTION, span, words, "scale the mesh file itself")
         return None
     if not folder.has(path):
-        words = f"the mesh `{shown(path)}` is not there"
-        notes.add(MESH_MISSING, span, words, "put it there; the path counts from the project folder")
+        hint = "put it there; the path counts from the project folder"
+        notes.absent(MESH_MISSING, package_of(name), span, shown(path), "not there", hint)
         return None
     return Mesh(path, scale[0])

@@ -1,5 +1,6 @@
 """URDF in: frames, axes, weights, limits, friction, looks, branches and what is lost."""
 
+import re
 from itertools import pairwise
 from math import cos, inf, sin
 
@@ -125,6 +126,30 @@ def test_a_link_whose_visual_mesh_is_not_drawn_is_drawn_by_its_collision_geometr
     assert Mesh("x/b.stl") in [one.solid for one in stl.robot.links[0].shapes]
     unknown = read_urdf(SourceText("arm.urdf", text))
     assert [one.code for one in unknown.findings].count("X991") == 1
+
+
+def test_missing_meshes_are_said_once_for_each_package_with_their_number_and_errors_come_first() -> None:
+    link = '<link name="{0}"><visual><geometry><mesh filename="package://{1}/{0}.stl"/></geometry></visual></link>'
+    places = [(f"m{k}", "a" if k % 3 else "b") for k in range(9)] + [("m1", "a")]
+    more = "".join(
+        link.format(*place).replace('name="m1"', f'name="n{k}"', 1) for k, place in enumerate(places)
+    )
+    fixed = "".join(
+        f'<joint name="f{k}" type="fixed"><parent link="base"/><child link="{child}"/></joint>'
+        for k, child in enumerate(re.findall('link name="([mn][0-9])"', more))
+    )
+    base = re.search(r'<link name="([^"]+)"', ARM)
+    assert base is not None
+    text = ARM.replace("</robot>", more + fixed.replace("base", base[1]) + "</robot>")
+    found = read_urdf(SourceText("arm.urdf", text))
+    said = [one.message for one in found.findings if one.code == "X991"]
+    assert said == [
+        "3 meshes of `package://b` are not inside of the given folders, such as `package://b/m0.stl`",
+        "6 meshes of `package://a` are not inside of the given folders, such as `package://a/m1.stl`",
+    ]
+    wrong = read_urdf(SourceText("arm.urdf", text.replace('mass value="2"', 'mass value="nan"', 1)))
+    errors = [one.is_error for one in wrong.findings]
+    assert errors == sorted(errors, reverse=True)
 
 
 def test_a_box_without_extent_is_left_out() -> None:
