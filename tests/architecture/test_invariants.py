@@ -142,3 +142,28 @@ def test_machine_code_is_loaded_where_its_seal_was_checked() -> None:
         and node.attr in {"deserialize", "deserialize_file", "add_object_file", "CDLL", "LoadLibrary"}
     }
     assert loaders == {"codegen/machine_code.py", "prolog/wasm/module_cache.py"}
+
+
+OWN_READERS = {
+    "codegen/code_digest.py",
+    "studio/pages.py",
+    "studio/project_files.py",
+    "userfiles/examples.py",
+    "workbench/viewer.py",
+}
+"""They read files of the package, and the studio's reader shows the beginning of a text that is too long."""
+
+
+def test_files_of_users_are_read_by_the_reader_that_is_bounded() -> None:
+    found = {
+        path
+        for path, tree in trees().items()
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Call)
+        and (
+            (isinstance(node.func, ast.Attribute) and node.func.attr in {"read_bytes", "read_text"})
+            or (isinstance(node.func, ast.Name) and node.func.id == "open")
+        )
+        and not any(isinstance(one, ast.Name) and one.id == "icr" for one in ast.walk(node.func))
+    }
+    assert found - {"cli/lsp.py", "cli/streams.py"} == OWN_READERS  # those open the streams of the process

@@ -5,6 +5,7 @@ import shutil
 import sys
 import time
 from collections.abc import Callable
+from contextlib import ExitStack
 from types import TracebackType
 from typing import TextIO
 
@@ -44,10 +45,14 @@ class Progress:
         self._start = clock()
         self._next = self._start + PATIENCE
         self._drawn = False
+        self._compiling = ExitStack()
         self._live = self._stream.isatty()
         self._full, self._hollow = _bar_signs(self._stream)
 
     def __enter__(self) -> "Progress":
+        from ropsim.codegen import compiling_reported  # loads numpy, as all long work does
+
+        self._compiling.enter_context(compiling_reported(self._compiled))
         return self
 
     def __exit__(
@@ -56,6 +61,7 @@ class Progress:
         error: BaseException | None,
         trace: TracebackType | None,
     ) -> None:
+        self._compiling.close()
         if self._drawn and self._live:
             self._put("\r\x1b[K")
 
@@ -69,6 +75,10 @@ class Progress:
         share = done if math.isnan(done) else min(max(done, 0.0), 1.0)
         line = self._line(share, text, now - self._start)
         self._put(f"\r{line}\x1b[K" if self._live else f"{line}\n")
+
+    def _compiled(self, count: int) -> None:
+        """Tell how many functions are compiled by now; how many will follow nobody knows."""
+        self(math.nan, f"compiling, once: {count}")
 
     def _line(self, share: float, text: str, elapsed: float) -> str:
         left = f", {_clock_text(elapsed / share - elapsed)} left" if share > 0.02 else ""

@@ -4,6 +4,7 @@ from collections.abc import Callable
 from types import FunctionType
 
 from ropsim.codegen.code_digest import digest_of
+from ropsim.codegen.compiling import begin_compiling
 from ropsim.codegen.direct import Compiled
 from ropsim.codegen.kept_code import GENERATED, keep_code, kept_address
 from ropsim.codegen.machine_code import MissingNameError, emit_object, load
@@ -38,6 +39,7 @@ def compiled(name: str, source: str, signature: Signature, build: _Build) -> Com
 
 def _made(name: str, signature: Signature, build: _Build) -> Compiled:
     """Return a function that has been compiled just now and is kept, if it stands alone."""
+    begin_compiling()
     entry, function = build()
     from ropsim.codegen.stages import outside, written
 

@@ -3,6 +3,7 @@ import io
 import pytest
 
 from ropsim.cli.progress import Progress
+from ropsim.codegen.compiling import begin_compiling
 
 
 class Clock:
@@ -82,3 +83,22 @@ def test_share_is_clipped(share: float, shown: str) -> None:
 def test_work_whose_share_nobody_knows_shows_text_and_time_only() -> None:
     shown = tell(Terminal(), (3.0, float("nan"), "motion 12"))
     assert shown == "\rsimulating: motion 12  (3 s)\x1b[K"
+
+
+@pytest.mark.parametrize(
+    ("stream", "shown"),
+    [
+        (Terminal(), "\rsimulating: compiling, once: 2  (2 s)\x1b[K"),
+        (io.StringIO(), "simulating: compiling, once: 2  (2 s)\n"),
+    ],
+)
+def test_what_is_compiled_meanwhile_is_counted(stream: io.StringIO, shown: str) -> None:
+    clock = Clock()
+    with Progress("simulating", stream, clock):
+        begin_compiling()
+        clock.time += 2.0
+        begin_compiling()
+        assert stream.getvalue() == shown
+    begin_compiling()
+    assert stream.getvalue().startswith(shown)
+    assert "3" not in stream.getvalue()

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from ropsim.codegen import Engine, SourceFunction, load
+from ropsim.codegen import Engine, SourceFunction, compiling_reported, load
 from ropsim.codegen.kept_code import GENERATED, kept_address
 from ropsim.codegen.machine_code import MachineCode, MissingNameError, unpacked
 from ropsim.codegen.machine_code import load as load_code
@@ -18,7 +18,7 @@ from ropsim.codegen.signature import Signature
 SCRIPT = """
 import sys
 import numpy as np
-from ropsim.codegen import Engine, SourceFunction, load
+from ropsim.codegen import Engine, SourceFunction, compiling_reported, load
 double = SourceFunction("double", "void(f8[::1], f8[::1])", "def double(x, out): out[0] = 2.0 * x[0]")
 function = load("doubling", (double,), Engine.NUMBA)
 out = np.empty(1)
@@ -181,3 +181,18 @@ def test_code_is_found_again_only_by_the_compiler_that_made_it(monkeypatch: pyte
 
     monkeypatch.setattr(module, "read_bytes", mended)
     assert module.digest_of("source") != before
+
+
+def test_what_is_compiled_is_reported_and_what_was_kept_is_not(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("ROPSIM_CACHE_DIR", str(tmp_path))
+    counts: list[int] = []
+    compiled = sys.modules["ropsim.codegen.load"]._load
+    for _ in range(2):
+        compiled.cache_clear()  # as in a new process
+        with compiling_reported(counts.append):
+            for number in range(2):
+                text = f"def told(x, out): out[0] = {number}.0 * x[0]"
+                load(f"told{number}", (SourceFunction("told", "void(f8[::1], f8[::1])", text),), Engine.NUMBA)
+        assert counts == [1, 2]
