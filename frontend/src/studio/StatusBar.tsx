@@ -17,7 +17,12 @@ export function StatusBar() {
   const shown = useRef<HTMLSpanElement>(null)
   const [software, setSoftware] = useState(false)
   const [moving, setMoving] = useState(false)
-  const twin = () => (scene ? textTwin(scene, studio.picture.poses, studio.run, studio.cursor.time) : '')
+  const jogged = () => {
+    const { answer, station, q } = studio.jog
+    return answer && q ? { station, q: answer.q, tcp: answer.tcp } : null
+  }
+  const twin = () =>
+    scene ? textTwin(scene, studio.picture.poses, studio.run, studio.cursor.time, jogged()) : ''
   // Read by eye ten times a second; told to those who listen at most once.
   useEvery(10, () => {
     if (shown.current) shown.current.textContent = twin()

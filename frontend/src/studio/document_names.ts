@@ -34,6 +34,12 @@ export function programIn(document: string, programs: readonly string[]): string
   return document.startsWith('programs/') && programs.includes(stem(document)) ? stem(document) : ''
 }
 
+/** Name of a file that is exported: project and program, each once, with what no file name may hold as `-`. */
+export function exportName(project: string, program: string): string {
+  const names = [...new Set([project, program])].map(one => one.replace(/[^\p{L}\p{N}._-]+/gu, '-'))
+  return names.filter(Boolean).join('-') || 'run'
+}
+
 /** Name of the station that runs a program, empty where none does. */
 export function stationOf(
   stations: readonly { readonly name: string; readonly program: string }[],

@@ -3,7 +3,7 @@ import { csvOf } from '../run/csv'
 import { fileWords as titles } from '../text/files'
 import { words } from '../text/messages'
 import type { Add, Grouped } from './command_groups'
-import { programIn } from './document_names'
+import { exportName, programIn } from './document_names'
 import { saveFile, saveRun, textFile } from './download'
 import type { DialogKind } from './state'
 import type { Studio } from './studio'
@@ -54,7 +54,7 @@ function addTexts(studio: Studio, add: Add): void {
 
 function addExports(studio: Studio, add: Add): void {
   const state = () => studio.store.getState()
-  const name = () => state().program || state().project || 'run'
+  const name = () => exportName(state().project, state().program)
   const finished = {
     enabled: () => state().finished > 0 && !state().told && state().connection === 'connected',
   }

@@ -30,6 +30,17 @@ test('without a run it says where the TCP is', () => {
   expect(textTwin(SCENE, Float32Array.of(0, 0, 0, 1, 0, 0, 0), null, 0)).toBe('TCP 100.0, 0.0, 0.0 mm')
 })
 
+test('while a robot is jogged it says where that stands, and not where the run shows it', () => {
+  const run = { value: () => 0 } as unknown as Run
+  const poses = Float32Array.of(0.3, 0.12, 0.6, 1, 0, 0, 0)
+  const jogged = { station: 'robot', q: [0.5, 0.9], tcp: [0.7, 0, 0.2, 1, 0, 0, 0] } as const
+  expect(textTwin(SCENE, poses, run, 0, jogged)).toBe(
+    'TCP 700.0, 0.0, 200.0 mm; Joint 2 80 % of the way to its limit',
+  )
+  const elsewhere = { ...jogged, station: 'other' }
+  expect(textTwin(SCENE, poses, run, 0, elsewhere)).toMatch(/^TCP 400.0, 120.0, 600.0 mm/)
+})
+
 test('a joint without limits is never near one', () => {
   expect(limitShare(3, Number.NEGATIVE_INFINITY, Number.POSITIVE_INFINITY)).toBe(0)
   expect(limitShare(-2, -2, 2)).toBe(1)

@@ -22,15 +22,26 @@ export function limitShare(value: number, lower: number, upper: number): number 
   return half > 0 && Number.isFinite(half) ? Math.abs(value - (upper + lower) / 2) / half : 0
 }
 
+/** An arm that is jogged: it stands elsewhere than the run shows it. */
+export interface JoggedArm {
+  readonly station: string
+  /** Joint coordinates [rad | m]. */
+  readonly q: readonly number[]
+  /** Pose of the TCP in W. */
+  readonly tcp: Pose
+}
+
 /** "TCP 435.1, 120.0, 612.4 mm; Joint 3 97 % of the way to its limit" */
 export function textTwin(
   scene: SceneDescription,
   poses: Float32Array,
   run: Run | null,
   time: number,
+  jogged: JoggedArm | null = null,
 ): string {
   const texts = scene.stations.map(station => {
-    const text = stationTwin(scene, station, poses, run, time)
+    const own = jogged?.station === station.name ? jogged : null
+    const text = stationTwin(scene, station, poses, run, time, own)
     return scene.stations.length > 1 && text ? words.twin.station(station.name, text) : text
   })
   return texts.filter(Boolean).join('. ')
@@ -42,9 +53,10 @@ function stationTwin(
   poses: Float32Array,
   run: Run | null,
   time: number,
+  jogged: JoggedArm | null,
 ): string {
   const parts: string[] = []
-  const tcp = tcpOf(scene, name, poses)
+  const tcp = jogged ? jogged.tcp : tcpOf(scene, name, poses)
   if (tcp)
     parts.push(
       words.twin.tcp(
@@ -55,7 +67,7 @@ function stationTwin(
   let worst = { name: '', share: 0 }
   joints.forEach((joint, at) => {
     const share = limitShare(
-      run?.value(channelOf('q', name), at, time) ?? Number.NaN,
+      (jogged ? jogged.q[at] : run?.value(channelOf('q', name), at, time)) ?? Number.NaN,
       joint.lower,
       joint.upper,
     )

@@ -117,9 +117,13 @@ class Recording:
         which of its columns; of a channel of one column the bare name.
 
         Raises:
-            ImportError: pandas is not installed.
+            ImportError: pandas is not installed; the message names the extra that brings it.
         """
-        import pandas as pd
+        try:
+            import pandas as pd
+        except ImportError as error:
+            message = "a table needs pandas, which is not installed: pip install 'ropsim[pandas]'"
+            raise ImportError(message, name="pandas") from error
 
         columns: dict[str, Array] = {}
         for name, channel in self.channels.items():

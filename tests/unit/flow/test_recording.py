@@ -1,6 +1,8 @@
+import sys
 from dataclasses import replace
 
 import numpy as np
+import pytest
 
 from ropsim.core import Diagnostic, Severity, Span
 from ropsim.flow import (
@@ -28,6 +30,12 @@ def test_a_recording_becomes_a_table_with_one_column_per_joint() -> None:
     assert table.index.name == "time"
     assert table["q[2]"].tolist() == [2.0, 4.0]
     assert table.index.tolist() == [0.0, 0.004]
+
+
+def test_a_table_without_pandas_names_the_extra_that_brings_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "pandas", None)
+    with pytest.raises(ImportError, match=r"pip install 'ropsim\[pandas\]'"):
+        Recording(np.zeros(1), {}, (), (), 0.0).to_pandas()
 
 
 def run_of(*findings: Diagnostic, skips: int = 0) -> Recording:
