@@ -1,4 +1,5 @@
 /** One word on connection and run, at the top right. */
+import { isBehind } from '../run/pace'
 import { words } from '../text/messages'
 import type { RunStatus } from '../wire/messages'
 import { useStudioState } from './context'
@@ -13,6 +14,7 @@ export function runWords(state: StudioState): readonly [Tone, string] {
   if (live && live.state !== 'over') {
     if (live.state === 'starting') return ['running', words.run.liveStarting]
     if (live.state === 'held') return ['running', words.run.liveHeld]
+    if (isBehind(state.pace, live.speed)) return ['warning', words.run.liveBehind(state.pace, live.speed)]
     if (live.override < 1) return ['running', words.run.liveSlowed(Math.round(live.override * 100))]
     return ['running', `${words.run.live} ${live.speed}×`]
   }

@@ -1,5 +1,6 @@
 /** The run that the page shows: the newest good recording, or the live run while there is one. */
 import { LiveRun } from '../run/live_run'
+import { Pace } from '../run/pace'
 import { RecordedRun } from '../run/recorded_run'
 import type { Run } from '../run/run'
 import type { SceneDescription } from '../scene/description'
@@ -45,6 +46,7 @@ export class Runs {
   #shown = this.#wanted
   #frames = 0
   #latency = Number.NaN
+  readonly #pace = new Pace()
 
   constructor(wires: RunWires) {
     this.#wires = wires
@@ -66,6 +68,16 @@ export class Runs {
 
   get latency(): number {
     return this.#latency
+  }
+
+  /** Simulated seconds per second of the live run, as it really goes; null while that is not known. */
+  get pace(): number | null {
+    return this.#pace.value
+  }
+
+  /** Another pace is wanted: what was measured says nothing of it. */
+  repace(): void {
+    this.#pace.reset()
   }
 
   /** Bodies are those of this scene from now on. */
@@ -114,6 +126,7 @@ export class Runs {
     this.#newest += 1
     this.#live = new LiveRun(this.#scene, layout)
     this.#frames = 0
+    this.#pace.reset()
     this.#show(this.#live, { id: 0, texts, age: 'newest', of: 'program' })
   }
 
@@ -135,6 +148,7 @@ export class Runs {
     this.#live.add(frame)
     this.#frames += 1
     this.#latency = Date.now() - frame.wall
+    this.#pace.add(frame.time, frame.wall)
     if (this.#run === this.#live) this.#wires.onGrown(this.#live)
   }
 

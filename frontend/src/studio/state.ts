@@ -77,6 +77,8 @@ export interface StudioState {
   /** The newest cell file has errors; `scene` is the last good one. */
   readonly cellBroken: boolean
   readonly live: LiveStatus | null
+  /** Simulated seconds per second of the live run, as it really goes; null while that is not known. */
+  readonly pace: number | null
   /** The cursor stays at the end of the live run. */
   readonly following: boolean
   readonly presses: readonly SignalStamped[]
@@ -128,6 +130,7 @@ const START: StudioState = {
   sceneKnown: false,
   cellBroken: false,
   live: null,
+  pace: null,
   following: false,
   presses: [],
   ghost: null,

@@ -121,8 +121,16 @@ export class Studio {
     this.runs = new Runs({
       onRun: (run, of) => this.#showRun(run, of),
       onTold: (run, of) => this.#tellRun(run, of),
-      onGrown: run => this.view.grown(run),
+      onGrown: run => {
+        this.view.grown(run)
+        if (store.getState().pace !== this.runs.pace) store.setState({ pace: this.runs.pace })
+      },
       onTrouble: text => this.notify('error', words.run.unreadable(text)),
+    })
+    store.subscribe(({ live }, before) => {
+      if (live?.speed === before.live?.speed && live?.state === before.live?.state) return
+      this.runs.repace()
+      store.setState({ pace: null })
     })
     this.jog = new Jog({ send, show: answer => picture.jogged(answer), undo: this.undo })
     this.jog.onChange(mark)

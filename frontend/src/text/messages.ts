@@ -76,6 +76,8 @@ export const words = {
     older: 'Live run of the older text – run again for the new one',
     live: 'Live',
     liveHeld: 'Live, held',
+    liveBehind: (pace: number, wanted: number) =>
+      `Live, ${pace} × real time${wanted === 1 ? '' : ` instead of ${wanted} ×`}: computed too slowly`,
     liveSlowed: (percent: number) => `Live, ${percent} %`,
     liveStarting: 'Starting the live run …',
     gone: (status: number) => `the server no longer has it (${status})`,
