@@ -59,7 +59,7 @@ class _Maker(Simple):
         """Return a line that takes the name of something declared, and the code of its finding."""
         made, random = self.made, self.random
         of_text = ["shelf", "tilted", *made.constants]
-        of_text += [one.name for one in (*made.patterns, *made.tasks)]
+        of_text += [*(one.name for one in made.patterns), *(one.name for one in made.tasks)]
         of_cell = ["pallet", "infeed", "part_ok", "jaws"]
         assigned = ("{} = 3", "load (x, {}, z), infeed", "lin infeed store {}", "if part_ok then {} = infeed")
         declared = ("var {}: int", "const {} = 3", "pattern {} = grid 2 from (0, 0, 0) step (1, 0, 0)")
