@@ -76,7 +76,7 @@ export class Runs {
   }
 
   /** Another pace is wanted: what was measured says nothing of it. */
-  repace(): void {
+  forgetPace(): void {
     this.#pace.reset()
   }
 

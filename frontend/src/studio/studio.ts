@@ -129,7 +129,7 @@ export class Studio {
     })
     store.subscribe(({ live }, before) => {
       if (live?.speed === before.live?.speed && live?.state === before.live?.state) return
-      this.runs.repace()
+      this.runs.forgetPace()
       store.setState({ pace: null })
     })
     this.jog = new Jog({ send, show: answer => picture.jogged(answer), undo: this.undo })
