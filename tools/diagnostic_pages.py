@@ -42,7 +42,7 @@ BANDS = {
         "Robots in files; files and memory of the machine",
         ("core", "exchange", "express", "model", "nirox", "part21", "robotfile", "workbench"),
     ),
-    "U9": Band("Use of the commands", ("cli", "lsp", "studio")),
+    "U9": Band("Use of the commands", ("cli", "core", "lsp", "studio")),
     "P1": Band("Knowledge bases", ("prolog", "tasks")),
     "W1": Band("Workspaces", ("workspace",)),
 }

@@ -15,6 +15,7 @@ HIGH |= {"robotfile", "tomltext", "meshes"}
 """Packages that read and write files of users."""
 OWN_FILES = {
     "core/files.py",
+    "core/inside.py",
     "core/own_folder.py",
     "codegen/code_digest.py",
     "prolog/native/program.py",

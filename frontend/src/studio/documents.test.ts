@@ -11,6 +11,7 @@ const STATE: DocumentState = {
   unsaved: false,
   conflict: false,
   recovered: false,
+  base: 'b1',
 }
 const { text: _, ...MARKS } = STATE
 
@@ -24,7 +25,9 @@ test('typed text is pending until the server confirms its version', () => {
   const documents = open()
   documents.edit(STATE.name, 'two')
   documents.edit(STATE.name, 'three')
-  expect(documents.pending()).toEqual([{ type: 'edit', document: STATE.name, text: 'three', version: 2 }])
+  expect(documents.pending()).toEqual([
+    { type: 'edit', document: STATE.name, text: 'three', version: 2, base: 'b1' },
+  ])
   documents.update([{ ...MARKS, text: null, version: 1, unsaved: true }])
   expect(documents.pending()).toHaveLength(1)
   documents.update([{ ...MARKS, text: null, version: 2, unsaved: true }])
@@ -81,6 +84,17 @@ test('what the server says of an older text does not overwrite what is being typ
   documents.edit(STATE.name, 'two')
   documents.update([{ ...MARKS, text: 'older', version: 0, unsaved: true }])
   expect(documents.text(STATE.name)).toBe('two')
+})
+
+test('an edit names the content of the file on which it was written', () => {
+  const documents = open()
+  documents.edit(STATE.name, 'two')
+  documents.update([{ ...MARKS, text: 'from elsewhere', version: 0, base: 'b2' }])
+  expect(documents.pending()[0]).toMatchObject({ text: 'two', base: 'b1' })
+  documents.update([{ ...MARKS, text: null, version: 1, unsaved: true, conflict: true, base: 'b1' }])
+  documents.edit(STATE.name, 'three')
+  documents.update([{ ...MARKS, text: null, version: 1, base: 'b3' }]) // version 1 was saved
+  expect(documents.pending()[0]).toMatchObject({ text: 'three', base: 'b3' })
 })
 
 test('the list is the same until a mark changes', () => {

@@ -4,7 +4,7 @@ import type { DocumentState, DocumentsChanged } from '../wire/messages'
 import { TextHistory } from './text_history'
 
 /** A document as the page shows it. For the newest text ask `Documents.text`. */
-export interface StudioDocument extends Omit<DocumentState, 'text' | 'version'> {
+export interface StudioDocument extends Omit<DocumentState, 'text' | 'version' | 'base'> {
   /** Counts the times the text was replaced from outside (file, other tab); an editor then opens it anew. */
   readonly revision: number
 }
@@ -14,6 +14,8 @@ interface Entry {
   text: string
   /** Counts the edits of this tab. */
   version: number
+  /** Names the content of the file on which the text was written. */
+  base: string
   /** The newest edit that was put on the line; 0 for none on this connection. */
   sentVersion: number
   /** The newest edit of this tab has not been taken by the server yet. */
@@ -71,6 +73,8 @@ export class Documents {
         continue
       }
       if (state.version >= entry.version) entry.pending = false
+      // A text that comes from the file (version 0) is not the one on which ours was written.
+      if (!entry.pending || state.version > 0) entry.base = state.base
       if (state.text !== null && !entry.pending) this.#adopt(state, state.text)
       else entry.shown = stateOf(state, entry.shown.revision)
       if (!state.unsaved && !entry.pending) entry.typed = false
@@ -108,7 +112,13 @@ export class Documents {
   pending(): readonly Edit[] {
     return [...this.#entries]
       .filter(([, entry]) => entry.pending)
-      .map(([name, entry]) => ({ type: 'edit', document: name, text: entry.text, version: entry.version }))
+      .map(([name, entry]) => ({
+        type: 'edit',
+        document: name,
+        text: entry.text,
+        version: entry.version,
+        base: entry.base,
+      }))
   }
 
   #adopt(state: Omit<DocumentState, 'text'>, text: string): void {
@@ -120,6 +130,7 @@ export class Documents {
       text,
       sentVersion: 0,
       version: Math.max(entry?.version ?? 0, state.version),
+      base: state.base,
       pending: false,
       typed: (entry?.typed ?? false) && !replaced && state.unsaved,
     })

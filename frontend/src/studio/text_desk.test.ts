@@ -15,6 +15,7 @@ const document = (name: string): DocumentState => ({
   unsaved: false,
   conflict: false,
   recovered: false,
+  base: '',
 })
 const MAIN = 'programs/main.task'
 
@@ -48,7 +49,7 @@ test('keystrokes close together are sent as one, the newest text', () => {
   desk.edit(MAIN, 'mov bc')
   expect(sent).toEqual([])
   vi.advanceTimersByTime(DELAY)
-  expect(sent).toEqual([{ type: 'edit', document: MAIN, text: 'mov bc', version: 2 }])
+  expect(sent).toEqual([{ type: 'edit', document: MAIN, text: 'mov bc', version: 2, base: '' }])
   vi.advanceTimersByTime(10 * DELAY)
   expect(sent).toHaveLength(1)
   expect(desk.delivered).toBe(false)
@@ -67,7 +68,7 @@ test('without a connection text is kept for later, and saving says so', () => {
   expect(warned).toHaveLength(1)
   connected = true
   desk.flush()
-  expect(sent).toEqual([{ type: 'edit', document: MAIN, text: 'mov b', version: 1 }])
+  expect(sent).toEqual([{ type: 'edit', document: MAIN, text: 'mov b', version: 1, base: '' }])
 })
 
 test('a tab without the right to edit sends nothing until it has it', () => {

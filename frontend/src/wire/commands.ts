@@ -20,6 +20,8 @@ export interface Edit {
   readonly text: string
   /** Counts up in the tab; comes back in `documents`. */
   readonly version: number
+  /** That of the state on which the text was written; without it, that which the server has. */
+  readonly base: string | null
 }
 
 /** Write a document to its file; `overwrite` also over a file that has changed since it was read. */

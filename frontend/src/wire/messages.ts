@@ -26,6 +26,8 @@ export interface DocumentState {
   readonly conflict: boolean
   /** Unsaved text of an earlier session has been brought back. */
   readonly recovered: boolean
+  /** Names the content of the file on which the text was written; an edit gives it back. */
+  readonly base: string
 }
 
 /** Whether the project folder is trusted, and what in it is code. */

@@ -21,9 +21,17 @@ from ropsim.core.freed_memory import keep_freed_memory as keep_freed_memory
 from ropsim.core.frozen_dataclass import frozen_dataclass as frozen_dataclass
 from ropsim.core.frozen_dataclass import frozen_without_equality as frozen_without_equality
 from ropsim.core.frozen_dataclass import maker as maker
+from ropsim.core.inside import LeadsOutError as LeadsOutError
+from ropsim.core.inside import create_inside as create_inside
+from ropsim.core.inside import place_inside as place_inside
+from ropsim.core.inside import read_inside as read_inside
+from ropsim.core.inside import replace_inside as replace_inside
+from ropsim.core.inside import stated_inside as stated_inside
 from ropsim.core.kept_files import KeptFiles as KeptFiles
 from ropsim.core.kept_files import kept_findings as kept_findings
 from ropsim.core.late_mapping import LateMapping as LateMapping
+from ropsim.core.outside import OUTSIDE_PROJECT as OUTSIDE_PROJECT
+from ropsim.core.outside import outside_project as outside_project
 from ropsim.core.places import Places as Places
 from ropsim.core.places import places_of as places_of
 from ropsim.core.plural import plural as plural

@@ -18,6 +18,9 @@ Typed: TypeAlias = Annotated[str, Meta(max_length=20_000)]
 Number: TypeAlias = Annotated[int, Meta(ge=0, le=2**53 - 1)]
 """Whole numbers of a page; larger ones are not exact there."""
 
+Base: TypeAlias = Annotated[str, Meta(max_length=64)]
+"""SHA-256 of the content of a file in hexadecimal digits, empty for no file."""
+
 
 class Hello(Struct, frozen=True, tag_field="type", tag="hello"):
     """First message of a connection; `tab` is a random name that lives as long as the tab."""
@@ -32,11 +35,13 @@ class Edit(Struct, frozen=True, tag_field="type", tag="edit"):
         document: its name.
         text: all of it.
         version: counts up in the tab; comes back in `documents`.
+        base: that of the state on which the text was written; without it, that which the server has.
     """
 
     document: Name
     text: str
     version: Number
+    base: Base | None = None
 
 
 class Save(Struct, frozen=True, tag_field="type", tag="save"):

@@ -80,7 +80,9 @@ CHANGED_ON_DISK = define(
     "a file has changed on the disk while it had unsaved text in the studio",
     """
 Another program, such as an editor or git, has written or removed the file. Nothing was written over it.
-`Reload` takes the text of the file and gives up the one in the studio, `Overwrite` does the opposite.
+`Reload` takes the text of the file and gives up the one in the studio, `Overwrite` does the opposite. Until
+one of them is chosen the conflict stays, also when the studio ends and is started again. `Overwrite` is
+refused once more where the file has changed again since it was shown.
 """,
 )
 
@@ -90,8 +92,8 @@ NOT_SAVED = define(
     Severity.ERROR,
     "a document could not be written to its file",
     """
-The operating system refused to write, or the file is a link that leads out of the project folder. The text
-is still in the studio and in its journal; the file is as it was.
+The operating system refused to write, or the name cannot be that of a file of the project. The text is still
+in the studio and in its journal; the file is as it was.
 """,
 )
 
@@ -139,6 +141,17 @@ Another program has removed, moved or unmounted the folder. The texts of the pro
 unsaved ones, and in its journal. When the folder is back they are compared with its files; saving a text
 makes the folder anew. Meshes and other files of the project are not in the studio and do not come back by
 that.
+""",
+)
+
+UNWATCHED = define(
+    "U963",
+    "project-not-watched",
+    Severity.WARNING,
+    "the files of the project cannot be read now",
+    """
+The operating system does not say what is in the project folder: it may not be read any more, or its disk does
+not answer. The texts stay in the studio as they are. The studio tries again every second.
 """,
 )
 

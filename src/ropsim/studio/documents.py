@@ -4,22 +4,29 @@ import asyncio
 import os
 import re
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from enum import Enum
 from pathlib import Path
 
-from ropsim.core import Diagnostic, did_you_mean, replace_file, toml_values
+from ropsim.core import (
+    Diagnostic,
+    LeadsOutError,
+    create_inside,
+    did_you_mean,
+    outside_project,
+    replace_inside,
+    toml_values,
+)
 from ropsim.studio.diagnostics import CHANGED_ON_DISK, NOT_EDITABLE, NOT_SAVED
-from ropsim.studio.document import LARGEST, Document
+from ropsim.studio.document import LARGEST, Document, not_editable
 from ropsim.studio.line_ends import plain_lines
 from ropsim.studio.project_files import (
     CELL,
     Stamp,
     content,
     is_text_of_project,
-    leaves_project,
+    present,
     program_names,
-    stamps,
 )
 from ropsim.userfiles import Draft
 
@@ -40,8 +47,15 @@ class ListChange(Enum):
     SOME = "some"
 
 
+class _ChangedMeanwhileError(OSError):
+    """A file has changed since it was compared."""
+
+
 class Documents:
     """All texts of a project. Changes on the disk are met by `look`, which reads in a thread.
+
+    A text whose file is missing is held until a look finds nothing new: where the whole folder is being
+    removed, file by file, its texts are all kept.
 
     Attributes:
         gone: there is no project folder any more; its texts are kept until it is there again, or saved anew.
@@ -51,6 +65,8 @@ class Documents:
         self._folder = folder
         self._stamps: dict[str, Stamp] = {}
         self._all: dict[str, Document] = {}
+        self._missing: set[str] = set()
+        self._unread: set[str] = set()  # to be read again
         self.gone = False
         self._disk = asyncio.Lock()  # what is read from the disk must not be older than what was written
 
@@ -102,56 +118,84 @@ class Documents:
         if document is None:
             hint = did_you_mean(name, self._all)
             return None, NOT_EDITABLE.at(None, f"the project has no document `{name[:200]}`", hint=hint)
-        if document.problem:
-            return None, NOT_EDITABLE.at(None, document.problem, hint="mend the file outside of the studio")
-        return document, None
+        problem = document.problem
+        return (document, None) if problem is None else (None, problem)
 
-    def edit(self, name: str, text: str, version: int) -> tuple[Document | None, Diagnostic | None]:
-        """Take a new text of a document."""
+    def edit(
+        self, name: str, text: str, version: int, base: str | None = None
+    ) -> tuple[Document | None, Diagnostic | None]:
+        """Take a new text of a document, written on the content of its file that `base` names."""
         document, finding = self.find(name)
         if document is None:
             return None, finding
         if len(text.encode("utf-8", "replace")) > LARGEST:
             message = f"the new text of `{name}` has more than {LARGEST / 1e6:.0f} MB"
             return None, NOT_EDITABLE.at(None, message, hint="is this a program?")
-        document.edit(text, version)
+        document.edit(text, version, base)
         return document, None
 
-    async def revert(self, document: Document) -> None:
-        """Give up unsaved text; a document whose file is gone goes, too."""
+    async def revert(self, document: Document) -> Diagnostic | None:
+        """Give up unsaved text; a document whose file is gone goes, too. Return why that was not possible."""
         async with self._disk:
-            document.take_file(await asyncio.to_thread(content, document.path))
-        if document.disk is None:
-            self._forget(document.name)
+            try:
+                there = await asyncio.to_thread(content, self._folder, document.name)
+                folder = await asyncio.to_thread(present, self._folder)
+            except OSError as error:
+                return _unread(document.name, error)
+            if there is None and not folder:
+                message = f"`{document.name}` has no file to go back to; its text is kept"
+                return NOT_EDITABLE.at(None, message, hint="put the project folder back, or save the text")
+            document.take_file(there)
+            if document.disk is None:
+                self._forget(document.name)
+        return None
 
     async def save(self, document: Document, overwriting: Overwriting) -> Diagnostic | None:
         """Write a document to its file in one step; return why that was not possible.
 
-        A file that has changed since it was read is written over only where that is wanted.
+        A file that has changed since it was read is written over only where that is wanted, and where the
+        user knows of its content.
         """
-        if leaves_project(self._folder, document.path):
-            message = f"`{document.name}` is a link that leads out of the project folder; it is not written"
-            return NOT_SAVED.at(None, message, hint="put a file in place of the link")
         async with self._disk:
-            return await self._write(document, overwriting)
+            while True:
+                try:
+                    return await self._write(document, overwriting)
+                except _ChangedMeanwhileError:  # between comparing and replacing
+                    overwriting = Overwriting.REFUSED
 
     async def _write(self, document: Document, overwriting: Overwriting) -> Diagnostic | None:
-        present = await asyncio.to_thread(content, document.path)
-        if overwriting is Overwriting.REFUSED and (document.conflict or present != document.disk):
-            document.meet_file(present)
-            if document.unsaved:
-                message = f"`{document.name}` has changed on the disk; it was not written"
-                return CHANGED_ON_DISK.at(None, message, hint="reload it or overwrite it")
+        name = document.name
+        try:
+            there = await asyncio.to_thread(content, self._folder, name)
+            is_news = not self.gone and not await asyncio.to_thread(present, self._folder)
+        except OSError as error:
+            return _unwritten(name, error)
+        if is_news and document.disk is not None:  # all texts are kept first
+            message = f"`{name}` is not written: the project folder is gone"
+            return NOT_SAVED.at(None, message, hint="put it back, or save again to make it anew")
+        has_changed = there != document.disk
+        if has_changed:
+            document.meet_file(there)
+        is_wanted = overwriting is Overwriting.WANTED and (not has_changed or there is None)
+        if document.conflict and not is_wanted:
+            message = f"`{name}` has changed on the disk; it was not written"
+            return CHANGED_ON_DISK.at(None, message, hint="reload it or overwrite it")
+        if not document.unsaved:
             return None
         new = await asyncio.to_thread(document.content)
         if len(new) > LARGEST:  # its line ends may be longer than those of the page
-            message = f"`{document.name}` would have more than {LARGEST / 1e6:.0f} MB"
-            return NOT_SAVED.at(None, message, hint="is this a program?")
+            return _too_long(name)
+
+        def may_replace() -> None:
+            if content(self._folder, name) != there:
+                raise _ChangedMeanwhileError
+
         try:
-            await asyncio.to_thread(replace_file, document.path, new)
+            await asyncio.to_thread(replace_inside, self._folder, name, new, may_replace)
+        except _ChangedMeanwhileError:
+            raise
         except OSError as error:
-            message = f"`{document.name}` cannot be written: {error.strerror or error}"
-            return NOT_SAVED.at(None, message, hint="the text is kept here and in the journal")
+            return _unwritten(name, error)
         document.saved(new)
         return None
 
@@ -165,7 +209,6 @@ class Documents:
             text: what it says.
             points: of the program, as a list in a file of its own name; empty for none.
         """
-        path = self._folder / name
         noun = "text of tasks" if name.startswith("kb/") else "program"
         if not _is_new_name(name):
             hint = "names have letters, digits, `_`, `-` and blanks"
@@ -173,55 +216,54 @@ class Documents:
         if (word := await asyncio.to_thread(_reserved, name)) is not None:
             message = f"`{word}` is a word of the task language and cannot be the name of a program"
             return None, NOT_SAVED.at(None, message, hint=f"such as `{word}_1`")
-        if leaves_project(self._folder, path):
-            message = f"`{name}` would be outside of the project folder; it is not written"
-            return None, NOT_SAVED.at(
-                None, message, hint=f"`{path.parent.name}` must be a folder of the project"
-            )
-        content = plain_lines(text).encode("utf-8", "replace")
-        if len(content) > LARGEST:
-            message = f"`{name}` would have more than {LARGEST / 1e6:.0f} MB"
-            return None, NOT_SAVED.at(None, message, hint="is this a program?")
+        new = plain_lines(text).encode("utf-8", "replace")
+        if len(new) > LARGEST:
+            return None, _too_long(name)
+        taken = NOT_SAVED.at(
+            None, f"there is a {noun} `{name}` already; it is not written over", hint="choose another name"
+        )
         async with self._disk:
-            if name in self._all or os.path.lexists(path):
-                message = f"there is a {noun} `{name}` already; it is not written over"
-                return None, NOT_SAVED.at(None, message, hint="choose another name")
-            finding = await self.keep_points(name, points, Overwriting.REFUSED) if points else None
+            if name in self._all or os.path.lexists(self._folder / name):
+                return None, taken
+            finding = await self._keep_points(name, points, Overwriting.REFUSED) if points else None
             if finding is not None:
                 return None, finding
             try:
-                await asyncio.to_thread(replace_file, path, content)
+                await asyncio.to_thread(create_inside, self._folder, name, new)
+            except FileExistsError:
+                return None, taken
             except OSError as error:
-                message = f"`{name}` cannot be written: {error.strerror or error}"
-                return None, NOT_SAVED.at(None, message, hint="nothing was made")
-            await self._look()
-        return self._all.get(name), None
+                return None, _unwritten(name, error)
+            self._all[name] = Document(name, self._folder / name, new)
+        return self._all[name], None
 
     async def keep_points(self, program: str, points: str, overwriting: Overwriting) -> Diagnostic | None:
         """Write the points of a program to `points/NAME.csv`; return why that was not possible.
 
         Another list that is there already is written over only where that is wanted.
         """
+        async with self._disk:
+            return await self._keep_points(program, points, overwriting)
+
+    async def _keep_points(self, program: str, points: str, overwriting: Overwriting) -> Diagnostic | None:
         found = re.fullmatch(r"programs/(.*)\.task", program)
         if found is None or not _is_new_name(program):
             return NOT_SAVED.at(None, f"`{program[:200]}` has no list of points", hint="programs have one")
-        name = f"points/{found[1]}.csv"
-        path, new = self._folder / name, plain_lines(points).encode("utf-8", "replace")
-        if leaves_project(self._folder, path) or len(new) > LARGEST:
-            message = f"`{name}` would be outside of the project folder, or is too long; it is not written"
-            return NOT_SAVED.at(None, message, hint="`points` must be a folder of the project")
-        present = await asyncio.to_thread(content, path)
-        if present == new:
-            return None
-        if os.path.lexists(path) and overwriting is Overwriting.REFUSED:
+        name, new = f"points/{found[1]}.csv", plain_lines(points).encode("utf-8", "replace")
+        if len(new) > LARGEST:
+            return _too_long(name)
+        try:
+            if await asyncio.to_thread(content, self._folder, name) == new:
+                return None
+            if overwriting is Overwriting.WANTED:
+                await asyncio.to_thread(replace_inside, self._folder, name, new)
+            else:
+                await asyncio.to_thread(create_inside, self._folder, name, new)
+        except FileExistsError:
             message = f"there is another list of points `{name}` already; it is not written over"
             return NOT_SAVED.at(None, message, hint="choose another name")
-        try:
-            await asyncio.to_thread(replace_file, path, new)
         except OSError as error:
-            return NOT_SAVED.at(
-                None, f"`{name}` cannot be written: {error.strerror or error}", hint="nothing was made"
-            )
+            return _unwritten(name, error)
         return None
 
     async def look(self) -> tuple[tuple[Document, ...], ListChange]:
@@ -234,52 +276,111 @@ class Documents:
             return await self._look()
 
     async def _look(self) -> tuple[tuple[Document, ...], ListChange]:
-        self.gone = not await asyncio.to_thread(self._folder.is_dir)
-        if self.gone:
+        now = await asyncio.to_thread(present, self._folder)
+        # a place where another disk was mounted stays when that is taken away, and is empty
+        self.gone = now is None or (not now and any(one.disk is not None or one.homeless for one in self.all))
+        if now is None or self.gone:
             return self._lose(), ListChange.NONE
-        now = await asyncio.to_thread(stamps, self._folder)
-        if now == self._stamps:
-            return (), ListChange.NONE
         before, self._stamps = self._stamps, now
         changed: list[Document] = []
         names = set(self._all)
-        for name in sorted(now.keys() | self._all.keys()):
-            if now.get(name) != before.get(name):
-                read = await asyncio.to_thread(content, self._folder / name)
-                changed += self._meet(name, read) if read is not None or name not in now else self._shut(name)
+        for name in sorted(now):
+            if now[name] != before.get(name) or name in self._unread:
+                changed += await self._read(name)
+        if now == before:
+            self._forget_missing()
+        changed += self._miss(self._all.keys() - now.keys())
         change = ListChange.NONE if names == set(self._all) else ListChange.SOME
         return tuple(changed), change
 
-    def _lose(self) -> tuple[Document, ...]:
-        """Keep all texts as unsaved ones: with their folder the files are gone that they were in."""
-        self._stamps = {}
-        lost = tuple(one for one in self.all if one.disk is not None and not one.problem)
-        for document in lost:
-            document.lose_file()
-        return lost
-
-    def _shut(self, name: str) -> list[Document]:
-        """Note that a file is there but may not be read."""
-        document = self._all.setdefault(name, Document(name, self._folder / name, b""))
-        document.unreadable = True
-        return [document]
-
-    def _meet(self, name: str, read: bytes | None) -> list[Document]:
+    async def _read(self, name: str) -> list[Document]:
+        """Read a file that has changed; return its document where that has changed, too."""
+        try:
+            read = await asyncio.to_thread(content, self._folder, name)
+        except OSError as error:
+            self._unread.add(name)
+            return self._shut(name, error)
+        self._unread.discard(name)
+        if read is None:  # it has gone since
+            del self._stamps[name]
+            return []
         document = self._all.get(name)
         if document is None:
             self._all[name] = Document(name, self._folder / name, read)
             return [self._all[name]]
-        was_shut, document.unreadable = document.unreadable, False
+        was_shut, document.refusal = document.refusal is not None, None
         if read == document.disk and not was_shut:
             return []
         document.meet_file(read)
-        if read is None and not document.conflict:
-            self._forget(name)
         return [document]
+
+    def _shut(self, name: str, error: OSError) -> list[Document]:
+        """Note that a file cannot be read; what was read of it before stays."""
+        document = self._all.get(name)
+        if document is not None and document.refusal is None:
+            return []
+        refusal = _unread(name, error)
+        if document is None:
+            document = self._all[name] = Document(name, self._folder / name, b"")
+        elif document.refusal == refusal:
+            return []
+        document.refusal = refusal
+        return [document]
+
+    def _miss(self, names: Iterable[str]) -> list[Document]:
+        """Note which files are missing: unsaved texts are in conflict with that, others are held."""
+        changed: list[Document] = []
+        self._missing.intersection_update(names)
+        for name in names:
+            document = self._all[name]
+            if not document.unsaved:
+                self._missing.add(name)
+            elif document.disk is not None:
+                document.refusal = None
+                document.meet_file(None)
+                changed.append(document)
+        return changed
+
+    def _forget_missing(self) -> None:
+        """Let texts go whose files went before the look before, where nothing has happened since."""
+        for name in self._missing - self._stamps.keys():
+            if not self._all[name].unsaved:
+                self._forget(name)
+        self._missing.clear()
+
+    def _lose(self) -> tuple[Document, ...]:
+        """Keep all texts as unsaved ones: with their folder the files are gone that they were in."""
+        self._stamps = {}
+        self._missing.clear()
+        self._unread.clear()
+        lost = tuple(one for one in self.all if not one.homeless and one.problem is None)
+        for document in lost:
+            document.lose_file()
+        return lost
 
     def _forget(self, name: str) -> None:
         self._all.pop(name, None)
         self._stamps.pop(name, None)
+        self._missing.discard(name)
+        self._unread.discard(name)
+
+
+def _unread(name: str, error: OSError) -> Diagnostic:
+    if isinstance(error, LeadsOutError):
+        return outside_project(name, error)
+    return not_editable(f"`{name}` cannot be read: {error.strerror or error}")
+
+
+def _unwritten(name: str, error: OSError) -> Diagnostic:
+    if isinstance(error, LeadsOutError):
+        return outside_project(name, error)
+    message = f"`{name}` cannot be written: {error.strerror or error}"
+    return NOT_SAVED.at(None, message, hint="the text is kept here and in the journal")
+
+
+def _too_long(name: str) -> Diagnostic:
+    message = f"`{name}` would have more than {LARGEST / 1e6:.0f} MB"
+    return NOT_SAVED.at(None, message, hint="is this a program?")
 
 
 def _is_new_name(name: str) -> bool:

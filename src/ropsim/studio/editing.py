@@ -1,20 +1,20 @@
 """What happens to texts: edits, saves and reverts of the page, changes on the disk, recovery at the start."""
 
 import asyncio
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from typing import TypeAlias
 
 from ropsim.core import Diagnostic, shortage
 from ropsim.studio import commands
-from ropsim.studio.diagnostics import INTERNAL, NO_JOURNAL, PROJECT_GONE, READ_ONLY
+from ropsim.studio.diagnostics import INTERNAL, NO_JOURNAL, PROJECT_GONE, READ_ONLY, UNWATCHED
 from ropsim.studio.document import Document
 from ropsim.studio.documents import Documents, ListChange, Overwriting
 from ropsim.studio.keeper import Keeper
 from ropsim.studio.messages import Answered, DocumentsChanged, notice
 from ropsim.studio.tab import Tab
 from ropsim.studio.tabs import Tabs
-from ropsim.userfiles import Journal
+from ropsim.userfiles import Draft, Journal
 
 TextCommand: TypeAlias = (
     commands.Edit | commands.Save | commands.Revert | commands.Create | commands.KeepPoints
@@ -48,14 +48,17 @@ class Editing:
         self._journal: Journal | None = None
         self._keeper = Keeper(None, lambda: {}, self._warn)
         self._watching: asyncio.Task[None] | None = None
+        self._trouble = ""
         self.warnings: list[Diagnostic] = []
 
     async def open(self) -> None:
         """Read the files and what an earlier session has left; watch the files from now on."""
-        await self.documents.look()
         try:
-            self._journal = await asyncio.to_thread(Journal, self._folder)
-            drafts, findings = await asyncio.to_thread(self._journal.read)
+            await self.documents.look()
+        except OSError as error:
+            self.warnings.append(self._unwatched(error))
+        try:
+            self._journal, drafts, findings = await asyncio.to_thread(_journal, self._folder)
         except OSError as error:
             message = f"unsaved text cannot be kept for the next start: {error.strerror or error}"
             self.warnings.append(NO_JOURNAL.at(None, message, hint="save often"))
@@ -87,8 +90,8 @@ class Editing:
             tab.send(notice(_may_not()))
             return
         match command:
-            case commands.Edit(name, text, version):
-                self._edit(tab, name, text, version)
+            case commands.Edit():
+                self._edit(tab, command)
             case commands.Save(name, overwrite):
                 await self._save(tab, name, Overwriting.WANTED if overwrite else Overwriting.REFUSED)
             case commands.Revert(name):
@@ -108,8 +111,8 @@ class Editing:
             self._tell([document])
         return finding
 
-    def _edit(self, tab: Tab, name: str, text: str, version: int) -> None:
-        document, finding = self.documents.edit(name, text, version)
+    def _edit(self, tab: Tab, edit: commands.Edit) -> None:
+        document, finding = self.documents.edit(edit.document, edit.text, edit.version, edit.base)
         if document is None:
             _refuse(tab, finding)
             return
@@ -133,7 +136,9 @@ class Editing:
         if document is None:
             _refuse(tab, finding)
             return
-        await self.documents.revert(document)
+        finding = await self.documents.revert(document)
+        if finding is not None:
+            tab.send(notice(finding))
         if document not in self.documents.all:
             self._list_changed()
         self._tell([document])
@@ -145,9 +150,15 @@ class Editing:
             await asyncio.sleep(LOOK)
             try:
                 await self._look()
+            except OSError as error:
+                if str(error) != self._trouble:
+                    self._warn(self._unwatched(error))
+                self._trouble = str(error)
             except Exception as error:  # the next look may succeed
                 message = f"the files of the project cannot be watched: {type(error).__name__}: {error}"
                 self._warn(shortage(error) or INTERNAL.at(None, message, hint="please report it"))
+            else:
+                self._trouble = ""
 
     async def _look(self) -> None:
         was_gone = self.documents.gone
@@ -172,8 +183,26 @@ class Editing:
         for tab in self._tabs:
             tab.send(brief if tab is knows else full)
 
+    def _unwatched(self, error: OSError) -> Diagnostic:
+        message = f"the project folder `{self._folder}` cannot be read: {error.strerror or error}"
+        return UNWATCHED.at(None, message, hint="look at the folder and its permissions")
+
     def _warn(self, finding: Diagnostic) -> None:
         self._tabs.tell(notice(finding))
+
+
+def _journal(folder: Path) -> tuple[Journal, Mapping[str, Draft], tuple[Diagnostic, ...]]:
+    """Return a journal and what an earlier session has left in it.
+
+    Raises:
+        OSError: there can be no journal, or it cannot be read now; then it stays as it is.
+    """
+    journal = Journal(folder)
+    try:
+        return journal, *journal.read()
+    except BaseException:
+        journal.close()
+        raise
 
 
 def _may_not() -> Diagnostic:

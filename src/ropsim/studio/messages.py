@@ -45,6 +45,7 @@ class DocumentState(Struct, frozen=True):
         unsaved: differs from its file.
         conflict: the file has changed on the disk since it was read.
         recovered: unsaved text of an earlier session has been brought back.
+        base: names the content of the file on which the text was written; an edit gives it back.
     """
 
     name: str
@@ -55,6 +56,7 @@ class DocumentState(Struct, frozen=True):
     unsaved: bool
     conflict: bool
     recovered: bool
+    base: str
 
 
 class TrustState(Struct, frozen=True):

@@ -1,13 +1,13 @@
 """The files of a project that the studio shows as texts: which there are, and what is in them now."""
 
 import contextlib
-import os
+import errno
 import stat
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path, PurePosixPath
 from typing import TypeAlias
 
-from ropsim.core import Diagnostic
+from ropsim.core import Diagnostic, read_inside
 from ropsim.studio.diagnostics import NO_PROJECT, StudioError
 from ropsim.studio.document import LARGEST
 
@@ -45,26 +45,42 @@ def _nothing_at(path: Path, found: str) -> Diagnostic:
 
 
 def stamps(folder: Path) -> dict[str, Stamp]:
-    """Return the texts of a project: `cell.toml`, then programs, robot files and tasks, each by name."""
+    """Return the texts of a project: `cell.toml`, then programs, robot files and tasks, each by name.
+
+    Raises:
+        OSError: the system does not say what there is.
+    """
     places = {"programs": PROGRAM_ENDINGS, "robots": (ROBOT_ENDING,), "kb": (TASK_ENDING,)}
     names = [CELL, *(name for place, endings in places.items() for name in _inside(folder, place, endings))]
     found = ((name, _stamp(folder / name)) for name in names)
     return {name: stamp for name, stamp in found if stamp is not None}
 
 
-def content(path: Path) -> bytes | None:
-    """Return what is in a file, cut where no text is that long; None where it cannot be read."""
-    try:
-        with open(path, "rb", opener=_without_waiting) as stream:
-            return stream.read(LARGEST + 1) if stat.S_ISREG(os.fstat(stream.fileno()).st_mode) else None
-    except OSError:
-        return None
+def present(folder: Path) -> dict[str, Stamp] | None:
+    """Return the texts of a project; None where there is no project folder any more.
+
+    A folder that goes while it is read is gone: the folder is asked for before and after.
+
+    Raises:
+        OSError: the system does not say what there is.
+    """
+    before = _identity(folder)
+    found = stamps(folder) if before is not None else {}
+    while (after := _identity(folder)) != before:  # another one has taken its place
+        before, found = after, stamps(folder) if after is not None else {}
+    return found if after is not None else None
 
 
-def leaves_project(folder: Path, path: Path) -> bool:
-    """Return whether a file is a link that leads out of the project."""
-    # Path.resolve raises RuntimeError where links go round
-    return not Path(os.path.realpath(path)).is_relative_to(os.path.realpath(folder))
+def content(folder: Path, name: str) -> bytes | None:
+    """Return what is in a file of a project, cut where no text is that long; None where there is no file.
+
+    Raises:
+        LeadsOutError: it is a link that leads out of the project.
+        OSError: it cannot be read.
+    """
+    with contextlib.suppress(FileNotFoundError, NotADirectoryError):
+        return read_inside(folder, name, LARGEST + 1)
+    return None
 
 
 def is_text_of_project(name: str) -> bool:
@@ -90,25 +106,36 @@ def program_names(documents: Iterable[str]) -> Mapping[str, str]:
     return names
 
 
-def _without_waiting(path: str, flags: int) -> int:
-    """Open a file; a pipe that nobody writes to is no reason to wait."""
-    return os.open(path, flags | getattr(os, "O_NONBLOCK", 0))
-
-
 def _inside(folder: Path, place: str, endings: tuple[str, ...]) -> list[str]:
     """Return the files with some endings in a folder of the project, by name."""
-    try:
+    inside: list[Path] = []
+    with _absence():
         inside = list((folder / place).iterdir())
-    except OSError:
-        return []
     return sorted(f"{place}/{path.name}" for path in inside if path.suffix in endings)
 
 
 def _stamp(path: Path) -> Stamp | None:
-    try:
+    with _absence():
         facts = path.stat()
-    except OSError:
-        return None
-    if not stat.S_ISREG(facts.st_mode):
-        return None
-    return facts.st_mtime_ns, facts.st_size, facts.st_ino, facts.st_mode
+        if stat.S_ISREG(facts.st_mode):
+            return facts.st_mtime_ns, facts.st_size, facts.st_ino, facts.st_mode
+    return None
+
+
+def _identity(folder: Path) -> tuple[int, int] | None:
+    """Return what tells a folder from another one in its place; None where there is none."""
+    with _absence():
+        facts = folder.stat()
+        if stat.S_ISDIR(facts.st_mode):
+            return facts.st_dev, facts.st_ino
+    return None
+
+
+@contextlib.contextmanager
+def _absence() -> Iterator[None]:
+    """Take it for an answer that nothing is there; whatever else the system says is none."""
+    try:
+        yield
+    except OSError as error:
+        if error.errno not in (errno.ENOENT, errno.ENOTDIR, errno.ELOOP):
+            raise

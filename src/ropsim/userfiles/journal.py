@@ -17,6 +17,9 @@ MOST_SLOTS = 16
 LARGEST = 1_000_000_000
 """Bytes of a journal: far above those of all texts that a session can have open."""
 
+MOST_DAMAGED = 100
+"""Journals of a place that can be set aside."""
+
 _TAKEN = (errno.EAGAIN, errno.EACCES, errno.EDEADLK)
 
 
@@ -55,19 +58,37 @@ class Journal:
                 return
         raise OSError(errno.EBUSY, f"the project is open {MOST_SLOTS} times")
 
+    @property
+    def place(self) -> Path:
+        """Return the file of the journal; it is there while there are texts in it."""
+        return self._place
+
     def read(self) -> tuple[Mapping[str, Draft], tuple[Diagnostic, ...]]:
-        """Return what an earlier session has left, by the names of the documents."""
+        """Return what an earlier session has left, by the names of the documents.
+
+        Raises:
+            OSError: it cannot be read, and stays where it is.
+        """
         try:
             content = read_bytes(self._place, LARGEST)
-        except OSError:
+        except FileNotFoundError:
             return {}, ()
         drafts = _drafts(content)
         if drafts is not None:
             return drafts, ()
-        aside = self._place.with_suffix(".damaged")
-        self._place.replace(aside)
+        aside = self._set_aside()
         message = f"unsaved texts of an earlier session cannot be read; they are now in `{aside}`"
         return {}, (DAMAGED_JOURNAL.at(None, message, hint="look at that file with a text editor"),)
+
+    def _set_aside(self) -> Path:
+        """Give a damaged journal a name of its own, and return that."""
+        endings = (".damaged", *(f".damaged-{number}" for number in range(2, MOST_DAMAGED + 1)))
+        places = [self._place.with_suffix(ending) for ending in endings]
+        aside = next((one for one in places if not one.exists()), None)
+        if aside is None:
+            raise OSError(errno.EEXIST, f"{MOST_DAMAGED} damaged journals of this project are in its folder")
+        self._place.replace(aside)
+        return aside
 
     def write(self, drafts: Mapping[str, Draft]) -> None:
         """Replace the journal in one step; without drafts there is none.

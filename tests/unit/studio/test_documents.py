@@ -2,6 +2,7 @@ import asyncio
 import hashlib
 import os
 import sys
+from itertools import count
 from pathlib import Path
 
 import pytest
@@ -11,6 +12,7 @@ from ropsim.studio.document import LARGEST
 from ropsim.studio.documents import Documents, ListChange, Overwriting
 from ropsim.studio.project_files import program_names, project_folder
 from ropsim.userfiles import Draft
+from support.counted_system import counted, number
 
 CELL = b'[cell]\nprogram = "other"\n'
 
@@ -153,6 +155,9 @@ def test_files_that_come_and_go_are_noticed(folder: Path) -> None:
     (folder / "programs" / "new.task").write_bytes(b"n\n")
     _, change = asyncio.run(documents.look())
     assert change is ListChange.SOME
+    assert "other" in documents.programs  # held, in case that all of the folder goes
+    _, change = asyncio.run(documents.look())
+    assert change is ListChange.SOME
     assert documents.programs == ("main", "new")
 
 
@@ -164,7 +169,7 @@ def test_unsaved_text_outlives_its_file_and_can_be_saved_again(folder: Path) -> 
     asyncio.run(documents.look())
     assert documents.all[1].conflict
     assert save(documents, "programs/main.task", Overwriting.WANTED) == ""
-    assert place.read_bytes() == b"mine\n"
+    assert place.read_bytes() == b"mine\r\n"  # with the line ends that its file had
 
 
 def test_a_text_that_is_no_utf8_is_shown_and_not_edited(folder: Path) -> None:
@@ -176,15 +181,17 @@ def test_a_text_that_is_no_utf8_is_shown_and_not_edited(folder: Path) -> None:
     assert finding.code == "U958"
 
 
-def test_a_link_out_of_the_project_is_not_written(
+def test_a_link_out_of_the_project_is_neither_read_nor_written(
     folder: Path, tmp_path_factory: pytest.TempPathFactory
 ) -> None:
     outside = tmp_path_factory.mktemp("outside") / "precious.task"
     outside.write_bytes(b"precious\n")
     (folder / "programs" / "link.task").symlink_to(outside)
     documents = opened(folder)
-    documents.edit("programs/link.task", "gone\n", 1)
-    assert save(documents, "programs/link.task") == "U957"
+    _, finding = documents.edit("programs/link.task", "gone\n", 1)
+    assert finding is not None
+    assert finding.code == "U962"
+    assert "precious" not in [one.text for one in documents.all]
     assert outside.read_bytes() == b"precious\n"
 
 
@@ -297,7 +304,8 @@ def test_points_go_with_a_new_program_but_never_over_another_list(folder: Path) 
     assert asyncio.run(documents.create("programs/a.task", "program a\n", "one\n"))[1] is None
     assert table.read_bytes() == b"one\n"
     (folder / "programs" / "a.task").unlink()
-    asyncio.run(documents.look())
+    for _ in range(3):  # it comes, is missed, and is let go
+        asyncio.run(documents.look())
     finding = asyncio.run(documents.create("programs/a.task", "program a\n", "other\n"))[1]
     assert finding is not None
     assert "points/a.csv" in finding.message
@@ -343,7 +351,7 @@ def test_a_new_program_follows_no_link_out_of_the_project(
         path.unlink()
     (folder / "programs").rmdir()
     (folder / "programs").symlink_to(elsewhere)
-    assert create(opened(folder), "programs/new.task") == "U957"
+    assert create(opened(folder), "programs/new.task") == "U962"
     assert list(elsewhere.iterdir()) == []
 
 
@@ -372,3 +380,112 @@ def test_a_removed_project_folder_is_made_anew_by_saving(folder: Path) -> None:
     assert (folder / "cell.toml").read_bytes() == CELL
     assert (folder / "programs" / "other.task").read_bytes() == b"x\n"
     assert "cell.toml" not in documents.drafts
+
+
+def test_a_conflict_outlives_the_studio(folder: Path) -> None:
+    documents = opened(folder)
+    documents.edit("programs/main.task", "mine\n", 1)
+    (folder / "programs" / "main.task").write_bytes(b"theirs\n")
+    asyncio.run(documents.look())
+    again = opened(folder)
+    again.recover(documents.drafts)
+    assert save(again, "programs/main.task") == "U956"
+    assert (folder / "programs" / "main.task").read_bytes() == b"theirs\n"
+    assert save(again, "programs/main.task", Overwriting.WANTED) == ""
+    assert (folder / "programs" / "main.task").read_bytes() == b"mine\n"
+
+
+def test_a_file_that_comes_back_to_what_was_worked_on_is_in_no_conflict(folder: Path) -> None:
+    documents = opened(folder)
+    documents.edit("programs/main.task", "mine\n", 1)
+    for content, conflict in ((b"theirs\n", True), (b"one\r\ntwo\r\n", False)):
+        (folder / "programs" / "main.task").write_bytes(content)
+        asyncio.run(documents.look())
+        assert documents.all[1].conflict is conflict
+    assert save(documents, "programs/main.task") == ""
+
+
+def test_an_edit_on_a_text_that_the_file_had_before_is_in_conflict(folder: Path) -> None:
+    """It was on its way from the page while the file was read again."""
+    documents = opened(folder)
+    base = documents.all[1].base
+    (folder / "programs" / "main.task").write_bytes(b"theirs\n")
+    asyncio.run(documents.look())
+    documents.edit("programs/main.task", "mine\n", 1, base)
+    assert save(documents, "programs/main.task") == "U956"
+
+
+def test_an_edit_that_was_sent_before_the_page_heard_of_a_save_is_in_no_conflict(folder: Path) -> None:
+    documents = opened(folder)
+    base = documents.all[1].base
+    documents.edit("programs/main.task", "mine\n", 1, base)
+    assert save(documents, "programs/main.task") == ""
+    documents.edit("programs/main.task", "mine too\n", 2, base)
+    assert not documents.all[1].conflict
+    assert save(documents, "programs/main.task") == ""
+
+
+def test_what_is_overwritten_is_what_the_user_was_shown(folder: Path) -> None:
+    place = folder / "programs" / "main.task"
+    documents = opened(folder)
+    documents.edit("programs/main.task", "mine\n", 1)
+    place.write_bytes(b"theirs\n")
+    assert save(documents, "programs/main.task") == "U956"
+    place.write_bytes(b"theirs again\n")
+    assert save(documents, "programs/main.task", Overwriting.WANTED) == "U956"
+    assert place.read_bytes() == b"theirs again\n"
+    assert save(documents, "programs/main.task", Overwriting.WANTED) == ""
+
+
+def test_a_project_folder_that_goes_between_two_questions_takes_no_text_with_it(folder: Path) -> None:
+    """At every call that a look makes of the system."""
+    away = folder.with_name(f"{folder.name}-away")
+
+    def leave(_: str) -> None:
+        folder.rename(away)
+
+    for at in count(1):
+        documents = opened(folder)
+        texts = {one.name: one.text for one in documents.all}
+        os.utime(folder / "cell.toml", ns=(at, at))  # so that a file is read, too
+        with counted(folder, number(at), leave) as counting:
+            asyncio.run(documents.look())
+        if not counting.acted:
+            assert at > 12
+            break
+        asyncio.run(documents.look())
+        assert documents.gone
+        assert {one.name: one.text for one in documents.all} == texts
+        assert documents.drafts.keys() == texts.keys()
+        away.rename(folder)
+
+
+def test_an_unmounted_project_takes_no_text_with_it(folder: Path) -> None:
+    """Its folder stays, and is empty."""
+    documents = opened(folder)
+    texts = {one.name: one.text for one in documents.all}
+    folder.rename(folder.with_name(f"{folder.name}-away"))
+    folder.mkdir()
+    for _ in range(3):
+        asyncio.run(documents.look())
+    assert documents.drafts.keys() == texts.keys()
+
+
+def test_a_text_without_a_folder_is_not_given_up(folder: Path) -> None:
+    documents = opened(folder)
+    folder.rename(folder.with_name(f"{folder.name}-away"))
+    asyncio.run(documents.look())
+    finding = asyncio.run(documents.revert(documents.all[1]))
+    assert finding is not None
+    assert documents.all[1].text == "one\ntwo\n"
+
+
+@pytest.mark.skipif(sys.platform == "win32" or os.geteuid() == 0, reason="nothing is closed to this user")
+def test_a_file_that_may_not_be_read_is_not_written_over(folder: Path) -> None:
+    place = folder / "programs" / "main.task"
+    documents = opened(folder)
+    documents.edit("programs/main.task", "mine\n", 1)
+    place.chmod(0)
+    assert save(documents, "programs/main.task", Overwriting.WANTED) == "U957"
+    place.chmod(0o600)
+    assert place.read_bytes() == b"one\r\ntwo\r\n"

@@ -1,4 +1,5 @@
 import contextlib
+import sys
 from contextlib import closing
 from pathlib import Path
 
@@ -6,6 +7,7 @@ import pytest
 
 from ropsim.userfiles import Draft, Journal
 from ropsim.userfiles.journal import MOST_SLOTS
+from support.counted_system import counted
 
 DRAFTS = {"programs/main.task": Draft("mov p\n\ud83e", ""), "cell.toml": Draft("", "ab")}
 
@@ -64,6 +66,22 @@ def test_a_damaged_journal_is_set_aside_and_told(project: Path, tmp_path: Path, 
     assert (drafts, [one.code for one in findings]) == ({}, ["X893"])
     assert place.with_suffix(".damaged").read_bytes() == content
     assert journal.read() == ({}, ())
+    place.write_bytes(b"other damage")
+    journal.read()
+    assert place.with_suffix(".damaged").read_bytes() == content  # the first one is not lost by that
+    assert place.with_suffix(".damaged-2").read_bytes() == b"other damage"
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="a folder is no file there, by another error")
+def test_a_journal_that_cannot_be_read_now_stays(project: Path) -> None:
+    with closing(Journal(project)) as journal:
+        journal.write(DRAFTS)
+        with (
+            counted(journal.place, lambda _, name: name in {"open", "stat"}),
+            pytest.raises(OSError, match="Input/output"),
+        ):
+            journal.read()
+        assert journal.read() == (DRAFTS, ())
 
 
 def test_what_a_second_session_has_left_is_found_by_the_next_one(project: Path) -> None:
