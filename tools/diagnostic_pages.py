@@ -55,6 +55,7 @@ RETIRED = {
     "M521": "external-axis-on-line",
     "M571": "chain-too-long",
     "X904": "looks-like-radians",
+    "X910": "robot-file-outside-project",
     "X913": "tiny-part",
 }
 """Codes of earlier versions, with what they meant: they never mean anything else."""

@@ -13,6 +13,7 @@ const document = (name: string, recovered = false): DocumentState => ({
   text: '',
   version: 0,
   unsaved: recovered,
+  base: '',
   conflict: false,
   recovered,
 })

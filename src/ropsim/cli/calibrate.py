@@ -10,7 +10,7 @@ from ropsim.calibration import Calibration, Knowledge, StretchTimes
 from ropsim.cli.calibration_text import calibration_text
 from ropsim.cli.output import Output, cannot_write
 from ropsim.cli.progress import Progress
-from ropsim.core import replace_file
+from ropsim.core import replace_inside
 from ropsim.records import diagnostic_document
 from ropsim.workbench import CalibratedProject, ProjectError, found_in, open_project
 
@@ -125,7 +125,8 @@ def _write(found: CalibratedProject) -> list[str]:
     if found.cell_text is None:
         return []
     try:
-        replace_file(Path(found.cell_text.name), found.cell_text.text.encode())
+        cell_file = Path(found.cell_text.name)
+        replace_inside(cell_file.parent, cell_file.name, found.cell_text.text.encode())
     except OSError as error:
         raise ProjectError(cannot_write(found.cell_text.name, error)) from error
     return [found.cell_text.name]

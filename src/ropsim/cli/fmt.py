@@ -7,11 +7,20 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from ropsim.cli.output import Output, cannot_write
-from ropsim.core import Diagnostic, RopsimError, Severity, define, frozen_dataclass, read_bytes, replace_file
+from ropsim.core import (
+    Diagnostic,
+    RopsimError,
+    Severity,
+    define,
+    frozen_dataclass,
+    read_bytes,
+    replace_file,
+    replace_inside,
+)
 from ropsim.language import formatted
 from ropsim.records import diagnostic_document
-from ropsim.userfiles import LARGEST, UNREADABLE, read_text_file
-from ropsim.workbench import ProjectError, open_project
+from ropsim.userfiles import LARGEST, UNREADABLE, read_project_text, read_text_file
+from ropsim.workbench import ProjectError, open_project, project_of
 
 NO_TASK_TEXT = define(
     "U902",
@@ -38,7 +47,8 @@ class _Text:
 
     Attributes:
         name: what is said of it.
-        path: where it is written; None for standard input.
+        path: of its file; None for standard input.
+        folder: of the project, out of which no link leads; None for a file on its own.
         before: as it is.
         form: as it should be.
         mark: byte order mark, where it has one.
@@ -46,6 +56,7 @@ class _Text:
 
     name: str
     path: Path | None
+    folder: Path | None
     before: str
     form: str
     mark: bytes = b""
@@ -88,19 +99,23 @@ def _read(given: str, found: list[Diagnostic]) -> Iterator[_Text]:
         return
     path = Path(given)
     if path.is_dir() or path.name == "cell.toml" or not path.exists():
-        folder = open_project(path).folder
-        paths = sorted((folder / "programs").glob("*.task"))
+        home = open_project(path).folder
+        folder, paths = home, sorted((home / "programs").glob("*.task"))
     elif path.suffix == ".task":
-        paths = [path]
+        folder, paths = project_of(path), [path]
     else:
         message = f"`{given}` is neither a project nor a `.task` file"
         raise NoTaskTextError(NO_TASK_TEXT.at(None, message))
     for one in paths:
-        text, problems = read_text_file(one, str(one))
+        text, problems = (
+            read_text_file(one, str(one))
+            if folder is None
+            else read_project_text(folder, f"programs/{one.name}", str(one))
+        )
         found += problems
         if text is not None:
             mark = _MARK if read_bytes(one, LARGEST).startswith(_MARK) else b""
-            yield _Text(str(one), one, text.text, formatted(text.text), mark)
+            yield _Text(str(one), one, folder, text.text, formatted(text.text), mark)
 
 
 def _piped(found: list[Diagnostic]) -> Iterator[_Text]:
@@ -115,7 +130,7 @@ def _piped(found: list[Diagnostic]) -> Iterator[_Text]:
         message = f"byte {error.start + 1} of standard input is no UTF-8"
         found.append(UNREADABLE.at(None, message, hint="give UTF-8 text"))
         return
-    yield _Text("standard input", None, text, formatted(text))
+    yield _Text("standard input", None, None, text, formatted(text))
 
 
 def _difference(one: _Text) -> Iterator[str]:
@@ -132,7 +147,11 @@ def _written(one: _Text, output: Output) -> str:
     if not one.changes:
         return ""
     try:
-        replace_file(one.path, one.mark + one.form.encode())
+        content = one.mark + one.form.encode()
+        if one.folder is None:
+            replace_file(one.path, content)
+        else:
+            replace_inside(one.folder, f"programs/{one.path.name}", content)
     except OSError as error:
         raise ProjectError(cannot_write(one.name, error)) from error
     output.text(f"formatted {one.name}")

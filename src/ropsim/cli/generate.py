@@ -8,7 +8,7 @@ from errno import EEXIST
 from pathlib import Path
 
 from ropsim.cli.output import Output, cannot_write
-from ropsim.core import RopsimError, replace_file
+from ropsim.core import RopsimError, create_inside
 from ropsim.prolog import Prolog
 from ropsim.tasks import (
     Draft,
@@ -185,7 +185,7 @@ def _written(folder: Path, name: str, text: str, points: str, output: Output) ->
             raise TaskError(cannot_write(str(path), FileExistsError(EEXIST, "it is there already")))
     for path, content in files.items():
         try:
-            replace_file(path, content.encode())
+            create_inside(folder, path.relative_to(folder), content.encode())
         except OSError as error:
             raise TaskError(cannot_write(str(path), error)) from error
         output.text(f"wrote {path}")

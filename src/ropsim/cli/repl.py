@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from ropsim.cli.line_editor import LineEditor
 from ropsim.cli.output import Output, cannot_write
-from ropsim.core import Diagnostic, replace_file
+from ropsim.core import Diagnostic, replace_inside
 from ropsim.workbench import (
     Outcome,
     SavedProgram,
@@ -62,7 +62,7 @@ class _Talk:
         folder = self.session.project.folder
         path = folder / "programs" / f"{program.name}.task"
         try:
-            replace_file(path, program.text.encode())
+            replace_inside(folder, f"programs/{program.name}.task", program.text.encode())
         except OSError as error:
             return cannot_write(str(path), error)
         self._output.text(f"wrote {path}; next: ropsim run {folder} {program.name}")

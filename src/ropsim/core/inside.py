@@ -74,9 +74,10 @@ def read_inside(folder: Path, name: str | PurePath, most: int) -> bytes:
     place = place_inside(folder, name)
     with _folder_of(folder, place) as around:
         handle = os.open(place.name if around is not None else place, _READ, dir_fd=around)
+    if not stat.S_ISREG(os.fstat(handle).st_mode):
+        os.close(handle)
+        raise FileNotFoundError(errno.ENOENT, "is no ordinary file", str(name))
     with os.fdopen(handle, "rb") as stream:
-        if not stat.S_ISREG(os.fstat(stream.fileno()).st_mode):
-            raise FileNotFoundError(errno.ENOENT, "is no ordinary file", str(name))
         return stream.read(most)
 
 

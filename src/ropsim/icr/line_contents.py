@@ -1,6 +1,6 @@
 """What the results of the lines of a program hang on: a key for each line, equal where its result must be."""
 
-from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Hashable, Iterator, Mapping
 from hashlib import sha256
 from typing import Any
 
@@ -16,8 +16,9 @@ from ropsim.flow import (
     WaitInstruction,
 )
 from ropsim.icr.identity import program_id
+from ropsim.icr.lines_ahead import reached
 from ropsim.icr.machine import Machine, MachineOptions
-from ropsim.icr.opcodes import OPCODES, OperandKind
+from ropsim.icr.opcodes import OPCODES
 from ropsim.icr.program import Program
 from ropsim.icr.state import Finished
 from ropsim.icr.world import PassingWorld, StillWorld
@@ -116,7 +117,7 @@ class _Run:
                 return
             if isinstance(step, Finished) or _is_look(step) or len(self.steps) >= MOST:
                 callers, procedure, index = machine.code_place
-                self.later = frozenset(_reached(self._program, (*callers, (procedure, index))))
+                self.later = frozenset(reached(self._program, (*callers, (procedure, index))))
                 self._is_cut = isinstance(step, Finished) or not _is_look(step)
                 return
             world.carry_out(step)
@@ -192,27 +193,6 @@ def _flows(step: Instruction) -> bool:
 
 def _is_ptp(move: MoveInstruction) -> bool:
     return move.kind == MotionKind.PTP
-
-
-def _reached(program: Program, places: Iterable[tuple[int, int]]) -> set[tuple[int, int]]:
-    """Return the instructions that can come from some places on."""
-    waiting = list(places)
-    seen: set[tuple[int, int]] = set()
-    while waiting:
-        place = waiting.pop()
-        if place in seen:
-            continue
-        seen.add(place)
-        procedure, index = place
-        step = program.procedures[procedure].code[index]
-        opcode = OPCODES[step.mnemonic]
-        if opcode.operands == (OperandKind.LABEL,):
-            waiting.append((procedure, int(str(step.operands[0]))))
-        if opcode.operands == (OperandKind.PROCEDURE,):
-            waiting.append((program.procedure_numbers[str(step.operands[0])], 0))
-        if not opcode.ends_flow and index + 1 < len(program.procedures[procedure].code):
-            waiting.append((procedure, index + 1))
-    return seen
 
 
 def _acting_lines(program: Program) -> set[int]:

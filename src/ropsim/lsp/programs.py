@@ -5,7 +5,7 @@ from pathlib import Path
 
 from ropsim.lsp.document import Document
 from ropsim.lsp.workshop import Workshop
-from ropsim.userfiles import read_text_file
+from ropsim.userfiles import read_project_text
 
 #: A folder with more programs is not searched to its end.
 MOST = 500
@@ -29,7 +29,7 @@ def programs_of(
     yield from (one for one in found.values() if is_program(one))
     for place in _files(folder):
         if place not in found:
-            text, _ = read_text_file(place, str(place))
+            text, _ = read_project_text(folder, f"programs/{place.name}", str(place))
             if text is not None:
                 yield Document(place.absolute().as_uri(), 0, text.text, document.encoding)
 

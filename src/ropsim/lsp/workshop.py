@@ -13,7 +13,7 @@ from ropsim.lsp.attention import Attention
 from ropsim.lsp.document import Document
 from ropsim.lsp.recorded_runs import RecordedRuns
 from ropsim.model import Cell, Station
-from ropsim.userfiles import UNREADABLE, read_text_file
+from ropsim.userfiles import UNREADABLE, read_project_text
 from ropsim.workbench import (
     NO_TASKS,
     NOWHERE,
@@ -129,7 +129,7 @@ class Workshop:
             if place in opened:
                 text: SourceText | None = SourceText(str(place), opened[place].text)
             elif _is_file(place):
-                text, _ = read_text_file(place, str(place))
+                text, _ = read_project_text(folder, CELL_FILE, str(place))
             else:
                 continue
             robots = read_robot_files(folder, robot_files(text), partial(_text_of, folder, opened))
@@ -325,7 +325,7 @@ def _text_of(folder: Path, opened: Mapping[Path | None, Document], name: str) ->
     path = folder / name
     if path in opened:
         return SourceText(str(path), opened[path].text), ()
-    return read_text_file(path, str(path))
+    return read_project_text(folder, name, str(path))
 
 
 def _tasks(folder: Path, opened: Mapping[Path | None, Document]) -> TaskTexts:

@@ -39,14 +39,11 @@ MESH_OUTSIDE = define(
     "X882",
     "mesh-outside-project",
     Severity.WARNING,
-    "a mesh path leads out of the project folder",
+    "a mesh file keeps its triangles in another file",
     """
-A project is complete in its folder, and a project from somebody else must not look around on your disk. So a
-path may neither begin with `/` or a drive, nor contain `..`, nor be a link that leads out of the folder. Copy
-the file into the project, best into `geometry/`.
-
-For the same reason what a mesh file itself refers to, such as a file of materials, a picture or an address,
-is never opened; a GLB file that keeps its triangles elsewhere is not drawn.
+What a mesh file itself refers to, such as a file of materials, a picture or an address, is never opened: a
+project from somebody else must not look around on your disk. A GLB file that keeps its triangles elsewhere is
+not drawn. Export it as one file, with everything in the GLB. Where the mesh itself must lie, U962 says.
 """,
 )
 

@@ -1,13 +1,23 @@
 """The meshes of a cell: files of the project read once, as GLB bytes under their own hash."""
 
 import hashlib
+import stat
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
-from pathlib import Path, PureWindowsPath
+from pathlib import Path
 from typing import TYPE_CHECKING, TypeAlias
 
-from ropsim.core import Diagnostic, Span, did_you_mean, frozen_dataclass, read_bytes
-from ropsim.meshes.diagnostics import MANY_TRIANGLES, MESH_MISSING, MESH_OUTSIDE, MESH_TOO_LARGE
+from ropsim.core import (
+    OUTSIDE_PROJECT,
+    Diagnostic,
+    LeadsOutError,
+    Span,
+    did_you_mean,
+    frozen_dataclass,
+    read_bytes,
+    stated_inside,
+)
+from ropsim.meshes.diagnostics import MANY_TRIANGLES, MESH_MISSING, MESH_TOO_LARGE
 from ropsim.meshes.formats import MeshFileError
 from ropsim.meshes.glb import glb_bytes
 from ropsim.meshes.reading import read_mesh
@@ -140,22 +150,19 @@ def mesh_content(folder: Path, file: str) -> bytes:
     Raises:
         MeshFileError: it is not there, leads out of the folder, or is too large.
     """
-    strict = PureWindowsPath(file)  # understands both kinds of slash, and drives
-    if strict.anchor or ".." in strict.parts:
-        raise MeshFileError(MESH_OUTSIDE, "leads out of the project folder", "copy the file into the project")
     path = folder / file
     try:
-        place = path.resolve(strict=True)
-        if not place.is_relative_to(folder):
-            found = "is a link that leads out of the project folder"
-            raise MeshFileError(MESH_OUTSIDE, found, "copy the file into the project")
-        if not place.is_file():
+        place = stated_inside(folder, file)
+        facts = place.stat()
+        if not stat.S_ISREG(facts.st_mode):
             raise MeshFileError(MESH_MISSING, "is no ordinary file", "give the path of a file")
-        size = place.stat().st_size
+        size = facts.st_size
         if size > LARGEST:
             found = f"has {size / 1e6:.0f} MB, at most {LARGEST / 1e6:.0f} MB are read"
             raise MeshFileError(MESH_TOO_LARGE, found, "export it with a coarser tolerance")
         return read_bytes(place, LARGEST)
+    except LeadsOutError as error:
+        raise MeshFileError(OUTSIDE_PROJECT, error.strerror, "copy the file into the project") from error
     except FileNotFoundError:
         raise MeshFileError(MESH_MISSING, "is not in the project folder", _near(path)) from None
     except (OSError, RuntimeError, ValueError) as error:  # permissions, links that go round, odd characters

@@ -32,6 +32,7 @@ class CellRun:
     Attributes:
         cell: static model.
         content: its fingerprint, `Cell.content`.
+        input_changes: of the cell as it was given, without the inputs of the run: `Cell.input_changes`.
         stations: their running states by name.
         devices: theirs.
         sensors: channels of the cell.
@@ -58,6 +59,7 @@ class CellRun:
 
     cell: Cell
     content: str
+    input_changes: str
     stations: Mapping[str, StationRun]
     devices: Mapping[str, DeviceRun]
     sensors: CellSensors

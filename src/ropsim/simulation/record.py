@@ -24,7 +24,7 @@ from ropsim.flow import (
     channel_name,
     in_time,
 )
-from ropsim.icr import Program, code_lines, line_contents_of_all, program_id
+from ropsim.icr import Program, code_lines, line_contents_of_all, lines_ahead, program_id
 from ropsim.kinematics import forward_batch
 from ropsim.model import has_surroundings
 from ropsim.motion import Line, enter_distances
@@ -41,7 +41,7 @@ from ropsim.simulation.channels import (
     track_channel,
 )
 from ropsim.simulation.consequences import with_causes
-from ropsim.simulation.inputs import input_events, with_inputs
+from ropsim.simulation.inputs import input_events
 from ropsim.simulation.load_findings import has_rated_payloads, load_findings
 from ropsim.simulation.move_span import PathSpan
 from ropsim.simulation.path_corrections import corrections, without_corrections
@@ -54,7 +54,7 @@ from ropsim.simulation.station_run import StationRun
 from ropsim.simulation.tally_kernel import greatest
 from ropsim.simulation.track import Track
 from ropsim.simulation.verdicts import verdicts
-from ropsim.spatial import Array, fingerprint
+from ropsim.spatial import Array
 from ropsim.version import __version__
 
 
@@ -102,16 +102,31 @@ def recording_of(run: CellRun, programs: Mapping[str, Program], options: RunOpti
 
 
 def _line_contents(run: CellRun, programs: Mapping[str, Program]) -> Mapping[str, Mapping[int, str]]:
-    """Return what the results of lines hang on, once asked for; what a hand did is of this run alone."""
-    cell, content = run.cell, run.content
-    overrides, inputs = overrides_taken(run), tuple(inputs_taken(run))
+    """Return what the results of lines hang on, once asked for: the text and the cell.
+
+    What a hand did, key presses and overrides, belongs to the run and is no change of the text. Where a run
+    was ended before a program was, lines that could still have come have no result.
+    """
+    content, channels = run.content, run.input_changes
+    at_work = {name: line for name, at in run.stations.items() if (line := _line_at_work(at)) is not None}
 
     def found() -> Mapping[str, Mapping[int, str]]:
-        around = (content, *((fingerprint(overrides),) if overrides else ()))
-        channels = with_inputs(cell, inputs).input_changes
-        return line_contents_of_all(programs, *around, channels=channels)
+        keys = line_contents_of_all(programs, content, channels=channels)
+        ahead = {name: lines_ahead(programs[name], line) for name, line in at_work.items() if name in keys}
+        return {
+            name: {line: key for line, key in keys_.items() if line not in ahead.get(name, ())}
+            for name, keys_ in keys.items()
+        }
 
     return LateMapping(found)
+
+
+def _line_at_work(at: StationRun) -> int | None:
+    """Return the line at which the program of a station was when the run ended; None where it has ended."""
+    if not at.unfinished:
+        return None
+    lines = at.tracks.get("line", Track()).values
+    return int(lines[-1]) if lines else 0
 
 
 def _rows(run: CellRun, logs: Mapping[str, Mapping[str, Array]]) -> Array:

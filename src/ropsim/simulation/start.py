@@ -41,6 +41,7 @@ def start_run(cell: Cell, options: RunOptions) -> CellRun:
     check_time("longest_wait", options.longest_wait)
     check_interventions(options)
     inputs, findings = usable_inputs(cell, options.inputs)
+    input_changes = cell.input_changes
     cell = with_inputs(cell, inputs)
     hz = math.lcm(*(station.controller.rates.control_hz for station in cell.stations.values()))
     content, parts = cell.content, initial_parts(cell)
@@ -60,6 +61,7 @@ def start_run(cell: Cell, options: RunOptions) -> CellRun:
     run = CellRun(
         cell=cell,
         content=content,
+        input_changes=input_changes,
         stations=stations,
         devices=devices,
         sensors=sensors,

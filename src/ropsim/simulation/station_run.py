@@ -54,6 +54,7 @@ class StationRun:
         is_held: whether it stands because the override is 0.
         in_vain: whether it stands for what will never come; the program is over then.
         dismissed: whether it has served those of other stations, which have ended; the program is over then.
+        unfinished: whether the run was ended, by hand or by its longest time, before the program.
         cut_short: whether `last_tick` ended its standing still, or a hand its move; the program is over then.
         hands: names of the bodies of its tools.
         hz: rate of the joint controller [Hz].
@@ -84,6 +85,7 @@ class StationRun:
     is_held: bool = False
     in_vain: bool = False
     dismissed: bool = False
+    unfinished: bool = False
     cut_short: bool = False
     hands: frozenset[str] = field(init=False)
     hz: int = field(init=False)

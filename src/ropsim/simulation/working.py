@@ -93,7 +93,9 @@ def work(run: CellRun, at: StationRun, program: Program, options: RunOptions) ->
         return  # who ended the wait has told why; those that it served have ended
     if isinstance(step, Finished) and not at.cut_short:
         run.findings += filter(None, (step.trap,))
-    elif run.is_stopped(at.due):
+        return
+    at.unfinished = True
+    if run.is_stopped(at.due):
         run.findings.append(_stopped(at))
     else:
         run.findings.append(_too_long(at, options))

@@ -3,7 +3,15 @@
 import tomllib
 from pathlib import Path
 
-from ropsim.core import Diagnostic, SourceText, did_you_mean, read_bytes
+from ropsim.core import (
+    Diagnostic,
+    LeadsOutError,
+    SourceText,
+    did_you_mean,
+    outside_project,
+    place_inside,
+    read_bytes,
+)
 from ropsim.tasks.diagnostics import MANIFEST, UNREADABLE_BASE
 from ropsim.tasks.errors import TaskError
 
@@ -20,7 +28,7 @@ def read_folder(path: Path) -> tuple[tuple[SourceText, ...], tuple[Diagnostic, .
         TaskError: there is no such path.
     """
     if path.is_file() and path.suffix == ".pl":
-        return _read([path])
+        return _read(_root(path.parent), [path])
     if path.is_file() and path.name == CELL:
         path = path.parent
     if not path.is_dir():
@@ -28,26 +36,29 @@ def read_folder(path: Path) -> tuple[tuple[SourceText, ...], tuple[Diagnostic, .
         raise TaskError(UNREADABLE_BASE.at(None, f"`{path}` is no folder and no .pl file", hint=hint))
     is_folder = path.name == FOLDER or not ((path / FOLDER).is_dir() or (path / CELL).is_file())
     folder = path if is_folder else path / FOLDER
+    root = _root(folder)
     files = sorted(one for one in folder.glob("*.pl") if one.is_file()) if folder.is_dir() else []
-    order, findings = _manifest(folder / NAME, [one.name for one in files])
+    order, findings = _manifest(root, folder / NAME, [one.name for one in files])
     places = {name: place for place, name in enumerate(order)}
     files.sort(key=lambda one: (places.get(one.name, len(order)), one.name))
-    texts, more = _read(files)
+    texts, more = _read(root, files)
     return texts, (*findings, *more)
 
 
-def _read(files: list[Path]) -> tuple[tuple[SourceText, ...], tuple[Diagnostic, ...]]:
+def _root(folder: Path) -> Path:
+    """Return the folder in which files of a knowledge base must lie: that of its project, or its own."""
+    project = folder.parent
+    return project if folder.name == FOLDER and (project / CELL).is_file() else folder
+
+
+def _read(root: Path, files: list[Path]) -> tuple[tuple[SourceText, ...], tuple[Diagnostic, ...]]:
     texts: list[SourceText] = []
     findings: list[Diagnostic] = []
     left = MOST_BYTES
     for path in files[:MOST_FILES]:
         name = path.as_posix()
         try:
-            if not path.resolve().is_relative_to(path.parent.resolve()):
-                findings.append(
-                    UNREADABLE_BASE.at(None, f"`{name}` is left out: it is a link out of its folder")
-                )
-                continue
+            place_inside(root, path.relative_to(root))
             if path.stat().st_size > left:
                 findings.append(
                     UNREADABLE_BASE.at(None, f"`{name}` is left out: more than {MOST_BYTES} bytes in all")
@@ -56,6 +67,8 @@ def _read(files: list[Path]) -> tuple[tuple[SourceText, ...], tuple[Diagnostic, 
             content = read_bytes(path, left)
             left -= len(content)
             texts.append(SourceText(name, content.decode("utf-8-sig")))
+        except LeadsOutError as error:
+            findings.append(outside_project(name, error))
         except OSError as error:
             findings.append(UNREADABLE_BASE.at(None, f"`{name}` cannot be read: {error.strerror or error}"))
         except UnicodeDecodeError as error:
@@ -65,14 +78,17 @@ def _read(files: list[Path]) -> tuple[tuple[SourceText, ...], tuple[Diagnostic, 
     return tuple(texts), tuple(findings)
 
 
-def _manifest(path: Path, files: list[str]) -> tuple[list[str], list[Diagnostic]]:
+def _manifest(root: Path, path: Path, files: list[str]) -> tuple[list[str], list[Diagnostic]]:
     """Return the order that a manifest tells; none where there is none."""
     if not path.is_file():
         return [], []
     name = path.as_posix()
     hint = 'write `order = ["first.pl", "second.pl"]`'
     try:
+        place_inside(root, path.relative_to(root))
         table = tomllib.loads(read_bytes(path, MOST_BYTES).decode("utf-8-sig"))
+    except LeadsOutError as error:
+        return [], [outside_project(name, error)]
     except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError, RecursionError) as error:
         return [], [MANIFEST.at(None, f"`{name}` cannot be read: {error}", hint=hint)]
     found = [MANIFEST.at(None, f"`{name}` has no key `{key}`", hint=hint) for key in table if key != "order"]

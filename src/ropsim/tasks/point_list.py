@@ -5,7 +5,16 @@ import io
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
-from ropsim.core import Diagnostic, SourceText, Span, frozen_dataclass, read_bytes
+from ropsim.core import (
+    Diagnostic,
+    LeadsOutError,
+    SourceText,
+    Span,
+    frozen_dataclass,
+    outside_project,
+    place_inside,
+    read_bytes,
+)
 from ropsim.tasks.diagnostics import POINT_LIST
 from ropsim.tasks.expression_text import short_text
 from ropsim.tasks.point import Coordinates, typed_numbers, typed_point
@@ -51,6 +60,11 @@ def read_point_lists(folder: Path) -> tuple[Mapping[str, PointList], tuple[Diagn
     lists: dict[str, PointList] = {}
     findings: list[Diagnostic] = []
     for path in point_files(folder):
+        try:
+            place_inside(folder, path.relative_to(folder))
+        except LeadsOutError as error:
+            findings.append(outside_project(path.as_posix(), error))
+            continue
         found, wrong = read_point_list(path)
         findings += wrong
         if found is not None:

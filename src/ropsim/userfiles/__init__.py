@@ -15,6 +15,7 @@ from ropsim.userfiles.text_diagnostics import UNREADABLE as UNREADABLE
 from ropsim.userfiles.text_file import LARGEST as LARGEST
 from ropsim.userfiles.text_file import missing_file as missing_file
 from ropsim.userfiles.text_file import read_program_file as read_program_file
+from ropsim.userfiles.text_file import read_project_text as read_project_text
 from ropsim.userfiles.text_file import read_text_file as read_text_file
 from ropsim.userfiles.trust import Trust as Trust
 from ropsim.userfiles.trust import inert_code as inert_code

@@ -3,7 +3,15 @@
 import stat
 from pathlib import Path
 
-from ropsim.core import Diagnostic, SourceText, did_you_mean, read_bytes
+from ropsim.core import (
+    Diagnostic,
+    LeadsOutError,
+    SourceText,
+    did_you_mean,
+    outside_project,
+    place_inside,
+    read_bytes,
+)
 from ropsim.userfiles.text_diagnostics import MISSING_PATH, TOO_LARGE, UNREADABLE
 
 #: Largest text that is read [bytes].
@@ -24,6 +32,25 @@ def read_text_file(path: Path, name: str) -> tuple[SourceText | None, tuple[Diag
         )
         return None, (UNREADABLE.at(None, message, hint="save the file as UTF-8 text"),)
     return SourceText(name, text), ()
+
+
+def read_project_text(
+    folder: Path, inside: str, name: str = ""
+) -> tuple[SourceText | None, tuple[Diagnostic, ...]]:
+    """Return the text of a file of a project, or why it cannot be read; no link leads out of the project.
+
+    Args:
+        folder: of the project.
+        inside: path of the file in it.
+        name: that messages use; the path inside where nothing is said.
+    """
+    try:
+        place_inside(folder, inside)
+    except LeadsOutError as error:
+        return None, (outside_project(name or inside, error),)
+    except OSError as error:
+        return None, (UNREADABLE.at(None, f"`{name or inside}` cannot be opened: {error.strerror}"),)
+    return read_text_file(folder / inside, name or inside)
 
 
 def read_program_file(path: Path, name: str) -> tuple[bytes | None, tuple[Diagnostic, ...]]:

@@ -35,6 +35,7 @@ from ropsim.workbench.named_robot import robots_in as robots_in
 from ropsim.workbench.named_robot import written_robot as written_robot
 from ropsim.workbench.opening import around_programs as around_programs
 from ropsim.workbench.opening import open_project as open_project
+from ropsim.workbench.opening import project_of as project_of
 from ropsim.workbench.overlay import open_overlaid as open_overlaid
 from ropsim.workbench.program_arm import program_arm as program_arm
 from ropsim.workbench.program_points import program_points as program_points

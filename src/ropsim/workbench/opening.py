@@ -8,7 +8,7 @@ from pathlib import Path, PurePath
 from ropsim.cellfile import robot_files
 from ropsim.core import Diagnostic, SourceText
 from ropsim.model import Cell
-from ropsim.userfiles import UNREADABLE, inert_code, missing_file, read_text_file
+from ropsim.userfiles import UNREADABLE, inert_code, missing_file, read_project_text, read_text_file
 from ropsim.workbench.project import Project, ProjectError, cell_name
 from ropsim.workbench.project_diagnostics import NO_PROJECT
 from ropsim.workbench.robot_files import Reading, TextOf, read_robot_files, robots_read
@@ -48,14 +48,19 @@ def _open(place: Path, path: str | Path, workspace: Workspace) -> Project:
     if place.name == CELL_FILE:
         return _read_folder(place.parent, workspace)
     if place.suffix in PROGRAM_ENDINGS:
-        folder = place.parent.parent
-        if place.parent.name == "programs" and (folder / CELL_FILE).is_file():
+        if (folder := project_of(place)) is not None:
             return _only(_read_folder(folder, workspace), place)
         text, findings = read_text_file(place, str(path))
         sources = {place.stem: text} if text else {}
         return Project(place.parent, None, sources, None, findings, workspace=workspace)
     message = f"`{path}` is neither a folder, a `cell.toml` nor a program ({' or '.join(PROGRAM_ENDINGS)})"
     raise ProjectError(NO_PROJECT.at(None, message))
+
+
+def project_of(program: Path) -> Path | None:
+    """Return the folder of the project to which a program belongs; None for a file on its own."""
+    folder = program.parent.parent
+    return folder if program.parent.name == "programs" and (folder / CELL_FILE).is_file() else None
 
 
 def _only(project: Project, program: Path) -> Project:
@@ -71,11 +76,10 @@ def _only(project: Project, program: Path) -> Project:
 
 
 def _read_folder(folder: Path, workspace: Workspace) -> Project:
-    cell_path = folder / CELL_FILE
-    if not cell_path.is_file():
+    if not (folder / CELL_FILE).is_file():
         raise ProjectError(no_cell_file(folder))
-    programs = {path.name: read_text_file(path, str(path)) for path in program_files(folder)}
-    cell_file, read = read_text_file(cell_path, str(cell_path)), partial(_text, folder)
+    programs, read = _programs(folder), partial(_text, folder)
+    cell_file = read(CELL_FILE)
     tasks = read_task_texts(folder, {}, lambda place: str(folder / place))
     project = assembled(folder, cell_file, programs, read, workspace, tasks)
     return replace(project, diagnostics=(*project.diagnostics, *inert_code(folder)))
@@ -92,7 +96,7 @@ def around_programs(
         text_of: reads any other file of the project, by its path inside.
         workspace: that reads the project.
     """
-    programs = {path.name: read_text_file(path, str(path)) for path in program_files(folder)}
+    programs = _programs(folder)
     project = assembled(folder, (cell_text, ()), programs, text_of, workspace)
     return (*project.around_programs, *inert_code(folder))
 
@@ -151,9 +155,12 @@ def assembled(
     return Project(folder, cell, sources, cell_text, findings, robots, tasks, workspace)
 
 
+def _programs(folder: Path) -> Mapping[str, Reading]:
+    return {path.name: _text(folder, f"programs/{path.name}") for path in program_files(folder)}
+
+
 def _text(folder: Path, name: str) -> Reading:
-    path = folder / name
-    return read_text_file(path, str(path))
+    return read_project_text(folder, name, str(folder / name))
 
 
 def _by_ending(name: PurePath) -> tuple[bool, PurePath]:

@@ -5,7 +5,7 @@ from functools import partial
 from pathlib import Path, PurePosixPath
 
 from ropsim.core import SourceText
-from ropsim.userfiles import UNREADABLE, read_text_file
+from ropsim.userfiles import UNREADABLE, read_project_text
 from ropsim.workbench.opening import (
     CELL_FILE,
     PROGRAM_ENDINGS,
@@ -56,4 +56,4 @@ def _is_program(place: PurePosixPath) -> bool:
 def _read(folder: Path, name: str, unsaved: Mapping[str, str]) -> Reading:
     if name in unsaved:
         return SourceText(name, unsaved[name]), ()
-    return read_text_file(folder / name, name)
+    return read_project_text(folder, name)

@@ -95,23 +95,6 @@ that refuses a move with warnings only.
 """,
 )
 
-ROBOT_FILE_OUTSIDE = define(
-    "X910",
-    "robot-file-outside-project",
-    Severity.ERROR,
-    "the path of a robot file leads out of the project folder",
-    """
-A project is complete in its folder, and a project from somebody else must not look around on your disk. So
-a path may neither begin with `/` or a drive, nor contain `..`, nor be a link that leads out of the folder.
-Copy the file into the project, best into `robots/`.
-
-```toml
-[robot]
-model = "robots/my_arm.toml"
-```
-""",
-)
-
 UNKNOWN_ROBOT_FORMAT = define(
     "X911",
     "unknown-robot-format",

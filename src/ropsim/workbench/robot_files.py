@@ -2,12 +2,21 @@
 
 from collections.abc import Callable, Iterable, Mapping
 from functools import lru_cache
-from pathlib import Path, PurePosixPath, PureWindowsPath
+from pathlib import Path, PurePosixPath
 from typing import TypeAlias
 
-from ropsim.core import Diagnostic, SourceText, did_you_mean, frozen_dataclass
+from ropsim.core import (
+    Diagnostic,
+    LeadsOutError,
+    SourceText,
+    did_you_mean,
+    frozen_dataclass,
+    outside_project,
+    stated_inside,
+)
 from ropsim.model import ReadRobot
-from ropsim.workbench.project_diagnostics import ROBOT_FILE_OUTSIDE, UNKNOWN_ROBOT_FORMAT
+from ropsim.userfiles import UNREADABLE
+from ropsim.workbench.project_diagnostics import UNKNOWN_ROBOT_FORMAT
 from ropsim.workbench.robot_formats import ROBOT_FORMATS, STEP_ENDINGS, WRITERS, StepForm
 
 Reading: TypeAlias = tuple[SourceText | None, tuple[Diagnostic, ...]]
@@ -94,20 +103,12 @@ def _read(folder: Path, path: str, text_of: TextOf) -> RobotFile:
 
 def _refusal(folder: Path, path: str) -> Diagnostic | None:
     """Return why a file is not even looked for; None where it may be read."""
-    strict = PureWindowsPath(path)  # understands both kinds of slash, and drives
-    if strict.anchor or ".." in strict.parts:
-        return _outside(path, "leads out of the project folder")
     try:
-        inside = (folder / path).resolve().is_relative_to(folder.resolve())
-    except (OSError, RuntimeError, ValueError):  # links that go round, odd characters
-        inside = False
-    if not inside:
-        return _outside(path, "is a link that leads out of the project folder")
+        stated_inside(folder, path)
+    except LeadsOutError as error:
+        return outside_project(path, error)
+    except OSError as error:  # odd characters
+        return UNREADABLE.at(None, f"`{path[:200]}` cannot be opened: {error.strerror}")
     if PurePosixPath(path).suffix.lower() not in ROBOT_FORMATS:
         return unknown_format(path, folder / path)
     return None
-
-
-def _outside(path: str, found: str) -> Diagnostic:
-    hint = "copy the file into the folder `robots` of the project"
-    return ROBOT_FILE_OUTSIDE.at(None, f"`{path[:200]}` {found}", hint=hint)

@@ -164,4 +164,4 @@ def test_a_link_out_of_the_folder_is_not_followed(tmp_path: Path) -> None:
     (tmp_path / "kb" / "b.pl").write_text("part(nut).")
     texts, findings = read_folder(tmp_path)
     assert [Path(one.name).name for one in texts] == ["b.pl"]
-    assert [one.code for one in findings] == ["P144"]
+    assert [one.code for one in findings] == ["U962"]

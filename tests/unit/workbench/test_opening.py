@@ -81,7 +81,7 @@ def test_a_project_without_a_program_is_told_by_compiling(project: Path) -> None
     assert found.message.endswith("it has none")
 
 
-@pytest.mark.parametrize(("kind", "code"), [("link", "X840"), ("pipe", "X841"), ("device", "X841")])
+@pytest.mark.parametrize(("kind", "code"), [("link", "X840"), ("pipe", "X841"), ("device", "U962")])
 def test_a_program_that_is_no_ordinary_file_is_told_and_not_left_out(
     project: Path, kind: str, code: str
 ) -> None:

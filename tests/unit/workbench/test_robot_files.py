@@ -103,13 +103,13 @@ def test_mistakes_of_a_robot_file_are_findings_of_the_project_at_their_places(tm
     ("path", "code", "words"),
     [
         ("robots/other.toml", "X840", "did you mean `arm.toml`"),
-        ("../arm.toml", "X910", "leads out of the project folder"),
-        ("/etc/arm.toml", "X910", "leads out of the project folder"),
-        ("C:\\\\arm.toml", "X910", "leads out of the project folder"),
-        ("robots/link.toml", "X910", "is a link"),
+        ("../arm.toml", "U962", "leads out of the project folder"),
+        ("/etc/arm.toml", "U962", "leads out of the project folder"),
+        ("C:\\\\arm.toml", "U962", "leads out of the project folder"),
+        ("robots/link.toml", "U962", "is a link"),
         ("robots/arm.pdf", "X911", "`.toml`"),
         ("robots/arm", "X911", "did you mean `arm.toml`"),
-        ("robots/\\u0000.toml", "X910", "is a link"),
+        ("robots/\\u0000.toml", "X841", "cannot be opened"),
         ("robots", "X860", "`puma560`"),
     ],
 )
