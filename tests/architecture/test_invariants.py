@@ -148,11 +148,10 @@ def test_machine_code_is_loaded_where_its_seal_was_checked() -> None:
 OWN_READERS = {
     "codegen/code_digest.py",
     "studio/pages.py",
-    "studio/project_files.py",
     "userfiles/examples.py",
     "workbench/viewer.py",
 }
-"""They read files of the package, and the studio's reader shows the beginning of a text that is too long."""
+"""They read files of the package."""
 
 
 def test_files_of_users_are_read_by_the_reader_that_is_bounded() -> None:

@@ -1,8 +1,10 @@
 """The studio under pages that misbehave, and with files that do."""
 
 import contextlib
+import hmac
 import http.client
 import json
+import re
 import shutil
 import socket
 import sys
@@ -11,7 +13,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from websockets.exceptions import InvalidStatus
+from websockets.exceptions import ConnectionClosed, InvalidStatus
 
 from ropsim.core import frozen_dataclass
 from ropsim.flow import Interventions
@@ -22,7 +24,10 @@ from support.patience import PATIENCE, until
 from support.studio_client import (
     Page,
     command,
+    connected,
+    entered,
     get,
+    key_of,
     leave_for,
     opened,
     page_of,
@@ -46,7 +51,7 @@ class Ended:
     home: Path
     port: int
     url: str
-    cookie: str
+    key: str
 
 
 @pytest.fixture(scope="module")
@@ -55,11 +60,12 @@ def once(tmp_path_factory: pytest.TempPathFactory) -> Ended:
     place = tmp_path_factory.mktemp("once")
     project, home = new_project(place / "cell"), place / "home"
     with Studio(project, home, own_port(), command=command(place)) as studio:
-        cookie = secret(studio)["Cookie"]
+        with connected(studio) as socket:
+            key = entered(studio, socket)["key"]
         with page_of(studio) as page:
             page.hear("welcome")
             assert studio.terminate() == 0
-    return Ended(project, home, studio.port, studio.url, cookie)
+    return Ended(project, home, studio.port, studio.url, key)
 
 
 @pytest.fixture
@@ -118,16 +124,22 @@ def deaf_socket(studio: Studio) -> socket.socket:
         "GET /ws/studio HTTP/1.1",
         f"Host: {host}",
         f"Origin: http://{host}",
-        f"Cookie: {secret(studio)['Cookie']}",
         "Connection: Upgrade",
         "Upgrade: websocket",
         "Sec-WebSocket-Version: 13",
         "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==",
     )
     deaf.sendall("\r\n".join((*lines, "", "")).encode())
-    assert deaf.recv(1000).startswith(b"HTTP/1.1 101")
-    hello = b'{"type":"hello","tab":"deaf"}'
-    deaf.sendall(bytes([0x81, 0x80 | len(hello)]) + bytes(4) + hello)  # masked with zeros
+    heard = b""
+    while not (challenge := re.search(rb'"nonce":"([\w-]+)"', heard)):
+        heard += deaf.recv(1000)
+    assert heard.startswith(b"HTTP/1.1 101")
+    nonce = challenge[1].decode()
+    code = hmac.digest(key_of(studio).encode(), f"{nonce} {studio.port}".encode(), "sha256").hex()
+    for message in ({"type": "enter", "answer": code}, {"type": "hello", "tab": "deaf"}):
+        text = json.dumps(message).encode()
+        assert len(text) < 126
+        deaf.sendall(bytes([0x81, 0x80 | len(text)]) + bytes(4) + text)  # masked with zeros
     return deaf
 
 
@@ -190,23 +202,26 @@ def test_the_next_studio_of_a_project_takes_the_open_page_back(ended: Ended, tmp
     with Studio(ended.project, ended.home, command=command(tmp_path)) as again:
         assert again.port == ended.port
         assert again.url != ended.url
-        assert get(again, ended.url.split(str(ended.port), 1)[1], {})[0] == 401, "an old address opens it"
-        with opened(again, Cookie=ended.cookie) as socket:
+        with pytest.raises(ConnectionClosed), opened(again, key=ended.url.partition("#token=")[2]):
+            pass  # an old address does not open it
+        with opened(again, key=ended.key) as socket:
             assert Page(socket).hear("welcome")["project"] == ended.project.name
 
 
 def test_the_secret_of_a_project_is_in_no_address_and_opens_no_other_project(
     ended: Ended, tmp_path: Path
 ) -> None:
-    value = ended.cookie.split("=", 1)[1]
+    value = ended.key
     assert value not in ended.url
     kept = [one for one in ended.home.rglob("*.json") if value in one.read_text("utf-8")]
     assert [(one.parent.name, one.stat().st_mode & 0o077) for one in kept] == [("studio", 0)]
     other = new_project(tmp_path / "other")
-    with Studio(other, ended.home, port=ended.port, command=command(tmp_path)) as stranger:
-        with pytest.raises(InvalidStatus) as refused, opened(stranger, Cookie=ended.cookie):
-            pass
-        assert refused.value.response.status_code == 401
+    with (
+        Studio(other, ended.home, port=ended.port, command=command(tmp_path)) as stranger,
+        pytest.raises(ConnectionClosed),
+        opened(stranger, key=ended.key),
+    ):
+        pass
 
 
 def test_a_port_that_something_else_has_taken_is_left_to_it(ended: Ended, tmp_path: Path) -> None:
@@ -233,18 +248,62 @@ def test_the_newest_run_is_served_as_files_under_the_same_rules(bare_studio: Stu
         assert read_inputs(tmp_path / "x.inputs.json") == Interventions()
 
 
-def test_cookies_of_other_servers_of_this_machine_do_no_harm(bare_studio: Studio) -> None:
-    ours = secret(bare_studio)["Cookie"]
-    strangers = "; ".join(f"ropsim-{port}=wrong" for port in range(9000, 9020))
-    assert get(bare_studio, "/", {"Cookie": f"{strangers}; {ours}; _xsrf=2|a|b"})[0] == 200
-    assert get(bare_studio, "/", {"Cookie": strangers})[0] == 401
+def test_no_answer_sets_a_cookie_and_none_is_read(bare_studio: Studio) -> None:
+    """Browsers send cookies to every server of this machine, whatever its port."""
+    with page_of(bare_studio) as page:
+        run = page.hear("run", state="done")["id"]
+    ours = secret(bare_studio)
+    ticket, cookie = ours["Authorization"], f"ropsim-{bare_studio.port}={key_of(bare_studio)}"
+    for path in ("/", "/assets/index-1a2b3c.js", f"/run/{run}.pack", f"/run/{run}.npz", "/nowhere"):
+        for headers in ({}, ours, {"Cookie": cookie}, {"Cookie": ticket}, {"Authorization": "Bearer x"}):
+            with closing(http.client.HTTPConnection("127.0.0.1", bare_studio.port)) as connection:
+                connection.request("GET", path, headers=headers)
+                answer = connection.getresponse()
+                content = answer.read()
+            assert answer.getheader("set-cookie") is None
+            assert answer.getheader("referrer-policy") == "no-referrer"
+            is_open = path == "/" or path.startswith("/assets/")
+            assert (answer.status == 401) == (not is_open and headers != ours)
+            assert key_of(bare_studio).encode() not in content
     for stranger in (
         {"Origin": "null"},
         {"Origin": f"http://127.0.0.1:{bare_studio.port + 1}"},
         {"Host": f"evil.example:{bare_studio.port}"},
     ):
-        with pytest.raises(InvalidStatus), opened(bare_studio, **stranger):
+        with pytest.raises(InvalidStatus), connected(bare_studio, **stranger):
             pass
+
+
+def test_what_a_stranger_on_a_port_of_the_studio_hears_opens_no_studio(bare_studio: Studio) -> None:
+    """It asks for answers to challenges of its own, and hands on those of a studio on another port."""
+    with connected(bare_studio) as socket:
+        nonce = json.loads(socket.recv(timeout=PATIENCE))["nonce"]
+        elsewhere = f"{nonce} {bare_studio.port + 1}".encode()  # the page knows on which port it is
+        heard = hmac.digest(key_of(bare_studio).encode(), elsewhere, "sha256").hex()
+        socket.send(json.dumps({"type": "enter", "answer": heard}))
+        with pytest.raises(ConnectionClosed):
+            socket.recv(timeout=PATIENCE)
+    older = hmac.digest(key_of(bare_studio).encode(), f"{nonce} {bare_studio.port}".encode(), "sha256")
+    with connected(bare_studio) as socket:
+        socket.recv(timeout=PATIENCE)
+        socket.send(json.dumps({"type": "enter", "answer": older.hex()}))
+        with pytest.raises(ConnectionClosed):
+            socket.recv(timeout=PATIENCE)
+
+
+@pytest.mark.parametrize(
+    "first", ["", "[" * 100_000, '{"type":"hello","tab":"a"}', '{"type":"enter"}', b"\xff"]
+)
+def test_nobody_is_heard_before_entering(bare_studio: Studio, first: str | bytes) -> None:
+    for path in ("/ws/studio", "/ws/lsp"):
+        with connected(bare_studio, path) as socket:
+            socket.recv(timeout=PATIENCE)
+            socket.send(first)
+            with pytest.raises(ConnectionClosed) as closed:
+                socket.recv(timeout=PATIENCE)
+            assert closed.value.rcvd is not None
+            assert closed.value.rcvd.code == 4401
+    assert bare_studio.errors() == ""
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="a limit of the system that is missing there")
@@ -306,5 +365,5 @@ def test_a_slow_reader_of_http_holds_nobody_up(studio: Studio) -> None:
     with closing(http.client.HTTPConnection("127.0.0.1", studio.port)) as slow:
         slow.connect()
         slow.send(b"GET / HTTP/1.1\r\n")  # and never the rest
-        assert get(studio, "/", secret(studio))[0] == 200
+        assert get(studio, "/", {})[0] == 200
         assert studio.terminate() == 0

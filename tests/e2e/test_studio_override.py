@@ -107,7 +107,7 @@ def test_a_live_run_is_held_slowed_stepped_and_ended_on_its_path(hand: StudioPag
     strip.get_by_text("not that of the program").wait_for()  # it was ended, which weighs more than the holds
     assert {"held", "50 %"} <= {*hand.page.evaluate("() => __ropsim.lanes().Override")}
     with hand.page.expect_download() as download:
-        bar.get_by_role("link", name="Save recording").click()
+        bar.get_by_role("button", name="Save recording").click()
     download.value.save_as(tmp_path / "run.npz")
     facts = (recording := read_recording(tmp_path / "run.npz")).facts
     values = [change.value for change in facts.overrides]

@@ -137,7 +137,7 @@ def test_of_two_tabs_one_edits_and_the_other_follows_until_it_takes_over(
     lasting: Studio, open_undrawn: Pages
 ) -> None:
     first = StudioPage.opened(open_undrawn, lasting.url)
-    second = StudioPage(open_undrawn(first.page.url, beside=first.page))
+    second = StudioPage(open_undrawn(lasting.url, beside=first.page))
     banner = second.page.locator(".banner", has_text="Another tab edits this project")
     banner.wait_for()
     second.page.locator(".cm-content[aria-readonly]").wait_for()

@@ -23,6 +23,7 @@ CALLS = (
     "mkdir",
     "fsync",
     "fchmod",
+    "chmod",
     "replace",
     "rename",
     "link",

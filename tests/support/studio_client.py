@@ -1,6 +1,7 @@
 """A page of a running studio without a browser: HTTP, sockets, and the processes behind them."""
 
 import contextlib
+import hmac
 import http.client
 import json
 import sys
@@ -24,14 +25,28 @@ def command(home: Path) -> tuple[str, ...]:
     return (sys.executable, studio_launcher.__file__, str(home / "pages"))
 
 
-def secret(studio: Studio) -> dict[str, str]:
-    """Return the cookie that the first address gives."""
-    with closing(http.client.HTTPConnection("127.0.0.1", studio.port, timeout=PATIENCE)) as connection:
-        connection.request("GET", studio.url.split(str(studio.port), 1)[1])
-        answer = connection.getresponse()
-        answer.read()
-    assert (answer.status, answer.getheader("location")) == (303, "/")
-    return {"Cookie": (answer.getheader("set-cookie") or "").split(";")[0]}
+def key_of(studio: Studio) -> str:
+    """Return the key in the address that a studio has printed."""
+    return studio.url.partition("#token=")[2]
+
+
+def secret(studio: Studio, key: str = "") -> dict[str, str]:
+    """Return the header with the ticket that a page gets on entering, by the printed key or another one."""
+    with connected(studio, "/ws/studio") as socket:
+        return {"Authorization": f"Bearer {entered(studio, socket, key)['ticket']}"}
+
+
+def entered(studio: Studio, socket: ClientConnection, key: str = "") -> dict[str, Any]:
+    """Enter on an open socket, and return what the studio says to that."""
+    challenge = json.loads(socket.recv(timeout=PATIENCE))
+    assert challenge["type"] == "challenge"
+    answer = hmac.digest(
+        (key or key_of(studio)).encode(), f"{challenge['nonce']} {studio.port}".encode(), "sha256"
+    )
+    socket.send(json.dumps({"type": "enter", "answer": answer.hex()}))
+    said: dict[str, Any] = json.loads(socket.recv(timeout=PATIENCE))
+    assert said["type"] == "entered"
+    return said
 
 
 def get(studio: Studio, path: str, headers: dict[str, str], method: str = "GET") -> tuple[int, bytes]:
@@ -41,9 +56,17 @@ def get(studio: Studio, path: str, headers: dict[str, str], method: str = "GET")
         return answer.status, answer.read()
 
 
-def opened(studio: Studio, path: str = "/ws/studio", **headers: str) -> ClientConnection:
-    """Return an open socket; a page's headers unless others are given."""
-    ours = {**secret(studio), "Origin": f"http://127.0.0.1:{studio.port}", **headers}
+@contextlib.contextmanager
+def opened(studio: Studio, path: str = "/ws/studio", key: str = "") -> Iterator[ClientConnection]:
+    """Hold a socket open on which a page has entered, by the printed key or another one."""
+    with connected(studio, path) as socket:
+        entered(studio, socket, key)
+        yield socket
+
+
+def connected(studio: Studio, path: str = "/ws/studio", **headers: str) -> ClientConnection:
+    """Return an open socket on which nobody has entered; a page's headers unless others are given."""
+    ours = {"Origin": f"http://127.0.0.1:{studio.port}", **headers}
     return connect(
         f"ws://127.0.0.1:{studio.port}{path}",
         additional_headers={name: value for name, value in ours.items() if name != "Origin" and value},

@@ -1,5 +1,6 @@
 /** The way to the language server over a web socket that may break: it comes back by itself. */
 import type { Transport } from '@codemirror/lsp-client'
+import { enter } from '../wire/entry'
 
 export interface LinkEvents {
   /** A connection stands; it serves until `onLost`. */
@@ -35,7 +36,7 @@ export class LanguageLink {
     }
     let isReady = false
     this.#socket = socket
-    socket.onopen = () => {
+    const ready = () => {
       isReady = true
       this.#tries = 0
       this.#events.onReady({
@@ -51,6 +52,10 @@ export class LanguageLink {
     }
     socket.onmessage = event => {
       if (typeof event.data !== 'string') return
+      if (!isReady) {
+        if (enter(socket, JSON.parse(event.data)) === 'in') ready()
+        return
+      }
       const { id, isOvertaken } = answerOf(event.data)
       if (id !== null) unanswered.delete(id)
       tell(isOvertaken ? nothing(id) : event.data)

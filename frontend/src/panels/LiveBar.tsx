@@ -44,18 +44,21 @@ export function LiveBar() {
       )}
       {!on && finished && connected && id > 0 ? (
         <>
-          <a className="button" href={`/run/${id}.npz`} download="" title={words.signals.saveRecordingTitle}>
+          <button
+            type="button"
+            title={words.signals.saveRecordingTitle}
+            onClick={() => studio.commands.run('export.recording')}
+          >
             {words.signals.saveRecording}
-          </a>
+          </button>
           {inputs > 0 || given ? (
-            <a
-              className="button"
-              href={`/run/${id}.inputs.json`}
-              download=""
+            <button
+              type="button"
               title={words.signals.saveInputsTitle}
+              onClick={() => studio.commands.run('export.inputs')}
             >
               {words.signals.saveInputs}
-            </a>
+            </button>
           ) : null}
         </>
       ) : null}

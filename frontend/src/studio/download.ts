@@ -1,4 +1,5 @@
 /** Files for the user to keep: what the page has, and what the server makes of a run. */
+import { ask } from '../wire/entry'
 
 /** Let the browser save a file. */
 export function saveFile(name: string, content: Blob): void {
@@ -17,7 +18,7 @@ export function textFile(text: string, type: string): Blob {
 
 /** Fetch a finished run in one of its forms and save it; false where the server does not have it any more. */
 export async function saveRun(run: number, ending: string, name: string): Promise<boolean> {
-  const answer = await fetch(`/run/${run}.${ending}`, { credentials: 'same-origin' })
+  const answer = await ask(`/run/${run}.${ending}`)
   if (!answer.ok) return false
   saveFile(`${name}.${ending}`, await answer.blob())
   return true

@@ -1,5 +1,6 @@
 /** The page of `ropsim studio`. */
 import { createRoot } from 'react-dom/client'
+import { hasNewKey, takeKey } from '../wire/entry'
 import { StudioContext } from './context'
 import { installHook } from './hook'
 import { keptWrap, restoreSettings } from './page_settings'
@@ -24,6 +25,11 @@ import '../style/signals.css'
 import '../style/cell.css'
 import '../style/forced.css'
 
+takeKey()
+// An address with a new key, put into this tab, changes its fragment only.
+addEventListener('hashchange', () => {
+  if (hasNewKey()) location.reload()
+})
 restoreSettings()
 const scheme = location.protocol === 'https:' ? 'wss' : 'ws'
 const studio = new Studio(`${scheme}://${location.host}/ws/studio`)

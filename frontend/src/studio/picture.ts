@@ -7,6 +7,7 @@ import { type Move, movesAmong, pathWindow } from '../scene/path_window'
 import type { PointMark } from '../scene/point_marks'
 import type { Stage } from '../scene/stage'
 import { compose } from '../units/pose'
+import { ask } from '../wire/entry'
 import type { Jogged } from '../wire/messages'
 import { applyLook, DEFAULT_LOOK, type Look } from './look'
 
@@ -165,7 +166,7 @@ function poseAt(poses: Float32Array, body: number): Pose {
 }
 
 async function fetchMesh(address: string): Promise<ArrayBuffer> {
-  const answer = await fetch(`/mesh/${address}.glb`, { credentials: 'same-origin' })
+  const answer = await ask(`/mesh/${address}.glb`)
   if (!answer.ok) throw new Error(`the server answered ${answer.status}`)
   return answer.arrayBuffer()
 }

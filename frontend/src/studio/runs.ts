@@ -5,6 +5,7 @@ import { RecordedRun } from '../run/recorded_run'
 import type { Run } from '../run/run'
 import type { SceneDescription } from '../scene/description'
 import { words } from '../text/messages'
+import { ask } from '../wire/entry'
 import { decodeFrame } from '../wire/frame'
 import type { Happened, LiveLayout, Placed, RunWays, SignalStamped } from '../wire/messages'
 import { NOW, type RunAge, type Texts } from './run_lines'
@@ -177,7 +178,7 @@ export class Runs {
 }
 
 async function fetchPack(kind: 'run' | 'told', id: number): Promise<ArrayBuffer> {
-  const answer = await fetch(`/${kind}/${id}.pack`, { credentials: 'same-origin' })
+  const answer = await ask(`/${kind}/${id}.pack`)
   if (!answer.ok) throw new Error(words.run.gone(answer.status))
   return answer.arrayBuffer()
 }

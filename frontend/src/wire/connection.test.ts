@@ -1,5 +1,6 @@
-import { expect, test, vi } from 'vitest'
+import { expect, test } from 'vitest'
 import { BACK_OFF, Connection, type ConnectionState, type Surroundings } from './connection'
+import { REFUSED } from './entry'
 
 class FakeSocket {
   readyState = 0
@@ -7,7 +8,7 @@ class FakeSocket {
   readonly sent: string[] = []
   onopen: (() => void) | null = null
   onmessage: ((event: { data: unknown }) => void) | null = null
-  onclose: (() => void) | null = null
+  onclose: ((event: { code: number }) => void) | null = null
 
   send(text: string): void {
     this.sent.push(text)
@@ -19,17 +20,22 @@ class FakeSocket {
 
   welcome(): void {
     this.readyState = 1
-    this.onopen?.()
+    this.say({ type: 'challenge', nonce: 'n' })
+    this.say({ type: 'entered', ticket: 't', key: 'k' })
     this.onmessage?.({ data: JSON.stringify({ type: 'welcome' }) })
   }
 
-  drop(): void {
+  say(message: object): void {
+    this.onmessage?.({ data: JSON.stringify(message) })
+  }
+
+  drop(code = 1006): void {
     this.readyState = 3
-    this.onclose?.()
+    this.onclose?.({ code })
   }
 }
 
-function bench(answers: ('there' | 'refused' | 'gone')[] = []) {
+function bench() {
   const sockets: FakeSocket[] = []
   const waits: { milliseconds: number; act: () => void }[] = []
   const states: ConnectionState[] = []
@@ -40,7 +46,7 @@ function bench(answers: ('there' | 'refused' | 'gone')[] = []) {
       sockets.push(socket)
       return socket as unknown as WebSocket
     },
-    probe: async () => answers.shift() ?? 'gone',
+    door: { answer: async nonce => `answer to ${nonce}`, entered: () => {} },
     after: (milliseconds, act) => {
       waits.push({ milliseconds, act })
       return () => {}
@@ -78,28 +84,37 @@ test('sends nothing before the welcome and says so', () => {
   expect(sockets[0]?.sent).toHaveLength(2)
 })
 
-test('comes back by itself, waiting longer each time, and begins anew after a success', async () => {
-  const { connection, sockets, waits, states } = bench(['gone', 'gone', 'gone', 'gone'])
+test('answers the challenge before anything else, and never says the key', async () => {
+  const { connection, sockets, messages } = bench()
+  connection.open()
+  const [socket] = sockets
+  if (!socket) return
+  socket.readyState = 1
+  socket.say({ type: 'challenge', nonce: 'n' })
+  await Promise.resolve()
+  expect(socket.sent).toEqual([JSON.stringify({ type: 'enter', answer: 'answer to n' })])
+  expect(messages).toEqual([])
+})
+
+test('comes back by itself, waiting longer each time, and begins anew after a success', () => {
+  const { connection, sockets, waits, states } = bench()
   connection.open()
   sockets[0]?.welcome()
   sockets[0]?.drop()
-  await vi.waitFor(() => expect(waits).toHaveLength(1))
   waits[0]?.act()
   sockets[1]?.drop()
-  await vi.waitFor(() => expect(waits).toHaveLength(2))
   waits[1]?.act()
   sockets[2]?.welcome()
   sockets[2]?.drop()
-  await vi.waitFor(() => expect(waits).toHaveLength(3))
   expect(waits.map(one => one.milliseconds)).toEqual([BACK_OFF[0], BACK_OFF[1], BACK_OFF[0]])
   expect(states).toEqual(['connected', 'lost', 'connected', 'lost'])
 })
 
-test('an address that the server refuses is expired; it is asked again seldom, for it may be renewed', async () => {
-  const { connection, sockets, waits, states } = bench(['refused'])
+test('a key that the server refuses is expired; it is asked again seldom, for its own studio may come back', () => {
+  const { connection, sockets, waits, states } = bench()
   connection.open()
-  sockets[0]?.drop()
-  await vi.waitFor(() => expect(states).toEqual(['expired']))
+  sockets[0]?.drop(REFUSED)
+  expect(states).toEqual(['expired'])
   expect(waits.map(one => one.milliseconds)).toEqual([BACK_OFF.at(-1)])
   waits[0]?.act()
   sockets[1]?.welcome()

@@ -1,5 +1,6 @@
 /** The page's line to `ropsim studio`: says hello, delivers messages in order, comes back by itself. */
 import type { Command } from './commands'
+import { type Door, door, enter, REFUSED } from './entry'
 import type { Message } from './messages'
 
 /** `expired`: the server refuses this page; only the address that the terminal shows helps. */
@@ -14,8 +15,7 @@ export interface ConnectionListeners {
 /** What a connection needs of the browser; tests give their own. */
 export interface Surroundings {
   readonly open: (url: string) => WebSocket
-  /** Ask over plain HTTP why the socket does not open. */
-  readonly probe: () => Promise<'there' | 'refused' | 'gone'>
+  readonly door: Door
   readonly after: (milliseconds: number, act: () => void) => () => void
 }
 
@@ -50,10 +50,9 @@ export class Connection {
     const socket = this.#around.open(this.#url)
     socket.binaryType = 'arraybuffer'
     this.#socket = socket
-    socket.onopen = () => socket.send(JSON.stringify({ type: 'hello', tab: this.#tab }))
-    socket.onmessage = event => this.#receive(event.data)
-    socket.onclose = () => {
-      if (this.#socket === socket) void this.#lost()
+    socket.onmessage = event => this.#receive(socket, event.data)
+    socket.onclose = ({ code }) => {
+      if (this.#socket === socket) this.#lost(code)
     }
   }
 
@@ -71,12 +70,16 @@ export class Connection {
     this.#socket = null
   }
 
-  #receive(data: unknown): void {
+  #receive(socket: WebSocket, data: unknown): void {
     if (data instanceof ArrayBuffer) {
       this.#listeners.onFrame(data)
       return
     }
-    const message = JSON.parse(String(data)) as Message
+    const said: unknown = JSON.parse(String(data))
+    const entry = enter(socket, said, this.#around.door)
+    if (entry === 'in') socket.send(JSON.stringify({ type: 'hello', tab: this.#tab }))
+    if (entry !== 'none') return
+    const message = said as Message
     if (message.type === 'welcome') {
       this.#attempts = 0
       this.#become('connected')
@@ -84,17 +87,14 @@ export class Connection {
     this.#listeners.onMessage(message)
   }
 
-  async #lost(): Promise<void> {
+  #lost(code: number): void {
     this.#socket = null
     if (this.#closed) return
-    if (this.#state === 'connected') this.#become('lost')
-    const answer = await this.#around.probe()
-    if (this.#closed) return
-    if (answer === 'refused') this.#become('expired')
-    if (answer === 'gone') this.#become('lost')
-    // Refused now, welcome as soon as the new address has been opened in another tab of this browser.
+    const isRefused = code === REFUSED
+    this.#become(isRefused ? 'expired' : 'lost')
+    // Refused by the studio of another project that has the port now, welcome as soon as the own one is back.
     const last = BACK_OFF.length - 1
-    const wait = BACK_OFF[answer === 'refused' ? last : Math.min(this.#attempts, last)] ?? 0
+    const wait = BACK_OFF[isRefused ? last : Math.min(this.#attempts, last)] ?? 0
     this.#attempts += 1
     this.#cancelWait = this.#around.after(wait, () => this.open())
   }
@@ -108,14 +108,7 @@ export class Connection {
 
 const browser: Surroundings = {
   open: url => new WebSocket(url),
-  probe: async () => {
-    try {
-      const answer = await fetch('/', { cache: 'no-store', credentials: 'same-origin' })
-      return answer.status === 401 || answer.status === 403 ? 'refused' : 'there'
-    } catch {
-      return 'gone'
-    }
-  },
+  door,
   after: (milliseconds, act) => {
     const timer = setTimeout(act, milliseconds)
     return () => clearTimeout(timer)

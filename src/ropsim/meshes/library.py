@@ -162,7 +162,7 @@ def mesh_content(folder: Path, file: str) -> bytes:
             raise MeshFileError(MESH_TOO_LARGE, found, "export it with a coarser tolerance")
         return read_bytes(place, LARGEST)
     except LeadsOutError as error:
-        raise MeshFileError(OUTSIDE_PROJECT, error.strerror, "copy the file into the project") from error
+        raise MeshFileError(OUTSIDE_PROJECT, str(error.strerror), "copy the file into the project") from error
     except FileNotFoundError:
         raise MeshFileError(MESH_MISSING, "is not in the project folder", _near(path)) from None
     except (OSError, RuntimeError, ValueError) as error:  # permissions, links that go round, odd characters

@@ -31,11 +31,7 @@ class Refusal:
 REFUSALS = {
     "host": Refusal(400, "The studio answers to 127.0.0.1 and localhost only, with its own port."),
     "origin": Refusal(403, "This request comes from another site. Only the studio's own pages may make it."),
-    "token": Refusal(
-        401,
-        "This address belongs to a studio that has ended, or it lacks the secret of this one. "
-        "Use the address that the terminal shows where <code>ropsim studio</code> was started.",
-    ),
+    "ticket": Refusal(401, "This is for the pages of the studio only, which have a ticket of it."),
 }
 
 

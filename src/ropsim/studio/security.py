@@ -1,12 +1,9 @@
-"""Who may talk to the studio: a browser of this machine that knows the address, and our own pages only."""
-
-import secrets
-from urllib.parse import parse_qs
+"""Who may talk to the studio: our own pages in a browser of this machine that know a key."""
 
 from starlette.datastructures import Headers, MutableHeaders
-from starlette.requests import cookie_parser
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
+from ropsim.studio.entry import Entry
 from ropsim.studio.refusals import REFUSALS, Refusal, refuse
 
 LOOPBACK = ("127.0.0.1", "localhost", "[::1]")
@@ -26,28 +23,25 @@ ALWAYS = {
 }
 
 
+OPEN = ("/assets/",)
+"""What is served to everybody who asks this machine, as is the page itself: it holds nothing of a project."""
+
+
 class Gate:
-    """Lets only requests through that carry our own host, our own origin and the secret of the project.
+    """Lets only requests through that carry our own host, our own origin and the ticket of a page.
 
     The host is compared with the very port (DNS rebinding gives others), the origin wherever a request can
-    change something. The first address, which is new at each start, brings the secret: it stays in a cookie
-    that scripts cannot see.
+    change something. Sockets prove themselves once they are open (`Entry`). No cookie is set or read.
 
     Args:
         app: what is behind the gate.
         port: on which the server listens.
-        token: the secret.
-        once: opens the first address too, a single time; empty for none. Lists of processes show other users
-            of this machine with which address a browser was started.
-        kept: what the cookie holds, never a part of an address; empty for the secret of this start.
+        entry: knows the ticket.
     """
 
-    def __init__(self, app: ASGIApp, port: int, token: str, once: str = "", kept: str = "") -> None:
+    def __init__(self, app: ASGIApp, port: int, entry: Entry) -> None:
         self._app = app
-        self._token = token
-        self._once = once
-        self._kept = kept or token
-        self._cookie = f"ropsim-{port}"
+        self._entry = entry
         bare = LOOPBACK if port == 80 else ()
         self._hosts = frozenset((*(f"{name}:{port}" for name in LOOPBACK), *bare))
         self._origins = frozenset(f"http://{host}" for host in self._hosts)
@@ -58,10 +52,6 @@ class Gate:
             await self._app(scope, receive, send)
             return
         sender = _with_headers(send)
-        if self._is_first(scope):
-            cookie = f"{self._cookie}={self._kept}; HttpOnly; SameSite=Strict; Path=/"
-            await refuse(scope, sender, Refusal(303, "", {"location": "/", "set-cookie": cookie}))
-            return
         refusal = self._refusal(scope)
         if refusal is not None:
             await refuse(scope, sender, refusal)
@@ -75,30 +65,11 @@ class Gate:
         reads = scope["type"] == "http" and scope["method"] in {"GET", "HEAD"}
         if not reads and headers.get("origin") not in self._origins:
             return REFUSALS["origin"]
-        cookies = cookie_parser(headers.get("cookie", ""))  # those of other servers on this machine, too
-        return None if _same(cookies.get(self._cookie, ""), self._kept) else REFUSALS["token"]
-
-    def _is_first(self, scope: Scope) -> bool:
-        """Return whether this is the address that the terminal shows."""
-        if scope["type"] != "http" or scope["method"] != "GET" or scope["path"] != "/":
-            return False
-        if Headers(scope=scope).get("host", "") not in self._hosts:
-            return False
-        given = parse_qs(scope["query_string"].decode("latin-1")).get("token", [""])
-        return self._is_ours(given[0]) or self._is_once(given[0])
-
-    def _is_ours(self, secret: str) -> bool:
-        return _same(secret, self._token)
-
-    def _is_once(self, secret: str) -> bool:
-        right = bool(self._once) and _same(secret, self._once)
-        if right:
-            self._once = ""
-        return right
-
-
-def _same(secret: str, other: str) -> bool:
-    return secrets.compare_digest(secret.encode("utf-8", "replace"), other.encode())
+        path: str = scope["path"]
+        is_open = scope["type"] == "websocket" or path == "/" or path.startswith(OPEN)
+        if is_open or self._entry.has_ticket(headers.get("authorization", "")):
+            return None
+        return REFUSALS["ticket"]
 
 
 def content_policy(nonce: str = "") -> str:

@@ -6,7 +6,6 @@ import secrets
 import signal
 import socket
 import sys
-import tempfile
 import threading
 import time
 import webbrowser
@@ -23,7 +22,9 @@ from starlette.types import ASGIApp
 from ropsim.core import frozen_dataclass
 from ropsim.studio import pages, sockets
 from ropsim.studio.diagnostics import PORT_TAKEN, StudioError
+from ropsim.studio.entry import Entry
 from ropsim.studio.isolation import leave_project
+from ropsim.studio.neutral import neutral_folder
 from ropsim.studio.place import keep_place, place_of
 from ropsim.studio.project_files import project_folder
 from ropsim.studio.security import Gate
@@ -81,22 +82,24 @@ def serve(options: StudioOptions, say: Callable[[str], None]) -> None:
             # a browser of the terminal would hold the server up
             threading.Thread(target=webbrowser.open, args=(_address(port, once),), daemon=True).start()
 
-    with tempfile.TemporaryDirectory(prefix="ropsim-", ignore_cleanup_errors=True) as neutral:
-        leave_project(Path(neutral), folder)
-        workplace = Workplace(folder, Path(neutral), place)
+    with neutral_folder() as neutral:
+        leave_project(neutral, folder)
+        workplace = Workplace(folder, neutral, place)
+        entry = Entry(port, token, once, place.secret)
         behind = Starlette(
-            routes=[*pages.routes(page_folder, workplace), *sockets.routes(workplace, Path(neutral))]
+            routes=[*pages.routes(page_folder, workplace), *sockets.routes(workplace, entry, neutral)]
         )
         try:
-            gate = Gate(behind, port, token, once, place.secret)
+            gate = Gate(behind, port, entry)
             _Server(_configuration(gate), workplace, ready).run(sockets=[listener])
         finally:
             workplace.kill()
-            os.chdir(Path(neutral).anchor)
+            os.chdir(neutral.anchor)
 
 
 def _address(port: int, token: str) -> str:
-    return f"http://{ADDRESS}:{port}/?token={token}"
+    """Return the address of the page; browsers send the fragment to nobody."""
+    return f"http://{ADDRESS}:{port}/#token={token}"
 
 
 class _Server(uvicorn.Server):

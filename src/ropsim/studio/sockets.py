@@ -8,6 +8,7 @@ from starlette.routing import WebSocketRoute
 from starlette.types import Message
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
+from ropsim.studio.entry import Entry
 from ropsim.studio.language_bridge import LanguageBridge
 from ropsim.studio.tab import Tab
 from ropsim.studio.workplace import Workplace
@@ -19,11 +20,13 @@ MOST_LANGUAGE_SERVERS = 12
 """Editors that are served at the same time; each has a process of its own."""
 
 
-def routes(workplace: Workplace, neutral: Path) -> list[WebSocketRoute]:
-    """Return both sockets; language servers work in the `neutral` folder."""
+def routes(workplace: Workplace, entry: Entry, neutral: Path) -> list[WebSocketRoute]:
+    """Return both sockets, on which pages enter first; language servers work in the `neutral` folder."""
 
     async def studio(socket: WebSocket) -> None:
         await socket.accept()
+        if not await entry.admits(socket):
+            return
         tab, session = Tab(), workplace.session
         pumping = asyncio.create_task(_pump(tab, socket))
         try:
@@ -43,7 +46,8 @@ def routes(workplace: Workplace, neutral: Path) -> list[WebSocketRoute]:
             return
         async with places:
             await socket.accept()
-            await LanguageBridge(socket, neutral).serve()
+            if await entry.admits(socket):
+                await LanguageBridge(socket, neutral).serve()
 
     return [WebSocketRoute("/ws/studio", studio), WebSocketRoute("/ws/lsp", language)]
 

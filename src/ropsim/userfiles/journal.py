@@ -3,13 +3,12 @@
 import errno
 import hashlib
 import json
-import sys
 from collections.abc import Mapping
 from pathlib import Path
-from typing import IO
 
 from ropsim.core import Diagnostic, frozen_dataclass, read_bytes, replace_private_file, state_folder
 from ropsim.userfiles.diagnostics import DAMAGED_JOURNAL
+from ropsim.userfiles.file_lock import FileLock
 
 VERSION = 1
 MOST_SLOTS = 16
@@ -19,8 +18,6 @@ LARGEST = 1_000_000_000
 
 MOST_DAMAGED = 100
 """Journals of a place that can be set aside."""
-
-_TAKEN = (errno.EAGAIN, errno.EACCES, errno.EDEADLK)
 
 
 @frozen_dataclass
@@ -52,7 +49,7 @@ class Journal:
         home.mkdir(parents=True, exist_ok=True, mode=0o700)
         places = [home / f"{key}-{slot}.json" for slot in range(MOST_SLOTS)]
         for place in sorted(places, key=lambda one: not one.exists()):
-            lock = _locked(place.with_suffix(".lock"))
+            lock = FileLock.taken(place.with_suffix(".lock"))
             if lock is not None:
                 self._place, self._lock = place, lock
                 return
@@ -105,7 +102,7 @@ class Journal:
 
     def close(self) -> None:
         """Leave the place to the next session."""
-        self._lock.close()
+        self._lock.free()
 
 
 def _drafts(content: bytes) -> dict[str, Draft] | None:
@@ -118,25 +115,3 @@ def _drafts(content: bytes) -> dict[str, Draft] | None:
         return None
     whole = all(isinstance(one.text, str) and isinstance(one.base, str) for one in drafts.values())
     return drafts if whole else None
-
-
-def _locked(place: Path) -> IO[bytes] | None:
-    """Return the file with a lock that the system frees when this process ends, None where another has it.
-
-    On file systems that know no locks it is returned without one.
-    """
-    stream = place.open("ab")
-    try:
-        if sys.platform == "win32":
-            import msvcrt
-
-            msvcrt.locking(stream.fileno(), msvcrt.LK_NBLCK, 1)
-        else:
-            import fcntl
-
-            fcntl.flock(stream.fileno(), fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except OSError as error:
-        if error.errno in _TAKEN:
-            stream.close()
-            return None
-    return stream

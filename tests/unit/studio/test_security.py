@@ -6,12 +6,14 @@ from typing import Any
 import pytest
 from starlette.types import Message, Receive, Scope, Send
 
+from ropsim.studio.entry import Entry, code
 from ropsim.studio.security import Gate, content_policy
 
 PORT = 8123
 TOKEN = "s3cret"
 HOST = f"127.0.0.1:{PORT}"
-OURS = {"host": HOST, "cookie": f"ropsim-{PORT}={TOKEN}"}
+ENTRY = Entry(PORT, TOKEN)
+OURS = {"host": HOST, "authorization": f"Bearer {ENTRY.ticket}"}
 
 
 async def behind(scope: Scope, receive: Receive, send: Send) -> None:
@@ -23,7 +25,7 @@ def ask(
     headers: dict[str, str], path: str = "/", query: str = "", **scope: Any
 ) -> tuple[int, dict[str, str]]:
     """Return status and headers of the answer to a request."""
-    return answered(Gate(behind, PORT, TOKEN), headers, path, query, **scope)
+    return answered(Gate(behind, PORT, ENTRY), headers, path, query, **scope)
 
 
 def answered(
@@ -83,23 +85,24 @@ def test_a_server_that_cannot_answer_sockets_closes_them() -> None:
 
 
 @pytest.mark.parametrize(
-    "cookie",
-    ["", "ropsim-8123=wrong", f"ropsim-9999={TOKEN}", "ropsim-8123=", "ropsim-8123=ü", "=;=;;", f"{TOKEN}"],
+    "headers",
+    [
+        {},
+        {"authorization": ""},
+        {"authorization": "Bearer "},
+        {"authorization": f"Bearer {TOKEN}"},
+        {"authorization": "Bearer \xfc"},
+        {"cookie": f"ropsim-{PORT}={TOKEN}"},
+        {"cookie": OURS["authorization"]},
+    ],
 )
-@pytest.mark.parametrize("path", ["/", "/assets/index.js", "/run/1.pack"])
-def test_without_the_secret_nothing_is_shown(cookie: str, path: str) -> None:
-    assert ask({"host": HOST, "cookie": cookie}, path)[0] == 401
-
-
-def test_the_first_address_gives_the_cookie_and_leads_to_an_address_without_the_secret() -> None:
-    status, headers = ask({"host": HOST}, query=f"token={TOKEN}")
-    assert (status, headers["location"]) == (303, "/")
-    assert headers["set-cookie"] == f"ropsim-{PORT}={TOKEN}; HttpOnly; SameSite=Strict; Path=/"
-
-
-@pytest.mark.parametrize("query", ["token=wrong", "token=", "token=%FF", "token=wrong&token=s3cret"])
-def test_a_wrong_secret_in_the_address_is_refused(query: str) -> None:
-    assert ask({"host": HOST}, query=query)[0] == 401
+def test_without_the_ticket_nothing_of_a_project_is_shown(headers: dict[str, str]) -> None:
+    for path in ("/run/1.pack", "/told/1.pack", "/mesh/0.glb", "/x", "/assets", "//", "/x/../assets/"):
+        assert ask({"host": HOST, **headers}, path)[0] == 401
+        assert ask({"host": HOST, **headers}, path, query=f"token={TOKEN}")[0] == 401
+        assert ask(OURS, path)[0] == 299
+    for path in ("/", "/assets/index.js"):
+        assert ask({"host": HOST, **headers}, path)[0] == 299
 
 
 def test_every_answer_carries_the_headers_that_protect_it() -> None:
@@ -119,10 +122,17 @@ def test_the_policy_allows_no_script_but_files_of_ours_and_style_elements_with_t
 
 
 def test_the_address_that_a_browser_is_started_with_works_once() -> None:
-    gate = Gate(behind, PORT, TOKEN, "0nce")
-    first = answered(gate, {"host": HOST}, "/", "token=0nce")
-    assert (first[0], TOKEN in first[1]["set-cookie"]) == (303, True)
-    assert answered(gate, {"host": HOST}, "/", "token=0nce")[0] == 401
-    assert answered(gate, {"host": HOST}, "/", "token=")[0] == 401
-    assert answered(gate, {"host": HOST}, "/", f"token={TOKEN}")[0] == 303
-    assert answered(gate, {"host": HOST, "cookie": f"ropsim-{PORT}=0nce"})[0] == 401
+    entry = Entry(PORT, TOKEN, "0nce", "kept")
+    assert not entry.is_right("n", code("", "n", PORT))
+    assert not entry.is_right("n", code("0nce", "another", PORT))  # which does not use it up
+    assert entry.is_right("n", code("0nce", "n", PORT))
+    assert not entry.is_right("n", code("0nce", "n", PORT))
+    for key in (TOKEN, "kept"):
+        assert entry.is_right("n", code(key, "n", PORT))
+        assert entry.is_right("n", code(key, "n", PORT))
+
+
+def test_an_answer_holds_for_its_challenge_and_its_port() -> None:
+    assert ENTRY.is_right("n", code(TOKEN, "n", PORT))
+    for answer in ("", TOKEN, code(TOKEN, "m", PORT), code(TOKEN, "n", PORT + 1), code("x", "n", PORT), "ü"):
+        assert not ENTRY.is_right("n", answer)
