@@ -169,7 +169,7 @@ def test_the_json_of_a_run_says_what_was_not_looked_at_and_what_settling_cost(pr
     result, summary = document["result"], document["summary"]
     assert result["unchecked"] == summary["unchecked"]["text"]
     assert result["unchecked"].startswith("not checked: rated payload · estimated: ")
-    assert result["unchecked"].endswith(" · zones stopped fine on 1 line")
+    assert result["unchecked"].endswith(" · zones not flown (fine stop) on 1 line")
     assert result["settling"]["total"] == summary["settling"]["total"] >= summary["settling"]["longest"] > 0.0
     share = result["settling"]["total"] / result["cycle_time"]
     assert result["settling"]["share"] == summary["settling"]["share"] == pytest.approx(share)

@@ -33,7 +33,7 @@ def test_no_rule_of_accessibility_is_broken_in_any_panel(fresh: StudioPage) -> N
             page.page.get_by_role("heading", name="Joints").wait_for()
         found[panel] = in_both_schemes(page.page, f".panel-{panel.lower()}")
     page.show("Problems")
-    page.command("Tell the robot a command")
+    page.command("Run a robot command")
     page.page.get_by_role("combobox", name="Command").fill("mvo pick_up")
     page.page.keyboard.press("Enter")
     page.page.get_by_role("log").get_by_text("Task not defined").wait_for()

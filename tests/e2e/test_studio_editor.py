@@ -86,7 +86,7 @@ def test_a_mistake_keeps_the_last_good_run_and_its_repair_keeps_the_view(fresh: 
     fresh.insert(CALL, "x")
     squiggle(fresh, "set_downx").wait_for()
     fresh.page.get_by_text("Program has errors").wait_for()
-    fresh.page.locator(".stage-badges").get_by_text("Last good run – the text has changed").wait_for()
+    fresh.page.locator(".stage-badges").get_by_text("Last valid run – the text has changed").wait_for()
     assert fresh.state()["stale"]
     assert fresh.state()["shown"] == shown
     assert (fresh.time(), fresh.poses()) == (1.5, poses)
@@ -96,7 +96,7 @@ def test_a_mistake_keeps_the_last_good_run_and_its_repair_keeps_the_view(fresh: 
     fresh.page.keyboard.press("Backspace")
     fresh.rerun(shown)
     without_errors(fresh)
-    fresh.page.locator(".stage-badges").get_by_text("Last good run").wait_for(state="detached")
+    fresh.page.locator(".stage-badges").get_by_text("Last valid run").wait_for(state="detached")
     assert (fresh.time(), fresh.poses(), fresh.camera("perspective")) == (1.5, poses, camera)
 
 

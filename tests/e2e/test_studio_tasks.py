@@ -33,6 +33,18 @@ def studio(project: Path, tmp_path_factory: pytest.TempPathFactory) -> Iterator[
         yield running
 
 
+def pasted(field: "Locator", text: str) -> None:
+    """Paste a text into a field, as a browser tells a page of it."""
+    field.evaluate(
+        """(field, text) => {
+          const clipboardData = new DataTransfer()
+          clipboardData.setData('text', text)
+          field.dispatchEvent(new ClipboardEvent('paste', { clipboardData, bubbles: true, cancelable: true }))
+        }""",
+        text,
+    )
+
+
 def step(panel: "Locator", number: int) -> "Locator":
     return panel.get_by_role("listitem", name=re.compile(f"^Step {number}:"))
 
@@ -69,14 +81,14 @@ def test_an_operator_makes_a_palletizing_program_that_runs(
     form.get_by_role("button", name="Keep the task").click()
     choose(tab, panel, "rest")
     assert "mov(above(L, 20*mm))" in (project / "kb" / "rest.pl").read_text("utf-8")
-    step(panel, 1).get_by_text("rest takes 1 point, given: 0").wait_for()
+    step(panel, 1).get_by_text("Still to fill in:").wait_for()
     step(panel, 1).get_by_role("button", name="Change the task").click()
     panel.get_by_role("form", name="The task rest").get_by_role("button", name="Cancel").click()
     step(panel, 1).get_by_role("button", name="Remove step 1").click()
 
     choose(tab, panel, "load_pallet")
     first = step(panel, 1)
-    first.get_by_text("load_pallet takes 2 points, given: 0").wait_for()
+    first.get_by_text("Still to fill in: supply, first place, parts in a row, rows, distance").wait_for()
     assert tab.page.evaluate("() => document.activeElement.ariaLabel") == "Point supply"
     first.get_by_label("Point supply").select_option("infeed")
     first.get_by_label("Point first place").select_option("numbers …")
@@ -94,9 +106,19 @@ def test_an_operator_makes_a_palletizing_program_that_runs(
     panel.get_by_role("button", name="Add a task").click()
     choose(tab, panel, "pick")
     second = step(panel, 2)
-    second.get_by_label("Point place").select_option("numbers …")
-    for axis, value in (("X", "412.5"), ("Y", "-147.5"), ("Z", "600")):
-        second.get_by_label(f"place {axis} [mm]").fill(value)
+    second.get_by_text("Still to fill in: place").wait_for()
+    assert "refused" not in (second.get_attribute("class") or "")
+    panel.get_by_text("1 step is not filled in yet").wait_for()
+    second.get_by_label("Point place").press("Tab")
+    second.get_by_text("pick takes 1 point, given: 0").wait_for()
+    assert "refused" in (second.get_attribute("class") or "")
+    second.get_by_label("Point place").select_option(label="origin of pallet")
+    second.get_by_text("(0, 0, 0) in pallet").first.wait_for()
+    pasted(second.get_by_label("Point place"), "412,5\t-147,5\t600")
+    second.get_by_text("part: box_1").wait_for()
+    assert second.get_by_label("place Y [mm]").input_value() == "-147.5"
+    second.get_by_label("place X [mm]").fill("")
+    pasted(second.get_by_label("place X [mm]"), "(412.5, -147.5, 600)")
     second.get_by_text("part: box_1").wait_for()
     for axis, value in (("Pitch", "90"), ("Roll", "0"), ("Yaw", "90")):
         second.get_by_label(f"place {axis} [deg]").fill(value)
@@ -135,9 +157,9 @@ def test_an_operator_makes_a_palletizing_program_that_runs(
     step(panel, 2).get_by_role("button", name="Remove step 2").click()
     panel.get_by_text(re.compile(r"about \d+\.\d s")).wait_for()
 
-    panel.get_by_role("button", name="End: make the program").click()
+    panel.get_by_role("button", name="Finish and generate program").click()
     tab.page.get_by_label("Name of the program").fill("fill")
-    tab.page.get_by_role("button", name="Make and run").click()
+    tab.page.get_by_role("button", name="Generate and run").click()
     tab.holds("() => __ropsim.state().current")
     tab.page.get_by_text("ran to the end, no errors, no warnings").wait_for()
     fill = project / "programs" / "fill.task"
@@ -157,10 +179,10 @@ def test_an_operator_makes_a_palletizing_program_that_runs(
     tab.command("Panel: Tasks")
     panel.get_by_role("button", name="kb/rest.pl, line 2").wait_for(state="detached")
     first.get_by_label("Value of rows").fill("1")
-    panel.get_by_role("button", name="End: make the program").click()
+    panel.get_by_role("button", name="Finish and generate program").click()
     tab.page.get_by_label("Name of the program").fill("fill")
-    tab.page.get_by_text("There is a program fill already.").wait_for()
-    make = tab.page.get_by_role("button", name="Make and run")
+    tab.page.get_by_text("The program fill exists already.").wait_for()
+    make = tab.page.get_by_role("button", name="Generate and run")
     assert make.is_disabled()
     tab.page.get_by_label("Replace its text, and the list of points points/fill.csv").check()
     make.click()

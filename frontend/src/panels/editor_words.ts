@@ -18,8 +18,8 @@ export const words = {
   reload: 'Read the file again',
   overwrite: 'Overwrite the file',
   readOnly: 'Read only: another tab edits this project.',
-  stale: 'The text has changed; marks and ghost belong to the last good run.',
-  staleShort: 'marks of the last good run',
+  stale: 'The text has changed; marks and ghost show the last valid run.',
+  staleShort: 'results of the last valid run',
   problems: (count: number, all: number) =>
     count === all ? `${count} ${count === 1 ? 'problem' : 'problems'}` : `${count} of ${all} problems`,
   title: (count: number) => (count === 0 ? 'Problems' : `Problems (${count})`),

@@ -1,6 +1,7 @@
 /** The tasks that an operator chooses: steps as they are typed, and what the server says of each of them. */
 import type { Command } from '../wire/commands'
 import type { ProgramPoint, StepState, TaskList, TasksChecked, TasksEstimated } from '../wire/messages'
+import { blankFields } from './blank_fields'
 import { type ChosenStep, keptSteps } from './chosen_step'
 import type { UndoStack } from './undo'
 
@@ -18,6 +19,7 @@ export class ChosenTasks {
   readonly #wires: TaskWires
   readonly #listeners = new Set<() => void>()
   readonly #states = new Map<number, StepState>()
+  readonly #left = new Set<string>()
   #list: TaskList | null = null
   #steps: readonly ChosenStep[] = []
   #answer: TasksChecked | null = null
@@ -79,6 +81,30 @@ export class ChosenTasks {
   /** What was said last of a step; null before. */
   stateOf(key: number): StepState | null {
     return this.#states.get(key) ?? null
+  }
+
+  /** The words of the fields of a step that have to be filled in, none of which anybody has left blank yet. */
+  unfilled(step: ChosenStep): readonly string[] {
+    const task = this.#list?.tasks.find(one => one.name === step.name)
+    const blank = task ? blankFields(step, task, this.#list?.places ?? []) : []
+    return blank.some(one => this.#left.has(`${step.key} ${one.field}`)) ? [] : blank.map(one => one.word)
+  }
+
+  /** The keyboard has left a field of a step: blank, it is a mistake from now on. */
+  leave(key: number, field: string): void {
+    const left = `${key} ${field}`
+    if (this.#left.has(left)) return
+    this.#left.add(left)
+    this.#changed()
+  }
+
+  /** The program is to be generated: every blank field is a mistake from now on. */
+  leaveAll(): void {
+    for (const step of this.#steps) {
+      const task = this.#list?.tasks.find(one => one.name === step.name)
+      for (const { field } of task ? blankFields(step, task, []) : []) this.#left.add(`${step.key} ${field}`)
+    }
+    this.#changed()
   }
 
   onChange(listener: () => void): () => void {

@@ -54,7 +54,7 @@ export const commandWords = {
   stepLive: 'One step of the live run',
   stopLive: 'End live run',
   arm: 'Arm keys as inputs',
-  commandLine: 'Tell the robot a command',
+  commandLine: 'Run a robot command',
   undoCommand: 'Undo the last command',
   programRun: 'Show the run of the program',
   runningLine: 'Go to the running line',

@@ -72,7 +72,7 @@ export const words = {
     failed: (message: string) => `The simulation failed: ${message}`,
     failedShort: 'Simulation failed',
     none: 'Not simulated yet',
-    stale: 'Last good run – the text has changed since',
+    stale: 'Last valid run – the text has changed since',
     older: 'Live run of the older text – run again for the new one',
     live: 'Live',
     liveHeld: 'Live, held',

@@ -2,9 +2,9 @@
 export const resultWords = {
   strip: 'Result of the run',
   live: 'live',
-  liveLong: 'A live run is under way: its result is told when it has ended.',
+  liveLong: 'A live run is in progress: its result appears when it ends.',
   none: 'No result yet.',
-  stale: 'last good run',
+  stale: 'last valid run',
   older: 'live run of the older text',
   changed: 'before the change of the text',
   signs: { good: '✔', doubtful: '▲', failed: '✖' },

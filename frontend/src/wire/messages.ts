@@ -305,6 +305,8 @@ export interface PlaceChoice {
   readonly text: string
   /** Points that it stands for. */
   readonly count: number
+  /** It is the origin of a frame of the cell. */
+  readonly frame: boolean
 }
 
 /** Where a part lies; the place is empty where nobody knows. */

@@ -59,12 +59,14 @@ class PlaceChoice(Struct, frozen=True):
         name: of a location or of a point in the list; empty for the whole list.
         text: what is typed for it.
         count: points that it stands for.
+        frame: it is the origin of a frame of the cell.
     """
 
     list: str
     name: str
     text: str
     count: int
+    frame: bool = False
 
 
 class PartPlace(Struct, frozen=True):

@@ -40,6 +40,8 @@ from ropsim.tasks.not_defined import unknown_location as unknown_location
 from ropsim.tasks.planning import Plan as Plan
 from ropsim.tasks.point import ApproachPose as ApproachPose
 from ropsim.tasks.point import Coordinates as Coordinates
+from ropsim.tasks.point import FramedPoint as FramedPoint
+from ropsim.tasks.point import Given as Given
 from ropsim.tasks.point import Point as Point
 from ropsim.tasks.point import point_text as point_text
 from ropsim.tasks.point import typed_numbers as typed_numbers

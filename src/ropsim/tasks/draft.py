@@ -8,7 +8,7 @@ from ropsim.prolog import Atom, Struct, Term
 from ropsim.tasks.base import KnowledgeBase
 from ropsim.tasks.call_report import CallReport
 from ropsim.tasks.host import CHECK_SECONDS
-from ropsim.tasks.point import Coordinates, Point, point_text
+from ropsim.tasks.point import FramedPoint, Given, Point, point_text
 from ropsim.tasks.point_list import PointList, points_text
 from ropsim.tasks.program_text import UNITS, program_text
 from ropsim.tasks.task_call import TaskCall
@@ -43,7 +43,7 @@ class Draft:
         return tuple(dict.fromkeys(word for one in self.entries for word in one.unchecked))
 
     @property
-    def points(self) -> tuple[tuple[str, Coordinates], ...]:
+    def points(self) -> tuple[tuple[str, Given], ...]:
         """Return the points that were given by numbers, each once, with their names in the program.
 
         A name that the cell or a task has already is left out: it would mean that place.
@@ -98,10 +98,10 @@ def draft_text(draft: Draft, base: KnowledgeBase, name: str) -> str:
 
 
 def draft_points(draft: Draft) -> str:
-    """Return the points of the program as a list for `points/NAME.csv`."""
-    return points_text(draft.points)
+    """Return the points of the program as a list for `points/NAME.csv`, without those in frames."""
+    return points_text([(name, one) for name, one in draft.points if not isinstance(one, FramedPoint)])
 
 
-def _named(call: TaskCall, names: Mapping[Coordinates, str]) -> TaskCall:
+def _named(call: TaskCall, names: Mapping[Given, str]) -> TaskCall:
     points = tuple(point if isinstance(point, str) else names[point] for point in call.points)
     return TaskCall(call.name, points, call.parameters, call.objects)

@@ -101,7 +101,7 @@ def name_words(term: Term) -> str:
     match term:
         case Var(name):
             return name
-        case Atom() | Struct("p") if (point := point_of_term(term)) is not None:
+        case Atom() | Struct("p" | "in") if (point := point_of_term(term)) is not None:
             return point_text(point)
         case int() | float():
             return f"{term:g}"

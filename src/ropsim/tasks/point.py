@@ -44,11 +44,28 @@ class ApproachPose:
 
 Numbers = tuple[float, ...]
 """Plain numbers of a location in task text: X Y Z, X Y Z Pitch Roll or X Y Z Roll Pitch Yaw."""
+
+
+@frozen_dataclass
+class FramedPoint:
+    """A point whose numbers are read in a frame of the cell: `(x, y, z) in pallet`.
+
+    Attributes:
+        numbers: X Y Z, X Y Z Pitch Roll or X Y Z Roll Pitch Yaw as task text has them, or an approach pose.
+        frame: its name.
+    """
+
+    numbers: "Coordinates"
+    frame: str
+
+
 APPROACH_WORDS = ("pitch", "roll", "yaw")
 """Words of the angles of an approach direction, in the order in which they are typed."""
 Coordinates = Numbers | ApproachPose
 """Numbers of a point, in the units of the program."""
-Point = str | Coordinates
+Given = Coordinates | FramedPoint
+"""A point that is given by numbers."""
+Point = str | Given
 """Name of a location, or its numbers."""
 
 
@@ -77,6 +94,8 @@ def point_text(point: Point) -> str:
     match point:
         case str():
             return point
+        case FramedPoint(numbers, frame):
+            return f"{point_text(numbers)} in {frame}"
         case ApproachPose():
             x, y, z, pitch, roll, yaw = map(short_text, point.numbers)
             return f"({x}, {y}, {z}; pitch {pitch}, roll {roll}, yaw {yaw})"
@@ -91,6 +110,8 @@ def term_of_point(point: Point) -> Term:
     match point:
         case str():
             return Atom(point)
+        case FramedPoint(numbers, frame):
+            return Struct("in", (term_of_point(numbers), Atom(frame)))
         case ApproachPose():
             x, y, z, *angles = map(exact_number, point.numbers)
             turns = (Struct(word, (angle,)) for word, angle in zip(APPROACH_WORDS, angles, strict=True))
@@ -103,15 +124,23 @@ def point_of_term(term: Term) -> Point | None:
     match term:
         case Atom(name):
             return name
-        case Struct("p", (x, y, z, (Struct("rpy", (_, _, _) as angles),))):
-            return _floats((x, y, z, *angles))
-        case Struct("p", (x, y, z, tuple(turns))):
-            angles = _approach_angles(turns)
-            numbers = _floats((x, y, z, *angles)) if angles else None
-            return None if numbers is None else typed_point(numbers)
-        case Struct("p", numbers):
-            return _floats(numbers)
+        case Struct("in", (Struct("p", values), Atom(frame))):
+            coordinates = _coordinates(values)
+            return None if coordinates is None else FramedPoint(coordinates, frame)
+        case Struct("p", values):
+            return _coordinates(values)
     return None
+
+
+def _coordinates(values: tuple[Term, ...]) -> Coordinates | None:
+    match values:
+        case (x, y, z, (Struct("rpy", (_, _, _) as angles),)):
+            return _floats((x, y, z, *angles))
+        case (x, y, z, tuple(turns)):
+            approach = _approach_angles(turns)
+            numbers = _floats((x, y, z, *approach)) if approach else None
+            return None if numbers is None else typed_point(numbers)
+    return _floats(values)
 
 
 def _approach_angles(turns: tuple[Term, ...]) -> tuple[Term, ...]:

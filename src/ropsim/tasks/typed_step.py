@@ -15,12 +15,15 @@ from ropsim.tasks.errors import TaskError
 from ropsim.tasks.expression_text import unit_of
 from ropsim.tasks.kinds import LOCATION
 from ropsim.tasks.known_task import KnownTask, Parameter
-from ropsim.tasks.point import Numbers, Point, typed_point
+from ropsim.tasks.point import Coordinates, FramedPoint, Numbers, Point, typed_point
 from ropsim.tasks.point_list import COLUMNS, YAW, PointList
 from ropsim.tasks.task_call import Quantity, TaskCall, Value
 from ropsim.tasks.world_state import WorldState
 
-_POINT = "give the name of a location or of a list, or X Y Z, X Y Z Pitch Roll or X Y Z Pitch Roll Yaw"
+_POINT = (
+    "give the name of a location or of a list, or X Y Z, X Y Z Pitch Roll or X Y Z Pitch Roll Yaw, "
+    "with `in` and the name of a frame behind them or without"
+)
 
 _VALUE = "give a number, with its unit where it has one"
 
@@ -77,7 +80,8 @@ def typed_points(typed: str, lists: Mapping[str, PointList]) -> tuple[Point, ...
     """Return what is typed for a point: numbers, a name, or all points of the list of that name.
 
     Args:
-        typed: a name, or X Y Z, X Y Z Pitch Roll or X Y Z Pitch Roll Yaw, with blanks or commas between them.
+        typed: a name, or X Y Z, X Y Z Pitch Roll or X Y Z Pitch Roll Yaw, with blanks or commas between them;
+            behind `in` the frame of the cell in which the numbers are read.
         lists: of points, by name.
 
     Raises:
@@ -86,6 +90,13 @@ def typed_points(typed: str, lists: Mapping[str, PointList]) -> tuple[Point, ...
     words = typed.replace(",", " ").split()
     if len(words) == 1 and words[0].isidentifier():
         return listed((words[0],), lists)
+    if len(words) > 2 and words[-2] == "in" and words[-1].isidentifier():
+        coordinates, frame = typed[: typed.rindex("in")], words[-1]
+        return tuple(FramedPoint(one, frame) for one in _typed_coordinates(coordinates, words[:-2]))
+    return _typed_coordinates(typed, words)
+
+
+def _typed_coordinates(typed: str, words: Sequence[str]) -> tuple[Coordinates, ...]:
     numbers = _point(typed, words)
     return (typed_point(numbers),) if numbers else ()
 

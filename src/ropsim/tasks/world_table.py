@@ -5,7 +5,7 @@ from collections.abc import Iterator, Mapping
 from ropsim.core import frozen_dataclass
 from ropsim.prolog import Atom, Struct, Term
 from ropsim.tasks.fact_words import fact_words
-from ropsim.tasks.point import Coordinates, Point, point_of_term, point_text
+from ropsim.tasks.point import Given, Point, point_of_term, point_text
 from ropsim.tasks.world_state import WorldState
 
 _NAMING = frozenset(("part", "location", "device", "free", "without_gripper"))
@@ -29,7 +29,7 @@ class WorldTable:
     others: tuple[str, ...]
 
 
-def world_table(state: WorldState, names: Mapping[Coordinates, str]) -> WorldTable:
+def world_table(state: WorldState, names: Mapping[Given, str]) -> WorldTable:
     """Return a state in columns.
 
     Args:
@@ -79,7 +79,7 @@ def _counted(name: str) -> tuple[str, int]:
     return word, int(name[len(word) :] or -1)
 
 
-def _place(term: Term, names: Mapping[Coordinates, str]) -> str:
+def _place(term: Term, names: Mapping[Given, str]) -> str:
     point: Point | None = point_of_term(term)
     if point is None:
         return ""

@@ -26,7 +26,7 @@ class Unchecked:
         given: what was done to the run by hand, in words; the cycle time is that of the program only without.
         aspects: not looked at, such as `collisions`.
         estimated: groups of parameters that are estimates, as the model names them.
-        fine_stops: source lines of moves that ask for a zone and were stopped fine, ascending.
+        fine_stops: source lines of moves with a zone that was not flown: a fine stop, ascending.
     """
 
     given: str = ""
@@ -45,7 +45,7 @@ class Unchecked:
             count = plural(len(self.estimated), "group")
             parts.append(f"estimated: {names if len(names) <= SHORT else f'{count} of parameters'}")
         if self.fine_stops:
-            parts.append(f"zones stopped fine on {plural(len(self.fine_stops), 'line')}")
+            parts.append(f"zones not flown (fine stop) on {plural(len(self.fine_stops), 'line')}")
         return " · ".join(parts)
 
 

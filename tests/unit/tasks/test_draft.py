@@ -1,6 +1,7 @@
 """Programs put together task by task, and the lists of points for them."""
 
 import os
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -30,7 +31,7 @@ from ropsim.tasks import (
     world_table,
 )
 from ropsim.tasks.call_reading import call_of
-from ropsim.tasks.point import ApproachPose, Coordinates, point_text, term_of_point
+from ropsim.tasks.point import ApproachPose, Coordinates, point_of_term, point_text, term_of_point
 from ropsim.tasks.point_list import PointList, points_of, points_text, read_point_list, read_point_lists
 from ropsim.tasks.task_call import Quantity
 from ropsim.tasks.world_state import ordered
@@ -272,3 +273,36 @@ def test_a_word_is_no_value_of_a_parameter(typed: str) -> None:
     with pytest.raises(TaskError, match="P151") as refused:
         typed_values(typed, task)
     assert f"`{typed}` is no value" in str(refused.value)
+
+
+@pytest.mark.parametrize(
+    ("typed", "text"),
+    [
+        ("0, 0, 0 in pallet", "(0, 0, 0) in pallet"),
+        ("1.5 2 3 90 0 in pallet", "(1.5, 2, 3, 90, 0) in pallet"),
+        ("1 2 3 90 0 180 in pallet", "(1, 2, 3; pitch 90, roll 0, yaw 180) in pallet"),
+    ],
+)
+def test_a_point_may_be_typed_in_a_frame_of_the_cell(typed: str, text: str) -> None:
+    (point,) = typed_points(typed, {})
+    assert point_text(point) == text
+    assert point_of_term(term_of_point(point)) == point
+    call = TaskCall("park", (point,))
+    assert call_of(str(call)) == call
+    known = base()
+    holding = WorldState.of("gripper(closed)", "held(bolt)")
+    draft = added(added(Draft(holding), known, TaskCall("place", (point,))), known, call)
+    assert [one.message for one in draft.entries] == ["accepted", "accepted"]
+    framed = replace(CELL, frames={"pallet": (0.4, 0.1, 0.2, 1.0, 0.0, 0.0, 0.0)})
+    program = draft_text(draft, known, "p")
+    assert f"loc point_1 = {text}" in program.splitlines()
+    assert compile(program, framed).diagnostics == ()
+    assert draft_points(draft).splitlines()[2:] == []
+    (refused,) = added(Draft(BEGIN), known, TaskCall("pick", (point,))).entries
+    assert text in refused.message
+
+
+@pytest.mark.parametrize("typed", ["1 2 in pallet", "in pallet", "s1 in pallet", "1 2 3 in 4"])
+def test_what_is_no_point_in_a_frame_is_refused(typed: str) -> None:
+    with pytest.raises(TaskError):
+        typed_points(typed, {})

@@ -86,7 +86,7 @@ def test_many_estimates_are_counted_so_that_the_line_stays_one() -> None:
 
 def test_each_line_with_a_zone_counts_once_and_lines_without_do_not() -> None:
     assert summarize(zoned((3, 0.05), (3, 0.05), (7, 0.01), (9, 0.0))).unchecked.fine_stops == (3, 7)
-    assert line_of(zoned((3, 0.05))).endswith("zones stopped fine on 1 line")
+    assert line_of(zoned((3, 0.05))).endswith("zones not flown (fine stop) on 1 line")
     assert "zones" not in line_of(zoned((9, 0.0)))
 
 

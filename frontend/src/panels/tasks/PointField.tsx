@@ -1,8 +1,9 @@
 /** A point: a location or a list of points by its name, typed numbers, or the jogged pose. */
-import { useState } from 'react'
+import { type ClipboardEvent, type FocusEvent, useState } from 'react'
 import { isName, joinNumbers, splitNumbers } from '../../studio/chosen_step'
 import { useStudio } from '../../studio/context'
 import { useChanges } from '../../studio/hooks'
+import { pastedNumbers } from '../../studio/pasted_numbers'
 import { taskWords } from '../../text/tasks'
 import { FieldLabel } from './FieldLabel'
 
@@ -18,6 +19,10 @@ interface PointFieldProps {
   readonly onDone: () => void
 }
 
+interface PointFieldsProps extends PointFieldProps {
+  readonly onLeft: (event: FocusEvent) => void
+}
+
 /** The choice that opens fields for numbers; no point has this text. */
 const NUMBERS = '#'
 
@@ -28,7 +33,8 @@ export function PointField({
   value,
   onValue,
   onDone,
-}: PointFieldProps) {
+  onLeft,
+}: PointFieldsProps) {
   const { jog, tasks } = useStudio()
   useChanges(jog)
   const [typing, setTyping] = useState(false)
@@ -36,6 +42,7 @@ export function PointField({
   const known = places.some(one => one.text === value)
   const isTyped = value !== '' && !known && !isName(value)
   const byNumbers = isTyped || (typing && !known && value === '')
+  const frames = places.filter(one => one.frame)
   const lists = [...new Set(places.filter(one => one.list).map(one => one.list))]
   const jogged = jog.q ? (jog.answer?.typed ?? '') : ''
   const choose = (text: string) => {
@@ -43,8 +50,18 @@ export function PointField({
     onValue(text === NUMBERS ? (isTyped ? value : '') : text)
     onDone()
   }
+  // Numbers of another program or a row of a sheet fill all fields, wherever in the point they are pasted.
+  const paste = (event: ClipboardEvent) => {
+    const numbers = pastedNumbers(event.clipboardData.getData('text'))
+    if (numbers.length === 0) return
+    event.preventDefault()
+    setTyping(true)
+    onValue(joinNumbers(numbers))
+    onDone()
+  }
   return (
-    <div className="point-field">
+    // biome-ignore lint/a11y/noStaticElementInteractions: what is pasted into a field of it bubbles up here
+    <div className="point-field" onPaste={paste} onBlur={onLeft}>
       <label>
         <FieldLabel word={parameter} sentence={sentence} />
         <select
@@ -58,13 +75,22 @@ export function PointField({
           ) : null}
           <optgroup label={taskWords.locations}>
             {places
-              .filter(one => !one.list)
+              .filter(one => !one.list && !one.frame)
               .map(one => (
                 <option key={one.name} value={one.text}>
                   {one.name}
                 </option>
               ))}
           </optgroup>
+          {frames.length > 0 ? (
+            <optgroup label={taskWords.frames}>
+              {frames.map(one => (
+                <option key={one.name} value={one.text}>
+                  {taskWords.origin(one.name)}
+                </option>
+              ))}
+            </optgroup>
+          ) : null}
           {lists.map(list => (
             <optgroup key={list} label={list}>
               {places

@@ -1,5 +1,5 @@
 /** One step: its task, its points and parameters, and what is said of it as one types. */
-import { useId } from 'react'
+import { type FocusEvent, useId } from 'react'
 import { type ChosenStep, withEntry } from '../../studio/chosen_step'
 import { useStudio } from '../../studio/context'
 import { formWords } from '../../text/task_form'
@@ -37,7 +37,12 @@ export function StepCard({ step, at, last, onRemoved }: StepCardProps) {
   })
   const way = taskWords.changed(name)
   const commit = () => tasks.commit(way)
-  const verdict = state === null ? '' : state.accepted ? 'accepted' : 'refused'
+  const unfilled = state?.accepted ? [] : tasks.unfilled(step)
+  const verdict = state === null || unfilled.length > 0 ? '' : state.accepted ? 'accepted' : 'refused'
+  // The keyboard has left a field for another one.
+  const left = (field: string) => (event: FocusEvent) => {
+    if (!event.currentTarget.contains(event.relatedTarget)) tasks.leave(key, field)
+  }
   return (
     <li
       className={`step ${verdict}`}
@@ -56,7 +61,7 @@ export function StepCard({ step, at, last, onRemoved }: StepCardProps) {
           className="task-name"
           aria-label={taskWords.name}
           aria-describedby={said}
-          aria-invalid={state?.accepted === false}
+          aria-invalid={verdict === 'refused'}
           list="task-names"
           spellCheck={false}
           autoComplete="off"
@@ -114,6 +119,7 @@ export function StepCard({ step, at, last, onRemoved }: StepCardProps) {
           {points.map((one, k) => (
             <PointField
               key={one.name}
+              onLeft={left(`point ${k}`)}
               parameter={one.word}
               sentence={one.sentence}
               listed={listed[k] ?? ''}
@@ -125,6 +131,7 @@ export function StepCard({ step, at, last, onRemoved }: StepCardProps) {
           {values.map((one, k) => (
             <ValueField
               key={one.name}
+              onLeft={left(`value ${k}`)}
               parameter={one}
               value={step.values[k] ?? ''}
               onValue={typed => tasks.edit(key, { values: withEntry(step.values, k, typed) })}
@@ -133,7 +140,13 @@ export function StepCard({ step, at, last, onRemoved }: StepCardProps) {
           ))}
         </div>
       ) : null}
-      <Verdict id={said} state={state} parameters={task?.parameters ?? []} problem={tasks.problem !== ''} />
+      <Verdict
+        id={said}
+        state={state}
+        unfilled={unfilled}
+        parameters={task?.parameters ?? []}
+        problem={tasks.problem !== ''}
+      />
     </li>
   )
 }
@@ -142,11 +155,14 @@ export function StepCard({ step, at, last, onRemoved }: StepCardProps) {
 function Verdict({
   id,
   state,
+  unfilled,
   parameters,
   problem,
 }: {
   id: string
   state: StepState | null
+  /** Fields that nobody has filled in yet. */
+  unfilled: readonly string[]
   parameters: readonly TaskParameter[]
   /** Nothing is said of any step now. */
   problem: boolean
@@ -155,6 +171,13 @@ function Verdict({
     return (
       <p className="verdict quiet" id={id}>
         {problem ? taskWords.notChecked : taskWords.checking}
+      </p>
+    )
+  }
+  if (unfilled.length > 0) {
+    return (
+      <p className="verdict quiet" id={id}>
+        {taskWords.toFill(unfilled.join(', '))}
       </p>
     )
   }

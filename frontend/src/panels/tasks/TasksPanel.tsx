@@ -139,7 +139,10 @@ function EndButton() {
       className="primary end"
       title={editing ? taskWords.endHint : taskWords.viewer}
       disabled={!editing || !tasks.settled || !tasks.answer?.text}
-      onClick={() => store.setState({ dialog: 'endTasks', refusal: null })}
+      onClick={() => {
+        tasks.leaveAll()
+        store.setState({ dialog: 'endTasks', refusal: null })
+      }}
     >
       {taskWords.end}
     </button>
@@ -166,12 +169,15 @@ function Summary() {
   const wrong = list?.findings.find(one => one.severity === 'error')
   const told = wrong ? <Wrong finding={wrong} /> : null
   if (!answer || steps.length === 0) return told ? <p className="tasks-summary">{told}</p> : null
-  const states = steps.map(one => tasks.stateOf(one.key))
+  const states = steps.map(one => {
+    const state = tasks.stateOf(one.key)
+    return state && !state.accepted && tasks.unfilled(one).length > 0 ? 'unfilled' : state
+  })
   const time = cycleTime(answer, estimate)
   return (
     <p className="tasks-summary" role="status">
       {headline(states).map(one => (
-        <span key={one.tone} className={one.tone}>
+        <span key={one.text} className={one.tone}>
           {one.text}
         </span>
       ))}

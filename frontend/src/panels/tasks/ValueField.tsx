@@ -1,4 +1,5 @@
 /** A parameter that is no point: a number with its unit, a plain number, yes or no. */
+import type { FocusEvent } from 'react'
 import { oneNumber, splitValue } from '../../studio/chosen_step'
 import { taskWords } from '../../text/tasks'
 import type { TaskParameter } from '../../wire/messages'
@@ -10,14 +11,15 @@ interface ValueFieldProps {
   readonly onValue: (typed: string) => void
   /** What was typed is complete. */
   readonly onDone: () => void
+  readonly onLeft: (event: FocusEvent) => void
 }
 
-export function ValueField({ parameter, value, onValue, onDone }: ValueFieldProps) {
+export function ValueField({ parameter, value, onValue, onDone, onLeft }: ValueFieldProps) {
   const { word, kind, units } = parameter
   const label = <FieldLabel word={word} sentence={parameter.sentence} />
   if (kind === 'bool') {
     return (
-      <label className="value-field">
+      <label className="value-field" onBlur={onLeft}>
         {label}
         <select
           aria-label={taskWords.value(word)}
@@ -39,7 +41,8 @@ export function ValueField({ parameter, value, onValue, onDone }: ValueFieldProp
   const choices = units.length > 0 && !units.includes(shown) ? [shown, ...units] : units
   const compose = (typed: string, chosen: string) => (typed.trim() && chosen ? `${typed} ${chosen}` : typed)
   return (
-    <div className="value-field">
+    // biome-ignore lint/a11y/noStaticElementInteractions: that the keyboard leaves its fields bubbles up here
+    <div className="value-field" onBlur={onLeft}>
       <label>
         {label}
         <input

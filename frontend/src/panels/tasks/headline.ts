@@ -7,13 +7,16 @@ export interface HeadlinePart {
   readonly text: string
 }
 
-/** `states` has one for each step, null for one of which nothing has been said yet. */
-export function headline(states: readonly (StepState | null)[]): readonly HeadlinePart[] {
-  const refused = states.filter(one => one?.accepted === false).length
+/** `states` has one for each step: null before its first answer, `unfilled` while its fields are not filled in yet. */
+export function headline(states: readonly (StepState | 'unfilled' | null)[]): readonly HeadlinePart[] {
+  const unfilled = states.filter(one => one === 'unfilled').length
+  const refused = states.filter(one => one !== 'unfilled' && one?.accepted === false).length
   const waiting = states.filter(one => one === null).length
-  if (refused + waiting === 0) return [{ tone: 'good', text: taskWords.allAccepted(states.length) }]
+  if (refused + waiting + unfilled === 0)
+    return [{ tone: 'good', text: taskWords.allAccepted(states.length) }]
   return [
     ...(refused ? [{ tone: 'error', text: taskWords.refused(refused) } as const] : []),
+    ...(unfilled ? [{ tone: 'quiet', text: taskWords.incomplete(unfilled) } as const] : []),
     ...(waiting ? [{ tone: 'quiet', text: taskWords.beingChecked(waiting) } as const] : []),
   ]
 }

@@ -338,7 +338,7 @@ geo_read(Known, Text, One, P) :-
 asks_of_places(Condition, Arity) :-
     arg(1, Condition, Robot), atom(Robot),
     arg(Arity, Condition, Location),
-    ( var(Location) ; atom(Location) ; functor(Location, p, _) ),
+    ( var(Location) ; atom(Location) ; functor(Location, p, _) ; Location = in(_, _) ),
     !.
 
 %   geometry(?Name, ?Arity): as the host tells (tasks/conditions), a robot first and a location last.

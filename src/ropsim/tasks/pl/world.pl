@@ -200,10 +200,12 @@ check_call(Name, Given, Facts, Report) :-
 %   with_places(+Given, +Facts0, -Facts): a place that is given by numbers is free where nothing is known to lie there.
 with_places([], Facts, Facts).
 with_places([One|More], Facts0, Facts) :-
-    (   nonvar(One), functor(One, p, _), \+ memberchk(at(_, One), Facts0)
+    (   given_by_numbers(One), \+ memberchk(at(_, One), Facts0)
     ->  with_places(More, [free(One)|Facts0], Facts)
     ;   with_places(More, Facts0, Facts)
     ).
+
+given_by_numbers(One) :- nonvar(One), ( functor(One, p, _) ; One = in(_, _) ), !.
 
 given([], []).
 given([p(Value, _, _)|More], [One|Others]) :-

@@ -6,7 +6,7 @@ from ropsim.studio.desk.tasks.known_project import KnownProject
 from ropsim.studio.task_messages import PartPlace, PlaceChoice, TaskChoice, TaskList, TaskParameter, WorldNow
 from ropsim.tasks import (
     UNITS,
-    Coordinates,
+    Given,
     KnownTask,
     Parameter,
     WorldState,
@@ -32,7 +32,7 @@ def task_list(known: KnownProject, revision: int) -> TaskList:
     )
 
 
-def world_now(state: WorldState, names: Mapping[Coordinates, str]) -> WorldNow:
+def world_now(state: WorldState, names: Mapping[Given, str]) -> WorldNow:
     """Return what is true in a state.
 
     Args:
@@ -59,6 +59,8 @@ def _parameter(one: Parameter) -> TaskParameter:
 def _places(known: KnownProject) -> Iterator[PlaceChoice]:
     for name in known.cell.locations if known.cell is not None else ():
         yield PlaceChoice("", name, name, 1)
+    for name in known.cell.frames if known.cell is not None else ():
+        yield PlaceChoice("", name, f"0, 0, 0 in {name}", 1, frame=True)
     for name, found in known.lists.items():
         yield PlaceChoice(name, "", name, len(found.points))
         for point, numbers in found.points:

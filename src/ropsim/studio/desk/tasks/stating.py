@@ -13,8 +13,9 @@ from ropsim.studio.task_messages import PartPlace, ProgramPoint, SixNumbers, Ste
 from ropsim.tasks import (
     ApproachPose,
     CallReport,
-    Coordinates,
     Draft,
+    FramedPoint,
+    Given,
     Point,
     TypedStep,
     draft_points,
@@ -41,12 +42,12 @@ def checked(known: KnownProject, steps: TaskSteps, number: int, revision: int) -
     states = tuple(_state(one, names, places) for one in draft.entries)
     told = tuple(_point(known, one, names) for one in points)
     text, problem = _text(draft, known)
-    listed = draft_points(draft) if draft.points else ""
+    listed = draft_points(draft) if any(not isinstance(one, FramedPoint) for _, one in draft.points) else ""
     unchecked = unchecked_text(draft.unchecked)
     return TasksChecked(number, revision, states, told, text, listed, problem, unchecked)
 
 
-def _state(report: CallReport, names: dict[Coordinates, str], places: dict[Point, int]) -> StepState:
+def _state(report: CallReport, names: dict[Given, str], places: dict[Point, int]) -> StepState:
     hint = "; ".join(one.hint for one in (*report.findings, *report.warnings) if one.hint)
     warning = "; ".join(one.message for one in report.warnings)
     told = tuple(PartPlace(name, value) for name, value in report.call.objects)
@@ -55,7 +56,7 @@ def _state(report: CallReport, names: dict[Coordinates, str], places: dict[Point
     return StepState(str(report.call), report.ok, report.message, hint, warning, told, world, points)
 
 
-def _point(known: KnownProject, point: Point, names: dict[Coordinates, str]) -> ProgramPoint:
+def _point(known: KnownProject, point: Point, names: dict[Given, str]) -> ProgramPoint:
     name = point if isinstance(point, str) else names.get(point, "")
     X_BT = known.pose(point)
     if X_BT is None or known.cell is None:
