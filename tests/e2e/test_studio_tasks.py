@@ -142,7 +142,7 @@ def test_an_operator_makes_a_palletizing_program_that_runs(
     points = panel.get_by_role("table")
     assert points.get_by_role("row", name=re.compile("^point_1")).inner_text().split() == [
         *("point_1", "412.5", "-147.5", "600.0"),
-        *("90.0", "0.0", "0.0"),
+        *("90.0", "0.0", "180.0"),
     ]
     points.get_by_role("button", name="point_1").press("Enter")
     points.get_by_role("button", name="point_1", pressed=True).wait_for()

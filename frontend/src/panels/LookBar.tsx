@@ -25,7 +25,7 @@ export function LookBar() {
     studio.setLook({ frames: on ? [...others, kind] : others }, `${views.frames}: ${views.frameNames[kind]}`)
   }
   return (
-    <div className="toolbar" role="toolbar" aria-label={views.tools}>
+    <div className="toolbar stage-place-tools" role="toolbar" aria-label={views.tools}>
       <select
         aria-label={views.layout}
         title={views.layout}

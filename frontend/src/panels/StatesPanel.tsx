@@ -61,7 +61,7 @@ export function StatesPanel() {
           ))}
         </select>
       </div>
-      <Scroll label={words.states.region}>
+      <Scroll label={words.states.region} className="states-place">
         <table className="states" aria-label={words.states.table}>
           <thead>
             <tr>

@@ -33,9 +33,11 @@ export function ResultStrip() {
             </strong>
             <span className="unchecked">{result.unchecked}</span>
           </div>
-          {tilesOf(run, result).map(tile => (
-            <TileButton key={tile.id} tile={tile} />
-          ))}
+          <div className="tiles">
+            {tilesOf(run, result).map(tile => (
+              <TileButton key={tile.id} tile={tile} />
+            ))}
+          </div>
         </>
       ) : (
         <div className="verdict">

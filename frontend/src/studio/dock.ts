@@ -1,6 +1,7 @@
 /** The panels of the page and where they stand: presets, the kept layout, keys. Adapter to dockview. */
 import type { DockviewApi, IDockviewPanel } from 'dockview-react'
 import { words } from '../text/messages'
+import { isSmallWindow } from './small_window'
 import type { ProjectStorage } from './storage'
 import type { UndoStack } from './undo'
 
@@ -147,7 +148,13 @@ export class Dock {
       this.#add(kind, kind, { referencePanel: group, direction: 'within' }, undefined, { inactive: true })
     const wide = this.#api.width
     const tall = this.#api.height
-    if (preset === 'simulate') {
+    if (preset === 'simulate' && isSmallWindow()) {
+      const program = right('program', besideView(wide, tall))
+      const states = below('states', program, Math.max(SIX_JOINTS, tall * 0.46))
+      for (const kind of ['problems', 'messages', 'jog', 'signals', 'cell', 'plot', 'command'] as const) {
+        within(kind, states)
+      }
+    } else if (preset === 'simulate') {
       const program = right('program', Math.max(300, Math.min(620, wide * 0.4)))
       const states = below('states', program, tall * 0.46)
       for (const kind of ['problems', 'messages', 'jog', 'signals', 'cell'] as const) within(kind, states)
@@ -222,6 +229,19 @@ export class Dock {
       ...(kind === 'views' || kind === 'program' ? { renderer: 'always' as const } : {}),
     })
   }
+}
+
+/** Share of the page that the views take in a small window. */
+const VIEW_SHARE = 0.41
+/** Tabs, tools, head and rows of six joints in a small window [px]. */
+const SIX_JOINTS = 216
+/** Tabs and tools above a picture, and what the result strip grows by when a result has come [px]. */
+const ABOVE_VIEW = 92
+
+/** Width of what stands beside the views in a small window [px]. */
+function besideView(wide: number, tall: number): number {
+  const view = (VIEW_SHARE * window.innerWidth * window.innerHeight) / Math.max(1, tall - ABOVE_VIEW)
+  return Math.max(190, Math.min(wide - view, wide * 0.4))
 }
 
 /** Whether the keyboard is in a group: in its tabs, or in a panel that may be drawn above and not inside it. */

@@ -44,9 +44,9 @@ export const DEFAULT_LOOK: Look = {
   opacity: {},
 }
 
-/** The kept look, or the default where it cannot be read. */
-export function lookFrom(kept: unknown): Look {
-  const look = { ...DEFAULT_LOOK, ...(kept as Partial<Look> | null) }
+/** The kept look, or the default where it cannot be read; `layout` where none is kept. */
+export function lookFrom(kept: unknown, layout: Layout = DEFAULT_LOOK.layout): Look {
+  const look = { ...DEFAULT_LOOK, layout, ...(kept as Partial<Look> | null) }
   const sound =
     LAYOUTS.includes(look.layout) &&
     SHADINGS.includes(look.shading) &&

@@ -14,6 +14,7 @@ import { isOfTexts, type RunLines, type Texts } from './run_lines'
 import type { RunView } from './run_view'
 import type { Runs } from './runs'
 import type { SignalBoard } from './signal_board'
+import { isSmallWindow } from './small_window'
 import type { StudioStore } from './state'
 import { ProjectStorage } from './storage'
 import type { TaskForms } from './task_forms'
@@ -126,7 +127,7 @@ export class Receiver {
     }
     if (this.#folder !== message.folder) {
       studio.storage = new ProjectStorage(message.folder)
-      studio.setLook(lookFrom(studio.storage.read('look')))
+      studio.setLook(lookFrom(studio.storage.read('look'), isSmallWindow() ? '1' : '4'))
     }
     this.#folder = message.folder
     const { ropsim, project, folder, programs, program, editing, trust, recent, examples } = message

@@ -54,10 +54,15 @@ def pitch_roll_yaw(X: Pose) -> tuple[float, float, float]:
     (xx, _, _), (yx, yy, yz), (zx, _, _) = approach.rotation().tolist()
     if hypot(xx, yx) > _UPRIGHT:
         roll, pitch, yaw = roll_pitch_yaw(approach)
-        return pitch, roll, yaw
+        return pitch, _forward(roll), _forward(yaw)
     if zx < 0.0:  # down: R = Rz(yaw - roll)·Ry(90°)
-        return pi / 2.0, 0.0, _snapped(atan2(yz, yy))
-    return -pi / 2.0, 0.0, _snapped(atan2(-yz, yy))
+        return pi / 2.0, 0.0, _forward(_snapped(atan2(yz, yy)))
+    return -pi / 2.0, 0.0, _forward(_snapped(atan2(-yz, yy)))
+
+
+def _forward(angle: float) -> float:
+    """Return half a turn back as half a turn: the sign of a zero decides between them."""
+    return pi if angle < _UPRIGHT - pi else angle
 
 
 def _snapped(angle: float) -> float:

@@ -167,3 +167,9 @@ def test_a_list_may_leave_the_yaw_of_some_points_out() -> None:
     a, b = (400.0, -300.0, 40.0, 90.0, 0.0), ApproachPose(400.0, -300.0, 40.0, 90.0, 0.0, 0.0)
     assert found == PointList("p", (("a", a), ("b", b)))
     assert str(TaskCall("park", (b,))) == "park (400, -300, 40; pitch 90, roll 0, yaw 0)"
+
+
+def test_tool_down_is_shown_without_a_minus_before_half_a_turn() -> None:
+    for text in ("(400, 0, 100)", "(400, 0, 100, 180, 0, 0)", "(-400, 0, 100; down)", "(400, 0, 0; rx -180)"):
+        (X,) = _compiled(iter((text,)))
+        assert np.degrees(pitch_roll_yaw(X)).tolist() == pytest.approx([90.0, 0.0, 180.0])

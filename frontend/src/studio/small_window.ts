@@ -1,0 +1,8 @@
+/** Windows in which not everything has its own place: small ones, and large ones at 200 % zoom. */
+
+/** The style sheets have the same numbers. */
+const SMALL = '(max-width: 1100px), (max-height: 660px)'
+
+export function isSmallWindow(): boolean {
+  return window.matchMedia(SMALL).matches
+}
