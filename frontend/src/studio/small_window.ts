@@ -3,6 +3,7 @@
 /** The style sheets have the same numbers. */
 const SMALL = '(max-width: 1100px), (max-height: 660px)'
 
+/** False where nothing is drawn and no window has a size. */
 export function isSmallWindow(): boolean {
-  return window.matchMedia(SMALL).matches
+  return globalThis.matchMedia?.(SMALL).matches ?? false
 }
