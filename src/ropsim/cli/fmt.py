@@ -98,6 +98,7 @@ def _read(given: str, found: list[Diagnostic]) -> Iterator[_Text]:
         yield from _piped(found)
         return
     path = Path(given)
+    folder: Path | None
     if path.is_dir() or path.name == "cell.toml" or not path.exists():
         home = open_project(path).folder
         folder, paths = home, sorted((home / "programs").glob("*.task"))
