@@ -82,13 +82,18 @@ def replace_file(path: Path, content: bytes) -> None:
             stream.write(content)
         return
     place.parent.mkdir(parents=True, exist_ok=True)
+    _replace(place, content, 0o666 & ~_umask() if mode is None else stat.S_IMODE(mode))
+
+
+def _replace(place: Path, content: bytes, mode: int) -> None:
+    """Put a file with these permissions in the place of another one; until then nobody else can read it."""
     handle, name = tempfile.mkstemp(prefix=".ropsim-", dir=place.parent)
     try:
         with os.fdopen(handle, "wb") as stream:
             stream.write(content)
             stream.flush()
             os.fsync(stream.fileno())
-        Path(name).chmod(0o666 & ~_umask() if mode is None else stat.S_IMODE(mode))
+        Path(name).chmod(mode)
         Path(name).replace(place)
     except BaseException:
         Path(name).unlink(missing_ok=True)
@@ -103,10 +108,7 @@ def replace_private_file(path: Path, content: bytes) -> None:
     """
     for folder in reversed([one for one in path.parents if not one.exists()]):
         folder.mkdir(exist_ok=True, mode=0o700)
-    # a replaced file keeps its permissions
-    os.close(os.open(path, os.O_CREAT | os.O_WRONLY, 0o600))
-    path.chmod(0o600)
-    replace_file(path, content)
+    _replace(Path(os.path.realpath(path)), content, 0o600)
 
 
 def _mode(path: Path) -> int | None:

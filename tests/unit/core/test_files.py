@@ -1,11 +1,15 @@
+import contextlib
 import os
 import stat
+from collections.abc import Callable
+from itertools import count
 from pathlib import Path
 from threading import Thread
 
 import pytest
 
 from ropsim.core import LongFileError, NoOrdinaryFileError, read_bytes, read_own_bytes, replace_file
+from support.counted_system import counted, number
 
 
 def test_a_file_is_replaced_as_a_whole(tmp_path: Path) -> None:
@@ -98,3 +102,18 @@ def test_a_file_that_others_could_have_written_is_not_the_own(tmp_path: Path) ->
         path.chmod(0o600 | others)
         with pytest.raises(PermissionError, match="others can have written it"):
             read_own_bytes(path)
+
+
+@pytest.mark.parametrize("replace", [replace_file, replace_private_file])
+def test_a_new_file_is_whole_or_not_there_at_whatever_call_the_system_fails(
+    tmp_path: Path, replace: Callable[[Path, bytes], None]
+) -> None:
+    place = tmp_path / "new"
+    for at in count(1):
+        with counted(tmp_path, number(at)) as counting, contextlib.suppress(OSError):
+            replace(place, b"content")
+        assert not place.exists() or place.read_bytes() == b"content"
+        if not counting.acted:
+            assert at > 4
+            return
+        place.unlink(missing_ok=True)
