@@ -8,7 +8,14 @@ from threading import Thread
 
 import pytest
 
-from ropsim.core import LongFileError, NoOrdinaryFileError, read_bytes, read_own_bytes, replace_file
+from ropsim.core import (
+    LongFileError,
+    NoOrdinaryFileError,
+    read_bytes,
+    read_own_bytes,
+    replace_file,
+    replace_private_file,
+)
 from support.counted_system import counted, number
 
 
