@@ -16,8 +16,7 @@ The work needs more memory than this process may have. Nothing was left half-wri
 
 The limit may be the memory of the machine, or one that was set for the process: `ulimit -v` shows it in a
 shell, and job systems of clusters and containers set one. Run it with more memory, simulate fewer passes of
-a loop, use smaller meshes, or end other programs. Checking a project takes about 0.7 GB of address space,
-simulating one about 1.5 GB.
+a loop, use smaller meshes, or end other programs.
 """,
 )
 _WINDOWS = (8, 14, 1455)
