@@ -13,7 +13,7 @@ ROOT = Path(__file__).parent.parent
 sys.path.insert(0, str(ROOT / "tests"))
 
 from support.programs.agreement import disagreement  # noqa: E402  # the path above is needed first
-from support.programs.making import program  # noqa: E402  # as above
+from support.programs.making import spoilt_program  # noqa: E402  # as above
 from support.programs.text import written  # noqa: E402  # as above
 
 
@@ -25,7 +25,7 @@ def main() -> int:
     parser.add_argument("--show", type=int, metavar="N", help="write this program to standard output")
     options = parser.parse_args()
     if options.show is not None:
-        sys.stdout.write(written(program(options.show)))
+        sys.stdout.write(written(spoilt_program(options.show)))
         return 0
     start = time.process_time()
     differ = too_long = 0

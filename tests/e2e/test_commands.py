@@ -138,7 +138,7 @@ def test_an_angle_out_of_range_names_joint_angle_limit_line_and_pass(project: Pa
 
 
 def test_a_point_out_of_reach_is_a_finding_and_the_rest_goes_on(project: Path) -> None:
-    text = "program far\nunits mm, deg\nmov (3000, 0, 500)\nmov (450, 100, 400)\n"
+    text = "program far\nunits mm, deg\nmov (3000, 0, 500)\nmov (450, 100, 700)\n"
     found = ropsim("run", str(program(project, text)), "--json")
     assert found.returncode == 1
     document = json.loads(found.stdout)

@@ -55,7 +55,7 @@ def start(first_run: Recording) -> Array:
 
 def put(jog: "Locator", name: str, value: str) -> None:
     """Type a value into the field of a joint or of a direction of the TCP."""
-    field = jog.get_by_label(f"{name}, typed value")
+    field = jog.get_by_label(f"{name}, typed value", exact=True)
     field.fill(value)
     field.press("Enter")
 
@@ -142,7 +142,9 @@ def test_the_tcp_steps_along_the_axes_of_the_world(
     step = jog.get_by_label("Step", exact=True)
     step.fill("2 cm")
     step.press("Enter")
-    jog.get_by_role("button", name="Y plus").dispatch_event("click")  # one step, however busy the machine
+    jog.get_by_role("button", name="Y plus", exact=True).dispatch_event(
+        "click"
+    )  # one step, however busy the machine
     after = Pose(before.position + np.array([0.0, 0.02, 0.0]), before.orientation)
     tab.until(lambda: max(apart(tcp(tab, first_project), after)) < SHOWN)
 
@@ -153,7 +155,7 @@ def test_the_tcp_steps_along_its_own_axes(
     stands_at(tab, first_project, start)
     before = tcp(tab, first_project)
     jog.get_by_label("Directions of").select_option("Tool")
-    jog.get_by_role("button", name="Z minus").dispatch_event("click")
+    jog.get_by_role("button", name="Z minus", exact=True).dispatch_event("click")
     after = before @ Pose(np.array([0.0, 0.0, -0.01]))
     tab.until(lambda: apart(tcp(tab, first_project), after)[0] < SHOWN)
 
@@ -165,7 +167,7 @@ def test_a_pose_out_of_reach_is_refused_in_words(
     words = jog.locator(".jog-row.tcp", has_text="X").get_by_text("out of reach: the wrist centre would be")
     words.wait_for()
     assert "mm too far away" in (words.text_content() or "")
-    typed = jog.get_by_label("X, typed value")
+    typed = jog.get_by_label("X, typed value", exact=True)
     assert typed.input_value() == "3 m"  # to be corrected
     typed.press("Escape")
     words.wait_for(state="detached")
@@ -293,7 +295,7 @@ def test_the_table_of_states_jogs_from_the_shown_time(
 
 def test_a_held_button_goes_on_until_it_is_let_go(tab: StudioPage, jog: "Locator") -> None:
     start = tab.poses("jogged")["link6"][1]
-    button = jog.get_by_role("button", name="Y plus")
+    button = jog.get_by_role("button", name="Y plus", exact=True)
     button.scroll_into_view_if_needed()
     button.hover()
     tab.page.mouse.down()
@@ -309,7 +311,7 @@ def test_a_held_button_goes_on_until_it_is_let_go(tab: StudioPage, jog: "Locator
 
 def test_a_key_holds_too_and_escape_stops(tab: StudioPage, jog: "Locator") -> None:
     start = tab.poses("jogged")["link6"][1]
-    jog.get_by_role("button", name="Y plus").focus()
+    jog.get_by_role("button", name="Y plus", exact=True).focus()
     tab.page.keyboard.down("Enter")
     # Pressed by the page itself: an arm that has run to the end of its reach meanwhile is no longer held.
     tab.page.wait_for_function(ESCAPE_BEYOND, arg=start + 0.03)
@@ -327,7 +329,7 @@ def test_every_direction_of_the_tcp_is_in_sight(
     tab.page.evaluate("() => __ropsim.command('view.reset')")
     panel = tab.panel("Jog")
     for name in ("Joint 6", "X", "Y", "Z", "Rx", "Ry", "Rz"):
-        expect(panel.get_by_label(f"{name}, typed value")).to_be_in_viewport(ratio=1)
+        expect(panel.get_by_label(f"{name}, typed value", exact=True)).to_be_in_viewport(ratio=1)
     tab.page.set_viewport_size({"width": 1280, "height": 800})
 
 

@@ -12,12 +12,7 @@ const words = fileWords.dialog
 /** The example that new projects begin with where nothing else is chosen, as with `ropsim new`. */
 const STARTER = 'first_cell'
 
-export function FileDialog() {
-  const kind = useStudioState(state => state.dialog)
-  return kind && kind !== 'endTasks' ? <Dialog key={kind} kind={kind} /> : null
-}
-
-function Dialog({ kind }: { kind: Exclude<DialogKind, 'endTasks'> }) {
+export function FileDialog({ kind }: { kind: Exclude<DialogKind, 'endTasks'> }) {
   const studio = useStudio()
   const dialog = useRef<HTMLDialogElement>(null)
   const { folder, recent, examples } = studio.store.getState()

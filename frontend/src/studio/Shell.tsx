@@ -1,12 +1,11 @@
 /** The page around the panels: menus, banners, dock, timeline, status. */
 import { type DockviewApi, DockviewReact, type DockviewTheme } from 'dockview-react'
-import { useCallback, useEffect, useMemo, useState } from 'react'
+import { lazy, Suspense, useCallback, useEffect, useMemo, useState } from 'react'
 import { words } from '../text/messages'
 import { Banners } from './Banners'
 import { addCommands } from './builtin_commands'
 import { useStudio, useStudioState } from './context'
 import { Dock } from './dock'
-import { FileDialog } from './FileDialog'
 import { GroupActions } from './GroupActions'
 import { MenuBar } from './MenuBar'
 import { Notices } from './Notices'
@@ -18,6 +17,9 @@ import { RunPill } from './RunPill'
 import { StatusBar } from './StatusBar'
 import { TimelineBar } from './TimelineBar'
 import { usePageEvents } from './usePageEvents'
+
+// The dialogs of the File menu are loaded when the first of them opens.
+const FileDialog = lazy(async () => ({ default: (await import('./FileDialog')).FileDialog }))
 
 const THEME: DockviewTheme = {
   name: 'ropsim',
@@ -33,6 +35,7 @@ export function Shell() {
   const several = useStudioState(state => state.programs.length > 1)
   const program = useStudioState(state => state.program)
   const unsaved = useStudioState(state => state.documents.some(one => one.unsaved))
+  const dialog = useStudioState(state => state.dialog)
   const [palette, setPalette] = useState(false)
   const openPalette = useCallback(() => setPalette(true), [])
   const closePalette = useCallback(() => setPalette(false), [])
@@ -85,7 +88,11 @@ export function Shell() {
         <StatusBar />
       </footer>
       <Notices />
-      <FileDialog />
+      {dialog && dialog !== 'endTasks' ? (
+        <Suspense fallback={null}>
+          <FileDialog key={dialog} kind={dialog} />
+        </Suspense>
+      ) : null}
       {palette ? <Palette onClose={closePalette} /> : null}
     </div>
   )

@@ -2,7 +2,6 @@
 import type { IDockviewPanelProps } from 'dockview-react'
 import { type ComponentType, type FunctionComponent, lazy, Suspense } from 'react'
 import { CellPanel } from '../panels/CellPanel'
-import { JogPanel } from '../panels/JogPanel'
 import { MessagesPanel } from '../panels/MessagesPanel'
 import { ProblemsPanel } from '../panels/ProblemsPanel'
 import { ProgramPanel } from '../panels/ProgramPanel'
@@ -19,6 +18,9 @@ const PlotPanel = lazy(async () => ({ default: (await import('../panels/PlotPane
 
 // So are the pages of the help.
 const HelpPanel = lazy(async () => ({ default: (await import('../panels/HelpPanel')).HelpPanel }))
+
+// Jogging begins when the first picture is there.
+const JogPanel = lazy(async () => ({ default: (await import('../panels/JogPanel')).JogPanel }))
 
 // The command line is for whoever tells the robot what to do line by line.
 const CommandPanel = lazy(async () => ({ default: (await import('../panels/CommandPanel')).CommandPanel }))

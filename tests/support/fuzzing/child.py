@@ -44,7 +44,8 @@ class _Watch:
     def _note(self, event: str, arguments: tuple[object, ...]) -> None:
         if not self.reading:
             return
-        if event == "open" and _foreign(str(arguments[0])):
+        # a number is a descriptor; the path was noted when that was opened
+        if event == "open" and not isinstance(arguments[0], int) and _foreign(str(arguments[0])):
             self.seen.append(f"open {arguments[0]!r}"[:200])
         elif event.startswith(_FORBIDDEN):
             self.seen.append(f"{event} {arguments!r}"[:200])

@@ -6,7 +6,7 @@ from ropsim.flow import MoveInstruction
 from ropsim.spatial import Pose, quaternion
 from ropsim.workbench.dry_arm import dry_arm
 from support.outcomes import Outcome, outcome
-from support.programs.making import program
+from support.programs.making import spoilt_program
 from support.programs.meaning import Run, carried_out
 from support.programs.nodes import PLACE, Program
 from support.programs.places import STATION, Place
@@ -31,7 +31,7 @@ def disagreement(seed: int) -> str | None:
 
     None where the program goes on for longer, or farther away, than it can be followed.
     """
-    made = program(seed)
+    made = spoilt_program(seed)
     text = written(made)
     inputs = {"part_ok": seed % 2 == 0}
     if made.wrong is not None:

@@ -15,6 +15,11 @@ def program(seed: int) -> Program:
     return _Maker(Random(seed)).program()
 
 
+def spoilt_program(seed: int) -> Program:
+    """Return the same program; one in twenty has a line that takes the name of something declared."""
+    return _Maker(Random(seed)).spoilt()
+
+
 def _telling(one: Parameter) -> Stmt:
     """Return a statement whose use of a parameter tells its type."""
     read = Expr("name", one.kind, text=one.name)
@@ -51,9 +56,13 @@ class _Maker(Simple):
         self.made.main = [*self.start(sight, "m"), *self.block(sight, 2, random.randint(1, 4), ())]
         self.made.main.append(self.told(sight))
         self.made.kinds = dict(sight.names)
-        if random.random() < 0.05:
-            self.made.wrong = self.hiding()
         return self.made
+
+    def spoilt(self) -> Program:
+        made = self.program()
+        if self.random.random() < 0.05:
+            made.wrong = self.hiding()
+        return made
 
     def hiding(self) -> tuple[str, str]:
         """Return a line that takes the name of something declared, and the code of its finding."""

@@ -177,7 +177,7 @@ def test_where_the_plate_turns_no_quicker_it_sets_the_time(override: float) -> N
 
 
 def test_the_accuracy_of_the_speed_is_that_on_the_plate() -> None:
-    recording = recorded(Fidelity.KINEMATIC)
+    recording = recorded(Fidelity.DYNAMIC)
     seam = [one for one in summarize_path(recording).moves if one.ordinal > 0]
     assert len(seam) == 4
     for one in seam:

@@ -106,8 +106,8 @@ def test_the_report_tells_corners_as_they_were_planned_and_flown(lines: tuple[st
     nearest = np.linalg.norm(command(lines) - CORNER, axis=1).min()
     assert corner.line == 4
     assert corner.zone == pytest.approx(ZONE)
-    assert corner.planned == corner.rounding == pytest.approx(nearest, abs=CHORD)
-    assert corner.overshoot < 1e-6  # the arm of a kinematic run is where its reference is
+    assert corner.planned == pytest.approx(nearest, abs=CHORD)
+    assert np.isnan([corner.rounding, corner.overshoot]).all()  # without drives nothing is flown
 
 
 @cache

@@ -127,8 +127,8 @@ def test_runs_with_it_are_the_same_to_the_bit() -> None:
 
 def test_a_task_sees_where_its_callers_have_come() -> None:
     lines = (
-        "task Up(height: length)",
-        "lin here offset (0, 0, height)",
+        "task Up(rise: length)",
+        "lin here offset (0, 0, rise)",
         "endp",
         "Up 20 mm",
         "mov home",

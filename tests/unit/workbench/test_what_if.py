@@ -232,7 +232,7 @@ def test_the_command_shows_the_table_and_its_document_the_figures(
 ) -> None:
     project(tmp_path / "p")
     report = tmp_path / "r.html"
-    words = ["run", str(tmp_path / "p"), "--kinematic", "--what-if", "zones=stop"]
+    words = ["run", str(tmp_path / "p"), "--kinematic", "--no-collisions", "--what-if", "zones=stop"]
     assert main([*words, "--report", str(report)]) == 0
     told = capsys.readouterr().out
     assert "zones=stop" in told.split("what if", 1)[1]
