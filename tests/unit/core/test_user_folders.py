@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from ropsim.core import KeptFiles, configuration_folder, state_folder
+from ropsim.core import KeptFiles, configuration_folder, kept_files, state_folder
 from ropsim.core.user_folders import cache_folder
 
 FOLDERS = {
@@ -22,7 +22,8 @@ pytestmark = [linux, pytest.mark.parametrize("override", FOLDERS)]
 
 @pytest.fixture
 def home(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """Return the home folder; nothing else is set."""
+    """Return the home folder; nothing else is set, and findings of a test end with it."""
+    monkeypatch.setattr(kept_files, "_findings", {})
     for override, (_, xdg, _) in FOLDERS.items():
         monkeypatch.delenv(override, raising=False)
         monkeypatch.delenv(xdg, raising=False)
