@@ -54,6 +54,7 @@ RETIRED = {
     "M510": "acceleration-limit",
     "M521": "external-axis-on-line",
     "M571": "chain-too-long",
+    "M574": "inertia-not-symmetric",
     "X904": "looks-like-radians",
     "X910": "robot-file-outside-project",
     "X913": "tiny-part",

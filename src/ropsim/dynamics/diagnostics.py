@@ -31,20 +31,6 @@ own drive, so the lists of a robot model have the same length; drives may be lef
 """,
 )
 
-ASYMMETRIC_INERTIA = define(
-    "M574",
-    "inertia-not-symmetric",
-    Severity.ERROR,
-    "the inertia tensor of a link is not symmetric",
-    """
-An inertia tensor is symmetric: Ixy = Iyx and so on. One that is not belongs to no body, and the equations of
-motion would use one half of it without saying so.
-
-Products of inertia are often given once, and with either sign: write the same number on both sides of the
-diagonal, with the sign that makes the tensor Σ m·(r²·1 − r·rᵀ).
-""",
-)
-
 ENTRY_NOT_FINITE = define(
     "M572",
     "model-number-not-finite",

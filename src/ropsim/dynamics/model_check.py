@@ -5,15 +5,13 @@ from collections.abc import Sequence
 from functools import lru_cache
 
 from ropsim.dynamics.diagnostics import (
-    ASYMMETRIC_INERTIA,
     ENTRY_NOT_FINITE,
     WRONG_COUNT,
     JointCountError,
     ModelNumberError,
 )
 from ropsim.dynamics.drives import chain_of
-from ropsim.dynamics.inertia import link_parameters
-from ropsim.model import Drive, Link, Mechanism, check_open, is_symmetric
+from ropsim.model import Drive, Mechanism, check_open
 
 
 def check_model(robot: Mechanism) -> None:
@@ -22,15 +20,11 @@ def check_model(robot: Mechanism) -> None:
     Raises:
         JointCountError: the arm has no joints, or not one link and one drive for each.
         MechanismError: the mechanism cannot be, or has closed chains that are cut.
-        ModelNumberError: a number of the model is not finite, or an inertia tensor is not symmetric.
+        ModelNumberError: the gravity, the interface or a number of a drive is not finite.
     """
     _check_counts(robot)
     check_open(robot)
     _check_finite(f"arm `{robot.name}`", [*robot.gravity, *robot.interface.as_tuple()])
-    for joint, link in zip(robot.joints, robot.links, strict=True):
-        owner = f"joint `{joint.name}` of arm `{robot.name}`"
-        _check_finite(owner, [*joint.placement.as_tuple(), joint.offset, joint.lead, *link_parameters(link)])
-        _check_symmetric(owner, link)
     for joint, drive in zip(robot.axis_joints, robot.drives, strict=bool(robot.drives)):
         _check_finite(f"drive of joint `{joint.name}` of arm `{robot.name}`", _drive_numbers(drive))
 
@@ -47,19 +41,6 @@ def _check_counts(robot: Mechanism) -> None:
         if count != allowed:
             message = f"arm `{robot.name}` has {count} {what} for {allowed} {of}s"
             raise JointCountError(WRONG_COUNT.at(None, message, hint=f"give one entry of {what} per {of}"))
-
-
-def _check_symmetric(owner: str, link: Link) -> None:
-    if not _has_symmetric_inertia(link):
-        message = f"the inertia tensor of {owner} is not symmetric"
-        hint = "write each product of inertia on both sides of the diagonal"
-        raise ModelNumberError(ASYMMETRIC_INERTIA.at(None, message, hint=hint))
-
-
-@lru_cache(maxsize=1024)
-def _has_symmetric_inertia(link: Link) -> bool:
-    """Return whether the inertia of a link is symmetric: links are shared by arms with other limits."""
-    return is_symmetric(link.inertia)
 
 
 @lru_cache(maxsize=1024)

@@ -1,8 +1,8 @@
 """A description becomes a robot: what is fixed together becomes one, axes the z of joint frames."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
-from ropsim.core import SourceText
+from ropsim.core import SourceText, Span
 from ropsim.exchange.added_turns import with_added_turns
 from ropsim.exchange.aligned import aligned, displaced
 from ropsim.exchange.bodies import Carried, carried_names, links_of, weight_findings
@@ -13,7 +13,19 @@ from ropsim.exchange.kept_joints import KeptJoints, kept_joints
 from ropsim.exchange.link_tree import LinkTree, link_tree
 from ropsim.exchange.notes import Notes
 from ropsim.exchange.tip import tip_of
-from ropsim.model import BASE_LINK, Coupling, Joint, JointType, ParameterOrigin, ReadRobot, RobotModel
+from ropsim.model import (
+    BASE_LINK,
+    Attribute,
+    AuditPlace,
+    Coupling,
+    Joint,
+    JointType,
+    ParameterOrigin,
+    PlaceOf,
+    ReadRobot,
+    RobotModel,
+    number_findings,
+)
 from ropsim.spatial import Array, Pose, frozen
 
 _TYPES = {Motion.TURN: JointType.REVOLUTE, Motion.SLIDE: JointType.PRISMATIC}
@@ -55,12 +67,18 @@ def _robot(
     unknown_limits(driven, notes)
     weight_findings(description, joints, links, interface, notes)
     carried_names(description, tree, placed, tip, notes)
+    drives = drives_of(driven, axes, joints, links)
+    wrong = tuple(number_findings(joints, links, axes, drives, _places(description, moved, driven)))
+    for one in wrong:
+        notes.take(one)
+    if wrong:
+        return None
     return RobotModel(
         name=description.name,
         title=description.name,
         joints=joints,
         links=links,
-        drives=drives_of(driven, axes, joints, links),
+        drives=drives,
         home=_rest(description, driven),
         axes=axes,
         couplings=tuple(_coupling(one, kept) for one in moved if one.following),
@@ -70,6 +88,18 @@ def _robot(
         X_nM=interface,
         tip=carrier,
     )
+
+
+def _places(description: Description, moved: Sequence[Connection], driven: Sequence[Connection]) -> PlaceOf:
+    """Return where joints, links and drives stand in the file, by the numbers of joints and axes."""
+    bodies = {body.name: body.span for body in description.bodies}
+    of_link = (Attribute.MASS, Attribute.COM, Attribute.INERTIA)
+
+    def place(wanted: AuditPlace) -> Span | None:
+        one = (driven if wanted.attribute is Attribute.DRIVE else moved)[wanted.number]
+        return bodies[one.child] if wanted.attribute in of_link else one.span
+
+    return place
 
 
 def _in_order(driven: list[Connection], names: tuple[str, ...]) -> list[Connection]:

@@ -52,11 +52,15 @@ class Notes:
         data: Mapping[str, object] | None = None,
     ) -> None:
         """Note a finding, as long as there is room."""
-        self._counts[kind.severity] += 1
-        if self._counts[kind.severity] <= MOST_NOTES:
-            line = " ".join(message.split())
-            line = line if len(line) <= _LONGEST else line[: _LONGEST - 3] + "..."
-            self._found.append(kind.at(span, line, hint=hint, data=data))
+        line = " ".join(message.split())
+        line = line if len(line) <= _LONGEST else line[: _LONGEST - 3] + "..."
+        self.take(kind.at(span, line, hint=hint, data=data))
+
+    def take(self, finding: Diagnostic) -> None:
+        """Note a finding that somebody else has made, as long as there is room."""
+        self._counts[finding.severity] += 1
+        if self._counts[finding.severity] <= MOST_NOTES:
+            self._found.append(finding)
 
     def absent(self, kind: Kind, folder: str, span: Span, mesh: str, why: str, hint: str) -> None:
         """Note a mesh that is missing; those of one folder become one finding with their number.

@@ -4,10 +4,10 @@ from ropsim.flow import ROBOT as ROBOT
 from ropsim.flow import ParameterOrigin as ParameterOrigin
 from ropsim.flow import prefix_of as prefix_of
 from ropsim.model.audit import audit as audit
-from ropsim.model.audit import is_symmetric as is_symmetric
 from ropsim.model.audit_place import Attribute as Attribute
 from ropsim.model.audit_place import AuditPlace as AuditPlace
 from ropsim.model.audit_place import PlaceOf as PlaceOf
+from ropsim.model.audit_place import nowhere as nowhere
 from ropsim.model.axes_words import axes_words as axes_words
 from ropsim.model.axes_words import external_words as external_words
 from ropsim.model.axis_limits import with_axis_limits as with_axis_limits
@@ -129,6 +129,9 @@ from ropsim.model.mechanism_check import check_mechanism as check_mechanism
 from ropsim.model.mechanism_check import check_open as check_open
 from ropsim.model.mechanism_check import mechanism_findings as mechanism_findings
 from ropsim.model.modified_dh import joints_from_modified_dh as joints_from_modified_dh
+from ropsim.model.number_check import ModelValueError as ModelValueError
+from ropsim.model.number_check import is_symmetric as is_symmetric
+from ropsim.model.number_check import number_findings as number_findings
 from ropsim.model.orientation_mode import OrientationMode as OrientationMode
 from ropsim.model.outlines import arc as arc
 from ropsim.model.outlines import around as around

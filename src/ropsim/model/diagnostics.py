@@ -50,7 +50,22 @@ ASYMMETRIC_INERTIA = define(
     "an inertia tensor is not symmetric",
     """
 An inertia tensor is symmetric: Ixy = Iyx and so on. Products of inertia are often given once, and with either
-sign: write the same number on both sides of the diagonal. The dynamics refuse the arm until then (M574).
+sign: write the same number on both sides of the diagonal. No arm is made until then.
+""",
+)
+
+NEGATIVE_INERTIA = define(
+    "X974",
+    "inertia-negative",
+    Severity.ERROR,
+    "a link with mass has a negative moment of inertia",
+    """
+A moment of inertia is an integral of squared distances, so no principal moment of a body is below zero. A
+negative one is a mistake: a wrong sign of a product of inertia, a column that slipped, or a tensor about
+another point than the centre of mass. Two things are allowed (X853): rounding, up to a thousandth of the
+largest moment, and effective inertias of links with mass 0, as identification of an arm finds them.
+
+Mend the tensor, or leave it out: an arm without masses can be moved, but not simulated with dynamics.
 """,
 )
 
@@ -61,9 +76,9 @@ INDEFINITE_INERTIA = define(
     "an inertia tensor is not positive definite",
     """
 The principal moments of inertia of a body with extent are positive. A zero occurs in published sets
-where only one moment matters (a first link that only turns about one axis); a negative value is a
-mistake, often a wrong sign of a product of inertia or a tensor about another point. A point mass (all
-moments zero) is allowed.
+where only one moment matters (a first link that only turns about one axis), a slightly negative value where
+the tensor was rounded, any value in effective inertias of links without mass. A point mass (all moments
+zero) is allowed.
 
 The simulation runs as long as the mass matrix of the whole arm stays positive definite (rotor inertias
 help).
@@ -147,5 +162,19 @@ NOT_FINITE = define(
     """
 Infinite values and NaN spread through every result without a trace of where they came from; the model
 refuses them at the door. Look for a division by zero or an empty cell in the source of the data.
+""",
+)
+
+UNUSABLE_DRIVE = define(
+    "X975",
+    "drive-number-impossible",
+    Severity.ERROR,
+    "a limit of a drive is not positive, or the inertia of a rotor is negative",
+    """
+The voltage, current, torque or valve current of a drive is clipped to plus and minus its limit, so the limit
+is a positive number; it may be infinite where it is unknown. The inertia of a rotor and the mass of a piston
+are 0 or more: a negative one would push the joint the way it accelerates.
+
+Look for a sign or a column that slipped in the data of the drive.
 """,
 )

@@ -9,6 +9,7 @@ from ropsim.model.geometry import Shape
 from ropsim.model.joint import BASE_LINK, PREVIOUS, Joint
 from ropsim.model.link import Link
 from ropsim.model.loop_cut import LoopCut
+from ropsim.model.number_check import check_numbers
 from ropsim.spatial import Array, Pose, frozen, record
 
 
@@ -34,6 +35,9 @@ class Mechanism:
         gravity: acceleration of free fall in the base frame [m/s²], shape (3,).
         origins: where the numbers come from.
         base_shapes: what the part that stands still looks like, in the base frame.
+
+    Raises:
+        ModelValueError: a limit, mass, inertia or placement is not finite, or not positive where it must be.
     """
 
     name: str
@@ -54,6 +58,7 @@ class Mechanism:
         object.__setattr__(self, "gravity", frozen(self.gravity))
         object.__setattr__(self, "joints", serial(self.joints))
         object.__setattr__(self, "axes", self.axes or _free_joints(self))
+        check_numbers(self.joints, self.links, self.axes, self.drives)
 
     def __repr__(self) -> str:
         """Return one line: names and number of axes; no arrays."""

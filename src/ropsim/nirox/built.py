@@ -5,7 +5,7 @@ from ropsim.model import RobotModel
 from ropsim.nirox.building import Building
 from ropsim.nirox.further_frame import FurtherFrame
 from ropsim.nirox.written_arm import arm_losses, write_arm, write_origins
-from ropsim.nirox.written_bodies import body_losses, write_bodies
+from ropsim.nirox.written_bodies import write_bodies
 from ropsim.nirox.written_drives import drive_losses, write_drives
 from ropsim.nirox.written_looks import write_looks
 
@@ -36,5 +36,5 @@ def built(robot: RobotModel, frames: tuple[FurtherFrame, ...] = ()) -> Built:
     write_drives(building, robot)
     write_looks(building, robot)
     write_origins(building, robot)
-    losses = (*writing.losses(), *drive_losses(robot), *body_losses(robot), *arm_losses(robot))
+    losses = (*writing.losses(), *drive_losses(robot), *arm_losses(robot))
     return Built(building, losses)

@@ -4,8 +4,19 @@ from functools import partial
 from math import inf
 from typing import TypeAlias
 
-from ropsim.model import BASE_LINK, JointType, LoopCut, ParameterOrigin, RobotModel
+from ropsim.model import (
+    BASE_LINK,
+    Coupling,
+    DhRow,
+    Drive,
+    JointType,
+    LoopCut,
+    ParameterOrigin,
+    RobotModel,
+    number_findings,
+)
 from ropsim.nirox.further_frame import FurtherFrame
+from ropsim.nirox.number_places import places_of
 from ropsim.nirox.read_axes import read_couplings, read_dh_table, read_external
 from ropsim.nirox.read_bodies import read_links
 from ropsim.nirox.read_cuts import read_cuts
@@ -20,10 +31,10 @@ _ROLE = "mechanical_interface"
 _Frames: TypeAlias = tuple[int, Pose, tuple[FurtherFrame, ...]]
 
 
-def read_arm(seen: Seen, name: str) -> tuple[RobotModel, tuple[FurtherFrame, ...]]:
+def read_arm(seen: Seen, name: str) -> tuple[RobotModel, tuple[FurtherFrame, ...]] | None:
     """Return the robot of a file that keeps to the schema, and its other frames; what is wrong is noted.
 
-    With an error among the findings the robot is none to be used.
+    Nothing where a number of it cannot be. With an error among the findings the robot is none to be used.
 
     Args:
         seen: the file.
@@ -46,24 +57,36 @@ def read_arm(seen: Seen, name: str) -> tuple[RobotModel, tuple[FurtherFrame, ...
     pairs = [mechanism.moved[number].pair for number in axes]
     words = [one for one in (seen.text(arm, "manufacturer"), seen.text(arm, "model")) if one]
     label = seen.text(arm, "name") or "robot"
+    home = frozen([joints.home(number, states) for number in axes])
+    drives: tuple[Drive, ...] = seen.attempt(partial(read_drives, seen, mechanism, joints.joints, axes), ())
+    couplings: tuple[Coupling, ...] = seen.attempt(partial(read_couplings, seen, mechanism), ())
+    gravity = frozen(seen.reals(arm, "gravity"))
+    dh: tuple[DhRow, ...] = seen.attempt(partial(read_dh_table, seen, mechanism), ())
+    external: tuple[int, ...] = seen.attempt(partial(read_external, seen, pairs), ())
+    rated_payload = seen.attempt(partial(_rated_payload, seen), inf)
+    wrong = tuple(number_findings(joints.joints, links, axes, drives, places_of(seen, axes)))
+    if wrong:
+        for one in () if seen.is_refused else wrong:
+            seen.add(one)
+        return None
     robot = RobotModel(
         name=label,
         title=" ".join(words) or label,
         joints=joints.joints,
         links=links,
-        drives=seen.attempt(partial(read_drives, seen, mechanism, joints.joints, axes), ()),
-        home=frozen([joints.home(number, states) for number in axes]),
+        drives=drives,
+        home=home,
         axes=tuple(axes),
-        couplings=seen.attempt(partial(read_couplings, seen, mechanism), ()),
+        couplings=couplings,
         cuts=cuts,
-        gravity=frozen(seen.reals(arm, "gravity")),
+        gravity=gravity,
         origins=(*_origins(seen), *_estimates(joints.estimated, name)),
         base_shapes=base_shapes,
         X_nM=X_nM,
         tip=tip,
-        dh=seen.attempt(partial(read_dh_table, seen, mechanism), ()),
-        external=seen.attempt(partial(read_external, seen, pairs), ()),
-        rated_payload=seen.attempt(partial(_rated_payload, seen), inf),
+        dh=dh,
+        external=external,
+        rated_payload=rated_payload,
     )
     return robot, frames
 

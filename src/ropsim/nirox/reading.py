@@ -1,16 +1,16 @@
 """A NIROX file to a robot."""
 
-from collections.abc import Iterator, Mapping
-from types import MappingProxyType
+from collections.abc import Iterator
 
-from ropsim.core import Diagnostic, SourceText, Span, frozen_dataclass
+from ropsim.core import Diagnostic, SourceText, frozen_dataclass
 from ropsim.express import validate
-from ropsim.model import Attribute, AuditPlace, PlaceOf, ReadRobot, RobotModel, audit
+from ropsim.model import PlaceOf, ReadRobot, RobotModel, audit, nowhere
 from ropsim.nirox.attributes import ImpossibleError
 from ropsim.nirox.beside import NOTHING, Beside, beside_of
 from ropsim.nirox.conformance import ConformanceClass, conformance_of
 from ropsim.nirox.diagnostics import KEPT, LOST, NOT_NIROX
 from ropsim.nirox.further_frame import FurtherFrame
+from ropsim.nirox.number_places import places_of
 from ropsim.nirox.plain_mechanism import SCHEMA, with_arm
 from ropsim.nirox.product_masses import with_masses
 from ropsim.nirox.read_arm import read_arm
@@ -23,22 +23,6 @@ _OF_PLAIN = (
     "`moving_links_have_mass.doubt1`",
 )  # X957 says it in other words, or nobody need
 _NAMED = 6  # entities that a message names
-_WORDS: Mapping[Attribute, tuple[str, ...]] = MappingProxyType(
-    {
-        Attribute.LIMITS: ("coordinate",),
-        Attribute.MAX_SPEED: ("drive", "limits"),
-        Attribute.MAX_ACCELERATION: ("drive", "limits"),
-        Attribute.MAX_JERK: ("drive", "limits"),
-        Attribute.MAX_EFFORT: ("limits",),
-        Attribute.PLACEMENT: ("place",),
-        Attribute.MASS: ("mass", "link"),
-        Attribute.COM: ("mass", "link"),
-        Attribute.INERTIA: ("mass", "link"),
-        Attribute.HOME: ("state",),
-        Attribute.DRIVE: ("motor", "drive"),
-    }
-)
-"""Where the numbers of a joint, a link or an axis stand: the first of these that the file has."""
 _WITHOUT_EFFECT = (
     "joint_friction", "drive_train", "motor_select", "transmission", "servo_valve", "hydraulic_supply",
     "hydraulic_cylinder", "hydraulic_rotary_motor", "motion_coupling", "joint_sensor", "payload",
@@ -112,7 +96,7 @@ def nirox_places(source: SourceText) -> PlaceOf:
     file, _ = read_exchange(source)
     seen = Seen(nirox_schema(), (_with_arm(file) or (file,))[0])
     made = _robot(seen, source.name)
-    return _place_of(seen, made[0].axes) if made else _nowhere
+    return places_of(seen, made[0].axes) if made else nowhere
 
 
 def _with_arm(file: ExchangeFile) -> tuple[ExchangeFile, tuple[Diagnostic, ...]] | None:
@@ -136,34 +120,15 @@ def _other_schema(file: ExchangeFile) -> Diagnostic:
 def _robot(seen: Seen, name: str) -> tuple[RobotModel, tuple[FurtherFrame, ...]] | None:
     """Return the robot of a valid file and its other frames; nothing where an error forbids one."""
     try:
-        robot, frames = read_arm(seen, name)
+        made = read_arm(seen, name)
     except ImpossibleError as error:
         seen.add(error.finding)
         return None
-    if not seen.is_refused:
-        for one in audit(robot, _place_of(seen, robot.axes)):
+    if made and not seen.is_refused:
+        for one in audit(made[0], places_of(seen, made[0].axes)):
             if one.is_error:
                 seen.add(one)
-    return None if seen.is_refused else (robot, frames)
-
-
-def _place_of(seen: Seen, axes: tuple[int, ...]) -> PlaceOf:
-    file, places = seen.population.file, {key: number for number, key in seen.keys.items()}
-
-    def place(asked: AuditPlace) -> Span | None:
-        joint = axes[asked.number] if asked.attribute is Attribute.HOME else asked.number
-        for word in (*_WORDS[asked.attribute], "pair"):
-            number = places.get((word, joint))
-            if number is not None:
-                return file.span(seen.population.instances[number])
-        return None
-
-    return place
-
-
-def _nowhere(asked: AuditPlace) -> Span | None:
-    del asked
-    return None
+    return None if seen.is_refused else made
 
 
 def _kept(seen: Seen, beside: Beside) -> Iterator[Diagnostic]:

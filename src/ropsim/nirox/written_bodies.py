@@ -1,13 +1,9 @@
 """Masses of links as instances: as those of a body, or as what an identification tells."""
 
-from collections.abc import Iterator
-
 import numpy as np
 
-from ropsim.core import Diagnostic
-from ropsim.model import Link, RobotModel, is_symmetric
+from ropsim.model import Link, RobotModel
 from ropsim.nirox.building import Building, reals
-from ropsim.nirox.diagnostics import LOST
 from ropsim.part21 import Enumeration
 
 _SLACK = 1.0 + 1e-9
@@ -25,16 +21,6 @@ def write_bodies(building: Building, robot: RobotModel) -> None:
             building.add(("mass", number), "RIGID_LINK_MASS_PROPERTIES", *values, source)
         else:
             building.add(("mass", number), "EFFECTIVE_LINK_INERTIA", *values)
-
-
-def body_losses(robot: RobotModel) -> Iterator[Diagnostic]:
-    """Yield the links whose inertia is no tensor."""
-    for joint, link in zip(robot.joints, robot.links, strict=True):
-        if not is_symmetric(link.inertia):
-            words = (
-                f"the inertia of the link of joint `{joint.name}` is not symmetric: its upper half goes over"
-            )
-            yield LOST.at(None, words)
 
 
 def inertia_row(link: Link) -> tuple[float, ...]:

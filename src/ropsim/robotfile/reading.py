@@ -6,7 +6,16 @@ from pathlib import PurePath
 import numpy as np
 
 from ropsim.core import SourceText
-from ropsim.model import Joint, JointType, ReadRobot, RobotModel, Shape, audit, with_coupled_axes
+from ropsim.model import (
+    Joint,
+    JointType,
+    ReadRobot,
+    RobotModel,
+    Shape,
+    audit,
+    number_findings,
+    with_coupled_axes,
+)
 from ropsim.robotfile import diagnostics as kinds
 from ropsim.robotfile.dh_table import read_dh_table
 from ropsim.robotfile.drives import read_drives
@@ -70,6 +79,15 @@ def _robot(root: TomlTable, source: SourceText) -> RobotModel | None:
         hint = "give `links` with masses, or `mass`, that of all moving links"
         root.findings.add(kinds.DRIVES_WITHOUT_MASSES, root.key_span("drives"), message, hint)
     home = _home(root, table.joints, units)
+    wrong = tuple(
+        number_findings(
+            table.joints, links.links, range(len(table.joints)), drives, robot_file_places(source)
+        )
+    )
+    if wrong:
+        root.findings.items.extend(wrong)
+        root.finish()
+        return None
     robot = RobotModel(
         name=name,
         title=title,

@@ -8,7 +8,7 @@ import pytest
 
 from ropsim import dynamics, kinematics, robots
 from ropsim.codegen import Engine
-from ropsim.model import Link, Payload, RobotModel
+from ropsim.model import Payload, RobotModel
 from support.arms import drive, random_arm, random_states
 
 ROUNDING = 1e-11
@@ -84,20 +84,11 @@ def test_lists_that_do_not_go_together_are_refused(change: dict[str, Any], told:
     assert caught.value.diagnostic.code == "M573"
 
 
-def test_an_inertia_that_is_not_symmetric_is_refused_by_name_of_the_joint() -> None:
-    robot = random_arm(0, "RR")
-    skew = robot.links[1].inertia + np.array([[0.0, 1e-6, 0.0], [0.0] * 3, [0.0] * 3])
-    broken = replace(robot, links=(robot.links[0], replace(robot.links[1], inertia=skew)))
-    with pytest.raises(dynamics.ModelNumberError, match=r"joint `2` .* not symmetric") as caught:
-        dynamics.gravity(broken, np.zeros(2))
-    assert caught.value.diagnostic.code == "M574"
-
-
-def test_a_model_with_nan_is_refused_by_name_of_the_joint() -> None:
-    robot = random_arm(0, "RR")
-    broken = replace(robot, links=(robot.links[0], Link(float("nan"), np.zeros(3), np.eye(3))))
-    with pytest.raises(dynamics.ModelNumberError, match="joint `2`"):
-        dynamics.gravity(broken, np.zeros(2))
+def test_a_model_with_nan_is_refused() -> None:
+    robot = replace(random_arm(0, "RR"), gravity=np.array([0.0, 0.0, np.nan]))
+    with pytest.raises(dynamics.ModelNumberError, match="finite") as caught:
+        dynamics.gravity(robot, np.zeros(2))
+    assert caught.value.diagnostic.code == "M572"
 
 
 def test_inputs_are_not_changed(puma: RobotModel) -> None:

@@ -1,14 +1,11 @@
 from dataclasses import replace
-from math import inf, nan
 from typing import Any
 
 import numpy as np
-import pytest
 
 from ropsim import robots
 from ropsim.core import Diagnostic, Severity
 from ropsim.model import RobotModel, audit
-from ropsim.spatial import Pose
 
 ARM = robots.load("two_link")
 
@@ -16,10 +13,6 @@ ARM = robots.load("two_link")
 def codes(robot: RobotModel) -> list[str]:
     """Return the codes of all findings but hints."""
     return [finding.code for finding in audit(robot) if finding.severity is not Severity.HINT]
-
-
-def with_joint(**changes: Any) -> RobotModel:
-    return replace(ARM, joints=(replace(ARM.joints[0], **changes), ARM.joints[1]))
 
 
 def with_link(**changes: Any) -> RobotModel:
@@ -51,26 +44,6 @@ def test_estimates_are_hints_with_their_reason() -> None:
     assert "back-EMF" in finding.notes[0]
 
 
-@pytest.mark.parametrize(("lower", "upper"), [(1.0, -1.0), (1.0, 1.0), (nan, 1.0)])
-def test_reversed_equal_or_missing_limits_are_errors(lower: float, upper: float) -> None:
-    assert "X850" in codes(with_joint(lower=lower, upper=upper))
-
-
-@pytest.mark.parametrize("limit", ["max_speed", "max_acceleration", "max_jerk"])
-@pytest.mark.parametrize("value", [0.0, -1.0, nan, inf])
-def test_limits_of_motion_must_be_positive_numbers(limit: str, value: float) -> None:
-    assert codes(with_joint(**{limit: value})) == ["X856"]
-
-
-def test_an_unknown_effort_limit_is_allowed_and_a_zero_one_is_not() -> None:
-    assert codes(with_joint(max_effort=inf)) == []
-    assert codes(with_joint(max_effort=0.0)) == ["X856"]
-
-
-def test_a_negative_mass_is_an_error() -> None:
-    assert codes(with_link(mass=-1.0)) == ["X851"]
-
-
 def test_a_massless_link_is_a_hint() -> None:
     assert find(with_link(mass=0.0), "X852").severity is Severity.HINT
 
@@ -79,18 +52,15 @@ def test_a_point_mass_is_no_finding() -> None:
     assert codes(ARM) == []
 
 
-def test_a_negative_moment_of_inertia_is_a_warning() -> None:
-    assert codes(with_link(inertia=np.diag([1.0, 1.0, -0.1]))) == ["X853"]
+def test_a_moment_of_inertia_that_is_zero_or_effective_is_a_warning() -> None:
+    assert codes(with_link(inertia=np.diag([0.0, 1.0, 0.0]))) == ["X853"]
+    assert codes(with_link(mass=0.0, inertia=np.diag([1.0, 1.0, -0.1]))) == ["X853"]
+    assert codes(with_link(inertia=np.diag([1.0, 1.0, -1e-4]))) == ["X853"]
 
 
 def test_the_triangle_inequality_may_hold_with_equality() -> None:
     assert codes(with_link(inertia=np.diag([1.0, 2.0, 3.0]))) == []
     assert codes(with_link(inertia=np.diag([1.0, 2.0, 3.001]))) == ["X854"]
-
-
-def test_nan_in_link_data_or_placements_is_an_error() -> None:
-    assert codes(with_link(com=np.array([0.0, nan, 0.0]))) == ["X859"]
-    assert codes(with_joint(placement=Pose(np.array([inf, 0.0, 0.0])))) == ["X859"]
 
 
 def test_a_home_position_outside_the_limits_names_joint_and_limit() -> None:
@@ -107,12 +77,3 @@ def test_missing_links_and_drives_are_errors() -> None:
     puma = robots.load("puma560")
     assert "X858" in codes(replace(puma, links=puma.links[:5]))
     assert "X858" in codes(replace(puma, drives=puma.drives[:5]))
-
-
-def test_an_inertia_tensor_that_is_not_symmetric_is_an_error() -> None:
-    puma = robots.load("puma560")
-    skew = puma.links[2].inertia + np.array([[0.0, 1e-4, 0.0], [0.0] * 3, [0.0] * 3])
-    links = (*puma.links[:2], replace(puma.links[2], inertia=skew), *puma.links[3:])
-    (found,) = [one for one in audit(replace(puma, links=links)) if one.code == "X862"]
-    assert found.is_error
-    assert "link `3`" in found.message

@@ -12,6 +12,7 @@ from ropsim.model import (
     DcMotor,
     Direction,
     EffortAmplifier,
+    Friction,
     LoopCut,
     MechanismError,
     RobotModel,
@@ -58,11 +59,13 @@ def _number(value: object) -> int:
 
 
 def broken(robot: RobotModel) -> list[tuple[RobotModel, str]]:
-    joint, link = robot.joints[0], robot.links[1]
+    first = robot.drives[0]
+    loose = replace(first, friction=Friction(viscous=-1.0))
+    sharp = replace(first, friction=Friction(viscous=1.0, smoothing_speed=0.0))
     return [
-        (replace(robot, links=(robot.links[0], replace(link, mass=-1.0))), "non_negative_real.wr1"),
+        (replace(robot, drives=(loose, robot.drives[1])), "non_negative_real.wr1"),
         (replace(robot, home=np.array([np.nan, 0.0])), "nan"),
-        (replace(robot, joints=(replace(joint, max_speed=0.0), robot.joints[1])), "positive_real.wr1"),
+        (replace(robot, drives=(sharp, robot.drives[1])), "positive_real.wr1"),
     ]
 
 

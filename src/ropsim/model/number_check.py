@@ -1,0 +1,171 @@
+"""Whether the numbers of joints, links and drives can be: limits, placements, masses and inertias."""
+
+from collections.abc import Iterator, Sequence
+from itertools import chain
+from math import inf, isfinite
+
+import numpy as np
+
+from ropsim.core import Diagnostic, RopsimError, Span
+from ropsim.model import diagnostics as kinds
+from ropsim.model.audit_place import Attribute, AuditPlace, PlaceOf, nowhere
+from ropsim.model.drive import Drive
+from ropsim.model.joint import Joint, JointType
+from ropsim.model.link import Link
+from ropsim.spatial import Array
+
+SYMMETRY_SLACK = 1e-9
+"""Difference of two products of inertia, relative to the largest entry, that is rounding."""
+
+MOMENT_SLACK = 1e-3
+"""Negative moment of inertia, relative to the largest one, that is rounding: files round their tensors."""
+
+_LIMITS_OF_DRIVES = ("max_voltage", "max_current", "max_effort", "max_input")
+_WEIGHTS_OF_DRIVES = ("rotor_inertia", "moving_mass")
+_MOST = (Attribute.MAX_SPEED, Attribute.MAX_ACCELERATION, Attribute.MAX_JERK, Attribute.MAX_EFFORT)
+
+
+class ModelValueError(RopsimError):
+    """A number of a model cannot be: a limit, mass or inertia is not finite or not positive."""
+
+
+def check_numbers(
+    joints: Sequence[Joint], links: Sequence[Link], axes: Sequence[int], drives: Sequence[Drive]
+) -> None:
+    """Make sure that the numbers of joints, links and drives can be.
+
+    Args:
+        joints: of a mechanism.
+        links: of it.
+        axes: numbers of the joints, from 0, that are driven.
+        drives: of the axes, or none.
+
+    Raises:
+        ModelValueError: with the first of the `number_findings`.
+    """
+    found = next(number_findings(joints, links, axes, drives), None)
+    if found:
+        raise ModelValueError(found)
+
+
+def number_findings(
+    joints: Sequence[Joint],
+    links: Sequence[Link],
+    axes: Sequence[int],
+    drives: Sequence[Drive],
+    place_of: PlaceOf = nowhere,
+) -> Iterator[Diagnostic]:
+    """Yield the numbers of joints, links and drives that cannot be; all of them are errors.
+
+    The limits of an axis are ordered, its largest speed, acceleration, jerk and effort positive; only the
+    effort may be infinite. A mass is 0 or more, an inertia symmetric. The moments of a body with mass are not
+    negative; an inertia without mass is an effective one, as identification finds it, and may be. Zeros are
+    allowed: published sets leave out what cannot matter. The limits of a drive are positive; what moves in
+    it has a mass or inertia of 0 or more.
+
+    Args:
+        joints: of a mechanism.
+        links: of it.
+        axes: numbers of the joints, from 0, that are driven; others may have no limits.
+        drives: of the axes, or none.
+        place_of: where a number stands in the file that it was read from.
+    """
+    yield from chain(
+        chain.from_iterable(_limits(k, joints[k], place_of) for k in axes if k < len(joints)),
+        chain.from_iterable(_placement(k, joint, place_of) for k, joint in enumerate(joints)),
+        chain.from_iterable(_link(k, link, place_of) for k, link in enumerate(links)),
+        chain.from_iterable(_drive(k, drive, place_of) for k, drive in enumerate(drives)),
+    )
+
+
+def _limits(number: int, joint: Joint, place_of: PlaceOf) -> Iterator[Diagnostic]:
+    unit = "m" if joint.type is JointType.PRISMATIC else "rad"
+    if not joint.lower < joint.upper:
+        yield kinds.REVERSED_LIMITS.at(
+            place_of(AuditPlace(number, Attribute.LIMITS)),
+            f"joint `{joint.name}` has the lower limit {joint.lower:g} {unit} and the upper limit "
+            f"{joint.upper:g} {unit}",
+            hint="the lower limit must be the smaller number",
+            data={f"lower_{unit}": joint.lower, f"upper_{unit}": joint.upper},
+        )
+    for name in _MOST:
+        value = float(getattr(joint, name))
+        if not (value > 0.0 and (value < inf or name is Attribute.MAX_EFFORT)):
+            yield kinds.UNUSABLE_LIMIT.at(
+                place_of(AuditPlace(number, name)),
+                f"joint `{joint.name}` has `{name}` = {value:g}, allowed is a positive number",
+                hint="give the largest value that the joint may reach",
+                data={"found": value},
+            )
+
+
+def _placement(number: int, joint: Joint, place_of: PlaceOf) -> Iterator[Diagnostic]:
+    if not all(map(isfinite, (*joint.placement.as_tuple(), joint.offset, joint.lead))):
+        place = place_of(AuditPlace(number, Attribute.PLACEMENT))
+        yield _not_finite(f"the placement of joint `{joint.name}`", place)
+
+
+def _link(number: int, link: Link, place_of: PlaceOf) -> Iterator[Diagnostic]:
+    name = str(number + 1)
+    of_mass, of_inertia = (
+        place_of(AuditPlace(number, which)) for which in (Attribute.MASS, Attribute.INERTIA)
+    )
+    if not all(map(isfinite, (link.mass, *link.com.ravel().tolist(), *link.inertia.ravel().tolist()))):
+        yield _not_finite(f"the data of link `{name}`", of_mass)
+        return
+    if link.mass < 0.0:
+        yield kinds.NEGATIVE_MASS.at(
+            of_mass,
+            f"link `{name}` has a mass of {link.mass:g} kg, allowed is 0 kg or more",
+            hint="check the sign",
+            data={"mass_kg": link.mass},
+        )
+    if not link.inertia.any():
+        return
+    if not is_symmetric(link.inertia):
+        yield kinds.ASYMMETRIC_INERTIA.at(
+            of_inertia,
+            f"the inertia tensor of link `{name}` is not symmetric",
+            hint="write each product of inertia on both sides of the diagonal",
+        )
+        return
+    a, b, c = moments = principal_moments(link.inertia)
+    if link.mass and a < -MOMENT_SLACK * max(c, -a):
+        yield kinds.NEGATIVE_INERTIA.at(
+            of_inertia,
+            f"link `{name}` has the principal moments of inertia {a:.4g}, {b:.4g}, {c:.4g} kg·m², those of a "
+            "body are positive",
+            hint="check the signs of the tensor, and that it is the one about the centre of mass",
+            data={"moments_kgm2": moments},
+        )
+
+
+def _drive(number: int, drive: Drive, place_of: PlaceOf) -> Iterator[Diagnostic]:
+    for block in (drive.amplifier, drive.motor):
+        for name in (*_LIMITS_OF_DRIVES, *_WEIGHTS_OF_DRIVES):
+            value = float(getattr(block, name, 1.0))
+            if (0.0 < value <= inf) if name in _LIMITS_OF_DRIVES else (0.0 <= value < inf):
+                continue
+            allowed = "a positive number" if name in _LIMITS_OF_DRIVES else "0 or more"
+            yield kinds.UNUSABLE_DRIVE.at(
+                place_of(AuditPlace(number, Attribute.DRIVE, name)),
+                f"the drive of axis {number + 1} has `{name}` = {value:g}, allowed is {allowed}",
+                hint="check the sign",
+                data={"found": value},
+            )
+
+
+def is_symmetric(inertia: Array) -> bool:
+    """Return whether an inertia tensor, shape (3, 3), is one as far as symmetry goes."""
+    slack = SYMMETRY_SLACK * float(np.abs(inertia).max())
+    return bool((np.abs(inertia - inertia.T) <= slack).all())
+
+
+def principal_moments(inertia: Array) -> tuple[float, float, float]:
+    """Return the principal moments of an inertia tensor, shape (3, 3), rising [kg·m²]."""
+    a, b, c = np.linalg.eigvalsh(inertia).tolist()
+    return a, b, c
+
+
+def _not_finite(what: str, span: Span | None) -> Diagnostic:
+    return kinds.NOT_FINITE.at(span, f"{what} is not finite", hint="allowed are finite numbers only")

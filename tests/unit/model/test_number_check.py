@@ -1,0 +1,169 @@
+"""Models with numbers that cannot be: each is refused where it is made, by the name of the joint or link."""
+
+from dataclasses import replace
+from functools import partial
+from math import inf, nan
+from typing import Any
+
+import numpy as np
+import pytest
+
+from ropsim import robots
+from ropsim.core import SourceText
+from ropsim.exchange import read_mjcf, read_urdf
+from ropsim.model import Joint, Link, Mechanism, ModelValueError, RobotModel
+from ropsim.robotfile import read_robot_file
+from ropsim.spatial import Pose, frozen
+
+ARM = robots.load("two_link")
+PUMA = robots.load("puma560")
+
+
+def with_joint(**changes: Any) -> RobotModel:
+    return replace(ARM, joints=(ARM.joints[0], replace(ARM.joints[1], **changes)))
+
+
+def with_link(**changes: Any) -> RobotModel:
+    return replace(PUMA, links=(PUMA.links[0], replace(PUMA.links[1], **changes), *PUMA.links[2:]))
+
+
+def refused(make: Any, **changes: Any) -> tuple[str, str]:
+    """Return code and message with which a model is refused."""
+    with pytest.raises(ModelValueError) as caught:
+        make(**changes)
+    found = caught.value.diagnostic
+    assert found.is_error
+    assert found.hint
+    return found.code, found.message
+
+
+@pytest.mark.parametrize(("lower", "upper"), [(1.0, -1.0), (1.0, 1.0), (nan, 1.0), (0.0, nan), (inf, inf)])
+def test_reversed_equal_or_missing_limits_are_refused(lower: float, upper: float) -> None:
+    code, message = refused(with_joint, lower=lower, upper=upper)
+    assert code == "X850"
+    assert "joint `2`" in message
+
+
+@pytest.mark.parametrize("limit", ["max_speed", "max_acceleration", "max_jerk"])
+@pytest.mark.parametrize("value", [0.0, -1.0, nan, inf])
+def test_limits_of_motion_are_positive_numbers(limit: str, value: float) -> None:
+    code, message = refused(with_joint, **{limit: value})
+    assert code == "X856"
+    assert f"joint `2` has `{limit}` = {value:g}" in message
+
+
+@pytest.mark.parametrize("value", [0.0, -1.0, nan])
+def test_an_effort_limit_may_be_unknown_and_not_zero(value: float) -> None:
+    assert with_joint(max_effort=inf).joints[1].max_effort == inf
+    assert refused(with_joint, max_effort=value)[0] == "X856"
+
+
+def test_a_negative_mass_is_refused() -> None:
+    code, message = refused(with_link, mass=-1.0)
+    assert code == "X851"
+    assert "link `2` has a mass of -1 kg" in message
+
+
+@pytest.mark.parametrize(
+    "changes",
+    [
+        {"mass": nan},
+        {"mass": inf},
+        {"com": np.array([0.0, nan, 0.0])},
+        {"inertia": np.diag([1.0, inf, 1.0])},
+    ],
+)
+def test_link_data_are_finite(changes: dict[str, Any]) -> None:
+    assert refused(with_link, **changes)[0] == "X859"
+
+
+def test_placements_are_finite() -> None:
+    assert refused(with_joint, placement=Pose(np.array([inf, 0.0, 0.0])))[0] == "X859"
+    assert refused(with_joint, offset=nan)[0] == "X859"
+
+
+@pytest.mark.parametrize("turn", [0.0, 0.3, 1.2])
+def test_a_body_has_no_negative_moment_in_whatever_axes(turn: float) -> None:
+    c, s = np.cos(turn), np.sin(turn)
+    R = np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
+    code, message = refused(with_link, inertia=R @ np.diag([-0.1, 1.0, 1.0]) @ R.T)
+    assert code == "X974"
+    assert "-0.1, 1, 1 kg·m²" in message
+
+
+def test_a_tensor_is_symmetric() -> None:
+    skew = PUMA.links[1].inertia + np.array([[0.0, 1e-4, 0.0], [0.0] * 3, [0.0] * 3])
+    code, message = refused(with_link, inertia=skew)
+    assert code == "X862"
+    assert "link `2`" in message
+
+
+def test_joints_that_no_axis_drives_need_no_limits() -> None:
+    loose = replace(ARM.joints[1], lower=-inf, upper=inf, max_speed=inf, max_acceleration=inf, max_jerk=inf)
+    made = Mechanism("m", "m", (ARM.joints[0], loose), ARM.links, (), frozen([0.0]), axes=(0,))
+    assert made.n == 1
+
+
+def test_a_mechanism_of_any_kind_is_refused() -> None:
+    joint, link = ARM.joints[0], Link(1.0, np.zeros(3), np.eye(3))
+
+    def make(wrong: Joint) -> Mechanism:
+        return Mechanism("m", "m", (wrong,), (link,), (), frozen([0.0]))
+
+    assert make(joint).n == 1
+    assert refused(make, wrong=replace(joint, max_jerk=inf))[0] == "X856"
+
+
+@pytest.mark.parametrize(
+    ("block", "name", "value"),
+    [
+        ("amplifier", "max_voltage", 0.0),
+        ("amplifier", "max_current", -1.0),
+        ("amplifier", "max_voltage", nan),
+        ("motor", "rotor_inertia", -1e-6),
+        ("motor", "rotor_inertia", nan),
+        ("motor", "rotor_inertia", inf),
+    ],
+)
+def test_limits_of_drives_are_positive_and_rotors_weigh_something(
+    block: str, name: str, value: float
+) -> None:
+    first = PUMA.drives[0]
+    wrong = replace(first, **{block: replace(getattr(first, block), **{name: value})})
+    code, message = refused(partial(replace, PUMA), drives=(wrong, *PUMA.drives[1:]))
+    assert code == "X975"
+    assert f"axis 1 has `{name}` = {value:g}" in message
+
+
+URDF = """<robot name="r"><link name="base"/>
+<link name="arm"><inertial><mass value="2"/><inertia ixx="{ixx}" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/>
+</inertial></link>
+<joint name="j" type="revolute"><parent link="base"/><child link="arm"/><axis xyz="0 0 1"/>
+<limit lower="-1" upper="1" velocity="1" effort="10"/></joint></robot>
+"""
+MJCF = """<mujoco model="r"><worldbody><body name="arm">
+<inertial pos="0 0 0" mass="2" diaginertia="{ixx} 1 1"/><joint name="j" range="-1 1"/>
+</body></worldbody></mujoco>
+"""
+TOML = """name = "r"
+convention = "standard"
+joints = [{{a = 300, limits = [-90, 90], speed = 90}}]
+links = [{{mass = 2, inertia = [{ixx}, 1, 1, 0, 0, 0]}}]
+"""
+
+
+@pytest.mark.parametrize(
+    ("read", "text"),
+    [(read_urdf, URDF), (read_mjcf, MJCF), (read_robot_file, TOML)],
+    ids=["urdf", "mjcf", "toml"],
+)
+def test_readers_refuse_such_a_body_with_its_place(read: Any, text: str) -> None:
+    good = read(SourceText("r", text.format(ixx="1")))
+    assert good.robot is not None
+    bad = read(SourceText("r", text.format(ixx="-1")))
+    assert bad.robot is None
+    (found,) = [one for one in bad.findings if one.is_error]
+    assert found.code == "X974"
+    assert found.span is not None
+    line = text.splitlines()[found.span.line - 1]
+    assert "inertia" in line or '"arm"' in line
