@@ -6,7 +6,7 @@ from functools import cache
 from ropsim.core import SourceText
 from ropsim.language import Environment
 from ropsim.program import SignalUse, ValueType
-from ropsim.tasks import InTheAir, KnowledgeBase, Obstruction, Overlap, Point
+from ropsim.tasks import InTheAir, KnowledgeBase, Missing, Obstruction, Overlap, Point
 
 STANDING = (0.4, 0.0, 0.2, 0.0, 1.0, 0.0, 0.0)
 """A pose with the tool straight down [m, quaternion w x y z]."""
@@ -34,6 +34,13 @@ class Refusing:
         self.revision += 1
         self.refused = set(refused)
         self.asked = []
+
+    def missing(self, robot: str, location: Point) -> Missing | None:
+        """Return that a robot, or a location whose name begins with `no_`, is not there."""
+        if robot != "arm":
+            return Missing("robot", robot, ("arm",))
+        is_there = not isinstance(location, str) or not location.startswith("no_")
+        return None if is_there else Missing("location", location, ("s1", "s2"))
 
     def reachable(self, robot: str, location: Point) -> bool:
         """Return whether `(robot, location)` is not refused."""

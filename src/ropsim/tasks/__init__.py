@@ -3,6 +3,7 @@
 from ropsim.tasks import words as words
 from ropsim.tasks.asked_geometry import Geometry as Geometry
 from ropsim.tasks.asked_geometry import InTheAir as InTheAir
+from ropsim.tasks.asked_geometry import Missing as Missing
 from ropsim.tasks.asked_geometry import Obstruction as Obstruction
 from ropsim.tasks.asked_geometry import Overlap as Overlap
 from ropsim.tasks.base import KnowledgeBase as KnowledgeBase

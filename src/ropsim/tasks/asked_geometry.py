@@ -3,9 +3,12 @@
 from collections.abc import Hashable, Mapping
 from typing import Protocol
 
-from ropsim.core import frozen_dataclass
+from ropsim.core import did_you_mean, frozen_dataclass
 from ropsim.tasks.fact_words import meeting_words
 from ropsim.tasks.point import Point
+
+MOST_NAMED = 6
+"""So many names are listed where none is near."""
 
 
 @frozen_dataclass
@@ -54,6 +57,31 @@ class InTheAir:
     words: str
 
 
+@frozen_dataclass
+class Missing:
+    """A name that a cell does not have.
+
+    Attributes:
+        kind: what it should name: `location`, `frame`, `robot`.
+        name: the name.
+        known: the names of this kind that there are.
+    """
+
+    kind: str
+    name: str
+    known: tuple[str, ...]
+
+    def __str__(self) -> str:
+        return f"there is no {self.kind} `{self.name}`"
+
+    @property
+    def hint(self) -> str:
+        """Return the name that was probably meant, or some of those that there are."""
+        some = ", ".join(f"`{one}`" for one in self.known[:MOST_NAMED])
+        none = f"the cell has no {self.kind}s"
+        return did_you_mean(self.name, self.known) or (f"there are {some}" if some else none)
+
+
 class Geometry(Protocol):
     """Who knows where the arm of a cell can go; knowledge bases know neither arm nor cell."""
 
@@ -65,6 +93,10 @@ class Geometry(Protocol):
     @property
     def unchecked(self) -> tuple[str, ...]:
         """Return what its answers leave out, such as `collisions`; said wherever they are."""
+        ...
+
+    def missing(self, robot: str, location: Point) -> Missing | None:
+        """Return the robot, location or frame that a condition names and that is not there; None for none."""
         ...
 
     def reachable(self, robot: str, location: Point) -> bool:
@@ -109,6 +141,9 @@ class Anywhere:
 
     revision: Hashable = None
     unchecked = ("reach", "collisions")
+
+    def missing(self, robot: str, location: Point) -> None:
+        """Return None: without a cell nobody knows its names."""
 
     def reachable(self, robot: str, location: Point) -> bool:  # noqa: ARG002 - as the protocol has it
         """Return True."""

@@ -194,7 +194,7 @@ class KnowledgeBase:
             TaskError: the goal is no list of facts.
         """
         self._geometry.prepare()
-        plan = planned(self._host, self.task, goal, state, seconds, progress, self._geometry)
+        plan = planned(self._host, self.task, self.tasks, goal, state, seconds, progress, self._geometry)
         return replace(plan, unchecked=self.unchecked)
 
     def cancel(self) -> None:

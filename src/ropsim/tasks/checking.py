@@ -12,7 +12,7 @@ from ropsim.tasks.host import Host
 from ropsim.tasks.kinds import LOCATION, UNITS
 from ropsim.tasks.known_task import KnownTask, Parameter
 from ropsim.tasks.lacking import is_hindered, lacking_findings
-from ropsim.tasks.not_defined import not_defined, unknown_locations
+from ropsim.tasks.not_defined import missing_places, not_defined, unknown_locations
 from ropsim.tasks.pattern import Spot
 from ropsim.tasks.point import term_of_point
 from ropsim.tasks.set_down import set_down_findings
@@ -51,7 +51,7 @@ def checked(
     if task is None:
         finding = not_defined(call.name, names)
         return _refused(call, state, (finding,), (Struct("fails", (Atom("task"), Atom(call.name))),))
-    wrong = tuple(_wrong(call, task))
+    wrong = tuple(_wrong(call, task)) or missing_places(call, state, geometry)
     if wrong:
         fails = tuple(Struct("fails", (Atom("call"), one.message)) for one in wrong)
         return _refused(call, state, wrong, fails)

@@ -273,7 +273,8 @@ WRONG_CALL = define(
     """
 `ropsim task show` says what a task takes. Points go to its locations, parameters to all else that task
 text passes, each in the order of the head. A parameter with a dimension has a number with a unit of it,
-or a bare number in the units of the program.
+or a bare number in the units of the program. A location, or the frame of one, that the cell does not have is
+named with a near one.
 """,
 )
 
@@ -307,7 +308,8 @@ NO_PLAN = define(
     "no sequence of tasks reaches a goal",
     """
 Either a fact of the goal, or one that it takes to make it, is made by no task; or geometry refuses what
-would make it; or each fact can be made, but not all of them together. The message says which.
+would make it; or each fact can be made, but not all of them together. The message says which. Where the goal
+names a location, a frame or a part that is not there, the message says that, and the hint names a near one.
 """,
 )
 

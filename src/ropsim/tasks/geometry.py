@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 
 from ropsim.prolog import Atom, Predicate, Sort, Struct, Term, question
-from ropsim.tasks.asked_geometry import Geometry, InTheAir, Obstruction, Overlap
+from ropsim.tasks.asked_geometry import Geometry, InTheAir, Missing, Obstruction, Overlap
 from ropsim.tasks.bounds import millimetres
 from ropsim.tasks.conditions import CONDITIONS, IN_ROWS, Condition
 from ropsim.tasks.fact_words import beside_words, name_words, place_words, wider_words
@@ -25,6 +25,7 @@ class RememberedGeometry:
         self._revision = geometry.revision
         self._known: dict[Term, bool] = {}
         self._why: dict[Term, Obstruction] = {}
+        self._missing: dict[Term, Missing] = {}
         self._spots: dict[Term, tuple[Spot, Struct]] = {}
         self._beside: dict[tuple[str, str, float, float], Overlap | None] = {}
         self._too_near: dict[Term, tuple[str, float, float, Overlap]] = {}
@@ -44,8 +45,10 @@ class RememberedGeometry:
     def refusal(self, condition: Term) -> str:
         """Return why a condition does not hold, as people say it."""
         if condition in self._too_near:
-            part, _, apart, found = self._too_near[condition]
-            return beside_words(apart, part, found.length, found.depth)
+            part, _, apart, near = self._too_near[condition]
+            return beside_words(apart, part, near.length, near.depth)
+        if found := self._missing_in(condition):
+            return str(found)
         if condition in self._spots:
             spot, one = self._spots[condition]
             met = self._why.get(one)
@@ -54,17 +57,36 @@ class RememberedGeometry:
         return _refusal(condition) if why is None else f"{place_words(condition)} {why}"
 
     def spot(self, condition: Term) -> Spot | None:
-        """Return the place of a pattern that refuses a condition, None for a condition of one place."""
-        return self._spots[condition][0] if condition in self._spots else None
+        """Return the place of a pattern that refuses a condition.
+
+        Returns:
+            None for a condition of one place, and where a name is missing: no place of the pattern is there.
+        """
+        return (
+            self._spots[condition][0]
+            if condition in self._spots and not self._missing_in(condition)
+            else None
+        )
 
     def hint(self, condition: Term) -> str:
         """Return what can be done about a condition that does not hold."""
         if condition in self._too_near:
-            _, distance, apart, found = self._too_near[condition]
-            return wider_words(found.length * distance / apart)
+            _, distance, apart, near = self._too_near[condition]
+            return wider_words(near.length * distance / apart)
+        if found := self._missing_in(condition):
+            return found.hint
         why = self._why.get(condition)
         moved = "it in the cell" if why is None else why.other
         return f"choose another location, or move {moved}"
+
+    def missing(self, robot: str, location: Point) -> Missing | None:
+        """Return the robot, location or frame that is not in the cell; None for none."""
+        return self._geometry.missing(robot, location)
+
+    def _missing_in(self, condition: Term) -> Missing | None:
+        """Return the name of the cell that a condition, or its first refusing place, lacks; None for none."""
+        one = self._spots[condition][1] if condition in self._spots else condition
+        return self._missing.get(one)
 
     def in_the_air(
         self, robot: str, part: str, location: Point, lying: Mapping[str, Point]
@@ -130,6 +152,11 @@ class RememberedGeometry:
             kind, at = CONDITIONS[condition.name], point_of_term(location)
             if not isinstance(robot, Atom) or at is None:
                 raise ValueError(f"{location} is no location, or {robot} no robot")
+            missing = self._geometry.missing(robot.name, at)
+            if missing is not None:
+                self._missing[condition] = missing
+                self._known[condition] = False
+                return False
             self.asked += 1
             answer = kind.answer(self._geometry, robot.name, tuple(map(_name, things)), at)
             if isinstance(answer, Obstruction):
@@ -142,7 +169,7 @@ class RememberedGeometry:
         revision = self._geometry.revision
         if revision != self._revision:
             self._revision = revision
-            for known in (self._known, self._why, self._spots, self._beside, self._too_near):
+            for known in (self._known, self._why, self._missing, self._spots, self._beside, self._too_near):
                 known.clear()
 
 

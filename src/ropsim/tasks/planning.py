@@ -4,10 +4,12 @@ from collections.abc import Callable, Sequence
 
 from ropsim.core import Diagnostic, frozen_dataclass
 from ropsim.prolog import Atom, GoalError, Struct, Term, Var
+from ropsim.tasks.asked_geometry import Missing
 from ropsim.tasks.diagnostics import NO_PLAN, PLAN_STOPPED
 from ropsim.tasks.expression_text import unit_of
 from ropsim.tasks.fact_words import fact_words
 from ropsim.tasks.geometry import RememberedGeometry
+from ropsim.tasks.goal_names import missing_in_goal, near_fact
 from ropsim.tasks.host import Host, Progress
 from ropsim.tasks.kinds import LOCATION
 from ropsim.tasks.known_task import KnownTask
@@ -51,6 +53,7 @@ class Plan:
 def planned(
     host: Host,
     task: Callable[[str], KnownTask | None],
+    tasks: Callable[[], Sequence[KnownTask]],
     goal: Sequence[str | Term],
     state: WorldState,
     seconds: float,
@@ -62,6 +65,7 @@ def planned(
     Args:
         host: asks Prolog.
         task: the task of a name.
+        tasks: all of them, which are read to say why there is no plan.
         goal: facts.
         state: what is true before.
         seconds: after so much time it is stopped [s].
@@ -82,7 +86,9 @@ def planned(
             calls = tuple(_call(head, task) for head in heads)
             return Plan(calls, (), looked_at, inferences=inferences, is_fewest=how == Atom("fewest"))
         case Struct("none", (why, int(looked_at), int(inferences))):
-            return Plan((), (_nothing(why, wanted, geometry),), looked_at, inferences=inferences)
+            missing = missing_in_goal(wanted, tasks(), state, geometry)
+            finding = _nothing(why, wanted, geometry, tasks()) if missing is None else _unknown(missing)
+            return Plan((), (finding,), looked_at, inferences=inferences)
     raise ValueError(f"{found} is no plan")
 
 
@@ -94,11 +100,18 @@ def _stopped(error: GoalError, seconds: float) -> Diagnostic:
     return PLAN_STOPPED.at(None, f"planning was stopped: {cause.message}", hint=cause.hint)
 
 
-def _nothing(why: Term, wanted: Sequence[Term], geometry: RememberedGeometry) -> Diagnostic:
+def _unknown(missing: Missing) -> Diagnostic:
+    """Return that a goal names something that is not there."""
+    return NO_PLAN.at(None, f"no plan: {missing}", hint=missing.hint)
+
+
+def _nothing(
+    why: Term, wanted: Sequence[Term], geometry: RememberedGeometry, tasks: Sequence[KnownTask]
+) -> Diagnostic:
     match why:
         case Struct("nobody", (fact,)):
             message = f"no plan: no task can make {fact_words(fact)}"
-            hint = "a task with such an effect is missing, or a fact of the state"
+            hint = near_fact(fact, tasks) or "a task with such an effect is missing, or a fact of the state"
             return NO_PLAN.at(None, message, hint=hint)
         case Struct("refused", (fact, tuple(conditions))):
             words = ", and ".join(geometry.refusal(one) for one in conditions[:3])

@@ -14,7 +14,7 @@ from ropsim.spatial import Array, Pose
 from ropsim.workbench.environment import environment_of
 
 if TYPE_CHECKING:  # knowledge bases and their engine are loaded by who asks one
-    from ropsim.tasks import InTheAir, Obstruction, Overlap, Point
+    from ropsim.tasks import InTheAir, Missing, Obstruction, Overlap, Point
     from ropsim.workbench.cell_collisions import CellCollisions
     from ropsim.workbench.part_supports import PartSupports
 
@@ -38,6 +38,28 @@ class CellGeometry:
         self._moves: dict[tuple[str, Point], MoveInstruction | None] = {}
         self._environments: dict[str, language.Environment] = {}
         self.revision: Hashable = id(cell)
+
+    def missing(self, robot: str, location: "Point") -> "Missing | None":
+        """Return the robot, location or frame that is named and that the cell does not have; None for none.
+
+        Args:
+            robot: as with `reachable`.
+            location: as with `reachable`.
+        """
+        from ropsim.tasks import FramedPoint, Missing
+
+        station = self._station(robot)
+        if station is None:
+            return Missing("robot", robot, (ARM, *self._cell.stations))
+        if self._move(station, location) is not None:
+            return None
+        environment = self._environment(station)
+        match location:
+            case str() if location not in environment.locations:
+                return Missing("location", location, tuple(environment.locations))
+            case FramedPoint(_, frame) if frame not in environment.frames:
+                return Missing("frame", frame, tuple(environment.frames))
+        return None
 
     def reachable(self, robot: str, location: "Point") -> bool:
         """Return whether a robot has joint coordinates inside its limits for a location.

@@ -347,3 +347,33 @@ def test_a_plan_that_need_not_be_the_fewest_says_so() -> None:
     begin = cell_of(tuple(places), [*places, "b1", "b2"])
     assert not known.plan(goal, begin, seconds=PATIENCE).is_fewest
     assert base().plan(goal, begin, seconds=PATIENCE).is_fewest
+
+
+@pytest.mark.parametrize(
+    ("goal", "message", "hint"),
+    [
+        ("at(bolt, tabel)", "there is no location `tabel`", "did you mean `table`?"),
+        ("at(bolt, nowhere)", "there is no location `nowhere`", "there are `s1`, `table`"),
+        ("held(boltt)", "there is no part `boltt`", "did you mean `bolt`?"),
+        ("parked(no_place)", "there is no location `no_place`", "there are `s1`, `s2`"),
+        ("parkt(s1)", "no task can make `parkt(s1)`", "did you mean `parked`?"),
+        ("parked", "no task can make `parked`", "`parked` has 1 argument, given: 0"),
+    ],
+)
+def test_a_goal_that_names_what_is_not_there_is_told_so_with_a_near_name(
+    goal: str, message: str, hint: str
+) -> None:
+    state = WorldState.of(
+        "gripper(open)", "at(bolt, s1)", "free(table)", "location(s1)", "location(table)", "part(bolt)"
+    )
+    (finding,) = base().plan([goal], state).findings
+    assert (finding.code, finding.message) == ("P154", f"no plan: {message}")
+    assert finding.hint == hint
+
+
+def test_a_condition_that_names_a_robot_that_is_not_there_is_told_so() -> None:
+    known = base("task(t(L), [params([L-location]), geo([reachable(amr, L)]), body([mov(L)])]).")
+    report = known.check("t s1", WorldState.of("location(s1)"))
+    (finding,) = report.findings
+    assert finding.message == "`t` is not possible here: there is no robot `amr`"
+    assert finding.hint == "did you mean `arm`?"

@@ -176,3 +176,32 @@ def test_a_check_of_the_project_tells_what_is_wrong_with_its_tasks(
     (folder / "kb" / "own.pl").write_text("task(wave, [body([open, clos])]).\n")
     assert main(["check", str(folder)]) == 1
     assert "own.pl:1:25" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("call", ["park (0, 0, 100) in tabel", "grip (0, 0, 100) in tabel"])
+def test_a_point_in_a_frame_that_the_cell_does_not_have_is_told_so_with_a_near_name(
+    tmp_path: Path, call: str
+) -> None:
+    (tmp_path / "cell.toml").write_text(
+        CELL.replace("[signals", "[frames.table]\nposition = [400, 0, 0]\n[signals")
+    )
+    known = open_knowledge(tmp_path)
+    (finding,) = known.base.check(call, known.state).findings
+    assert (finding.code, finding.message) == ("P151", "Frame not defined: `tabel`")
+    assert finding.hint == "did you mean `table`?"
+    for goal in ("parked(in(p(0,0,100),tabel))", "at(bolt,in(p(0,0,100),tabel))"):
+        (finding,) = known.base.plan([goal], known.state).findings
+        assert (finding.code, finding.message) == ("P154", "no plan: there is no frame `tabel`")
+        assert finding.hint == "did you mean `table`?"
+
+
+def test_a_pattern_in_a_frame_that_is_not_there_is_told_so(tmp_path: Path) -> None:
+    (tmp_path / "cell.toml").write_text(CELL)
+    known = open_knowledge(tmp_path)
+    (finding,) = known.base.check("load_pallet s1, (0, 0, 0) in table, 2, 1, 75", known.state).findings
+    assert (finding.message, finding.hint) == ("Frame not defined: `table`", "the cell has no frames")
+
+
+def test_a_goal_at_a_location_that_the_cell_does_not_have_is_told_so(known: Knowledge) -> None:
+    (finding,) = known.base.plan(["at(bolt, rset)"], known.state).findings
+    assert (finding.message, finding.hint) == ("no plan: there is no location `rset`", "did you mean `rest`?")
