@@ -39,8 +39,9 @@ class Refusing:
         """Return that a robot, or a location whose name begins with `no_`, is not there."""
         if robot != "arm":
             return Missing("robot", robot, ("arm",))
-        is_there = not isinstance(location, str) or not location.startswith("no_")
-        return None if is_there else Missing("location", location, ("s1", "s2"))
+        if isinstance(location, str) and location.startswith("no_"):
+            return Missing("location", location, ("s1", "s2"))
+        return None
 
     def reachable(self, robot: str, location: Point) -> bool:
         """Return whether `(robot, location)` is not refused."""
