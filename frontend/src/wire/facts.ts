@@ -167,6 +167,8 @@ export interface WayFacts {
   readonly near: readonly Contact[]
   /** Clearance that the cell requires [m]; 0 for none. */
   readonly required: number
+  /** Bodies of these contacts with meshes, which count as convex hulls: hollows of them are filled. */
+  readonly filled: readonly string[]
 }
 
 /** Who ran what, where and how. */

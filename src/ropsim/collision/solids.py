@@ -7,6 +7,7 @@ from types import MappingProxyType
 import numpy as np
 
 from ropsim.collision.convex import Convex, hull_of, turned
+from ropsim.collision.convex_parts import convex_parts
 from ropsim.collision.quick_hull import bounded_hull
 from ropsim.model import Box, Cylinder, Mesh, Point2, Polyline, Prism, Revolve, Shape, Sphere
 from ropsim.spatial import Array, Pose
@@ -24,9 +25,9 @@ def readable(meshes: MeshPoints) -> MeshPoints:
 def convexes(shape: Shape, meshes: MeshPoints = NO_MESHES) -> tuple[Convex, ...]:
     """Return the convex bodies of a shape; a line, and a mesh that is not known, have none.
 
-    Boxes, cylinders, cones and spheres are exact. A body of revolution is cut where it is hollow, and then
-    exact where its profile goes up throughout. Prisms and meshes are taken as their convex hulls: so a hollow
-    of them is no room for others, and what is said to be free is free.
+    Boxes, cylinders, cones, spheres and prisms are exact. A body of revolution is cut where it is hollow, and
+    then exact where its profile goes up throughout. A mesh is taken as its convex hull: so a hollow of it is
+    no room for others, and what is said to be free is free.
 
     Args:
         shape: in the frame of its body.
@@ -45,7 +46,8 @@ def convexes(shape: Shape, meshes: MeshPoints = NO_MESHES) -> tuple[Convex, ...]
         case Revolve(profile):
             return tuple(turned(run, pose) for run in _convex_runs(profile))
         case Prism(outline, length):
-            return (hull_of([(x, y, z) for x, y in outline for z in (0.0, length)], pose),)
+            parts = convex_parts(outline)
+            return tuple(hull_of([(x, y, z) for x, y in one for z in (0.0, length)], pose) for one in parts)
         case Mesh() as mesh:
             points = meshes.get(mesh)
             return () if points is None else (_meshed(points, pose),)

@@ -80,6 +80,7 @@ class WayFacts:
         contacts: penetrations, in order of time.
         near: bodies that came nearer than the cell requires, in order of time.
         required: clearance that the cell requires [m]; 0 for none.
+        filled: bodies of these contacts with meshes, which count as convex hulls: hollows of them are filled.
     """
 
     clearance: Clearance | None = None
@@ -88,6 +89,7 @@ class WayFacts:
     contacts: tuple[Contact, ...] = ()
     near: tuple[Contact, ...] = ()
     required: float = 0.0
+    filled: tuple[str, ...] = ()
 
 
 def body_title(name: str) -> str:

@@ -183,8 +183,9 @@ have hit it, so the run has failed.
 
 **What is checked.** Everything that moves, with what it carries, against everything else, at all recorded
 times at which two may meet; the bodies of one robot against each other, and a part against what it is taken
-from or put on, every 20 ms. Tools without shapes are checked as they are drawn. Meshes and prisms count as
-their convex hulls: a hollow of them is no room here.
+from or put on, every 20 ms. Tools without shapes are checked as they are drawn. A mesh counts as its convex
+hull: a hollow of it is no room here, and a note says so. Draw a bin of boxes or as a prism where the arm
+works in it.
 
 **What is allowed.** Bodies that are up to 0.5 mm in each other touch: an arm keeps to its path no better.
 Parts may be as deep in other things as `depth` of `[supports]` says, 2 mm where nothing is said.

@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 from functools import cache
+from itertools import product
 from pathlib import Path
 
 import numpy as np
@@ -10,7 +11,7 @@ import pytest
 import ropsim
 from ropsim.collision import Collisions
 from ropsim.flow import Recording
-from ropsim.model import Box, Cell, FixedObject, Shape
+from ropsim.model import Box, Cell, FixedObject, Mesh, Prism, Shape
 from ropsim.simulation import run_collisions
 from ropsim.spatial import Pose
 
@@ -71,6 +72,38 @@ def test_the_least_distance_is_that_of_every_recorded_state_looked_at_alone(heig
         for q in recording.channels["q"].values[::10]:
             least = min(least, alone.separation(q, absent=absent).distance)
     assert found.facts.clearance.distance <= least + 1e-9
+
+
+def test_a_collision_with_a_mesh_says_that_its_hollows_are_filled() -> None:
+    cell, recording = carried_out()
+    _, place = tcp(0.5)
+    mesh = Mesh("block.stl")
+    corners = np.array(list(product((-0.03, 0.03), repeat=3)))
+    drawn = replace(cell, objects=(*cell.objects, FixedObject("block", Pose(place), (Shape(mesh),))))
+    found = run_collisions(recording, drawn, {mesh: corners})
+    same = run_collisions(recording, with_block(0.06, place))
+    assert [one.message for one in found.findings] == [one.message for one in same.findings]
+    assert all("`block` is drawn by a mesh" in " ".join(one.notes) for one in found.findings)
+    assert found.facts.filled == ("block",)
+    assert not any(one.notes for one in same.findings)
+
+
+def test_an_arm_works_in_the_hollow_of_a_prism() -> None:
+    """Three walls around the cell, from one outline: their hull would hold the whole arm."""
+    cell, recording = carried_out()
+    inner, outer = 3.0, 3.2
+    outline = (
+        (-outer, -outer), (outer, -outer), (outer, outer), (inner, outer),
+        (inner, -inner), (-inner, -inner), (-inner, outer), (-outer, outer),
+    )  # fmt: skip
+    walls = FixedObject("walls", Pose(np.array([0.0, 0.0, -1.0])), (Shape(Prism(outline, 4.0)),))
+    found = run_collisions(recording, replace(cell, objects=(*cell.objects, walls)))
+    assert found.findings == ()
+    assert not any("walls" in (one.one, one.other) for one in found.facts.met)
+    place = tcp(0.5)[1] + np.array([0.0, inner + 0.1, -2.0])
+    near = FixedObject("walls", Pose(place), walls.shapes)
+    touched = run_collisions(recording, replace(cell, objects=(*cell.objects, near)))
+    assert any("walls" in one.message for one in touched.findings)
 
 
 def test_bodies_without_a_shape_are_told() -> None:

@@ -5,9 +5,10 @@ from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
 from ropsim.core import Diagnostic, Kind, Span
-from ropsim.flow import Contact, RunFacts
+from ropsim.flow import Contact, RunFacts, body_title
 from ropsim.simulation.diagnostics import PENETRATION, TOO_NEAR
 
+_FILLED = "`{}` is drawn by a mesh and counts as its convex hull: what is in a hollow of it is free in truth"
 AROUND = "lead the arm around it by a point on the way, or move what is in the way"
 FARTHER = "lead the arm farther from it, or require less by `clearance` in `[cell]`"
 
@@ -86,4 +87,6 @@ def _finding(
             "passes": tuple(sorted({one.visit for one in some} - {0})),
         },
     )
-    return replace(found, notes=shared)
+    filled = facts.ways.filled if facts.ways else ()
+    meshes = tuple(_FILLED.format(body_title(name)) for name in (worst.one, worst.other) if name in filled)
+    return replace(found, notes=(*shared, *meshes))

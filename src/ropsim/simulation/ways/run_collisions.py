@@ -8,7 +8,7 @@ import numpy as np
 from ropsim.collision import NO_MESHES, ROUGH, Collisions, MeshPoints, Nearness, Pair
 from ropsim.core import Diagnostic, frozen_dataclass
 from ropsim.flow import BodyPair, Clearance, Contact, Recording, WayFacts
-from ropsim.model import BodyKind, BodyTree, Cell, has_surroundings
+from ropsim.model import BodyKind, BodyTree, Cell, Mesh, has_surroundings
 from ropsim.simulation.ways.approaches import Looked, Nearest, frames_at, looked_at, nearest
 from ropsim.simulation.ways.contacts import contacts_of, line_of
 from ropsim.simulation.ways.findings import contact_findings, without_contact_findings
@@ -93,8 +93,25 @@ def run_collisions(
     found = contacts_of(solids, looked, seen, recording, cell, at_start)
     clearance = _deepest(found.deep) or _clearance(solids, looked, seen, recording)
     met = (*facts.met, *(BodyPair(*pair) for pair in found.drawn))
-    facts = replace(facts, clearance=clearance, met=met, contacts=found.deep, near=found.near)
+    facts = replace(
+        facts,
+        clearance=clearance,
+        met=met,
+        contacts=found.deep,
+        near=found.near,
+        filled=_filled(solids.tree, (*found.deep, *found.near)),
+    )
     return RunCollisions(contact_findings(replace(recording.facts, ways=facts)), facts)
+
+
+def _filled(tree: BodyTree, contacts: tuple[Contact, ...]) -> tuple[str, ...]:
+    """Return the bodies of contacts that have meshes, in the order of the tree."""
+    met = {name for one in contacts for name in (one.one, one.other)}
+    return tuple(
+        body.name
+        for body in tree.bodies
+        if body.name in met and any(isinstance(shape.solid, Mesh) for shape in body.shapes)
+    )
 
 
 def _has_part(tree: BodyTree, pair: Pair) -> bool:
