@@ -4,9 +4,9 @@ import numpy as np
 import numpy.typing as npt
 
 from ropsim.dynamics.drives import reflected_inertia
-from ropsim.dynamics.mass_check import idle_axes, missing_inertia
+from ropsim.dynamics.mass_check import check_masses, idle_axes, missing_inertia
 from ropsim.kinematics import frames_of_steps
-from ropsim.model import BASE_LINK, JointType, Linkage, Mechanism, check_counts, check_open, joint_tree
+from ropsim.model import BASE_LINK, JointType, Linkage, Mechanism, joint_tree
 from ropsim.spatial import Array, Pose, cross
 
 
@@ -24,10 +24,10 @@ def mass_matrices(robot: Mechanism, Q: npt.ArrayLike) -> Array:
 
     Raises:
         ArrayShapeError: M551, Q has another shape.
-        MechanismError: the mechanism cannot be, or links or drives are missing.
+        MissingMassError: M590, no link has a mass.
+        JointCountError, MechanismError, ModelNumberError: as `check_model`.
     """
-    check_counts(robot)
-    check_open(robot)
+    check_masses(robot)
     tree, frames = joint_tree(robot), frames_of_steps(robot, Q)  # (k, m, 4, 4)
     k, n = len(frames), robot.n
     found = np.zeros((k, n, n))

@@ -31,6 +31,8 @@ NEED_MASSES = (
     "bias",
     "forward_dynamics",
     "mass_matrix",
+    "mass_matrices",
+    "axis_inertias",
     "free_inertias",
 )
 NOTHING = Link(0.0, np.zeros(3), np.zeros((3, 3)))
