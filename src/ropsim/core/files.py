@@ -6,6 +6,8 @@ import stat
 import tempfile
 from pathlib import Path
 
+from ropsim.core.handles import stream_of
+
 MOST_BYTES = 64_000_000
 """Bytes that a file may have where its reader names no other bound."""
 _WITHOUT_WAITING = getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
@@ -52,7 +54,7 @@ def read_own_bytes(path: Path, most: int = MOST_BYTES) -> bytes:
 def _read(path: Path, most: int) -> tuple[bytes, os.stat_result]:
     """Return what is in a file and what the system tells of the same file."""
     handle = os.open(path, os.O_RDONLY | _WITHOUT_WAITING)
-    with os.fdopen(handle, "rb") as stream:
+    with stream_of(handle, "rb") as stream:
         facts = os.fstat(handle)
         if not stat.S_ISREG(facts.st_mode):
             raise NoOrdinaryFileError(errno.EINVAL, "it is no ordinary file", str(path))
@@ -89,7 +91,7 @@ def _replace(place: Path, content: bytes, mode: int) -> None:
     """Put a file with these permissions in the place of another one; until then nobody else can read it."""
     handle, name = tempfile.mkstemp(prefix=".ropsim-", dir=place.parent)
     try:
-        with os.fdopen(handle, "wb") as stream:
+        with stream_of(handle, "wb") as stream:
             stream.write(content)
             stream.flush()
             os.fsync(stream.fileno())

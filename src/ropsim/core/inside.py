@@ -14,6 +14,7 @@ from collections.abc import Callable, Iterator
 from pathlib import Path, PurePath, PureWindowsPath
 
 from ropsim.core.files import replace_file
+from ropsim.core.handles import closed_on_error, stream_of
 
 _BY_HANDLE = os.open in os.supports_dir_fd and os.rename in os.supports_dir_fd
 _NOFOLLOW, _BINARY = getattr(os, "O_NOFOLLOW", 0), getattr(os, "O_BINARY", 0)
@@ -74,10 +75,10 @@ def read_inside(folder: Path, name: str | PurePath, most: int) -> bytes:
     place = place_inside(folder, name)
     with _folder_of(folder, place) as around:
         handle = os.open(place.name if around is not None else place, _READ, dir_fd=around)
-    if not stat.S_ISREG(os.fstat(handle).st_mode):
-        os.close(handle)
-        raise FileNotFoundError(errno.ENOENT, "is no ordinary file", str(name))
-    with os.fdopen(handle, "rb") as stream:
+    with closed_on_error(handle):
+        if not stat.S_ISREG(os.fstat(handle).st_mode):
+            raise FileNotFoundError(errno.ENOENT, "is no ordinary file", str(name))
+    with stream_of(handle, "rb") as stream:
         return stream.read(most)
 
 
@@ -195,7 +196,7 @@ def _written(content: bytes, mode: int | None, around: int) -> Iterator[str]:
     name = f".ropsim-{secrets.token_hex(8)}"
     handle = os.open(name, _NEW, 0o600 if mode is not None else 0o666, dir_fd=around)
     try:
-        with os.fdopen(handle, "wb") as stream:
+        with stream_of(handle, "wb") as stream:
             stream.write(content)
             stream.flush()
             if mode is not None:

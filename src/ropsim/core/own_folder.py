@@ -17,6 +17,8 @@ from pathlib import Path
 from types import TracebackType
 from typing import NamedTuple
 
+from ropsim.core.handles import closed_on_error, stream_of
+
 _HAS_OWNERS = hasattr(os, "geteuid")
 _OTHERS_WRITE = stat.S_IWGRP | stat.S_IWOTH
 _ALONE = stat.S_IRWXU
@@ -127,7 +129,7 @@ class OwnFolder:
             OSError: it cannot be read, is no ordinary file, is larger, or others can have written it.
         """
         handle = os.open(self._at(name), os.O_RDONLY | _FILE, dir_fd=self._handle)
-        with os.fdopen(handle, "rb") as stream:
+        with stream_of(handle, "rb") as stream:
             facts = os.fstat(handle)
             if not stat.S_ISREG(facts.st_mode) or facts.st_size > most or not _is_own(facts):
                 raise PermissionError(errno.EACCES, "it is not as it was written", name)
@@ -146,7 +148,7 @@ class OwnFolder:
         flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL | _FILE
         handle = os.open(self._at(temporary), flags, 0o600, dir_fd=self._handle)
         try:
-            with os.fdopen(handle, "wb") as stream:
+            with stream_of(handle, "wb") as stream:
                 stream.write(content)
             os.replace(self._at(temporary), self._at(name), src_dir_fd=self._handle, dst_dir_fd=self._handle)
         except BaseException:
@@ -192,7 +194,8 @@ def _opened_folder(path: Path, name: str, around: int | None) -> int | None:
         if error.errno in _NO_FOLDER:
             raise ForeignFolderError(f"`{path}` is a link or no folder") from None
         raise
-    facts = os.fstat(handle)
+    with closed_on_error(handle):
+        facts = os.fstat(handle)
     if _is_own(facts):
         return handle
     os.close(handle)

@@ -229,11 +229,10 @@ def test_a_folder_that_cannot_be_made_is_said_and_work_goes_on(tmp_path: Path) -
 def test_a_disk_that_is_full_leaves_no_rest(
     kept: KeptFiles, folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def full(handle: int, *_anything: object) -> None:
-        os.close(handle)
+    def full(_handle: int, *_anything: object) -> None:
         raise OSError(28, "No space left on device")
 
-    monkeypatch.setattr("ropsim.core.own_folder.os.fdopen", full)
+    monkeypatch.setattr("ropsim.core.handles.os.fdopen", full)
     kept.keep(OTHER, ENTRY)
     monkeypatch.undo()
     assert codes() == ["X919"]
