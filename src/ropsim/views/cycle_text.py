@@ -1,6 +1,8 @@
 """Of what the cycle time consists, as text for a terminal."""
 
 import math
+from collections.abc import Callable, Sequence
+from typing import TypeAlias
 
 from ropsim.views.characters import clean, fit
 from ropsim.views.columns import TableCell, columns_text
@@ -13,19 +15,31 @@ SHOWN_TASKS = 6
 NO_STATEMENT = "no statement"
 """Name of the time that no statement of a program took, such as that of a hold between two of them."""
 _NAMES = 18
+_Column: TypeAlias = tuple[str, Callable[[CycleParts], float]]
+_SETTLING = "settling"
+"""Left out where nothing settles: a kinematic run has no servo that could."""
+_COLUMNS: tuple[_Column, ...] = (
+    ("total", lambda parts: parts.total),
+    ("motion", lambda parts: parts.motion),
+    ("zones", lambda parts: parts.blending),
+    (_SETTLING, lambda parts: parts.settling),
+    ("gripper", lambda parts: parts.gripper),
+    ("waits", lambda parts: parts.waits),
+    ("other", lambda parts: parts.other),
+)
 
 
 def cycle_lines(cycle: CycleTime, style: Style) -> list[str]:
     """Return the parts by task, and the lines that take longest, as two tables; nothing for no time."""
     if not cycle.whole.total > 0.0:
         return []
-    several = len(cycle.tasks) > 1
-    tasks = cycle.tasks if several else ()
-    title = ("time in s", "total", "motion", "zones", "settling", "gripper", "waits", "other")
-    rows = [_parts_row(task.name or NO_STATEMENT, task.parts) for task in tasks[:SHOWN_TASKS]]
+    tasks = cycle.tasks if len(cycle.tasks) > 1 else ()
+    columns = [one for one in _COLUMNS if one[0] != _SETTLING or cycle.whole.settling > 0.0]
+    title = ("time in s", *(name for name, _ in columns))
+    rows = [_parts_row(task.name or NO_STATEMENT, task.parts, columns) for task in tasks[:SHOWN_TASKS]]
     if len(tasks) > SHOWN_TASKS:
         rows.append((TableCell(f"… {len(tasks) - SHOWN_TASKS} more"), *(TableCell("") for _ in title[1:])))
-    rows.append(_parts_row("all", cycle.whole))
+    rows.append(_parts_row("all", cycle.whole, columns))
     return [*columns_text(title, rows, style), *_slowest(cycle, style)]
 
 
@@ -42,17 +56,8 @@ def zone_text(zone: float) -> str:
     return with_unit(zone, MILLIMETRES, 1) if zone > 0.0 else "stop"
 
 
-def _parts_row(name: str, parts: CycleParts) -> tuple[TableCell, ...]:
-    times = (
-        parts.total,
-        parts.motion,
-        parts.blending,
-        parts.settling,
-        parts.gripper,
-        parts.waits,
-        parts.other,
-    )
-    return (TableCell(fit(clean(name), _NAMES)), *(TableCell(seconds(time)) for time in times))
+def _parts_row(name: str, parts: CycleParts, columns: Sequence[_Column]) -> tuple[TableCell, ...]:
+    return (TableCell(fit(clean(name), _NAMES)), *(TableCell(seconds(part(parts))) for _, part in columns))
 
 
 def _slowest(cycle: CycleTime, style: Style) -> list[str]:
