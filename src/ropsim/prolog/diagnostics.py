@@ -101,7 +101,7 @@ GOAL_ERROR = define(
     "a goal ended with an error",
     """
 Prolog ended a goal with an error that nothing in it catches, such as a number that is none, a predicate
-that nobody defines or an error that a function of Python raised (`python_error`).
+that nobody defines or an error of a function that the goal calls.
 """,
 )
 

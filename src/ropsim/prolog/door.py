@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 
+from ropsim.core import RopsimError
 from ropsim.prolog.predicate import Predicate, complaint
 from ropsim.prolog.reading import read_term
 from ropsim.prolog.terms import Atom, Struct, Term, Var
@@ -57,7 +58,7 @@ class Door:
         try:
             return write_term(self._answer(read_term(request)))
         except Exception as error:
-            formal = Struct("python_error", (Atom(type(error).__name__), str(error)[:2000]))
+            formal = Struct("python_error", _failure(error))
             return write_term(_thrown(Struct("error", (formal, Var("_")))))
 
     def close(self) -> None:
@@ -96,8 +97,22 @@ class Door:
             return Atom("end")
         for sort, term in zip(predicate.outputs, found, strict=True):
             if not sort.admits(term):
-                raise TypeError(f"{predicate.indicator} found {term!r}, promised was {sort.value}")
+                raise ValueError(f"`{predicate.indicator}` found {_found(term)}, promised was {sort.value}")
         return Struct("sol", (tuple(found),))
+
+
+def _failure(error: Exception) -> tuple[Term, Term]:
+    """Return the sort of an error of a function and its words."""
+    if isinstance(error, RopsimError):
+        return Atom("RopsimError"), error.diagnostic.message
+    return Atom(type(error).__name__), str(error)[:2000]
+
+
+def _found(term: object) -> str:
+    """Return what a function has found, as Prolog writes it."""
+    if isinstance(term, Atom | Struct | Var | int | float | str | tuple):
+        return f"`{write_term(term)}`"
+    return "a value that is no term"
 
 
 def _tested(solutions: Iterator[Sequence[Term]]) -> Term:

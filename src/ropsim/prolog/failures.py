@@ -1,6 +1,5 @@
 """What Prolog replied or how it ended, as answers and as errors that say what to do."""
 
-import re
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 
@@ -16,12 +15,12 @@ from ropsim.prolog.diagnostics import (
     TIME_LIMIT,
     WRONG_USE,
 )
+from ropsim.prolog.error_words import error_words, near_words, shown_words, thrown_words
 from ropsim.prolog.errors import GoalError
 from ropsim.prolog.program import CrashError, StoppedError, TooLongError
 from ropsim.prolog.reading import UnreadableError
 from ropsim.prolog.terms import Atom, Struct, Term
 
-_QUOTED = re.compile(r"`([^`']*)'")
 _STOPPED: dict[str, tuple[Kind, str, str]] = {
     "time": (
         TIME_LIMIT,
@@ -66,16 +65,17 @@ def failure_of(reply: Term) -> GoalError:
             kind, message, hint = _STOPPED[why]
             return GoalError(kind.at(None, message, hint=hint))
         case Struct("error", (Struct("error", (formal,)), str(words))):
-            return GoalError(_kind(formal).at(None, _message(words)), formal)
+            message = error_words(formal, words)
+            return GoalError(_kind(formal).at(None, message, hint=near_words(words)), formal)
         case Struct("error", (Struct("ball", (Struct("ropsim_door", (str(words),)),)), _)):
-            return GoalError(WRONG_USE.at(None, f"a predicate cannot be registered: {_message(words)}"))
-        case Struct("error", (Struct("ball", (ball,)), str(words))):
-            return GoalError(
-                GOAL_ERROR.at(None, f"the goal threw what nothing caught: {_message(words)}"), ball
-            )
+            return GoalError(WRONG_USE.at(None, f"a predicate cannot be registered: {shown_words(words)}"))
+        case Struct("error", (Struct("ball", (Atom("ropsim_no_reply"),)), _)):
+            return GoalError(GOAL_ERROR.at(None, "Prolog gave no answer"))
+        case Struct("error", (Struct("ball", (ball,)), _)):
+            return GoalError(GOAL_ERROR.at(None, thrown_words(ball)), ball)
         case Struct("uncaught", (str(words),)):
-            return GoalError(GOAL_ERROR.at(None, _message(words)))
-    return GoalError(GOAL_ERROR.at(None, f"Prolog replied {str(reply)[:200]}"))
+            return GoalError(GOAL_ERROR.at(None, "Prolog could not answer"), Atom(words))
+    return GoalError(GOAL_ERROR.at(None, "Prolog gave an answer that is none"), reply)
 
 
 @contextmanager
@@ -96,11 +96,6 @@ def failures_told() -> Iterator[None]:
         raise GoalError(ANSWER_TOO_LARGE.at(None, f"an answer cannot be taken over: {error}")) from error
 
 
-def quoted(words: str) -> str:
-    """Return the words of Prolog with names quoted as in all findings."""
-    return _QUOTED.sub(r"`\1`", words)
-
-
 def _binding(term: Term) -> tuple[str, Term]:
     match term:
         case Struct("=", (Atom(name), value)):
@@ -115,8 +110,3 @@ def _kind(formal: Term) -> Kind:
         case Struct("permission_error", (_, Atom("sandboxed"), _)):
             return GOAL_UNSAFE
     return GOAL_ERROR
-
-
-def _message(words: str) -> str:
-    lines = [line.strip() for line in words.splitlines() if line.strip()]
-    return quoted(" ".join(lines)[:500]) if lines else "an error without words"

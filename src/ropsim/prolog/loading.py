@@ -4,7 +4,8 @@ from collections.abc import Iterator
 
 from ropsim.core import Diagnostic, SourceText, Span
 from ropsim.prolog.diagnostics import LOAD_WARNING, NOT_LOADED
-from ropsim.prolog.failures import failure_of, quoted
+from ropsim.prolog.error_words import shown_words
+from ropsim.prolog.failures import failure_of
 from ropsim.prolog.terms import Atom, Struct, Term
 
 CHECKED = {"syntax_error", "singletons", "discontiguous", "multitons", "undefined_procedures"}
@@ -30,21 +31,23 @@ def load_findings(text: SourceText, reply: Term) -> Iterator[Diagnostic]:
         GoalError: loading was stopped, or ended with an error.
     """
     match reply:
-        case Struct("loaded", (_, tuple(messages))):
+        case Struct("loaded", (Atom(module), tuple(messages))):
             pass
         case _:
             raise failure_of(reply)
     for message in messages:
         match message:
             case Struct("message", (Atom(kind), int(line), Atom(sort), str(words))) if sort not in CHECKED:
-                yield _finding(text, kind, line, words)
+                yield _finding(text, module, (kind, line, words))
 
 
-def _finding(text: SourceText, kind: str, line: int, words: str) -> Diagnostic:
-    lines = [one.strip() for one in words.splitlines() if one.strip()]
-    message = quoted((lines[0] if lines else "refused")[:300])
+def _finding(text: SourceText, module: str, said: tuple[str, int, str]) -> Diagnostic:
+    kind, line, words = said
+    lines = [one for one in words.splitlines() if one.strip()] or ["refused"]
+    first, more = lines[0], [one for one in lines[1:] if "$" not in one]  # those are calls inside of Prolog
     span = Span.whole_line(text.name, min(max(line, 1), len(text.lines)))
-    notes = (quoted(" ".join(lines[1:])[:500]),) if len(lines) > 1 else ()
+    message = shown_words(first, module)
+    notes = (shown_words(" ".join(more), module),) if more else ()
     if kind == "error":
         return NOT_LOADED.at(
             span, message, notes=notes, hint="texts that are not trusted may do less: see P105"

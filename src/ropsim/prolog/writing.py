@@ -68,7 +68,7 @@ def _simple(term: Term) -> str:
         case float():
             return _float(term)
         case bool():
-            raise TypeError("a truth value is no term: use Atom('true')")
+            raise TypeError("a truth value is no term: use the atom `true`")
         case int():
             return str(term)
         case Fraction():

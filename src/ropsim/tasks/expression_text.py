@@ -15,6 +15,8 @@ SHIFTS = ("above", "offset", "rel")
 WORDS = frozenset(("true", "false", "on", "off", "here", "home"))
 TURNS = frozenset(("down", "rpy", "quat", "rotvec", "pitch", "roll", "yaw", "rx", "ry", "rz"))
 _NAME = re.compile(r"[A-Za-z]\w*", re.ASCII)
+_UNNAMED = re.compile(r"(?<![\w'\"])_G?\d+\b")
+"""Names that Prolog gives to variables that have none."""
 _ESCAPED = {'"': '\\"', "\\": "\\\\", "\n": "\\n", "\t": "\\t"}
 
 
@@ -34,7 +36,7 @@ class NotTextError(ValueError):
 
 def shown(term: Term) -> str:
     """Return a term in at most 60 characters."""
-    text = write_term(term)
+    text = _UNNAMED.sub("_", write_term(term))
     return text if len(text) <= 60 else f"{text[:57]}…"
 
 

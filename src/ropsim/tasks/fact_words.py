@@ -1,6 +1,7 @@
 """Facts and refusals in words for an operator."""
 
 from ropsim.prolog import Atom, Struct, Term, Var
+from ropsim.tasks.clause_text import term_text
 from ropsim.tasks.expression_text import shown
 from ropsim.tasks.point import point_of_term, point_text
 
@@ -99,8 +100,8 @@ def place_words(condition: Term) -> str:
 def name_words(term: Term) -> str:
     """Return a thing, a place or a number as people write it."""
     match term:
-        case Var(name):
-            return name
+        case Var():
+            return term_text(term)
         case Atom() | Struct("p" | "in") if (point := point_of_term(term)) is not None:
             return point_text(point)
         case int() | float():

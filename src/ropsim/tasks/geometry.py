@@ -105,7 +105,7 @@ class RememberedGeometry:
     def _in_rows(self, condition: Struct, columns: Term, rows: Term, distance: Term) -> bool:
         first, apart = point_of_term(condition.arguments[-1]), millimetres(distance)
         if first is None:
-            raise ValueError(f"{condition.arguments[-1]} is no location")
+            raise ValueError(f"`{name_words(condition.arguments[-1])}` is no location")
         left = "places of the pattern behind the first one"
         places = spots(first, 1, 1, 0.0)
         if isinstance(columns, int | float) and isinstance(rows, int | float) and apart is not None:
@@ -151,7 +151,9 @@ class RememberedGeometry:
             robot, *things, location = condition.arguments
             kind, at = CONDITIONS[condition.name], point_of_term(location)
             if not isinstance(robot, Atom) or at is None:
-                raise ValueError(f"{location} is no location, or {robot} no robot")
+                raise ValueError(
+                    f"`{name_words(location)}` is no location, or `{name_words(robot)}` no robot"
+                )
             missing = self._geometry.missing(robot.name, at)
             if missing is not None:
                 self._missing[condition] = missing

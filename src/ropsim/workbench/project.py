@@ -41,8 +41,17 @@ class FailedRunError(RopsimError):
     """
 
     def __init__(self, recording: "Recording") -> None:
-        super().__init__(recording.first_error or MOVES_SKIPPED.at(None, f"{recording!r}"))
+        super().__init__(recording.first_error or _skipped(recording))
         self.recording = recording
+
+
+def _skipped(recording: "Recording") -> Diagnostic:
+    """Return that a run without an error left out moves."""
+    from ropsim.flow import MoveEvent, SkipEvent
+
+    count = sum(isinstance(event, SkipEvent) for event in recording.events)
+    moves = count + sum(isinstance(event, MoveEvent) for event in recording.events)
+    return MOVES_SKIPPED.at(None, f"the run left out {count} of {plural(moves, 'move')}")
 
 
 @frozen_dataclass

@@ -144,7 +144,7 @@ def test_facts_are_those_that_were_given_last(engine: Engine) -> None:
 
 @pytest.mark.parametrize("module", ["cell", "lists", "user", "ropsim_engine", "system"])
 def test_facts_cannot_be_put_into_what_is_not_theirs(engine: Engine, module: str) -> None:
-    with pytest.raises(GoalError, match="No permission"):
+    with pytest.raises(GoalError, match=r"No permission|into ropsim itself"):
         engine.put_facts(module, [Atom("x")])
 
 
@@ -183,7 +183,7 @@ def test_a_cut_closes_the_function_that_could_find_more(engine: Engine) -> None:
         ("reachable(1, s1)", "type_error(atom,1)"),
         ("reachable(_, s1)", "instantiation_error"),
         ("broken", "python_error('ZeroDivisionError',"),
-        ("lying(_)", "python_error('TypeError',"),
+        ("lying(_)", "python_error('ValueError',"),
     ],
 )
 def test_wrong_types_and_errors_of_functions_are_errors_of_prolog(

@@ -50,4 +50,5 @@ def test_skipped_moves_without_an_error_are_an_error_all_the_same(tmp_path: Path
     skipped = replace(recording, events=(*recording.events, SkipEvent(0.0, motion=MotionKind.PTP)))
     error = FailedRunError(skipped)
     assert error.diagnostic.code == "X895"
+    assert error.diagnostic.message.startswith("the run left out 1 of ")
     assert error.recording is skipped

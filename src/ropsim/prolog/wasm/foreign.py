@@ -57,7 +57,7 @@ class Foreign:
         done = self._instance.call("PL_put_term_from_chars", term, UTF8, -1, copy)
         self._instance.call("free", copy)
         if not done:
-            raise CrashError(f"Prolog does not read `{text[:60]}`")
+            raise CrashError("a text that it was given cannot be read")
 
     def unify(self, term: int, text: str) -> int:
         """Unify a term with that of a canonical text; return whether it went well."""
