@@ -40,6 +40,7 @@ from ropsim.core.source import SourceText as SourceText
 from ropsim.core.span import Span as Span
 from ropsim.core.suggest import did_you_mean as did_you_mean
 from ropsim.core.suggest import near as near
+from ropsim.core.temporary_file import remove_left_files as remove_left_files
 from ropsim.core.toml_values import MOST_KEY_PARTS as MOST_KEY_PARTS
 from ropsim.core.toml_values import toml_values as toml_values
 from ropsim.core.user_folders import configuration_folder as configuration_folder

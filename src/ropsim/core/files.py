@@ -3,10 +3,11 @@
 import errno
 import os
 import stat
-import tempfile
 from pathlib import Path
+from typing import IO
 
 from ropsim.core.handles import stream_of
+from ropsim.core.temporary_file import temporary_file
 
 MOST_BYTES = 64_000_000
 """Bytes that a file may have where its reader names no other bound."""
@@ -89,17 +90,15 @@ def replace_file(path: Path, content: bytes) -> None:
 
 def _replace(place: Path, content: bytes, mode: int) -> None:
     """Put a file with these permissions in the place of another one; until then nobody else can read it."""
-    handle, name = tempfile.mkstemp(prefix=".ropsim-", dir=place.parent)
-    try:
-        with stream_of(handle, "wb") as stream:
-            stream.write(content)
-            stream.flush()
-            os.fsync(stream.fileno())
+    with temporary_file(place.parent, content, finish=_on_disk) as name:
         Path(name).chmod(mode)
         Path(name).replace(place)
-    except BaseException:
-        Path(name).unlink(missing_ok=True)
-        raise
+
+
+def _on_disk(stream: IO[bytes]) -> None:
+    """Have the system write what it holds of a file."""
+    stream.flush()
+    os.fsync(stream.fileno())
 
 
 def replace_private_file(path: Path, content: bytes) -> None:

@@ -8,13 +8,14 @@ there meanwhile is an error. Windows has no such handles: there the resolved pat
 import contextlib
 import errno
 import os
-import secrets
 import stat
 from collections.abc import Callable, Iterator
 from pathlib import Path, PurePath, PureWindowsPath
+from typing import IO
 
 from ropsim.core.files import replace_file
 from ropsim.core.handles import closed_on_error, stream_of
+from ropsim.core.temporary_file import temporary_file
 
 _BY_HANDLE = os.open in os.supports_dir_fd and os.rename in os.supports_dir_fd
 _NOFOLLOW, _BINARY = getattr(os, "O_NOFOLLOW", 0), getattr(os, "O_BINARY", 0)
@@ -190,19 +191,13 @@ def _mode(name: str, around: int) -> int | None:
     return stat.S_IMODE(mode)
 
 
-@contextlib.contextmanager
-def _written(content: bytes, mode: int | None, around: int) -> Iterator[str]:
-    """Write a file beside the one that it shall become; it is gone afterwards unless it was renamed."""
-    name = f".ropsim-{secrets.token_hex(8)}"
-    handle = os.open(name, _NEW, 0o600 if mode is not None else 0o666, dir_fd=around)
-    try:
-        with stream_of(handle, "wb") as stream:
-            stream.write(content)
-            stream.flush()
-            if mode is not None:
-                os.fchmod(stream.fileno(), mode)
-            os.fsync(stream.fileno())
-        yield name
-    finally:
-        with contextlib.suppress(OSError):
-            os.unlink(name, dir_fd=around)
+def _written(content: bytes, mode: int | None, around: int) -> contextlib.AbstractContextManager[str]:
+    """Write a file next to the one that it shall become; it is gone afterwards unless it was renamed."""
+
+    def finish(stream: IO[bytes]) -> None:
+        stream.flush()
+        if mode is not None:
+            os.fchmod(stream.fileno(), mode)
+        os.fsync(stream.fileno())
+
+    return temporary_file(around, content, 0o600 if mode is not None else 0o666, finish)

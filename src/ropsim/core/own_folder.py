@@ -18,6 +18,7 @@ from types import TracebackType
 from typing import NamedTuple
 
 from ropsim.core.handles import closed_on_error, stream_of
+from ropsim.core.temporary_file import temporary_file
 
 _HAS_OWNERS = hasattr(os, "geteuid")
 _OTHERS_WRITE = stat.S_IWGRP | stat.S_IWOTH
@@ -25,7 +26,6 @@ _ALONE = stat.S_IRWXU
 _NO_FOLDER = (errno.ELOOP, errno.EMLINK, errno.ENOTDIR)
 _FOLDER = os.O_RDONLY | getattr(os, "O_DIRECTORY", 0) | getattr(os, "O_NOFOLLOW", 0)
 _FILE = getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
-_TEMPORARY = ".ropsim-"
 
 
 class ForeignFolderError(PermissionError):
@@ -144,16 +144,9 @@ class OwnFolder:
         Raises:
             OSError: it cannot be written.
         """
-        temporary = f"{_TEMPORARY}{os.urandom(8).hex()}"
-        flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL | _FILE
-        handle = os.open(self._at(temporary), flags, 0o600, dir_fd=self._handle)
-        try:
-            with stream_of(handle, "wb") as stream:
-                stream.write(content)
-            os.replace(self._at(temporary), self._at(name), src_dir_fd=self._handle, dst_dir_fd=self._handle)
-        except BaseException:
-            self.remove(temporary)
-            raise
+        folder = self.path if self._handle is None else self._handle
+        with temporary_file(folder, content) as new:
+            os.replace(new, self._at(name), src_dir_fd=self._handle, dst_dir_fd=self._handle)
 
     def remove(self, name: str) -> None:
         """Remove a file; one that is gone, or cannot be removed, stays so."""

@@ -12,6 +12,7 @@ from ropsim.studio.document import Document
 from ropsim.studio.documents import Documents, ListChange, Overwriting
 from ropsim.studio.keeper import Keeper
 from ropsim.studio.messages import Answered, DocumentsChanged, notice
+from ropsim.studio.project_files import remove_leftovers
 from ropsim.studio.tab import Tab
 from ropsim.studio.tabs import Tabs
 from ropsim.userfiles import Draft, Journal
@@ -53,6 +54,7 @@ class Editing:
 
     async def open(self) -> None:
         """Read the files and what an earlier session has left; watch the files from now on."""
+        await asyncio.to_thread(remove_leftovers, self._folder)
         try:
             await self.documents.look()
         except OSError as error:

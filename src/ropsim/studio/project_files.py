@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path, PurePosixPath
 from typing import TypeAlias
 
-from ropsim.core import Diagnostic, read_inside
+from ropsim.core import Diagnostic, read_inside, remove_left_files
 from ropsim.studio.diagnostics import NO_PROJECT, StudioError
 from ropsim.studio.document import LARGEST
 
@@ -15,6 +15,8 @@ CELL = "cell.toml"
 PROGRAM_ENDINGS = (".task", ".icr")
 ROBOT_ENDING = ".toml"
 TASK_ENDING = ".pl"
+_FOLDERS = ("programs", "robots", "kb", "points")
+"""Those in a project that the studio writes to."""
 
 Stamp: TypeAlias = tuple[int, int, int, int]
 """Time of the last change [ns], size, number and permissions of a file: one of them changes with it."""
@@ -69,6 +71,13 @@ def present(folder: Path) -> dict[str, Stamp] | None:
     while (after := _identity(folder)) != before:  # another one has taken its place
         before, found = after, stamps(folder) if after is not None else {}
     return found if after is not None else None
+
+
+def remove_leftovers(folder: Path) -> None:
+    """Remove what a kill in the middle of a save has left in the folders of a project's texts."""
+    for place in (folder, *(folder / name for name in _FOLDERS)):
+        if not place.is_symlink():
+            remove_left_files(place)
 
 
 def content(folder: Path, name: str) -> bytes | None:

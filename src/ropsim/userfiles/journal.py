@@ -1,14 +1,17 @@
 """The journal: unsaved texts of a project, kept outside of it through a crash."""
 
+import contextlib
 import errno
 import hashlib
 import json
 from collections.abc import Mapping
 from pathlib import Path
+from typing import Any
 
 from ropsim.core import Diagnostic, frozen_dataclass, read_bytes, replace_private_file, state_folder
 from ropsim.userfiles.diagnostics import DAMAGED_JOURNAL
 from ropsim.userfiles.file_lock import FileLock
+from ropsim.userfiles.file_marks import Mark, has_moved, marks_of, read_marks
 
 VERSION = 1
 MOST_SLOTS = 16
@@ -16,6 +19,8 @@ MOST_SLOTS = 16
 LARGEST = 1_000_000_000
 """Bytes of a journal: far above those of all texts that a session can have open."""
 
+MOST_JOURNALS = 1_000
+"""Journals of all projects that are looked through for one of a project that was moved."""
 MOST_DAMAGED = 100
 """Journals of a place that can be set aside."""
 
@@ -36,7 +41,9 @@ class Draft:
 class Journal:
     """Unsaved texts of one session, in a place of its own among those of the project.
 
-    Of the free places one is taken that an earlier session has left texts in, else the first.
+    Of the free places one is taken that an earlier session has left texts in, else the first. Places have
+    their names from the path of the folder. If none has texts, those are taken over that a session has left
+    of the same project at a former path; see `ropsim.userfiles.file_marks`.
 
     Raises:
         OSError: there can be no journal.
@@ -52,6 +59,8 @@ class Journal:
             lock = FileLock.taken(place.with_suffix(".lock"))
             if lock is not None:
                 self._place, self._lock = place, lock
+                self._marks: dict[str, Mark] = {}
+                self._take_over(home)
                 return
         raise OSError(errno.EBUSY, f"the project is open {MOST_SLOTS} times")
 
@@ -70,12 +79,45 @@ class Journal:
             content = read_bytes(self._place, LARGEST)
         except FileNotFoundError:
             return {}, ()
-        drafts = _drafts(content)
+        document = _document(content)
+        drafts = _drafts(document)
         if drafts is not None:
+            self._marks = read_marks(document.get("marks"))
             return drafts, ()
         aside = self._set_aside()
         message = f"unsaved texts of an earlier session cannot be read; they are now in `{aside}`"
         return {}, (DAMAGED_JOURNAL.at(None, message, hint="look at that file with a text editor"),)
+
+    def _take_over(self, home: Path) -> None:
+        """Without a journal, take over one that was left of this project before its folder was moved here."""
+        others: list[Path] = []
+        with contextlib.suppress(OSError):
+            others = [] if self._place.exists() else sorted(home.glob("*.json"))[:MOST_JOURNALS]
+        for other in others:
+            with contextlib.suppress(OSError):
+                lock = FileLock.taken(other.with_suffix(".lock"))
+                if lock is None:  # of a session that goes on
+                    continue
+                try:
+                    if lock.is_held and self._was_elsewhere(other):
+                        other.replace(self._place)
+                        return
+                finally:
+                    lock.free()
+
+    def _was_elsewhere(self, other: Path) -> bool:
+        """Return whether a journal is of this project at a former path.
+
+        Raises:
+            OSError: it cannot be read.
+        """
+        document = _document(read_bytes(other))
+        marks, before = read_marks(document.get("marks")), document.get("folder")
+        return (
+            _drafts(document) is not None
+            and isinstance(before, str)
+            and (has_moved(marks, Path(before), self._folder))
+        )
 
     def _set_aside(self) -> Path:
         """Give a damaged journal a name of its own, and return that."""
@@ -97,7 +139,13 @@ class Journal:
             self._place.unlink(missing_ok=True)
             return
         entries = {name: {"text": draft.text, "base": draft.base} for name, draft in drafts.items()}
-        document = {"version": VERSION, "folder": str(self._folder), "documents": entries}
+        self._marks |= marks_of(self._folder, drafts)  # those of a folder that is gone stay
+        document = {
+            "version": VERSION,
+            "folder": str(self._folder),
+            "marks": self._marks,
+            "documents": entries,
+        }
         replace_private_file(self._place, json.dumps(document).encode())
 
     def close(self) -> None:
@@ -105,13 +153,22 @@ class Journal:
         self._lock.free()
 
 
-def _drafts(content: bytes) -> dict[str, Draft] | None:
+def _document(content: bytes) -> dict[str, Any]:
+    """Return what a journal holds, empty where it is damaged."""
     try:
         document = json.loads(content)
+    except (ValueError, RecursionError):
+        return {}
+    return document if isinstance(document, dict) else {}
+
+
+def _drafts(document: Mapping[str, Any]) -> dict[str, Draft] | None:
+    """Return the texts of a journal; None where it is damaged or of another version."""
+    try:
         if document["version"] != VERSION:
             return None
         drafts = {name: Draft(one["text"], one["base"]) for name, one in document["documents"].items()}
-    except (ValueError, TypeError, KeyError, AttributeError, RecursionError):
+    except (TypeError, KeyError, AttributeError):
         return None
     whole = all(isinstance(one.text, str) and isinstance(one.base, str) for one in drafts.values())
     return drafts if whole else None

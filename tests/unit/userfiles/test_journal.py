@@ -1,5 +1,7 @@
 import contextlib
+import shutil
 import sys
+from collections.abc import Mapping
 from contextlib import closing
 from pathlib import Path
 
@@ -7,6 +9,7 @@ import pytest
 
 from ropsim.userfiles import Draft, Journal
 from ropsim.userfiles.journal import MOST_SLOTS
+from ropsim.workbench import new_project
 from support.counted_system import counted
 
 DRAFTS = {"programs/main.task": Draft("mov p\n\ud83e", ""), "cell.toml": Draft("", "ab")}
@@ -97,3 +100,76 @@ def test_when_all_places_are_taken_there_is_no_journal(project: Path) -> None:
             stack.enter_context(closing(Journal(project)))
         with pytest.raises(OSError, match="open 16 times"):
             Journal(project)
+
+
+def made(project: Path) -> Path:
+    """Write the files of a project."""
+    (project / "programs").mkdir(parents=True)
+    (project / "cell.toml").write_text("[cell]\n", "utf-8")
+    (project / "programs" / "main.task").write_text("mov home\n", "utf-8")
+    return project
+
+
+def left(project: Path) -> None:
+    """Leave texts in the journal, as a session does that is killed."""
+    with closing(Journal(project)) as journal:
+        journal.write(DRAFTS)
+
+
+def found(project: Path) -> Mapping[str, Draft]:
+    """Return what the next session finds."""
+    with closing(Journal(project)) as journal:
+        drafts, findings = journal.read()
+    assert findings == ()
+    return drafts
+
+
+def test_texts_are_found_where_the_project_was_moved_to(project: Path, tmp_path: Path) -> None:
+    left(made(project))
+    moved = project.rename(tmp_path / "moved")
+    assert found(moved) == DRAFTS
+    assert found(moved) == DRAFTS
+    moved.rename(project)
+    assert found(project) == DRAFTS  # and back
+
+
+@pytest.mark.parametrize("name", ["cell.toml", "programs/main.task"])
+def test_a_file_that_was_changed_meanwhile_hides_no_text(project: Path, tmp_path: Path, name: str) -> None:
+    left(made(project))
+    moved = project.rename(tmp_path / "moved")
+    (moved / name).write_text("other\n", "utf-8")
+    assert found(moved) == DRAFTS
+
+
+def test_texts_follow_a_project_to_another_disk(project: Path, tmp_path: Path) -> None:
+    left(made(project))
+    moved = Path(shutil.copytree(project, tmp_path / "moved"))
+    assert found(moved) == {}  # a copy is another project
+    shutil.rmtree(project)
+    assert found(moved) == DRAFTS
+
+
+def test_a_folder_that_goes_under_a_session_is_known_by_the_next_one(project: Path, tmp_path: Path) -> None:
+    with closing(Journal(made(project))) as journal:
+        journal.write(DRAFTS)
+        moved = project.rename(tmp_path / "moved")
+        journal.write(DRAFTS)
+        assert found(moved) == {}  # the session goes on
+    assert found(moved) == DRAFTS
+
+
+def test_a_new_project_does_not_get_the_texts_of_a_removed_one(project: Path, tmp_path: Path) -> None:
+    new_project(project)
+    left(project)
+    shutil.rmtree(project)
+    assert found(new_project(tmp_path / "another")) == {}
+
+
+def test_damaged_journals_of_others_hide_nothing(project: Path, tmp_path: Path) -> None:
+    left(made(project))
+    home = tmp_path / "state" / "journal"
+    for number, content in enumerate([b"", b"[]", b'{"version":1,"marks":{"a":[1]},"documents":[]}']):
+        (home / f"0{number}.json").write_bytes(content)
+    moved = project.rename(tmp_path / "moved")
+    assert found(moved) == DRAFTS
+    assert len(list(home.glob("0*.json"))) == 3
