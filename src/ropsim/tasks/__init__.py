@@ -24,6 +24,7 @@ from ropsim.tasks.draft import draft_points as draft_points
 from ropsim.tasks.draft import draft_text as draft_text
 from ropsim.tasks.draft import listed as listed
 from ropsim.tasks.draft import taken_back as taken_back
+from ropsim.tasks.effect_findings import effect_findings as effect_findings
 from ropsim.tasks.errors import TaskError as TaskError
 from ropsim.tasks.fact_words import fact_words as fact_words
 from ropsim.tasks.folder import read_folder as read_folder

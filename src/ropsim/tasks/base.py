@@ -128,6 +128,34 @@ class KnowledgeBase:
         found = self._host.ask("ropsim_kb", Struct("clause_places", (Atom(name), Var("Found"))))
         return places_of(found, self._spans[name][0].source)
 
+    @property
+    def always(self) -> frozenset[tuple[str, int]]:
+        """Return names and arities of what rules give, and of facts that hold in every state."""
+        found = self._host.ask("ropsim_kb", Struct("always", (Var("Found"),)))
+        pairs = (
+            [one.arguments for one in found if isinstance(one, Struct)] if isinstance(found, tuple) else []
+        )
+        return frozenset(
+            (name.name, arity) for name, arity in pairs if isinstance(name, Atom) and isinstance(arity, int)
+        )
+
+    def term_place(self, name: str, part: str, path: Sequence[int]) -> Span | None:
+        """Return where a term of a task stands in its text, None where it cannot be found.
+
+        Args:
+            name: of the task.
+            part: a property, or the sign `+` or `-` of effects.
+            path: numbers of elements of lists and of arguments in turn, from 0; of effects those of the sign.
+        """
+        if name not in self._spans:
+            return None
+        goal = Struct("term_place", (Atom(name), Atom(part), tuple(path), Var("Found")))
+        places = self._places[self._spans[name][0].source]
+        match self._host.ask("ropsim_kb", goal):
+            case Struct("found", (int(begin), int(end))):
+                return places.span(begin, end)
+        return None
+
     def clause_at(self, text: str, begin: int) -> ClausePlaces | None:
         """Return the same for the task that begins at a character of any text, None without one."""
         goal = Struct("clause_at", (text, begin, Var("Found")))
@@ -207,6 +235,7 @@ class KnowledgeBase:
 
     def _located(self, texts: Mapping[int, SourceText]) -> Mapping[str, tuple[Span, Layer]]:
         places = {index: Places(text) for index, text in texts.items()}
+        self._places = {text.name: places[index] for index, text in texts.items()}
         return {
             name: (places[index].span(start, end), Layer.of_text(index))
             for name, (index, start, end) in self._host.places().items()

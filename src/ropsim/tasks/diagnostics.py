@@ -19,7 +19,7 @@ task(grip(P, L), [
   params([P-part, L-location]),
   words([word(L, "place", "where the part lies")]),
   pre([gripper(open), at(P, L)]),
-  eff([-gripper(open), -at(P, L), +held(P), +free(L)]),
+  eff([-gripper(open), +gripper(closed), -at(P, L), +held(P), +free(L)]),
   geo([reachable(arm, L)]),
   body([mov(L), close])]).
 ```
@@ -354,5 +354,66 @@ released (S736).
 
 Nothing is said in a cell without fixed objects, or with one that is drawn by a mesh, of locations in a frame
 that moves, and of the location at which the part lies at the start.
+""",
+)
+
+EFFECT_UNMADE = define(
+    "P159",
+    "effect-without-step",
+    Severity.WARNING,
+    "no step of the body of a task brings about one of its effects",
+    """
+The body of a task is walked from what its preconditions say: `open` and `close` change the gripper and the
+part at the place where the arm is, and a call has the effects of the task that it calls. What `eff` says of
+the gripper and of the part in it has to come of that; what it says of places must not contradict it. A plan
+that leans on an effect that never comes about fails in the cell.
+
+```prolog
+task(fetch(P, L), [
+  params([P-part, L-location]), pre([gripper(open), at(P, L)]),
+  eff([-gripper(open), +gripper(closed), -at(P, L), +held(P), +free(L)]),
+  body([mov(L)])]).         % no `close`
+```
+
+Other facts, such as `inspected(P)`, are what the task says of itself. A body that sets an output may grasp
+or leave a part by it, and nothing is said of that; nor of a task without a body. Of ways that differ, by `if`
+or in a loop, what they have in common counts.
+""",
+)
+
+EFFECT_UNSAID = define(
+    "P160",
+    "effect-not-said",
+    Severity.WARNING,
+    "the body of a task changes what its effects do not say",
+    """
+A step of the body leaves something else behind than the header says: the gripper is closed, a part is held
+or no longer lies where it lay, or a task that the body calls has another effect. What is true after the task
+would be wrong for each call that follows, and for plans. The hint names the effects that are missing.
+
+```prolog
+task(fetch(P, L), [
+  params([P-part, L-location]), pre([gripper(open), at(P, L)]),
+  eff([-at(P, L), +held(P), +free(L)]),     % -gripper(open), +gripper(closed) are missing
+  body([mov(L), close])]).
+```
+""",
+)
+
+STEP_LACKS = define(
+    "P161",
+    "step-precondition",
+    Severity.WARNING,
+    "a step of the body of a task needs what nothing before it gives",
+    """
+A task that the body calls has preconditions. They must come of the preconditions of the task itself, or of
+steps before the call; else the task is accepted where this step is not possible. Of places that are computed,
+or that a loop fills and empties, nothing is said.
+
+```prolog
+task(fetch(L), [
+  params([L-location]), pre([at(_, L)]),    % gripper(open) is missing
+  eff([]), body([call(grip(L)), call(release(L))])]).
+```
 """,
 )

@@ -50,30 +50,32 @@ def open_knowledge(path: str | Path, prolog: "Prolog | None" = None) -> Knowledg
         ProjectError: the project may not be read.
     """
     from ropsim.prolog import Prolog
-    from ropsim.tasks import KnowledgeBase, WorldState
+    from ropsim.tasks import KnowledgeBase, WorldState, effect_findings, own_tasks
 
     place = Path(path)
     folder = place.parent if place.name == CELL_FILE else place
     if (folder / CELL_FILE).is_file():
         return knowledge_of(open_project(folder), prolog)
     base = KnowledgeBase.open(place, users=users_folder(), prolog=prolog or Prolog.BUILT_IN)
-    return Knowledge(base, WorldState(), base.findings, base.texts)
+    found = (*base.findings, *effect_findings(base, own_tasks(base)))
+    return Knowledge(base, WorldState(), found, base.texts)
 
 
 def knowledge_of(project: Project, prolog: "Prolog | None" = None) -> Knowledge:
     """Return the knowledge base of a project; where its cell is wrong, the tasks alone and what is wrong."""
     from ropsim.prolog import Prolog
-    from ropsim.tasks import KnowledgeBase, WorldState, body_findings, own_tasks
+    from ropsim.tasks import KnowledgeBase, WorldState, body_findings, effect_findings, own_tasks
 
     cell, which = project.cell, prolog or Prolog.BUILT_IN
     if cell is None:
         texts = project.tasks
         base = KnowledgeBase(texts.own, findings=texts.findings, users=texts.users, prolog=which)
-        found = (*project.diagnostics, *base.findings)
+        found = (*project.diagnostics, *base.findings, *effect_findings(base, own_tasks(base)))
         return Knowledge(base, WorldState(), found, {**project.texts, **base.texts})
     texts = project.tasks
     base = KnowledgeBase(texts.own, CellGeometry(cell, project.folder), texts.findings, texts.users, which)
-    found = (*base.findings, *body_findings(base, environment_of(cell), own_tasks(base)))
+    own = own_tasks(base)
+    found = (*base.findings, *body_findings(base, environment_of(cell), own), *effect_findings(base, own))
     return Knowledge(base, world_state(cell), found, {**project.texts, **base.texts})
 
 
@@ -89,10 +91,11 @@ def task_findings(project: Project) -> tuple[tuple[Diagnostic, ...], Mapping[str
     """
     if project.cell is None or not has_knowledge(project):
         return (), {}
-    from ropsim.tasks import body_findings, own_tasks
+    from ropsim.tasks import body_findings, effect_findings, own_tasks
 
     base = project.workspace.knowledge(project.tasks)
-    bodies = body_findings(base, environment_of(project.cell), own_tasks(base))
+    own = own_tasks(base)
+    bodies = (*body_findings(base, environment_of(project.cell), own), *effect_findings(base, own))
     return (*project.tasks.findings, *base.findings, *bodies), base.texts
 
 
@@ -107,13 +110,14 @@ def text_findings(
         cell: for which bodies are compiled.
         name: of the text.
     """
-    from ropsim.tasks import body_findings
+    from ropsim.tasks import body_findings, effect_findings
 
     base = workspace.knowledge(tasks)
     found = [one for one in base.findings if one.span is not None and one.span.source == name]
     own = [task for task in base.tasks() if task.span.source == name]
     bodies = body_findings(base, environment_of(cell), own) if cell is not None else ()
-    return (*found, *(one for one in bodies if one.span is not None and one.span.source == name))
+    more = (*bodies, *effect_findings(base, own))
+    return (*found, *(one for one in more if one.span is not None and one.span.source == name))
 
 
 def world_state(cell: Cell) -> "WorldState":

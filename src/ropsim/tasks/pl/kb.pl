@@ -497,6 +497,39 @@ clause_at(String, From, Found) :-
     maplist(property_place(From), Properties, Ps, Places),
     Found = clause(From, HeadFrom, HeadTo, ListFrom, ListTo, Places).
 
+%   always(-Found): Name/Arity of what rules give, and facts that hold in every state.
+always(Found) :-
+    findall(Name/Arity, ( ( standing(Fact) ; rule(Fact, _) ), functor(Fact, Name, Arity) ), All),
+    sort(All, Found).
+
+%   term_place(+Name, +Part, +Path, -Found): found(From, To) of a term of the text of a task, which is read again for it.
+%   Part is a property, or the sign of effects, of which the first number of the path counts those of that sign only. The
+%   path has numbers of elements and arguments in turn, from 0.
+term_place(Name, Part, Path, found(From, To)) :-
+    place(Name, Text, Begin, _),
+    ropsim_kb_texts:text(Text, String),
+    sub_string(String, Begin, _, 0, Rest),
+    setup_call_cleanup(open_string(Rest, Stream),
+                       read_term(Stream, task(_, Properties), [module(ropsim_kb_words), subterm_positions(P0)]),
+                       close(Stream)),
+    arguments(P0, [_, ListP]),
+    ( memberchk(Part, [+, -]) -> Property = eff ; Property = Part ),
+    nth0(N, Properties, One), functor(One, Property, 1), !,
+    element(ListP, N, PropertyP), arguments(PropertyP, [ValueP]),
+    (   Property == eff
+    ->  Path = [Number], arg(1, One, Effects),
+        findall(Index, ( nth0(Index, Effects, Effect), functor(Effect, Part, 1) ), Indexes),
+        nth0(Number, Indexes, Index0), element(ValueP, Index0, P)
+    ;   follow(Path, ValueP, P)
+    ),
+    shifted(Begin, P, From, To).
+
+follow([], P, P).
+follow([N], P0, P) :- !, element(P0, N, P).
+follow([N, M|Path], P0, P) :- element(P0, N, P1), arguments(P1, Ps), nth0(M, Ps, P2), follow(Path, P2, P).
+
+element(P0, N, P) :- ropsim_reader:bare(P0, list_position(_, _, Ps, _)), nth0(N, Ps, P).
+
 property_place(Start, Property, P, place(Name, From, To)) :- functor(Property, Name, _), shifted(Start, P, From, To).
 
 shifted(Start, P, From, To) :- ropsim_reader:ends(P, From0, To0), From is Start + From0, To is Start + To0.
