@@ -29,7 +29,9 @@ from support.editors import Editor, place, uri_of
 from support.work import calls_of
 
 SIZE = 500
-"""Characters, or lines; the same again is read for comparison."""
+"""Characters; the same again is read for comparison."""
+FEW = 250
+"""Lines, for the same purpose: each takes the work of many characters."""
 LARGE = 10_000
 LINES = 2_000
 MOST = 2.5
@@ -82,11 +84,17 @@ READERS: dict[str, Callable[[str, Path], object]] = {
 }
 
 
+def once_and_twice(unit: str) -> tuple[str, str]:
+    """Return a text of a character or a line again and again, and one that is twice as long."""
+    text = unit * (SIZE if len(unit) == 1 else FEW)
+    return text, text + text
+
+
 @pytest.mark.parametrize("reader", READERS)
 def test_a_reader_takes_linear_work_of_even_texts(reader: str, tmp_path: Path) -> None:
     read = READERS[reader]
     for unit in (*CHARACTERS, RIGHT[reader], WRONG):
-        once, twice = (calls_of(partial(read, unit * size, tmp_path)) for size in (SIZE, 2 * SIZE))
+        once, twice = (calls_of(partial(read, text, tmp_path)) for text in once_and_twice(unit))
         assert twice <= max(MOST * once, LITTLE), repr(unit)
 
 
@@ -106,10 +114,11 @@ def test_the_form_of_a_text_of_wrong_lines_is_the_text() -> None:
 NAMES = ("main.task", "cell.toml", "tasks.pl", "robots/r.toml")
 
 
-def opened(text: str, folder: Path, name: str) -> tuple[Editor, str]:
-    editor, uri = Editor(), uri_of(folder / name)
+def opened(editor: Editor, text: str, folder: Path, name: str) -> str:
+    """Open a text as a file of a project and return its URI."""
+    uri = uri_of(folder / name)
     editor.open(uri, text)
-    return editor, uri
+    return uri
 
 
 def asked(editor: Editor, uri: str, method: str, text: str) -> object:
@@ -122,20 +131,22 @@ def asked(editor: Editor, uri: str, method: str, text: str) -> object:
 
 @pytest.mark.parametrize("name", NAMES)
 def test_a_request_takes_linear_work_of_even_texts(name: str, tmp_path: Path) -> None:
-    for unit in (*'\n ("x1-#%', RIGHT["task"], WRONG):
-        small, large = unit * SIZE, unit * (2 * SIZE)
+    editor = Editor()  # one for all texts, as Prolog starts with it; each text is in a project of its own
+    for number, unit in enumerate((*'\n ("x1-#%', RIGHT["task"], WRONG)):
         work: list[dict[str, int]] = []
-        for text in (small, large):
-            editor, uri = opened(text, tmp_path, name)
+        for text in once_and_twice(unit):
+            uri = opened(editor, text, tmp_path / f"{number}" / f"{len(work)}", name)
             asked(editor, uri, "textDocument/documentSymbol", text)
             work.append({method: calls_of(partial(asked, editor, uri, method, text)) for method in ASKED})
+            editor.tell("textDocument/didClose", textDocument={"uri": uri})
         for method, once in work[0].items():
             assert work[1][method] <= max(MOST * once, LITTLE), (repr(unit), method)
 
 
 def test_a_selection_of_blank_lines_is_answered(tmp_path: Path) -> None:
     text = "program p\nmov home\n" + "\n" * LINES + "mov home\n"
-    editor, uri = opened(text, tmp_path, "main.task")
+    editor = Editor()
+    uri = opened(editor, text, tmp_path, "main.task")
     assert isinstance(asked(editor, uri, "textDocument/codeAction", text), list)
 
 
