@@ -12,6 +12,8 @@ from support.sources import SOURCE, trees
 
 PACKAGES = ("prolog/", "tasks/", "workbench/")
 """Packages whose messages are about knowledge bases, goals and plans, or that pass them on."""
+_STANDARD = ("type_error", "instantiation_error", "existence_error", "permission_error", "syntax_error")
+"""Errors of the standard of Prolog, which are predicates of its library, too."""
 _MODULE = re.compile(r"^:- module\((\w+)", re.MULTILINE)
 _HEAD = re.compile(r"^([a-z]\w*)(?=[( ]|\.$)", re.MULTILINE)
 _OWN_ATOM = re.compile(r"\bropsim_\w+")
@@ -91,4 +93,4 @@ def _public() -> frozenset[str]:
         words.GEOMETRY,
     )
     library = "".join(path.read_text("utf-8") for path in sorted(SOURCE.glob("tasks/library/*.pl")))
-    return frozenset((*(one for some in vocabulary for one in some), *_TOKEN.findall(library)))
+    return frozenset((*(one for some in vocabulary for one in some), *_TOKEN.findall(library), *_STANDARD))
