@@ -17,6 +17,7 @@ OWN_FILES = {
     "core/files.py",
     "core/inside.py",
     "core/own_folder.py",
+    "core/temporary_file.py",
     "codegen/code_digest.py",
     "prolog/native/program.py",
 }
