@@ -86,16 +86,17 @@ def _report(
             warnings = set_down_findings(task, state, made, geometry)
             return CallReport(_told(call, task, head), (), (), (), made, left, warnings)
         case Struct("refused", (_, tuple(conditions))):
-            findings = tuple(_geometry(task, geometry, one) for one in conditions)
-            return _refused(call, state, findings, _fails("geo", conditions))
+            judged = [_geometry(task, geometry, one) for one in conditions]
+            findings = {one.message: one for one in judged}  # two conditions may lack the same place
+            return _refused(call, state, tuple(findings.values()), _fails("geo", conditions))
         case Struct("lacks", (_, tuple(missing), tuple(providers), names)):
             variables = names_in(names)
             lacking = tuple(renamed(one, variables) for one in missing)
             hindered = {number for number, one in enumerate(lacking) if is_hindered(one, state)}
             by_index = [one for one in map(_provider, providers) if one[0] not in hindered]
-            findings = lacking_findings(task, lacking, by_index, state)
             able = tuple(dict.fromkeys(name for _, name in by_index))
-            return CallReport(call, findings, _fails("pre", lacking), able, state)
+            needed = lacking_findings(task, lacking, by_index, state)
+            return CallReport(call, needed, _fails("pre", lacking), able, state)
         case Struct("nothing_for", (tuple(kinds),)):
             words = ", ".join(one.name for one in kinds if isinstance(one, Atom))
             message = f"`{task.name}` needs a thing that the state does not name: {words}"
