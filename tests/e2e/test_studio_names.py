@@ -43,6 +43,25 @@ def test_a_name_is_changed_at_all_its_places(written: StudioPage) -> None:
     assert written.text().rstrip() == TEXT.replace("Go", "Carry").rstrip()
 
 
+def test_a_name_of_the_cell_is_changed_in_all_texts_also_in_those_not_shown(written: StudioPage) -> None:
+    text = "name => __ropsim.text(name)"
+    cell = str(written.page.evaluate(text, "cell.toml"))
+    written.line(6).click()
+    written.page.keyboard.press("End")
+    written.page.keyboard.press("Home")
+    for _ in "Go pi":
+        written.page.keyboard.press("ArrowRight")
+    written.page.keyboard.press("F2")
+    field = written.page.locator(".cm-lsp-rename-panel input")
+    field.fill("grab_at")
+    field.press("Enter")
+    written.until(lambda: "Go grab_at, 60 mm" in written.text())
+    assert written.page.evaluate(text, "cell.toml") == cell.replace("pick_up", "grab_at")
+    assert set(written.state()["unsaved"]) == {"cell.toml", "programs/main.task"}
+    written.document("cell.toml")
+    written.until(lambda: "[locations.grab_at]" in written.text())
+
+
 def test_a_name_that_cannot_be_says_why(written: StudioPage) -> None:
     written.page.keyboard.press("F2")
     field = written.page.locator(".cm-lsp-rename-panel input")

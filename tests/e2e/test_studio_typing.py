@@ -4,8 +4,16 @@ import pytest
 
 from support.browser import UNDRAWN
 from support.studio_page import StudioPage
+from support.typed_programs import typed_program
+from support.typist import typed
 
 GRAPHICS = UNDRAWN
+SEEDS = range(1000, 1008)
+"""`python -m tools.typed` types more of them, longer ones, as slowly as a person."""
+FEWEST, MOST = 4, 5
+"""Lines of a program."""
+PACE = 0.2
+"""Of a person's."""
 
 
 def listed(fresh: StudioPage, *offered: str) -> None:
@@ -80,3 +88,10 @@ def test_a_choice_in_a_list_is_given_up_by_typing_on(fresh: StudioPage) -> None:
     fresh.page.keyboard.type("m")
     fresh.page.keyboard.press("Enter")
     assert last_lines(fresh, 2) == ["mov hom", ""]
+
+
+def test_random_programs_stand_as_they_were_typed(fresh: StudioPage) -> None:
+    results = list(typed(fresh, (typed_program(seed, FEWEST, MOST) for seed in SEEDS), PACE))
+    assert [one.fault for one in results if one.fault] == []
+    assert sum(one.taken for one in results) > 0
+    assert sum(len(one.latencies) for one in results) > len(SEEDS)  # lists have come

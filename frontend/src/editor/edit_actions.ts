@@ -3,9 +3,7 @@ import { toggleLineComment } from '@codemirror/commands'
 import {
   closeReferencePanel,
   findReferences,
-  formatDocument,
   jumpToDefinition,
-  renameSymbol,
   showSignatureHelp,
 } from '@codemirror/lsp-client'
 import { gotoLine, openSearchPanel } from '@codemirror/search'
@@ -13,11 +11,12 @@ import type { Command, KeyBinding } from '@codemirror/view'
 import { EDIT_ENTRIES, type EditAction, type EditEntry } from '../studio/edit_table'
 import { closeActions, showActions } from './actions_panel'
 import { closeRefusals } from './refusals'
+import { formatText, renameWord } from './server_edits'
 
 /** A name that was refused before is no answer to the next one. */
 const rename: Command = view => {
   closeRefusals(view)
-  return renameSymbol(view)
+  return renameWord(view)
 }
 
 /** The search panel with the keyboard in the field for the new text. */
@@ -38,7 +37,7 @@ const COMMANDS: Readonly<Record<EditAction, Command>> = {
   signature: showSignatureHelp,
   fix: showActions,
   comment: toggleLineComment,
-  format: formatDocument,
+  format: formatText,
 }
 
 /** The command of an action; one that writes leaves alone a text that is only looked at. */

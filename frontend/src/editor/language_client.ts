@@ -16,6 +16,7 @@ import { marksOf, type Published, problemsOf } from './findings'
 import { foundMarks } from './found_marks'
 import { sameName } from './same_name'
 import { sanitizeHTML } from './sanitize'
+import { changedText } from './server_edits'
 import { putMarks } from './shown_marks'
 import { LanguageLink } from './transport'
 import { type OpenedDocument, ProjectWorkspace } from './workspace'
@@ -51,35 +52,37 @@ const soon = ViewPlugin.fromClass(
   },
 )
 
+/** Who hears of what the language server says. */
+export interface LanguageEvents {
+  /** All findings of all documents, at every change. */
+  readonly onProblems: (problems: readonly Problem[]) => void
+  /** What the results of the lines of a document hang on, at every change. */
+  readonly onLines: (document: string, lines: readonly LineContent[]) => void
+  /** Puts a document into the view, for definitions in other files. */
+  readonly onShow: (document: string) => Promise<EditorView | null>
+  /** Changes a document that no view shows. */
+  readonly onWrite: (document: string, change: (text: string) => string) => void
+}
+
 export class LanguageClient {
   readonly #client: LSPClient
   readonly #link: LanguageLink
-  readonly #onProblems: (problems: readonly Problem[]) => void
-  readonly #onLines: (document: string, lines: readonly LineContent[]) => void
+  readonly #events: LanguageEvents
   readonly #published = new Map<string, Published>()
   #names: ReadonlyMap<string, string> = new Map()
   #found: readonly Problem[] = []
 
-  /**
-   * @param address of the language server's socket
-   * @param onProblems hears of all findings of all documents, at every change
-   * @param onLines hears what the results of the lines of a document hang on, at every change
-   * @param show puts a document into the view, for definitions in other files
-   */
-  constructor(
-    address: string,
-    onProblems: (problems: readonly Problem[]) => void,
-    onLines: (document: string, lines: readonly LineContent[]) => void,
-    show: (name: string) => Promise<EditorView | null>,
-  ) {
-    this.#onProblems = onProblems
-    this.#onLines = onLines
+  /** @param address of the language server's socket */
+  constructor(address: string, events: LanguageEvents) {
+    this.#events = events
     this.#client = new LSPClient({
       timeout: NO_TIMEOUT,
       sanitizeHTML,
       workspace: client => {
         const workspace = new ProjectWorkspace(client)
-        workspace.displayFile = uri => show(this.#names.get(uri) ?? '')
+        workspace.displayFile = uri => events.onShow(this.#names.get(uri) ?? '')
+        workspace.write = (uri, change) =>
+          events.onWrite(this.#names.get(uri) ?? '', text => changedText(text, change))
         return workspace
       },
       notificationHandlers: {
@@ -166,7 +169,8 @@ export class LanguageClient {
 
   #takeLines({ uri, version, lines }: LineStates): void {
     const name = this.#names.get(uri)
-    if (name !== undefined && this.#workspace.getFile(uri)?.version === version) this.#onLines(name, lines)
+    if (name !== undefined && this.#workspace.getFile(uri)?.version === version)
+      this.#events.onLines(name, lines)
   }
 
   #tell(): void {
@@ -174,6 +178,6 @@ export class LanguageClient {
       const name = this.#names.get(uri)
       return name === undefined ? [] : problemsOf(diagnostics, name)
     })
-    this.#onProblems(problems)
+    this.#events.onProblems(problems)
   }
 }

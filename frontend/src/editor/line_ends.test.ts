@@ -1,7 +1,6 @@
 import { EditorState } from '@codemirror/state'
 import { describe, expect, it } from 'vitest'
 import { LineEnds } from './line_ends'
-import { replacement } from './replacement'
 
 /** The text after edits, each replacing the first occurrence of a piece. */
 function edited(text: string, ...edits: readonly [string, string][]): string {
@@ -45,26 +44,5 @@ describe('line ends', () => {
     ends.change(state.doc, after.doc, changes)
     expect(after.doc.toString()).toBe('x\na\nb\nd')
     expect(ends.text(after.doc)).toBe('x\na\nb\r\nd')
-  })
-})
-
-describe('replacement', () => {
-  it.each([
-    ['mov a', 'mov b'],
-    ['aaa', 'aa'],
-    ['', 'x'],
-    ['abcabc', 'abc'],
-    ['x', ''],
-  ])('turns %j into %j', (before, after) => {
-    const change = replacement(before, after)
-    expect(change && before.slice(0, change.from) + change.insert + before.slice(change.to)).toBe(after)
-  })
-
-  it('is the smallest one', () => {
-    expect(replacement('lin infeed', 'lin outfeed')).toEqual({ from: 4, to: 6, insert: 'out' })
-  })
-
-  it('is none for the same text', () => {
-    expect(replacement('a', 'a')).toBeNull()
   })
 })

@@ -4,7 +4,7 @@ import { defaultKeymap, history, historyKeymap, indentWithTab, redo, undo } from
 import { bracketMatching, codeFolding, foldGutter, foldKeymap, indentUnit } from '@codemirror/language'
 import { lintGutter } from '@codemirror/lint'
 import { highlightSelectionMatches, search, searchKeymap } from '@codemirror/search'
-import { Annotation, Compartment, EditorState, type Extension } from '@codemirror/state'
+import { Compartment, EditorState, type Extension } from '@codemirror/state'
 import {
   drawSelection,
   EditorView,
@@ -23,6 +23,7 @@ import type { StudioStore, Wrap } from '../studio/state'
 import type { WayBack } from '../studio/text_desk'
 import { resultWords } from '../text/line_results'
 import { commandOf } from './edit_actions'
+import { External, takenOver } from './external'
 import { showFound } from './found_marks'
 import { LanguageClient } from './language_client'
 import { closesLateWords } from './late_words'
@@ -33,13 +34,13 @@ import { lineMarks, type MarkedLines, showMarks } from './marks'
 import { panelRoom } from './panel_room'
 import { prolog } from './prolog_language'
 import { refusalsOfThisText } from './refusals'
-import { replacement } from './replacement'
 import { resultMarks, showResults } from './result_marks'
 import { staysOpen } from './shown_marks'
 import { task } from './task_language'
 import { lastTaught, taughtMove } from './taught_move'
 import { theme } from './theme'
 import { toml } from './toml_language'
+import { trueCursor } from './true_cursor'
 import { inPlace, lineInSight } from './view_sight'
 import { words } from './words'
 import type { OpenedDocument } from './workspace'
@@ -60,6 +61,8 @@ export interface ProgramEditorOptions {
   readonly onLines: (document: string, lines: readonly LineContent[]) => void
   /** A definition stands in another document: show that. */
   readonly onShow: (document: string) => void
+  /** A new name changes a document that is not shown. */
+  readonly onWrite: (document: string, change: (text: string) => string) => void
 }
 
 interface Kept {
@@ -68,8 +71,6 @@ interface Kept {
   readonly ends: LineEnds
   readonly scroll: number
 }
-
-const External = Annotation.define<true>()
 
 /** Colours and folding by the language of a document; code of ICR has none. */
 const LANGUAGES: Readonly<Record<string, () => Extension>> = { task, toml, prolog }
@@ -100,10 +101,15 @@ export class ProgramEditor {
   constructor(host: HTMLElement, options: ProgramEditorOptions) {
     this.#options = options
     this.#view = new EditorView({ parent: host, state: EditorState.create({ extensions: [nonce(), theme] }) })
-    const { server, onProblems, onLines } = options
-    this.#language = new LanguageClient(server, onProblems, onLines, async name => {
-      if (name) options.onShow(name)
-      return name === this.#name ? this.#view : null
+    const { server, onProblems, onLines, onWrite } = options
+    this.#language = new LanguageClient(server, {
+      onProblems,
+      onLines,
+      onWrite,
+      onShow: async name => {
+        if (name) options.onShow(name)
+        return name === this.#name ? this.#view : null
+      },
     })
     this.#sight = lineInSight(this.#view)
   }
@@ -252,8 +258,8 @@ export class ProgramEditor {
 
   #takeOver(document: EditorDocument): void {
     this.#revision = document.revision
-    const change = replacement(this.#view.state.doc.toString(), document.text.replace(/\r\n?/g, '\n'))
-    if (change) this.#view.dispatch({ changes: change, annotations: External.of(true) })
+    const change = takenOver(this.#view.state.doc, document.text)
+    if (change) this.#view.dispatch(change)
     this.#ends = new LineEnds(document.text)
   }
 
@@ -290,6 +296,7 @@ export class ProgramEditor {
       staysOpen(),
       closesLateWords(),
       panelRoom(),
+      trueCursor(),
       lastTaught,
       history(),
       drawSelection(),

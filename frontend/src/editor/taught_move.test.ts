@@ -55,6 +55,10 @@ describe('where a target is missing its name belongs', () => {
     expect(taught(`${HEAD}${before}`)).toBe(`${HEAD}loc p1 = (1)\n${behind}`)
   })
 
+  it.each(['# up to |', 'open  // and |', '# a, |'])('but not in the comment of %j', before => {
+    expect(taught(`${HEAD}${before}`)).toBe(`${HEAD}loc p1 = (1)\n${before.replace('|', '')}\n|mov p1`)
+  })
+
   it('but in a declaration the location itself', () => {
     expect(taught(`${HEAD}loc there = |`)).toBe(`${HEAD}loc there = (1)|`)
   })

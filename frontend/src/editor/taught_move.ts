@@ -7,7 +7,7 @@ import {
   StateField,
   type TransactionSpec,
 } from '@codemirror/state'
-import { statementAt } from './block_lines'
+import { MARKS, statementAt } from './block_lines'
 
 /** Behind this the target itself is missing: a word that takes one, an operator, an opening parenthesis. */
 const OPEN = /(?:^|[\s(])(?:mov[jlc]?|lin|circ|spline|via|to|from|in|and|or|not)\s*$|[=(,+*/-]\s*$/i
@@ -51,13 +51,19 @@ export function taughtMove(
   const line = state.doc.lineAt(main.from)
   const before = line.text.slice(0, main.from - line.from)
   const behind = line.text.slice(main.from - line.from)
-  if (DECLARATION.test(line.text) && (OPEN.test(before) || !main.empty)) return piece(state, location, null)
+  const isMissing = OPEN.test(before) && !isNote(before)
+  if (DECLARATION.test(line.text) && (isMissing || !main.empty)) return piece(state, location, null)
   const point = pointFor(state, location, taken)
-  if (!main.empty || OPEN.test(before)) return piece(state, point.name, point.declared)
+  if (!main.empty || isMissing) return piece(state, point.name, point.declared)
   const isTaught = state.field(lastTaught, false) === main.head
   const isAbove = before.trim() === '' && behind.trim() !== '' && !isTaught
   if (behind.trim() !== '' && !isAbove && !isTaught) return piece(state, point.name, point.declared)
   return withLine(state, point, line.text.trim() === '' ? 'here' : isAbove ? 'above' : 'below')
+}
+
+/** Whether a line has come to its comment. */
+function isNote(before: string): boolean {
+  return [...before.matchAll(MARKS)].some(([mark]) => mark.startsWith('#') || mark.startsWith('//'))
 }
 
 /** The change that writes a text in place of what is selected. */

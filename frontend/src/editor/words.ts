@@ -7,6 +7,9 @@ export const words = {
   actions: 'What can be done here',
   noActions: 'Nothing can be done here.',
   cannot: (title: string, reason: string) => `Not possible: ${title}. ${reason}`,
+  notFormatted: 'Not formatted',
+  notRenamed: 'The name stays',
+  textMoved: 'a text has changed meanwhile',
   phrases: {
     'Control character': 'control character',
     'Go to line': 'Go to line',
@@ -31,7 +34,6 @@ export const words = {
     unfold: 'unfold',
     'New name': 'New name',
     rename: 'rename',
-    'Rename request failed': 'The name stays',
     'Reference list': 'Places of this name',
     'No references found': 'this name has no places',
   },

@@ -3,7 +3,7 @@
  * unsaved cell file counts for its programs and every finding is listed.
  */
 import { LSPPlugin, Workspace, type WorkspaceFile } from '@codemirror/lsp-client'
-import { Text } from '@codemirror/state'
+import { type ChangeSet, Text } from '@codemirror/state'
 import type { EditorView } from '@codemirror/view'
 
 export interface OpenedDocument {
@@ -34,6 +34,20 @@ export function textOf(text: string): Text {
 
 export class ProjectWorkspace extends Workspace {
   files: OpenFile[] = []
+  /** Writes a document that no view shows. */
+  write: (uri: string, change: ChangeSet) => void = () => {}
+
+  /** All texts as they are now, by their addresses. */
+  get texts(): ReadonlyMap<string, Text> {
+    return new Map(this.files.map(({ uri, view, doc }) => [uri, view?.state.doc ?? doc]))
+  }
+
+  /** Change a document, in its view where it is shown. */
+  change(uri: string, change: ChangeSet): void {
+    const view = this.#file(uri)?.view
+    if (view) view.dispatch({ changes: change, userEvent: 'rename' })
+    else this.write(uri, change)
+  }
 
   /** Let the server have these documents and no others; shown ones are left to their views. */
   keep(documents: readonly OpenedDocument[]): void {

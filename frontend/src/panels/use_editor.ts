@@ -46,22 +46,31 @@ function optionsOf(studio: Studio) {
     onLines: (document: string, lines: readonly LineContent[]) =>
       studio.store.setState(state => ({ lines: { ...state.lines, [document]: lines } })),
     onShow: (document: string) => studio.store.setState({ document }),
+    onWrite: (document: string, change: (text: string) => string) =>
+      studio.write(document, change(studio.text(document))),
   }
 }
 
 function useDocuments(editor: ProgramEditor | null): void {
   const studio = useStudio()
-  const documents = useStudioState(state => state.documents)
-  const name = useStudioState(state => state.document)
   const editing = useStudioState(state => state.editing)
   const wanted = useRef<Place | null>(null)
+  // At once, not when React draws: a key that is pressed in between must find the text that is there.
   useEffect(() => {
-    const shown = documents.find(one => one.name === name)
-    if (!editor || !shown) return
-    editor.keep(documents.map(one => ({ ...one, text: studio.text(one.name) })))
-    editor.open({ ...shown, text: studio.text(name) })
-    goToWanted(editor, wanted)
-  }, [studio, editor, documents, name])
+    if (!editor) return
+    const show = () => {
+      const { documents, document } = studio.store.getState()
+      const shown = documents.find(one => one.name === document)
+      if (!shown) return
+      editor.keep(documents.map(one => ({ ...one, text: studio.text(one.name) })))
+      editor.open({ ...shown, text: studio.text(document) })
+      goToWanted(editor, wanted)
+    }
+    show()
+    return studio.store.subscribe((now, before) => {
+      if (now.documents !== before.documents || now.document !== before.document) show()
+    })
+  }, [studio, editor])
   useEffect(
     () => (editor ? studio.desk.onTeach((text, taken) => editor.teach(text, taken)) : undefined),
     [studio, editor],

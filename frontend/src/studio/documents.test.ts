@@ -35,6 +35,21 @@ test('typed text is pending until the server confirms its version', () => {
   expect(documents.text(STATE.name)).toBe('three')
 })
 
+test('text of a form goes to the server as what is typed does, and an editor takes it over', () => {
+  const documents = open()
+  documents.edit(STATE.name, 'two')
+  const revision = documents.shown[0]?.revision ?? 0
+  documents.write(STATE.name, 'three')
+  expect(documents.shown[0]?.revision).toBe(revision + 1)
+  expect(documents.pending()).toEqual([
+    { type: 'edit', document: STATE.name, text: 'three', version: 2, base: 'b1' },
+  ])
+  documents.write(STATE.name, 'three')
+  documents.write('kb/none.pl', 'x')
+  expect(documents.shown).toHaveLength(1)
+  expect(documents.shown[0]?.revision).toBe(revision + 1)
+})
+
 test('an edit goes out once on a connection', () => {
   const documents = open()
   documents.edit(STATE.name, 'two')

@@ -5,7 +5,7 @@ import { TextHistory } from './text_history'
 
 /** A document as the page shows it. For the newest text ask `Documents.text`. */
 export interface StudioDocument extends Omit<DocumentState, 'text' | 'version' | 'base'> {
-  /** Counts the times the text was replaced from outside (file, other tab); an editor then opens it anew. */
+  /** Counts the times the text was replaced from outside (file, other tab, form); an editor then takes it over. */
   readonly revision: number
 }
 
@@ -94,6 +94,15 @@ export class Documents {
       entry.shown = { ...entry.shown, unsaved: true }
       this.#changed()
     }
+  }
+
+  /** New text from elsewhere in this page than the keyboard, such as a form: an editor takes it over. */
+  write(name: string, text: string): void {
+    const entry = this.#entries.get(name)
+    if (!entry || entry.text === text) return
+    this.edit(name, text)
+    entry.shown = { ...entry.shown, revision: entry.shown.revision + 1 }
+    this.#changed()
   }
 
   /** Edits that are still to be put on the line. */

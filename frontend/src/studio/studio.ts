@@ -187,6 +187,16 @@ export class Studio {
   /** New text from the keyboard; it reaches the server within a moment, or after the connection is back. */
   edit(document: string, text: string): void {
     this.desk.edit(document, text)
+    this.#edited(document)
+  }
+
+  /** New text from a form or a new name: it reaches the server, and an editor takes it over. */
+  write(document: string, text: string): void {
+    this.desk.write(document, text)
+    this.#edited(document)
+  }
+
+  #edited(document: string): void {
     this.textsMoved()
     if (isTaskText(document)) this.renewTasks()
   }
@@ -253,7 +263,7 @@ export class Studio {
       this.desk.create(document, text, run, points)
       return
     }
-    this.edit(document, text)
+    this.write(document, text)
     this.save(document)
     if (points) this.send({ type: 'keep_points', program: document, points })
     this.store.setState({ document, dialog: null, refusal: null })
@@ -271,7 +281,7 @@ export class Studio {
     const { document, checked } = this.forms
     if (!checked) return
     if (this.desk.documents.has(document)) {
-      this.edit(document, checked.text)
+      this.write(document, checked.text)
       this.save(document)
     } else {
       this.desk.create(document, checked.text)

@@ -54,8 +54,19 @@ export class TextDesk {
     return new Map(this.documents.shown.map(({ name }) => [name, this.documents.text(name)]))
   }
 
+  /** Text that an editor has. */
   edit(document: string, text: string): void {
     this.documents.edit(document, text)
+    this.#changed()
+  }
+
+  /** Text that an editor of the document is to take over. */
+  write(document: string, text: string): void {
+    this.documents.write(document, text)
+    this.#changed()
+  }
+
+  #changed(): void {
     this.sync()
     if (this.#store.getState().editing) this.#outbox.soon()
   }
