@@ -104,6 +104,7 @@ export class Receiver {
       line_answered: message => studio.commandLine.receive(message),
       words_offered: message => studio.commandLine.receiveWords(message),
       notice: ({ level, text, hint, code }) => studio.notify(level, text, hint, code),
+      points: ({ names }) => studio.desk.setPoints(names),
       robots: ({ names }) => studio.store.setState({ robots: names }),
       folders: folders => studio.store.setState({ folders }),
       answered: ({ refusal }) => this.#answered(refusal),

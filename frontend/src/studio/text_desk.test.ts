@@ -111,3 +111,14 @@ test('what the Edit menu asks for waits for an editor, once', () => {
   desk.onAct(entry => done.push(entry.action))
   expect(done).toEqual(['find', 'replace'])
 })
+
+test('names of points in tables are taken when a point is taught', () => {
+  const names: ReadonlySet<string>[] = []
+  desk.onTeach((_, taken) => {
+    names.push(taken)
+    return null
+  })
+  desk.setPoints(['P1', 'rack 2'])
+  desk.teach('(1)')
+  expect([...(names[0] ?? [])]).toEqual(expect.arrayContaining(['mov', 'a', 'p1', 'rack']))
+})

@@ -33,6 +33,8 @@ export class TextDesk {
   #made: () => void = () => {}
   readonly #places = new Set<(place: Place) => void>()
   readonly #pens = new Set<Pen>()
+  /** Names of points in tables of the project. */
+  #points: readonly string[] = []
   readonly #hands = new Set<(entry: EditEntry) => void>()
   /** What is to be done as soon as an editor is there. */
   #awaited: EditEntry | null = null
@@ -130,9 +132,15 @@ export class TextDesk {
     return back
   }
 
-  /** All words of the project's texts: names of programs, cell and tasks are among them. */
+  setPoints(names: readonly string[]): void {
+    this.#points = names
+  }
+
+  /** All words of texts and tables of points: names of programs, cell and tasks are among them. */
   #words(): ReadonlySet<string> {
-    const found = [...this.now().values()].flatMap(text => text.toLowerCase().match(/[a-z_]\w*/g) ?? [])
+    const found = [...this.now().values(), ...this.#points].flatMap(
+      text => text.toLowerCase().match(/[a-z_]\w*/g) ?? [],
+    )
     return new Set(found)
   }
 

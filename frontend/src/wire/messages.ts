@@ -91,6 +91,12 @@ export interface DocumentsChanged {
   readonly documents: readonly DocumentState[]
 }
 
+/** The names of the points in the tables of the project, where it has some, and when they change. */
+export interface PointNames {
+  readonly type: 'points'
+  readonly names: readonly string[]
+}
+
 /** Whether the tab may edit. */
 export interface EditingRight {
   readonly type: 'editing'
@@ -569,6 +575,7 @@ export type Message =
   | TrustChanged
   | SceneMessage
   | DocumentsChanged
+  | PointNames
   | EditingRight
   | RunStatus
   | RunWays

@@ -11,7 +11,8 @@ from ropsim.studio.diagnostics import INTERNAL, NO_JOURNAL, PROJECT_GONE, READ_O
 from ropsim.studio.document import Document
 from ropsim.studio.documents import Documents, ListChange, Overwriting
 from ropsim.studio.keeper import Keeper
-from ropsim.studio.messages import Answered, DocumentsChanged, notice
+from ropsim.studio.messages import Answered, DocumentsChanged, PointNames, notice
+from ropsim.studio.point_tables import PointTables
 from ropsim.studio.project_files import remove_leftovers
 from ropsim.studio.tab import Tab
 from ropsim.studio.tabs import Tabs
@@ -42,6 +43,7 @@ class Editing:
         text_changed: Callable[[Document], None],
     ) -> None:
         self.documents = Documents(folder)
+        self.points = PointTables(folder)
         self._folder = folder
         self._tabs = tabs
         self._list_changed = list_changed
@@ -57,6 +59,7 @@ class Editing:
         await asyncio.to_thread(remove_leftovers, self._folder)
         try:
             await self.documents.look()
+            await self.points.look()
         except OSError as error:
             self.warnings.append(self._unwatched(error))
         try:
@@ -174,6 +177,8 @@ class Editing:
         self._tell(changed)
         for document in changed:
             self._text_changed(document)
+        if await self.points.look():
+            self._tabs.tell(PointNames(self.points.names))
 
     def _tell(self, documents: Iterable[Document], knows: Tab | None = None) -> None:
         """Send the states of documents, with their texts to all tabs but the one that knows them."""

@@ -131,6 +131,12 @@ class DocumentsChanged(Struct, frozen=True, tag_field="type", tag="documents"):
     documents: tuple[DocumentState, ...]
 
 
+class PointNames(Struct, frozen=True, tag_field="type", tag="points"):
+    """The names of the points in the tables of the project, where it has some, and when they change."""
+
+    names: tuple[str, ...]
+
+
 class EditingRight(Struct, frozen=True, tag_field="type", tag="editing"):
     """Whether the tab may edit."""
 
@@ -386,6 +392,7 @@ Message: TypeAlias = (
     | TrustChanged
     | SceneMessage
     | DocumentsChanged
+    | PointNames
     | EditingRight
     | RunStatus
     | RunWays

@@ -53,9 +53,9 @@ def stamps(folder: Path) -> dict[str, Stamp]:
         OSError: the system does not say what there is.
     """
     places = {"programs": PROGRAM_ENDINGS, "robots": (ROBOT_ENDING,), "kb": (TASK_ENDING,)}
-    names = [CELL, *(name for place, endings in places.items() for name in _inside(folder, place, endings))]
-    found = ((name, _stamp(folder / name)) for name in names)
-    return {name: stamp for name, stamp in found if stamp is not None}
+    names = [CELL, *(name for place, endings in places.items() for name in files_in(folder, place, endings))]
+    found = ((name, stamp(folder / name)) for name in names)
+    return {name: one for name, one in found if one is not None}
 
 
 def present(folder: Path) -> dict[str, Stamp] | None:
@@ -115,7 +115,7 @@ def program_names(documents: Iterable[str]) -> Mapping[str, str]:
     return names
 
 
-def _inside(folder: Path, place: str, endings: tuple[str, ...]) -> list[str]:
+def files_in(folder: Path, place: str, endings: tuple[str, ...]) -> list[str]:
     """Return the files with some endings in a folder of the project, by name."""
     inside: list[Path] = []
     with _absence():
@@ -123,7 +123,8 @@ def _inside(folder: Path, place: str, endings: tuple[str, ...]) -> list[str]:
     return sorted(f"{place}/{path.name}" for path in inside if path.suffix in endings)
 
 
-def _stamp(path: Path) -> Stamp | None:
+def stamp(path: Path) -> Stamp | None:
+    """Return the stamp of a file, None where there is none."""
     with _absence():
         facts = path.stat()
         if stat.S_ISREG(facts.st_mode):

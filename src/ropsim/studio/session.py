@@ -19,7 +19,16 @@ from ropsim.studio.diagnostics import (
 from ropsim.studio.document import Document
 from ropsim.studio.editing import Editing
 from ropsim.studio.folders import folders_in, places_of
-from ropsim.studio.messages import Answered, ExampleState, Robots, TrustChanged, TrustState, Welcome, notice
+from ropsim.studio.messages import (
+    Answered,
+    ExampleState,
+    PointNames,
+    Robots,
+    TrustChanged,
+    TrustState,
+    Welcome,
+    notice,
+)
 from ropsim.studio.project_files import CELL, project_folder
 from ropsim.studio.project_maker import project_made
 from ropsim.studio.runs import Runs
@@ -222,6 +231,8 @@ class Session:
         tab.name = name or "unnamed"
         self._tabs.add(tab)
         tab.send(self._welcome(tab))
+        if self.editing.points.names:
+            tab.send(PointNames(self.editing.points.names))
         if self.scenes.newest is not None:
             tab.send(self.scenes.newest)
         for message in self.runs.news:

@@ -10,6 +10,7 @@ import pytest
 from ropsim.studio.diagnostics import StudioError
 from ropsim.studio.document import LARGEST
 from ropsim.studio.documents import Documents, ListChange, Overwriting
+from ropsim.studio.point_tables import PointTables
 from ropsim.studio.project_files import program_names, project_folder
 from ropsim.userfiles import Draft
 from support.counted_system import counted, number
@@ -489,3 +490,20 @@ def test_a_file_that_may_not_be_read_is_not_written_over(folder: Path) -> None:
     assert save(documents, "programs/main.task", Overwriting.WANTED) == "U957"
     place.chmod(0o600)
     assert place.read_bytes() == b"one\r\ntwo\r\n"
+
+
+def test_names_of_points_are_those_of_the_tables_as_they_are_now(folder: Path) -> None:
+    tables = PointTables(folder)
+    assert not asyncio.run(tables.look())
+    place = folder / "points"
+    place.mkdir(exist_ok=True)
+    (place / "a.csv").write_text("name,x,y,z\n,mm,mm,mm\np1,1,2,3\n\nrack 2,4,5,6\n", "utf-8")
+    (place / "b.csv").write_bytes(b"name,x,y,z\n,mm,mm,mm\n\xff,1,2,3\np1,1,2,3\n")
+    (place / "notes.txt").write_text("name\n\np9\n", "utf-8")
+    assert asyncio.run(tables.look())
+    assert tables.names == ("p1", "rack 2", "\ufffd")
+    assert not asyncio.run(tables.look())
+    (place / "a.csv").unlink()
+    (place / "c.csv").symlink_to(Path(__file__))
+    assert asyncio.run(tables.look())
+    assert tables.names == ("p1", "\ufffd")
