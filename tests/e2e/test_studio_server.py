@@ -46,8 +46,9 @@ def test_a_request_of_the_system_ends_it_too(studio: Studio) -> None:
 
 
 @needs_proc
+@pytest.mark.parametrize("then", ["the project stays", "the project is moved"])
 def test_unsaved_text_survives_a_killed_server_and_no_process_does(
-    studio: Studio, project: Path, tmp_path: Path
+    studio: Studio, project: Path, tmp_path: Path, then: str
 ) -> None:
     with page_of(studio) as page:
         page.hear("welcome")
@@ -56,6 +57,8 @@ def test_unsaved_text_survives_a_killed_server_and_no_process_does(
         studio.kill()
     assert ends(studio.process.pid)
     assert "unsaved" not in (project / "programs" / "main.task").read_text("utf-8")
+    if then == "the project is moved":
+        project = project.rename(tmp_path / "moved")
     with Studio(project, tmp_path / "home", command=command(tmp_path)) as again, page_of(again) as page:
         documents = {one["name"]: one for one in page.hear("welcome")["documents"]}
         recovered = documents["programs/main.task"]

@@ -77,8 +77,10 @@ class Progress:
         self._put(f"\r{line}\x1b[K" if self._live else f"{line}\n")
 
     def _compiled(self, count: int) -> None:
-        """Tell how many functions are compiled by now; how many will follow nobody knows."""
-        self(math.nan, f"compiling, once: {count}")
+        """Show which function is being compiled; how many will follow is not known."""
+        from ropsim.codegen import compiling_text
+
+        self(math.nan, compiling_text(count))
 
     def _line(self, share: float, text: str, elapsed: float) -> str:
         left = f", {_clock_text(elapsed / share - elapsed)} left" if share > 0.02 else ""

@@ -3,6 +3,7 @@
 from ropsim.codegen.caller import bound as bound
 from ropsim.codegen.columns import columns as columns
 from ropsim.codegen.compiling import compiling_reported as compiling_reported
+from ropsim.codegen.compiling import compiling_text as compiling_text
 from ropsim.codegen.direct import Compiled as Compiled
 from ropsim.codegen.direct import StoppedError as StoppedError
 from ropsim.codegen.emit import Bounds as Bounds

@@ -25,6 +25,11 @@ def compiling_reported(listener: Listener) -> Iterator[None]:
         _listeners.remove(entry)
 
 
+def compiling_text(count: int) -> str:
+    """Return what a user reads while a function is compiled, by how many have begun; no total is known."""
+    return f"compiling function {count} (each is compiled once)"
+
+
 def begin_compiling() -> None:
     """Report a function that is compiled now."""
     for listener, number in tuple(_listeners):

@@ -88,8 +88,8 @@ def test_work_whose_share_nobody_knows_shows_text_and_time_only() -> None:
 @pytest.mark.parametrize(
     ("stream", "shown"),
     [
-        (Terminal(), "\rsimulating: compiling, once: 2  (2 s)\x1b[K"),
-        (io.StringIO(), "simulating: compiling, once: 2  (2 s)\n"),
+        (Terminal(), "\rsimulating: compiling function 2 (each is compiled once)  (2 s)\x1b[K"),
+        (io.StringIO(), "simulating: compiling function 2 (each is compiled once)  (2 s)\n"),
     ],
 )
 def test_what_is_compiled_meanwhile_is_counted(stream: io.StringIO, shown: str) -> None:

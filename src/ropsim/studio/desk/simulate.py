@@ -4,7 +4,7 @@ import time
 from dataclasses import dataclass, replace
 from enum import Enum
 
-from ropsim.codegen import compiling_reported
+from ropsim.codegen import compiling_reported, compiling_text
 from ropsim.core import RopsimError
 from ropsim.flow import Interventions, Recording
 from ropsim.records import with_inputs
@@ -53,7 +53,7 @@ def simulate(job: Simulate, line: Line, shelf: Shelf, workspace: Workspace) -> R
         line.report(Progress("preparing the arm"))
         listener = Listener(line, content, ready)
         known = shelf.known_in(ready.cell)
-        with compiling_reported(lambda count: line.report(Progress(f"compiling, once: {count}"))):
+        with compiling_reported(lambda count: line.report(Progress(compiling_text(count)))):
             if job.fidelity == Fidelity.DYNAMIC.value:
                 planned = _carried_out(job, ready, listener, known, Purpose.PLANNING)
                 line.report(Planned(plain_findings((*listener.ready.findings, *planned.findings))))
