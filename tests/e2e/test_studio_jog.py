@@ -278,6 +278,16 @@ def test_points_are_taught_one_after_the_other_in_a_long_program_that_does_not_s
     text = str(fresh.page.evaluate("() => __ropsim.text('programs/main.task')"))
     assert "n = 51\nmov p1\nmov p2\nmov p3\nn = 52" in text
     assert [line[:6] for line in text.split("\n")[2:5]] == ["loc p1", "loc p2", "loc p3"]
+    back = panel.get_by_role("button", name="Undo: Teach")
+    back.click()
+    fresh.until(lambda: "mov p3" not in fresh.text())
+    assert "n = 51\nmov p1\nmov p2\nn = 52" in fresh.text()
+    panel.get_by_role("button", name="Teach", exact=True).click()
+    fresh.until(lambda: "mov p3" in fresh.text())
+    fresh.page.keyboard.type("# more ")
+    back.click()
+    fresh.page.get_by_text("The program has been changed since").wait_for()
+    assert "# more mov p3" in fresh.text()  # what was typed is not what is taken back
 
 
 def test_the_table_of_states_jogs_from_the_shown_time(

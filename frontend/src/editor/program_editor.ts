@@ -203,7 +203,11 @@ export class ProgramEditor {
     inPlace(this.#view, line, taught)
     this.#view.dispatch({ effects: EditorView.scrollIntoView(this.#view.state.selection.main.head) })
     this.#view.focus()
-    return { undo: () => undo(this.#view), redo: () => redo(this.#view) }
+    const [before, after] = [taught.startState.doc, this.#view.state.doc]
+    return {
+      undo: () => this.#view.state.doc.eq(after) && undo(this.#view),
+      redo: () => this.#view.state.doc.eq(before) && redo(this.#view),
+    }
   }
 
   /** Do what a command of the Edit menu says, as its key does. */

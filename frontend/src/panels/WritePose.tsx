@@ -16,8 +16,14 @@ export function WritePose({ lost }: { lost: boolean }) {
       onClick={() => {
         if (!text) return
         const back = studio.desk.teach(text)
-        if (back) studio.undo.did({ name: words.jog.write, ...back })
-        else studio.notify('warning', words.jog.notWritten)
+        if (!back) {
+          studio.notify('warning', words.jog.notWritten)
+          return
+        }
+        const orSay = (step: () => boolean) => () => {
+          if (!step()) studio.notify('warning', words.jog.textChanged)
+        }
+        studio.undo.did({ name: words.jog.write, undo: orSay(back.undo), redo: orSay(back.redo) })
       }}
     >
       {words.jog.write}

@@ -14,10 +14,10 @@ export interface Place {
   readonly column: number
 }
 
-/** Takes a change of the text back, or makes it again. */
+/** Takes a change of the text back, or makes it again; false where another text stands there by now. */
 export interface WayBack {
-  readonly undo: () => void
-  readonly redo: () => void
+  readonly undo: () => boolean
+  readonly redo: () => boolean
 }
 
 /** Writes a location into a text; a name that it needs is none of those taken, which are in small letters. */

@@ -185,6 +185,7 @@ export const words = {
       'Declares where the TCP stands as a point and writes a move to it at the cursor of the program',
     notWritten:
       'The pose was not written: open the Program panel first, and put its cursor where the pose belongs.',
+    textChanged: 'The program has been changed since: undo in the editor, step by step (Ctrl+Z).',
     joints: 'Joints',
     tcp: 'Tool centre point',
     frame: 'Directions of',
