@@ -2,6 +2,9 @@
 import { Component, type ReactNode } from 'react'
 import { words } from '../text/messages'
 
+/** What browsers say of a part of the page that could not be loaded; they do not load it twice. */
+const NOT_LOADED = /preload|dynamically imported|importing a module/i
+
 interface GuardProps {
   readonly name: string
   readonly children: ReactNode
@@ -19,9 +22,15 @@ export class PanelGuard extends Component<GuardProps, { readonly reason: string 
     return (
       <div className="panel-failed" role="alert">
         <p>{words.panel.failed(this.props.name, this.state.reason)}</p>
-        <button type="button" onClick={() => this.setState({ reason: '' })}>
-          {words.panel.again}
-        </button>
+        {NOT_LOADED.test(this.state.reason) ? (
+          <button type="button" onClick={() => window.location.reload()}>
+            {words.panel.reload}
+          </button>
+        ) : (
+          <button type="button" onClick={() => this.setState({ reason: '' })}>
+            {words.panel.again}
+          </button>
+        )}
       </div>
     )
   }

@@ -288,6 +288,7 @@ export const words = {
     restore: 'Restore size',
     failed: (name: string, reason: string) => `${name} has stopped working: ${reason}`,
     again: 'Try again',
+    reload: 'Reload the page (texts are kept)',
     loading: 'Loading …',
   },
   notices: 'Notices',

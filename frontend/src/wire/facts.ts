@@ -167,7 +167,7 @@ export interface WayFacts {
   readonly near: readonly Contact[]
   /** Clearance that the cell requires [m]; 0 for none. */
   readonly required: number
-  /** Bodies of these contacts with meshes, which count as convex hulls: hollows of them are filled. */
+  /** Bodies of these contacts that count without their hollows: meshes, rings and cups. */
   readonly filled: readonly string[]
 }
 

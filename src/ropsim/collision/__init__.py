@@ -20,6 +20,7 @@ from ropsim.collision.solid_bodies import SolidBodies as SolidBodies
 from ropsim.collision.solids import NO_MESHES as NO_MESHES
 from ropsim.collision.solids import MeshPoints as MeshPoints
 from ropsim.collision.solids import convexes as convexes
+from ropsim.collision.solids import has_filled_hollow as has_filled_hollow
 from ropsim.collision.ways import Approach as Approach
 from ropsim.collision.ways import Carriers as Carriers
 from ropsim.collision.ways import carried as carried

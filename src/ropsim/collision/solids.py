@@ -1,7 +1,7 @@
 """From shapes to convex bodies: which of them are exact, and which are looked at as their convex hull."""
 
 from collections.abc import Iterator, Mapping, Sequence
-from itertools import product
+from itertools import pairwise, product
 from types import MappingProxyType
 
 import numpy as np
@@ -25,9 +25,10 @@ def readable(meshes: MeshPoints) -> MeshPoints:
 def convexes(shape: Shape, meshes: MeshPoints = NO_MESHES) -> tuple[Convex, ...]:
     """Return the convex bodies of a shape; a line, and a mesh that is not known, have none.
 
-    Boxes, cylinders, cones, spheres and prisms are exact. A body of revolution is cut where it is hollow, and
-    then exact where its profile goes up throughout. A mesh is taken as its convex hull: so a hollow of it is
-    no room for others, and what is said to be free is free.
+    Boxes, cylinders, cones, spheres and prisms are exact. A body of revolution is cut where its profile bends
+    inward, and exact where its profile goes up throughout; else, as in a ring or a cup, its hollow is filled.
+    A mesh is taken as its convex hull. What is filled is no room for others, and what is said to be free is
+    free.
 
     Args:
         shape: in the frame of its body.
@@ -53,6 +54,16 @@ def convexes(shape: Shape, meshes: MeshPoints = NO_MESHES) -> tuple[Convex, ...]
             return () if points is None else (_meshed(points, pose),)
         case Polyline():
             return ()
+
+
+def has_filled_hollow(shape: Shape) -> bool:
+    """Return whether a shape may have hollows that its convex bodies fill."""
+    match shape.solid:
+        case Mesh():
+            return True
+        case Revolve(profile):
+            return any(after[1] < before[1] for before, after in pairwise(profile))
+    return False
 
 
 def _convex_runs(profile: Sequence[Point2]) -> Iterator[Sequence[Point2]]:

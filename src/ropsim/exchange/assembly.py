@@ -65,14 +65,14 @@ def _robot(
     carrier, X_CT = placed[tip]
     interface = X_CT @ X_TM
     unknown_limits(driven, notes)
-    weight_findings(description, joints, links, interface, notes)
-    carried_names(description, tree, placed, tip, notes)
     drives = drives_of(driven, axes, joints, links)
     wrong = tuple(number_findings(joints, links, axes, drives, _places(description, moved, driven)))
     for one in wrong:
         notes.take(one)
     if wrong:
         return None
+    weight_findings(description, joints, links, interface, notes)
+    carried_names(description, tree, placed, tip, notes)
     return RobotModel(
         name=description.name,
         title=description.name,

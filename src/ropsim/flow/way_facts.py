@@ -80,7 +80,7 @@ class WayFacts:
         contacts: penetrations, in order of time.
         near: bodies that came nearer than the cell requires, in order of time.
         required: clearance that the cell requires [m]; 0 for none.
-        filled: bodies of these contacts with meshes, which count as convex hulls: hollows of them are filled.
+        filled: bodies of these contacts that count without their hollows: meshes, rings and cups.
     """
 
     clearance: Clearance | None = None

@@ -29,7 +29,7 @@ class Standing:
     Attributes:
         on: name of the body that carries it, `WORLD` for the floor, None where nothing does.
         inside: name of the body in which it is the deepest, empty for none.
-        depth: how much higher it would be free of that body [m]; 0 for none.
+        depth: how much higher it would be free of the block of that body in which it is [m]; 0 for none.
     """
 
     on: str | None

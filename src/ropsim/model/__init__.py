@@ -28,7 +28,6 @@ from ropsim.model.cell import ClassicSettings as ClassicSettings
 from ropsim.model.cell_bodies import BASE as BASE
 from ropsim.model.cell_bodies import body_tree as body_tree
 from ropsim.model.cell_bodies import fingers_of as fingers_of
-from ropsim.model.cell_bodies import has_surroundings as has_surroundings
 from ropsim.model.cell_bodies import link_name as link_name
 from ropsim.model.cell_bodies import mount_of as mount_of
 from ropsim.model.cell_bodies import part_shape as part_shape

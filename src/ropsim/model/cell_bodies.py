@@ -35,12 +35,6 @@ def body_tree(cell: Cell) -> BodyTree:
     return BodyTree((*stations, *devices, *_objects(cell), *_parts(cell)), mechanisms)
 
 
-def has_surroundings(cell: Cell) -> bool:
-    """Return whether a cell has bodies that may collide: more than one arm without a tool."""
-    more = len(cell.stations) > 1 or cell.devices or cell.objects or cell.parts
-    return bool(more) or any(body.kind is BodyKind.TOOL and body.shapes for body in body_tree(cell).bodies)
-
-
 def start_of(cell: Cell) -> dict[str, Array]:
     """Return the joint coordinates at time 0 [rad | m], shape (n,), by mechanism."""
     start = {name: one.q_start for name, one in cell.stations.items()}

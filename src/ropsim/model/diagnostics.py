@@ -1,4 +1,4 @@
-"""What can be wrong with a robot model (codes X850 to X859)."""
+"""What can be wrong with a robot model (codes X850 to X859, X862, X974, X975)."""
 
 from ropsim.core import Severity, define
 
@@ -169,11 +169,12 @@ UNUSABLE_DRIVE = define(
     "X975",
     "drive-number-impossible",
     Severity.ERROR,
-    "a limit of a drive is not positive, or the inertia of a rotor is negative",
+    "a limit of a drive is not positive, or an inertia or friction of it has the wrong sign",
     """
 The voltage, current, torque or valve current of a drive is clipped to plus and minus its limit, so the limit
-is a positive number; it may be infinite where it is unknown. The inertia of a rotor and the mass of a piston
-are 0 or more: a negative one would push the joint the way it accelerates.
+is a positive number; that of a current or an effort may be infinite where it is unknown. The inertia of a
+rotor and the mass of a piston are 0 or more: a negative one would push the joint the way it accelerates.
+Friction resists: its torque is 0 or more for positive speeds, 0 or less for negative ones.
 
 Look for a sign or a column that slipped in the data of the drive.
 """,

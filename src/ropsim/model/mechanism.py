@@ -9,7 +9,7 @@ from ropsim.model.geometry import Shape
 from ropsim.model.joint import BASE_LINK, PREVIOUS, Joint
 from ropsim.model.link import Link
 from ropsim.model.loop_cut import LoopCut
-from ropsim.model.number_check import check_numbers
+from ropsim.model.number_check import check_finite, check_numbers
 from ropsim.spatial import Array, Pose, frozen, record
 
 
@@ -59,6 +59,7 @@ class Mechanism:
         object.__setattr__(self, "joints", serial(self.joints))
         object.__setattr__(self, "axes", self.axes or _free_joints(self))
         check_numbers(self.joints, self.links, self.axes, self.drives)
+        check_finite(f"the gravity of `{self.name}`", self.gravity.tolist())
 
     def __repr__(self) -> str:
         """Return one line: names and number of axes; no arrays."""

@@ -1,6 +1,6 @@
 """Whether the numbers of joints, links and drives can be: limits, placements, masses and inertias."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import chain
 from math import inf, isfinite
 
@@ -21,6 +21,7 @@ MOMENT_SLACK = 1e-3
 """Negative moment of inertia, relative to the largest one, that is rounding: files round their tensors."""
 
 _LIMITS_OF_DRIVES = ("max_voltage", "max_current", "max_effort", "max_input")
+_OPEN_LIMITS = ("max_current", "max_effort")  # infinite where they are unknown
 _WEIGHTS_OF_DRIVES = ("rotor_inertia", "moving_mass")
 _MOST = (Attribute.MAX_SPEED, Attribute.MAX_ACCELERATION, Attribute.MAX_JERK, Attribute.MAX_EFFORT)
 
@@ -46,6 +47,20 @@ def check_numbers(
     found = next(number_findings(joints, links, axes, drives), None)
     if found:
         raise ModelValueError(found)
+
+
+def check_finite(what: str, numbers: Iterable[float]) -> None:
+    """Make sure that numbers of a mechanism are finite.
+
+    Args:
+        what: of the mechanism they are.
+        numbers: any.
+
+    Raises:
+        ModelValueError: one is not finite.
+    """
+    if not all(map(isfinite, numbers)):
+        raise ModelValueError(_not_finite(what, None))
 
 
 def number_findings(
@@ -144,7 +159,8 @@ def _drive(number: int, drive: Drive, place_of: PlaceOf) -> Iterator[Diagnostic]
     for block in (drive.amplifier, drive.motor):
         for name in (*_LIMITS_OF_DRIVES, *_WEIGHTS_OF_DRIVES):
             value = float(getattr(block, name, 1.0))
-            if (0.0 < value <= inf) if name in _LIMITS_OF_DRIVES else (0.0 <= value < inf):
+            least = value > 0.0 if name in _LIMITS_OF_DRIVES else value >= 0.0
+            if least and (value < inf or name in _OPEN_LIMITS):
                 continue
             allowed = "a positive number" if name in _LIMITS_OF_DRIVES else "0 or more"
             yield kinds.UNUSABLE_DRIVE.at(
@@ -152,6 +168,25 @@ def _drive(number: int, drive: Drive, place_of: PlaceOf) -> Iterator[Diagnostic]
                 f"the drive of axis {number + 1} has `{name}` = {value:g}, allowed is {allowed}",
                 hint="check the sign",
                 data={"found": value},
+            )
+    yield from _friction(number, drive, place_of)
+
+
+def _friction(number: int, drive: Drive, place_of: PlaceOf) -> Iterator[Diagnostic]:
+    friction = drive.friction
+    rows = (
+        ("viscous", 0.0 <= friction.viscous < inf, "0 or more"),
+        ("coulomb_positive", 0.0 <= friction.coulomb_positive < inf, "0 or more"),
+        ("coulomb_negative", -inf < friction.coulomb_negative <= 0.0, "0 or less"),
+    )
+    for name, is_possible, allowed in rows:
+        if not is_possible:
+            yield kinds.UNUSABLE_DRIVE.at(
+                place_of(AuditPlace(number, Attribute.DRIVE, name)),
+                f"the drive of axis {number + 1} has `{name}` = {getattr(friction, name):g}, "
+                f"allowed is {allowed}",
+                hint="friction resists: check the sign",
+                data={"found": getattr(friction, name)},
             )
 
 

@@ -1,9 +1,12 @@
 """Payload: a rigid body fixed to the mechanical interface."""
 
 from dataclasses import field
+from math import inf
 
 import numpy as np
 
+from ropsim.model.diagnostics import NOT_FINITE
+from ropsim.model.number_check import ModelValueError
 from ropsim.spatial import Array, Pose, frozen, record
 
 
@@ -15,6 +18,9 @@ class Payload:
         mass: [kg].
         com: centre of mass [m], shape (3,).
         inertia: about the centre of mass [kg·m²], shape (3, 3).
+
+    Raises:
+        ModelValueError: the mass is negative, or a number is not finite.
     """
 
     mass: float = 0.0
@@ -24,6 +30,10 @@ class Payload:
     def __post_init__(self) -> None:
         object.__setattr__(self, "com", frozen(self.com))
         object.__setattr__(self, "inertia", frozen(self.inertia))
+        if not (0.0 <= self.mass < inf and np.isfinite(self.com).all() and np.isfinite(self.inertia).all()):
+            message = f"a payload has the mass {self.mass:g} kg, or a number that is not finite"
+            hint = "give a mass of 0 kg or more, and finite numbers"
+            raise ModelValueError(NOT_FINITE.at(None, message, hint=hint))
 
 
 def moved(payload: Payload, X: Pose) -> Payload:

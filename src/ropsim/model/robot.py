@@ -3,7 +3,9 @@
 from math import inf
 
 from ropsim.model.dh_row import DhRow
+from ropsim.model.diagnostics import UNUSABLE_LIMIT
 from ropsim.model.mechanism import Mechanism
+from ropsim.model.number_check import ModelValueError, check_finite
 from ropsim.spatial import Pose, record
 
 LAST = -2
@@ -23,6 +25,9 @@ class RobotModel(Mechanism):
             track or a turntable.
         rated_payload: mass that the maker allows at the interface, tool and part together [kg]; inf where
             unknown.
+
+    Raises:
+        ModelValueError: the interface is not finite, the rated payload not positive; as `Mechanism`.
     """
 
     X_nM: Pose = Pose()
@@ -37,6 +42,12 @@ class RobotModel(Mechanism):
         Mechanism.__post_init__(self)
         if self.tip == LAST:
             object.__setattr__(self, "tip", len(self.joints) - 1)
+        check_finite(f"the mechanical interface of `{self.name}`", self.X_nM.as_tuple())
+        if not self.rated_payload > 0.0:
+            message = (
+                f"`{self.name}` has a rated payload of {self.rated_payload:g} kg, allowed is more than 0"
+            )
+            raise ModelValueError(UNUSABLE_LIMIT.at(None, message, hint="leave it out where it is unknown"))
 
     @property
     def has_arm(self) -> bool:

@@ -79,6 +79,7 @@ def _robot(root: TomlTable, source: SourceText) -> RobotModel | None:
         hint = "give `links` with masses, or `mass`, that of all moving links"
         root.findings.add(kinds.DRIVES_WITHOUT_MASSES, root.key_span("drives"), message, hint)
     home = _home(root, table.joints, units)
+    rated_payload = root.number("payload", PAYLOAD, inf) if "payload" in root else inf
     wrong = tuple(
         number_findings(
             table.joints, links.links, range(len(table.joints)), drives, robot_file_places(source)
@@ -99,7 +100,7 @@ def _robot(root: TomlTable, source: SourceText) -> RobotModel | None:
         base_shapes=base_shapes,
         X_nM=X_nM,
         dh=table.rows if convention == "standard" else (),
-        rated_payload=root.number("payload", PAYLOAD, inf) if "payload" in root else inf,
+        rated_payload=rated_payload,
     )
     if table.coupled and not any(one.is_error for one in root.findings.items):
         robot = with_coupled_axes(robot, table.coupled)

@@ -184,8 +184,8 @@ have hit it, so the run has failed.
 **What is checked.** Everything that moves, with what it carries, against everything else, at all recorded
 times at which two may meet; the bodies of one robot against each other, and a part against what it is taken
 from or put on, every 20 ms. Tools without shapes are checked as they are drawn. A mesh counts as its convex
-hull: a hollow of it is no room here, and a note says so. Draw a bin of boxes or as a prism where the arm
-works in it.
+hull, and a ring or cup made by turning a profile counts as full: a hollow of them is no room here, and a note
+says so. Draw a bin of boxes or as a prism where the arm works in it.
 
 **What is allowed.** Bodies that are up to 0.5 mm in each other touch: an arm keeps to its path no better.
 Parts may be as deep in other things as `depth` of `[supports]` says, 2 mm where nothing is said.
@@ -389,7 +389,8 @@ RELEASED_INSIDE = define(
     """
 When the gripper opened, the part reached deeper into a fixed object or another part than `depth` of
 `[supports]` in the cell file allows, 2 mm where nothing is said. A real part would have been pressed against
-it. The message says how much higher the part would be free.
+it. The message says how deep it is in one solid of that body: so
+much higher it would be above this solid, where another one may stand.
 
 Boxes and upright cylinders are looked at as they are, all other shapes as the box around them: a part in the
 hollow of such a shape is found, too. Build the hollow of boxes then.

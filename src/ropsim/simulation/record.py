@@ -26,7 +26,6 @@ from ropsim.flow import (
 )
 from ropsim.icr import Program, code_lines, line_contents_of_all, lines_ahead, program_id
 from ropsim.kinematics import forward_batch
-from ropsim.model import has_surroundings
 from ropsim.motion import Line, enter_distances
 from ropsim.simulation.arrivals import Arrivals, are_untouched, arrivals
 from ropsim.simulation.cell_run import CellRun
@@ -191,12 +190,9 @@ def _facts(run: CellRun, programs: Mapping[str, Program], options: RunOptions, a
 
 
 def _checked(run: CellRun) -> tuple[str, ...]:
-    """Return what a run checks, or leaves no doubt about: an arm alone collides with nothing."""
+    """Return what a run checks itself."""
     rated = has_rated_payloads([at.station.robot for at in run.stations.values()])
-    return (
-        *(("rated payload",) if rated else ()),
-        *(() if has_surroundings(run.cell) else ("collisions",)),
-    )
+    return ("rated payload",) if rated else ()
 
 
 def _fidelity(run: CellRun, options: RunOptions) -> Fidelity:

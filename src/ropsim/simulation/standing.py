@@ -107,8 +107,8 @@ def release_findings(
         found.append(
             RELEASED_INSIDE.at(
                 origin.span,
-                f"part `{name}` is released in {spoken_body(cell, standing.inside)}: it would be free "
-                f"{standing.depth * 1e3:.1f} mm higher, allowed are {limits.depth * 1e3:g} mm",
+                f"part `{name}` is released in {spoken_body(cell, standing.inside)}, "
+                f"{standing.depth * 1e3:.1f} mm deep, allowed are {limits.depth * 1e3:g} mm",
                 label=label,
                 hint="set it down higher or elsewhere; the depth allowed is `depth` in `[supports]`",
                 data={**data, "inside": standing.inside, "depth_m": standing.depth},

@@ -258,7 +258,7 @@ class Project:
     ) -> "Recording":
         """Return a recording of a run of this project whose collisions are checked.
 
-        Nothing is checked twice, nor in a cell that has nothing but an arm.
+        Nothing is checked twice.
 
         Args:
             recording: of a run in its cell.
@@ -269,7 +269,7 @@ class Project:
         """
         from ropsim.simulation import needs_check, with_collisions
 
-        if self.cell is not None and not needs_check(recording, self.cell):
+        if self.cell is not None and not needs_check(recording):
             return recording
         return with_collisions(recording, self.collisions(recording, progress))
 

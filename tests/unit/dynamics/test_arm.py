@@ -85,9 +85,12 @@ def test_lists_that_do_not_go_together_are_refused(change: dict[str, Any], told:
 
 
 def test_a_model_with_nan_is_refused() -> None:
-    robot = replace(random_arm(0, "RR"), gravity=np.array([0.0, 0.0, np.nan]))
+    robot = robots.load("puma560")
+    first = robot.drives[0]
+    odd = replace(first, transmission=replace(first.transmission, ratio=np.nan))
+    robot = replace(robot, drives=(odd, *robot.drives[1:]))
     with pytest.raises(dynamics.ModelNumberError, match="finite") as caught:
-        dynamics.gravity(robot, np.zeros(2))
+        dynamics.gravity(robot, np.zeros(6))
     assert caught.value.diagnostic.code == "M572"
 
 

@@ -11,7 +11,7 @@ import pytest
 from ropsim import robots
 from ropsim.core import SourceText
 from ropsim.exchange import read_mjcf, read_urdf
-from ropsim.model import Joint, Link, Mechanism, ModelValueError, RobotModel
+from ropsim.model import Joint, Link, Mechanism, ModelValueError, Payload, RobotModel
 from ropsim.robotfile import read_robot_file
 from ropsim.spatial import Pose, frozen
 
@@ -133,6 +133,30 @@ def test_limits_of_drives_are_positive_and_rotors_weigh_something(
     code, message = refused(partial(replace, PUMA), drives=(wrong, *PUMA.drives[1:]))
     assert code == "X975"
     assert f"axis 1 has `{name}` = {value:g}" in message
+
+
+@pytest.mark.parametrize(
+    "friction",
+    [{"viscous": -0.01}, {"viscous": inf}, {"coulomb_positive": -1.0}, {"coulomb_negative": 0.5},
+     {"coulomb_negative": -inf}, {"coulomb_positive": nan}],
+)  # fmt: skip
+def test_friction_resists(friction: dict[str, float]) -> None:
+    wrong = replace(PUMA.drives[0], friction=replace(PUMA.drives[0].friction, **friction))
+    assert refused(partial(replace, PUMA), drives=(wrong, *PUMA.drives[1:]))[0] == "X975"
+
+
+def test_numbers_of_the_whole_robot_are_finite() -> None:
+    make = partial(replace, PUMA)
+    assert refused(make, gravity=np.array([0.0, 0.0, nan]))[0] == "X859"
+    assert refused(make, X_nM=Pose(np.array([nan, 0.0, 0.0])))[0] == "X859"
+    assert refused(make, rated_payload=-1.0)[0] == refused(make, rated_payload=nan)[0] == "X856"
+
+
+@pytest.mark.parametrize(
+    "numbers", [{"mass": -1.0}, {"mass": nan}, {"mass": inf}, {"com": np.array([0.0, inf, 0.0])}]
+)
+def test_a_payload_has_a_mass(numbers: dict[str, Any]) -> None:
+    assert refused(Payload, **numbers)[0] == "X859"
 
 
 URDF = """<robot name="r"><link name="base"/>

@@ -83,7 +83,7 @@ def test_a_collision_with_a_mesh_says_that_its_hollows_are_filled() -> None:
     found = run_collisions(recording, drawn, {mesh: corners})
     same = run_collisions(recording, with_block(0.06, place))
     assert [one.message for one in found.findings] == [one.message for one in same.findings]
-    assert all("`block` is drawn by a mesh" in " ".join(one.notes) for one in found.findings)
+    assert all("`block` counts without its hollows" in " ".join(one.notes) for one in found.findings)
     assert found.facts.filled == ("block",)
     assert not any(one.notes for one in same.findings)
 

@@ -143,7 +143,7 @@ def test_a_part_that_is_pressed_into_the_support_is_found(height: float, expecte
     assert codes(recording.findings) == expected
     assert last(recording, "a").parent == "right"
     for found in recording.findings:
-        assert "in `right`: it would be free 4.0 mm higher, allowed are 2 mm" in found.message
+        assert "in `right`, 4.0 mm deep, allowed are 2 mm" in found.message
 
 
 def test_the_limits_are_those_of_the_cell() -> None:

@@ -80,7 +80,7 @@ def test_both_elbows_of_a_scara_reach_what_either_does() -> None:
 
 def test_a_gantry_reaches_a_box() -> None:
     robot = arm(
-        ("P", BASE, ABOUT_X, -0.2, 0.9), ("P", BASE, STRAIGHT, 0.0, 0.0), ("P", BASE, ABOUT_Y, 0.1, 0.8),
+        ("P", BASE, ABOUT_X, -0.2, 0.9), ("P", BASE, STRAIGHT, 0.0, 1e-12), ("P", BASE, ABOUT_Y, 0.1, 0.8),
         ("P", (0.0, 0.0, 0.0), ABOUT_X, -0.5, 0.0),
     )  # fmt: skip
     found = flange(robot)

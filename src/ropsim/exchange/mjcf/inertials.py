@@ -20,6 +20,7 @@ def inertial_of(inertial: Element, settings: Settings, notes: Notes) -> Payload:
     if mass < 0.0:
         words = f"a body has a mass of {mass:g} kg, allowed is 0 kg or more"
         notes.add(BAD_NUMBER, inertial.span, words, "check the sign")
+        return Payload()
     if "fullinertia" in inertial.attributes:
         xx, yy, zz, xy, xz, yz = numbers_of(inertial, "fullinertia", notes, (0.0,) * 6)
         inertia = np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])

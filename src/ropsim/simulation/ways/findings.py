@@ -8,7 +8,7 @@ from ropsim.core import Diagnostic, Kind, Span
 from ropsim.flow import Contact, RunFacts, body_title
 from ropsim.simulation.diagnostics import PENETRATION, TOO_NEAR
 
-_FILLED = "`{}` is drawn by a mesh and counts as its convex hull: what is in a hollow of it is free in truth"
+_FILLED = "`{}` counts without its hollows, if it has any: what is in one of them is free in truth"
 AROUND = "lead the arm around it by a point on the way, or move what is in the way"
 FARTHER = "lead the arm farther from it, or require less by `clearance` in `[cell]`"
 

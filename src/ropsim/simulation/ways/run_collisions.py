@@ -5,10 +5,10 @@ from dataclasses import replace
 
 import numpy as np
 
-from ropsim.collision import NO_MESHES, ROUGH, Collisions, MeshPoints, Nearness, Pair
+from ropsim.collision import NO_MESHES, ROUGH, Collisions, MeshPoints, Nearness, Pair, has_filled_hollow
 from ropsim.core import Diagnostic, frozen_dataclass
 from ropsim.flow import BodyPair, Clearance, Contact, Recording, WayFacts
-from ropsim.model import BodyKind, BodyTree, Cell, Mesh, has_surroundings
+from ropsim.model import BodyKind, BodyTree, Cell
 from ropsim.simulation.ways.approaches import Looked, Nearest, frames_at, looked_at, nearest
 from ropsim.simulation.ways.contacts import contacts_of, line_of
 from ropsim.simulation.ways.findings import contact_findings, without_contact_findings
@@ -47,14 +47,13 @@ def with_collisions(recording: Recording, found: RunCollisions) -> Recording:
     return replace(recording, findings=findings, facts=facts)
 
 
-def needs_check(recording: Recording, cell: Cell) -> bool:
+def needs_check(recording: Recording) -> bool:
     """Return whether a run may have collisions that have not been checked yet.
 
     Args:
         recording: of the run.
-        cell: as it was simulated; in one with nothing but an arm there is nothing to check.
     """
-    return COLLISIONS not in recording.facts.checked and has_surroundings(cell)
+    return COLLISIONS not in recording.facts.checked
 
 
 def run_collisions(
@@ -105,12 +104,10 @@ def run_collisions(
 
 
 def _filled(tree: BodyTree, contacts: tuple[Contact, ...]) -> tuple[str, ...]:
-    """Return the bodies of contacts that have meshes, in the order of the tree."""
+    """Return the bodies of contacts of which hollows count as filled, in the order of the tree."""
     met = {name for one in contacts for name in (one.one, one.other)}
     return tuple(
-        body.name
-        for body in tree.bodies
-        if body.name in met and any(isinstance(shape.solid, Mesh) for shape in body.shapes)
+        body.name for body in tree.bodies if body.name in met and any(map(has_filled_hollow, body.shapes))
     )
 
 

@@ -43,7 +43,7 @@ class Runnable:
     def finished(self, recording: Recording) -> RunReply:
         """Return the reply to a run of this program."""
         pack = pack_of(self.project, recording, self.findings)
-        inputs, ways = used_inputs(recording), not needs_check(recording, self.cell)
+        inputs, ways = used_inputs(recording), not needs_check(recording)
         results = results_of(recording)
         return RunReply("done", self.name, pack=pack, inputs=inputs, ways=ways, results=results)
 

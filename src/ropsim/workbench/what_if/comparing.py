@@ -53,7 +53,7 @@ def compare(
     alternatives = []
     for change, changed in zip(wanted, cells, strict=True):
         other = run(changed, codes, replace(options, adapt=adaptation(change)))
-        if needs_check(other, changed) and not needs_check(recording, cell):
+        if needs_check(other) and not needs_check(recording):
             other = with_collisions(other, run_collisions(other, changed, meshes))
         judged = summarize(other)
         new = tuple(_told(found for found in other.findings if content_of(found) not in known))
