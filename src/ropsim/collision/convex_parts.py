@@ -25,15 +25,16 @@ def _ears(outline: Sequence[Point2]) -> list[Corners] | None:
     left = list(range(len(outline)))
     found: list[Corners] = []
     while len(left) > 2:
-        for place in range(len(left)):
-            ear = left[place - 1], left[place], left[(place + 1) % len(left)]
-            turn = _turn(outline, *ear)
-            if turn < 0.0 or (turn > 0.0 and any(_inside(outline, ear, k) for k in left if k not in ear)):
-                continue
-            if turn > 0.0:
+        ears = [(left[place - 1], left[place], left[(place + 1) % len(left)]) for place in range(len(left))]
+        turns = [_turn(outline, *ear) for ear in ears]
+        if 0.0 in turns:  # a corner on a straight line, or the end of a spike without width
+            del left[turns.index(0.0)]
+            continue
+        for place, (ear, turn) in enumerate(zip(ears, turns, strict=True)):
+            if turn > 0.0 and not any(_inside(outline, ear, k) for k in left if k not in ear):
                 found.append(ear)
-            del left[place]
-            break
+                del left[place]
+                break
         else:
             return None
     return found

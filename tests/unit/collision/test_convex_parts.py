@@ -60,6 +60,29 @@ def test_parts_are_convex_and_fill_the_outline(seed: int) -> None:
         assert holds(outline, x, y) == any(holds(part, x, y) for part in parts)
 
 
+KEYHOLE = ((0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0), (0.0, 0.0), (1.0, 1.0), (1.0, 3.0), (3.0, 3.0),
+           (3.0, 1.0), (1.0, 1.0))  # fmt: skip
+SPIKE = ((0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.5, 1.0), (0.5, 2.0), (0.5, 1.0), (0.0, 1.0))
+STRAIGHT = (
+    (0.0, 0.0),
+    (1.0, 0.0),
+    (2.0, 0.0),
+    (2.0, 1.0),
+    (1.5, 1.0),
+    (1.0, 1.0),
+    (1.0, 1.5),
+    (1.0, 2.0),
+    (0.0, 2.0),
+)
+
+
+@pytest.mark.parametrize(("outline", "whole"), [(KEYHOLE, 12.0), (SPIKE, 1.0), (STRAIGHT, 3.0)])
+def test_slits_spikes_and_straight_corners_change_nothing(outline: tuple[Point2, ...], whole: float) -> None:
+    parts = convex_parts(outline)
+    assert all(is_convex(part) for part in parts)
+    assert sum(map(area, parts)) == pytest.approx(whole, rel=1e-12)
+
+
 def test_an_outline_that_crosses_itself_stays_whole() -> None:
     crossed = ((0.0, 0.0), (1.0, 1.0), (1.0, 0.0), (0.0, 1.0))
     assert convex_parts(crossed) == (crossed,)
