@@ -11,6 +11,7 @@ import numpy.typing as npt
 import pytest
 
 import ropsim
+from ropsim import collision
 from ropsim.flow import Contact, Recording
 from ropsim.kinematics import body_poses
 from ropsim.model import Box, Cell, FixedObject, Shape, body_tree
@@ -212,3 +213,22 @@ def test_too_near_is_counted_like_a_collision_and_never_beside_it() -> None:
     assert deep.facts.contacts
     pairs = {(one.bodies, one.line, one.visit) for one in deep.facts.contacts}
     assert pairs.isdisjoint((one.bodies, one.line, one.visit) for one in deep.facts.near)
+
+
+def test_an_arm_alone_in_its_cell_that_goes_through_itself_collides(tmp_path: Path) -> None:
+    (tmp_path / "cell.toml").write_text('[robot]\nmodel = "puma560"\n', "utf-8")
+    (tmp_path / "programs").mkdir()
+    text = "program p\nunits mm, deg, s\nmov joints (-78, -35, -192, 18, -51, -34)\nmov home\n"
+    (tmp_path / "programs" / "main.task").write_text(text, "utf-8")
+    project = ropsim.open(tmp_path)
+    assert project.cell is not None
+    recording = project.simulate(options=RunOptions(Fidelity.KINEMATIC))
+    assert "collisions" not in recording.facts.checked
+    checked = project.checked(recording)
+    assert not checked.ok
+    assert {one.code for one in checked.findings if one.is_error} == {"S751"}
+    assert checked.facts.ways is not None
+    worst = min(one.distance for one in checked.facts.ways.contacts)
+    q = np.radians([-78.0, -35.0, -192.0, 18.0, -51.0, -34.0])
+    assert worst <= collision.distance(project.cell, q).distance + FINE
+    assert worst == pytest.approx(-0.0385, abs=2e-3)
