@@ -8,7 +8,7 @@ import pytest
 
 from ropsim import dynamics, kinematics, robots
 from ropsim.codegen import Engine
-from ropsim.model import Payload, RobotModel
+from ropsim.model import Gear, Payload, RobotModel
 from support.arms import drive, random_arm, random_states
 
 ROUNDING = 1e-11
@@ -87,7 +87,7 @@ def test_lists_that_do_not_go_together_are_refused(change: dict[str, Any], told:
 def test_a_model_with_nan_is_refused() -> None:
     robot = robots.load("puma560")
     first = robot.drives[0]
-    odd = replace(first, transmission=replace(first.transmission, ratio=np.nan))
+    odd = replace(first, transmission=Gear(np.nan))
     robot = replace(robot, drives=(odd, *robot.drives[1:]))
     with pytest.raises(dynamics.ModelNumberError, match="finite") as caught:
         dynamics.gravity(robot, np.zeros(6))
