@@ -137,10 +137,9 @@ def test_with_no_collisions_the_verdict_says_that_they_are_not_checked(
     assert "<h2>Collisions and clearance</h2>" not in (tmp_path / "r.html").read_text()
 
 
-def test_an_arm_alone_collides_with_nothing_and_is_not_called_unchecked(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+def test_an_arm_alone_that_keeps_off_itself_is_checked_without_a_word(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.setattr("ropsim.collision.SolidBodies.on_ways", None)
     code, _ = ran(tmp_path, BELOW[: BELOW.index("[[objects]]")])
     text = capsys.readouterr().out
     assert code == 0
