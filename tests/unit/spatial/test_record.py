@@ -197,11 +197,11 @@ def arrays(value: object) -> list[Array]:
 
 
 def changed(value: object) -> list[object]:
-    """Return copies of a record, each with one number that is a little greater."""
+    """Return copies of a record, each with one number that has another size and the same sign."""
     if isinstance(value, bool | str | Enum | Pose) or value is None:
         return []
     if isinstance(value, int | float):
-        return [value + 1] if isinstance(value, int) or math.isinf(value) is False else []
+        return [] if math.isinf(value) else [value - 1 if value < 0 else value + 1]
     if isinstance(value, np.ndarray):
         found: list[object] = []
         for k in range(value.size):

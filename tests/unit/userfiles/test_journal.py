@@ -168,8 +168,11 @@ def test_a_new_project_does_not_get_the_texts_of_a_removed_one(project: Path, tm
 def test_damaged_journals_of_others_hide_nothing(project: Path, tmp_path: Path) -> None:
     left(made(project))
     home = tmp_path / "state" / "journal"
-    for number, content in enumerate([b"", b"[]", b'{"version":1,"marks":{"a":[1]},"documents":[]}']):
-        (home / f"0{number}.json").write_bytes(content)
+    damaged = [home / f"0{number}.json" for number in range(3)]  # before all others in their order
+    for place, content in zip(
+        damaged, (b"", b"[]", b'{"version":1,"marks":{"a":[1]},"documents":[]}'), strict=True
+    ):
+        place.write_bytes(content)
     moved = project.rename(tmp_path / "moved")
     assert found(moved) == DRAFTS
-    assert len(list(home.glob("0*.json"))) == 3
+    assert all(place.exists() for place in damaged)
