@@ -13,7 +13,7 @@ COLUMNS = 80
 INDENT = 13
 MOST = 100
 """So many contacts are listed in a report."""
-NOTHING = "nothing moves against anything with a known shape"
+NOTHING = "no body with a known shape is beside the robot"
 UNSEEN = "no shape is known of"
 MET = "not checked, in each other at the start or drawn so"
 

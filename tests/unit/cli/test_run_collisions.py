@@ -137,14 +137,14 @@ def test_with_no_collisions_the_verdict_says_that_they_are_not_checked(
     assert "<h2>Collisions and clearance</h2>" not in (tmp_path / "r.html").read_text()
 
 
-def test_an_arm_alone_that_keeps_off_itself_is_checked_without_a_word(
+def test_an_arm_alone_that_keeps_off_itself_is_checked_and_has_no_least_distance(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     code, _ = ran(tmp_path, BELOW[: BELOW.index("[[objects]]")])
     text = capsys.readouterr().out
     assert code == 0
     assert "collision" not in text
-    assert "nearest" not in text
+    assert "nearest      no body with a known shape is beside the robot" in text
 
 
 def test_too_little_clearance_is_a_warning_with_distance_and_requirement(

@@ -197,11 +197,15 @@ def arrays(value: object) -> list[Array]:
 
 
 def changed(value: object) -> list[object]:
-    """Return copies of a record, each with one number that has another size and the same sign."""
+    """Return copies of a record, each with one number that is farther from zero, or the next one."""
     if isinstance(value, bool | str | Enum | Pose) or value is None:
         return []
     if isinstance(value, int | float):
-        return [] if math.isinf(value) else [value - 1 if value < 0 else value + 1]
+        return (
+            []
+            if math.isinf(value)
+            else [value - 1 if isinstance(value, float) and value < 0.0 else value + 1]
+        )
     if isinstance(value, np.ndarray):
         found: list[object] = []
         for k in range(value.size):

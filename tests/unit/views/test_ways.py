@@ -44,7 +44,7 @@ def test_bodies_at_no_distance_touch() -> None:
 
 def test_a_run_in_which_nothing_is_known_of_anything_says_so() -> None:
     found = lines(WayFacts(unseen=("hose",), met=(BodyPair("foot", "table"),)))
-    at = found.index("nearest      nothing moves against anything with a known shape")
+    at = found.index("nearest      no body with a known shape is beside the robot")
     assert found[at + 1] == "             no shape is known of hose"
     assert " ".join(line.strip() for line in found[at + 2 : at + 4]).startswith(
         "not checked, in each other at the start or drawn so: foot and table"
