@@ -14,7 +14,7 @@ from typing import Any, TypeAlias
 import pytest
 
 from ropsim.core import user_folders
-from support.cached_run import PLAIN, write_project
+from support.cached_run import TEXTS, write_project
 from support.counted_system import FAULTS
 from support.nursery import Nursery
 
@@ -31,7 +31,7 @@ pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="processes are f
 @pytest.fixture(scope="module")
 def ran(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Ran]:
     """Return what runs the project in a process of its own: with a cache folder, and a fault at a call."""
-    project = write_project(tmp_path_factory.mktemp("project"), PLAIN)
+    project = write_project(tmp_path_factory.mktemp("project"), TEXTS)
     with Nursery([RUNNING, "numba"]) as copies:
 
         def run(cache: Path, fault: str, call: int) -> dict[str, Any]:

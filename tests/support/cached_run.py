@@ -19,17 +19,12 @@ from ropsim.workbench.questions import LEAST_LINES
 from support.counted_system import FAULTS, counted, number
 
 _LONG = "# a line\n" * LEAST_LINES
-PLAIN = {
+TEXTS = {
     "cell.toml": '[robot]\nmodel = "puma560"\n',
-    "programs/main.task": f"program main\nunits mm, deg, s\nmov (400, 0, 300)\n{_LONG}",
-}
-"""Texts of a project; machine code and answers of the compiler serve its run."""
-WITH_TASKS = {
-    **PLAIN,
     "programs/main.task": f"program main\nunits mm, deg, s\nmov (400, 0, 300)\nwave (450, 100, 300)\n{_LONG}",
     "kb/own.pl": "task(wave(L), [params([L-location]), body([mov(L)])]).\n",
 }
-"""The same with a task of its own; Prolog serves its run, too."""
+"""Texts of a project: machine code, answers of the compiler and Prolog serve its run."""
 
 
 def write_project(folder: Path, texts: Mapping[str, str]) -> Path:

@@ -20,11 +20,10 @@ def check_model(robot: Mechanism) -> None:
     Raises:
         JointCountError: the arm has no joints, or not one link and one drive for each.
         MechanismError: the mechanism cannot be, or has closed chains that are cut.
-        ModelNumberError: the gravity, the interface or a number of a drive is not finite.
+        ModelNumberError: a number of a drive is not finite.
     """
     _check_counts(robot)
     check_open(robot)
-    _check_finite(f"arm `{robot.name}`", [*robot.gravity, *robot.interface.as_tuple()])
     for joint, drive in zip(robot.axis_joints, robot.drives, strict=bool(robot.drives)):
         _check_finite(f"drive of joint `{joint.name}` of arm `{robot.name}`", _drive_numbers(drive))
 

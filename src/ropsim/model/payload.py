@@ -1,12 +1,11 @@
 """Payload: a rigid body fixed to the mechanical interface."""
 
 from dataclasses import field
-from math import inf
 
 import numpy as np
 
-from ropsim.model.diagnostics import NOT_FINITE
-from ropsim.model.number_check import ModelValueError
+from ropsim.model.diagnostics import NEGATIVE_MASS
+from ropsim.model.number_check import ModelValueError, check_finite
 from ropsim.spatial import Array, Pose, frozen, record
 
 
@@ -30,10 +29,10 @@ class Payload:
     def __post_init__(self) -> None:
         object.__setattr__(self, "com", frozen(self.com))
         object.__setattr__(self, "inertia", frozen(self.inertia))
-        if not (0.0 <= self.mass < inf and np.isfinite(self.com).all() and np.isfinite(self.inertia).all()):
-            message = f"a payload has the mass {self.mass:g} kg, or a number that is not finite"
-            hint = "give a mass of 0 kg or more, and finite numbers"
-            raise ModelValueError(NOT_FINITE.at(None, message, hint=hint))
+        check_finite("a payload", (self.mass, *self.com.ravel(), *self.inertia.ravel()))
+        if self.mass < 0.0:
+            message = f"a payload has a mass of {self.mass:g} kg, allowed is 0 kg or more"
+            raise ModelValueError(NEGATIVE_MASS.at(None, message, hint="check the sign"))
 
 
 def moved(payload: Payload, X: Pose) -> Payload:

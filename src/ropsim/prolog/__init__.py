@@ -18,5 +18,6 @@ from ropsim.prolog.terms import Atom as Atom
 from ropsim.prolog.terms import Struct as Struct
 from ropsim.prolog.terms import Term as Term
 from ropsim.prolog.terms import Var as Var
+from ropsim.prolog.terms import leaves as leaves
 from ropsim.prolog.texts import Trust as Trust
 from ropsim.prolog.writing import write_term as write_term

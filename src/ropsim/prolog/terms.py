@@ -4,6 +4,7 @@ Integers, floats and rationals are numbers of Python, strings are `str`, proper 
 has no word for are the records below. A list whose end is not known is `Struct("[|]", (head, tail))`.
 """
 
+from collections.abc import Iterator
 from fractions import Fraction
 
 from ropsim.core import frozen_dataclass
@@ -50,3 +51,16 @@ class Struct:
 
 
 Term = Atom | Var | Struct | int | float | Fraction | str | tuple["Term", ...]
+
+
+def leaves(term: Term) -> Iterator[Term]:
+    """Yield the variables and constants of a term, in no order that matters."""
+    left: list[Term] = [term]
+    while left:
+        match left.pop():
+            case Struct(_, arguments):
+                left += arguments
+            case tuple() as several:
+                left += several
+            case one:
+                yield one

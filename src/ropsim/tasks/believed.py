@@ -4,7 +4,7 @@ from collections.abc import Iterator, Mapping
 from enum import Enum
 from itertools import islice
 
-from ropsim.prolog import Struct, Term, Var
+from ropsim.prolog import Struct, Term, Var, leaves
 
 Path = tuple[int, ...]
 """Where a statement stands in a body: numbers of elements of lists and of arguments, from 0."""
@@ -95,13 +95,4 @@ def is_open(term: Term) -> bool:
 
 def has_open(term: Term) -> bool:
     """Return whether there is such a variable in a term."""
-    left: list[Term] = [term]
-    while left:
-        match left.pop():
-            case Struct(_, arguments):
-                left += arguments
-            case tuple() as several:
-                left += several
-            case one if is_open(one):
-                return True
-    return False
+    return any(map(is_open, leaves(term)))

@@ -3,7 +3,7 @@
 from collections.abc import Iterable
 
 from ropsim.core import frozen_dataclass
-from ropsim.prolog import Atom, Struct, Term, UnreadableError, read_term, write_term
+from ropsim.prolog import Atom, Struct, Term, UnreadableError, leaves, read_term, write_term
 from ropsim.tasks.diagnostics import WRONG_FACT
 from ropsim.tasks.errors import TaskError
 
@@ -74,15 +74,4 @@ _HINT = "facts are written such as `at(bolt, s1)` or `gripper(open)`, names with
 
 
 def _is_ground(term: Term) -> bool:
-    left: list[Term] = [term]
-    while left:
-        match left.pop():
-            case Struct(_, arguments):
-                left += arguments
-            case tuple() as several:
-                left += several
-            case Atom() | int() | float() | str():
-                pass
-            case _:
-                return False
-    return True
+    return all(isinstance(one, Atom | int | float | str) for one in leaves(term))

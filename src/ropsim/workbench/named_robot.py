@@ -4,8 +4,8 @@ from pathlib import Path
 
 from ropsim import robots
 from ropsim.cellfile import is_robot_file
-from ropsim.core import Diagnostic, RopsimError, SourceText, Span, frozen_dataclass
-from ropsim.model import AuditPlace, PlaceOf, ReadRobot, RobotModel, WrittenRobot
+from ropsim.core import Diagnostic, RopsimError, SourceText, frozen_dataclass
+from ropsim.model import PlaceOf, ReadRobot, RobotModel, WrittenRobot, nowhere
 from ropsim.userfiles import read_text_file
 from ropsim.workbench.robot_files import no_step_file, read_robot, unknown_format, unwritten_format
 from ropsim.workbench.robot_formats import ROBOT_FORMATS, STEP_ENDINGS, STEP_WRITERS, WRITERS, StepForm
@@ -35,9 +35,9 @@ class NamedRobot:
     def place_of(self) -> PlaceOf:
         """Return where the numbers of the robot stand in its file."""
         if self.text is None:
-            return _nowhere
+            return nowhere
         format_ = ROBOT_FORMATS.get(Path(self.text.name).suffix.lower())
-        return (format_.places(self.text) if format_ else None) or _nowhere
+        return (format_.places(self.text) if format_ else None) or nowhere
 
 
 def find_robot(name: str | Path) -> NamedRobot:
@@ -112,8 +112,3 @@ def robots_in(folder: Path) -> tuple[Path, ...]:
     if not place.is_dir():
         return ()
     return tuple(sorted(path for path in place.iterdir() if path.suffix.lower() in ROBOT_FORMATS))
-
-
-def _nowhere(place: AuditPlace) -> Span | None:
-    del place
-    return None

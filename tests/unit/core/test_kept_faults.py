@@ -2,6 +2,7 @@
 
 import sys
 from collections.abc import Iterator
+from functools import partial
 from itertools import count
 from pathlib import Path
 
@@ -41,7 +42,7 @@ def test_an_entry_is_whole_or_absent_at_whatever_call_the_system_fails(
 ) -> None:
     for at in count(1):
         folder = tmp_path / f"{at}" / "cache"
-        kept = KeptFiles("room", 5_000, 4_000, lambda folder=folder: folder)  # type: ignore[misc]
+        kept = KeptFiles("room", 5_000, 4_000, partial(Path, folder))
         if is_filled:
             kept.keep("name", OLD)
             kept.keep("other", OLD)

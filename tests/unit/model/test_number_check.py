@@ -153,10 +153,17 @@ def test_numbers_of_the_whole_robot_are_finite() -> None:
 
 
 @pytest.mark.parametrize(
-    "numbers", [{"mass": -1.0}, {"mass": nan}, {"mass": inf}, {"com": np.array([0.0, inf, 0.0])}]
+    ("code", "numbers"),
+    [
+        ("X851", {"mass": -1.0}),
+        ("X859", {"mass": nan}),
+        ("X859", {"mass": inf}),
+        ("X859", {"com": np.array([0.0, inf, 0.0])}),
+        ("X859", {"inertia": np.diag([1.0, nan, 1.0])}),
+    ],
 )
-def test_a_payload_has_a_mass(numbers: dict[str, Any]) -> None:
-    assert refused(Payload, **numbers)[0] == "X859"
+def test_a_payload_has_a_mass_and_finite_numbers(code: str, numbers: dict[str, Any]) -> None:
+    assert refused(Payload, **numbers)[0] == code
 
 
 URDF = """<robot name="r"><link name="base"/>

@@ -3,9 +3,10 @@
 import pytest
 
 from ropsim.core import Severity
+from ropsim.prolog import Term
 from ropsim.tasks import effect_findings, own_tasks
 from ropsim.tasks.base import library_texts
-from ropsim.tasks.believed import Believed
+from ropsim.tasks.believed import Believed, Held, Path
 from support.knowledge import base
 
 HEAD = "task(fetch(P, L), [params([P-part, L-location]), pre([gripper(open), at(P, L)]),\n"
@@ -130,9 +131,9 @@ def test_a_walk_is_linear_in_the_body(monkeypatch: pytest.MonkeyPatch) -> None:
     counts: list[int] = []
     put = Believed.put
 
-    def counted(self: Believed, *given: object) -> None:
+    def counted(self: Believed, fact: Term, value: Held, step: Path | None = None) -> None:
         counts.append(1)
-        put(self, *given)  # type: ignore[arg-type]
+        put(self, fact, value, step)
 
     monkeypatch.setattr(Believed, "put", counted)
     passes = []
