@@ -121,6 +121,26 @@ def test_text_typed_without_a_server_can_be_kept_and_is_sent_to_the_next_one(
     assert page.line(2).text_content() == "units mm, deg, s  # typed alone"
 
 
+def test_a_panel_that_is_opened_without_a_server_loads_with_the_page_when_the_server_is_back(
+    start_studio: Start, open_undrawn: Pages, folder: Path
+) -> None:
+    studio = start_studio(folder)
+    page = StudioPage.opened(open_undrawn, studio.url, expected=(*GONE, "Unable to preload"))
+    studio.kill()
+    page.page.get_by_role("alert").get_by_text("Connection lost").wait_for()
+    page.append(2, "  # typed alone")
+    page.page.get_by_text("File", exact=True).first.click()
+    page.page.get_by_text("New program from tasks").first.click()
+    waits = page.page.get_by_role("button", name="The page can be reloaded when the connection is back")
+    waits.wait_for()
+    assert waits.is_disabled()
+    start_studio(folder)
+    page.page.get_by_role("button", name="Reload the page (texts are kept)").click()
+    page.page.get_by_role("button", name="Make a task of your own …").wait_for()
+    page.panel("Program")
+    page.until(lambda: page.line(2).text_content() == "units mm, deg, s  # typed alone")
+
+
 def test_a_closed_tab_loses_no_text(lasting: Studio, open_undrawn: Pages) -> None:
     page = StudioPage.opened(open_undrawn, lasting.url)
     page.page.on("dialog", lambda dialog: dialog.accept())

@@ -1,6 +1,7 @@
 /** One panel that fails does not take the page with it. */
 import { Component, type ReactNode } from 'react'
 import { words } from '../text/messages'
+import { useStudioState } from './context'
 
 /** What browsers say of a part of the page that could not be loaded; they do not load it twice. */
 const NOT_LOADED = /preload|dynamically imported|importing a module/i
@@ -8,6 +9,16 @@ const NOT_LOADED = /preload|dynamically imported|importing a module/i
 interface GuardProps {
   readonly name: string
   readonly children: ReactNode
+}
+
+/** Typed text that the server does not have yet is in this page only: it is loaded anew with the server there. */
+function Reload() {
+  const lost = useStudioState(state => state.connection !== 'connected')
+  return (
+    <button type="button" disabled={lost} onClick={() => window.location.reload()}>
+      {lost ? words.panel.waits : words.panel.reload}
+    </button>
+  )
 }
 
 export class PanelGuard extends Component<GuardProps, { readonly reason: string }> {
@@ -23,9 +34,7 @@ export class PanelGuard extends Component<GuardProps, { readonly reason: string 
       <div className="panel-failed" role="alert">
         <p>{words.panel.failed(this.props.name, this.state.reason)}</p>
         {NOT_LOADED.test(this.state.reason) ? (
-          <button type="button" onClick={() => window.location.reload()}>
-            {words.panel.reload}
-          </button>
+          <Reload />
         ) : (
           <button type="button" onClick={() => this.setState({ reason: '' })}>
             {words.panel.again}

@@ -289,6 +289,7 @@ export const words = {
     failed: (name: string, reason: string) => `${name} has stopped working: ${reason}`,
     again: 'Try again',
     reload: 'Reload the page (texts are kept)',
+    waits: 'The page can be reloaded when the connection is back',
     loading: 'Loading …',
   },
   notices: 'Notices',
