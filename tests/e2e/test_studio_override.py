@@ -19,9 +19,9 @@ CELL = '[robot]\nmodel = "puma560"\n'
 PROGRAM = """\
 program hand
 units mm, deg, s
-mov joints (150, 60, -150, 0, -60, 0) speed 10 %
+mov joints (150, 60, -150, 0, -60, 0) speed 4 %
 wait 0.2 s
-mov joints (0, 60, -150, 0, -60, 0) speed 10 %
+mov joints (0, 60, -150, 0, -60, 0) speed 4 %
 """
 OVER = "() => { const now = __ropsim.state(); return now.live !== 'running' && now.recorded && now.current }"
 MOVES = """seconds => new Promise(done => {
@@ -35,7 +35,7 @@ MOVES = """seconds => new Promise(done => {
 """The greatest change of a pose [m, or of a quaternion] while some simulated time passes."""
 
 STILL = 1e-3
-"""An arm with drives that is held sways by less than this [m]; one that moves goes 50 times as far."""
+"""An arm with drives that is held sways by less than this [m]; one that moves goes 20 times as far."""
 
 
 @pytest.fixture(scope="module")
