@@ -31,17 +31,18 @@ own drive, so the lists of a robot model have the same length; drives may be lef
 """,
 )
 
-ENTRY_NOT_FINITE = define(
+IMPOSSIBLE_DRIVE = define(
     "M572",
-    "model-number-not-finite",
+    "drive-impossible",
     Severity.ERROR,
-    "a mass, length or constant of the robot model is NaN or infinite",
+    "a constant of a drive is not positive, or its blocks do not go together",
     """
-Masses, centres of mass, inertias, placements and drive constants become numbers in the code that is
-generated for the arm. One that is not finite would make every result NaN.
+The constants of a drive become numbers in the code that is generated for the arm. A stiffness, resistance or
+torque constant of 0 would divide by zero there; a motor that takes a voltage does nothing behind an amplifier
+that gives a current.
 
-Look at the model with `ropsim robot show NAME` and give the missing number; where nothing is published, give
-an estimate and mark it `estimated`.
+Look at the drive with `ropsim robot show NAME` and correct the constant; where nothing is published, give an
+estimate and mark it `estimated`.
 """,
 )
 
@@ -89,4 +90,4 @@ class JointCountError(RopsimError):
 
 
 class ModelNumberError(RopsimError):
-    """The robot model holds a number that is not finite, or an inertia that no body has."""
+    """A drive of the robot model cannot exist, or an inertia is none that a body has."""

@@ -1,9 +1,9 @@
 """How much torque the joints of an arm may be asked for."""
 
 from functools import lru_cache
-from math import inf, isfinite
+from math import isfinite
 
-from ropsim.dynamics.drives import drive_fault, largest_effort
+from ropsim.dynamics.drives import largest_effort
 from ropsim.dynamics.model_check import check_model
 from ropsim.model import Drive, Mechanism
 from ropsim.spatial import Array, frozen
@@ -15,7 +15,7 @@ def effort_limits(robot: Mechanism) -> Array:
 
     It counts at the joint and before friction, as `effort_rows` and recordings do: the least of the limit of
     the joint and of what its drive can keep up at standstill wherever the joint is; infinite where neither is
-    known. A drive that cannot exist (`drive_fault`) has no say: whoever simulates the arm refuses it.
+    known.
 
     Args:
         robot: the arm, with drives or without.
@@ -23,7 +23,7 @@ def effort_limits(robot: Mechanism) -> Array:
     Raises:
         JointCountError: the arm has no joints, or not one link for each of them and one drive for each axis.
         MechanismError: the mechanism cannot be, or has closed chains.
-        ModelNumberError: a number of the model is not finite.
+        ModelNumberError: a drive cannot exist.
     """
     check_model(robot)
     efforts = [float(limit) for limit in robot.max_efforts]
@@ -36,9 +36,9 @@ def effort_limits(robot: Mechanism) -> Array:
 
 @lru_cache(maxsize=1024)
 def _kept_up(drive: Drive, lower: float, upper: float) -> float:
-    """Return what a drive can keep up at standstill [N·m | N]; infinite for one that cannot exist.
+    """Return what a drive can keep up at standstill [N·m | N].
 
     It is the least in the range of its joint: a lever is shortest at one of the ends.
     """
     ends = [q for q in (lower, upper) if isfinite(q)] or [0.0]
-    return inf if drive_fault(drive) else min(largest_effort(drive, q) for q in ends)
+    return min(largest_effort(drive, q) for q in ends)

@@ -4,7 +4,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from ropsim.model import BASE_LINK, Link, Mechanism, Payload, joint_tree
+from ropsim.model import BASE_LINK, Link, Mechanism, Payload, check_body, joint_tree
 from ropsim.spatial import Array, Pose, frozen
 
 
@@ -61,11 +61,15 @@ def tip_body(mechanism: Mechanism, payload: Payload | None = None) -> Array:
     Args:
         mechanism: whose interface does not stand still.
         payload: body in the mechanical interface frame; None for none.
+
+    Raises:
+        ModelValueError: the inertia of the payload is negative or asymmetric.
     """
     step, X_SM = interface_step(mechanism)
     own = step_bodies(mechanism)[step]
     if payload is None or payload.mass == 0.0:
         return own
+    check_body("the payload", payload)
     return frozen(own + _placed(payload.mass, payload.com, payload.inertia, X_SM))
 
 

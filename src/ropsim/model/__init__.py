@@ -129,6 +129,7 @@ from ropsim.model.mechanism_check import check_open as check_open
 from ropsim.model.mechanism_check import mechanism_findings as mechanism_findings
 from ropsim.model.modified_dh import joints_from_modified_dh as joints_from_modified_dh
 from ropsim.model.number_check import ModelValueError as ModelValueError
+from ropsim.model.number_check import check_body as check_body
 from ropsim.model.number_check import is_symmetric as is_symmetric
 from ropsim.model.number_check import number_findings as number_findings
 from ropsim.model.orientation_mode import OrientationMode as OrientationMode

@@ -169,12 +169,13 @@ UNUSABLE_DRIVE = define(
     "X975",
     "drive-number-impossible",
     Severity.ERROR,
-    "a limit of a drive is not positive, or an inertia or friction of it has the wrong sign",
+    "a limit of a drive is not positive, its ratio 0, or an inertia or friction has the wrong sign",
     """
 The voltage, current, torque or valve current of a drive is clipped to plus and minus its limit, so the limit
 is a positive number; that of a current or an effort may be infinite where it is unknown. The inertia of a
 rotor and the mass of a piston are 0 or more: a negative one would push the joint the way it accelerates.
-Friction resists: its torque is 0 or more for positive speeds, 0 or less for negative ones.
+Friction resists: its torque is 0 or more for positive speeds, 0 or less for negative ones; it turns round
+over a range of speeds that is wider than 0. A gear with the ratio 0 would not move its joint.
 
 Look for a sign or a column that slipped in the data of the drive.
 """,

@@ -1,8 +1,10 @@
 """Whether the numbers of joints, links and drives can be: limits, placements, masses and inertias."""
 
 from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import fields
 from itertools import chain
 from math import inf, isfinite
+from typing import Protocol
 
 import numpy as np
 
@@ -23,7 +25,24 @@ MOMENT_SLACK = 1e-3
 _LIMITS_OF_DRIVES = ("max_voltage", "max_current", "max_effort", "max_input")
 _OPEN_LIMITS = ("max_current", "max_effort")  # infinite where they are unknown
 _WEIGHTS_OF_DRIVES = ("rotor_inertia", "moving_mass")
+_BOUNDED = frozenset({*_LIMITS_OF_DRIVES, *_WEIGHTS_OF_DRIVES})
 _MOST = (Attribute.MAX_SPEED, Attribute.MAX_ACCELERATION, Attribute.MAX_JERK, Attribute.MAX_EFFORT)
+
+
+class Body(Protocol):
+    """A rigid body in some frame."""
+
+    @property
+    def mass(self) -> float:
+        """Return the mass [kg]."""
+
+    @property
+    def com(self) -> Array:
+        """Return the centre of mass [m], shape (3,)."""
+
+    @property
+    def inertia(self) -> Array:
+        """Return the inertia about the centre of mass [kg·m²], shape (3, 3)."""
 
 
 class ModelValueError(RopsimError):
@@ -63,6 +82,35 @@ def check_finite(what: str, numbers: Iterable[float]) -> None:
         raise ModelValueError(_not_finite(what, None))
 
 
+def check_mass(name: str, mass: float) -> None:
+    """Make sure that a mass [kg] is 0 or more.
+
+    Args:
+        name: of the body, as its messages say it.
+        mass: of it, finite.
+
+    Raises:
+        ModelValueError: it is negative.
+    """
+    if mass < 0.0:
+        raise ModelValueError(_negative_mass(name, mass, None))
+
+
+def check_body(name: str, body: Body) -> None:
+    """Make sure that the mass and inertia of a body can be.
+
+    Args:
+        name: of the body, as its messages say it.
+        body: a tool, a payload or a link.
+
+    Raises:
+        ModelValueError: with the first of the `body_findings`.
+    """
+    found = next(body_findings(name, body), None)
+    if found:
+        raise ModelValueError(found)
+
+
 def number_findings(
     joints: Sequence[Joint],
     links: Sequence[Link],
@@ -76,7 +124,7 @@ def number_findings(
     effort may be infinite. A mass is 0 or more, an inertia symmetric. The moments of a body with mass are not
     negative; an inertia without mass is an effective one, as identification finds it, and may be. Zeros are
     allowed: published sets leave out what cannot matter. The limits of a drive are positive; what moves in
-    it has a mass or inertia of 0 or more.
+    it has a mass or inertia of 0 or more. Its gear ratio is not 0; all its numbers are finite.
 
     Args:
         joints: of a mechanism.
@@ -121,34 +169,42 @@ def _placement(number: int, joint: Joint, place_of: PlaceOf) -> Iterator[Diagnos
 
 
 def _link(number: int, link: Link, place_of: PlaceOf) -> Iterator[Diagnostic]:
-    name = str(number + 1)
     of_mass, of_inertia = (
         place_of(AuditPlace(number, which)) for which in (Attribute.MASS, Attribute.INERTIA)
     )
-    if not all(map(isfinite, (link.mass, *link.com.ravel().tolist(), *link.inertia.ravel().tolist()))):
-        yield _not_finite(f"the data of link `{name}`", of_mass)
+    yield from body_findings(f"link `{number + 1}`", link, of_mass, of_inertia)
+
+
+def body_findings(
+    name: str, body: Body, of_mass: Span | None = None, of_inertia: Span | None = None
+) -> Iterator[Diagnostic]:
+    """Yield the mass and inertia of a body that cannot be; all of them are errors.
+
+    Args:
+        name: of the body, as its messages say it.
+        body: a link, a tool or a payload.
+        of_mass: where its mass stands in the file that it was read from.
+        of_inertia: where its inertia stands there.
+    """
+    if not all(map(isfinite, (body.mass, *body.com.ravel().tolist(), *body.inertia.ravel().tolist()))):
+        yield _not_finite(f"the data of {name}", of_mass)
         return
-    if link.mass < 0.0:
-        yield kinds.NEGATIVE_MASS.at(
-            of_mass,
-            f"link `{name}` has a mass of {link.mass:g} kg, allowed is 0 kg or more",
-            hint="check the sign",
-            data={"mass_kg": link.mass},
-        )
-    if not link.inertia.any():
+    if body.mass < 0.0:
+        yield _negative_mass(name, body.mass, of_mass)
+    if not body.inertia.any():
         return
-    if not is_symmetric(link.inertia):
+    if not is_symmetric(body.inertia):
         yield kinds.ASYMMETRIC_INERTIA.at(
             of_inertia,
-            f"the inertia tensor of link `{name}` is not symmetric",
+            f"the inertia tensor of {name} is not symmetric",
             hint="write each product of inertia on both sides of the diagonal",
         )
         return
-    a, b, c = moments = principal_moments(link.inertia)
-    if link.mass and a < -MOMENT_SLACK * max(c, -a):
+    a, b, c = moments = principal_moments(body.inertia)
+    if body.mass and a < -MOMENT_SLACK * max(c, -a):
         yield kinds.NEGATIVE_INERTIA.at(
             of_inertia,
-            f"link `{name}` has the principal moments of inertia {a:.4g}, {b:.4g}, {c:.4g} kg·m², those of a "
+            f"{name} has the principal moments of inertia {a:.4g}, {b:.4g}, {c:.4g} kg·m², those of a "
             "body are positive",
             hint="check the signs of the tensor, and that it is the one about the centre of mass",
             data={"moments_kgm2": moments},
@@ -169,23 +225,40 @@ def _drive(number: int, drive: Drive, place_of: PlaceOf) -> Iterator[Diagnostic]
                 hint="check the sign",
                 data={"found": value},
             )
+    if getattr(drive.transmission, "ratio", 1.0) == 0.0:
+        yield kinds.UNUSABLE_DRIVE.at(
+            place_of(AuditPlace(number, Attribute.DRIVE, "ratio")),
+            f"the drive of axis {number + 1} has `ratio` = 0, allowed is a number other than 0",
+            hint="give motor angle divided by joint coordinate",
+            data={"found": 0.0},
+        )
     yield from _friction(number, drive, place_of)
+    for part in (drive.amplifier, drive.motor, drive.transmission):
+        for field in fields(part):
+            value = getattr(part, field.name)
+            given = value if isinstance(value, tuple) else (value,)
+            if field.name not in _BOUNDED and not all(map(isfinite, given)):
+                place = place_of(AuditPlace(number, Attribute.DRIVE, field.name))
+                yield _not_finite(f"`{field.name}` of the drive of axis {number + 1}", place)
 
 
 def _friction(number: int, drive: Drive, place_of: PlaceOf) -> Iterator[Diagnostic]:
     friction = drive.friction
+    sign = "friction resists: check the sign"
+    width = "give the speed of the joint over which its friction turns round"
     rows = (
-        ("viscous", 0.0 <= friction.viscous < inf, "0 or more"),
-        ("coulomb_positive", 0.0 <= friction.coulomb_positive < inf, "0 or more"),
-        ("coulomb_negative", -inf < friction.coulomb_negative <= 0.0, "0 or less"),
+        ("viscous", 0.0 <= friction.viscous < inf, "0 or more", sign),
+        ("coulomb_positive", 0.0 <= friction.coulomb_positive < inf, "0 or more", sign),
+        ("coulomb_negative", -inf < friction.coulomb_negative <= 0.0, "0 or less", sign),
+        ("smoothing_speed", 0.0 < friction.smoothing_speed < inf, "a positive number", width),
     )
-    for name, is_possible, allowed in rows:
+    for name, is_possible, allowed, hint in rows:
         if not is_possible:
             yield kinds.UNUSABLE_DRIVE.at(
                 place_of(AuditPlace(number, Attribute.DRIVE, name)),
                 f"the drive of axis {number + 1} has `{name}` = {getattr(friction, name):g}, "
                 f"allowed is {allowed}",
-                hint="friction resists: check the sign",
+                hint=hint,
                 data={"found": getattr(friction, name)},
             )
 
@@ -204,3 +277,8 @@ def principal_moments(inertia: Array) -> tuple[float, float, float]:
 
 def _not_finite(what: str, span: Span | None) -> Diagnostic:
     return kinds.NOT_FINITE.at(span, f"{what} is not finite", hint="allowed are finite numbers only")
+
+
+def _negative_mass(name: str, mass: float, span: Span | None) -> Diagnostic:
+    message = f"{name} has a mass of {mass:g} kg, allowed is 0 kg or more"
+    return kinds.NEGATIVE_MASS.at(span, message, hint="check the sign", data={"mass_kg": mass})

@@ -1,6 +1,7 @@
 """Parts: what can be grasped, and where it is to be in the end."""
 
 from ropsim.model.geometry import Material
+from ropsim.model.number_check import check_finite, check_mass
 from ropsim.spatial import Array, Pose, frozen, record
 
 PART_COLOUR = "#d99a3d"
@@ -38,6 +39,9 @@ class Part:
         colour: `#rrggbb`.
         material: how its surface takes the light.
         destination: where it is to be at the end, None where that is free.
+
+    Raises:
+        ModelValueError: the mass is negative, or a number not finite.
     """
 
     name: str
@@ -52,3 +56,5 @@ class Part:
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "size", frozen(self.size))
+        check_finite(f"a number of part `{self.name}`", (self.mass, *self.size, *self.X_WO.as_tuple()))
+        check_mass(f"part `{self.name}`", self.mass)

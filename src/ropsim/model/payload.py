@@ -4,8 +4,7 @@ from dataclasses import field
 
 import numpy as np
 
-from ropsim.model.diagnostics import NEGATIVE_MASS
-from ropsim.model.number_check import ModelValueError, check_finite
+from ropsim.model.number_check import check_finite, check_mass
 from ropsim.spatial import Array, Pose, frozen, record
 
 
@@ -30,9 +29,7 @@ class Payload:
         object.__setattr__(self, "com", frozen(self.com))
         object.__setattr__(self, "inertia", frozen(self.inertia))
         check_finite("a payload", (self.mass, *self.com.ravel(), *self.inertia.ravel()))
-        if self.mass < 0.0:
-            message = f"a payload has a mass of {self.mass:g} kg, allowed is 0 kg or more"
-            raise ModelValueError(NEGATIVE_MASS.at(None, message, hint="check the sign"))
+        check_mass("a payload", self.mass)
 
 
 def moved(payload: Payload, X: Pose) -> Payload:

@@ -5,6 +5,7 @@ from dataclasses import field, replace
 from ropsim.core import frozen_dataclass
 from ropsim.model.geometry import Shape
 from ropsim.model.mechanism import Mechanism
+from ropsim.model.number_check import check_body, check_finite
 from ropsim.model.payload import Payload, moved
 from ropsim.spatial import Array, Pose, frozen, record
 
@@ -73,6 +74,9 @@ class Tool:
         shapes: what it looks like, in the mechanical interface frame; where neither it nor its parts have
             any, `tool_shapes` makes a stand-in.
         parts: what else it is made of.
+
+    Raises:
+        ModelValueError: the mass or inertia is negative, the inertia asymmetric, or a number not finite.
     """
 
     name: str
@@ -87,6 +91,8 @@ class Tool:
     def __post_init__(self) -> None:
         object.__setattr__(self, "com", frozen(self.com))
         object.__setattr__(self, "inertia", frozen(self.inertia))
+        check_body(f"tool `{self.name}`", self)
+        check_finite(f"the pose of tool `{self.name}`", self.X_MT.as_tuple())
 
     @property
     def loads(self) -> tuple[Payload, ...]:

@@ -8,7 +8,7 @@ import pytest
 
 from ropsim import dynamics, kinematics, robots
 from ropsim.codegen import Engine
-from ropsim.model import Gear, Payload, RobotModel
+from ropsim.model import DcMotor, IdealMotor, Payload, RobotModel
 from support.arms import drive, random_arm, random_states
 
 ROUNDING = 1e-11
@@ -84,14 +84,19 @@ def test_lists_that_do_not_go_together_are_refused(change: dict[str, Any], told:
     assert caught.value.diagnostic.code == "M573"
 
 
-def test_a_model_with_nan_is_refused() -> None:
+def test_a_drive_that_cannot_exist_is_refused() -> None:
     robot = robots.load("puma560")
     first = robot.drives[0]
-    odd = replace(first, transmission=Gear(np.nan))
-    robot = replace(robot, drives=(odd, *robot.drives[1:]))
-    with pytest.raises(dynamics.ModelNumberError, match="finite") as caught:
-        dynamics.gravity(robot, np.zeros(6))
-    assert caught.value.diagnostic.code == "M572"
+    assert isinstance(first.motor, DcMotor)
+    for motor, what in (
+        (replace(first.motor, torque_constant=0.0), "`torque_constant` of the drive of joint `1`"),
+        (replace(first.motor, resistance=-1.0), "`resistance`"),
+        (IdealMotor(), "takes effort"),
+    ):
+        odd = replace(robot, drives=(replace(first, motor=motor), *robot.drives[1:]))
+        with pytest.raises(dynamics.ModelNumberError, match=what) as caught:
+            dynamics.gravity(odd, np.zeros(6))
+        assert caught.value.diagnostic.code == "M572"
 
 
 def test_inputs_are_not_changed(puma: RobotModel) -> None:

@@ -72,9 +72,10 @@ def test_the_puma_has_the_published_limits_of_its_joints() -> None:
     np.testing.assert_array_equal(effort_limits(puma), [97.6, 186.4, 89.4, 24.2, 20.1, 21.3])
 
 
-def test_a_drive_that_cannot_exist_has_no_say() -> None:
+def test_a_drive_that_cannot_exist_is_refused() -> None:
     broken = replace(drive(), motor=replace(MOTOR, torque_constant=0.0))
-    assert effort_limits(_arm(broken, most=9.0)).tolist() == [9.0]
+    with pytest.raises(dynamics.ModelNumberError, match="torque_constant"):
+        effort_limits(_arm(broken, most=9.0))
 
 
 def test_an_arm_that_cannot_be_is_refused() -> None:

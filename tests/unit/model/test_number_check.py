@@ -8,12 +8,12 @@ from typing import Any
 import numpy as np
 import pytest
 
-from ropsim import robots
+from ropsim import dynamics, robots
 from ropsim.core import SourceText
 from ropsim.exchange import read_mjcf, read_urdf
-from ropsim.model import Joint, Link, Mechanism, ModelValueError, Payload, RobotModel
+from ropsim.model import Joint, Link, Mechanism, ModelValueError, Part, Payload, RobotModel, Tool
 from ropsim.robotfile import read_robot_file
-from ropsim.spatial import Pose, frozen
+from ropsim.spatial import Array, Pose, frozen
 
 ARM = robots.load("two_link")
 PUMA = robots.load("puma560")
@@ -164,6 +164,77 @@ def test_numbers_of_the_whole_robot_are_finite() -> None:
 )
 def test_a_payload_has_a_mass_and_finite_numbers(code: str, numbers: dict[str, Any]) -> None:
     assert refused(Payload, **numbers)[0] == code
+
+
+@pytest.mark.parametrize(
+    ("code", "numbers"),
+    [
+        ("X851", {"mass": -1.0}),
+        ("X859", {"mass": inf}),
+        ("X859", {"X_MT": Pose(np.array([nan, 0.0, 0.0]))}),
+        ("X859", {"com": np.array([0.0, nan, 0.0])}),
+        ("X862", {"inertia": np.array([[1.0, 0.5, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]])}),
+        ("X974", {"mass": 1.0, "inertia": np.diag([-1.0, 1.0, 1.0])}),
+    ],
+)
+def test_a_tool_is_a_body(code: str, numbers: dict[str, Any]) -> None:
+    found, message = refused(partial(Tool, "jaws"), **numbers)
+    assert found == code
+    assert "tool `jaws`" in message
+
+
+@pytest.mark.parametrize(
+    ("code", "numbers"),
+    [
+        ("X851", {"mass": -1.0}),
+        ("X859", {"mass": nan}),
+        ("X859", {"X_WO": Pose(np.array([inf, 0.0, 0.0]))}),
+        ("X859", {"size": np.array([0.1, nan, 0.1])}),
+    ],
+)
+def test_a_part_has_a_mass_and_finite_numbers(code: str, numbers: dict[str, Any]) -> None:
+    good: dict[str, Any] = {"size": np.full(3, 0.1), "mass": 1.0, "X_WO": Pose()}
+    found, message = refused(partial(Part, "box"), **(good | numbers))
+    assert found == code
+    assert "part `box`" in message
+
+
+@pytest.mark.parametrize(
+    ("code", "inertia"),
+    [
+        ("X862", np.array([[1.0, 0.5, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]])),
+        ("X974", np.diag([-1.0, 1.0, 1.0])),
+    ],
+)
+def test_a_payload_that_no_body_is_has_no_dynamics(code: str, inertia: Array) -> None:
+    payload = Payload(1.0, frozen([0.0, 0.0, 0.1]), inertia)
+    for function in (dynamics.gravity, dynamics.mass_matrix):
+        found, message = refused(partial(function, PUMA, PUMA.home, payload))
+        assert found == code
+        assert "the payload" in message
+
+
+@pytest.mark.parametrize(
+    ("code", "block", "name", "value"),
+    [
+        ("X975", "transmission", "ratio", 0.0),
+        ("X859", "transmission", "ratio", nan),
+        ("X859", "transmission", "ratio", inf),
+        ("X859", "motor", "torque_constant", inf),
+        ("X859", "motor", "back_emf_constant", nan),
+        ("X859", "motor", "resistance", -inf),
+        ("X975", "friction", "smoothing_speed", 0.0),
+        ("X975", "friction", "smoothing_speed", nan),
+    ],
+)
+def test_constants_of_drives_are_finite_and_gears_turn(
+    code: str, block: str, name: str, value: float
+) -> None:
+    first = PUMA.drives[0]
+    wrong = replace(first, **{block: replace(getattr(first, block), **{name: value})})
+    found, message = refused(partial(replace, PUMA), drives=(wrong, *PUMA.drives[1:]))
+    assert found == code
+    assert f"`{name}`" in message
 
 
 URDF = """<robot name="r"><link name="base"/>

@@ -11,11 +11,13 @@ from ropsim.express import Population, validate
 from ropsim.model import (
     DcMotor,
     Direction,
+    Drive,
     EffortAmplifier,
-    Friction,
+    Gear,
     LoopCut,
     MechanismError,
     RobotModel,
+    VoltageAmplifier,
 )
 from ropsim.nirox import nirox_schema, write_nirox
 from ropsim.part21 import Reference, read_exchange, write_exchange
@@ -59,10 +61,10 @@ def _number(value: object) -> int:
 
 
 def broken(robot: RobotModel) -> list[tuple[RobotModel, str]]:
-    sharp = replace(robot.drives[0], friction=Friction(viscous=1.0, smoothing_speed=0.0))
+    weak = Drive(VoltageAmplifier(40.0, 10.0), DcMotor(0.0, 0.1, 1.0, 0.001, 1e-4), Gear(60.0))
     return [
         (replace(robot, home=np.array([np.nan, 0.0])), "nan"),
-        (replace(robot, drives=(sharp, robot.drives[1])), "positive_real.wr1"),
+        (replace(robot, drives=(weak, weak)), "positive_real.wr1"),
     ]
 
 
