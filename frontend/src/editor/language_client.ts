@@ -54,8 +54,8 @@ const soon = ViewPlugin.fromClass(
 
 /** Who hears of what the language server says. */
 export interface LanguageEvents {
-  /** All findings of all documents, at every change. */
-  readonly onProblems: (problems: readonly Problem[]) => void
+  /** All findings, and the documents that were checked, at every change. */
+  readonly onProblems: (problems: readonly Problem[], documents: ReadonlySet<string>) => void
   /** What the results of the lines of a document hang on, at every change. */
   readonly onLines: (document: string, lines: readonly LineContent[]) => void
   /** Puts a document into the view, for definitions in other files. */
@@ -174,10 +174,13 @@ export class LanguageClient {
   }
 
   #tell(): void {
+    const checked = new Set<string>()
     const problems = [...this.#published].flatMap(([uri, { diagnostics }]) => {
       const name = this.#names.get(uri)
-      return name === undefined ? [] : problemsOf(diagnostics, name)
+      if (name === undefined) return []
+      checked.add(name)
+      return problemsOf(diagnostics, name)
     })
-    this.#events.onProblems(problems)
+    this.#events.onProblems(problems, checked)
   }
 }

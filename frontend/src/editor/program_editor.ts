@@ -56,7 +56,7 @@ export interface ProgramEditorOptions {
   readonly onChange: (document: string, text: string) => void
   /** The user has put the cursor on another line (from 1). */
   readonly onLine: (document: string, line: number) => void
-  readonly onProblems: (problems: readonly Problem[]) => void
+  readonly onProblems: (problems: readonly Problem[], documents: ReadonlySet<string>) => void
   /** What the results of the lines of a document hang on has been told anew. */
   readonly onLines: (document: string, lines: readonly LineContent[]) => void
   /** A definition stands in another document: show that. */

@@ -42,7 +42,7 @@ function optionsOf(studio: Studio) {
     server: `${scheme}://${location.host}/ws/lsp`,
     onChange: (document: string, text: string) => studio.edit(document, text),
     onLine: (document: string, line: number) => studio.showLine(document, line),
-    onProblems: (problems: Parameters<Studio['setProblems']>[1]) => studio.setProblems('lsp', problems),
+    onProblems: (...checked: Parameters<Studio['setChecked']>) => studio.setChecked(...checked),
     onLines: (document: string, lines: readonly LineContent[]) =>
       studio.store.setState(state => ({ lines: { ...state.lines, [document]: lines } })),
     onShow: (document: string) => studio.store.setState({ document }),

@@ -14,6 +14,8 @@ export interface Span {
 export interface Finding {
   readonly code: string
   readonly severity: 'error' | 'warning' | 'info' | 'hint'
+  /** What made it: compiling the texts, or carrying the program out. Absent in packs of older versions. */
+  readonly stage?: 'compiling' | 'run'
   readonly message: string
   readonly hint: string
   readonly span: Span | null

@@ -175,6 +175,46 @@ describe('a run', () => {
     expect(state().found).toEqual([])
   })
 
+  describe('of a text that has changed since', () => {
+    const name = 'programs/place.task'
+    const typed = 'program p\ntask T()\nendp\nmov a'
+    const mended = `${typed}\nT`
+    const versions = { [name]: 4 }
+    const span = { source: name, line: 2, column: 1, end_line: 2, end_column: 1 }
+    const finding = { severity: 'hint', message: '', hint: '', span, time: null } as const
+    const findings = [
+      { ...finding, code: 'N238', stage: 'compiling' },
+      { ...finding, code: 'S1', stage: 'run' },
+    ] as const
+    const codes = () => state().problems.map(one => one.code)
+
+    beforeEach(() => {
+      receiver.receive({
+        ...WELCOME,
+        documents: WELCOME.documents.map(one => ({ ...one, text: typed, version: 4 })),
+      })
+      receiver.receive({ ...status, state: 'running', planned: true, findings, versions })
+    })
+
+    it('lists nothing of compiling where the language server answers for the text', () => {
+      studio.setChecked([], new Set([name]))
+      expect(codes()).toEqual(['N238', 'S1'])
+      studio.edit(name, mended)
+      expect(codes()).toEqual(['S1'])
+      studio.edit(name, typed)
+      expect(codes()).toEqual(['N238', 'S1'])
+    })
+
+    it('lists what compiling found until the language server answers', () => {
+      studio.edit(name, mended)
+      expect(codes()).toEqual(['N238', 'S1'])
+      studio.setChecked([], new Set(['cell.toml']))
+      expect(codes()).toEqual(['N238', 'S1'])
+      studio.setChecked([], new Set(['cell.toml', name]))
+      expect(codes()).toEqual(['S1'])
+    })
+  })
+
   it('that only goes on keeps what was found before', () => {
     const span = { source: 'place', line: 3, column: 1, end_line: 3, end_column: 4 }
     const finding = { code: 'T1', severity: 'error', message: 'no', hint: '', span, time: 2 } as const

@@ -47,7 +47,12 @@ export class RunLines {
 
   /** Whether a text has changed since the run, as far as its texts are known. */
   get changed(): boolean {
-    return this.isOlder || [...this.#run].some(([document, text]) => this.#source.text(document) !== text)
+    return this.isOlder || this.areChanged(this.#run)
+  }
+
+  /** Whether one of these texts has changed since. */
+  areChanged(texts: Texts): boolean {
+    return [...texts].some(([document, text]) => this.#source.text(document) !== text)
   }
 
   /** Whether the run is one of these texts, all of them. */

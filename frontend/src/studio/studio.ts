@@ -20,6 +20,7 @@ import { Commands } from './commands'
 import type { Dock } from './dock'
 import { isTaskText, programIn, stationOf } from './document_names'
 import type { StudioDocument } from './documents'
+import { FoundInTexts } from './found_in_texts'
 import { Jog } from './jog'
 import { LineGhost } from './line_ghost'
 import { driveLiveRuns } from './live_player'
@@ -91,7 +92,11 @@ export class Studio {
   timeline: Timeline | null = null
   readonly #board = new Noticeboard(this.store)
   readonly #lines: LineGhost
-  readonly #found = new Map<string, { findings: readonly Finding[]; texts: Texts }>()
+  readonly #found = new FoundInTexts({
+    lines: this.lines,
+    documentOf: source => this.documentOf(source),
+    list: (source, problems) => this.#board.setProblems(source, problems),
+  })
 
   constructor(address: string) {
     const { cursor, picture, store } = this
@@ -212,10 +217,7 @@ export class Studio {
 
   /** Texts have changed: what stands on their lines moves along. */
   textsMoved(): void {
-    for (const [source, { findings, texts }] of this.#found) {
-      if (findings.length > 0 && texts.size > 0)
-        this.setProblems(source, this.lines.problems(findings, texts))
-    }
+    this.#found.renew()
     this.#lines.moved()
     this.#compareTexts()
     this.loop.mark()
@@ -368,15 +370,15 @@ export class Studio {
     return this.store.getState().problems
   }
 
-  /** All findings of one source (`lsp`, `run`, …); they take the place of its earlier ones. */
-  setProblems(source: string, problems: readonly Problem[]): void {
-    this.#board.setProblems(source, problems)
+  /** All findings of the language server, and the documents that it has checked. */
+  setChecked(problems: readonly Problem[], documents: ReadonlySet<string>): void {
+    this.#board.setProblems('lsp', problems)
+    this.#found.setChecked(documents)
   }
 
-  /** Findings of one source, which belong to texts of a moment. */
+  /** Findings of one source (`run`, `scene`, …), which belong to texts of a moment; they replace its earlier ones. */
   setFindings(source: string, findings: readonly Finding[], texts: Texts = NOW): void {
-    this.#found.set(source, { findings, texts })
-    this.setProblems(source, this.lines.problems(findings, texts))
+    this.#found.set(source, findings, texts)
   }
 
   notify(level: 'error' | 'warning' | 'info', text: string, hint = '', code = ''): void {

@@ -28,6 +28,7 @@ from ropsim.views.messages import messages as messages
 from ropsim.views.messages import messages_text as messages_text
 from ropsim.views.pack.events import packed_event as packed_event
 from ropsim.views.pack.pack import Pack as Pack
+from ropsim.views.pack.pack import Stage as Stage
 from ropsim.views.pack.pack import pack as pack
 from ropsim.views.pack.pack import plain_finding as plain_finding
 from ropsim.views.pack.pack import plain_findings as plain_findings

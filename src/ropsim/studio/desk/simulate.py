@@ -15,7 +15,7 @@ from ropsim.studio.desk.finished import FinishedRun, Shelf
 from ropsim.studio.desk.line import Cancelled, Line
 from ropsim.studio.desk.runnable import MOST_ROWS, Runnable, made_ready, run_job
 from ropsim.studio.jobs import Planned, Progress, Renew, Renewed, RunReply, Simulate
-from ropsim.views import plain_findings
+from ropsim.views import Stage, plain_findings
 from ropsim.workbench import Workspace
 
 LISTEN = 0.05
@@ -56,7 +56,8 @@ def simulate(job: Simulate, line: Line, shelf: Shelf, workspace: Workspace) -> R
         with compiling_reported(lambda count: line.report(Progress(compiling_text(count)))):
             if job.fidelity == Fidelity.DYNAMIC.value:
                 planned = _carried_out(job, ready, listener, known, Purpose.PLANNING)
-                line.report(Planned(plain_findings((*listener.ready.findings, *planned.findings))))
+                found = plain_findings(listener.ready.findings)
+                line.report(Planned((*found, *plain_findings(planned.findings, Stage.RUN))))
             recording = _carried_out(job, ready, listener, known, Purpose.RUN)
         made = FinishedRun(line.number, content, ready, recording)
         shelf.run = made.shown_on(line.number, listener.ready)

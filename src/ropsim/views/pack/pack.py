@@ -7,6 +7,7 @@ one file of them.
 import math
 from collections.abc import Iterable, Mapping
 from dataclasses import asdict
+from enum import Enum
 
 import numpy as np
 
@@ -25,6 +26,13 @@ from ropsim.views.summary import Summary
 VERSION = 3
 RATE = 60
 """Samples per second: as many as a screen shows."""
+
+
+class Stage(Enum):
+    """What made a finding: compiling the texts, or carrying the program out."""
+
+    COMPILING = "compiling"
+    RUN = "run"
 
 
 @frozen_dataclass
@@ -77,7 +85,7 @@ def run_findings(recording: Recording, before: Iterable[Diagnostic]) -> list[Map
     """
     return [
         *(plain_finding(one) for one in before),
-        *(plain_finding(one, time_of(one, recording.events)) for one in recording.findings),
+        *(plain_finding(one, Stage.RUN, time_of(one, recording.events)) for one in recording.findings),
     ]
 
 
@@ -100,16 +108,20 @@ def time_of(finding: Diagnostic, events: Iterable[Event]) -> float | None:
     return next((one.time for one in there if visit in {None, one.visit}), None)
 
 
-def plain_finding(finding: Diagnostic, time: float | None = None) -> dict[str, object]:
+def plain_finding(
+    finding: Diagnostic, stage: Stage = Stage.COMPILING, time: float | None = None
+) -> dict[str, object]:
     """Return a finding as plain values.
 
     Args:
         finding: of compiling or of a run.
+        stage: that made it.
         time: at which it arose [s]; None where it has none.
     """
     return {
         "code": finding.code,
         "severity": finding.severity.value,
+        "stage": stage.value,
         "message": finding.message,
         "hint": finding.hint,
         "span": asdict(finding.span) if finding.span else None,
@@ -125,6 +137,8 @@ def _cause(finding: Diagnostic) -> dict[str, object] | None:
     return {"source": source, "line": line} if source is not None else None
 
 
-def plain_findings(findings: Iterable[Diagnostic]) -> tuple[Mapping[str, object], ...]:
-    """Return findings without a time, as plain values."""
-    return tuple(plain_finding(one) for one in findings)
+def plain_findings(
+    findings: Iterable[Diagnostic], stage: Stage = Stage.COMPILING
+) -> tuple[Mapping[str, object], ...]:
+    """Return the findings of one stage without a time, as plain values."""
+    return tuple(plain_finding(one, stage) for one in findings)
