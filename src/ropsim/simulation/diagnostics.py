@@ -374,7 +374,8 @@ RELEASED_IN_THE_AIR = define(
     """
 When the gripper opened, no fixed object, no other part and no floor (z = 0 of the world) was below the part
 within `gap` of `[supports]` in the cell file, 5 mm where nothing is said. A real part would fall. Here it
-stays where it was released, so what the program does with it later may not hold.
+stays where it was released, so what the program does with it later may not hold. A part that is in something
+is found as such instead (S737).
 
 Set the part down lower, at the height of what carries it plus its own; or describe what carries it under
 `[[objects]]`. Nothing is said in a cell without fixed objects, or with one that is drawn by a mesh.

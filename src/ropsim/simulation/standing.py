@@ -85,36 +85,42 @@ def release_findings(
     """
     if not scenery.ground.known:
         return []
-    found, limits = [], cell.supports
     data: dict[str, object] = {"pass": origin.visit, "part": name}
-    label = f"pass {origin.visit}"
-    if standing.on is None:
-        poses = moment.poses(state)
-        block = part_blocks([(scenery.parts[name], poses[name])])
-        height, below = height_above(block, 0, _others(state, poses, scenery, moment))
-        side, down = ("above", "lower") if height >= 0.0 else ("below", "on something")
-        where = f"{abs(height) * 1e3:.1f} mm {side} {spoken_body(cell, below)}"
-        found.append(
-            RELEASED_IN_THE_AIR.at(
-                origin.span,
-                f"part `{name}` is released {where}; {lying_words(limits)}",
-                label=label,
-                hint=f"set it down {down}, or put what carries it into the cell file",
-                data={**data, "below": below, "height_m": height},
-            )
-        )
-    if standing.depth > limits.depth:
-        found.append(
-            RELEASED_INSIDE.at(
-                origin.span,
-                f"part `{name}` is released in {spoken_body(cell, standing.inside)}, "
-                f"{standing.depth * 1e3:.1f} mm deep, allowed are {limits.depth * 1e3:g} mm",
-                label=label,
-                hint="set it down higher or elsewhere; the depth allowed is `depth` in `[supports]`",
-                data={**data, "inside": standing.inside, "depth_m": standing.depth},
-            )
-        )
-    return found
+    if standing.depth > cell.supports.depth:
+        return [_inside(name, standing, cell, origin, data)]  # what is held by a body does not fall
+    if standing.on is not None:
+        return []
+    poses = moment.poses(state)
+    block = part_blocks([(scenery.parts[name], poses[name])])
+    height, below = height_above(block, 0, _others(state, poses, scenery, moment))
+    return [_in_the_air(name, height, below, cell, origin, data)]
+
+
+def _in_the_air(
+    name: str, height: float, below: str, cell: Cell, origin: Origin, data: Mapping[str, object]
+) -> Diagnostic:
+    side, down = ("above", "lower") if height >= 0.0 else ("below", "on something")
+    where = f"{abs(height) * 1e3:.1f} mm {side} {spoken_body(cell, below)}"
+    return RELEASED_IN_THE_AIR.at(
+        origin.span,
+        f"part `{name}` is released {where}; {lying_words(cell.supports)}",
+        label=f"pass {origin.visit}",
+        hint=f"set it down {down}, or put what carries it into the cell file",
+        data={**data, "below": below, "height_m": height},
+    )
+
+
+def _inside(
+    name: str, standing: Standing, cell: Cell, origin: Origin, data: Mapping[str, object]
+) -> Diagnostic:
+    return RELEASED_INSIDE.at(
+        origin.span,
+        f"part `{name}` is released in {spoken_body(cell, standing.inside)}, "
+        f"{standing.depth * 1e3:.1f} mm deep, allowed are {cell.supports.depth * 1e3:g} mm",
+        label=f"pass {origin.visit}",
+        hint="set it down higher or elsewhere; the depth allowed is `depth` in `[supports]`",
+        data={**data, "inside": standing.inside, "depth_m": standing.depth},
+    )
 
 
 def _others(state: Placements, poses: Mapping[str, Pose], scenery: Scenery, moment: Moment) -> Blocks:

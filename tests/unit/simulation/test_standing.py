@@ -146,6 +146,15 @@ def test_a_part_that_is_pressed_into_the_support_is_found(height: float, expecte
         assert "in `right`, 4.0 mm deep, allowed are 2 mm" in found.message
 
 
+@pytest.mark.parametrize("height", [-0.05, -0.12])
+def test_a_part_in_a_body_does_not_hang_in_the_air_too(height: float) -> None:
+    """In the second case its lower end is below the table, with nothing but the floor below."""
+    (found,) = put_at(height).findings
+    assert found.code == "S737"
+    assert f"in `right`, {-height * 1e3:.1f} mm deep" in found.message
+    assert found.hint.startswith("set it down higher or elsewhere; ")
+
+
 def test_the_limits_are_those_of_the_cell() -> None:
     wide = replace(CELL, supports=SupportLimits(gap=0.05, depth=0.01))
     assert codes(put_at(0.042, wide).findings) == []
