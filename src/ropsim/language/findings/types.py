@@ -133,7 +133,8 @@ in these SI units, whatever `units` says: under `units mm`, `until gap < 12` end
 gap in the cell is below 12 m. Write the unit, `until gap < 12 mm`.
 
 The number is followed through constants, variables, arithmetic, parameters and results of tasks: `h = 150`
-and `until gap < h` is the same mistake. Mend it where the number gets its value, `h = 150 mm`; a parameter is
+and `until gap < h` is the same mistake. It is not followed from one task into another one through a `var` of
+all tasks. Mend it where the number gets its value, `h = 150 mm`; a parameter is
 declared as `h: length`. What is worked out of readings is in SI units, too. A value of another dimension, as
 a time, never means what it seems to.
 """,
@@ -190,7 +191,7 @@ FRAME_ENDED = define(
     """
 A `set frame` in a block ends with the block: what stands below is read in the frame that was in force above
 it. Speeds, zones and tools that are set in a block stay set, so the frame may have been expected to stay set.
-The first location below the block is marked.
+The first location below the block is marked, unless a `loc` or `pattern` declares it.
 
 Write `with frame F` … `endwith` inside the block, where the frame shall end there. Write `set frame F` before
 the block, or once more behind it, where it shall go on.
