@@ -161,6 +161,15 @@ def test_such_a_call_of_the_library_names_both_tasks_and_offers_that_of_the_text
     assert found.fix.replacement == "Pick"
 
 
+def test_a_call_of_the_library_whose_tasks_differ_by_case_names_both() -> None:
+    _, made = compile_library("program l\ntask pick(q: loc)\n  lin q\nendp\ntask Pick(q: loc)\n  open\nendp")
+    world = replace(WORLD, tasks=made)
+    (found,) = [one for one in compiled("pick infeed", world).diagnostics if one.code == "N217"]
+    assert found.message == "the tasks `pick` and `Pick` of the library differ by upper and lower case only"
+    own = "task Pick(q: loc)\n  open\nendp\nPick infeed"
+    assert [one.code for one in compiled(own, world).diagnostics] == []
+
+
 @pytest.mark.parametrize(
     ("line", "code"),
     [

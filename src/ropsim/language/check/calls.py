@@ -46,14 +46,19 @@ def call(body: Body, node: syntax.Call) -> Call:
 
 
 def _check_case(body: Body, node: syntax.Call) -> None:
-    """Warn of a call where another task of the text has the same name in another case (N217)."""
-    name = node.name.text
-    others = [one for one in body.world.alike.get(name.lower(), ()) if one != name]
-    if not others:
+    """Warn of a call where another task has the same name in another case (N217).
+
+    A task of the text may have the name of one of the library: who writes it means it.
+    """
+    name, own = node.name.text, body.world.own
+    is_own = name in own
+    alike = dict.fromkeys(body.world.alike.get(name.lower(), ()))
+    other = next((one for one in alike if one != name and (one in own or not is_own)), None)
+    if other is None:
         return
-    other = others[0]
-    if name in body.world.own:
-        message = f"the tasks `{name}` and `{other}` of this text differ by upper and lower case only"
+    if is_own or other not in own:
+        where = "this text" if is_own else "the library"
+        message = f"the tasks `{name}` and `{other}` of {where} differ by upper and lower case only"
         body.warn(hidden_kinds.OTHER_CASE, node.name, message, "rename one of them")
         return
     message = f"`{name}` is a task of the library, and this text has a task `{other}`"

@@ -163,7 +163,7 @@ class World:
         joint_count: how many coordinates `joints(…)` has in this text, 0 as long as there is none.
         untyped: variables seen everywhere whose types only use tells.
         own: names of the tasks of the text.
-        alike: the tasks of the text whose names are the same in small letters, by these.
+        alike: the tasks whose names are the same in small letters, by these; those of the text first.
         origins: what tasks of the text tell of plain numbers, by name.
     """
 

@@ -34,8 +34,8 @@ OTHER_CASE = define(
     "a call of a task where another one has the same name but for upper and lower case",
     """
 Upper and lower case count in the names of tasks. Where a text has a task `Pick`, the call `pick infeed`
-carries out the task `pick` of the library, which is another one. Two tasks of one text whose names differ by
-case only are as easily taken for each other.
+carries out the task `pick` of the library, which is another one. Two tasks of one text, or two of
+the library, whose names differ by case only are as easily taken for each other.
 
 Write the name of the task that is meant, or give the task of the text a name of its own.
 """,

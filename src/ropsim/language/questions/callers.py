@@ -1,6 +1,6 @@
 """The tasks of the text, and who calls whom."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 
 from ropsim.language.check import signatures
 from ropsim.language.check.tasks import TaskText, callee_first, callees
@@ -23,15 +23,25 @@ def is_own(db: Database, name: str) -> bool:
 
 def spellings(db: Database) -> Mapping[str, tuple[str, ...]]:
     """Return the tasks of the text by their names in small letters."""
+    return _by_small_letters(db.read(TASKS))
+
+
+def library_spellings(db: Database) -> Mapping[str, tuple[str, ...]]:
+    """Return the tasks of the library by their names in small letters."""
+    environment: Environment = db.read(ENVIRONMENT)
+    return _by_small_letters(environment.tasks)
+
+
+def _by_small_letters(names: Iterable[str]) -> Mapping[str, tuple[str, ...]]:
     found: dict[str, tuple[str, ...]] = {}
-    for name in db.read(TASKS):
+    for name in names:
         found[name.lower()] = (*found.get(name.lower(), ()), name)
     return found
 
 
 def alike(db: Database, lower: str) -> tuple[str, ...]:
-    """Return the tasks of the text that have a name in small letters."""
-    return db.ask(spellings).get(lower, ())
+    """Return the tasks that have a name in small letters, those of the text first."""
+    return (*db.ask(spellings).get(lower, ()), *db.ask(library_spellings).get(lower, ()))
 
 
 def callees_of(db: Database, name: str) -> tuple[str, ...]:
