@@ -49,7 +49,7 @@ def _signal(name: str, table: TomlTable, stations: Mapping[str, object], units: 
     quantity = NUMBER if analog else _SWITCH
     initial = _level(table, ("initial",), table.values["initial"], quantity) if "initial" in table else 0.0
     changes = _changes(table, quantity) if "changes" in table else ()
-    if changes and not is_input:
+    if changes and is_output and not is_input:
         message = f"`{name}` is an output, only the program changes it"
         hint = "remove `changes`, or make it an input"
         table.findings.add(kinds.CHANGES_OF_OUTPUT, table.key_span("changes"), message, hint)

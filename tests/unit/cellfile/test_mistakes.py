@@ -131,6 +131,9 @@ CASES = [
     pytest.param(
         ROBOT + "[signals.a]\noutput = 1\nchanges = [[1, 1]]\n", "X817", "changes", "input", id="output"
     ),
+    pytest.param(
+        ROBOT + "[signals.a]\nchanges = [[1, 1]]\n", "X803", "[signals.a]", "input", id="no direction"
+    ),
     pytest.param(ROBOT + "[signals.a]\ninput = 1\ninitial = 0.5\n", "X804", "0.5", "", id="half a bit"),
     pytest.param(
         ROBOT + BOX + "grid = { counts = [0, 2], step = [[1, 0, 0], [0, 1, 0]] }\n",
