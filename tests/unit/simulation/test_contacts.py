@@ -18,12 +18,15 @@ from ropsim.model import Box, Cell, FixedObject, Shape, body_tree
 from ropsim.simulation import Fidelity, RunCollisions, RunOptions, run_collisions
 from ropsim.spatial import Array, Pose
 from ropsim.views import summarize, verdict
+from support.box_depths import PlacedBox, overlap
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
 TOO_LOW = 0.06
 """The frame of the pallet lies so much too low [m]."""
 FINGER, BOARD = 0.067, 0.014
 """Length of a finger, and thickness of a board of the pallet, both along z [m]."""
+TOUCHING = 5e-4
+"""Bodies that are no deeper in each other touch [m]."""
 FINE = 1e-4
 """Depths are computed to 0.05 mm [m]."""
 ROW = 6e-4
@@ -57,7 +60,7 @@ def first_cell() -> tuple[Cell, Recording]:
     return project.cell, project.simulate(options=RunOptions(Fidelity.KINEMATIC))
 
 
-def boxes(shapes: tuple[Shape, ...], X: Array) -> list[tuple[Array, Array, Array]]:
+def boxes(shapes: tuple[Shape, ...], X: Array) -> list[PlacedBox]:
     """Return rotation (k, 3, 3), centre (k, 3) and half edges (3,) of the boxes of a body at poses."""
     found = []
     for shape in shapes:
@@ -65,19 +68,6 @@ def boxes(shapes: tuple[Shape, ...], X: Array) -> list[tuple[Array, Array, Array
             here = X @ shape.pose.matrix()
             found.append((here[:, :3, :3], here[:, :3, 3], np.array(shape.solid.size) / 2.0))
     return found
-
-
-def overlap(one: tuple[Array, Array, Array], other: tuple[Array, Array, Array]) -> Array:
-    """Return how deep boxes are in each other by all 15 separating axes [m], shape (k,); 0: apart."""
-    (R_a, c_a, h_a), (R_b, c_b, h_b) = one, other
-    crossed = np.cross(R_a.transpose(0, 2, 1)[:, :, None], R_b.transpose(0, 2, 1)[:, None]).reshape(-1, 9, 3)
-    axes = np.concatenate([R_a.transpose(0, 2, 1), R_b.transpose(0, 2, 1), crossed], axis=1)
-    lengths = np.linalg.norm(axes, axis=2)
-    axes = axes / np.where(lengths > 1e-6, lengths, 1.0)[..., None]
-    reach = np.abs(np.einsum("kai,kij->kaj", axes, R_a)) @ h_a
-    reach += np.abs(np.einsum("kai,kij->kaj", axes, R_b)) @ h_b
-    depth = reach - np.abs(np.einsum("kai,ki->ka", axes, c_b - c_a))
-    return np.asarray(np.where(lengths > 1e-6, depth, np.inf).min(axis=1))
 
 
 def depths(cell: Cell, recording: Recording, rows: npt.NDArray[np.intp]) -> Array:
@@ -129,13 +119,12 @@ def test_the_depth_is_that_of_the_boxes_by_separating_axes_and_by_hand(low: tupl
 def test_contacts_last_from_the_first_to_the_last_row_in_the_pallet(low: tuple[Cell, Recording]) -> None:
     cell, recording = low
     assert recording.facts.ways is not None
-    touching = 5e-4
     found = [one for one in recording.facts.ways.contacts if one.one == "tool:jaws"]
     assert [one.visit for one in found] == list(range(1, 37))
     for one in found[::12]:
         inside = (recording.time >= one.begin - 0.05) & (recording.time <= one.end + 0.05)
         rows = np.flatnonzero(inside)
-        deep = rows[depths(cell, recording, rows) > touching]
+        deep = rows[depths(cell, recording, rows) > TOUCHING]
         assert (recording.time[deep[0]], recording.time[deep[-1]]) == pytest.approx((one.begin, one.end))
 
 
@@ -232,3 +221,11 @@ def test_an_arm_alone_in_its_cell_that_goes_through_itself_collides(tmp_path: Pa
     q = np.radians([-78.0, -35.0, -192.0, 18.0, -51.0, -34.0])
     assert worst <= collision.distance(project.cell, q).distance + FINE
     assert worst == pytest.approx(-0.0385, abs=2e-3)
+    solids = collision.Collisions(project.cell)
+    for one in checked.facts.ways.contacts:
+        first, last = (int(np.searchsorted(recording.time, at - 1e-9)) for at in (one.begin, one.end))
+        pair = {one.one, one.other}
+        for row, is_deep in ((first, True), (first - 1, False), (last, True), (last + 1, False)):
+            there = solids.meetings(recording.channels["q"].values[row])
+            depth = max((-each.distance for each in there if {*each.pair} == pair), default=0.0)
+            assert depth > 0.0 if is_deep else depth <= TOUCHING, (one.bodies, row)

@@ -1,6 +1,6 @@
 """Contacts of a run: which bodies penetrate each other or are too near, from when until when, and where."""
 
-from bisect import bisect_right
+from bisect import bisect_left
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
@@ -164,7 +164,6 @@ def _deepest(
         if -near.distance > depth:
             depth, best = -near.distance, (one, row, near)
         np.minimum(most[number], np.abs(one.way - one.way[row]) - near.distance, out=most[number])
-        most[number][row] = -np.inf
     return best
 
 
@@ -240,10 +239,12 @@ class _Places:
         )
 
     def _pass(self, station: str, line: int, time: float) -> int:
-        """Return the loop pass of a line that was carried out at a time; 0 where unknown."""
+        """Return the loop pass of a line that was carried out at a time; 0 where unknown.
+
+        As with the line, a row at which a pass begins still belongs to the pass before.
+        """
         times, visits = self._passes.get((station, line), ((), ()))
-        at = bisect_right(times, time + 1e-9)
-        return visits[max(at - 1, 0)] if visits else 0
+        return visits[max(bisect_left(times, time) - 1, 0)] if visits else 0
 
 
 def _passes(events: Iterable[Event]) -> Mapping[tuple[str, int], tuple[list[float], list[int]]]:

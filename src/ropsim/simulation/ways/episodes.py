@@ -14,9 +14,6 @@ from ropsim.spatial import Array, record
 Mask = npt.NDArray[np.bool_]
 """True at the rows that are chosen."""
 
-SLACK = 1.1
-"""A chord of a turn is shorter than the way: steps are counted longer by this factor."""
-
 
 @record
 class PairRows:
@@ -28,8 +25,8 @@ class PairRows:
         first: R_W by rows and p_W [m] of the first body, shape (k, 12).
         second: the same of the second body.
         most: upper bound of the depth at each row [m], shape (k,); no penetration where it is not positive.
-        way: how far the second body has moved at most up to each row, as the first one sees it [m],
-            shape (k,).
+        way: bound of the motion up to each row, as the first body sees it [m], shape (k,): between two rows
+            no point of the second body is displaced by more than the difference.
         gaps: distance at each row, 0 or less where they touch [m], shape (k,); inf where it is not needed.
     """
 
@@ -73,13 +70,13 @@ def pair_rows(
     windows = _windows(looked, seen, recording.time)
     if not windows:
         return
-    rows = np.unique(np.concatenate([each for each, _ in windows.values()]))
+    rows = np.unique(np.concatenate([*windows.values()]))
     Q = {
         name: recording.channels[recording.facts.channel("q", name)].values[rows].reshape(len(rows), -1)
         for name in solids.tree.mechanisms
     }
     frames = frames_at(solids, looked, Q)
-    for pair, (own, known) in windows.items():
+    for pair, own in windows.items():
         a, b = looked.pairs[pair, :2].astype(int)
         at = np.searchsorted(rows, own)
         first, second = _poses(looked.items[a], frames, at), _poses(looked.items[b], frames, at)
@@ -87,30 +84,25 @@ def pair_rows(
         most, way = _bounds(solids, numbers, first, second)
         within = float(looked.pairs[pair, 6])
         wanted = most > (-within if within > 0.0 else allowed(pair))
-        gaps = np.where(known & wanted if within <= 0.0 else np.zeros_like(known), 0.0, np.inf)
-        unknown = wanted & ~np.isfinite(gaps)
-        if unknown.any():
-            gaps[unknown] = solids.bodies.gaps(numbers, first[unknown], second[unknown])
+        gaps = np.full(len(own), np.inf)
+        if wanted.any():
+            gaps[wanted] = solids.bodies.gaps(numbers, first[wanted], second[wanted])
         yield PairRows(pair, own, first, second, most, way, gaps)
 
 
-def _windows(looked: Looked, seen: Nearest, time: Array) -> Mapping[int, tuple[Rows, Mask]]:
-    """Return the rows around the episodes of each pair, and whether each lies in an episode."""
+def _windows(looked: Looked, seen: Nearest, time: Array) -> Mapping[int, Rows]:
+    """Return the rows in and around the episodes of each pair."""
     spans: dict[int, list[tuple[int, int]]] = defaultdict(list)
     for pair, first, last in seen.episodes.tolist():
         spans[pair].append((first, last))
-    found: dict[int, tuple[Rows, Mask]] = {}
+    found: dict[int, Rows] = {}
     for pair, some in sorted(spans.items()):
         start, end = np.searchsorted(time, looked.pairs[pair, 2:4])
         around = [
             np.arange(max(first - seen.step, start), min(last + seen.step, end - 1) + 1)
             for first, last in some
         ]
-        rows = np.unique(np.concatenate(around))
-        known = np.zeros(len(rows), dtype=bool)
-        for first, last in some:
-            known |= (rows >= first) & (rows <= last)
-        found[pair] = rows, known
+        found[pair] = np.unique(np.concatenate(around))
     return found
 
 
@@ -126,10 +118,12 @@ def _poses(item: Array, frames: Array, at: Rows) -> Array:
 
 
 def _bounds(solids: Collisions, numbers: tuple[int, int], first: Array, second: Array) -> tuple[Array, Array]:
-    """Return upper bounds of the depth, and how far the second body moves as the first one sees it.
+    """Return upper bounds of the depth, and of the motion of the second body as the first one sees it.
 
     Two bodies are parted by a shift along an edge of one of the boxes around them; for two boxes whose faces
-    meet this is the depth (separating axes: Gottschalk, Lin and Manocha 1996).
+    meet this is the depth (separating axes: Gottschalk, Lin and Manocha 1996). From row to row a point moves
+    by the shift s of the middle and 2·sin(θ/2)·r at most, for a turn by θ and a point at the distance r from
+    the middle; chords are enough, since depths are compared at rows only.
     """
     (m_a, h_a), (m_b, h_b) = (solids.bodies.box(number) for number in numbers)
     R_a, R_b = first[:, :9].reshape(-1, 3, 3), second[:, :9].reshape(-1, 3, 3)
@@ -141,5 +135,5 @@ def _bounds(solids: Collisions, numbers: tuple[int, int], first: Array, second: 
     most = np.minimum(over_a.min(axis=1), over_b.min(axis=1))
     shift = np.linalg.norm(np.diff(on_a, axis=0), axis=1)
     turn = np.linalg.norm(np.diff(R, axis=0).reshape(-1, 9), axis=1) / np.sqrt(2.0)
-    way = np.concatenate([[0.0], np.cumsum(SLACK * (shift + float(np.linalg.norm(h_b)) * turn))])
+    way = np.concatenate([[0.0], np.cumsum(shift + float(np.linalg.norm(h_b)) * turn)])
     return most, way
