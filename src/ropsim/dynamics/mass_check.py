@@ -74,7 +74,7 @@ def idle_axes(M: Array) -> tuple[int, ...]:
     left, idle = M.copy(), []
     for k in range(len(M) - 1, -1, -1):
         pivot = left[k, k]
-        if not pivot > _NOTHING * max(M[k, k], np.finfo(float).tiny):
+        if not pivot > _NOTHING * M[k, k]:
             idle.append(k)
             continue
         left[:k, :k] -= np.outer(left[:k, k], left[k, :k]) / pivot

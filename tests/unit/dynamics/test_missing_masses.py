@@ -8,6 +8,7 @@ import pytest
 
 from ropsim import dynamics, robots
 from ropsim.dynamics import MissingMassError
+from ropsim.dynamics.mass_check import idle_axes
 from ropsim.model import Link, Payload, RobotModel
 from ropsim.spatial import Array
 
@@ -86,3 +87,30 @@ def test_a_rotor_is_inertia_enough_for_an_axis() -> None:
     puma = robots.load("puma560")
     driven = replace(puma, links=(*puma.links[:5], NOTHING))
     assert np.isfinite(dynamics.forward_dynamics(driven, driven.home, np.zeros(6), np.zeros(6))).all()
+
+
+@pytest.mark.parametrize("seed", range(200))
+def test_an_axis_is_idle_where_it_adds_nothing_to_the_rank_of_those_behind_it_in_any_units(seed: int) -> None:
+    """Mass matrices JᵀJ of small whole numbers, some of them singular, in units of any size for each axis."""
+    random = np.random.default_rng(seed)
+    n = int(random.integers(1, 7))
+    J = random.integers(-2, 3, (n, n)) * random.integers(0, 2, (n, 1))
+    ranks = [int(np.linalg.matrix_rank(J[:, k:])) for k in range(n)] + [0]
+    expected = tuple(k for k in range(n) if ranks[k] == ranks[k + 1])
+    units = 10.0 ** random.uniform(-9.0, 9.0, n)
+    for M in (J.T @ J, units[:, None] * (J.T @ J) * units, 1e-140 * (J.T @ J), 1e140 * (J.T @ J)):
+        assert idle_axes(M.astype(float)) == expected
+
+
+def slides(first: float, second: float) -> Array:
+    """Return the mass matrix of a slide that carries another one along its own way; masses in kg."""
+    return np.array([[first + second, second], [second, second]])
+
+
+def test_a_milligram_under_a_tonne_is_a_mass_and_what_rounding_leaves_of_one_is_none() -> None:
+    assert idle_axes(slides(1e-6, 1e3)) == ()
+    assert idle_axes(slides(1e-11, 1e3)) == (0,)
+    assert idle_axes(slides(1e3, 1e-6)) == ()
+    assert idle_axes(slides(1e3, 0.0)) == (1,)
+    assert idle_axes(np.zeros((2, 2))) == (0, 1)
+    assert idle_axes(np.diag([1.0, -1e-3])) == (1,)

@@ -1,4 +1,5 @@
 import contextlib
+import errno
 import shutil
 import sys
 from collections.abc import Mapping
@@ -55,6 +56,7 @@ def test_two_sessions_of_one_project_keep_apart(project: Path) -> None:
         b"[]",
         b"\xff",
         b'{"version":9}',
+        b'{"documents":{"a":{"text":"b","base":""}}}',
         b'{"version":1,"documents":{"a":{"text":1,"base":""}}}',
         b"[" * 9999,
     ],
@@ -176,3 +178,67 @@ def test_damaged_journals_of_others_hide_nothing(project: Path, tmp_path: Path) 
     moved = project.rename(tmp_path / "moved")
     assert found(moved) == DRAFTS
     assert all(place.exists() for place in damaged)
+
+
+LEFT = b'{"version": %d, "documents": {"cell.toml": {"text": "[cell]", "base": "ab"}}}'
+
+
+def put(journal: Journal, content: bytes) -> Path:
+    journal.place.write_bytes(content)
+    return journal.place
+
+
+def test_a_journal_of_this_version_is_read_as_every_release_has_written_it(project: Path) -> None:
+    with closing(Journal(project)) as journal:
+        put(journal, LEFT % 1)
+        assert journal.read() == ({"cell.toml": Draft("[cell]", "ab")}, ())
+
+
+@pytest.mark.parametrize("version", [0, 2, 9])
+def test_a_whole_journal_of_another_version_is_set_aside_as_it_is_and_told(
+    project: Path, version: int
+) -> None:
+    with closing(Journal(project)) as journal:
+        place = put(journal, LEFT % version)
+        drafts, findings = journal.read()
+        assert (drafts, [one.code for one in findings]) == ({}, ["X893"])
+        aside = place.with_suffix(".damaged")
+        assert str(aside) in findings[0].message
+        journal.write(DRAFTS)
+        journal.write({})
+        assert aside.read_bytes() == LEFT % version
+
+
+def test_a_journal_of_another_version_does_not_follow_its_project(project: Path, tmp_path: Path) -> None:
+    with closing(Journal(made(project))) as journal:
+        journal.write(DRAFTS)
+        content = journal.place.read_bytes()
+        assert content.startswith(b'{"version": 1,')
+        place = put(journal, content.replace(b'"version": 1', b'"version": 2', 1))
+        other = place.read_bytes()
+    moved = project.rename(tmp_path / "moved")
+    assert found(moved) == {}
+    assert place.read_bytes() == other
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="locks are others there")
+@pytest.mark.parametrize("number", [errno.ENOLCK, errno.EOPNOTSUPP])
+def test_where_there_are_no_locks_texts_of_a_session_that_may_go_on_are_not_taken(
+    project: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, number: int
+) -> None:
+    def refused(*_: object) -> None:
+        raise OSError(number, "no locks here")
+
+    import fcntl
+
+    with closing(Journal(made(project))) as first:
+        first.write(DRAFTS)
+        moved = project.rename(tmp_path / "moved")
+        with monkeypatch.context() as system:
+            system.setattr(fcntl, "flock", refused)
+            with closing(Journal(moved)) as second:
+                assert second.read() == ({}, ())
+                second.write({"cell.toml": Draft("other", "")})
+                second.write({})
+        assert first.read() == (DRAFTS, ())
+    assert found(moved) == DRAFTS  # where there are locks again, and nobody has it
