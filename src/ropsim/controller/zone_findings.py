@@ -5,19 +5,27 @@ from ropsim.core import Diagnostic
 from ropsim.flow import MoveInstruction
 from ropsim.motion import ZONE_CLIPPED, ZONE_STOPS
 
+NEXT_IS_SKIPPED = "the next move is left out"
+"""Why the arm stops before a move that cannot be planned."""
+
 _SAME = 1e-6
 """Share by which the zone that is flown may be smaller than the commanded one without a word."""
 
 
+def is_of_zone(finding: Diagnostic) -> bool:
+    """Return whether a finding says how a zone is flown, which may differ from pass to pass."""
+    return finding.code in (ZONE_STOPS.code, ZONE_CLIPPED.code)
+
+
 def clipped(move: MoveInstruction, corner: Corner) -> tuple[Diagnostic, ...]:
-    """Return M562 where less than the commanded zone is flown; only at its first visit.
+    """Return M562 where less than the commanded zone is flown.
 
     Args:
         move: that commands the zone.
         corner: that is flown; where motions overlap, its zone is the most that may be flown.
     """
     wanted, zone = move.modal.zone, corner.zone
-    if move.origin.visit > 1 or zone >= wanted * (1.0 - _SAME):
+    if zone >= wanted * (1.0 - _SAME):
         return ()
     shown = f"{zone * 1e3:.3g} mm, half of the shorter way beside it"
     if isinstance(corner, Overlap):
@@ -33,13 +41,13 @@ def clipped(move: MoveInstruction, corner: Corner) -> tuple[Diagnostic, ...]:
 
 
 def stopped(move: MoveInstruction, why: Stop) -> tuple[Diagnostic, ...]:
-    """Return M560 for a corner at which the arm stops though a zone is in force; only at its first visit."""
+    """Return M560 for a corner at which the arm stops though a zone is in force."""
     hint = "give a larger zone" if why in (Stop.QUICKER, Stop.SLOWED) else "shift the point"
     return _stops(move, why.value, f"{hint}, or give the move `fine`" if move.modal.zone > 0.0 else hint)
 
 
 def stopped_by(move: MoveInstruction, what: str) -> tuple[Diagnostic, ...]:
-    """Return M560 for the last move of a stretch where its zone becomes a stop; only at its first visit.
+    """Return M560 for the last move of a stretch where its zone becomes a stop.
 
     Args:
         move: the last one before the arm has to stand.
@@ -50,7 +58,7 @@ def stopped_by(move: MoveInstruction, what: str) -> tuple[Diagnostic, ...]:
 
 def _stops(move: MoveInstruction, why: str, hint: str) -> tuple[Diagnostic, ...]:
     zone = move.modal.zone
-    if move.origin.visit > 1 or not (zone > 0.0 or move.modal.passes):
+    if not (zone > 0.0 or move.modal.passes):
         return ()
     what = f"its zone of {zone * 1e3:g} mm is not flown" if zone > 0.0 else "the via point is not passed by"
     finding = ZONE_STOPS.at(

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 
 from ropsim.controller import CellSensors, NothingSensed, Sample, StretchOrder
-from ropsim.core import Diagnostic
+from ropsim.core import Diagnostic, Span
 from ropsim.flow import SLOWEST, Event, InputChange, Placement, WaitEvent
 from ropsim.model import Cell, Part, Tool
 from ropsim.simulation.clasp import Clasp
@@ -47,6 +47,7 @@ class CellRun:
         watch: looks on.
         events: what happened.
         findings: what was found.
+        zones_reported: station, code and place of each finding on a zone: it is reported once.
         placements: where each body hung at the start, and every change since.
         tracks: signals by the name of their channel, over ticks of the cell's clock.
         stop_tick: tick of the cell's clock from which on the run is ended by hand; None for its own end.
@@ -74,6 +75,7 @@ class CellRun:
     watch: Watch = field(default_factory=NobodyWatches)
     events: list[Event] = field(default_factory=list)
     findings: list[Diagnostic] = field(default_factory=list)
+    zones_reported: set[tuple[str, str, Span | None]] = field(default_factory=set)
     placements: list[Placement] = field(default_factory=list)
     tracks: dict[str, Track] = field(default_factory=dict)
     stop_tick: int | None = None

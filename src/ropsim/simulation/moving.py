@@ -3,9 +3,11 @@
 from collections.abc import Iterator, Sequence
 
 from ropsim.controller import (
+    NEXT_IS_SKIPPED,
     MotionPlan,
     PlannedMove,
     StretchOrder,
+    is_of_zone,
     stopped_by,
 )
 from ropsim.core import Diagnostic
@@ -40,15 +42,17 @@ def move(run: CellRun, at: StationRun, stretch: Stretch, world: SimulatedWorld) 
     What lies behind a skipped move is planned anew from where the arm stands.
     """
     done, moves = 0, stretch.moves
-    run.findings += stopped_by(moves[-1], why_it_ends(stretch))
     while done < len(moves) and not at.is_over:
         order = StretchOrder(moves[done:], at.q_command, at.payload, stretch.ahead)
         run.ordered(at.station.name, order)
         planned = run.plan(at.station.name, at.chain, order)
         if motion := planned.motion:
+            done_then = done + len(motion.plan.moves)
+            why = why_it_ends(stretch) if done_then == len(moves) else NEXT_IS_SKIPPED
+            _report(run, at, stopped_by(moves[done_then - 1], why))
             texts = [stretch.said_before(done + number) for number in range(len(motion.plan.moves))]
             yield from _follow(run, at, motion, texts, world)
-            done += len(motion.plan.moves)
+            done = done_then
         if (refusal := planned.refusal) and not at.cut_short:
             _say(run, at, stretch.said_before(done))
             world.q_met = None
@@ -56,6 +60,16 @@ def move(run: CellRun, at: StationRun, stretch: Stretch, world: SimulatedWorld) 
             done += 1
     if done == len(moves) and not at.cut_short:
         _say(run, at, stretch.said_before(done))
+
+
+def _report(run: CellRun, at: StationRun, findings: Sequence[Diagnostic]) -> None:
+    """Add findings of a plan to those of the run; what becomes of a zone only at the first pass with it."""
+    for one in findings:
+        if not is_of_zone(one):
+            run.findings.append(one)
+        elif (place := (at.station.name, one.code, one.span)) not in run.zones_reported:
+            run.zones_reported.add(place)
+            run.findings.append(one)
 
 
 def _say(run: CellRun, at: StationRun, texts: Sequence[MessageInstruction]) -> None:
@@ -78,7 +92,7 @@ def _follow(
 ) -> Iterator[None]:
     """Follow a plan move by move and piece by piece, and settle at its end."""
     planned = motion.plan
-    run.findings.extend(planned.findings)
+    _report(run, at, planned.findings)
     follower = Follower(run, at, motion)
     for number, one in enumerate(planned.moves):
         _say(run, at, texts[number])

@@ -1,9 +1,9 @@
 """What a verdict leaves unchecked: one line next to it, the same in terminal, page and studio."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator
 
-from ropsim.core import frozen_dataclass, plural
-from ropsim.flow import Event, MoveEvent, RunFacts
+from ropsim.core import Diagnostic, frozen_dataclass, plural
+from ropsim.flow import RunFacts
 from ropsim.views.by_hand import ByHand, percentage, shown
 from ropsim.views.characters import clean
 from ropsim.views.figures import seconds
@@ -26,7 +26,7 @@ class Unchecked:
         given: what was done to the run by hand, in words; the cycle time is that of the program only without.
         aspects: not looked at, such as `collisions`.
         estimated: groups of parameters that are estimates, as the model names them.
-        fine_stops: source lines of moves with a zone that was not flown: a fine stop, ascending.
+        fine_stops: source lines with a finding that a zone is not flown (a fine stop), text after text.
     """
 
     given: str = ""
@@ -49,26 +49,28 @@ class Unchecked:
         return " · ".join(parts)
 
 
-def unchecked(facts: RunFacts, events: Sequence[Event], hand: ByHand) -> Unchecked:
+def unchecked(facts: RunFacts, findings: Iterable[Diagnostic], hand: ByHand) -> Unchecked:
     """Return what a run did not look at.
 
     Args:
         facts: of the run.
-        events: of the run.
+        findings: of the run.
         hand: how long it was held and slowed.
     """
     aspects = CHECKED_IF_SAID + (WITHOUT_DYNAMICS if facts.is_kinematic else ())
-    zoned = {
-        event.line
-        for event in events
-        if isinstance(event, MoveEvent) and event.zone > 0.0 == event.flown and event.line
-    }
+    stops = {(one.span.source, one.span.line) for one in findings if one.span and _is_fine_stop(one)}
     return Unchecked(
         given_text(facts, hand),
         (*_on_ways(facts), *(one for one in aspects if one not in facts.checked)),
         tuple(dict.fromkeys(name for station in facts.stations for name in station.estimated)),
-        tuple(sorted(zoned)),
+        tuple(line for _, line in sorted(stops)),
     )
+
+
+def _is_fine_stop(finding: Diagnostic) -> bool:
+    """Return whether a finding says that the arm stops where a zone is in force."""
+    zone = finding.data.get("zone_m")
+    return isinstance(zone, float) and zone > 0.0 and "flown_m" not in finding.data
 
 
 def _on_ways(facts: RunFacts) -> Iterator[str]:

@@ -165,3 +165,23 @@ def test_a_move_that_is_left_out_ends_the_stretch_before_it_and_begins_one_behin
 def test_a_zone_in_a_loop_is_told_once() -> None:
     lines = (SQUARE[0], "repeat 3", "lin (500, 0, 300) blend 30 mm", "wait 0.1 s", SQUARE[0], "endr")
     assert codes(recorded(lines)) == ["M560"]
+
+
+def unflown(recording: Recording) -> list[tuple[int, str]]:
+    """Return the lines with a zone that is not flown, and why."""
+    found = (one for one in recording.findings if one.code == "M560" and one.span is not None)
+    return [(one.span.line, one.message.rpartition(": ")[2]) for one in found if one.span is not None]
+
+
+def test_a_line_whose_zone_only_the_last_pass_does_not_fly_is_listed_once() -> None:
+    loop = ("repeat 3", "lin (500, 0, 300)", "lin (500, 200, 300)", "lin (500, 0, 100) blend 30 mm", "endr")
+    assert unflown(recorded((SQUARE[0], *loop))) == [(7, "the program ends")]
+
+
+def test_a_zone_before_a_move_that_is_left_out_is_listed() -> None:
+    lines = (SQUARE[0], "lin (500, 0, 300) blend 30 mm", "lin (900, 900, 900)", "lin (500, 0, 100)")
+    assert unflown(recorded(lines)) == [(4, "the next move is left out")]
+
+
+def test_the_zone_of_a_move_that_is_left_out_is_not_listed() -> None:
+    assert unflown(recorded((SQUARE[0], "lin (900, 900, 900) blend 30 mm"))) == []

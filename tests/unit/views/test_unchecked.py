@@ -2,15 +2,14 @@ from dataclasses import replace
 
 import pytest
 
+from ropsim.core import SourceText
 from ropsim.flow import (
     Fidelity,
     InputChange,
-    MotionKind,
-    MoveEvent,
-    Origin,
     OverrideChange,
     Recording,
 )
+from ropsim.motion import ZONE_CLIPPED, ZONE_STOPS
 from ropsim.views import Style, html_report, result_figures, summarize, terminal_report
 from ropsim.views.by_hand import ByHand, by_hand
 from ropsim.views.unchecked import SHORT, given_text
@@ -29,20 +28,10 @@ def with_facts(
     return replace(pick_and_place(1), facts=about)
 
 
-def zoned(*places: tuple[int, float]) -> Recording:
-    """Return a run whose moves stand on these lines with these zones [m]."""
-    recording = pick_and_place(1)
-    moves = [
-        MoveEvent(
-            recording.duration,
-            origin=Origin(SOURCE.span(line, 1, 1)),
-            motion=MotionKind.LIN,
-            ordinal=0,
-            zone=zone,
-        )
-        for line, zone in places
-    ]
-    return replace(recording, events=(*recording.events, *moves))
+def zoned(*places: tuple[int, float], source: SourceText = SOURCE) -> Recording:
+    """Return a run that finds zones not flown on these lines [m]; 0 for a via point that is not passed by."""
+    findings = [ZONE_STOPS.at(source.span(line, 1, 1), "", data={"zone_m": zone}) for line, zone in places]
+    return replace(pick_and_place(1), findings=tuple(findings))
 
 
 def test_a_run_that_does_not_say_so_has_not_looked_at_collisions() -> None:
@@ -88,6 +77,17 @@ def test_each_line_with_a_zone_counts_once_and_lines_without_do_not() -> None:
     assert summarize(zoned((3, 0.05), (3, 0.05), (7, 0.01), (9, 0.0))).unchecked.fine_stops == (3, 7)
     assert line_of(zoned((3, 0.05))).endswith("zones not flown (fine stop) on 1 line")
     assert "zones" not in line_of(zoned((9, 0.0)))
+
+
+def test_lines_of_two_texts_with_one_number_are_two() -> None:
+    program, tasks = (zoned((3, 0.05), source=one) for one in (SOURCE, SourceText("kb/tasks.pl", "\n\nx")))
+    both = replace(program, findings=(*program.findings, *tasks.findings))
+    assert line_of(both).endswith("zones not flown (fine stop) on 2 lines")
+
+
+def test_a_zone_of_which_less_is_flown_is_no_stop() -> None:
+    clipped = ZONE_CLIPPED.at(SOURCE.span(3, 1, 1), "", data={"zone_m": 0.05, "flown_m": 0.01})
+    assert "zones" not in line_of(replace(pick_and_place(1), findings=(clipped,)))
 
 
 def test_names_from_a_model_file_cannot_break_the_line() -> None:
