@@ -36,8 +36,16 @@ const SHARES: Record<Layout, readonly (readonly [number, number, number, number]
   ],
 }
 
-/** Whole pixels that fill the stage but for gaps between viewports. */
+/** A lower viewport shows nothing beside its buttons [px]. */
+const LOWEST = 100
+
+/** Whole pixels that fill the stage but for gaps; one viewport has all of a stage that is too low for the layout. */
 export function rectsOf(layout: Layout, width: number, height: number): Rect[] {
+  const rects = dividedBy(layout, width, height)
+  return rects.some(rect => rect.height < LOWEST) ? dividedBy('1', width, height) : rects
+}
+
+function dividedBy(layout: Layout, width: number, height: number): Rect[] {
   const low = (share: number, size: number) => (share === 0 ? 0 : Math.round(share * size + GAP / 2))
   const high = (share: number, size: number) => (share === 1 ? size : Math.round(share * size - GAP / 2))
   return SHARES[layout].map(([left, top, right, bottom]) => {

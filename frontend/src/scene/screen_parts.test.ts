@@ -22,6 +22,15 @@ describe('layouts', () => {
     })
     expect(area / (1281 * 799)).toBeGreaterThan(0.99)
   })
+
+  it('is that of one viewport where four would be too low', () => {
+    expect(rectsOf('4', 388, 171)).toHaveLength(1)
+    expect(rectsOf('4', 388, 211)).toHaveLength(4)
+  })
+
+  it.each(LAYOUTS)('%s: one viewport has all of a low stage', layout => {
+    expect(rectsOf(layout, 388, 90)).toEqual([{ x: 0, y: 0, width: 388, height: 90 }])
+  })
 })
 
 describe('a path', () => {

@@ -148,12 +148,12 @@ export class Dock {
       this.#add(kind, kind, { referencePanel: group, direction: 'within' }, undefined, { inactive: true })
     const wide = this.#api.width
     const tall = this.#api.height
-    if (preset === 'simulate' && isSmallWindow()) {
-      const program = right('program', besideView(wide, tall))
-      const states = below('states', program, Math.max(SIX_JOINTS, tall * 0.46))
-      for (const kind of ['problems', 'messages', 'jog', 'signals', 'cell', 'plot', 'command'] as const) {
-        within(kind, states)
-      }
+    const small = isSmallWindow() ? BESIDE_SMALL_VIEW[preset] : undefined
+    if (small) {
+      const main = right(small.main, besideView(wide, tall))
+      for (const kind of small.behind) within(kind, main)
+      const states = below('states', main, Math.max(SIX_JOINTS, tall * 0.46))
+      for (const kind of small.below) within(kind, states)
     } else if (preset === 'simulate') {
       const program = right('program', Math.max(300, Math.min(620, wide * 0.4)))
       const states = below('states', program, tall * 0.46)
@@ -231,6 +231,22 @@ export class Dock {
   }
 }
 
+/** What stands beside the views in a small window: the main panel with others behind it, and those below with the states. */
+const BESIDE_SMALL_VIEW: Partial<
+  Record<
+    DockPreset,
+    { readonly main: PanelKind; readonly behind: readonly PanelKind[]; readonly below: readonly PanelKind[] }
+  >
+> = {
+  simulate: {
+    main: 'program',
+    behind: [],
+    below: ['problems', 'messages', 'jog', 'signals', 'cell', 'plot', 'command'],
+  },
+  analyse: { main: 'plot', behind: ['program'], below: ['problems'] },
+  operate: { main: 'signals', behind: ['program'], below: ['jog', 'command'] },
+  tasks: { main: 'tasks', behind: ['program'], below: ['jog', 'problems'] },
+}
 /** Share of the page that the views take in a small window. */
 const VIEW_SHARE = 0.41
 /** Tabs, tools, head and rows of six joints in a small window [px]. */
