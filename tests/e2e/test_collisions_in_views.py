@@ -117,6 +117,8 @@ def test_choosing_the_finding_goes_to_the_deepest_time_and_frames_the_place(
     words = f"collision box – stand_right, {-1e3 * contact.distance:.1f} mm, line {contact.line}"
     tab.show("Problems").get_by_role("button", name=words).click()
     assert tab.time() == pytest.approx(contact.time)
+    ghost = tab.state()["ghost"]
+    assert (ghost["line"], ghost["time"]) == (contact.line, pytest.approx(contact.time))
     assert colliding(tab.page)["bodies"] == ["stand_right", "box"]
     comes_into_the_middle(tab.page, contact)
     strip = tab.page.get_by_role("region", name="Result of the run")

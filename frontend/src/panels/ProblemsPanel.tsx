@@ -50,8 +50,10 @@ function ProblemRow({ group }: { group: ProblemGroup }) {
   const count = group.all.length
   const act = () => {
     const chosen = nextOf(group, studio.cursor.time)
-    if (document) studio.goTo(document, Math.max(line, 1), Math.max(chosen.column, 1))
-    if (chosen.time !== null) studio.transport.go(chosen.time)
+    const place = { document, line: Math.max(line, 1), column: Math.max(chosen.column, 1) }
+    // Where bodies meet, the moment at which they are deepest in each other counts.
+    if (chosen.time !== null) studio.goToFound(place, chosen.time, chosen.place ? 'moment' : 'pass')
+    else if (document) studio.goTo(document, place.line, place.column)
     if (chosen.place) studio.picture.stage?.frame([...chosen.place])
   }
   const when = time === null ? '' : count > 1 ? words.firstTime(time) : words.time(time)

@@ -54,8 +54,8 @@ function TileButton({ tile }: { tile: Tile }) {
   const { id, label, value, detail, tone, time, source, line } = tile
   const act = () => {
     if (id === 'findings') studio.dock?.show('problems')
-    studio.goToRun(source, line)
-    if (time !== null) studio.transport.go(time)
+    if (time !== null) studio.goToMoment(source, line, time)
+    else studio.goToRun(source, line)
   }
   return (
     <button

@@ -80,6 +80,17 @@ test('a line that was asked for before its run shows its ghost when the run come
   expect(store.getState().ghost).toMatchObject({ line: 2, time: 3 })
 })
 
+test('a moment of a line shows the pass of that moment, at the moment itself', () => {
+  const run = moved()
+  run.events.push({ ...(run.events[0] as Run['events'][number]), time: 11 })
+  const store = createStudioStore()
+  const ghost = ghostIn(store, { run: () => run, text: () => TEXT })
+  ghost.showAt(DOCUMENT, 2, 12.5)
+  expect(store.getState().ghost).toMatchObject({ line: 2, pass: 2, passes: 2, time: 12.5 })
+  ghost.showAt(DOCUMENT, 1, 12.5)
+  expect(store.getState().ghost).toBeNull()
+})
+
 test('a line that was asked for in another text is not that line any more', () => {
   const store = createStudioStore()
   let run: Run | null = null

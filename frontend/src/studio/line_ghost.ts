@@ -55,6 +55,15 @@ export class LineGhost {
     this.#set(chosen ? { document, line, pass: index + 1, passes: passes.length, time: chosen.to } : null)
   }
 
+  /** Draw the robot where it was at a time [s] at which a line was at work: in that pass. */
+  showAt(document: string, line: number, time: number): void {
+    const passes = this.passes(document, line)
+    const pass = nearestPass(passes, time) + 1
+    this.#wanted = { document, line, pass: pass || undefined, text: this.#wires.text(document) }
+    this.#line = this.#wires.lines.toRun(document, line) ?? 0
+    this.#set(pass > 0 ? { document, line, pass, passes: passes.length, time } : null)
+  }
+
   clear(): void {
     this.#wanted = null
     if (this.#store.getState().ghost) this.#set(null)

@@ -337,6 +337,22 @@ export class Studio {
     if (place) this.goTo(place.document, place.line)
   }
 
+  /** Show a line of the shown run where it stands in the text of now, and run and ghost at a time [s] of it. */
+  goToMoment(source: string, line: number, time: number): void {
+    const place = this.lines.place(source, line)
+    if (place) this.goToFound({ ...place, column: 1 }, time, 'moment')
+    else this.transport.go(time)
+  }
+
+  /** Show where and when [s] something was found; the ghost stands there at that moment, or at the end of that pass. */
+  goToFound({ document, line, column }: Place, time: number, ghost: 'moment' | 'pass'): void {
+    this.transport.go(time)
+    if (!document) return
+    this.goTo(document, line, column)
+    if (ghost === 'moment') this.#lines.showAt(document, line, time)
+    else this.#lines.show(document, line)
+  }
+
   onGoTo(listener: (place: Place) => void): () => void {
     return this.desk.onGoTo(listener)
   }
