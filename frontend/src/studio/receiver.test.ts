@@ -98,6 +98,22 @@ describe('a welcome', () => {
     receiver.receive({ ...WELCOME, documents: [document('programs/place.task', true)] })
     expect(state().notices.map(one => one.level)).toEqual(['warning'])
   })
+
+  it('names all texts that are not saved, also those in which somebody has typed since they were brought back', () => {
+    const typed = { ...document('cell.toml'), unsaved: true }
+    const documents = [typed, document('programs/pick.task'), document('programs/place.task', true)]
+    receiver.receive({ ...WELCOME, documents })
+    const text = '2 unsaved texts have been brought back: cell.toml, programs/place.task.'
+    expect(state().notices.map(one => one.text)).toEqual([text])
+  })
+
+  it('tells of texts that were brought back once', () => {
+    const documents = [document('programs/place.task', true)]
+    receiver.receive({ ...WELCOME, documents })
+    studio.dismiss(state().notices[0]?.id ?? 0)
+    receiver.receive({ ...WELCOME, documents: [...documents, document('programs/new.task')] })
+    expect(state().notices).toEqual([])
+  })
 })
 
 describe('texts that the server sends', () => {

@@ -2,7 +2,15 @@
 import type { Cursor } from '../run/cursor'
 import type { Finding, Run } from '../run/run'
 import { words } from '../text/messages'
-import type { LiveStatus, Message, Notice, RunStatus, SceneMessage, Welcome } from '../wire/messages'
+import type {
+  DocumentState,
+  LiveStatus,
+  Message,
+  Notice,
+  RunStatus,
+  SceneMessage,
+  Welcome,
+} from '../wire/messages'
 import type { ChosenTasks } from './chosen_tasks'
 import type { CommandLine } from './command_line'
 import { isTaskText } from './document_names'
@@ -50,6 +58,8 @@ type Handlers = { readonly [T in Message['type']]: (message: Extract<Message, { 
 export class Receiver {
   readonly #studio: Receiving
   #folder: string | null = null
+  /** Texts of an earlier session that this page knows of. */
+  #recovered: ReadonlySet<string> = new Set()
 
   readonly #handlers: Handlers
 
@@ -155,8 +165,17 @@ export class Receiver {
     studio.jog.reconnected()
     studio.tasks.renew()
     studio.commandLine.reconnected()
-    const recovered = message.documents.filter(one => one.recovered).map(one => one.name)
-    if (recovered.length) studio.notify('warning', words.recovered(recovered.join(', ')), words.recoveredHint)
+    this.#reportRecovered(message.documents)
+  }
+
+  /** Report texts of an earlier session once; all that are not saved are named, typed in since or not. */
+  #reportRecovered(documents: readonly DocumentState[]): void {
+    const recovered = documents.filter(one => one.recovered).map(one => one.name)
+    const isNews = recovered.some(name => !this.#recovered.has(name))
+    this.#recovered = new Set(recovered)
+    if (!isNews) return
+    const unsaved = documents.filter(one => one.unsaved || one.recovered).map(one => one.name)
+    this.#studio.notify('warning', words.recovered(unsaved), words.recoveredHint)
   }
 
   #scene({ scene, findings }: SceneMessage): void {

@@ -58,8 +58,11 @@ export const words = {
     revoke: 'Stop trusting this folder',
     files: 'Files with code',
   },
-  recovered: (names: string) => `Unsaved text of an earlier session has been brought back: ${names}.`,
-  recoveredHint: 'Save it, or discard it with File, Revert to file.',
+  recovered: (names: readonly string[]) =>
+    names.length === 1
+      ? `Unsaved text has been brought back: ${names[0]}.`
+      : `${names.length} unsaved texts have been brought back: ${names.join(', ')}.`,
+  recoveredHint: 'Save what you want to keep, or discard it with File, Revert to file.',
   run: {
     waiting: 'Waiting to simulate …',
     running: 'Simulating …',
