@@ -137,13 +137,13 @@ def shown(stack: list[Datum], _values: list[Datum], kind: Datum) -> None:
     if kind is Type.BOOL:
         stack[-1] = "true" if value else "false"
     elif kind is Type.REAL:
-        stack[-1] = format(value, ".6g")
+        stack[-1] = _number(value)
     elif kind in {Type.INT, Type.STR}:
         stack[-1] = str(value)
     else:
-        stack[-1] = _listed(_components(value, kind))
+        stack[-1] = _listed(_components(value, kind), _DECIMALS.get(kind, _SI_DECIMALS))
         if kind is Type.POSE and external_part(value):
-            stack[-1] += f" external {_listed(external_part(value))}"
+            stack[-1] += f" external {_listed(external_part(value), _SI_DECIMALS)}"
         if kind is Type.POSE and (request := posture_of(value)) is not None:
             stack[-1] += f" config ({', '.join(request.words)})" if request.words else ""
             stack[-1] += f" turns ({', '.join(map(str, request.turns))})" if request.turns else ""
@@ -151,8 +151,18 @@ def shown(stack: list[Datum], _values: list[Datum], kind: Datum) -> None:
             stack[-1] += f" in {tag.name}"
 
 
-def _listed(values: tuple[float, ...]) -> str:
-    return "(" + ", ".join(format(part, ".6g") for part in values) + ")"
+_SI_DECIMALS = 9
+"""Of lengths [m] and angles [rad] in lists: what is less is the rounding of the computation."""
+_DECIMALS = {Type.VEC: 6}
+"""The numbers of a vector may be mm and degrees: `print` shows a location as two of them."""
+
+
+def _listed(values: tuple[float, ...], decimals: int) -> str:
+    return "(" + ", ".join(_number(round(part, decimals)) for part in values) + ")"
+
+
+def _number(value: float) -> str:
+    return format(value + 0.0, ".6g")  # -0.0 + 0.0 is 0.0
 
 
 GEOMETRY: dict[str, Handler] = {

@@ -105,4 +105,4 @@ def shown(value: Number) -> str:
     """Return how `print` shows a value."""
     if isinstance(value, bool):
         return "true" if value else "false"
-    return format(value, ".6g") if isinstance(value, float) else str(value)
+    return format(value or 0.0, ".6g") if isinstance(value, float) else str(value)

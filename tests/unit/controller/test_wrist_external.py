@@ -142,7 +142,7 @@ def test_a_zone_between_two_lines_on_the_plate_is_flown(seed: int) -> None:
     first = replace(first, modal=replace(first.modal, zone=0.06))
     done = planned_stretch([first, to_plate(robot, goal)], start, chain(seed))
     assert done.moves[0].zone > 0.015
-    assert done.findings == ()
+    assert {one.code for one in done.findings} <= {"M562"}  # half of a way may be less than the zone
     assert max(shares(robot, done, Payload()).values()) <= HELD
 
 

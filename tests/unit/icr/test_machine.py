@@ -243,6 +243,23 @@ def test_a_pose_shows_what_it_asks_of_the_arm() -> None:
     assert message.text.endswith(" external (0.8) config (left, up) turns (-1) in g")
 
 
+@pytest.mark.parametrize(
+    ("value", "text"),
+    [
+        ("REAL -0.0", "0"),
+        ("REAL -1.2e-15", "-1.2e-15"),  # a number of the user: nobody knows its size
+        ("VEC -1.2e-15 -0.0 1e-6", "(0, 0, 1e-06)"),
+        ("VEC 120.0000000004 -3.5 1234.56789", "(120, -3.5, 1234.57)"),
+        ("POSE -1.2e-15 0.3000000001 1e-9 1.0 0.0 -1e-16 0.0", "(0, 0.3, 1e-09, 0, 0, 0)"),
+        ("JOINTS 1e-13 -1e-13", "(0, 0)"),
+    ],
+)
+def test_a_value_is_shown_without_the_noise_of_its_computation(value: str, text: str) -> None:
+    (message, _) = flow(f"PUSH {value}/FMT/MSG/HALT")
+    assert isinstance(message, MessageInstruction)
+    assert message.text == text
+
+
 def test_a_via_point_has_the_posture_of_the_target_or_none() -> None:
     left, right = (f"{pose(x)}/POSTURE {word}" for x, word in ((0.1, "left"), (0.2, "right")))
     assert trap(f"{left}/{right}/MOVE.CIRC/HALT") == "I461"

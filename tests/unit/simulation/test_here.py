@@ -1,5 +1,6 @@
 """`here` in runs: wherever the arm came from, it is where the arm is commanded to stand."""
 
+import re
 from dataclasses import replace
 from functools import cache
 
@@ -39,6 +40,7 @@ EXACT = 1e-6
 """What the polish of inverse kinematics leaves [m | -]."""
 SHOWN = 1e-6
 """Six digits of a length below a metre [m]."""
+NUMBER = re.compile(r"-?\d[\d.]*(?:e[+-]\d+)?")
 JOINTS = "joints(20, 30, -140, 10, -50, 15)"
 
 BEFORE = {
@@ -94,6 +96,19 @@ def test_the_pose_is_that_of_the_tool_and_frame_in_force() -> None:
     seen = X_BK.inverse() @ forward(ROBOT, q) @ LONG
     (said,) = found.events_of(MessageEvent)
     assert si_numbers(said.text) == pytest.approx(seen.position.tolist(), abs=SHOWN)
+
+
+def test_a_pose_is_printed_without_noise() -> None:
+    desk = (
+        "frame desk = (100, 50, 20; rz 40)",
+        "mov (500, 100, 300)",
+        "with frame desk",
+        "lin (300, 0, 200)",
+    )
+    found = ran(CELL, *desk, "print here", "endwith", "mov home", "print here")
+    numbers = [one for said in found.events_of(MessageEvent) for one in NUMBER.findall(said.text)]
+    assert len(numbers) == 12
+    assert [one for one in numbers if one == "-0" or 0.0 < abs(float(one)) < 1e-6] == []
 
 
 def test_the_pose_of_a_tool_is_that_of_the_cell_whatever_the_program_says_of_it() -> None:
