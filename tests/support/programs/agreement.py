@@ -19,7 +19,7 @@ MOVING = replace(
 )
 """The cell with a frame that an external axis moves: no program names it, so none may mean anything else."""
 
-REFUSED = "m, at most 1e+12 m is allowed"
+REFUSED = ", at most 1e+12 m is allowed"
 """How the compiler ends the finding on a length that no cell has."""
 
 PLACES = 1e-9

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from ropsim.core import Kind, did_you_mean
 from ropsim.flow import GripAction
-from ropsim.language.check import convert, fold, frames, plausible, settings, shown, values
+from ropsim.language.check import convert, fold, frames, numerals, plausible, settings, shown, values
 from ropsim.language.check.body import Body, RejectedError
 from ropsim.language.check.types import BOOL, NUMBER, STR, TIME, Type, article, known
 from ropsim.language.check.world import Poison
@@ -163,8 +163,9 @@ def wait(body: Body, node: syntax.WaitTime) -> Block:
     plausible.check_time(body, "wait", value, duration, node.duration)
     number = fold.number_of(duration)
     if number is not None and number < 0.0:
+        found = numerals.quoted(body, node.duration, number, "s")
         body.fail(
-            kinds.OUT_OF_RANGE, node.duration, f"the time of `wait` must not be negative, found {number:g} s"
+            kinds.OUT_OF_RANGE, node.duration, f"the time of `wait` must not be negative, found {found}"
         )
     return (Wait(duration, body.statement_span),)
 
@@ -184,11 +185,9 @@ def wait_until(body: Body, node: syntax.WaitCondition, otherwise: Block) -> Bloc
         plausible.check_time(body, "timeout", value, timeout, node.timeout)
         number = fold.number_of(timeout)
         if number is not None and number < 0.0:
-            body.fail(
-                kinds.OUT_OF_RANGE,
-                node.timeout,
-                f"the time of `timeout` must not be negative, found {number:g} s",
-            )
+            found = numerals.quoted(body, node.timeout, number, "s")
+            message = f"the time of `timeout` must not be negative, found {found}"
+            body.fail(kinds.OUT_OF_RANGE, node.timeout, message)
     return (WaitUntil(condition, timeout, otherwise, body.statement_span),)
 
 

@@ -3,7 +3,7 @@
 from typing import NoReturn
 
 from ropsim.flow import Comparison
-from ropsim.language.check import arithmetic, convert, fold, plausible, values
+from ropsim.language.check import arithmetic, convert, fold, numerals, plausible, values
 from ropsim.language.check.body import Body
 from ropsim.language.check.readings import reading
 from ropsim.language.check.types import BOOL, TIME
@@ -107,6 +107,7 @@ def _timeout(body: Body, node: syntax.Motion) -> Expression | None:
     plausible.check_time(body, "timeout", value, timeout, node.timeout)
     number = fold.number_of(timeout)
     if number is not None and number <= 0.0:
-        message = f"the `timeout` of a motion must be greater than zero, found {number:g} s"
+        found = numerals.quoted(body, node.timeout, number, "s")
+        message = f"the `timeout` of a motion must be greater than zero, found {found}"
         body.fail(kinds.OUT_OF_RANGE, node.timeout, message)
     return timeout

@@ -11,6 +11,7 @@ from ropsim.language.check import (
     fold,
     frames,
     guards,
+    numerals,
     poses,
     radians,
     settings,
@@ -107,7 +108,8 @@ def _trigger(body: Body, node: syntax.Trigger) -> Trigger:
     place = convert.to(body, value, TIME if is_time else LENGTH, node.place, "the place of `at`")
     number = fold.number_of(place)
     if number is not None and number < 0.0:
-        message = f"the place of `at` must not be negative, found {number:g} {'s' if is_time else 'm'}"
+        found = numerals.quoted(body, node.place, number, "s" if is_time else "m")
+        message = f"the place of `at` must not be negative, found {found}"
         hint = "`after start` counts from the start on, `before end` from the end back"
         body.fail(kinds.OUT_OF_RANGE, node.place, message, hint)
     output = actions.output(body, node.action)
@@ -187,6 +189,7 @@ def _angle(body: Body, node: syntax.Motion) -> Expression | None:
     angle = values.expect(body, setting.value, ANGLE, "the value of `angle`")
     number = fold.number_of(angle)
     if number is not None and number <= 0.0:
-        message = f"`angle` must be greater than zero, found {number:g} rad"
+        found = numerals.quoted(body, setting.value, number, "rad")
+        message = f"`angle` must be greater than zero, found {found}"
         body.fail(kinds.OUT_OF_RANGE, setting, message, "for the other way round choose another via point")
     return angle

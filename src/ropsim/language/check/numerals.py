@@ -5,6 +5,7 @@ from math import isfinite
 from ropsim.language.check import fold, units
 from ropsim.language.check.body import Body
 from ropsim.language.check.types import Type
+from ropsim.language.report import Placed
 from ropsim.language.syntax.nodes import Node, Number, Unary
 from ropsim.program import Constant, ValueType
 
@@ -38,6 +39,12 @@ def bare(node: Node) -> float | None:
     if isinstance(node, Unary) and isinstance(node.operand, Number) and node.op == "neg":
         return -node.operand.value if not node.operand.unit else None
     return None
+
+
+def quoted(body: Body, place: Placed, number: float, unit: str) -> str:
+    """Return a value as messages quote it: as it is written, with the number in a unit if that says more."""
+    written, measured = body.written(place), f"{number:g} {unit}"
+    return f"`{written}`" if written == measured else f"`{written}` ({measured})"
 
 
 def is_alone(node: Node) -> bool:

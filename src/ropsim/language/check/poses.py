@@ -251,7 +251,7 @@ def _length(body: Body, node: nodes.Node, what: str) -> Expression:
     expression = values.expect(body, node, LENGTH, what)
     number = fold.number_of(expression)
     if number is not None and abs(number) > LARGEST:
-        message = f"{what} is {number:g} m, at most {LARGEST:g} m is allowed"
+        message = f"{what} is {numerals.quoted(body, node, number, 'm')}, at most {LARGEST:g} m is allowed"
         body.fail(kinds.OUT_OF_RANGE, node, message, "check the numbers and their units")
     return expression
 

@@ -3,7 +3,7 @@
 from functools import lru_cache
 from typing import Any
 
-from ropsim.language.check import convert, fold, metres, plausible, units, values
+from ropsim.language.check import convert, fold, metres, numerals, plausible, units, values
 from ropsim.language.check.body import Body
 from ropsim.language.check.types import LENGTH, Type, Value, article, known, real
 from ropsim.language.findings import types as kinds
@@ -161,18 +161,23 @@ def _check_range(body: Body, setting: Setting, value: Expression, dimension: uni
         return
     if setting.word == "blend":
         if number < 0.0:
-            message = f"`blend` must not be negative, {_found(number, dimension)}"
+            message = f"`blend` must not be negative, found {_quoted(body, setting, number, dimension)}"
             body.fail(kinds.OUT_OF_RANGE, setting, message)
     elif number <= 0.0:
-        message = f"`{setting.word}` must be greater than zero, {_found(number, dimension)}"
+        found = _quoted(body, setting, number, dimension)
+        message = f"`{setting.word}` must be greater than zero, found {found}"
         body.fail(kinds.OUT_OF_RANGE, setting, message)
     elif dimension == units.SHARE and number > 1.0:
-        message = f"`{setting.word}` is {number * 100:g} %, at most 100 % is allowed"
+        found = _quoted(body, setting, number, dimension)
+        message = f"`{setting.word}` is {found}, at most 100 % is allowed"
         body.fail(kinds.OUT_OF_RANGE, setting, message, "the share counts from the limits of the joints")
 
 
-def _found(number: float, dimension: units.Dimension) -> str:
-    return f"found {number * 100:g} %" if dimension == units.SHARE else f"found {number:g} {_SI[dimension]}"
+def _quoted(body: Body, setting: Setting, number: float, dimension: units.Dimension) -> str:
+    place = setting.value or setting
+    if dimension == units.SHARE:
+        return numerals.quoted(body, place, number * 100.0, "%")
+    return numerals.quoted(body, place, number, _SI[dimension])
 
 
 _SI = {
