@@ -201,7 +201,7 @@ def body_findings(
         )
         return
     a, b, c = moments = principal_moments(body.inertia)
-    if body.mass and a < -MOMENT_SLACK * max(c, -a):
+    if body.mass and a < -MOMENT_SLACK * c:
         yield kinds.NEGATIVE_INERTIA.at(
             of_inertia,
             f"{name} has the principal moments of inertia {a:.4g}, {b:.4g}, {c:.4g} kg·m², those of a "
@@ -213,8 +213,11 @@ def body_findings(
 
 def _drive(number: int, drive: Drive, place_of: PlaceOf) -> Iterator[Diagnostic]:
     for block in (drive.amplifier, drive.motor):
+        stated = {field.name for field in fields(block)}
         for name in (*_LIMITS_OF_DRIVES, *_WEIGHTS_OF_DRIVES):
-            value = float(getattr(block, name, 1.0))
+            if name not in stated:
+                continue
+            value = float(getattr(block, name))
             least = value > 0.0 if name in _LIMITS_OF_DRIVES else value >= 0.0
             if least and (value < inf or name in _OPEN_LIMITS):
                 continue

@@ -9,7 +9,7 @@ import pytest
 from ropsim import robots
 from ropsim.collision import Collisions, LeftOut, distance, in_collision
 from ropsim.kinematics import NotFiniteError, inverse
-from ropsim.model import Box, Cell, FixedObject, Mesh, Part, Rates, Shape, Station, Tool
+from ropsim.model import Box, Cell, FixedObject, Mesh, Part, Rates, Shape, Sphere, Station, Tool
 from ropsim.robots.standard_controller import standard_controller
 from ropsim.spatial import Array, Pose
 from ropsim.workbench.cell_collisions import CellCollisions
@@ -148,3 +148,35 @@ def test_a_tool_that_is_in_its_arm_at_rest_is_never_looked_at_against_it_and_tas
     told = "`link2` against the tool `jaws`, since they are in each other at rest"
     assert told in CellCollisions(drawn, {}).unchecked
     assert not any("at rest" in one for one in CellCollisions(cell(), {}).unchecked)
+
+
+def ball(name: str, radius: float, *position: float) -> FixedObject:
+    return FixedObject(name, Pose(np.array(position)), (Shape(Sphere(radius)),))
+
+
+@pytest.mark.parametrize("depth", [1e-3, 5e-6, -5e-6])
+def test_balls_meet_where_their_surfaces_do(depth: float) -> None:
+    """They are points with a margin: the points are apart, the balls are not."""
+    radius = 0.05
+    looked = Collisions(replace(cell(), objects=(ball("ball", radius, *(PLACE - [0, 0, radius - depth])),)))
+    pairs = {one.pair for one in looked.meetings(standing())}
+    assert pairs == ({("tool:jaws", "ball")} if depth > 0.0 else set())
+    nearest = looked.separation(standing()).nearest
+    assert nearest is not None
+    assert nearest.pair == ("tool:jaws", "ball")
+    assert nearest.distance == pytest.approx(-depth, abs=1e-7)
+
+
+def test_the_nearest_of_all_is_the_deepest_and_a_large_ball_is_nearer_than_its_centre() -> None:
+    table = block("table", (0.1, 0.1, 0.02), *(PLACE - [0.0, 0.0, 0.01 - 0.004]))
+    post = block("post", (0.02, 0.02, 0.02), *(PLACE - [0.0, 0.0, 0.01 - 0.007]))
+    for objects in ((table, post), (post, table)):
+        found = Collisions(replace(cell(), objects=objects)).separation(standing())
+        assert found.nearest is not None
+        assert found.nearest.other == "post"
+        assert found.distance == pytest.approx(-0.007, abs=1e-7)
+    near = block("near", (0.1, 0.1, 0.02), *(PLACE - [0.0, 0.0, 0.01 + 0.010]))
+    large = ball("large", 0.5, *(PLACE - [0.0, 0.0, 0.5 + 0.008]))
+    found = Collisions(replace(cell(), objects=(near, large))).separation(standing(), absent=["cube"])
+    assert found.nearest is not None
+    assert found.nearest.other == "large"

@@ -187,3 +187,23 @@ def test_a_corner_of_a_profile_that_bends_once_makes_one_cut() -> None:
         one.points[:, :2].tolist() for one in convexes(Shape(Revolve(((0.1, 0.0), (0.05, 0.1), (0.1, 0.2)))))
     ]
     assert runs == [[[0.1, 0.0], [0.05, 0.1]], [[0.05, 0.1], [0.1, 0.2]]]
+
+
+@pytest.mark.parametrize("distance", [0.7, 0.35, 0.29, 0.1])
+def test_the_nearest_points_of_two_balls_lie_on_each_of_them(distance: float) -> None:
+    """Along the line between their centres, at the radius of each, be they apart or in each other."""
+    small, large = 0.05, 0.25
+    way = distance * np.array([2.0, -1.0, 2.0]) / 3.0
+    near = two(Sphere(small), Sphere(large), Pose(way))
+    assert near.distance == pytest.approx(distance - small - large, abs=EXACT)
+    assert near.point_one == pytest.approx(way * small / distance, abs=EXACT)
+    assert near.point_other == pytest.approx(way * (1.0 - large / distance), abs=EXACT)
+
+
+@pytest.mark.parametrize("depth", [0.0, 0.01, 0.04])
+def test_a_bound_by_boxes_is_as_negative_as_the_boxes_are_deep(depth: float) -> None:
+    """Deeper pairs come before those that touch, in the order of their bounds."""
+    (box,) = convexes(Shape(Box((0.2, 0.3, 0.1))))
+    placed = SolidBodies({"one": (box,), "other": (box,)})
+    poses = {"one": np.eye(4), "other": Pose(np.array([0.05, 0.1, 0.1 - depth])).matrix()}
+    assert placed.bounds(placed.placed(poses), np.array([[0, 1]]))[0] == pytest.approx(-depth, abs=EXACT)

@@ -271,3 +271,29 @@ def test_two_processes_share_a_folder(folder: Path) -> None:
         wrong = pool.starmap(written_and_read, [(folder, b"a"), (folder, b"b")])
     assert wrong == [0, 0]
     assert not [path for path in (folder / "room").iterdir() if path.name.startswith(".")]
+
+
+def test_an_entry_of_another_room_is_none(kept: KeptFiles, folder: Path) -> None:
+    other = KeptFiles("hall", 1_000_000, LARGEST, lambda: folder)
+    other.keep(OTHER, ENTRY)
+    (folder / "hall" / NAME).write_bytes((folder / "room" / NAME).read_bytes())
+    assert (other.find(OTHER), other.find(NAME), kept.find(NAME)) == (ENTRY, None, ENTRY)
+
+
+def test_an_entry_as_large_as_one_may_be_is_kept(folder: Path) -> None:
+    kept = kept_in(folder)
+    kept.keep(NAME, bytes(LARGEST))
+    assert kept.find(NAME) == bytes(LARGEST)
+
+
+def test_a_full_room_keeps_all_and_one_beyond_that_is_left_three_quarters_full(folder: Path) -> None:
+    """So that not each new entry looks through all others: of 8 and one more, 3 go."""
+    size = 1000
+    sealed = size + 32
+    kept = kept_in(folder, most=8 * sealed)
+    for number in range(8):
+        kept.keep(f"k{number}", bytes(size))
+        os.utime(folder / "room" / f"k{number}", ns=(number, number))
+    assert {path.name for path in (folder / "room").iterdir()} == {f"k{number}" for number in range(8)}
+    kept.keep("k8", bytes(size))
+    assert {path.name for path in (folder / "room").iterdir()} == {f"k{number}" for number in range(3, 9)}

@@ -14,6 +14,7 @@ from ropsim.exchange import read_mjcf, read_urdf
 from ropsim.model import Joint, Link, Mechanism, ModelValueError, Part, Payload, RobotModel, Tool
 from ropsim.robotfile import read_robot_file
 from ropsim.spatial import Array, Pose, frozen
+from support.cylinders import CYLINDER
 
 ARM = robots.load("two_link")
 PUMA = robots.load("puma560")
@@ -269,3 +270,45 @@ def test_readers_refuse_such_a_body_with_its_place(read: Any, text: str) -> None
     assert found.span is not None
     line = text.splitlines()[found.span.line - 1]
     assert "inertia" in line or '"arm"' in line
+
+
+@pytest.mark.parametrize(("difference", "code"), [(1e-10, ""), (1e-8, "X862"), (1e-3, "X862")])
+def test_a_tensor_may_be_asymmetric_by_the_rounding_of_numbers_only(difference: float, code: str) -> None:
+    """The slack is 1e-9 of the largest entry, whatever the size of the body."""
+    for size in (1e-6, 1.0, 1e6):
+        inertia = size * np.array([[1.0, 0.1 + difference, 0.0], [0.1, 1.0, 0.0], [0.0, 0.0, 1.0]])
+        if code:
+            assert refused(with_link, inertia=inertia)[0] == code
+        else:
+            assert with_link(inertia=inertia).links[1].inertia[0, 1] == inertia[0, 1]
+
+
+@pytest.mark.parametrize(("least", "code"), [(-5e-4, ""), (-2e-3, "X974"), (-5e-3, "X974")])
+def test_a_moment_may_be_negative_by_the_rounding_of_files_only(least: float, code: str) -> None:
+    """Files round to three digits: a thousandth of the largest moment, whatever the size of the body."""
+    for size in (1e-6, 1.0, 1e6):
+        inertia = size * np.diag([1.0, least, 0.5])
+        if code:
+            assert refused(with_link, inertia=inertia)[0] == code
+        else:
+            assert with_link(inertia=inertia).links[1].inertia[1, 1] == inertia[1, 1]
+
+
+def test_moments_that_are_all_negative_are_refused() -> None:
+    assert refused(with_link, inertia=-1e-9 * np.eye(3))[0] == "X974"
+
+
+def test_a_current_without_a_limit_and_a_joint_without_friction_are_possible() -> None:
+    first = PUMA.drives[0]
+    still = replace(first.friction, viscous=0.0, coulomb_positive=0.0, coulomb_negative=0.0)
+    amplifier: Any = first.amplifier
+    free = replace(first, amplifier=replace(amplifier, max_current=inf), friction=still)
+    assert replace(PUMA, drives=(free, *PUMA.drives[1:])).drives[0] == free
+
+
+@pytest.mark.parametrize("value", [-0.1, nan, inf])
+def test_rod_and_piston_of_a_cylinder_weigh_something(value: float) -> None:
+    wrong = replace(PUMA.drives[0], motor=replace(CYLINDER, moving_mass=value))
+    code, message = refused(partial(replace, PUMA), drives=(wrong, *PUMA.drives[1:]))
+    assert code == "X975"
+    assert f"axis 1 has `moving_mass` = {value:g}, allowed is 0 or more" in message

@@ -31,7 +31,7 @@ X_ACROSS = np.array([[0.0, 0.0, 1.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]])
 X_ALONG = np.array([[0.0, -1.0, 0.0], [0.0, 0.0, 1.0], [-1.0, 0.0, 0.0]])
 """Rotations of the carriages, whose third axes are their ways."""
 FAR = 4.0
-"""There random ways begin, away from all bodies [m | rad]."""
+"""There random ways begin, away from all that is in the way [m | rad]."""
 SEEDS = 40
 """Number of random cases of each kind."""
 Rows = list[tuple[int, int]]
@@ -183,7 +183,7 @@ def test_the_depth_of_a_contact_is_the_greatest_of_its_rows_between_balls_on_any
 def test_the_depth_of_a_contact_is_the_greatest_of_its_rows_where_a_rod_turns_past_balls(seed: int) -> None:
     random = np.random.default_rng(seed)
     halves = np.array([0.5, *random.uniform(0.01, 0.1, 2)])
-    middle = np.array([random.uniform(0.0, 0.8), random.uniform(-0.1, 0.1), 0.0])
+    middle = np.array([random.uniform(0.45, 0.8), random.uniform(-0.1, 0.1), 0.0])
     turns = to_and_fro(random, 400)
     where = np.column_stack([random.uniform(0.2, 0.9, 2), random.uniform(0.2, 1.8, 2)])
     posts = tuple((np.array([r * np.cos(a), r * np.sin(a), 0.0]), 0.08) for r, a in where)

@@ -507,3 +507,21 @@ def test_names_of_points_are_those_of_the_tables_as_they_are_now(folder: Path) -
     (place / "c.csv").symlink_to(Path(__file__))
     assert asyncio.run(tables.look())
     assert list(tables.names) == ["p1", "\ufffd"]
+
+
+def test_edits_are_in_no_conflict_with_saves_that_overtake_them_one_after_the_other(folder: Path) -> None:
+    """The page hears of none of three saves, and all that it writes stands on the text from before them."""
+    documents = opened(folder)
+    base = documents.all[1].base
+    for version in range(1, 4):
+        documents.edit("programs/main.task", f"mine {version}\n", version, base)
+        assert not documents.all[1].conflict
+        assert save(documents, "programs/main.task") == ""
+
+
+def test_a_file_that_has_gone_is_written_anew_where_that_is_wanted(folder: Path) -> None:
+    documents = opened(folder)
+    documents.edit("programs/main.task", "mine\n", 1)
+    (folder / "programs" / "main.task").unlink()
+    assert save(documents, "programs/main.task", Overwriting.WANTED) == ""
+    assert (folder / "programs" / "main.task").read_bytes() == b"mine\r\n"  # as it had them last
