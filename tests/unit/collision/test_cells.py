@@ -180,3 +180,17 @@ def test_the_nearest_of_all_is_the_deepest_and_a_large_ball_is_nearer_than_its_c
     found = Collisions(replace(cell(), objects=(near, large))).separation(standing(), absent=["cube"])
     assert found.nearest is not None
     assert found.nearest.other == "large"
+
+
+def test_of_two_that_are_in_the_tool_the_deeper_one_counts_though_boxes_say_the_other_one() -> None:
+    """A block across cuts a corner of the jaws by 2 mm; the boxes along x, y, z overlap by 67 mm."""
+    n = np.array([1.0, 1.0, 0.0]) / np.sqrt(2.0)
+    reach = (0.02 + 0.03) / np.sqrt(2.0)
+    place = PLACE + (reach + 0.1 - 0.002) * n + [0.0, 0.0, 0.04]
+    turned = Pose(place, np.array([np.cos(np.pi / 8), 0.0, 0.0, np.sin(np.pi / 8)]))
+    across = FixedObject("across", turned, (Shape(Box((0.2, 0.2, 0.06))),))
+    post = block("post", (0.02, 0.02, 0.02), *(PLACE - [0.0, 0.0, 0.01 - 0.007]))
+    alone = Collisions(replace(cell(), objects=(across,))).separation(standing())
+    assert alone.distance == pytest.approx(-0.002, abs=1e-7)
+    found = Collisions(replace(cell(), objects=(across, post))).separation(standing())
+    assert found.distance == pytest.approx(-0.007, abs=1e-7)

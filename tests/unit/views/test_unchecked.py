@@ -159,11 +159,3 @@ def test_the_cycle_time_is_marked_wherever_it_stands_as_not_that_of_the_program(
     page = html_report(recording, summary, {})
     assert mark in page[page.index("cycle time") :]
     assert result_figures(summarize(pick_and_place(1))).cycle_time_by_hand == ""
-
-
-def test_a_zone_that_was_flown_is_none_of_those_that_were_not() -> None:
-    recording = zoned((3, 0.05), (7, 0.01))
-    flown = tuple(
-        replace(one, flown=0.02) if one.line == 3 else one for one in recording.events_of(MoveEvent)
-    )
-    assert summarize(replace(recording, events=flown)).unchecked.fine_stops == (7,)

@@ -1,11 +1,14 @@
 """How far a run can be relied on, in one word."""
 
+from dataclasses import replace
+
+import numpy as np
 import pytest
 
 from ropsim.core import Diagnostic, Severity, Span
 from ropsim.views import summarize, verdict
 from ropsim.views.verdict import Verdict
-from support.recordings import pick_and_place
+from support.recordings import facts, pick_and_place, station
 
 STOPPED = Diagnostic("S761", "run-stopped", Severity.HINT, "ended at 1 s")
 WARNED = Diagnostic("S731", "torque-saturated", Severity.WARNING, "joint `2` asks for 190 N·m of 186 N·m")
@@ -59,3 +62,33 @@ def test_a_collision_fails_the_run_and_the_deepest_one_is_named_first(
     assert (found.kind is Verdict.FAILED) == bool(lines)
     failed = verdict(summarize(pick_and_place(1, findings=(WRONG, *met)))).text
     assert ("collision" in failed) == bool(lines)
+
+
+@pytest.mark.parametrize(
+    ("margins", "said"),
+    [
+        ({}, "ran to the end, no errors, no warnings"),
+        ({1: 0.5}, "ran to the end, but joint 2 comes within 0.5° of the end of its range"),
+        ({1: -0.5}, "ran to the end, but joint 2 is 0.5° beyond the end of its range"),
+        (
+            {0: 0.9, 1: 0.5, 2: 0.7},
+            "ran to the end, but joint 2 comes within 0.5° of the end of its range, 2 more within 1° or 1 mm",
+        ),
+    ],
+)
+def test_joints_near_the_ends_of_their_ranges_make_a_run_doubtful(
+    margins: dict[int, float], said: str
+) -> None:
+    recording = pick_and_place(1)
+    q = recording.channels["q"].values
+    axes = tuple(
+        replace(
+            one,
+            lower=float(q[:, k].min()) - 1.0,
+            upper=float(q[:, k].max()) + np.radians(margins.get(k, 60.0)),
+        )
+        for k, one in enumerate(station().axes)
+    )
+    found = verdict(summarize(replace(recording, facts=facts(stations=(station(axes=axes),)))))
+    assert found.text == said
+    assert found.kind is (Verdict.DOUBTFUL if margins else Verdict.GOOD)
