@@ -74,5 +74,4 @@ from ropsim.controller.stretch_order import StretchOrder as StretchOrder
 from ropsim.controller.trigger_ticks import PlannedTrigger as PlannedTrigger
 from ropsim.controller.work_frames import WorkFrames as WorkFrames
 from ropsim.controller.zone_findings import NEXT_IS_SKIPPED as NEXT_IS_SKIPPED
-from ropsim.controller.zone_findings import is_of_zone as is_of_zone
 from ropsim.controller.zone_findings import stopped_by as stopped_by

@@ -54,7 +54,7 @@ def arm_bounds(robot: RobotModel, payload: Payload) -> ArmBounds:
 def slowed_findings(
     legs: Sequence[Leg], ends: Sequence[float], slowed: Sequence[Slowed], robot: RobotModel
 ) -> tuple[Diagnostic, ...]:
-    """Return M563 for each move that is slowed, at its slowest place; only at its first visit.
+    """Return M563 for each move that is slowed, at its slowest place.
 
     Args:
         legs: the moves.
@@ -70,7 +70,7 @@ def slowed_findings(
     return tuple(
         _slowed(legs[leg], part, robot.axis_joints[part.joint], ends[leg - 1] if leg else 0.0, ends[leg])
         for leg, part in sorted(worst.items())
-        if legs[leg].move.origin.visit == 1 and part.share < WORTH_SAYING
+        if part.share < WORTH_SAYING
     )
 
 

@@ -126,15 +126,16 @@ def limit_refusals(line: Line, q: Array, limits: JointRange) -> tuple[Diagnostic
 
 
 def end_findings(move: MoveInstruction, q_end: Array) -> tuple[Diagnostic, ...]:
-    """Return M514 where a line to joint coordinates ends in others; only at its first visit."""
+    """Return M514 where a line to joint coordinates ends in others."""
     target = move.target
-    if not isinstance(target, tuple) or move.origin.visit > 1:
+    if not isinstance(target, tuple):
         return ()
     if float(np.abs(q_end - np.array(target)).max()) <= _SAME_JOINTS:
         return ()
     finding = OTHER_JOINTS_AT_LINE_END.at(
         move.origin.span,
         "the line reaches the pose of the target, but with other joint coordinates",
+        label=passes(move.origin),
         hint="use PTP to reach exactly these joint coordinates",
     )
     return (finding,)

@@ -156,7 +156,7 @@ class StandardPathPlanner:
         if problems or isinstance(X_MT, Diagnostic):
             return Refusal(problems)
         findings = numeric_hint(move, self.robot)
-        if posed and move.origin.visit == 1:
+        if posed:
             findings = self._work.frame_findings(move.modal, span) + findings
         limits = move_limits(move.modal, self._limits, self.controller)
         return PlannedPath(None, None, limits, X_MT, findings)

@@ -6,6 +6,7 @@ from dataclasses import replace
 from ropsim.controller.leg import Leg
 from ropsim.controller.posture_wish import asked_of, difference
 from ropsim.controller.trouble import Trouble
+from ropsim.controller.wording import passes
 from ropsim.core import Diagnostic
 from ropsim.flow import MotionKind, MoveInstruction
 from ropsim.model import RobotModel
@@ -25,7 +26,7 @@ def without_wish(stretch: Sequence[MoveInstruction], number: int) -> list[MoveIn
 
 
 def in_the_way(robot: RobotModel, leg: Leg, free: Leg, trouble: Trouble) -> tuple[Diagnostic, ...]:
-    """Return M589 for a move that asks for a posture; only at its first visit.
+    """Return M589 for a move that asks for a posture.
 
     Args:
         robot: the arm.
@@ -34,12 +35,11 @@ def in_the_way(robot: RobotModel, leg: Leg, free: Leg, trouble: Trouble) -> tupl
         trouble: of the later path where it asks for the posture.
     """
     move = leg.move
-    if move.origin.visit > 1:
-        return ()
     finding = POSTURE_IN_THE_WAY.at(
         move.origin.span,
         f"{asked_of(move)}, which this move asks for, a later path cannot be followed",
         secondary=trouble.places,
+        label=passes(move.origin),
         notes=(trouble.words,),
         hint=f"leave that out: {difference(robot, free.q_end, leg.q_end)}, and it can be followed",
     )

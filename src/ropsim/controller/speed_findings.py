@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from functools import lru_cache
 
 from ropsim.controller.leg import Leg
+from ropsim.controller.wording import passes
 from ropsim.core import Diagnostic
 from ropsim.kinematics import speed_bound
 from ropsim.model import RobotModel
@@ -12,7 +13,7 @@ from ropsim.spatial import Pose
 
 
 def beyond_arm(legs: Sequence[Leg], robot: RobotModel) -> tuple[Diagnostic, ...]:
-    """Return M588 for each path of the tool with a speed that no motion of the arm has; at its first visit.
+    """Return M588 for each path of the tool with a speed that no motion of the arm has.
 
     Args:
         legs: the moves.
@@ -21,7 +22,7 @@ def beyond_arm(legs: Sequence[Leg], robot: RobotModel) -> tuple[Diagnostic, ...]
     return tuple(
         _beyond(leg, speed, bound)
         for leg in legs
-        if leg.tool is not None and leg.move.origin.visit == 1
+        if leg.tool is not None
         if (speed := leg.move.modal.path_speed) is not None
         if speed > (bound := _bound(robot, leg.planned.X_MT))
     )
@@ -37,6 +38,7 @@ def _beyond(leg: Leg, speed: float, bound: float) -> Diagnostic:
         leg.move.origin.span,
         f"the speed of {speed:.4g} m/s is beyond the arm: with this tool none of its motions is faster than "
         f"{bound:.2g} m/s",
+        label=passes(leg.move.origin),
         hint="give the speed that is meant; a unit behind it says which, as in `speed 250 mm/s`",
         data={"speed_m_s": speed, "bound_m_s": bound},
     )

@@ -141,15 +141,16 @@ def out_of_range(move: MoveInstruction, branches: Array, limits: JointRange) -> 
 def posture_change(
     move: MoveInstruction, robot: RobotModel, q_start: Array, q_end: Array
 ) -> tuple[Diagnostic, ...]:
-    """Return M511 for a move that cannot keep its posture; only at its first visit."""
+    """Return M511 for a move that cannot keep its posture."""
     before, after = posture(robot, q_start), posture(robot, q_end)
-    if move.origin.visit > 1 or before == after:
+    if before == after:
         return ()
     words = zip(solver_of(robot).parts, before.words, after.words, strict=True)
     changes = ", ".join(f"{part} from {old} to {new}" for part, old, new in words if old != new)
     finding = POSTURE_CHANGE.at(
         move.origin.span,
         f"the posture changes on the way: {changes}",
+        label=passes(move.origin),
         hint="the posture of the start does not reach the target within the joint limits",
     )
     return (finding,)
@@ -158,7 +159,7 @@ def posture_change(
 def posture_for_later(
     move: MoveInstruction, robot: RobotModel, q_nearest: Array, q_end: Array, why: Trouble
 ) -> tuple[Diagnostic, ...]:
-    """Return M585 for a move that takes another posture than the nearest one; only at its first visit.
+    """Return M585 for a move that takes another posture than the nearest one.
 
     Args:
         move: the instruction.
@@ -167,12 +168,11 @@ def posture_for_later(
         q_end: where it ends [rad | m], shape (n,).
         why: what would go ill behind it.
     """
-    if move.origin.visit > 1:
-        return ()
     finding = POSTURE_FOR_LATER.at(
         move.origin.span,
         f"{difference(robot, q_end, q_nearest)}, which is nearest, for the sake of a later move",
         secondary=why.places,
+        label=passes(move.origin),
         notes=(f"otherwise {why.words}",),
         hint="where another posture is wanted, name it with `config`, or shift the later move",
     )
@@ -180,9 +180,9 @@ def posture_for_later(
 
 
 def numeric_hint(move: MoveInstruction, robot: RobotModel) -> tuple[Diagnostic, ...]:
-    """Return M550 for a move that an arm solved numerically makes to a pose; at its first visit."""
+    """Return M550 for a move that an arm solved numerically makes to a pose."""
     posed = isinstance(move.target, Pose) or move.kind != MotionKind.PTP
-    if move.origin.visit > 1 or not posed or solver_of(robot).method is not Method.NUMERIC:
+    if not posed or solver_of(robot).method is not Method.NUMERIC:
         return ()
     finding = NO_CLOSED_FORM.at(
         move.origin.span,

@@ -3,6 +3,7 @@
 import numpy as np
 
 from ropsim.controller.moving_frames import MovingFrame
+from ropsim.controller.wording import passes
 from ropsim.core import Diagnostic
 from ropsim.flow import MoveInstruction, Side, Trigger
 from ropsim.kinematics import forward_batch
@@ -75,7 +76,7 @@ def trigger_ticks(
             places, unit, size = np.arange(len(behind)) * period, "s", trigger.time or 0.0
         whole = float(places[-1])
         wanted = size if trigger.side is Side.AFTER_START else whole - size
-        if not -_SLACK <= wanted <= whole + _SLACK and move.origin.visit == 1:
+        if not -_SLACK <= wanted <= whole + _SLACK:
             findings.append(_off_path(move, trigger, size, whole, unit))
         tick = min(int(np.searchsorted(places, wanted - _SLACK)), len(behind) - 1)
         planned.append(PlannedTrigger(trigger, first + tick))
@@ -90,6 +91,7 @@ def _off_path(move: MoveInstruction, trigger: Trigger, size: float, whole: float
         move.origin.span,
         f"`{trigger.channel}` is to be set {size * scale:g} {unit} {side}, the move is "
         f"{whole * scale:.4g} {unit} long: it is set at its {end}",
+        label=passes(move.origin),
         hint="give less, or put it on the move beside this one",
         data={"wanted": size, "whole": whole},
     )

@@ -1,6 +1,7 @@
 """What is said about the zones of a stretch."""
 
 from ropsim.controller.corners import Corner, Overlap, Stop
+from ropsim.controller.wording import passes
 from ropsim.core import Diagnostic
 from ropsim.flow import MoveInstruction
 from ropsim.motion import ZONE_CLIPPED, ZONE_STOPS
@@ -10,11 +11,6 @@ NEXT_IS_SKIPPED = "the next move is left out"
 
 _SAME = 1e-6
 """Share by which the zone that is flown may be smaller than the commanded one without a word."""
-
-
-def is_of_zone(finding: Diagnostic) -> bool:
-    """Return whether a finding says how a zone is flown, which may differ from pass to pass."""
-    return finding.code in (ZONE_STOPS.code, ZONE_CLIPPED.code)
 
 
 def clipped(move: MoveInstruction, corner: Corner) -> tuple[Diagnostic, ...]:
@@ -34,6 +30,7 @@ def clipped(move: MoveInstruction, corner: Corner) -> tuple[Diagnostic, ...]:
     finding = ZONE_CLIPPED.at(
         move.origin.span,
         f"the zone of {wanted * 1e3:g} mm is flown as {shown}",
+        label=passes(move.origin),
         hint=f"give `blend {zone * 1e3:.3g} mm`, or put the points further apart",
         data={"zone_m": wanted, "flown_m": zone},
     )
@@ -64,6 +61,7 @@ def _stops(move: MoveInstruction, why: str, hint: str) -> tuple[Diagnostic, ...]
     finding = ZONE_STOPS.at(
         move.origin.span,
         f"the arm stops here, {what}: {why}",
+        label=passes(move.origin),
         hint=hint,
         data={"zone_m": zone},
     )

@@ -47,7 +47,8 @@ class CellRun:
         watch: looks on.
         events: what happened.
         findings: what was found.
-        zones_reported: station, code and place of each finding on a zone: it is reported once.
+        planned_findings: station, code and place (else words) of the findings of plans: each is
+            reported once.
         placements: where each body hung at the start, and every change since.
         tracks: signals by the name of their channel, over ticks of the cell's clock.
         stop_tick: tick of the cell's clock from which on the run is ended by hand; None for its own end.
@@ -75,7 +76,7 @@ class CellRun:
     watch: Watch = field(default_factory=NobodyWatches)
     events: list[Event] = field(default_factory=list)
     findings: list[Diagnostic] = field(default_factory=list)
-    zones_reported: set[tuple[str, str, Span | None]] = field(default_factory=set)
+    planned_findings: set[tuple[str, str, Span | str]] = field(default_factory=set)
     placements: list[Placement] = field(default_factory=list)
     tracks: dict[str, Track] = field(default_factory=dict)
     stop_tick: int | None = None

@@ -7,7 +7,6 @@ from ropsim.controller import (
     MotionPlan,
     PlannedMove,
     StretchOrder,
-    is_of_zone,
     stopped_by,
 )
 from ropsim.core import Diagnostic
@@ -63,12 +62,11 @@ def move(run: CellRun, at: StationRun, stretch: Stretch, world: SimulatedWorld) 
 
 
 def _report(run: CellRun, at: StationRun, findings: Sequence[Diagnostic]) -> None:
-    """Add findings of a plan to those of the run; what becomes of a zone only at the first pass with it."""
+    """Add findings of a plan to those of the run: of a line each kind once, at the first pass with it."""
     for one in findings:
-        if not is_of_zone(one):
-            run.findings.append(one)
-        elif (place := (at.station.name, one.code, one.span)) not in run.zones_reported:
-            run.zones_reported.add(place)
+        key = (at.station.name, one.code, one.span or one.message)
+        if key not in run.planned_findings:
+            run.planned_findings.add(key)
             run.findings.append(one)
 
 

@@ -157,7 +157,8 @@ def test_a_posture_change_is_a_hint_and_takes_the_shortest_way() -> None:
         planned(ptp(tuple(q)), q_start).duration for q in (*solutions.solutions, *np.vstack(solutions.turns))
     ]
     assert move.duration == min(times)
-    assert planned(ptp(goal, visit=2), q_start).findings == ()
+    (again,) = planned(ptp(goal, visit=2), q_start).findings
+    assert again == replace(move.findings[0], label="reached in pass 2")
 
 
 TWO_LINK = robots.load("two_link")
@@ -180,7 +181,7 @@ def test_an_arm_of_two_joints_moves_to_joint_coordinates_and_to_poses_that_it_ha
         assert planned(ptp(goal), np.zeros(2), TWO_LINK_CHAIN).q_end.tolist() == list(goal)
         move = planned(ptp(forward(TWO_LINK, goal)), np.array([0.2, 0.1]), TWO_LINK_CHAIN)
         np.testing.assert_allclose(move.q_end, goal, atol=1e-9)
-        assert [one.code for one in move.findings] == []
+        assert [one.code for one in move.findings] == ([] if goal[1] > 0.0 else ["M511"])
 
 
 def test_a_line_that_an_arm_of_two_joints_cannot_follow_is_refused_where_it_leaves_its_poses() -> None:
@@ -197,7 +198,6 @@ def test_an_arm_solved_numerically_moves_to_poses_and_on_lines_with_a_hint() -> 
         move = planned(make(forward(arm, goal), visit=1), q_start, chain)
         np.testing.assert_allclose(move.q_end, goal, atol=1e-6)
         assert "M550" in [one.code for one in move.findings]
-        assert "M550" not in [one.code for one in planned(make(forward(arm, goal)), q_start, chain).findings]
     assert planned(ptp(tuple(goal), visit=1), q_start, chain).findings == ()
     far = replace(forward(arm, goal), position=np.array([9.0, 0.0, 0.0]))
     found = refused(ptp(far), q_start, chain)

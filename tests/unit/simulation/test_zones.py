@@ -185,3 +185,18 @@ def test_a_zone_before_a_move_that_is_left_out_is_listed() -> None:
 
 def test_the_zone_of_a_move_that_is_left_out_is_not_listed() -> None:
     assert unflown(recorded((SQUARE[0], "lin (900, 900, 900) blend 30 mm"))) == []
+
+
+def test_a_finding_of_a_later_pass_only_is_listed_once_with_its_pass() -> None:
+    """The first way is 110 mm long, those of the other passes 10 mm."""
+    lines = (
+        "mov (500, -200, 300)",
+        "for i = 1 to 4",
+        "  lin (500, -100 + 10 * i, 300) speed 100 mm/s at 50 mm after start do set lamp on",
+        "endf",
+    )
+    (found,) = recorded(lines).findings
+    assert (found.code, found.label) == ("M565", "reached in pass 2")
+    assert found.span is not None
+    assert found.span.line == 5
+    assert "the move is 10 mm long" in found.message
