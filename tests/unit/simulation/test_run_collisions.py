@@ -12,8 +12,9 @@ import ropsim
 from ropsim.collision import Collisions
 from ropsim.flow import Recording
 from ropsim.model import Box, Cell, FixedObject, Mesh, Prism, Shape
-from ropsim.simulation import run_collisions
+from ropsim.simulation import Fidelity, RunOptions, run, run_collisions
 from ropsim.spatial import Pose
+from ropsim.workbench import environment_of
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
 
@@ -72,6 +73,28 @@ def test_the_least_distance_is_that_of_every_recorded_state_looked_at_alone(heig
         for q in recording.channels["q"].values[::10]:
             least = min(least, alone.separation(q, absent=absent).distance)
     assert found.facts.clearance.distance <= least + 1e-9
+
+
+def standing(command: str) -> Recording:
+    cell, _ = carried_out()
+    compiled = ropsim.language.compile(f"program stand\nunits s\n{command}", environment_of(cell))
+    assert compiled.icr is not None
+    return run(cell, {cell.first.name: compiled.icr}, RunOptions(Fidelity.KINEMATIC))
+
+
+def test_a_run_that_takes_no_time_is_checked_where_the_arm_stands() -> None:
+    cell, recording = carried_out()
+    still, waiting = standing("print 1"), standing("wait 0.1 s")
+    assert len(still.time) == 1
+    free, later = (run_collisions(one, cell).facts.clearance for one in (still, waiting))
+    assert free is not None
+    assert later is not None
+    assert (free.one, free.other, free.distance) == (later.one, later.other, later.distance)
+    place = recording.channels["attained_position"].values[0]
+    at_tip = with_block(0.1, cell.first.X_WB.matrix()[:3, :3] @ place + cell.first.X_WB.position)
+    met = run_collisions(still, at_tip).facts.met
+    assert any("block" in (pair.one, pair.other) for pair in met)
+    assert met == run_collisions(waiting, at_tip).facts.met
 
 
 def test_a_collision_with_a_mesh_says_that_its_hollows_are_filled() -> None:

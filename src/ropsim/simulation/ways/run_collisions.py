@@ -15,7 +15,6 @@ from ropsim.simulation.ways.findings import contact_findings, without_contact_fi
 from ropsim.simulation.ways.intents import intended
 from ropsim.simulation.ways.tracks import tracks
 
-LEAST_ROWS = 2
 COLLISIONS = "collisions"
 """What `checked` of a recording calls the check."""
 
@@ -86,7 +85,7 @@ def run_collisions(
         met=tuple(BodyPair(*one) for one in sorted(kept)),
         required=cell.clearance,
     )
-    if not len(looked.pairs) or len(recording.time) < LEAST_ROWS:
+    if not len(looked.pairs) or not len(recording.time):
         return RunCollisions((), facts)
     seen = nearest(solids, looked, recording, progress)
     found = contacts_of(solids, looked, seen, recording, cell, at_start)
