@@ -17,8 +17,8 @@ from ropsim.studio.workers import Task, WorkerLink
 QUIET = 0.25
 """How long the text must rest before it is simulated [s]."""
 
-PATIENCE = 60.0
-"""How long the simulator may take to give a job up before it is ended [s]; compiling an arm takes long."""
+PATIENCE = 180.0
+"""How long the simulator may take to give up a job before it is ended [s]: a function compiles for long."""
 
 PACKS_KEPT = 3
 """Finished runs that a page can still fetch."""
@@ -326,7 +326,7 @@ class Runs:
     def _end_deaf(self, current: Current) -> None:
         """End a simulator that has not given up its job, nor has gone on under another number."""
         if self._current is current:
-            self._simulator.kill()
+            self._simulator.kill(f"it has not given up an older run within {PATIENCE:g} s")
 
     def _drop_next(self) -> None:
         self._next = None

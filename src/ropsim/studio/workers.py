@@ -1,9 +1,10 @@
 """Jobs for a worker process, from the event loop: send, follow, await; a dead worker is replaced."""
 
 import asyncio
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import field
 from itertools import count
+from typing import Literal
 
 from ropsim.core import frozen_dataclass
 from ropsim.studio.jobs import (
@@ -62,6 +63,7 @@ class WorkerLink:
         self._tasks: dict[int, Task] = {}
         self._pipe: Pipe | None = None
         self._asked_to_die = False
+        self._why = ""
         self._closed = False
 
     def start(self) -> None:
@@ -90,10 +92,14 @@ class WorkerLink:
         if task.number in self._tasks:
             self._send(Request(task.number, order))
 
-    def kill(self) -> None:
-        """End the process at once, whatever it does; its jobs fail and the next job starts a new one."""
+    def kill(self, why: str = "") -> None:
+        """End the process at once, whatever it does; its jobs end too, and the next job starts a new one.
+
+        Args:
+            why: it is ended, for users.
+        """
         if self._pipe is not None:
-            self._asked_to_die = True
+            self._asked_to_die, self._why = True, why
             self._pipe.kill()
 
     async def close(self) -> None:
@@ -135,13 +141,14 @@ class WorkerLink:
         if pipe is not self._pipe:
             return
         self._pipe = None
-        words = f"the {self._name} has ended unexpectedly ({_exit_words(code)})"
         tasks, self._tasks = self._tasks, {}
-        for task in tasks.values():
-            if not task.reply.done():
-                task.reply.set_result(_failure(task.job, words))
-        if not self._asked_to_die:
-            self._lost(words)
+        if self._asked_to_die:
+            words = f"the {self._name} has been ended{': ' if self._why else ''}{self._why}"
+            _end(tasks.values(), words, "cancelled")
+            return
+        words = f"the {self._name} has ended unexpectedly ({_exit_words(code)})"
+        _end(tasks.values(), words, "failed")
+        self._lost(words)
 
 
 def _on_loop(loop: asyncio.AbstractEventLoop, call: Callable[[], None]) -> None:
@@ -152,9 +159,15 @@ def _on_loop(loop: asyncio.AbstractEventLoop, call: Callable[[], None]) -> None:
             raise
 
 
-def _failure(job: Job, words: str) -> Reply:
+def _end(tasks: Iterable[Task], words: str, state: Literal["failed", "cancelled"]) -> None:
+    for task in tasks:
+        if not task.reply.done():
+            task.reply.set_result(_failure(task.job, words, state))
+
+
+def _failure(job: Job, words: str, state: Literal["failed", "cancelled"] = "failed") -> Reply:
     if isinstance(job, Simulate | LiveStart):
-        return RunReply("failed", job.program, words)
+        return RunReply(state, job.program, words)
     return Failed(words)
 
 

@@ -60,10 +60,9 @@ def test_a_worker_that_dies_fails_its_job_in_words_and_the_next_job_has_a_new_on
 
 def test_a_worker_that_does_not_listen_is_ended_on_request(tmp_path: Path) -> None:
     async def use(link: WorkerLink) -> None:
-        task = link.submit(simulate("deaf"), lambda _: link.kill())
+        task = link.submit(simulate("deaf"), lambda _: link.kill("it does not listen"))
         reply = await task.reply
-        assert isinstance(reply, jobs.RunReply)
-        assert reply.state == "failed"
+        assert reply == jobs.RunReply("cancelled", "deaf", "the toy has been ended: it does not listen")
 
     assert with_link(tmp_path, use) == []  # nobody is told of what was asked for
 
