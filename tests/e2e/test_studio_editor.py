@@ -338,6 +338,18 @@ def test_undo_in_the_editor_takes_back_typing_only(fresh: StudioPage) -> None:
     views.select_option("Four views")
 
 
+def test_ctrl_enter_in_the_text_simulates_and_leaves_the_text_alone(fresh: StudioPage) -> None:
+    before = fresh.state()
+    text = fresh.page.evaluate("() => __ropsim.text('programs/main.task')")
+    fresh.line(3).click()
+    fresh.page.keyboard.press("Control+Enter")
+    fresh.rerun(before["shown"])
+    after = fresh.state()
+    assert after["run"] > before["run"]
+    assert fresh.page.evaluate("() => __ropsim.text('programs/main.task')") == text
+    assert after["unsaved"] == []
+
+
 def test_each_text_keeps_its_own_history(fresh: StudioPage) -> None:
     fresh.renew()
     fresh.insert(2, " # first")

@@ -1,9 +1,8 @@
 /** The text editor of the studio: one view, one history per document, marks of the run and of the compiler. */
-import { closeBracketsKeymap } from '@codemirror/autocomplete'
-import { defaultKeymap, history, historyKeymap, indentWithTab, redo, undo } from '@codemirror/commands'
-import { bracketMatching, codeFolding, foldGutter, foldKeymap, indentUnit } from '@codemirror/language'
+import { history, redo, undo } from '@codemirror/commands'
+import { bracketMatching, codeFolding, foldGutter, indentUnit } from '@codemirror/language'
 import { lintGutter } from '@codemirror/lint'
-import { highlightSelectionMatches, search, searchKeymap } from '@codemirror/search'
+import { highlightSelectionMatches, search } from '@codemirror/search'
 import { Compartment, EditorState, type Extension } from '@codemirror/state'
 import {
   drawSelection,
@@ -23,11 +22,11 @@ import type { StudioStore, Wrap } from '../studio/state'
 import type { WayBack } from '../studio/text_desk'
 import { resultWords } from '../text/line_results'
 import { commandOf } from './edit_actions'
+import { editorKeys } from './editor_keymap'
 import { External, takenOver } from './external'
 import { showFound } from './found_marks'
 import { LanguageClient } from './language_client'
 import { closesLateWords } from './late_words'
-import { breakLine } from './line_break'
 import { LineEnds } from './line_ends'
 import type { LineInSight } from './line_in_sight'
 import { lineMarks, type MarkedLines, showMarks } from './marks'
@@ -53,6 +52,8 @@ export interface EditorDocument extends OpenedDocument {
 export interface ProgramEditorOptions {
   /** Address of the language server's socket. */
   readonly server: string
+  /** Keys of commands that act while text is typed, as `Ctrl+Enter`: the editor leaves them alone. */
+  readonly taken: () => ReadonlySet<string>
   readonly onChange: (document: string, text: string) => void
   /** The user has put the cursor on another line (from 1). */
   readonly onLine: (document: string, line: number) => void
@@ -314,15 +315,7 @@ export class ProgramEditor {
       tooltips({ parent: this.#view.dom.closest('main') ?? window.document.body }),
       LANGUAGES[document.language]?.() ?? [],
       this.#language.extension(document),
-      keymap.of([
-        ...closeBracketsKeymap,
-        { key: 'Enter', run: breakLine, shift: breakLine },
-        ...searchKeymap,
-        ...historyKeymap,
-        ...foldKeymap,
-        ...defaultKeymap,
-        indentWithTab,
-      ]),
+      keymap.of(editorKeys(this.#options.taken())),
       theme,
       refusalsOfThisText,
       // What scrolls must take the keyboard, also by the letter of the rule.

@@ -40,6 +40,7 @@ function optionsOf(studio: Studio) {
   const scheme = location.protocol === 'https:' ? 'wss' : 'ws'
   return {
     server: `${scheme}://${location.host}/ws/lsp`,
+    taken: () => studio.commands.keysOverText,
     onChange: (document: string, text: string) => studio.edit(document, text),
     onLine: (document: string, line: number) => studio.showLine(document, line),
     onProblems: (...checked: Parameters<Studio['setChecked']>) => studio.setChecked(...checked),

@@ -29,6 +29,11 @@ export class Commands {
     return [...this.#commands.values()]
   }
 
+  /** Keys that act while text is typed; a text field must leave them alone. */
+  get keysOverText(): ReadonlySet<string> {
+    return new Set(this.all.filter(one => !one.textKeeps).flatMap(one => one.keys.filter(actsWhileTyping)))
+  }
+
   /** Add a command; returns the way to take it out again. Two commands cannot share a key. */
   add(command: StudioCommand): () => void {
     if (this.#commands.has(command.id)) throw new Error(`there is a command ${command.id} already`)
