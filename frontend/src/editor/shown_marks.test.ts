@@ -76,3 +76,15 @@ test('marks move with the text and are new marks from there', () => {
   expect(view.marks[0]).not.toBe(FIX)
   expect(view.marks.map(one => [one.from, one.to])).toEqual([[2, 6]])
 })
+
+test('a mark whose text is gone leaves no sign beside the line', () => {
+  const view = new Shown()
+  view.put(FAR)
+  view.dispatch({ changes: { from: 17, to: 25 } })
+  expect(view.marks).toEqual([])
+  view.put()
+  const last = view.sent.at(-1) as Transaction
+  expect(last.effects.some(one => one.is(setDiagnosticsEffect))).toBe(true)
+  view.put()
+  expect(view.sent).toHaveLength(3)
+})

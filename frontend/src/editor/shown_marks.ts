@@ -15,11 +15,16 @@ interface Placed {
   readonly to: number
 }
 
+/** How many marks were put into a view the last time: one whose text is gone is no longer found, its sign beside the line is still there. */
+const put = new WeakMap<EditorView, number>()
+
 /** Show these marks in the place of those shown now; equal ones stay the same objects. */
 export function putMarks(view: EditorView, marks: readonly Diagnostic[]): void {
   const before = placedMarks(view.state)
   const after = marks.map(mark => before.find(one => isSame(one, mark))?.mark ?? mark)
-  if (after.length === before.length && before.every(({ mark }) => after.includes(mark))) return
+  const isWhole = before.length === (put.get(view) ?? 0)
+  if (isWhole && after.length === before.length && before.every(({ mark }) => after.includes(mark))) return
+  put.set(view, after.length)
   view.dispatch(setDiagnostics(view.state, after))
 }
 
