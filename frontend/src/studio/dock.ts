@@ -150,10 +150,12 @@ export class Dock {
     const tall = this.#api.height
     const small = isSmallWindow() ? BESIDE_SMALL_VIEW[preset] : undefined
     if (small) {
-      const main = right(small.main, besideView(wide, tall))
-      for (const kind of small.behind) within(kind, main)
-      const states = below('states', main, Math.max(SIX_JOINTS, tall * 0.46))
+      const main = right(small.main, Math.max(besideView(wide, tall), small.least.width))
+      const six = Math.max(SIX_JOINTS, tall * 0.46)
+      const isLow = tall - six < small.least.height
+      const states = isLow ? within('states', main) : below('states', main, six)
       for (const kind of small.below) within(kind, states)
+      for (const kind of small.behind) within(kind, main)
     } else if (preset === 'simulate') {
       const program = right('program', Math.max(300, Math.min(620, wide * 0.4)))
       const states = below('states', program, tall * 0.46)
@@ -231,21 +233,36 @@ export class Dock {
   }
 }
 
-/** What stands beside the views in a small window: the main panel with others behind it, and those below with the states. */
-const BESIDE_SMALL_VIEW: Partial<
-  Record<
-    DockPreset,
-    { readonly main: PanelKind; readonly behind: readonly PanelKind[]; readonly below: readonly PanelKind[] }
-  >
-> = {
+/** What stands beside the views in a small window. */
+interface SmallColumn {
+  readonly main: PanelKind
+  readonly behind: readonly PanelKind[]
+  /** With the states: below the main panel, or behind it where it would be too low above them. */
+  readonly below: readonly PanelKind[]
+  /** What the main panel needs with its tabs to be of use, before joints and view have theirs [px]. */
+  readonly least: { readonly width: number; readonly height: number }
+}
+
+const BESIDE_SMALL_VIEW: Partial<Record<DockPreset, SmallColumn>> = {
   simulate: {
     main: 'program',
     behind: [],
     below: ['problems', 'messages', 'jog', 'signals', 'cell', 'plot', 'command'],
+    least: { width: 190, height: 90 },
   },
-  analyse: { main: 'plot', behind: ['program'], below: ['problems'] },
-  operate: { main: 'signals', behind: ['program'], below: ['jog', 'command'] },
-  tasks: { main: 'tasks', behind: ['program'], below: ['jog', 'problems'] },
+  analyse: { main: 'plot', behind: ['program'], below: ['problems'], least: { width: 190, height: 90 } },
+  operate: {
+    main: 'signals',
+    behind: ['program'],
+    below: ['jog', 'command'],
+    least: { width: 270, height: 245 },
+  },
+  tasks: {
+    main: 'tasks',
+    behind: ['program'],
+    below: ['jog', 'problems'],
+    least: { width: 304, height: 330 },
+  },
 }
 /** Share of the page that the views take in a small window. */
 const VIEW_SHARE = 0.41
@@ -257,7 +274,7 @@ const ABOVE_VIEW = 92
 /** Width of what stands beside the views in a small window [px]. */
 function besideView(wide: number, tall: number): number {
   const view = (VIEW_SHARE * window.innerWidth * window.innerHeight) / Math.max(1, tall - ABOVE_VIEW)
-  return Math.max(190, Math.min(wide - view, wide * 0.4))
+  return Math.min(wide - view, wide * 0.4)
 }
 
 /** Whether the keyboard is in a group: in its tabs, or in a panel that may be drawn above and not inside it. */

@@ -74,7 +74,13 @@ export function TasksPanel() {
         >
           {isChoosing && steps.length > 0 ? taskWords.closeCatalogue : taskWords.add}
         </button>
-        <button type="button" disabled={!undo.next} onClick={() => undo.undo()}>
+        <button
+          type="button"
+          className="undo"
+          title={words.undo(undo.next)}
+          disabled={!undo.next}
+          onClick={() => undo.undo()}
+        >
           {words.undo(undo.next)}
         </button>
         <button type="button" disabled={steps.length === 0} onClick={() => tasks.clear(taskWords.cleared)}>
@@ -190,7 +196,7 @@ function Summary() {
         <span className="warning">{estimate.message}</span>
       ) : null}
       {answer.unchecked ? (
-        <span className="quiet">
+        <span className="quiet" title={answer.unchecked}>
           <Marked text={answer.unchecked} />
         </span>
       ) : null}
