@@ -179,6 +179,21 @@ def test_the_panel_of_each_layout_shows_its_first_row_or_control_whole(
         assert boxes(page)["joints"] >= JOINTS
 
 
+@pytest.mark.parametrize("window", [SMALL, ZOOMED, USUAL])
+def test_all_figures_of_the_strip_are_in_sight(
+    operator: Studio, open_undrawn: Pages, window: "ViewportSize"
+) -> None:
+    page = StudioPage.opened(open_undrawn, operator.url, viewport=window)
+    values = page.page.locator(".result .tile .value")
+    assert values.count() >= 6
+    for value in values.all():
+        box = value.bounding_box()
+        assert box
+        assert box["width"] > 0
+        assert box["x"] >= 0
+        assert box["x"] + box["width"] <= window["width"]
+
+
 def arrange(page: StudioPage, layout: str) -> None:
     """Put the panels where a layout has them."""
     page.page.evaluate("layout => __ropsim.command(`view.preset.${layout}`)", layout)

@@ -62,7 +62,7 @@ function TileButton({ tile }: { tile: Tile }) {
       type="button"
       className={`tile ${tone}`}
       aria-label={words.go(label, value, detail)}
-      title={words.goTitle}
+      title={words.go(label, value, detail)}
       disabled={time === null && line === 0 && id !== 'findings'}
       onClick={act}
     >

@@ -38,5 +38,4 @@ export const resultWords = {
           .join(', '),
   go: (label: string, value: string, detail: string) =>
     `${label}: ${value}${detail ? `, ${detail}` : ''}. Go to where it arises`,
-  goTitle: 'Go to where it arises',
 } as const
