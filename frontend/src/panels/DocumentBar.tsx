@@ -3,6 +3,7 @@ import type { KeyboardEvent } from 'react'
 import { useStudio, useStudioState } from '../studio/context'
 import { programIn, stationOf } from '../studio/document_names'
 import type { StudioDocument } from '../studio/documents'
+import { ranInstead } from '../studio/run_mark'
 import { words } from './editor_words'
 
 /** With more texts than these a list takes the place of tabs. */
@@ -17,6 +18,7 @@ export function DocumentBar({ documents, shown }: DocumentsProps) {
   const studio = useStudio()
   const editing = useStudioState(state => state.editing)
   const stale = useStudioState(state => state.stale)
+  const ran = useStudioState(state => ranInstead(state, studio.run?.stations ?? []))
   const other = useStudioState(state => {
     const own = programIn(state.document, state.programs)
     const ran = state.shown > 0 ? (studio.run?.stations ?? []) : []
@@ -34,7 +36,7 @@ export function DocumentBar({ documents, shown }: DocumentsProps) {
       ) : null}
       {stale ? (
         <span className="program-stale" title={words.stale}>
-          {words.staleShort}
+          {ran ? words.staleOf(ran) : words.staleShort}
         </span>
       ) : null}
       <button

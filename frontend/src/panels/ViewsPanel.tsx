@@ -3,6 +3,7 @@ import { useEffect, useRef, useState } from 'react'
 import type { StageState } from '../scene/settings'
 import { Stage } from '../scene/stage'
 import { useStudio, useStudioState } from '../studio/context'
+import { ranInstead } from '../studio/run_mark'
 import { isDark, onScheme } from '../style/scheme'
 import { words } from '../text/messages'
 import { GhostBar } from './GhostBar'
@@ -67,14 +68,17 @@ export function ViewsPanel() {
   )
 }
 
-/** Over the picture: that it is old, what its ghost shows. */
+/** Over the picture: that it is old or of another program, what its ghost shows. */
 function StageBadges() {
+  const studio = useStudio()
   const stale = useStudioState(state => state.stale)
   const older = useStudioState(state => state.older && !state.stale)
+  const ran = useStudioState(state => ranInstead(state, studio.run?.stations ?? []))
   const broken = useStudioState(state => state.scene !== null && state.cellBroken)
   return (
     <div className="stage-badges">
-      {stale ? <span className="badge warning">{words.run.stale}</span> : null}
+      {stale ? <span className="badge warning">{ran ? words.run.staleOf(ran) : words.run.stale}</span> : null}
+      {ran && !stale ? <span className="badge warning">{words.run.runOf(ran)}</span> : null}
       {older ? <span className="badge warning">{words.run.older}</span> : null}
       {broken ? <span className="badge error">{words.views.oldCell}</span> : null}
       <GhostBar />

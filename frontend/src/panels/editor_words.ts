@@ -20,6 +20,7 @@ export const words = {
   readOnly: 'Read only: another tab edits this project.',
   stale: 'The text has changed; marks and ghost show the last valid run.',
   staleShort: 'results of the last valid run',
+  staleOf: (program: string) => `last valid run, of ${program}`,
   problems: (count: number, all: number) =>
     count === all ? `${count} ${count === 1 ? 'problem' : 'problems'}` : `${count} of ${all} problems`,
   title: (count: number) => (count === 0 ? 'Problems' : `Problems (${count})`),

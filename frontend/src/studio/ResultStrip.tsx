@@ -3,33 +3,32 @@ import { resultWords as words } from '../text/result'
 import { useStudio, useStudioState } from './context'
 import { useUnits } from './hooks'
 import { type Tile, tilesOf } from './result_tiles'
+import { runMark } from './run_mark'
 
 export function ResultStrip() {
   const studio = useStudio()
   const shown = useStudioState(state => state.shown)
   useStudioState(state => state.looked)
-  const stale = useStudioState(state => state.stale)
-  const changed = useStudioState(state => state.changed)
-  const older = useStudioState(state => state.older)
+  // The run of the moment may be replaced without any of its words changing: `shown` says so.
+  const mark = useStudioState(state => runMark(state, studio.run?.stations ?? []))
   const live = useStudioState(state => state.live !== null && state.live.state !== 'over')
   useUnits()
   const run = shown > 0 ? studio.run : null
   const result = run?.result
   return (
-    <section className={stale || changed ? 'result stale' : 'result'} aria-label={words.strip}>
+    <section className={mark ? 'result stale' : 'result'} aria-label={words.strip}>
       {run && result ? (
         <>
           <div
             className={`verdict ${result.verdict.kind}`}
-            title={`${result.verdict.text}\n${result.unchecked}`}
+            title={`${mark ? `${mark} – ` : ''}${result.verdict.text}\n${result.unchecked}`}
           >
             <strong>
               <span role="img" aria-label={words.spoken[result.verdict.kind]}>
                 {words.signs[result.verdict.kind]}
               </span>{' '}
-              {older && !stale ? <em>{words.older} – </em> : null}
+              {mark ? <em>{mark} – </em> : null}
               {result.verdict.text}
-              {stale || (changed && !older) ? <em> – {stale ? words.stale : words.changed}</em> : null}
             </strong>
             <span className="unchecked">{result.unchecked}</span>
           </div>

@@ -206,8 +206,11 @@ export class Receiver {
     // those of a finished run come with it.
     if (status.state !== 'done') studio.setFindings('compile', status.findings, texts)
     if (status.planned) studio.setFindings('run', [])
-    if (status.state === 'done') studio.store.setState({ finished: status.id, results: status.results })
-    if (status.state === 'done') void studio.runs.take(status.id, texts, status.age)
+    if (status.state === 'done') {
+      const finishedProgram = status.program
+      studio.store.setState({ finished: status.id, finishedProgram, results: status.results })
+    }
+    if (status.state === 'done') void studio.runs.take(status.id, texts, status.age, status.program)
     const { run } = studio
     // What is said of a text that has been typed back meanwhile is no news.
     const now = studio.desk.now()
@@ -230,6 +233,6 @@ export class Receiver {
     const studio = this.#studio
     studio.cursor.pause()
     studio.cursor.setLoop(null)
-    studio.runs.startLive(message, studio.desk.now())
+    studio.runs.startLive(message, studio.desk.now(), studio.store.getState().live?.program)
   }
 }

@@ -27,6 +27,8 @@ export interface RunTexts {
   readonly texts: Texts
   /** Of an older text: a live run stays the result where the text was changed beside it. */
   readonly age: RunAge
+  /** Name of the program that ran; empty for commands. */
+  readonly program: string
   /** Of a program, or of commands that were typed one by one. */
   readonly of: 'program' | 'commands'
 }
@@ -43,7 +45,7 @@ export class Runs {
   /** What is said of a run whose ways have been looked at, which may not be here yet. */
   #ways: RunWays | null = null
   /** The run that is on its way, and the one that is shown. */
-  #wanted: RunTexts = { id: 0, texts: NOW, age: 'newest', of: 'program' }
+  #wanted: RunTexts = { id: 0, texts: NOW, age: 'newest', program: '', of: 'program' }
   #shown = this.#wanted
   #frames = 0
   #latency = Number.NaN
@@ -92,14 +94,14 @@ export class Runs {
   }
 
   /** A run is done: fetch it and show it, unless a newer one is done before it is here. */
-  async take(id: number, texts: Texts = NOW, age: RunAge = 'newest'): Promise<void> {
-    this.#wanted = { id, texts, age, of: 'program' }
+  async take(id: number, texts: Texts = NOW, age: RunAge = 'newest', program = ''): Promise<void> {
+    this.#wanted = { id, texts, age, program, of: 'program' }
     await this.#take(++this.#newest, () => fetchPack('run', id))
   }
 
   /** The robot of the command line has carried out a command: fetch the run of all and show it. */
   async takeCommands(id: number): Promise<void> {
-    this.#wanted = { id: 0, texts: NOW, age: 'newest', of: 'commands' }
+    this.#wanted = { id: 0, texts: NOW, age: 'newest', program: '', of: 'commands' }
     await this.#take(++this.#newest, () => fetchPack('told', id))
   }
 
@@ -122,13 +124,13 @@ export class Runs {
     }
   }
 
-  startLive(layout: LiveLayout, texts: Texts = NOW): void {
+  startLive(layout: LiveLayout, texts: Texts = NOW, program = ''): void {
     if (!this.#scene) return
     this.#newest += 1
     this.#live = new LiveRun(this.#scene, layout)
     this.#frames = 0
     this.#pace.reset()
-    this.#show(this.#live, { id: 0, texts, age: 'newest', of: 'program' })
+    this.#show(this.#live, { id: 0, texts, age: 'newest', program, of: 'program' })
   }
 
   place(placed: Placed): void {

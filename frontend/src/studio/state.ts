@@ -69,6 +69,8 @@ export interface StudioState {
   readonly older: boolean
   /** The text has changed since the shown run, and has no good run. */
   readonly stale: boolean
+  /** Name of the program whose run is shown; empty before the first and for typed commands. */
+  readonly ran: string
   /** The shown run is that of typed commands. */
   readonly told: boolean
   readonly scene: SceneDescription | null
@@ -89,8 +91,9 @@ export interface StudioState {
   readonly notices: readonly ShownNotice[]
   /** What the help panel shows. */
   readonly help: HelpTopic
-  /** The newest run that the server has as files; 0 for none. */
+  /** The newest run that the server has as files, 0 for none, and the name of its program. */
   readonly finished: number
+  readonly finishedProgram: string
   readonly dialog: DialogKind | null
   /** Why what the dialog asked for last was not done. */
   readonly refusal: Notice | null
@@ -125,6 +128,7 @@ const START: StudioState = {
   changed: false,
   older: false,
   stale: false,
+  ran: '',
   told: false,
   scene: null,
   sceneKnown: false,
@@ -140,6 +144,7 @@ const START: StudioState = {
   notices: [],
   help: 'keys',
   finished: 0,
+  finishedProgram: '',
   dialog: null,
   refusal: null,
   recent: [],

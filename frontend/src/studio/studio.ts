@@ -417,10 +417,10 @@ export class Studio {
 
   /** Show the newest run of the program in place of that of commands. */
   showProgramRun(): void {
-    const { status, finished } = this.store.getState()
+    const { status, finished, finishedProgram } = this.store.getState()
     if (finished === 0) return
     const texts = this.desk.documents.history.texts(status?.id === finished ? status.versions : {})
-    void this.runs.take(finished, texts, status?.id === finished ? status.age : 'newest')
+    void this.runs.take(finished, texts, status?.id === finished ? status.age : 'newest', finishedProgram)
   }
 
   /** Show the run of all commands, and play it from where the motion of the last one begins [s]. */
@@ -512,8 +512,8 @@ export class Studio {
     this.loop.mark()
   }
 
-  #showRun(run: Run, { texts, age, of }: RunTexts): void {
-    this.store.setState({ told: of === 'commands' })
+  #showRun(run: Run, { texts, age, program, of }: RunTexts): void {
+    this.store.setState({ told: of === 'commands', ran: program })
     this.lines.showRun(texts, age)
     this.view.show(run)
     if (of === 'commands') {

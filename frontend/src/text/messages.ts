@@ -76,6 +76,8 @@ export const words = {
     failedShort: 'Simulation failed',
     none: 'Not simulated yet',
     stale: 'Last valid run – the text has changed since',
+    runOf: (program: string) => `Run of ${program}`,
+    staleOf: (program: string) => `Last valid run, of ${program} – a text has changed since`,
     older: 'Live run of the older text – run again for the new one',
     live: 'Live',
     liveHeld: 'Live, held',

@@ -7,6 +7,8 @@ export const resultWords = {
   stale: 'last valid run',
   older: 'live run of the older text',
   changed: 'before the change of the text',
+  runOf: (program: string) => `run of ${program}`,
+  markOf: (mark: string, program: string) => `${mark}, of ${program}`,
   signs: { good: '✔', doubtful: '▲', failed: '✖' },
   spoken: { good: 'Good', doubtful: 'Doubtful', failed: 'Failed' },
   cycle: 'Cycle time',
