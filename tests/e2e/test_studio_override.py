@@ -117,3 +117,22 @@ def test_a_live_run_is_held_slowed_stepped_and_ended_on_its_path(hand: StudioPag
     assert facts.stopped is not None
     assert recording.duration == pytest.approx(facts.stopped, abs=0.01)
     assert len(recording.events_of(MoveEvent)) == 1
+
+
+TWO_SPACES = """() => {
+  for (const _ of [1, 2])
+    document.body.dispatchEvent(new KeyboardEvent('keydown', { key: ' ', bubbles: true, cancelable: true }))
+}"""
+"""Two presses between which the page cannot hear of the run."""
+
+
+def test_two_quick_presses_of_space_leave_a_live_run_going_on(hand: StudioPage) -> None:
+    hand.page.locator(".pill").click()  # no button has the keyboard
+    hand.page.evaluate(TWO_SPACES)
+    moves(hand)  # a run that is held brakes meanwhile
+    assert moves(hand)
+    assert hand.state()["live"] == "running"
+    hand.page.keyboard.press("Space")
+    hand.pill().get_by_text("Live, held").wait_for()
+    hand.page.keyboard.press("Space")
+    hand.holds("() => __ropsim.state().live === 'running'")

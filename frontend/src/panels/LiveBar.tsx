@@ -1,8 +1,9 @@
 /** Start, hold, step, override, speed and end of a live run. */
-import { SPEEDS } from '../run/cursor'
 import { useStudio, useStudioState } from '../studio/context'
+import type { LiveOrder } from '../studio/live_orders'
 import { words } from '../text/messages'
 import { OverrideSlider } from './OverrideSlider'
+import { SpeedChoice } from './SpeedChoice'
 
 export function LiveBar() {
   const studio = useStudio()
@@ -15,8 +16,7 @@ export function LiveBar() {
   const inputs = useStudioState(state => state.status?.inputs ?? 0)
   const { id } = studio.runs
   const given = finished && studio.run?.result?.given
-  const control = (action: 'hold' | 'continue' | 'step' | 'stop') =>
-    studio.send({ type: 'live_control', action })
+  const control = (order: LiveOrder) => studio.live.order(order)
   return (
     <div className="toolbar" role="toolbar" aria-label={words.signals.live}>
       {on ? null : (
@@ -91,19 +91,7 @@ export function LiveBar() {
             {words.signals.stop}
           </button>
           <OverrideSlider live={live} />
-          <label className="inline">
-            {words.signals.speed}
-            <select
-              value={live.speed}
-              onChange={event => studio.send({ type: 'live_speed', speed: Number(event.target.value) })}
-            >
-              {[...new Set([...SPEEDS, live.speed])].map(one => (
-                <option key={one} value={one}>
-                  {one}×
-                </option>
-              ))}
-            </select>
-          </label>
+          <SpeedChoice live={live} />
         </>
       ) : null}
     </div>

@@ -1,27 +1,14 @@
 /** The override of a live run, 0 to 100 %: what is asked for shows at once, and the run when it has heard of it. */
-import { useEffect, useState } from 'react'
 import { useStudio } from '../studio/context'
 import { words } from '../text/messages'
 import type { LiveStatus } from '../wire/messages'
-
-/** After this time the slider shows again what the run says [ms]. */
-const PATIENCE = 2000
+import { useAsked } from './use_asked'
 
 export function OverrideSlider({ live }: { readonly live: LiveStatus }) {
   const studio = useStudio()
-  const told = Math.round(live.override * 100)
-  // The run is a little behind: until it has come to what was asked for last, the slider must not jump back.
-  const [asked, setAsked] = useState<number | null>(null)
-  useEffect(() => {
-    if (asked === null) return
-    const timer = setTimeout(() => setAsked(null), told === asked ? 0 : PATIENCE)
-    return () => clearTimeout(timer)
-  }, [asked, told])
-  const percent = asked ?? told
-  const ask = (value: number) => {
-    setAsked(value)
-    studio.send({ type: 'live_override', value: value / 100 })
-  }
+  const [percent, ask] = useAsked(Math.round(live.override * 100), value =>
+    studio.send({ type: 'live_override', value: value / 100 }),
+  )
   return (
     <label className="inline" title={words.signals.overrideTitle}>
       {words.signals.override}

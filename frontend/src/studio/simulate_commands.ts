@@ -3,6 +3,7 @@ import { commandWords as titles } from '../text/commands'
 import { words } from '../text/messages'
 import type { Grouped } from './command_groups'
 import { programIn } from './document_names'
+import type { LiveOrder } from './live_orders'
 import type { Studio } from './studio'
 
 export function addSimulate(studio: Studio, group: Grouped): void {
@@ -47,12 +48,12 @@ export function addSimulate(studio: Studio, group: Grouped): void {
   const free = { enabled: () => connected.enabled() && !isLive() }
   live('live.start', titles.live, [], start('running'), free)
   live('live.startHeld', titles.liveHeld, [], start('held'), free)
-  const order = (action: 'hold' | 'continue' | 'step') => () => studio.send({ type: 'live_control', action })
-  const isIn = (live: 'running' | 'held') => ({ enabled: () => state().live?.state === live })
+  const order = (order: LiveOrder) => () => studio.live.order(order)
+  const isIn = (live: 'running' | 'held') => ({ enabled: () => studio.live.state === live })
   live('live.hold', titles.holdLive, [], order('hold'), isIn('running'))
   live('live.continue', titles.continueLive, [], order('continue'), isIn('held'))
   live('live.step', titles.stepLive, [], order('step'), isIn('held'))
-  live('live.stop', titles.stopLive, [], () => studio.send({ type: 'live_control', action: 'stop' }), {
+  live('live.stop', titles.stopLive, [], order('stop'), {
     enabled: isLive,
   })
   live('live.follow', words.run.follow, [], () => studio.follow(), {

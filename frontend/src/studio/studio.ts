@@ -23,7 +23,7 @@ import type { StudioDocument } from './documents'
 import { FoundInTexts } from './found_in_texts'
 import { Jog } from './jog'
 import { LineGhost } from './line_ghost'
-import { driveLiveRuns } from './live_player'
+import { driveLiveRuns, type LiveOrders } from './live_orders'
 import type { Look } from './look'
 import { Loop } from './loop'
 import { marksOf } from './marks_of_points'
@@ -71,6 +71,7 @@ export class Studio {
   readonly runs: Runs
   readonly view: RunView
   readonly jog: Jog
+  readonly live: LiveOrders
   readonly signals: SignalBoard
   readonly tasks: ChosenTasks
   readonly commandLine: CommandLine
@@ -112,7 +113,7 @@ export class Studio {
         picture.draw()
       },
     )
-    driveLiveRuns(store, this.transport, send)
+    this.live = driveLiveRuns(store, this.transport, send)
     this.desk = new TextDesk(store, send, text => this.notify('warning', text))
     this.view = new RunView(store, this.transport, picture, this.loop)
     this.#lines = new LineGhost(store, picture, {
