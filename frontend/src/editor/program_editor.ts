@@ -31,6 +31,7 @@ import { LineEnds } from './line_ends'
 import type { LineInSight } from './line_in_sight'
 import { lineMarks, type MarkedLines, showMarks } from './marks'
 import { panelRoom } from './panel_room'
+import { pasted } from './pasted'
 import { prolog } from './prolog_language'
 import { refusalsOfThisText } from './refusals'
 import { resultMarks, showResults } from './result_marks'
@@ -302,6 +303,7 @@ export class ProgramEditor {
       closesLateWords(),
       panelRoom(),
       trueCursor(),
+      pasted,
       lastTaught,
       history(),
       drawSelection(),

@@ -75,9 +75,8 @@ def fmt(options: argparse.Namespace, output: Output) -> int:
     if options.diff:
         output.text("\n".join(line for one in changed for line in _difference(one)).rstrip("\n"))
     elif options.check:
-        output.text(
-            "\n".join(f"not in its form: {one.name}" for one in changed) or "all texts have their form"
-        )
+        good = "" if code else "all texts have their form"
+        output.text("\n".join(f"not in its form: {one.name}" for one in changed) or good)
     written = [] if options.check or options.diff else [_written(one, output) for one in texts]
     failed = code or int(options.check and bool(changed))
     output.document(

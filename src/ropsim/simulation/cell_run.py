@@ -47,8 +47,8 @@ class CellRun:
         watch: looks on.
         events: what happened.
         findings: what was found.
-        planned_findings: station, code and place (else words) of the findings of plans: each is
-            reported once.
+        planned_findings: first pass, as labels say it, of each kind of finding of plans, by station, code
+            and place (else words).
         placements: where each body hung at the start, and every change since.
         tracks: signals by the name of their channel, over ticks of the cell's clock.
         stop_tick: tick of the cell's clock from which on the run is ended by hand; None for its own end.
@@ -76,7 +76,7 @@ class CellRun:
     watch: Watch = field(default_factory=NobodyWatches)
     events: list[Event] = field(default_factory=list)
     findings: list[Diagnostic] = field(default_factory=list)
-    planned_findings: set[tuple[str, str, Span | str]] = field(default_factory=set)
+    planned_findings: dict[tuple[str, str, Span | str], str] = field(default_factory=dict)
     placements: list[Placement] = field(default_factory=list)
     tracks: dict[str, Track] = field(default_factory=dict)
     stop_tick: int | None = None

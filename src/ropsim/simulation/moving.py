@@ -62,11 +62,10 @@ def move(run: CellRun, at: StationRun, stretch: Stretch, world: SimulatedWorld) 
 
 
 def _report(run: CellRun, at: StationRun, findings: Sequence[Diagnostic]) -> None:
-    """Add findings of a plan to those of the run: of a line each kind once, at the first pass with it."""
+    """Add findings of a plan to those of the run: each kind of a line only of the first pass that has it."""
     for one in findings:
         key = (at.station.name, one.code, one.span or one.message)
-        if key not in run.planned_findings:
-            run.planned_findings.add(key)
+        if run.planned_findings.setdefault(key, one.label) == one.label:  # the label says the pass
             run.findings.append(one)
 
 

@@ -200,3 +200,11 @@ def test_a_finding_of_a_later_pass_only_is_listed_once_with_its_pass() -> None:
     assert found.span is not None
     assert found.span.line == 5
     assert "the move is 10 mm long" in found.message
+
+
+def test_each_trigger_beside_its_way_is_listed() -> None:
+    triggers = "at 100 mm before end do set lamp on at 50 mm after start do set lamp off"
+    lines = ("mov (500, -200, 300)", f"lin (500, -190, 300) speed 100 mm/s {triggers}")
+    found = recorded(lines).findings
+    assert [one.code for one in found] == ["M565", "M565"]
+    assert ["100 mm before" in found[0].message, "50 mm after" in found[1].message] == [True, True]
