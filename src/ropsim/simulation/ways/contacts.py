@@ -11,6 +11,7 @@ from ropsim.core import frozen_dataclass
 from ropsim.flow import Contact, Event, Recording, body_title
 from ropsim.model import WORLD, Body, BodyKind, Cell
 from ropsim.simulation.ways.approaches import Looked, Nearest
+from ropsim.simulation.ways.deep_rows import deep_rows, nearness_at
 from ropsim.simulation.ways.episodes import PairRows, pair_rows
 from ropsim.spatial import Array
 
@@ -96,10 +97,11 @@ def contacts_of(
                 drawn.append(key)
                 continue
             allowed = limits[parts[0].pair]
-            deepest = _deepest(solids, looked, parts, allowed)
-            if deepest is not None:
-                spans[key].append((begin, end))
-                found.append(places.contact(key, begin, end, *deepest))
+            for first, until, deeper in _joined(deep_rows(solids, looked, parts, allowed)):
+                deepest = _deepest(solids, looked, deeper, allowed)
+                if deepest is not None:
+                    spans[key].append((first, until))
+                    found.append(places.contact(key, first, until, *deepest))
     approached = [
         places.contact(key, begin, end, *_nearest(solids, looked, parts))
         for key, some in near.items()
@@ -134,6 +136,8 @@ def _allowed(bodies: Mapping[str, Body], pair: Pair, cell: Cell) -> float:
 
 def _joined(some: Sequence[PairRows]) -> Iterator[tuple[int, int, list[PairRows]]]:
     """Yield first and last row of each contact of two bodies, with the convex bodies that are part of it."""
+    if not some:
+        return
     rows = np.unique(np.concatenate([one.rows for one in some]))
     breaks = np.flatnonzero(np.diff(rows) > 1)
     for first, last in zip([0, *(breaks + 1)], [*breaks, len(rows) - 1], strict=True):
@@ -160,7 +164,7 @@ def _deepest(
         if most[number][row] <= depth + ROUGH:
             break
         one = parts[number]
-        near = _nearness(solids, looked, one, row)
+        near = nearness_at(solids, looked, one, row)
         if -near.distance > depth:
             depth, best = -near.distance, (one, row, near)
         np.minimum(most[number], np.abs(one.way - one.way[row]) - near.distance, out=most[number])
@@ -171,16 +175,7 @@ def _nearest(solids: Collisions, looked: Looked, parts: Sequence[PairRows]) -> t
     """Return where two bodies that are too near are the nearest."""
     one = min(parts, key=lambda each: float(each.gaps.min()))
     row = int(np.argmin(one.gaps))
-    return one, row, _nearness(solids, looked, one, row)
-
-
-def _nearness(solids: Collisions, looked: Looked, one: PairRows, row: int) -> Nearness:
-    """Return how near two convex bodies are at a row."""
-    numbers = [int(number) for number in looked.items[looked.pairs[one.pair, :2].astype(int), 0]]
-    poses = np.zeros((len(solids.bodies.convexes), 12))
-    poses[numbers[0]], poses[numbers[1]] = one.first[row], one.second[row]
-    found = solids.bodies.distances(poses, np.array([numbers]), np.zeros(1), (np.inf, np.inf))
-    return solids.bodies.nearness(poses, numbers, found[0], ROUGH)
+    return one, row, nearness_at(solids, looked, one, row)
 
 
 def _place(solids: Collisions, looked: Looked, one: PairRows, row: int, near: Nearness) -> Array:
