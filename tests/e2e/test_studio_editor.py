@@ -8,7 +8,7 @@ import pytest
 
 from ropsim.flow import Recording
 from support.browser import UNDRAWN
-from support.studio_page import StudioPage
+from support.studio_page import TWO_FRAMES, StudioPage
 
 if TYPE_CHECKING:
     from playwright.sync_api import Locator
@@ -348,6 +348,38 @@ def test_ctrl_enter_in_the_text_simulates_and_leaves_the_text_alone(fresh: Studi
     assert after["run"] > before["run"]
     assert fresh.page.evaluate("() => __ropsim.text('programs/main.task')") == text
     assert after["unsaved"] == []
+
+
+def test_each_text_keeps_its_own_scroll_place_sideways(fresh: StudioPage) -> None:
+    left = "() => document.querySelector('.cm-scroller').scrollLeft"
+    fresh.insert(2, " # " + "far " * 200)
+    fresh.holds(f"() => ({left})() > 100")
+    far = fresh.page.evaluate(left)
+    fresh.document("cell.toml")
+    fresh.page.evaluate(TWO_FRAMES)
+    assert fresh.page.evaluate(left) == 0
+    fresh.document("main.task")
+    fresh.page.evaluate(TWO_FRAMES)
+    assert fresh.page.evaluate(left) == far
+
+
+def test_the_name_of_the_open_text_is_in_sight_beside_words_on_its_results(fresh: StudioPage) -> None:
+    before = fresh.page.viewport_size
+    assert before is not None
+    fresh.page.set_viewport_size({"width": 1280, "height": before["height"]})
+    fresh.append(3, " nonsense")
+    fresh.page.locator(".program-stale").wait_for()
+    fresh.page.locator(".program-results").get_by_text("stale").wait_for()
+    for name in ("cell.toml", "main.task"):
+        fresh.document(name)
+        bar = fresh.page.locator(".program-tabs").bounding_box()
+        tab = fresh.page.get_by_role("tab", name=name).bounding_box()
+        save = fresh.page.get_by_role("button", name="Save", exact=True).bounding_box()
+        assert bar and tab and save
+        assert bar["x"] <= tab["x"]
+        assert tab["x"] + tab["width"] <= bar["x"] + bar["width"] + 1.0 <= save["x"] + 1.0
+        assert tab["width"] > 50.0
+    fresh.page.set_viewport_size(before)
 
 
 def test_each_text_keeps_its_own_history(fresh: StudioPage) -> None:

@@ -71,7 +71,7 @@ interface Kept {
   readonly state: EditorState
   readonly revision: number
   readonly ends: LineEnds
-  readonly scroll: number
+  readonly scroll: { readonly top: number; readonly left: number }
 }
 
 /** Colours and folding by the language of a document; code of ICR has none. */
@@ -241,7 +241,7 @@ export class ProgramEditor {
         state: this.#view.state,
         revision: this.#revision,
         ends: this.#ends,
-        scroll: this.#view.scrollDOM.scrollTop,
+        scroll: { top: this.#view.scrollDOM.scrollTop, left: this.#view.scrollDOM.scrollLeft },
       })
     }
     const kept = this.#kept.get(document.name)
@@ -256,7 +256,8 @@ export class ProgramEditor {
     this.#view.setState(state)
     this.setReadOnly(this.#isReadOnly ? 'read' : 'write')
     this.setWrap(this.#wrap)
-    this.#view.scrollDOM.scrollTop = kept?.scroll ?? 0
+    // To whole places, at once: the text before may have been scrolled in either direction.
+    this.#view.scrollDOM.scrollTo({ top: 0, left: 0, ...kept?.scroll, behavior: 'instant' })
     showMarks(this.#view, this.#marks)
     showResults(this.#view, this.#results)
     this.#language.showKnown(this.#view)
