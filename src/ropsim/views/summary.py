@@ -158,7 +158,7 @@ def summarize(recording: Recording, before: Iterable[Diagnostic] = ()) -> Summar
     """
     events, stations = recording.events, summarize_stations(recording)
     cycle_time = end_of(events)
-    hand = by_hand(recording.facts.overrides, cycle_time)
+    hand = by_hand(recording.facts.overrides, cycle_time, recording.duration)
     together = sum(one.cycle_time for one in stations) or cycle_time
     whole = stations[0] if len(stations) == 1 else None
     findings = (*before, *recording.findings)

@@ -90,7 +90,7 @@ def given_text(facts: RunFacts, hand: ByHand) -> str:
     if hand.slowest < 1.0:
         parts.append(f"override down to {percentage(hand.slowest)}")
     if hand.is_held:
-        parts.append(f"held {seconds(hand.held)} s" if shown(hand.held) else "held")
+        parts.append(f"held {seconds(hand.held_in_all)} s" if shown(hand.held_in_all) else "held")
     if facts.stopped is not None:
         parts.append(f"stopped at {facts.stopped:.2f} s")
     return f"by hand: {', '.join(parts)}" if parts else ""

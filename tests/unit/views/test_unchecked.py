@@ -135,16 +135,24 @@ def test_what_was_done_by_hand_stands_first() -> None:
 )
 def test_an_override_is_told_where_it_slowed_something(override: float, said: str) -> None:
     changes = (OverrideChange(1.5, override), OverrideChange(2.5, 1.0))
-    given = given_text(facts(overrides=changes), by_hand(changes, 9.0))
+    given = given_text(facts(overrides=changes), by_hand(changes, 9.0, 9.0))
     assert given == (f"by hand: {said}" if said else "")
 
 
 def test_a_hold_behind_the_end_of_the_cycle_does_not_lengthen_it() -> None:
     changes = (OverrideChange(2.0, 0.5), OverrideChange(4.0, 0.0), OverrideChange(9.0, 1.0))
-    assert by_hand(changes, 3.0) == ByHand(held=0.0, slowed=1.0, slowest=0.5, is_held=True)
-    assert by_hand(changes, 5.0) == ByHand(held=1.0, slowed=2.0, slowest=0.5, is_held=True)
-    assert by_hand(changes[::-1], 5.0) == by_hand(changes, 5.0)  # in whatever order they are kept
-    assert by_hand((), 5.0).mark == by_hand(changes[1:], 4.0).mark == ""
+    behind = by_hand(changes, 3.0, 8.0)
+    assert behind == ByHand(held=0.0, slowed=1.0, slowest=0.5, is_held=True, held_in_all=4.0)
+    within = by_hand(changes, 5.0, 8.0)
+    assert within == ByHand(held=1.0, slowed=2.0, slowest=0.5, is_held=True, held_in_all=4.0)
+    assert by_hand(changes[::-1], 5.0, 8.0) == within  # in whatever order they are kept
+    assert by_hand((), 5.0, 8.0).mark == by_hand(changes[1:], 4.0, 8.0).mark == ""
+
+
+def test_a_run_that_was_ended_while_it_was_held_says_for_how_long_it_was() -> None:
+    changes = (OverrideChange(2.0, 0.0),)  # in the first move: nothing has come to its end
+    given = given_text(facts(overrides=changes, stopped=6.5), by_hand(changes, 0.0, 6.5))
+    assert given == "by hand: held 4.50 s, stopped at 6.50 s"
 
 
 def test_the_cycle_time_is_marked_wherever_it_stands_as_not_that_of_the_program() -> None:
