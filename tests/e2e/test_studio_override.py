@@ -1,5 +1,6 @@
 """A live run at hand: held, stepped, slowed and ended from the page, on the path of the arm."""
 
+import re
 from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -105,6 +106,8 @@ def test_a_live_run_is_held_slowed_stepped_and_ended_on_its_path(hand: StudioPag
     hand.holds(OVER)
     strip = hand.page.get_by_role("region", name="Result of the run")
     strip.get_by_text("not that of the program").wait_for()  # it was ended, which weighs more than the holds
+    strip.get_by_text(re.compile(r"held \d+\.\d\d s")).wait_for()
+    hand.page.locator(".program-results").get_by_text("1 valid, 2 stale").wait_for()
     assert {"held", "50 %"} <= {*hand.page.evaluate("() => __ropsim.lanes().Override")}
     with hand.page.expect_download() as download:
         bar.get_by_role("button", name="Save recording").click()

@@ -12,7 +12,6 @@ from ropsim.icr.identity import code_lines as code_lines
 from ropsim.icr.identity import program_id as program_id
 from ropsim.icr.line_contents import line_contents as line_contents
 from ropsim.icr.line_contents import line_contents_of_all as line_contents_of_all
-from ropsim.icr.lines_ahead import lines_ahead as lines_ahead
 from ropsim.icr.location import Location as Location
 from ropsim.icr.location import composed as composed
 from ropsim.icr.location import external_part as external_part

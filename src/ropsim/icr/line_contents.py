@@ -16,10 +16,10 @@ from ropsim.flow import (
     WaitInstruction,
 )
 from ropsim.icr.identity import program_id
-from ropsim.icr.lines_ahead import reached
 from ropsim.icr.machine import Machine, MachineOptions
 from ropsim.icr.opcodes import OPCODES
 from ropsim.icr.program import Program
+from ropsim.icr.reached import reached
 from ropsim.icr.state import Finished
 from ropsim.icr.world import PassingWorld, StillWorld
 from ropsim.spatial import bits_without
@@ -65,8 +65,9 @@ def line_contents(
     Two programs in which a line has one key do the same up to the end of the stretch of the last pass of that
     line, and on to the next move of the joints, whose posture may look ahead. Up to the first look at an
     input, at the time or at the pose of the arm that is known without a run; what can come behind it hangs on
-    the whole code, and so does what a program does after `MOST` instructions. From the first instruction on
-    that reads a channel, what that says counts, too. Another version of ropsim has other results.
+    the whole code, and so does what a program does after `MOST` instructions, each line with a key of its
+    own. From the first instruction on that reads a channel, what that says counts, too. Another version of
+    ropsim has other results.
 
     Args:
         program: in which the verifier finds nothing.
@@ -83,10 +84,10 @@ def line_contents(
     found = {line: run.key_behind(end) for line, end in run.ends().items() if run.is_known(end)}
     later = {program.procedures[procedure].lines[index] for procedure, index in run.later}
     others = sorted(line for line in _acting_lines(program) if line in later or line not in found)
-    rest = _key((*around, channels, program_id(program))) if others else ""
+    rest = (*around, channels, program_id(program)) if others else ()
     return {
         **{line: key for line, key in found.items() if line not in later},
-        **dict.fromkeys(others, rest),
+        **{line: _key((*rest, place)) for place, line in enumerate(others)},
     }
 
 

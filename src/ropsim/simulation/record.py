@@ -24,7 +24,7 @@ from ropsim.flow import (
     channel_name,
     in_time,
 )
-from ropsim.icr import Program, code_lines, line_contents_of_all, lines_ahead, program_id
+from ropsim.icr import Program, code_lines, line_contents_of_all, program_id
 from ropsim.kinematics import forward_batch
 from ropsim.motion import Line, enter_distances
 from ropsim.simulation.arrivals import Arrivals, are_untouched, arrivals
@@ -104,28 +104,36 @@ def _line_contents(run: CellRun, programs: Mapping[str, Program]) -> Mapping[str
     """Return what the results of lines hang on, once asked for: the text and the cell.
 
     What a hand did, key presses and overrides, belongs to the run and is no change of the text. Where a run
-    was ended before a program was, lines that could still have come have no result.
+    was ended before a program was, the line under way and those that it never came to have no result.
     """
     content, channels = run.content, run.input_changes
-    at_work = {name: line for name, at in run.stations.items() if (line := _line_at_work(at)) is not None}
+    done = {
+        name: _done_lines(run, at, programs[name].source)
+        for name, at in run.stations.items()
+        if at.unfinished
+    }
 
     def found() -> Mapping[str, Mapping[int, str]]:
         keys = line_contents_of_all(programs, content, channels=channels)
-        ahead = {name: lines_ahead(programs[name], line) for name, line in at_work.items() if name in keys}
         return {
-            name: {line: key for line, key in keys_.items() if line not in ahead.get(name, ())}
+            name: {line: key for line, key in keys_.items() if name not in done or line in done[name]}
             for name, keys_ in keys.items()
         }
 
     return LateMapping(found)
 
 
-def _line_at_work(at: StationRun) -> int | None:
-    """Return the line at which the program of a station was when the run ended; None where it has ended."""
-    if not at.unfinished:
-        return None
-    lines = at.tracks.get("line", Track()).values
-    return int(lines[-1]) if lines else 0
+def _done_lines(run: CellRun, at: StationRun, source: str) -> frozenset[int]:
+    """Return the lines of its source that a program had behind it when its run was ended."""
+    own = (event for event in run.events if event.station == at.station.name)
+    events = [event for event in own if event.span and event.span.source == source]
+    ends = {event.line: event.end for event in sorted(events, key=lambda one: one.end)}  # of the last pass
+    passed = [int(line) for line in at.tracks.get("line", Track()).values]
+    lines = {*passed, *ends}
+    # What is cut off ends with the run; a run that is held between two instructions has nothing under way.
+    if passed and ends.get(passed[-1], run.time) > run.time - 1.0 / run.hz:
+        lines.remove(passed[-1])
+    return frozenset(lines)
 
 
 def _rows(run: CellRun, logs: Mapping[str, Mapping[str, Array]]) -> Array:

@@ -75,3 +75,43 @@ def test_a_run_that_is_ended_early_has_results_of_the_lines_that_are_done(
     found = results(cell, program, stopped=stopped)
     assert found.keys() == done
     assert found.items() <= results(cell, program).items()
+
+
+LOOPED = """\
+program p
+units mm, deg, s
+for i = 1 to 3
+  mov joints (30, 60, -150, 0, -60, 0) speed 20 %
+  wait 0.5 s
+  mov joints (0, 60, -150, 0, -60, 0) speed 20 %
+endf
+wait until go
+wait 0.25 s
+wait 0.5 s
+"""
+HELD = (OverrideChange(0.25, 0.5), OverrideChange(0.5, 0.0))
+"""In the first move: it is held before its target."""
+
+
+@pytest.mark.parametrize(
+    ("stopped", "overrides", "done"),
+    [
+        (0.5, (), set()),
+        (2.0, (), {4}),
+        (3.0, (), {4, 5}),
+        (4.5, (), {5, 6}),  # line 4 again
+        (2.0, (OverrideChange(1.6, 0.0),), {4}),
+        (4.0, HELD, set()),
+        (11.0, (), {4, 5, 6, 8, 9}),  # line 8 took no time; line 10 hangs on the same look at an input
+    ],
+)
+def test_lines_of_a_loop_that_are_behind_have_a_result_and_the_one_under_way_has_none(
+    cell: Cell, stopped: float, overrides: tuple[OverrideChange, ...], done: set[int]
+) -> None:
+    compiled = ropsim.language.compile(LOOPED, environment_of(cell))
+    assert compiled.icr is not None
+    found = results(cell, compiled.icr, stopped=stopped, overrides=overrides)
+    assert found.keys() == done
+    whole = results(cell, compiled.icr)
+    assert found.items() <= whole.items()
+    assert len(set(whole.values())) == len(whole), "a line that was reached vouches for one that was not"

@@ -49,12 +49,15 @@ class Runnable:
 
 
 def results_of(recording: Recording) -> Mapping[str, tuple[str, ...]]:
-    """Return what the results of the lines of the programs of a run hang on, by document, each key once."""
+    """Return what the results of the lines of the programs of a run hang on, by document, each key once.
+
+    A program of which no line was done has none: it is a run of that program all the same.
+    """
     found: dict[str, set[str]] = {}
     for station in recording.facts.stations:
         keys = recording.content.results.get(station.name, {})
         found.setdefault(station.source, set()).update(keys.values())
-    return {source: tuple(sorted(keys)) for source, keys in found.items() if keys}
+    return {source: tuple(sorted(keys)) for source, keys in found.items() if source}
 
 
 def used_inputs(recording: Recording) -> tuple[InputChange, ...]:
