@@ -34,7 +34,7 @@ from ropsim.studio.project_maker import project_made
 from ropsim.studio.runs import Runs
 from ropsim.studio.scenes import Scenes
 from ropsim.studio.tab import Tab
-from ropsim.studio.tabs import Tabs
+from ropsim.studio.tabs import GRACE, Tabs
 from ropsim.studio.tasks import ChosenTasks
 from ropsim.studio.workers import DESK, WorkerLink
 from ropsim.userfiles import (
@@ -138,8 +138,9 @@ class Session:
             tab.send(notice(shortage(error) or fault))
 
     async def leave(self, tab: Tab) -> None:
-        """Forget a tab that is gone; what it has not saved is kept first."""
+        """Forget a tab that is gone; what it has not saved is kept, and another one may edit after a while."""
         self._tabs.remove(tab)
+        asyncio.get_running_loop().call_later(GRACE, self._tabs.pass_on)
         await self.editing.keep()
 
     async def _do(self, tab: Tab, command: commands.Command) -> None:

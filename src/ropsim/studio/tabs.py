@@ -10,7 +10,7 @@ GRACE = 5.0
 
 
 class Tabs:
-    """All connected tabs. The first one edits, the others follow until one takes the right over.
+    """All connected tabs. The first one edits, the others follow until one takes the right over or it is free.
 
     Args:
         clock: returns a time that only grows [s].
@@ -43,6 +43,11 @@ class Tabs:
         if tab is self._editor:
             self._editor = None
             self._kept_for, self._kept_until = tab.name, self._clock() + GRACE
+
+    def pass_on(self) -> None:
+        """Give the right that a tab has left, and that no longer waits for it, to the tab that is here longest."""
+        if self._editor is None and self._tabs and self._clock() >= self._kept_until:
+            self.take_over(self._tabs[0])
 
     def may_edit(self, tab: Tab) -> bool:
         """Return whether a tab has the right."""

@@ -141,6 +141,21 @@ def test_a_viewer_changes_nothing_until_it_takes_over(folder: Path) -> None:
     in_session(folder, play)
 
 
+def test_a_viewer_edits_when_the_tab_that_edits_has_stayed_away(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for module in ("session", "tabs"):
+        monkeypatch.setattr(f"ropsim.studio.{module}.GRACE", 0.0)
+
+    async def play(page: Callable[[str], Awaitable[Page]]) -> None:
+        first, second = await page("a"), await page("b")
+        await second.hear("welcome", editing=False)
+        await first.leave()
+        await second.hear("editing", editing=True)
+
+    in_session(folder, play)
+
+
 def test_an_edit_of_the_cell_file_makes_the_scene_anew(folder: Path) -> None:
     async def play(page: Callable[[str], Awaitable[Page]]) -> None:
         first = await page("a")

@@ -84,6 +84,33 @@ def test_a_tab_that_stays_away_loses_the_right_to_the_next_that_comes() -> None:
     assert tabs.may_edit(other)
 
 
+def test_a_right_that_waits_for_nobody_any_more_goes_to_the_tab_that_is_here_longest() -> None:
+    clock = Clock()
+    tabs, first, second, third = Tabs(clock), named("a"), named("b"), named("c")
+    for tab in (first, second, third):
+        tabs.add(tab)
+    tabs.remove(first)
+    tabs.pass_on()
+    assert not any(tabs.may_edit(one) for one in (second, third))
+    clock.now += GRACE
+    tabs.pass_on()
+    assert [tabs.may_edit(second), tabs.may_edit(third)] == [True, False]
+    assert sent(second) == [{"type": "editing", "editing": True}]
+
+
+def test_a_right_that_somebody_has_is_not_passed_on() -> None:
+    clock = Clock()
+    tabs, first, second = Tabs(clock), named("a"), named("b")
+    tabs.add(first)
+    tabs.add(second)
+    tabs.remove(first)
+    again = named("a")
+    tabs.add(again)
+    clock.now += GRACE
+    tabs.pass_on()
+    assert [tabs.may_edit(again), tabs.may_edit(second)] == [True, False]
+
+
 def test_of_frames_the_newest_three_are_sent_and_of_messages_all_before_them() -> None:
     tab = Tab()
     for number in range(5):
