@@ -86,6 +86,8 @@ lin pick_up offset (900, 900, 0)
 lin pick_up above 160 mm blend 10 mm
 """
 """A move is left out and three zones are not flown: verdict and what it leaves open have many words."""
+LINE = 46
+"""A line of words and buttons with its edges is less high [px]."""
 LOWEST_VIEW = 100
 """Less high, a view shows little beside its buttons [px]."""
 
@@ -192,6 +194,27 @@ def test_all_figures_of_the_strip_are_in_sight(
         assert box["width"] > 0
         assert box["x"] >= 0
         assert box["x"] + box["width"] <= window["width"]
+
+
+@pytest.mark.parametrize("window", [SMALL, ZOOMED, USUAL])
+def test_the_bar_of_the_ghost_is_one_line_at_the_foot_of_the_views(
+    operator: Studio, open_undrawn: Pages, window: "ViewportSize"
+) -> None:
+    page = StudioPage.opened(open_undrawn, operator.url, viewport=window)
+    for layout in ("simulate", "tasks"):
+        arrange(page, "write")
+        page.page.locator(".cm-line", has_text="mov a above").first.click()
+        bar = page.page.get_by_role("group", name="Ghost of a line")
+        bar.wait_for()
+        arrange(page, layout)
+        box, views = bar.bounding_box(), page.page.locator(".stage-host").bounding_box()
+        assert box
+        assert views
+        shot(page, f"ghost_{window['width']}_{layout}")
+        assert box["height"] < LINE, layout
+        assert views["y"] + views["height"] - LINE <= box["y"], layout
+        assert box["x"] >= views["x"]
+        assert box["x"] + box["width"] <= views["x"] + views["width"]
 
 
 def arrange(page: StudioPage, layout: str) -> None:
