@@ -118,6 +118,11 @@ def test_an_operator_makes_a_palletizing_program_that_runs(
     second.get_by_text("part: box_1").wait_for()
     assert second.get_by_label("place Y [mm]").input_value() == "-147.5"
     second.get_by_label("place X [mm]").fill("")
+    second.get_by_label("place X [mm]").press_sequentially("4 12")
+    second.get_by_text("X is one number, given with a blank in it").wait_for()
+    assert second.get_by_label("place X [mm]").input_value() == "4 12"
+    assert second.get_by_label("place Y [mm]").input_value() == "-147.5"
+    second.get_by_label("place X [mm]").fill("")
     pasted(second.get_by_label("place X [mm]"), "(412.5, -147.5, 600)")
     second.get_by_text("part: box_1").wait_for()
     for axis, value in (("Pitch", "90"), ("Roll", "0"), ("Yaw", "90")):

@@ -39,21 +39,23 @@ export function isName(point: string): boolean {
 /** X Y Z Pitch Roll Yaw of a point as they are typed; blank ones are not given. */
 export function splitNumbers(point: string): readonly string[] {
   const words = point.includes(',')
-    ? point.split(',').map(one => one.trim())
+    ? point.split(',').map(one => one.trimStart())
     : point.split(/\s+/).filter(Boolean)
   return Array.from({ length: 6 }, (_, k) => words[k] ?? '')
 }
 
-/** What is typed for one number: a comma is a decimal point, as in the fields of the jog panel. */
+/** What is typed for one number: a comma is a decimal point, as in the fields of the jog panel; a blank in it stays. */
 export function oneNumber(typed: string): string {
-  return typed.replace(/\s+/g, '').replaceAll(',', '.')
+  return typed.trimStart().replaceAll(',', '.')
 }
 
 /** The other way: without the blank ones at the end. */
 export function joinNumbers(numbers: readonly string[]): string {
   const words = numbers.map(oneNumber)
   while (words.at(-1) === '') words.pop()
-  return words.join(', ')
+  const [only = ''] = words
+  // One number with a blank in it is not two.
+  return words.length === 1 && /\s/.test(only) ? `${only},` : words.join(', ')
 }
 
 /** Name of a program text as the language takes it. */

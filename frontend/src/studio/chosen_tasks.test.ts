@@ -149,7 +149,13 @@ test('fields are read and written', () => {
     '',
     '',
   ])
-  expect(splitNumbers(joinNumbers(['1 234', '', '', '', '']))).toEqual(['1234', '', '', '', '', ''])
+  for (const typed of [
+    ['1 234', '', '', '', '', ''],
+    ['4 ', '', '', '', '', ''],
+    ['4 12', '-147.5 600', '3', '', '', ''],
+  ])
+    expect(splitNumbers(joinNumbers(typed))).toEqual(typed)
+  expect(joinNumbers(['1 234', '', ''])).toBe('1 234,')
   expect(programWord('2 füll')).toBe('p2_f_ll')
 })
 

@@ -81,7 +81,8 @@ def typed_points(typed: str, lists: Mapping[str, PointList]) -> tuple[Point, ...
 
     Args:
         typed: a name, or X Y Z, X Y Z Pitch Roll or X Y Z Pitch Roll Yaw, with blanks or commas between them;
-            behind `in` the frame of the cell in which the numbers are read.
+            behind `in` the frame of the cell in which the numbers are read. Where there are commas,
+            a number with a blank in it is not two numbers.
         lists: of points, by name.
 
     Raises:
@@ -134,10 +135,16 @@ def _point(typed: str, words: Sequence[str]) -> Numbers:
         numbers = tuple(float(word) for word in words)
     except ValueError:
         numbers = (nan,)
-    cells = zip((*COLUMNS[1:], YAW[0]), typed.rstrip(", ").split(","), strict=False)
+    cells = [*zip((*COLUMNS[1:], YAW[0]), typed.rstrip(", ").split(","), strict=False)]
     blank = ", ".join(name.capitalize() for name, cell in cells if not cell.strip())
+    broken = [
+        (name.capitalize(), cell.strip()) for name, cell in cells if "," in typed and " " in cell.strip()
+    ]
     if not all(isfinite(one) for one in numbers):
         message = f"`{typed[:80]}` is neither a name nor numbers"
+    elif broken:
+        name, cell = broken[0]
+        message = f"{name} is one number, given with a blank in it: `{cell[:80]}`"
     elif numbers and blank:
         message = f"{blank} of `{typed[:80]}` is left blank"
     elif len(numbers) not in (0, 3, 5, 6):

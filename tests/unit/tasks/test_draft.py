@@ -184,7 +184,7 @@ def test_typed_steps_say_what_the_terminal_says() -> None:
     steps = (
         TypedStep("pick", ("s1", ""), ("",)),
         TypedStep("xyz", ("s1",)),
-        TypedStep("place", (" 31, 42 86 ",), ("20 mm",)),
+        TypedStep("place", (" 31 42  86 ",), ("20 mm",)),
         TypedStep("palletize", ("table",), ("75 mm", "2")),
         TypedStep("palletize", ("s1", "s2"), ("", "2")),
         TypedStep("move_over", ("s2",), ("5 furlong",)),
@@ -194,6 +194,8 @@ def test_typed_steps_say_what_the_terminal_says() -> None:
         TypedStep("park", ("1, 2, 3, 20, 10, 30",)),
         TypedStep("park", ("1, 2, 3, , , 30",)),
         TypedStep("park", ("1 2 3 20",)),
+        TypedStep("park", ("4 12,",)),
+        TypedStep("park", ("1, -147.5 600, 3, 4",)),
     )
     draft = drafted(steps, known, BEGIN, lists)
     assert [one.message for one in draft.entries] == [
@@ -209,6 +211,8 @@ def test_typed_steps_say_what_the_terminal_says() -> None:
         "accepted",
         "Pitch, Roll of `1, 2, 3, , , 30` is left blank",
         "a point has 3, 5 or 6 numbers, given: 4",
+        "X is one number, given with a blank in it: `4 12`",
+        "Y is one number, given with a blank in it: `-147.5 600`",
     ]
     assert [str(one) for one in draft.calls] == [
         "pick s1",
