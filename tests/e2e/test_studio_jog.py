@@ -290,6 +290,23 @@ def test_points_are_taught_one_after_the_other_in_a_long_program_that_does_not_s
     assert "# more mov p3" in fresh.text()  # what was typed is not what is taken back
 
 
+def test_what_the_editor_has_taken_back_is_not_offered_to_be_undone(fresh: StudioPage) -> None:
+    panel = fresh.panel("Jog")
+    panel.get_by_role("button", name="Jog from here").click()
+    panel.get_by_role("heading", name="Joints").wait_for()
+    fresh.write("program short\nunits mm, deg, s\nmov home\n")
+    panel.get_by_role("button", name="Teach", exact=True).click()
+    back = panel.get_by_role("button", name="Undo: Teach")
+    back.wait_for()
+    fresh.editor().focus()
+    fresh.page.keyboard.press("Control+z")
+    fresh.until(lambda: "loc p1" not in fresh.text())
+    back.wait_for(state="detached")
+    fresh.page.keyboard.press("Control+y")
+    back.click()
+    fresh.until(lambda: "loc p1" not in fresh.text())
+
+
 def test_the_table_of_states_jogs_from_the_shown_time(
     tab: StudioPage, first_project: Project, first_run: Recording
 ) -> None:

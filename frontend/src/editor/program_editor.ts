@@ -37,7 +37,7 @@ import { refusalsOfThisText } from './refusals'
 import { resultMarks, showResults } from './result_marks'
 import { staysOpen } from './shown_marks'
 import { task } from './task_language'
-import { lastTaught, taughtMove } from './taught_move'
+import { asTaught, lastTaught, standingTaught, stands, taughtMove } from './taught_move'
 import { theme } from './theme'
 import { toml } from './toml_language'
 import { trueCursor } from './true_cursor'
@@ -90,6 +90,8 @@ export class ProgramEditor {
   readonly #kept = new Map<string, Kept>()
   readonly #access = new Compartment()
   #name = ''
+  /** Number of the newest change that taught something. */
+  #taught = 0
   #revision = 0
   #ends = new LineEnds('')
   #line = 0
@@ -198,8 +200,10 @@ export class ProgramEditor {
   /** Declare a location under a new name, and write a move to it at the cursor, or its name in a line. */
   teach(location: string, taken: ReadonlySet<string>): WayBack | null {
     if (this.#isReadOnly || !this.#name) return null
+    const [name, number] = [this.#name, ++this.#taught]
     const taught = this.#view.state.update(taughtMove(this.#view.state, location, taken), {
       userEvent: 'input.paste',
+      effects: asTaught(number),
     })
     const line = this.#view.state.doc.lineAt(this.#view.state.selection.main.head).from
     inPlace(this.#view, line, taught)
@@ -207,6 +211,7 @@ export class ProgramEditor {
     this.#view.focus()
     const [before, after] = [taught.startState.doc, this.#view.state.doc]
     return {
+      stands: () => this.#name !== name || stands(this.#view.state, number),
       undo: () => this.#view.state.doc.eq(after) && undo(this.#view),
       redo: () => this.#view.state.doc.eq(before) && redo(this.#view),
     }
@@ -306,6 +311,7 @@ export class ProgramEditor {
       trueCursor(),
       pasted,
       lastTaught,
+      standingTaught,
       history(),
       drawSelection(),
       highlightActiveLine(),

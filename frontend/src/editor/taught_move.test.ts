@@ -1,7 +1,8 @@
+import { history, isolateHistory, redo, undo } from '@codemirror/commands'
 import { EditorState } from '@codemirror/state'
 import { describe, expect, it, test } from 'vitest'
 import { task } from './task_language'
-import { lastTaught, taughtMove } from './taught_move'
+import { asTaught, lastTaught, standingTaught, stands, taughtMove } from './taught_move'
 
 const HEAD = 'program t\nunits mm, deg, s\n'
 
@@ -50,7 +51,9 @@ describe('where a target is missing its name belongs', () => {
     ['  lin |', '  lin p1|'],
     ['circ via |', 'circ via p1|'],
     ['T a, |', 'T a, p1|'],
-    ['mov |speed 20 %', 'mov p1|speed 20 %'],
+    ['mov |speed 20 %', 'mov p1| speed 20 %'],
+    ['lin  speed 100 mm/s|', 'lin p1| speed 100 mm/s'],
+    ['  lin above 5 mm  # down|', '  lin p1| above 5 mm  # down'],
   ])('in %j', (before, behind) => {
     expect(taught(`${HEAD}${before}`)).toBe(`${HEAD}loc p1 = (1)\n${behind}`)
   })
@@ -62,6 +65,57 @@ describe('where a target is missing its name belongs', () => {
   it('but in a declaration the location itself', () => {
     expect(taught(`${HEAD}loc there = |`)).toBe(`${HEAD}loc there = (1)|`)
   })
+})
+
+describe('point and move stand behind the head, where the cursor is in it', () => {
+  const DECLARED = 'program t\nunits mm, deg, s\nframe f = (1, 2,\n  3)\n'
+  const behind = `${DECLARED}loc p1 = (1)\n|mov p1\nmov home\n`
+  it.each([
+    '|program t',
+    'pro|gram t',
+    'program t|',
+    'units mm, |deg',
+    '|units',
+    '|frame f',
+    'frame f =| (1',
+    '  |3)',
+    '  3)|',
+  ])('at %j', place => {
+    expect(taught(`${DECLARED}mov home\n`.replace(place.replace('|', ''), place))).toBe(behind)
+  })
+
+  it('and in a blank line of it', () => {
+    expect(taught('program t\n|\nunits mm\nloc a = (2)\nmov a')).toBe(
+      'program t\n\nunits mm\nloc a = (2)\nloc p1 = (1)\n|mov p1\nmov a',
+    )
+  })
+
+  it('and where the place has a name already', () => {
+    expect(taught('program t|\nloc a = (1)\nconst n = 2')).toBe('program t\nloc a = (1)\nconst n = 2\n|mov a')
+  })
+})
+
+test('a taught change stands until the history of the editor has taken it back, and again when it is redone', () => {
+  let state = EditorState.create({ doc: HEAD, extensions: [task(), history(), lastTaught, standingTaught] })
+  const dispatch = (transaction: { state: EditorState }) => {
+    state = transaction.state
+  }
+  const teach = (location: string, number: number) =>
+    dispatch(state.update(taughtMove(state, location, new Set()), { effects: asTaught(number) }))
+  const standing = () => [1, 2].filter(number => stands(state, number))
+  teach('(1)', 1)
+  dispatch(state.update({ annotations: isolateHistory.of('full') }))
+  teach('(2)', 2)
+  expect(standing()).toEqual([1, 2])
+  undo({ state, dispatch })
+  expect(standing()).toEqual([1])
+  undo({ state, dispatch })
+  expect(standing()).toEqual([])
+  redo({ state, dispatch })
+  expect(standing()).toEqual([1])
+  dispatch(state.update({ changes: { from: 0, insert: '# more\n' } }))
+  undo({ state, dispatch })
+  expect(standing()).toEqual([1])
 })
 
 describe('the name of a taught point', () => {

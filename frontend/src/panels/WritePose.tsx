@@ -23,7 +23,8 @@ export function WritePose({ lost }: { lost: boolean }) {
         const orSay = (step: () => boolean) => () => {
           if (!step()) studio.notify('warning', words.jog.textChanged)
         }
-        studio.undo.did({ name: words.jog.write, undo: orSay(back.undo), redo: orSay(back.redo) })
+        const { stands } = back
+        studio.undo.did({ name: words.jog.write, stands, undo: orSay(back.undo), redo: orSay(back.redo) })
       }}
     >
       {words.jog.write}

@@ -203,6 +203,7 @@ export class Studio {
   }
 
   #edited(document: string): void {
+    this.undo.look()
     this.textsMoved()
     if (isTaskText(document)) this.renewTasks()
   }

@@ -16,6 +16,8 @@ export interface Place {
 
 /** Takes a change of the text back, or makes it again; false where another text stands there by now. */
 export interface WayBack {
+  /** Whether it still is to be undone: an editor has its own way back, too. */
+  readonly stands: () => boolean
   readonly undo: () => boolean
   readonly redo: () => boolean
 }

@@ -22,6 +22,23 @@ test('undo and redo go back and forth through what was done', () => {
   expect(value()).toBe(2)
 })
 
+test('a step that was undone in another way is passed over, and heard of', () => {
+  const { stack, set, value } = bench()
+  set(1)
+  let stands = true
+  let undone = 0
+  stack.did({ name: 'elsewhere', stands: () => stands, undo: () => undone++, redo: () => undone-- })
+  let heard = 0
+  stack.onChange(() => heard++)
+  stack.look()
+  expect([stack.next, heard]).toEqual(['elsewhere', 0])
+  stands = false
+  stack.look()
+  expect([stack.next, stack.names, heard]).toEqual(['to 1', ['to 1'], 1])
+  stack.undo()
+  expect([value(), undone, stack.next]).toEqual([0, 0, null])
+})
+
 test('something new forgets what was undone', () => {
   const { stack, set, value } = bench()
   set(1)

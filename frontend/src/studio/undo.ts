@@ -3,6 +3,8 @@
 export interface Step {
   /** What was done, in words: "Move joint 3". */
   readonly name: string
+  /** False once it was undone in another way; it is passed over then. Always true where it is left out. */
+  readonly stands?: () => boolean
   readonly undo: () => void
   readonly redo: () => void
 }
@@ -13,15 +15,20 @@ const LONGEST = 200
 export class UndoStack {
   #done: Step[] = []
   #undone: Step[] = []
+  /** The next step as listeners know it. */
+  #said: string | null = null
   readonly #listeners = new Set<() => void>()
 
   /** Names of what can be undone, newest first. */
   get names(): readonly string[] {
-    return this.#done.map(step => step.name).reverse()
+    return this.#done
+      .filter(isStanding)
+      .map(step => step.name)
+      .reverse()
   }
 
   get next(): string | null {
-    return this.#done.at(-1)?.name ?? null
+    return this.#done.filter(isStanding).at(-1)?.name ?? null
   }
 
   get nextRedo(): string | null {
@@ -47,8 +54,9 @@ export class UndoStack {
   }
 
   undo(): void {
-    const step = this.#done.pop()
+    const step = this.#done.filter(isStanding).at(-1)
     if (!step) return
+    this.#done = this.#done.slice(0, this.#done.lastIndexOf(step))
     step.undo()
     this.#undone.push(step)
     this.#changed()
@@ -62,7 +70,17 @@ export class UndoStack {
     this.#changed()
   }
 
+  /** Something was done or undone elsewhere: say so if another step is the next one now. */
+  look(): void {
+    if (this.next !== this.#said) this.#changed()
+  }
+
   #changed(): void {
+    this.#said = this.next
     for (const listener of this.#listeners) listener()
   }
+}
+
+function isStanding(step: Step): boolean {
+  return step.stands?.() ?? true
 }

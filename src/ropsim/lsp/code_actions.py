@@ -1,4 +1,4 @@
-"""What can be done about a stretch of a text: mend its findings, write types, name locations, make tasks."""
+"""What can be done about a stretch of a text: mend its findings, write types, name locations, make tasks, change moves."""
 
 from collections.abc import Mapping
 
@@ -9,13 +9,14 @@ from ropsim.lsp.messages import Json
 from ropsim.lsp.name_location import name_location
 from ropsim.lsp.programs import is_program
 from ropsim.lsp.protocol import ActionsIn
+from ropsim.lsp.way_of_move import way_of_move
 from ropsim.lsp.workshop import Workshop
 from ropsim.lsp.write_types import write_types
 
 #: The kinds of what is offered.
 KINDS = ("quickfix", "refactor.rewrite", "refactor.extract")
 
-_MADE = (write_types, name_location, extract_task)
+_MADE = (write_types, name_location, way_of_move, extract_task)
 
 
 def actions(

@@ -104,7 +104,7 @@ def test_a_literal_that_would_not_be_the_same_elsewhere_is_left_with_a_reason(li
     assert "would not be the same" in action["disabled"]["reason"]
 
 
-def test_to_name_a_location_only_new_lines_are_read(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_for_what_is_offered_only_new_lines_are_read(monkeypatch: pytest.MonkeyPatch) -> None:
     text = "".join(f"lin (300, {k}, 200)\n" for k in range(300))
     editor = Editor()
     editor.open(BARE, f"program p\nunits mm, deg\n{text}")
@@ -118,7 +118,7 @@ def test_to_name_a_location_only_new_lines_are_read(monkeypatch: pytest.MonkeyPa
     monkeypatch.setattr(Shapes, "parsed", counted)
     action = named(editor.ask("textDocument/codeAction", textDocument={"uri": BARE}, **about), "name this")
     assert "edit" in action
-    assert read == ["loc place1 = (300, 7, 200)", "lin place1"]
+    assert read == ["loc place1 = (300, 7, 200)", "lin place1", "mov (300, 7, 200)"]
 
 
 def test_a_new_name_is_free() -> None:
@@ -211,6 +211,24 @@ def test_a_component_that_only_a_loop_has_keeps_its_lines() -> None:
     text = f"program p\nunits mm\n{grid}for each s in slots\n  lin s\n  print s.row\nendf\n"
     assert "disabled" in named(offered(text, (5, 0), (5, 13)), "make a task")
     assert done(after(text, named(offered(text, (4, 0), (4, 7)), "make a task"))) == done(text)
+
+
+MOVES = "units mm, deg\nloc p1 = (400, 0, 300)\nmov p1\n  LIN p1 above 5 mm\nlin p1 speed 100 mm/s\n"
+
+
+@pytest.mark.parametrize(
+    ("line", "title", "written"),
+    [(2, "make it a line (`lin`)", "lin p1"), (3, "make it a joint move (`mov`)", "  mov p1 above 5 mm")],
+)
+def test_a_move_is_made_one_of_the_other_kind(line: int, title: str, written: str) -> None:
+    changed = after(MOVES, named(offered(MOVES, (line, 4), (line, 4)), title))
+    lines = MOVES.splitlines()
+    lines[line] = written
+    assert changed.splitlines() == lines
+
+
+def test_a_move_with_a_speed_of_its_tool_stays_a_line() -> None:
+    assert not [one for one in offered(MOVES, (4, 0), (4, 0)) if "make it" in one["title"]]
 
 
 def test_new_lines_end_as_those_of_the_document_do() -> None:
