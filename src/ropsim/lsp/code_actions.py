@@ -1,4 +1,4 @@
-"""What can be done about a stretch of a text: mend its findings, write types, name locations, make tasks, change moves."""
+"""What can be done about lines: mend findings, write types, name locations, change moves, make tasks."""
 
 from collections.abc import Mapping
 

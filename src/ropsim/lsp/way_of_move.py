@@ -18,7 +18,7 @@ _OTHER = {"mov": ("lin", "a line"), "lin": ("mov", "a joint move")}
 def way_of_move(
     document: Document, params: InRange, documents: Mapping[str, Document], workshop: Workshop
 ) -> Iterator[Json]:
-    """Yield the change of the word of the move on a line, where nothing is to be said of it with the other one."""
+    """Yield the change of the word of the move on a line, where it is right with the other one, too."""
     number = params.range.start.line
     found = _MOVE.match(document.line(number))
     if number != params.range.end.line or found is None:

@@ -138,7 +138,7 @@ class Session:
             tab.send(notice(shortage(error) or fault))
 
     async def leave(self, tab: Tab) -> None:
-        """Forget a tab that is gone; what it has not saved is kept, and another one may edit after a while."""
+        """Forget a tab that is gone; what it has not saved is kept, and another may edit after a while."""
         self._tabs.remove(tab)
         asyncio.get_running_loop().call_later(GRACE, self._tabs.pass_on)
         await self.editing.keep()

@@ -10,7 +10,7 @@ GRACE = 5.0
 
 
 class Tabs:
-    """All connected tabs. The first one edits, the others follow until one takes the right over or it is free.
+    """All connected tabs. The first one edits, the others follow until one takes the right or it is free.
 
     Args:
         clock: returns a time that only grows [s].
@@ -45,7 +45,7 @@ class Tabs:
             self._kept_for, self._kept_until = tab.name, self._clock() + GRACE
 
     def pass_on(self) -> None:
-        """Give the right that a tab has left, and that no longer waits for it, to the tab that is here longest."""
+        """Give the right to the tab that is here longest, if nobody has it and it waits for nobody."""
         if self._editor is None and self._tabs and self._clock() >= self._kept_until:
             self.take_over(self._tabs[0])
 
