@@ -63,6 +63,7 @@ def hand(pages: Pages, tmp_path: Path) -> Iterator[StudioPage]:
         page.page.evaluate("() => __ropsim.command('live.stop')")
         page.holds(OVER)
         assert pages.unexpected() == [], "the page complained"
+        page.page.close()  # its studio ends before that of the next test
 
 
 def signals(page: StudioPage) -> "Locator":

@@ -17,7 +17,7 @@ from ropsim.studio.workers import Task, WorkerLink
 QUIET = 0.25
 """How long the text must rest before it is simulated [s]."""
 
-PATIENCE = 180.0
+PATIENCE = 60.0
 """How long the simulator may take to give up a job before it is ended [s]: a function compiles for long."""
 
 PACKS_KEPT = 3
