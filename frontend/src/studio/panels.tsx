@@ -5,7 +5,6 @@ import { CellPanel } from '../panels/CellPanel'
 import { MessagesPanel } from '../panels/MessagesPanel'
 import { ProblemsPanel } from '../panels/ProblemsPanel'
 import { ProgramPanel } from '../panels/ProgramPanel'
-import { SignalsPanel } from '../panels/SignalsPanel'
 import { StatesPanel } from '../panels/StatesPanel'
 import { ViewsPanel } from '../panels/ViewsPanel'
 import { words } from '../text/messages'
@@ -21,6 +20,9 @@ const HelpPanel = lazy(async () => ({ default: (await import('../panels/HelpPane
 
 // Jogging begins when the first picture is there.
 const JogPanel = lazy(async () => ({ default: (await import('../panels/JogPanel')).JogPanel }))
+
+// Signals are set, and runs are led by hand, when a program runs.
+const SignalsPanel = lazy(async () => ({ default: (await import('../panels/SignalsPanel')).SignalsPanel }))
 
 // The command line is for whoever tells the robot what to do line by line.
 const CommandPanel = lazy(async () => ({ default: (await import('../panels/CommandPanel')).CommandPanel }))
