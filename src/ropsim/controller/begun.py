@@ -5,7 +5,7 @@ from ropsim.controller.move_limits import move_limits
 from ropsim.controller.planned_path import PlannedPath
 from ropsim.controller.work_frames import WorkFrames
 from ropsim.core import Diagnostic
-from ropsim.flow import ModalState, MotionKind, MoveInstruction
+from ropsim.flow import ModalState, MotionKind, MoveInstruction, Origin
 from ropsim.kinematics import Method, solver_of
 from ropsim.model import ControllerModel, RobotModel
 from ropsim.motion import JointMotionLimits
@@ -47,7 +47,7 @@ def begun_of(
     if not robot.has_arm or solver_of(robot).method is Method.NUMERIC:
         return None
     somewhere = MoveInstruction(MotionKind.PTP, Pose(), modal)
-    if check_values(somewhere) or work.out_of_hand(modal, None) or work.frame_findings(modal, None):
+    if check_values(somewhere) or work.out_of_hand(modal, None) or work.frame_findings(modal, Origin()):
         return None
     plan = PlannedPath(None, None, move_limits(modal, joints, controller), X_MT)
     return Begun(plan, work.frames.get(modal.frame, modal.X_BK))

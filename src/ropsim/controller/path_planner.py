@@ -157,7 +157,7 @@ class StandardPathPlanner:
             return Refusal(problems)
         findings = numeric_hint(move, self.robot)
         if posed:
-            findings = self._work.frame_findings(move.modal, span) + findings
+            findings = self._work.frame_findings(move.modal, move.origin) + findings
         limits = move_limits(move.modal, self._limits, self.controller)
         return PlannedPath(None, None, limits, X_MT, findings)
 

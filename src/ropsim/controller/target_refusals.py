@@ -187,6 +187,7 @@ def numeric_hint(move: MoveInstruction, robot: RobotModel) -> tuple[Diagnostic, 
     finding = NO_CLOSED_FORM.at(
         move.origin.span,
         f"`{robot.name}` is solved numerically: further branches than those found may exist",
+        label=passes(move.origin),
         hint="where the posture matters, give the target in joint coordinates",
     )
     return (finding,)

@@ -5,8 +5,9 @@ from dataclasses import field
 from functools import lru_cache
 
 from ropsim.controller.moving_frames import MovingFrame
+from ropsim.controller.wording import passes
 from ropsim.core import Diagnostic, Span, did_you_mean
-from ropsim.flow import ModalState
+from ropsim.flow import ModalState, Origin
 from ropsim.model import Tool
 from ropsim.motion import FRAME_OF_OTHERS, UNKNOWN_FRAME, UNKNOWN_TOOL
 from ropsim.spatial import Array, Pose, record
@@ -95,7 +96,7 @@ class WorkFrames:
         )
         return (finding,)
 
-    def frame_findings(self, modal: ModalState, span: Span | None) -> tuple[Diagnostic, ...]:
+    def frame_findings(self, modal: ModalState, origin: Origin) -> tuple[Diagnostic, ...]:
         """Return M512 where a named task frame has no pose of its own, else nothing."""
         if not modal.frame:
             return ()
@@ -104,8 +105,9 @@ class WorkFrames:
             return ()
         known = ", ".join(f"`{frame}`" for frame in sorted(names)) or "none"
         finding = UNKNOWN_FRAME.at(
-            span,
+            origin.span,
             f"task frame `{modal.frame}` is not defined, the frames of the cell are {known}",
+            label=passes(origin),
             hint=did_you_mean(modal.frame, names) or f"add `[frames.{modal.frame}]` to the cell file",
             data={"frame": modal.frame},
         )

@@ -9,7 +9,7 @@ from ropsim import icr, language
 from ropsim.cellfile import read_cell
 from ropsim.controller import standard_chain
 from ropsim.core import SourceText
-from ropsim.flow import MessageEvent, ModalState, MoveInstruction, Recording
+from ropsim.flow import MessageEvent, ModalState, MoveInstruction, Origin, Recording
 from ropsim.kinematics import body_poses, forward, frame_poses
 from ropsim.model import Cell, body_tree
 from ropsim.simulation import Fidelity, RunOptions, run
@@ -333,7 +333,8 @@ def test_the_frame_begins_where_its_axis_starts(turn: float) -> None:
 
 def test_a_frame_that_moves_is_known_though_the_program_gives_no_pose_of_it() -> None:
     work = standard_chain(cell_of(), cell_of().first).work
-    assert work.frame_findings(ModalState(frame="fixture"), None) == ()
-    (found,) = work.frame_findings(ModalState(frame="fixtur"), None)
+    assert work.frame_findings(ModalState(frame="fixture"), Origin()) == ()
+    (found,) = work.frame_findings(ModalState(frame="fixtur"), Origin(visit=3))
     assert (found.code, found.hint) == ("M512", "did you mean `fixture`?")
+    assert found.label == "reached in pass 3"
     assert "the frames of the cell are `fixture`, `pallet`" in found.message

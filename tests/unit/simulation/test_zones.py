@@ -13,6 +13,7 @@ from ropsim.flow import MessageEvent, MoveEvent, Recording, SkipEvent
 from ropsim.model import Cell, Signal, Tool
 from ropsim.simulation import Fidelity, RunOptions, run
 from ropsim.workbench import environment_of
+from support.arms import random_arm
 from support.cells import one_station
 
 ROBOT = robots.load("puma560")
@@ -200,6 +201,18 @@ def test_a_finding_of_a_later_pass_only_is_listed_once_with_its_pass() -> None:
     assert found.span is not None
     assert found.span.line == 5
     assert "the move is 10 mm long" in found.message
+
+
+@pytest.mark.parametrize("lines", [("for i = 1 to 4", "  mov q", "endf"), ("mov q", "mov q")])
+def test_a_finding_that_every_pass_has_is_listed_once_for_each_line(lines: Sequence[str]) -> None:
+    arm = random_arm(3, "RRPRRR")  # solved numerically, which every move to a pose says
+    cell = one_station("free", arm, CELL.first.controller, tools={"": Tool("")}, start=arm.home)
+    program = code("q = here", *lines, cell=cell)
+    found = run(cell, {"robot": program}, RunOptions(Fidelity.KINEMATIC)).findings
+    written = [number for number, line in enumerate(lines, 4) if "mov" in line]
+    assert [(one.code, one.label, one.span and one.span.line) for one in found] == [
+        ("M550", "", line) for line in written
+    ]
 
 
 def test_each_trigger_beside_its_way_is_listed() -> None:
