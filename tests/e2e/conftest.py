@@ -12,7 +12,7 @@ import pytest
 
 from ropsim.flow import Recording
 from ropsim.workbench import Project, new_project, open_project
-from support.browser import Pages
+from support.browser import UNDRAWN, Pages
 from support.studio_client import Lend, command, lending
 from support.studio_page import StudioPage
 from support.studio_process import Studio
@@ -30,6 +30,14 @@ def first_cell(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("project") / "first_cell"
     shutil.copytree(FIRST_CELL, folder, ignore=shutil.ignore_patterns("out"))
     return folder
+
+
+@pytest.fixture(scope="module")
+def pages(browser: "Browser") -> Iterator[Pages]:
+    """Return where the tests of a module open pages that are not drawn."""
+    pages = Pages(browser, UNDRAWN)
+    yield pages
+    pages.close()
 
 
 @pytest.fixture(scope="session")

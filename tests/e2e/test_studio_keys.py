@@ -9,14 +9,14 @@ import pytest
 
 from ropsim.records.inputs import read_inputs
 from ropsim.workbench import open_project
-from support.browser import UNDRAWN, Pages
+from support.browser import Pages
 from support.keys_project import keys_project
 from support.studio_client import get, secret
 from support.studio_page import StudioPage
 from support.studio_process import Studio
 
 if TYPE_CHECKING:
-    from playwright.sync_api import Browser, Locator
+    from playwright.sync_api import Locator
 
 ON = "() => { const now = __ropsim.state(); return now.live === 'running' && !now.recorded }"
 OVER = "() => { const now = __ropsim.state(); return now.live !== 'running' && now.recorded && now.current }"
@@ -25,13 +25,6 @@ OVER = "() => { const now = __ropsim.state(); return now.live !== 'running' && n
 @pytest.fixture(scope="module")
 def project(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return keys_project(tmp_path_factory.mktemp("project") / "keys")
-
-
-@pytest.fixture(scope="module")
-def pages(browser: "Browser") -> Iterator[Pages]:
-    pages = Pages(browser, UNDRAWN)
-    yield pages
-    pages.close()
 
 
 @pytest.fixture(scope="module")

@@ -9,12 +9,12 @@ import pytest
 
 from ropsim.flow import MoveEvent
 from ropsim.records import read_recording
-from support.browser import UNDRAWN, Pages
+from support.browser import Pages
 from support.studio_page import StudioPage
 from support.studio_process import Studio
 
 if TYPE_CHECKING:
-    from playwright.sync_api import Browser, Locator
+    from playwright.sync_api import Locator
 
 CELL = '[robot]\nmodel = "puma560"\n'
 PROGRAM = """\
@@ -37,13 +37,6 @@ MOVES = """seconds => new Promise(done => {
 
 STILL = 1e-3
 """An arm with drives that is held sways by less than this [m]; one that moves goes 20 times as far."""
-
-
-@pytest.fixture(scope="module")
-def pages(browser: "Browser") -> Iterator[Pages]:
-    pages = Pages(browser, UNDRAWN)
-    yield pages
-    pages.close()
 
 
 @pytest.fixture

@@ -6,12 +6,12 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from support.browser import UNDRAWN, Pages
+from support.browser import Pages
 from support.studio_page import StudioPage
 from support.studio_process import Studio
 
 if TYPE_CHECKING:
-    from playwright.sync_api import Browser, Locator
+    from playwright.sync_api import Locator
 
 CELL = '[robot]\nmodel = "puma560"\n'
 PROGRAM = """\
@@ -20,13 +20,6 @@ units mm, deg, s
 wait {wait} s
 """
 WAITS = {"main": 0.2, "ops": 0.3}
-
-
-@pytest.fixture(scope="module")
-def pages(browser: "Browser") -> Iterator[Pages]:
-    pages = Pages(browser, UNDRAWN)
-    yield pages
-    pages.close()
 
 
 @pytest.fixture
@@ -45,6 +38,7 @@ def two(pages: Pages, tmp_path: Path) -> Iterator[StudioPage]:
         page.rerun(shown)
         yield page
         assert pages.unexpected() == [], "the page complained"
+        page.page.close()  # its studio ends before that of the next test
 
 
 def strip(page: StudioPage) -> "Locator":

@@ -15,7 +15,10 @@ interface Placed {
   readonly to: number
 }
 
-/** How many marks were put into a view the last time: one whose text is gone is no longer found, its sign beside the line is still there. */
+/**
+ * How many marks were put into a view the last time. One whose text is gone is no longer found, but its sign beside
+ * the line is still there.
+ */
 const put = new WeakMap<EditorView, number>()
 
 /** Show these marks in the place of those shown now; equal ones stay the same objects. */

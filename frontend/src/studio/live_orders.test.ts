@@ -98,3 +98,13 @@ test('orders to a run that is over are forgotten', () => {
   transport.toggle()
   expect(actions()).toEqual(['hold', 'hold'])
 })
+
+test('orders that a lost connection has swallowed count no more', () => {
+  store.setState({ connection: 'connected' })
+  live('running')
+  orders.order('hold')
+  expect(orders.state).toBe('held')
+  store.setState({ connection: 'lost' })
+  expect(orders.state).toBe('running')
+  expect(orders.order('hold')).toBe(true)
+})

@@ -45,9 +45,14 @@ export class LiveOrders implements Player {
     this.order(this.playing ? 'hold' : 'continue')
   }
 
+  /** Nobody answers the orders that were on their way. */
+  forget(): void {
+    this.#unanswered = []
+  }
+
   /** The run tells how it stands: it answers orders one by one, and speaks of other things in between. */
   hear(live: LiveStatus | null): void {
-    if (!live || live.state === 'starting' || live.state === 'over') this.#unanswered = []
+    if (!live || live.state === 'starting' || live.state === 'over') this.forget()
     else if (live.state === this.#unanswered[0]) this.#unanswered = this.#unanswered.slice(1)
   }
 }
@@ -59,7 +64,8 @@ export function driveLiveRuns(
   send: (command: Command) => boolean,
 ): LiveOrders {
   const orders = new LiveOrders(store, send)
-  store.subscribe(({ live }, before) => {
+  store.subscribe(({ live, connection }, before) => {
+    if (connection !== before.connection) orders.forget()
     if (live === before.live) return
     orders.hear(live)
     transport.drive(live && live.state !== 'over' ? orders : null)

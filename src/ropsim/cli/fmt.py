@@ -75,8 +75,10 @@ def fmt(options: argparse.Namespace, output: Output) -> int:
     if options.diff:
         output.text("\n".join(line for one in changed for line in _difference(one)).rstrip("\n"))
     elif options.check:
-        good = "" if code else "all texts have their form"
-        output.text("\n".join(f"not in its form: {one.name}" for one in changed) or good)
+        for one in changed:
+            output.text(f"not in its form: {one.name}")
+        if not changed and not code:
+            output.text("all texts have their form")
     written = [] if options.check or options.diff else [_written(one, output) for one in texts]
     failed = code or int(options.check and bool(changed))
     output.document(
