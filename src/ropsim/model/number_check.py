@@ -212,22 +212,15 @@ def body_findings(
 
 
 def _drive(number: int, drive: Drive, place_of: PlaceOf) -> Iterator[Diagnostic]:
-    for block in (drive.amplifier, drive.motor):
-        stated = {field.name for field in fields(block)}
-        for name in (*_LIMITS_OF_DRIVES, *_WEIGHTS_OF_DRIVES):
-            if name not in stated:
-                continue
-            value = float(getattr(block, name))
-            least = value > 0.0 if name in _LIMITS_OF_DRIVES else value >= 0.0
-            if least and (value < inf or name in _OPEN_LIMITS):
-                continue
-            allowed = "a positive number" if name in _LIMITS_OF_DRIVES else "0 or more"
-            yield kinds.UNUSABLE_DRIVE.at(
-                place_of(AuditPlace(number, Attribute.DRIVE, name)),
-                f"the drive of axis {number + 1} has `{name}` = {value:g}, allowed is {allowed}",
-                hint="check the sign",
-                data={"found": value},
-            )
+    for block in (drive.amplifier, drive.motor, drive.transmission):
+        for name in (field.name for field in fields(block)):
+            value = getattr(block, name)
+            numbers = value if isinstance(value, tuple) else (value,)
+            place = place_of(AuditPlace(number, Attribute.DRIVE, name))
+            if name in _BOUNDED:
+                yield from _bounded(number, name, float(value), place)
+            elif not all(map(isfinite, numbers)):
+                yield _not_finite(f"`{name}` of the drive of axis {number + 1}", place)
     if getattr(drive.transmission, "ratio", 1.0) == 0.0:
         yield kinds.UNUSABLE_DRIVE.at(
             place_of(AuditPlace(number, Attribute.DRIVE, "ratio")),
@@ -236,13 +229,20 @@ def _drive(number: int, drive: Drive, place_of: PlaceOf) -> Iterator[Diagnostic]
             data={"found": 0.0},
         )
     yield from _friction(number, drive, place_of)
-    for part in (drive.amplifier, drive.motor, drive.transmission):
-        for field in fields(part):
-            value = getattr(part, field.name)
-            given = value if isinstance(value, tuple) else (value,)
-            if field.name not in _BOUNDED and not all(map(isfinite, given)):
-                place = place_of(AuditPlace(number, Attribute.DRIVE, field.name))
-                yield _not_finite(f"`{field.name}` of the drive of axis {number + 1}", place)
+
+
+def _bounded(number: int, name: str, value: float, place: Span | None) -> Iterator[Diagnostic]:
+    """Yield a limit that is not positive, or an inertia or mass below 0."""
+    is_limit = name in _LIMITS_OF_DRIVES
+    if (value > 0.0 if is_limit else value >= 0.0) and (value < inf or name in _OPEN_LIMITS):
+        return
+    yield kinds.UNUSABLE_DRIVE.at(
+        place,
+        f"the drive of axis {number + 1} has `{name}` = {value:g}, "
+        f"allowed is {'a positive number' if is_limit else '0 or more'}",
+        hint="check the sign",
+        data={"found": value},
+    )
 
 
 def _friction(number: int, drive: Drive, place_of: PlaceOf) -> Iterator[Diagnostic]:

@@ -221,7 +221,7 @@ def test_a_journal_of_another_version_does_not_follow_its_project(project: Path,
     assert place.read_bytes() == other
 
 
-@pytest.mark.skipif(sys.platform == "win32", reason="locks are others there")
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows locks files by another call than `flock`")
 @pytest.mark.parametrize("number", [errno.ENOLCK, errno.EOPNOTSUPP])
 def test_where_there_are_no_locks_texts_of_a_session_that_may_go_on_are_not_taken(
     project: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, number: int

@@ -52,7 +52,7 @@ def _check_case(body: Body, node: syntax.Call) -> None:
     """
     name, own = node.name.text, body.world.own
     is_own = name in own
-    alike = dict.fromkeys(body.world.alike.get(name.lower(), ()))
+    alike = body.world.alike.get(name.lower(), ())
     other = next((one for one in alike if one != name and (one in own or not is_own)), None)
     if other is None:
         return
