@@ -59,7 +59,6 @@ def walk_runs(
         first = _behind(phi, run[START]) if number else 0
         until = _behind(phi, run[END]) if number < last else phi.shape[0]
         own = segments[:, int(run[SEGMENT]) : int(run[SEGMENT] + run[SEGMENTS])]
-        corner = corners[max(number - 1, 0)]
         for begin in range(first, until, AT_ONCE):
             count = min(until - begin, AT_ONCE)
             for k in range(count):
@@ -73,7 +72,7 @@ def walk_runs(
             _walk(int(run[FIRST_PIECE]), pieces, rows, slopes, law, count, room, begin, total)
             for k in range(shared):
                 q, qd, qdd = total[0, begin + k], total[1, begin + k], total[2, begin + k]
-                _add(total.shape[2], held[0, k], held[1, k], held[2, k], corner, q, qd, qdd)
+                _add(total.shape[2], held[0, k], held[1, k], held[2, k], corners[number - 1], q, qd, qdd)
         before = until
 
 
