@@ -6,13 +6,14 @@ import numpy as np
 import numpy.typing as npt
 
 from ropsim.controller.bends_kernel import ACROSS, ALONG, D1, SIZES, bounds_of
-from ropsim.controller.curve_bends_kernel import ROUNDS
 from ropsim.motion import JointMotionLimits
 from ropsim.spatial import Array, record
 
 Look = Callable[[Array], tuple[Array, Array]]
 """From places (k,) to the first and second derivatives of p parts with c coordinates each, (k, p, c)."""
 
+_ROUNDS = 6
+"""How often cells are halved at most."""
 _FEWEST = 9
 """Places that are looked at, at least."""
 
@@ -69,7 +70,7 @@ def bends_of(look: Look, grid: Array, limits: JointMotionLimits) -> Bends:
         s = np.insert(s, np.arange(1, len(s)), 0.5 * (s[:-1] + s[1:]))
     d1, d2 = look(s)
     rates = np.array((limits.speed, limits.acceleration, limits.jerk))
-    for _ in range(ROUNDS):
+    for _ in range(_ROUNDS):
         found, cells = _bounds(s, d1, d2, rates)
         if len(cells) == 0:
             return found

@@ -57,64 +57,19 @@ def bounds_of(
         speeds: where the highest speeds go at which bends take no more than their share, shape (k,).
         loose: becomes 1 where a bound costs speed that what was seen does not, else 0, shape (k,).
     """
-    for part in range(units.shape[0]):
-        units[part] = 1.0
-    keep_units(d1, 0, s.shape[0], units)
-    bounds_between(0, s.shape[0] - 2, s, d1, d2, limits, units, room, bounds, speeds, loose)
-
-
-@kernel("void(f8[:,:,::1], i8, i8, f8[::1])")
-def keep_units(d1: Array, first: int, last: int, units: Array) -> None:
-    """Make units 0 of parts whose first derivative has another size at one of the places before `last`."""
-    for i in range(first, last):
-        for part in range(units.shape[0]):
-            if not abs(_size(d1[i, part]) - 1.0) <= UNIT:
-                units[part] = 0.0
-
-
-@kernel(
-    "void(i8, i8, f8[::1], f8[:,:,::1], f8[:,:,::1], f8[:,::1], f8[::1], f8[:,::1], f8[:,:,::1], f8[::1],"
-    " f8[::1])"
-)
-def bounds_between(
-    begin: int,
-    end: int,
-    s: Array,
-    d1: Array,
-    d2: Array,
-    limits: Array,
-    units: Array,
-    room: Array,
-    bounds: Array,
-    speeds: Array,
-    loose: Array,
-) -> None:
-    """Write bounds of derivatives in some of the k cells between places.
-
-    Args:
-        begin: number of the first one of these cells.
-        end: of the last one.
-        s: as for `bounds_of`, and so is all else.
-        d1: see there.
-        d2: see there.
-        limits: see there.
-        units: see there; they are known.
-        room: see there.
-        bounds: see there.
-        speeds: see there.
-        loose: see there.
-    """
     last, size = s.shape[0] - 2, d2.shape[2]
     for part in range(units.shape[0]):
-        if _stands(d1, d2, part, max(begin - 2, 0), min(end + 2, last) + 1):
+        units[part] = _unit(d1, part)
+    for part in range(units.shape[0]):
+        if _stands(d1, d2, part):
             for row in range(bounds.shape[0]):
-                for i in range(begin, end + 1):
+                for i in range(last + 1):
                     bounds[row, i, part] = 0.0
             continue
-        _write_thirds(begin, end, s, d2, part, room)
+        _write_thirds(s, d2, part, room)
         unit = units[part]
-        d1_here, d2_here = _size(d1[begin, part]), _size(d2[begin, part])
-        for i in range(begin, end + 1):
+        d1_here, d2_here = _size(d1[0, part]), _size(d2[0, part])
+        for i in range(last + 1):
             h, steep = s[i + 1] - s[i], room[i, size + SLOPE]
             before, behind = max(i - 1, 0), min(i, last - 1)
             one, other = room[before, size + CHANGE], room[behind, size + CHANGE]
@@ -135,7 +90,7 @@ def bounds_between(
             _split(bounds, 0, i, part, between, high + off, third, _greater(low - off, 0.0), unit)
             _split(bounds, SEEN, i, part, first, high, steep, low, unit)
             d1_here, d2_here = d1_there, d2_there
-    for i in range(begin, end + 1):
+    for i in range(last + 1):
         most = np.inf
         for part in range(units.shape[0]):
             most = _lesser(most, limits[0, part] / _greater(bounds[SEEN, i, part], TINY))
@@ -157,9 +112,17 @@ def bend_speeds(bounds: Array, limits: Array, out: Array) -> None:
         out[i] = _fastest(bounds, 0, i, limits)
 
 
-def _stands(d1: Array, d2: Array, part: int, first: int, last: int) -> bool:
-    """Return whether a part does not move at all at some places."""
-    for i in range(first, last + 1):
+def _unit(d1: Array, part: int) -> float:
+    """Return 1.0 if the first derivative of a part has the size 1 at all places, else 0.0."""
+    for i in range(d1.shape[0]):
+        if not abs(_size(d1[i, part]) - 1.0) <= UNIT:
+            return 0.0
+    return 1.0
+
+
+def _stands(d1: Array, d2: Array, part: int) -> bool:
+    """Return whether a part does not move at any place."""
+    for i in range(d1.shape[0]):
         for c in range(d1.shape[2]):
             if not (d1[i, part, c] == 0.0 and d2[i, part, c] == 0.0):
                 return False
@@ -178,27 +141,24 @@ def _span(s: Array, i: int) -> float:
     return float((s[i + 1] - s[i]) + (s[i + 2] - s[i + 1]))
 
 
-def _write_thirds(begin: int, end: int, s: Array, d2: Array, part: int, room: Array) -> None:
+def _write_thirds(s: Array, d2: Array, part: int, room: Array) -> None:
     """Write sizes of third derivatives, by the second ones at the ends of a cell and of the next one.
 
     Args:
-        begin: first cell whose bounds are asked for.
-        end: the last one.
         s: places.
         d2: second derivatives.
         part: of the path.
         room: of each cell the mean third derivative, and behind its coordinates the four sizes as above.
     """
     last, size = s.shape[0] - 2, d2.shape[2]
-    low, high = max(begin - 2, 0), min(end + 2, last)
-    for i in range(low, high + 1):
+    for i in range(last + 1):
         h, total = s[i + 1] - s[i], 0.0
         for c in range(size):
             value = (d2[i + 1, part, c] - d2[i, part, c]) / h
             room[i, c] = value
             total += value * value
         room[i, size + SLOPE] = sqrt(total)
-    for i in range(low, min(end + 1, last - 1) + 1):
+    for i in range(last):
         h, k = s[i + 1] - s[i], s[i + 2] - s[i + 1]
         by_h, by_k = h / (h + k), k / (h + k)
         change = start = end_size = 0.0

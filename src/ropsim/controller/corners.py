@@ -15,7 +15,7 @@ from ropsim.controller.wrist_corner import are_led, wrist_corner
 from ropsim.controller.zone_ways import Crossing, way_of
 from ropsim.core import maker
 from ropsim.flow import MoveInstruction
-from ropsim.motion import CornerFault, JointPath, Stages, ToolPath, corner
+from ropsim.motion import CornerFault, JointPath, ToolPath, corner
 from ropsim.spatial import record
 
 HALF = 0.5
@@ -49,7 +49,6 @@ class Rounding:
         tool: the way between, in the base frame or that of the coordination.
         joints: the same in joint space.
         coordination: external axes that go along; None where they stand on both sides.
-        stages: bounds along it by the lesser limits of both moves; None where they are still to be found.
     """
 
     zone: float
@@ -58,7 +57,6 @@ class Rounding:
     tool: ToolPath
     joints: JointPath
     coordination: Coordination | None
-    stages: Stages | None = None
 
 
 @record

@@ -1,5 +1,7 @@
 """A leg: one move with its path in joint space."""
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from ropsim.controller.entities import Refusal
@@ -28,9 +30,7 @@ class Leg:
         planned: path, limits, tool.
         joints: the path of the joints over the length of the path; None where the move has no length.
         q_end: command joint coordinates at its end [rad | m], shape (n,).
-        findings: what planner and inverse transform have to say.
-        longest: a time that no joint needs more than from row to row of its path, at its pace anywhere
-            between them [s]; None where nobody has looked.
+        findings: of planner and inverse transform.
     """
 
     move: MoveInstruction
@@ -38,12 +38,31 @@ class Leg:
     joints: JointPath | None
     q_end: Array
     findings: tuple[Diagnostic, ...]
-    longest: float | None = None
 
     @property
     def tool(self) -> ToolPath | None:
         """Return the path of the tool, None for a path in joint space."""
         return self.planned.tool
+
+
+def legs_in_order(
+    chain: MotionChain, moves: Sequence[MoveInstruction], q_start: Array
+) -> tuple[list[Leg], Refusal | None]:
+    """Return the legs of moves up to the first one that cannot be made, and why it cannot.
+
+    Args:
+        chain: the entities.
+        moves: in order.
+        q_start: command joint coordinates at their start [rad | m], shape (n,).
+    """
+    legs, q = list[Leg](), q_start
+    for move in moves:
+        leg = leg_of(chain, move, q)
+        if isinstance(leg, Refusal):
+            return legs, leg
+        legs.append(leg)
+        q = leg.q_end
+    return legs, None
 
 
 def leg_of(chain: MotionChain, move: MoveInstruction, q_start: Array) -> Leg | Refusal:

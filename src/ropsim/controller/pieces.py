@@ -5,7 +5,6 @@ from collections.abc import Sequence
 from ropsim.controller.coordination import Coordination
 from ropsim.controller.corners import Corner, Overlap, Rounding
 from ropsim.controller.leg import Leg
-from ropsim.controller.plain_stages import plain_stages
 from ropsim.controller.stages import along_with, joint_stages, lesser_limits, tool_choices, tool_stages
 from ropsim.core import maker
 from ropsim.motion import (
@@ -80,12 +79,11 @@ def pieces_of(legs: Sequence[Leg], corners: Sequence[Corner | None]) -> list[Wal
         if leaves - enters > _NOTHING * length:
             parts[number] = enters, leaves
         enters = corner.enter if isinstance(corner, Rounding) else 0.0
-    plain = plain_stages(legs, parts)
     runs: list[Walk] = []
     pieces: list[Piece] = []
     for number, (leg, corner) in enumerate(zip(legs, (*corners, None), strict=True)):
         if number in parts:
-            pieces.append(_straight(number, leg, *parts[number], plain.get(number)))
+            pieces.append(_straight(number, leg, *parts[number]))
         if isinstance(corner, Rounding):
             pieces.append(_round(number, leg, legs[number + 1], corner))
         elif leg.joints is not None:
@@ -94,31 +92,27 @@ def pieces_of(legs: Sequence[Leg], corners: Sequence[Corner | None]) -> list[Wal
     return runs
 
 
-def _straight(number: int, leg: Leg, first: float, last: float, stages: Stages | None) -> Piece:
-    """Return a part of the path of a move, with the bounds along it where they are known."""
+def _straight(number: int, leg: Leg, first: float, last: float) -> Piece:
+    """Return a part of the path of a move with the bounds along it."""
     planned, joints = leg.planned, leg.joints
     assert joints is not None
     tool, coordination, whole = planned.tool, planned.coordination, first == 0.0 and last == joints.length
     if not whole:
         joints = _section(joints, first, last)
     if tool is None:
-        if stages is None:
-            is_timed = isinstance(joints, SynchronisedJoints)
-            stages = _NO_STAGES if is_timed else joint_stages(joints, planned.limits.joints)
+        is_timed = isinstance(joints, SynchronisedJoints)
+        stages = _NO_STAGES if is_timed else joint_stages(joints, planned.limits.joints)
         return _piece(number, joints, None, planned.X_MT, stages, None, None, first, ())
     if not whole:
         tool = ToolSection(tool, first, last)
         coordination = coordination.part(first, last) if coordination else None
-    gentler: list[Stages] = []
-    if stages is None:
-        choices = tool_choices(tool, planned.limits.tool, _SHARES)
-        stages, *gentler = (along_with(one, coordination) for one in choices)
+    choices = tool_choices(tool, planned.limits.tool, _SHARES)
+    stages, *gentler = (along_with(one, coordination) for one in choices)
     return _piece(number, joints, tool, planned.X_MT, stages, None, coordination, first, tuple(gentler))
 
 
 def _round(number: int, before: Leg, behind: Leg, corner: Rounding) -> Piece:
-    stages, X_MT = corner.stages, before.planned.X_MT
-    if stages is None:
-        least = lesser_limits(before.planned.limits.tool, behind.planned.limits.tool)
-        stages = along_with(tool_stages(corner.tool, least), corner.coordination)
+    X_MT = before.planned.X_MT
+    least = lesser_limits(before.planned.limits.tool, behind.planned.limits.tool)
+    stages = along_with(tool_stages(corner.tool, least), corner.coordination)
     return _piece(number, corner.joints, corner.tool, X_MT, stages, corner, corner.coordination, 0.0, ())

@@ -4,7 +4,6 @@ import math
 from collections.abc import Sequence
 from itertools import pairwise
 
-from ropsim.controller.arm_overlaps import arm_overlaps_of
 from ropsim.controller.chosen_stops import by_joints, by_tool
 from ropsim.controller.corners import Corner, Stop, corner_between
 from ropsim.controller.correction_check import beside_correction, correction_refusal
@@ -18,7 +17,6 @@ from ropsim.controller.hopeless import (
 )
 from ropsim.controller.kept_limits import arm_bounds, beyond_refusal, move_at, slowed_findings
 from ropsim.controller.leg import Leg
-from ropsim.controller.line_corners import line_corners_of
 from ropsim.controller.motion_chain import MotionChain
 from ropsim.controller.motion_plan import MotionPlan, MotionState
 from ropsim.controller.move_check import check_duration
@@ -225,9 +223,8 @@ def _time_alone(leg: Leg) -> float:
 def _corners(chain: MotionChain, legs: list[Leg], findings: list[Diagnostic]) -> list[Corner | None]:
     """Return the rounded corners between moves, None where the arm stops or where nothing moves."""
     corners: list[Corner | None] = []
-    plain: dict[int, Corner] = {**line_corners_of(chain, legs), **arm_overlaps_of(chain, legs)}
-    for number, (before, behind) in enumerate(pairwise(legs)):
-        found = plain.get(number) or corner_between(chain, before, behind)
+    for before, behind in pairwise(legs):
+        found = corner_between(chain, before, behind)
         if isinstance(found, Stop):
             findings += stopped(before.move, found)
             corners.append(None)

@@ -13,8 +13,7 @@ from itertools import pairwise
 import numpy as np
 
 from ropsim.controller.entities import Refusal
-from ropsim.controller.leg import Leg, leg_of
-from ropsim.controller.legs_in_order import legs_in_order
+from ropsim.controller.leg import Leg, leg_of, legs_in_order
 from ropsim.controller.motion_chain import MotionChain
 from ropsim.controller.posture_choice import JointRange, nearest_turns, turned_branches
 from ropsim.controller.posture_trouble import is_narrow, time_of, trouble_of

@@ -111,13 +111,10 @@ def _is_calm(robot: RobotModel, leg: Leg) -> bool:
     path, joints = leg.tool, leg.joints
     if not isinstance(path, Line) or type(joints) is not Traced or not path.moves:
         return False
-    longest = leg.longest
-    if longest is None:
-        told = np.empty(1)
-        longest_cell(joints.q, joints.derivatives, max_speeds_of(robot), told)
-        longest = float(told[0])
+    longest = np.empty(1)
+    longest_cell(joints.q, joints.derivatives, max_speeds_of(robot), longest)
     at_tool_speed = path.length / max(leg.planned.limits.tool.speed, _TINY) / (len(joints.q) - 1)
-    return bool(longest * WHIRL <= at_tool_speed)
+    return bool(longest[0] * WHIRL <= at_tool_speed)
 
 
 def _times(robot: RobotModel, leg: Leg) -> tuple[Array, Array, float]:

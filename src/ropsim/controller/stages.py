@@ -9,10 +9,8 @@ import numpy as np
 from ropsim.controller.bends import Bends, bends_of
 from ropsim.controller.bends_kernel import TINY
 from ropsim.controller.coordination import Coordination
-from ropsim.controller.curve_stages import stages_of_curve
 from ropsim.controller.stages_kernel import bent_stages, straight_stage
 from ropsim.motion import (
-    Curve,
     JointLine,
     JointMotionLimits,
     JointPath,
@@ -81,10 +79,6 @@ def tool_choices(path: ToolPath, limits: ToolLimits, shares: Sequence[float]) ->
         start = line.tool(_START)
         if not any(start.d2[0].tolist()):  # so it goes on: only a tool that rolls while it swings has some
             return (_even(path.length, start.d1[0].tolist(), limits),)
-    if isinstance(path, Curve):
-        curve, rates = path, rates_of(limits)
-        if first := stages_of_curve(curve, rates, shares[0]):
-            return _choices(first, lambda share: stages_of_curve(curve, rates, share), shares[1:])
 
     def look(places: Array) -> tuple[Array, Array]:
         rows = path.tool(places)
@@ -99,16 +93,14 @@ def tool_choices(path: ToolPath, limits: ToolLimits, shares: Sequence[float]) ->
     return _choices(_bent(bends, both, shares[0]), lambda share: _bent(bends, both, share), shares[1:])
 
 
-def _choices(
-    first: Stages, walked: Callable[[float], Stages | None], shares: Sequence[float]
-) -> tuple[Stages, ...]:
+def _choices(first: Stages, walked: Callable[[float], Stages], shares: Sequence[float]) -> tuple[Stages, ...]:
     """Return the first choice, and those at lesser shares where these differ."""
     if len(first) > 1:  # a bend that changes: what is left for changes of speed is used up where it changes
         return (first,)
     found = [first]
     for share in shares:
         other = walked(share)
-        if other and not any(np.array_equal(other.rows, one.rows) for one in found):
+        if not any(np.array_equal(other.rows, one.rows) for one in found):
             found.append(other)
     return tuple(found)
 

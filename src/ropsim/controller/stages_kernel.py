@@ -45,32 +45,6 @@ def bent_stages(
         told: where their number goes, shape (1,).
     """
     bend_speeds(bounds, limits, speeds)
-    walked_stages(bounds, lengths, limits, share, speeds, cells, out, told)
-
-
-@kernel("void(f8[:,:,::1], f8[::1], f8[:,::1], f8, f8[::1], f8[:,::1], f8[:,::1], f8[::1])")
-def walked_stages(
-    bounds: Array,
-    lengths: Array,
-    limits: Array,
-    share: float,
-    speeds: Array,
-    cells: Array,
-    out: Array,
-    told: Array,
-) -> None:
-    """Write the same where the speeds that bends allow are known.
-
-    Args:
-        bounds: as for `bent_stages`, and so is all else.
-        lengths: see there.
-        limits: see there.
-        share: see there.
-        speeds: that bends allow; become those with which cells are walked, shape (k,).
-        cells: see there.
-        out: see there.
-        told: see there.
-    """
     for i in range(bounds.shape[1]):
         slow = share * speeds[i]
         for part in range(bounds.shape[2]):

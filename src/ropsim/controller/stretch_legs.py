@@ -4,8 +4,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from ropsim.controller.entities import Refusal
-from ropsim.controller.leg import Leg
-from ropsim.controller.legs_in_order import legs_in_order
+from ropsim.controller.leg import Leg, legs_in_order
 from ropsim.controller.motion_chain import MotionChain
 from ropsim.controller.posture_in_the_way import in_the_way, last_wish, without_wish
 from ropsim.controller.posture_search import has_choice, search

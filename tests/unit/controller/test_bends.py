@@ -1,18 +1,14 @@
 """Bounds of derivatives hold between the places that are looked at, where third derivatives jump, too."""
 
-from importlib import import_module
-from itertools import combinations
+import math
 
 import numpy as np
 import pytest
 
 from ropsim.controller.bends import bends_of
-from ropsim.controller.bends_kernel import SIZES, bounds_between
-from ropsim.controller.curve_stages import stages_of_curve
-from ropsim.controller.stages import tool_choices, tool_stages
-from ropsim.motion import Curve, JointMotionLimits, Line, ToolLimits, corner
+from ropsim.controller.bends_kernel import ALONG, SIZES, bounds_of
+from ropsim.motion import JointMotionLimits
 from ropsim.spatial import Array
-from support.paths import random_pose
 
 LIMITS = JointMotionLimits(np.array([9.0]), np.array([1.0]), np.array([1.0]))
 EVEN = np.linspace(0.0, 1.0, 33)
@@ -71,41 +67,6 @@ def test_what_an_even_first_derivative_changes_by_is_at_right_angles_to_it() -> 
     assert bends.d1 == pytest.approx(np.ones((len(bends.lengths), 1)))
 
 
-class _Unknown:
-    """A path of the tool of which nothing is known but what it tells."""
-
-    def __init__(self, path: Curve) -> None:
-        self.length, self.own_grid = path.length, path.own_grid
-        self.tool, self.positions, self.distance = path.tool, path.positions, path.distance
-
-
-@pytest.mark.parametrize("seed", range(24))
-def test_a_curve_is_looked_at_as_any_other_path(seed: int) -> None:
-    """In one compiled loop: the same stages, to the bit."""
-    rng = np.random.default_rng(seed)
-    first, meet, last = (random_pose(rng) for _ in range(3))
-    before, behind = Line(first, meet), Line(meet, last)
-    curve = corner(before, 0.6 * before.length, behind, 10.0 ** rng.uniform(-2.0, -0.3) * behind.length)
-    assert isinstance(curve, Curve)
-    limits = ToolLimits(*(np.array([0.5, 1.0, 10.0, 1.0, 2.0, 20.0]) * 10.0 ** rng.uniform(-2, 1)).tolist())
-    shares = (1.0, 0.8, 0.5)
-    assert tool_choices(curve, limits, shares) == tool_choices(_Unknown(curve), limits, shares)
-
-
-def test_a_curve_that_is_too_uneven_for_the_room_has_the_same_stages(monkeypatch: pytest.MonkeyPatch) -> None:
-    rng = np.random.default_rng(3)
-    first, meet, last = (random_pose(rng) for _ in range(3))
-    curve = corner(Line(first, meet), 0.7 * Line(first, meet).length, Line(meet, last), 0.02)
-    assert isinstance(curve, Curve)
-    limits = ToolLimits(0.5, 2.0, 20.0, 1.0, 4.0, 40.0)
-    rates = np.reshape(limits.all, (2, 3)).T.copy()
-    stages = tool_stages(curve, limits)
-    assert stages_of_curve(curve, rates, 1.0) == stages
-    monkeypatch.setattr(import_module("ropsim.controller.curve_stages"), "_ROOM", 1)
-    assert stages_of_curve(curve, rates, 1.0) is None
-    assert tool_stages(curve, limits) == stages
-
-
 def test_bounds_of_what_is_no_number_are_none() -> None:
     """As those of a path that turns back in a point, and of its neighbours; elsewhere nothing changes."""
     rng = np.random.default_rng(1)
@@ -131,16 +92,12 @@ def rows_at(places: Array, s: Array, d1: Array, d2: Array) -> tuple[Array, Array
 
 
 @pytest.mark.parametrize("moves", [0, 4, 9])
-def test_bounds_of_some_cells_are_those_of_all_though_a_part_stands_there(moves: int) -> None:
-    """A part that moves at one place has a say in the bounds of cells near to it."""
-    s, d1, d2 = np.linspace(0.0, 1.0, 10), np.zeros((10, 2, 3)), np.zeros((10, 2, 3))
+def test_a_part_that_moves_at_one_place_has_bounds_in_all_cells(moves: int) -> None:
+    d1, d2 = np.zeros((10, 2, 3)), np.zeros((10, 2, 3))
     d1[:, 0], d2[:, 0] = (1.0, 0.0, 0.0), np.random.default_rng(moves).normal(size=(10, 3))
     d2[moves, 1] = (0.0, 2.0, 1.0)
-    limits, units, room = np.ones((3, 2)), np.array([1.0, 0.0]), np.empty((9, 3 + SIZES))
-    whole, speeds, loose = np.full((10, 9, 2), np.nan), np.empty(9), np.empty(9)
-    bounds_between(0, 8, s, d1, d2, limits, units, room, whole, speeds, loose)
-    assert (whole >= 0.0).all()
-    for first, last in combinations(range(9), 2):
-        part = np.full((10, 9, 2), np.nan)
-        bounds_between(first, last, s, d1, d2, limits, units, room, part, np.empty(9), np.empty(9))
-        assert (part[:, first : last + 1] == whole[:, first : last + 1]).all()
+    table, room = np.full((10, 9, 2), np.nan), np.empty((9, 3 + SIZES))
+    rates, s = np.ones((3, 2)), np.linspace(0.0, 1.0, 10)
+    bounds_of(s, d1, d2, rates, np.empty(2), room, table, np.empty(9), np.empty(9))
+    assert (table >= 0.0).all()
+    assert table[ALONG, max(moves - 1, 0), 1] >= math.sqrt(5.0) - ROUNDING
