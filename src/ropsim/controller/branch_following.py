@@ -1,10 +1,21 @@
 """Branch following: one continuous sequence of joint coordinates out of all branches along a path."""
 
+from functools import lru_cache
+
 import numpy as np
 
-from ropsim.controller.branch_kernel import TURN, follow_row, nearest_branch
+from ropsim.controller.branch_kernel import TURN, follow_row, follow_wrist, nearest_branch
 from ropsim.controller.posture_choice import LIMIT_SLACK
-from ropsim.kinematics import IkOptions, Limits, inverse, inverse_path
+from ropsim.kinematics import (
+    ROOM_OF_ROWS,
+    IkOptions,
+    Limits,
+    exact_arm,
+    inverse,
+    inverse_batch,
+    inverse_path,
+    solver_of,
+)
 from ropsim.model import RobotModel
 from ropsim.spatial import Array, Pose, record
 
@@ -41,21 +52,27 @@ class BranchFollower:
     robot: RobotModel
     axes: Array
 
-    def follow(self, matrices: Array, branches: Array, q_start: Array, held: Array) -> Follow:
+    def follow(self, matrices: Array, q_start: Array, held: Array) -> Follow:
         """Return the joint coordinates that continue `q_start` along a path.
 
-        Away from singularities every branch keeps its row in `branches`, so one row number gives the whole
-        path at once. Where that breaks, the nearest branch is followed pose by pose instead.
+        Away from singularities every branch keeps its row among all branches, so one row number gives the
+        whole path at once, and for an arm with spherical wrist that row alone is solved. Where the row breaks
+        off, the nearest branch is followed pose by pose.
 
         Args:
             matrices: X_BM along the path, shape (k, 4, 4).
-            branches: of each pose; angles in (-π, π], NaN where absent [rad | m], shape (k, m, n).
             q_start: joint coordinates at the start of the path [rad | m], shape (n,).
             held: coordinates of the axes of which those of the external ones count, shape (n,) where they
                 stand, or (k, n) with a row for each pose.
         """
-        q, told = np.empty((len(branches), len(q_start))), np.empty(2)
-        follow_row(np.ascontiguousarray(branches), q_start, self.axes, CLOSE, LIMIT_SLACK, q, told)
+        q, told, arm = np.empty((len(matrices), len(q_start))), np.zeros(2), _wrist_arm(self.robot)
+        if arm is not None:
+            rows, room = np.empty((1, 8, 6)), np.empty(ROOM_OF_ROWS)
+            follow_wrist(arm, self.axes, CLOSE, LIMIT_SLACK, matrices, q_start, q, rows, room, told)
+            if told[0]:
+                return Follow(q, within=bool(told[1]))
+        branches = np.ascontiguousarray(inverse_batch(self.robot, matrices, held))
+        follow_row(branches, q_start, self.axes, CLOSE, LIMIT_SLACK, q, told)
         if told[0]:
             return Follow(q, within=bool(told[1]))
         return self._follow_poses(matrices, branches, q_start, held)
@@ -118,3 +135,9 @@ class BranchFollower:
     def _turned(self, q: Array, q_near: Array) -> Array:
         turned: Array = q + self.axes[2] * (TURN * np.round((q_near - q) / TURN))
         return turned
+
+
+@lru_cache(maxsize=64)
+def _wrist_arm(robot: RobotModel) -> Array | None:
+    """Return the arm for `follow_wrist`, None for one with external axes or another wrist."""
+    return None if robot.external else exact_arm(solver_of(robot))

@@ -5,6 +5,7 @@ from math import pi
 import numpy as np
 
 from ropsim.codegen import kernel
+from ropsim.kinematics import inverse_branch, inverse_rows
 from ropsim.spatial import Array
 
 TURN = 2.0 * pi
@@ -30,6 +31,43 @@ def follow_row(
     for k in range(branches.shape[0]):
         for j in range(branches.shape[2]):
             q[k, j] = branches[k, row, j]
+    unwind(q, q_start, axes, close, slack, told)
+
+
+@kernel(
+    "void(f8[::1], f8[:,::1], f8, f8, f8[:,:,::1], f8[::1], f8[:,::1], f8[:,:,::1], f8[::1], f8[::1])",
+)
+def follow_wrist(
+    arm: Array,
+    axes: Array,
+    close: float,
+    slack: float,
+    T: Array,
+    q_start: Array,
+    q: Array,
+    rows: Array,
+    room: Array,
+    told: Array,
+) -> None:
+    """Write what `follow_row` does for an arm with spherical wrist, of which only one branch is solved.
+
+    Args:
+        arm: as `inverse_rows` takes it.
+        axes: as for `follow_row`.
+        close: as there.
+        slack: as there.
+        T: poses X_BM, shape (k, 4, 4).
+        q_start: as there.
+        q: where the coordinates go [rad | m], shape (k, 6).
+        rows: room for branches, shape (1, 8 or more, 6).
+        room: to work in, shape (ROOM_OF_ROWS,) or more.
+        told: as there, shape (2,) or more.
+    """
+    for j in range(6):
+        room[j] = 0.0
+    inverse_rows(arm, room, T[:1], rows)
+    nearest_branch(rows[0, :8], q_start, axes[2], told)
+    inverse_branch(arm, room, T, int(told[0]), q)
     unwind(q, q_start, axes, close, slack, told)
 
 

@@ -10,8 +10,8 @@ from ropsim.controller.line_check import Line, end_findings, limit_refusals, los
 from ropsim.controller.posture_choice import JointRange
 from ropsim.controller.work_frames import WorkFrames
 from ropsim.core import Diagnostic
-from ropsim.flow import JointSamples, ModalState, MoveInstruction, PoseSetpoints
-from ropsim.kinematics import Method, inverse_batch, redundant_solver_of, solver_of
+from ropsim.flow import JointSamples, MoveInstruction, PoseSetpoints
+from ropsim.kinematics import Method, redundant_solver_of, solver_of
 from ropsim.model import RobotModel, Tool
 from ropsim.spatial import Array, Pose, frozen, record
 
@@ -40,21 +40,6 @@ class StandardInverseTransform:
         object.__setattr__(self, "_follower", BranchFollower(self.robot, axes))
         object.__setattr__(self, "_work", WorkFrames(self.tools, {}, self.default_tool))
 
-    @property
-    def axes(self) -> Array:
-        """Return lower and upper limits [rad | m], and 1 for axes that turn, else 0, shape (3, n)."""
-        return self._follower.axes
-
-    @property
-    def is_coupled(self) -> bool:
-        """Return whether joints beside the axes have limits."""
-        return bool(self._range.coupled.joints)
-
-    def backwards(self, modal: ModalState) -> Array | None:
-        """Return the matrix of X_TM of the tool in force, shape (4, 4), None where it is not known."""
-        X_MT = self._work.tool_pose(modal, None)
-        return _backwards(X_MT) if isinstance(X_MT, Pose) else None
-
     def solve(
         self, setpoints: PoseSetpoints, q_start: Array, move: MoveInstruction
     ) -> JointSamples | Refusal:
@@ -79,8 +64,7 @@ class StandardInverseTransform:
         if not has_named_branches(self.robot):
             found = self._follower.follow_numerically(matrices, q_start, held)
         else:
-            branches = inverse_batch(self.robot, matrices, held)
-            found = self._follower.follow(matrices, branches, q_start, held)
+            found = self._follower.follow(matrices, q_start, held)
         if not found.within or self._range.coupled.joints:
             refusals = limit_refusals(line, found.q, self._range)
             if not refusals and not found.complete:

@@ -6,11 +6,9 @@ import numpy as np
 
 from ropsim.controller.entities import Refusal
 from ropsim.controller.entity_faults import guarded
-from ropsim.controller.guide import guide_of
 from ropsim.controller.motion_chain import MotionChain
-from ropsim.controller.move_check import MAX_DURATION, check_duration
+from ropsim.controller.move_check import check_duration
 from ropsim.controller.path_faults import unusable_path, unusable_tool_path
-from ropsim.controller.path_planner import StandardPathPlanner
 from ropsim.controller.planned_faults import unusable_plan
 from ropsim.controller.planned_path import PlannedPath
 from ropsim.controller.posture_wish import other_posture
@@ -73,23 +71,6 @@ def leg_of(chain: MotionChain, move: MoveInstruction, q_start: Array) -> Leg | R
         move: the instruction with its modal state.
         q_start: command joint coordinates at the end of the move before [rad | m], shape (n,).
     """
-    return _led(chain, move, q_start) or _asked(chain, move, q_start)
-
-
-def _led(chain: MotionChain, move: MoveInstruction, q_start: Array) -> Leg | None:
-    """Return the leg of a move that standard entities make at once, None where they are to be asked."""
-    guide, planner = guide_of(chain), chain.planner
-    if guide is None or type(planner) is not StandardPathPlanner or planner.robot is not chain.robot:
-        return None
-    planned = planner.plain_path(move, q_start)
-    if planned is None or planned.tool is None or planned.least_time > MAX_DURATION:
-        return None
-    led = guide.joints(planned.tool, q_start, move)
-    return None if led is None else _ended(chain, move, planned, *led)
-
-
-def _asked(chain: MotionChain, move: MoveInstruction, q_start: Array) -> Leg | Refusal:
-    """Return the leg of a move that each entity is asked for by itself, or why it cannot be made."""
     planner = chain.planner
     planned = guarded(planner, lambda: planner.plan(move, q_start), (PlannedPath,), move)
     if isinstance(planned, Refusal):

@@ -105,38 +105,6 @@ class StandardPathPlanner:
         goal = self._tool_goal(move, q_start, so_far.X_MT)
         return goal if isinstance(goal, Refusal) else self._plan_tool(move, q_start, so_far, goal)
 
-    def plain_path(self, move: MoveInstruction, q_start: Array) -> PlannedPath | None:
-        """Return the path of the tool of a move to a pose without asking whether the arm reaches its target.
-
-        Whoever finds joints along it knows that. The arm has no external axes.
-
-        Args:
-            move: the instruction with its modal state.
-            q_start: command joint coordinates at the end of the move before [rad | m], shape (n,).
-
-        Returns:
-            the plan, None where `plan` is to be asked.
-        """
-        if self.kinds is not TOOL_PATHS or move.kind not in TOOL_PATHS or move.external:
-            return None
-        if not isinstance(move.target, Pose) or self.controller.orientation is OrientationMode.WRIST_ANGLES:
-            return None
-        so_far = self._begun(move)
-        if isinstance(so_far, Refusal):
-            return None
-        X_BK = self._work.frame_pose(move.modal, q_start)
-        via = tuple([X_BK @ X_KT for X_KT in move.via])
-        X_start = tool_pose(self.robot, q_start, so_far.X_MT)
-        request = PathRequest(move, X_start, via, X_BK @ move.target, self.controller.orientation)
-        path = TOOL_PATHS[move.kind](request)
-        if path is None or isinstance(path, tuple):
-            return None
-        return PlannedPath(None, path, so_far.limits, so_far.X_MT, so_far.findings)
-
-    def begun(self, modal: ModalState) -> Begun | None:
-        """Return what moves to poses under a modal state have in common, None where it is to be looked at."""
-        return self._known(modal)
-
     def _begun(self, move: MoveInstruction) -> PlannedPath | Refusal:
         """Return limits, tool and findings of a move, or why its values cannot be used."""
         target, is_known = move.target, move.kind == MotionKind.PTP or move.kind in self.kinds

@@ -9,7 +9,6 @@ from ropsim.controller.coordination import Coordination
 from ropsim.controller.density import MOST_DENSITY, SMOOTH, denser
 from ropsim.controller.entities import JointInterpolator, Refusal
 from ropsim.controller.entity_faults import guarded
-from ropsim.controller.guide import guide_of
 from ropsim.controller.joint_interpolator import StandardJointInterpolator
 from ropsim.controller.motion_chain import MotionChain
 from ropsim.controller.path_faults import unusable_path, unusable_samples, unusable_setpoints
@@ -42,9 +41,6 @@ def trace(
         move: the instruction.
         coordination: external axes that go along; None where they stand.
     """
-    guide = guide_of(chain) if coordination is None else None
-    if guide and (led := guide.joints(path, q_start, move)):
-        return led
     found = _traced(chain, path, q_start, move, coordination)
     if isinstance(found, Refusal):
         return found
