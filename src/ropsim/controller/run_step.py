@@ -4,14 +4,11 @@ import numpy as np
 
 from ropsim.controller.bands import Bands
 from ropsim.controller.exceeding_kernel import walk_at
-from ropsim.controller.joint_caps import Walked, joint_caps, joint_limits
+from ropsim.controller.joint_caps import Walked, joint_caps
 from ropsim.controller.kept_limits import ArmBounds
 from ropsim.controller.parts import Part
-from ropsim.controller.run_step_kernel import step_of_run
-from ropsim.controller.stretch_kernel import FIRST_PIECE
 from ropsim.controller.stretch_motion import StretchMotion
-from ropsim.controller.walk_table import WalkTable
-from ropsim.motion import COEFFICIENTS, ROUNDING, LawRows, Reference
+from ropsim.motion import LawRows, Reference
 from ropsim.spatial import Array, record
 
 
@@ -45,66 +42,9 @@ def slower_run(
         ticks: at which a limit is exceeded, none of them 0, shape (b,).
         aim: of the step.
     """
-    if motion.table is None or (reference.torque is not None and aim.arm.effort is not None):
-        walked = _walked(motion, reference, number, bands.begins, ticks)
-        lower = bands.lowered(joint_caps(walked, aim.arm, aim.period, aim.used))
-        return lower, lower.replanned(aim.look_ahead)
-    return _quick(motion, motion.table, reference, number, bands, ticks, aim)
-
-
-def _quick(
-    motion: StretchMotion,
-    table: WalkTable,
-    reference: Reference,
-    number: int,
-    bands: Bands,
-    ticks: Array,
-    aim: Aim,
-) -> tuple[Bands, Part]:
-    """Return the same where paths are known and torques do not count."""
-    run, rows, b = motion.course.runs[number], reference.rows, len(ticks)
-    n, c = rows.q.shape[1], len(bands.owners)
-    bounds, causes = np.empty((3, c)), bands.causes.copy()
-    stages, counts, told = np.empty((c, 6)), np.empty(len(bands.legs)), np.empty(2)
-    step_of_run(
-        run.law.segments,
-        run.law.duration,
-        run.start,
-        reference.phi,
-        ticks,
-        rows.q,
-        rows.d1,
-        rows.d2,
-        int(table.runs[number, FIRST_PIECE]),
-        table.pieces,
-        table.rows,
-        table.slopes,
-        joint_limits(aim.arm.joints, aim.period),
-        aim.period,
-        aim.used,
-        1.0 + ROUNDING,
-        bands.begins,
-        bands.legs,
-        bands.borders,
-        bands.owners,
-        aim.look_ahead,
-        bands.planned,
-        bands.bounds,
-        bounds,
-        causes,
-        stages,
-        counts,
-        told,
-        np.empty((9, 2 * b)),
-        np.empty((COEFFICIENTS, n)),
-        np.empty((3, 2 * b, n)),
-        np.empty((4, b, n)),
-        np.empty((2, b)),
-        np.empty((4, b)),
-        np.empty((7, 5 * b * n)),
-    )
-    share, count = told.tolist()
-    return bands.with_bounds(bounds, causes, share), bands.with_stages(stages[: int(count)], counts)
+    walked = _walked(motion, reference, number, bands.begins, ticks)
+    lower = bands.lowered(joint_caps(walked, aim.arm, aim.period, aim.used))
+    return lower, lower.replanned(aim.look_ahead)
 
 
 def _walked(motion: StretchMotion, reference: Reference, number: int, begins: Array, ticks: Array) -> Walked:
