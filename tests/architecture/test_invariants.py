@@ -135,6 +135,31 @@ def test_what_is_kept_goes_through_one_door() -> None:
     assert found == CACHE_DOOR
 
 
+LOCKS = {"fcntl", "msvcrt", "filelock"}
+
+
+def test_one_module_takes_locks() -> None:
+    takers = {
+        path
+        for path, tree in trees().items()
+        for node in ast.walk(tree)
+        if (isinstance(node, ast.ImportFrom) and node.module in LOCKS)
+        or (isinstance(node, ast.Import) and LOCKS & {one.name for one in node.names})
+    }
+    assert takers == {"core/file_lock.py"}
+
+
+def test_nothing_changes_the_mask_of_permissions() -> None:
+    """All threads of a process share it: a change for a moment opens the new files of the others to all."""
+    found = {
+        path
+        for path, tree in trees().items()
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Attribute) and node.attr == "umask"
+    }
+    assert found == set()
+
+
 def test_machine_code_is_loaded_where_its_seal_was_checked() -> None:
     loaders = {
         path

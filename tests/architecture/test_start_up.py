@@ -6,7 +6,7 @@ import sys
 import pytest
 
 SERVING = ("msgspec", "starlette", "uvicorn", "websockets")
-HEAVY = ("numpy", "numba", "scipy", "pandas", "wasmtime", *SERVING)
+HEAVY = ("numpy", "numba", "scipy", "pandas", "wasmtime", "filelock", "platformdirs", *SERVING)
 
 
 def loaded_after(program: str) -> set[str]:

@@ -10,6 +10,8 @@ from ropsim.core.diagnostic import TextEdit as TextEdit
 from ropsim.core.edited_lines import EditedLines as EditedLines
 from ropsim.core.edited_lines import edited_lines as edited_lines
 from ropsim.core.errors import RopsimError as RopsimError
+from ropsim.core.file_lock import FileLock as FileLock
+from ropsim.core.file_lock import LockState as LockState
 from ropsim.core.files import MOST_BYTES as MOST_BYTES
 from ropsim.core.files import LongFileError as LongFileError
 from ropsim.core.files import NoOrdinaryFileError as NoOrdinaryFileError
@@ -35,6 +37,7 @@ from ropsim.core.outside import outside_project as outside_project
 from ropsim.core.places import Places as Places
 from ropsim.core.places import places_of as places_of
 from ropsim.core.plural import plural as plural
+from ropsim.core.sharing import retried as retried
 from ropsim.core.shortage import shortage as shortage
 from ropsim.core.source import SourceText as SourceText
 from ropsim.core.span import Span as Span

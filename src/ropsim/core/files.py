@@ -3,10 +3,12 @@
 import errno
 import os
 import stat
+from functools import partial
 from pathlib import Path
 from typing import IO
 
 from ropsim.core.handles import stream_of
+from ropsim.core.sharing import retried
 from ropsim.core.temporary_file import temporary_file
 
 MOST_BYTES = 64_000_000
@@ -72,8 +74,9 @@ def _size(count: int) -> str:
 def replace_file(path: Path, content: bytes) -> None:
     """Write `content` to `path` in one step: a crash leaves the old file, never half a new one.
 
-    A link stays a link, its target is replaced; a replaced file keeps its permissions. A device or a pipe,
-    such as `/dev/null`, is written to, because it cannot be replaced.
+    A link stays a link, its target is replaced. A replaced file keeps its permissions; a new one has those
+    that the system gives to new files. A device or a pipe, such as `/dev/null`, is written to, because it
+    cannot be replaced.
 
     Raises:
         OSError: the folder cannot be written, or the device takes no more.
@@ -85,18 +88,17 @@ def replace_file(path: Path, content: bytes) -> None:
             stream.write(content)
         return
     place.parent.mkdir(parents=True, exist_ok=True)
-    _replace(place, content, 0o666 & ~_umask() if mode is None else stat.S_IMODE(mode))
+    _replace(place, content, None if mode is None else stat.S_IMODE(mode))
 
 
-def _replace(place: Path, content: bytes, mode: int) -> None:
-    """Put a file with these permissions in the place of another one; until then nobody else can read it."""
-    with temporary_file(place.parent, content, finish=_on_disk) as name:
-        Path(name).chmod(mode)
-        Path(name).replace(place)
+def _replace(place: Path, content: bytes, permissions: int | None) -> None:
+    """Put a file with these permissions in the place of another one; None for those of a new file."""
+    with temporary_file(place.parent, content, permissions, on_disk) as name:
+        retried(partial(Path(name).replace, place))
 
 
-def _on_disk(stream: IO[bytes]) -> None:
-    """Have the system write what it holds of a file."""
+def on_disk(stream: IO[bytes]) -> None:
+    """Have the system write its buffers of a file to the disk."""
     stream.flush()
     os.fsync(stream.fileno())
 
@@ -118,9 +120,3 @@ def _mode(path: Path) -> int | None:
         return path.stat().st_mode
     except FileNotFoundError:
         return None
-
-
-def _umask() -> int:
-    mask = os.umask(0)
-    os.umask(mask)
-    return mask

@@ -11,9 +11,8 @@ import os
 import stat
 from collections.abc import Callable, Iterator
 from pathlib import Path, PurePath, PureWindowsPath
-from typing import IO
 
-from ropsim.core.files import replace_file
+from ropsim.core.files import on_disk, replace_file
 from ropsim.core.handles import closed_on_error, stream_of
 from ropsim.core.temporary_file import temporary_file
 
@@ -107,7 +106,7 @@ def replace_inside(
             replace_file(place, content)
             return
         mode = _mode(place.name, around)
-        with _written(content, mode, around) as new:
+        with temporary_file(around, content, mode, on_disk) as new:
             may_replace()
             os.replace(new, place.name, src_dir_fd=around, dst_dir_fd=around)
         with contextlib.suppress(OSError):  # some file systems cannot
@@ -128,7 +127,7 @@ def create_inside(folder: Path, name: str | PurePath, content: bytes) -> None:
             os.close(os.open(place, _NEW, 0o666))
             replace_file(place, content)
             return
-        with _written(content, None, around) as new:
+        with temporary_file(around, content, None, on_disk) as new:
             try:
                 os.link(new, place.name, src_dir_fd=around, dst_dir_fd=around, follow_symlinks=False)
             except OSError as error:
@@ -189,15 +188,3 @@ def _mode(name: str, around: int) -> int | None:
         kind = errno.EISDIR if stat.S_ISDIR(mode) else errno.ELOOP if stat.S_ISLNK(mode) else errno.EINVAL
         raise OSError(kind, os.strerror(kind), name)
     return stat.S_IMODE(mode)
-
-
-def _written(content: bytes, mode: int | None, around: int) -> contextlib.AbstractContextManager[str]:
-    """Write a file next to the one that it shall become; it is gone afterwards unless it was renamed."""
-
-    def finish(stream: IO[bytes]) -> None:
-        stream.flush()
-        if mode is not None:
-            os.fchmod(stream.fileno(), mode)
-        os.fsync(stream.fileno())
-
-    return temporary_file(around, content, 0o600 if mode is not None else 0o666, finish)

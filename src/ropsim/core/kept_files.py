@@ -29,8 +29,10 @@ from ropsim.core.user_folders import CACHE_OVERRIDE, cache_folder
 
 _SEAL = 32
 """Bytes of the digest in front of an entry."""
-_TURNS = "turns"
-"""The file by which processes take turns; it stays empty."""
+_TURN = "turn-"
+"""Start of the names of the files by which processes take turns; they stay, empty."""
+_TURNS = 64
+"""Number of these files: two things of one file wait for each other, which costs time only."""
 _findings: dict[str, Diagnostic] = {}
 """Why folders are not used in this process, by what is wrong."""
 
@@ -79,8 +81,8 @@ class KeptFiles:
         """Have the turn of a number among processes that make an entry; see `ropsim.core.turns`."""
         handle = None
         with contextlib.suppress(OSError), self._made() as room:
-            handle = room.lock_file(_TURNS)
-        with turn(handle, number):
+            handle = room.lock_file(f"{_TURN}{number % _TURNS}")
+        with turn(handle):
             yield
 
     @contextlib.contextmanager
@@ -101,7 +103,7 @@ class KeptFiles:
 
     def _make_place(self, room: OwnFolder) -> None:
         """Remove entries that were not used for longest, until there is some place for new ones."""
-        entries = sorted(one for one in room.entries() if one.name != _TURNS)
+        entries = sorted(one for one in room.entries() if not one.name.startswith(_TURN))
         size = sum(one.size for one in entries)
         if size <= self._most:
             return

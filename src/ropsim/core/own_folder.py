@@ -18,6 +18,7 @@ from types import TracebackType
 from typing import NamedTuple
 
 from ropsim.core.handles import closed_on_error, stream_of
+from ropsim.core.sharing import retried
 from ropsim.core.temporary_file import temporary_file
 
 _HAS_OWNERS = hasattr(os, "geteuid")
@@ -145,8 +146,9 @@ class OwnFolder:
             OSError: it cannot be written.
         """
         folder = self.path if self._handle is None else self._handle
+        around = self._handle
         with temporary_file(folder, content) as new:
-            os.replace(new, self._at(name), src_dir_fd=self._handle, dst_dir_fd=self._handle)
+            retried(lambda: os.replace(new, self._at(name), src_dir_fd=around, dst_dir_fd=around))
 
     def remove(self, name: str) -> None:
         """Remove a file; one that is gone, or cannot be removed, stays so."""

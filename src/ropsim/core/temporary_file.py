@@ -15,12 +15,14 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import IO
 
+from ropsim.core.file_lock import LockState, lock_handle
 from ropsim.core.handles import stream_of
 
 _PREFIX = ".ropsim-"
 _NAME = re.compile(rf"{re.escape(_PREFIX)}[0-9a-f]{{16}}")
 _NEW = os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0) | getattr(os, "O_NOFOLLOW", 0)
 _LEFT = os.O_RDONLY | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0)
+_CHANGED_BY_HANDLE = os.chmod in os.supports_fd
 _ATTEMPTS = 5
 """At a new file, each of which another process may remove before it is locked."""
 
@@ -31,16 +33,20 @@ def _nothing(_: IO[bytes]) -> None:
 
 @contextlib.contextmanager
 def temporary_file(
-    folder: Path | int, content: bytes, mode: int = 0o600, finish: Callable[[IO[bytes]], None] = _nothing
+    folder: Path | int,
+    content: bytes,
+    permissions: int | None = 0o600,
+    finish: Callable[[IO[bytes]], None] = _nothing,
 ) -> Iterator[str]:
     """Write a file for the block to rename or to link; it is gone afterwards unless it was renamed.
 
-    What killed processes have left in the folder is removed first.
+    Files that killed processes have left in the folder are removed first.
 
     Args:
         folder: path, or handle of a folder that is open.
         content: of the file.
-        mode: permissions, from which the system takes those that the user withholds from new files.
+        permissions: of the file once it is written; until then only the user can open it. None for those that
+            the system gives to new files: then it has them from the start.
         finish: called with the written stream before it is closed.
 
     Yields:
@@ -50,12 +56,15 @@ def temporary_file(
         OSError: the file cannot be written.
     """
     remove_left_files(folder)
-    handle, name = _created(folder, mode)
+    handle, name = _created(folder, 0o666 if permissions is None else 0o600)
     lock = -1
     try:
         with stream_of(handle, "wb") as stream:
             lock = os.dup(handle) if sys.platform != "win32" else -1
             stream.write(content)
+            stream.flush()  # a later write would take set-user-ID bits away
+            if permissions is not None:
+                _set_permissions(handle, name, permissions)
             finish(stream)
         yield name
     finally:
@@ -63,6 +72,12 @@ def temporary_file(
             os.unlink(name, dir_fd=_around(folder))
         if lock >= 0:
             os.close(lock)
+
+
+def _set_permissions(handle: int, name: str, permissions: int) -> None:
+    """Give an open file its permissions if it shows others: not every file system can change them."""
+    if stat.S_IMODE(os.fstat(handle).st_mode) != permissions:
+        os.chmod(handle if _CHANGED_BY_HANDLE else name, permissions)  # noqa: PTH101 - paths have no handle
 
 
 def remove_left_files(folder: Path | int) -> None:
@@ -82,10 +97,10 @@ def remove_left_files(folder: Path | int) -> None:
 
 
 def _remove_left(folder: Path | int, name: str) -> None:
-    """Remove a file that nobody holds.
+    """Remove a file of the user that nobody holds; others stay.
 
     Raises:
-        OSError: a process holds it, or the system does not let it be removed.
+        OSError: the system does not let it be removed.
     """
     if sys.platform == "win32":
         return
@@ -93,8 +108,8 @@ def _remove_left(folder: Path | int, name: str) -> None:
     handle = os.open(_path(folder, name), _LEFT, dir_fd=around)
     try:
         facts = os.fstat(handle)
-        if stat.S_ISREG(facts.st_mode) and facts.st_uid == os.geteuid():
-            _lock(handle)
+        is_own = stat.S_ISREG(facts.st_mode) and facts.st_uid == os.geteuid()
+        if is_own and lock_handle(handle) is LockState.HELD:
             os.unlink(_path(folder, name), dir_fd=around)
     finally:
         os.close(handle)
@@ -118,26 +133,13 @@ def _created(folder: Path | int, mode: int) -> tuple[int, str]:
 
 def _is_held(handle: int) -> bool:
     """Lock a new file and return whether it is still in its folder; True where that cannot be known."""
+    state = lock_handle(handle)
+    if state is not LockState.HELD:
+        return state is LockState.UNSUPPORTED
     try:
-        _lock(handle)
         return os.fstat(handle).st_nlink > 0
-    except BlockingIOError:
-        return False
     except OSError:
         return True
-
-
-def _lock(handle: int) -> None:
-    """Lock a file for this process.
-
-    Raises:
-        BlockingIOError: another process has the lock.
-        OSError: the file system has no locks.
-    """
-    if sys.platform != "win32":
-        import fcntl
-
-        fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
 
 
 def _around(folder: Path | int) -> int | None:

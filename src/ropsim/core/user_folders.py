@@ -1,49 +1,24 @@
-"""Where caches, settings and state of the user lie, by the rules of the operating system.
+"""Folders of the user for caches, settings and state, by the rules of the operating system.
 
 A variable of the environment counts only where it names an absolute path, as the XDG base directory
 specification demands: an empty or relative one would lead into the working folder, and so into a project that
-somebody else wrote.
+somebody else wrote. `platformdirs` knows the rules of each system. It is imported with the first folder that
+no variable of ropsim names, because `ropsim --version` needs none.
 """
 
 import errno
 import os
 import sys
+from collections.abc import Callable
 from pathlib import Path
-
-from ropsim.core.frozen_dataclass import frozen_dataclass
 
 CACHE_OVERRIDE = "ROPSIM_CACHE_DIR"
 CONFIGURATION_OVERRIDE = "ROPSIM_CONFIG_HOME"
 STATE_OVERRIDE = "ROPSIM_STATE_HOME"
 
-
-@frozen_dataclass
-class _Place:
-    """One of the folders on each system.
-
-    Attributes:
-        override: variable that names the folder itself.
-        xdg: variable that names the folder around it on Linux.
-        linux: that folder where the variable is not set, below the home folder.
-        mac: the same on macOS.
-        windows_variable: the same on Windows, as a variable.
-        windows: the same on Windows where that variable is not set.
-    """
-
-    override: str
-    xdg: str
-    linux: str
-    mac: str
-    windows_variable: str
-    windows: str
-
-
-_SUPPORT = "Library/Application Support"
-_CACHE = _Place(CACHE_OVERRIDE, "XDG_CACHE_HOME", ".cache", "Library/Caches", "LOCALAPPDATA", "AppData/Local")
-_CONFIGURATION = _Place(
-    CONFIGURATION_OVERRIDE, "XDG_CONFIG_HOME", ".config", _SUPPORT, "APPDATA", "AppData/Roaming"
-)
-_STATE = _Place(STATE_OVERRIDE, "XDG_STATE_HOME", ".local/state", _SUPPORT, "LOCALAPPDATA", "AppData/Local")
+_NAME = "ropsim"
+_MAC = "~/Library/Application Support"
+"""Where settings and state lie on macOS if no XDG variable says otherwise."""
 
 
 def cache_folder() -> Path:
@@ -52,16 +27,16 @@ def cache_folder() -> Path:
     Raises:
         OSError: the user has no home folder.
     """
-    return _folder(_CACHE)
+    return _named(CACHE_OVERRIDE) or _absolute(_cache)
 
 
 def configuration_folder() -> Path:
-    """Return the folder of what the user has decided, such as which project folders are trusted.
+    """Return the folder of the user's decisions, such as which project folders are trusted.
 
     Raises:
         OSError: the user has no home folder.
     """
-    return _folder(_CONFIGURATION)
+    return _named(CONFIGURATION_OVERRIDE) or _former_on_mac(_absolute(_configuration))
 
 
 def state_folder() -> Path:
@@ -70,34 +45,55 @@ def state_folder() -> Path:
     Raises:
         OSError: the user has no home folder.
     """
-    return _folder(_STATE)
+    return _named(STATE_OVERRIDE) or _former_on_mac(_absolute(_state))
 
 
-def _folder(place: _Place) -> Path:
-    """Return the folder that the environment names, else the usual one; it need not exist."""
-    named = _absolute(place.override)
-    if named is not None:
-        return named
-    if sys.platform == "win32":
-        around = _absolute(place.windows_variable) or _home() / place.windows
-    elif sys.platform == "darwin":
-        around = _home() / place.mac
-    else:
-        around = _absolute(place.xdg) or _home() / place.linux
-    return around / "ropsim"
-
-
-def _absolute(variable: str) -> Path | None:
+def _named(variable: str) -> Path | None:
     """Return the path in a variable of the environment; None where it is empty or relative."""
     path = Path(os.environ.get(variable, ""))
     return path if path.is_absolute() else None
 
 
-def _home() -> Path:
+def _cache() -> str:
+    from platformdirs import user_cache_dir
+
+    return user_cache_dir(_NAME, appauthor=False, opinion=False)  # no folder `Cache` inside of it on Windows
+
+
+def _configuration() -> str:
+    from platformdirs import user_config_dir
+
+    return user_config_dir(_NAME, appauthor=False, roaming=True)
+
+
+def _state() -> str:
+    from platformdirs import user_state_dir
+
+    return user_state_dir(_NAME, appauthor=False)
+
+
+def _absolute(folder: Callable[[], str]) -> Path:
+    """Return a folder of the user; it need not exist.
+
+    Raises:
+        OSError: the user has no home folder.
+    """
     try:
-        home = Path.home()
-    except RuntimeError:  # neither the environment nor the list of users tells one
-        home = Path()
-    if not home.is_absolute():
+        path = Path(folder())
+    except RuntimeError:  # neither the environment nor the list of users has a home folder
+        path = Path()
+    if not path.is_absolute():
         raise OSError(errno.ENOENT, "the user has no home folder")
-    return home
+    return path
+
+
+def _former_on_mac(folder: Path) -> Path:
+    """Return a folder, or on macOS the one in `Library` while that alone exists.
+
+    Earlier versions used the latter even where an XDG variable names another.
+    """
+    if sys.platform == "darwin":
+        former = Path(os.path.expanduser(_MAC)) / _NAME  # noqa: PTH111 - no error where there is no home folder
+        if not folder.exists() and former.is_absolute() and former.is_dir():
+            return former
+    return folder

@@ -10,7 +10,7 @@ import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 
-from ropsim.userfiles import FileLock
+from ropsim.core import FileLock, LockState
 
 PREFIX = "ropsim-studio-"
 LOCK = "lock"
@@ -53,7 +53,7 @@ def remove_left_folders() -> None:
             if not _is_ours(folder) or not (folder / LOCK).is_file():
                 continue
             lock = FileLock.taken(folder / LOCK)
-            if lock is not None and lock.is_held:
+            if lock is not None and lock.state is LockState.HELD:
                 shutil.rmtree(folder, ignore_errors=True)
             if lock is not None:
                 lock.free()

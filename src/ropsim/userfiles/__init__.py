@@ -7,7 +7,6 @@ from ropsim.userfiles.examples import STARTER as STARTER
 from ropsim.userfiles.examples import example_names as example_names
 from ropsim.userfiles.examples import example_summary as example_summary
 from ropsim.userfiles.examples import examples_folder as examples_folder
-from ropsim.userfiles.file_lock import FileLock as FileLock
 from ropsim.userfiles.journal import Draft as Draft
 from ropsim.userfiles.journal import Journal as Journal
 from ropsim.userfiles.recent_projects import recent_projects as recent_projects

@@ -5,12 +5,21 @@ import errno
 import hashlib
 import json
 from collections.abc import Mapping
+from functools import partial
 from pathlib import Path
 from typing import Any
 
-from ropsim.core import Diagnostic, frozen_dataclass, read_bytes, replace_private_file, state_folder
+from ropsim.core import (
+    Diagnostic,
+    FileLock,
+    LockState,
+    frozen_dataclass,
+    read_bytes,
+    replace_private_file,
+    retried,
+    state_folder,
+)
 from ropsim.userfiles.diagnostics import DAMAGED_JOURNAL
-from ropsim.userfiles.file_lock import FileLock
 from ropsim.userfiles.file_marks import Mark, has_moved, marks_of, read_marks
 
 VERSION = 1
@@ -99,8 +108,8 @@ class Journal:
                 if lock is None:  # of a session that goes on
                     continue
                 try:
-                    if lock.is_held and self._was_elsewhere(other):
-                        other.replace(self._place)
+                    if lock.state is LockState.HELD and self._was_elsewhere(other):
+                        retried(partial(other.replace, self._place))
                         return
                 finally:
                     lock.free()
@@ -126,7 +135,7 @@ class Journal:
         aside = next((one for one in places if not one.exists()), None)
         if aside is None:
             raise OSError(errno.EEXIST, f"{MOST_DAMAGED} damaged journals of this project are in its folder")
-        self._place.replace(aside)
+        retried(partial(self._place.replace, aside))
         return aside
 
     def write(self, drafts: Mapping[str, Draft]) -> None:

@@ -3,9 +3,10 @@
 import shutil
 import tempfile
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
-from ropsim.core import did_you_mean
+from ropsim.core import did_you_mean, retried
 from ropsim.userfiles import STARTER, example_names, examples_folder
 from ropsim.workbench.project import ProjectError
 from ropsim.workbench.project_diagnostics import NO_EXAMPLE, PLACE_TAKEN
@@ -81,7 +82,7 @@ def _made(place: str | Path, fill: Callable[[Path, str], None]) -> Path:
 def _move(made: Path, target: Path) -> None:
     """Put a folder at its place; into an empty folder its entries move, `cell.toml` as the last one."""
     if not target.exists():
-        made.replace(target)
+        retried(partial(made.replace, target))
         return
     for entry in sorted(made.iterdir(), key=lambda entry: entry.name == "cell.toml"):
-        entry.replace(target / entry.name)
+        retried(partial(entry.replace, target / entry.name))

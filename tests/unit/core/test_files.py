@@ -2,15 +2,18 @@ import contextlib
 import os
 import stat
 from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
 from itertools import count
 from pathlib import Path
 from threading import Thread
+from typing import Any
 
 import pytest
 
 from ropsim.core import (
     LongFileError,
     NoOrdinaryFileError,
+    create_inside,
     read_bytes,
     read_own_bytes,
     replace_file,
@@ -124,3 +127,68 @@ def test_a_new_file_is_whole_or_not_there_at_whatever_call_the_system_fails(
             assert at > 4
             return
         place.unlink(missing_ok=True)
+
+
+@pytest.mark.skipif(not hasattr(os, "geteuid"), reason="files without permissions")
+def test_threads_write_files_with_their_permissions_and_the_mask_stays(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """All threads share the mask: a change for a moment opens the new files of the others to all."""
+    mask = os.umask(0o027)
+    wrong: list[str] = []
+
+    def changed(_: int) -> int:
+        raise AssertionError("the mask is changed")
+
+    def check(place: Path, permissions: int) -> None:
+        if (found := stat.S_IMODE(place.stat().st_mode)) != permissions:
+            wrong.append(f"{place.name}: {found:o} instead of {permissions:o}")
+
+    def write_files(thread: int) -> None:
+        kept = tmp_path / f"kept-{thread}"
+        kept.write_bytes(b"old")
+        kept.chmod(0o604)
+        for turn in range(25):
+            new, mine = tmp_path / f"new-{thread}-{turn}", tmp_path / f"mine-{thread}-{turn}"
+            inside = f"inside-{thread}-{turn}"
+            replace_file(new, b"new")
+            replace_file(kept, b"kept")
+            replace_private_file(mine, b"mine")
+            create_inside(tmp_path, inside, b"inside")
+            for place, permissions in ((new, 0o640), (kept, 0o604), (mine, 0o600)):
+                check(place, permissions)
+            check(tmp_path / inside, 0o640)
+
+    try:
+        with monkeypatch.context() as patched, ThreadPoolExecutor(8) as pool:
+            patched.setattr(os, "umask", changed)
+            list(pool.map(write_files, range(8)))
+    finally:
+        os.umask(mask)
+    assert wrong == []
+
+
+@pytest.mark.skipif(not hasattr(os, "geteuid"), reason="files without permissions")
+def test_nobody_else_can_open_a_file_before_it_has_its_permissions(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    place = tmp_path / "a.txt"
+    place.write_bytes(b"old")
+    place.chmod(0o600)
+    seen: list[int] = []
+
+    def noted(handle: int) -> None:
+        seen.append(stat.S_IMODE(os.fstat(handle).st_mode))
+
+    monkeypatch.setattr(os, "fsync", noted)
+    made = os.open
+
+    def opened(*arguments: Any, **options: Any) -> int:
+        handle = made(*arguments, **options)
+        noted(handle)
+        return handle
+
+    monkeypatch.setattr(os, "open", opened)
+    replace_file(place, b"new")
+    replace_private_file(tmp_path / "b.txt", b"new")
+    assert set(seen) == {0o600}

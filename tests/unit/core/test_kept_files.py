@@ -253,7 +253,7 @@ def test_what_was_not_used_for_longest_makes_place(folder: Path) -> None:
     assert kept.find("k1") is kept.find("k2") is None
     assert kept.find("k0") is not None
     assert kept.find("large") is not None
-    assert (folder / "room" / "turns").exists()
+    assert [one.name for one in (folder / "room").glob("turn-*")] == ["turn-3"]
 
 
 def written_and_read(folder: Path, letter: bytes) -> int:

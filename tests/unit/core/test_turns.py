@@ -1,5 +1,6 @@
 """Turns of processes: one has it, others wait, and it ends with its process."""
 
+import errno
 import os
 import signal
 import subprocess
@@ -7,6 +8,8 @@ import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from threading import Thread
+from time import sleep
 
 import pytest
 
@@ -14,10 +17,9 @@ from ropsim.core.turns import turn
 
 OTHER = """
 import fcntl, os, sys
-handle = os.open(sys.argv[1], os.O_RDWR)
-for number in (7, 8):
+for name in sys.argv[1:]:
     try:
-        fcntl.lockf(handle, fcntl.LOCK_EX | fcntl.LOCK_NB, 1, number)
+        fcntl.flock(os.open(name, os.O_RDWR | os.O_CREAT), fcntl.LOCK_EX | fcntl.LOCK_NB)
         print("free")
     except OSError:
         print("taken")
@@ -25,7 +27,7 @@ for number in (7, 8):
 HOLDER = """
 import os, sys
 from ropsim.core.turns import turn
-with turn(os.open(sys.argv[1], os.O_RDWR | os.O_CREAT), 7):
+with turn(os.open(sys.argv[1], os.O_RDWR | os.O_CREAT)):
     print("has it", flush=True)
     {}
 """
@@ -36,10 +38,8 @@ def opened(file: Path) -> int:
     return os.open(file, os.O_RDWR | os.O_CREAT, 0o600)
 
 
-def seen_by_another(file: Path) -> list[str]:
-    done = subprocess.run(
-        [sys.executable, "-c", OTHER, str(file)], capture_output=True, text=True, check=True
-    )
+def seen_by_another(*files: Path) -> list[str]:
+    done = subprocess.run([sys.executable, "-c", OTHER, *files], capture_output=True, text=True, check=True)
     return done.stdout.split()
 
 
@@ -59,18 +59,18 @@ def stopped_holder(file: Path) -> Iterator[None]:
 
 @posix
 def test_another_process_finds_a_turn_taken_until_its_end_and_others_free(tmp_path: Path) -> None:
-    file = tmp_path / "turns"
-    with turn(opened(file), 7):
-        assert seen_by_another(file) == ["taken", "free"]
-    assert seen_by_another(file) == ["free", "free"]
+    file, other = tmp_path / "turn", tmp_path / "other"
+    with turn(opened(file)):
+        assert seen_by_another(file, other) == ["taken", "free"]
+    assert seen_by_another(file, other) == ["free", "free"]
     assert file.read_bytes() == b""
 
 
 def test_a_process_that_ends_in_its_turn_keeps_nobody_waiting(tmp_path: Path) -> None:
-    file = tmp_path / "turns"
+    file = tmp_path / "turn"
     subprocess.run([sys.executable, "-c", HOLDER.format("os._exit(0)"), str(file)], check=True)
-    with turn(opened(file), 7, attempts=1):
-        assert sys.platform == "win32" or seen_by_another(file) == ["taken", "free"]
+    with turn(opened(file), attempts=1):
+        assert sys.platform == "win32" or seen_by_another(file) == ["taken"]
 
 
 @posix
@@ -79,27 +79,53 @@ def test_a_process_that_was_stopped_in_its_turn_keeps_nobody_for_ever(
 ) -> None:
     pauses: list[float] = []
     monkeypatch.setattr("ropsim.core.turns.sleep", pauses.append)
-    file = tmp_path / "turns"
+    file = tmp_path / "turn"
     with stopped_holder(file):
-        with turn(opened(file), 7, attempts=3):
+        with turn(opened(file), attempts=3):
             assert len(pauses) == 3
-        with turn(opened(file), 8, attempts=3):
+        with turn(opened(tmp_path / "other"), attempts=3):
             assert len(pauses) == 3
 
 
 def test_where_there_is_no_file_nobody_waits() -> None:
     done = []
-    with turn(None, 7):
+    with turn(None):
         done.append(7)
     assert done == [7]
 
 
 @posix
-def test_where_files_cannot_be_locked_nobody_waits(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    def without_locks(*_anything: object) -> None:
-        raise OSError(37, "No locks available")
+@pytest.mark.parametrize("number", [errno.ENOLCK, errno.ENOSYS, errno.EOPNOTSUPP])
+def test_where_files_cannot_be_locked_nobody_waits(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, number: int
+) -> None:
+    import fcntl
 
-    monkeypatch.setattr("ropsim.core.turns._lock", without_locks)
+    def without_locks(*_anything: object) -> None:
+        raise OSError(number, "No locks available")
+
+    monkeypatch.setattr(fcntl, "flock", without_locks)
     monkeypatch.setattr("ropsim.core.turns.sleep", lambda _: pytest.fail("it waits"))
-    with turn(opened(tmp_path / "turns"), 7):
+    with turn(opened(tmp_path / "turn")):
         pass
+
+
+def test_threads_of_a_process_take_turns_too(tmp_path: Path) -> None:
+    file = tmp_path / "turn"
+    inside = most = 0
+
+    def take_turns() -> None:
+        nonlocal inside, most
+        for _ in range(20):
+            with turn(opened(file), attempts=1_000_000):
+                inside += 1
+                most = max(most, inside)
+                sleep(0)  # lets the others run
+                inside -= 1
+
+    threads = [Thread(target=take_turns) for _ in range(4)]
+    for one in threads:
+        one.start()
+    for one in threads:
+        one.join()
+    assert most == 1
