@@ -16,8 +16,6 @@ from measuring import Measure, processor_seconds
 import ropsim
 from ropsim import codegen
 from ropsim.codegen import Engine, SourceFunction
-from ropsim.controller import MotionPlan, MotionState, Refusal, plan, plan_move
-from ropsim.controller.kept_limits import arm_bounds
 from ropsim.dynamics import arm_numbers, structure_of
 from ropsim.dynamics.arm_functions import forward_code
 from ropsim.flow import JointReference, ModalState, MotionKind, MoveInstruction, Recording
@@ -25,6 +23,8 @@ from ropsim.kinematics import forward
 from ropsim.model import Cell, Payload
 from ropsim.motion import JointPoints, torques
 from ropsim.motion.limits.strain import strain_as_planned, with_torque
+from ropsim.planning import MotionPlan, MotionState, Refusal, plan, plan_move
+from ropsim.planning.joint_limits.arm_limits import arm_bounds
 from ropsim.simulation import Fidelity, KeptPlans, RunOptions
 from ropsim.simulation.servo.servo import Servo
 from ropsim.spatial import Array

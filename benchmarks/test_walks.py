@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from measuring import Measure
 
-from ropsim.controller import MotionChain, MotionState, plan
 from ropsim.model import Payload
+from ropsim.planning import MotionChain, MotionState, plan
 from support.walking_arms import WALKERS
 from support.walking_arms import chain as chain_of_walker
 from support.walks import random_walk, shares

@@ -35,7 +35,13 @@ BANDS = {
     "T3": Band("Types and units", ("language", "program")),
     "I4": Band("ICR and its machine", ("icr", "program")),
     "M5": Band("Motion, kinematics, dynamics", ("dynamics", "kinematics", "motion", "spatial")),
-    "C6": Band("Controller", ("controller",)),
+    "C6": Band(
+        "Controller",
+        (
+            "controller",
+            "planning",
+        ),
+    ),
     "S7": Band("Simulation", ("simulation",)),
     "X8": Band("Projects, cell files, models, recordings", (*_FILES, "workbench")),
     "X9": Band(

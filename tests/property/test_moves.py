@@ -8,10 +8,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from ropsim import robots
-from ropsim.controller import MotionState, Refusal, plan, plan_move
 from ropsim.flow import ModalState, MoveInstruction
 from ropsim.kinematics import forward, forward_batch
 from ropsim.model import on_track
+from ropsim.planning import MotionState, Refusal, plan, plan_move
 from ropsim.spatial import Array, Pose
 from support.cells import chain_of, one_station
 from support.motion import CHAIN, LINE, PUMA, Target, interface_pose, lin, ptp, references, shifted

@@ -5,7 +5,6 @@ import ruckig
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from ropsim.controller.stages import joint_stages, tool_stages
 from ropsim.motion import (
     JointLine,
     JointMotionLimits,
@@ -18,6 +17,7 @@ from ropsim.motion import (
     plan_profile,
     plan_time_law,
 )
+from ropsim.planning.path_limits.path_limits import joint_stages, tool_stages
 from ropsim.spatial import Pose
 
 SAME_TIME = 1e-9  # relative; both are closed forms, ruckig states 1e-8 s for its own tests

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from ropsim.controller import MotionState, plan
 from ropsim.model import Payload
+from ropsim.planning import MotionState, plan
 from support.walking_arms import WALKERS, chain
 from support.walks import faults_of, hairpins, random_walk
 

@@ -5,10 +5,10 @@ from dataclasses import replace
 import numpy as np
 
 from ropsim import robots
-from ropsim.controller import MotionPlan
 from ropsim.flow import ModalState, MotionKind, MoveInstruction, Origin
 from ropsim.kinematics import forward_batch, frames_batch
 from ropsim.model import Cell, Frame, RobotModel, Tool, beside, link_name, on_track
+from ropsim.planning import MotionPlan
 from ropsim.spatial import Array, Pose
 from support.cells import one_station
 from support.motion import LINE, PASS, PUMA, references

@@ -4,8 +4,8 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
-from ropsim.controller import MotionChain, standard_chain
 from ropsim.model import ROBOT, Cell, ControllerModel, RobotModel, Station, Tool
+from ropsim.planning import MotionChain, standard_chain
 from ropsim.spatial import Array, Pose, frozen
 
 

@@ -11,10 +11,10 @@ from ropsim import language
 from ropsim.calibration import MotionSettings, Trace
 from ropsim.calibration.limits import under
 from ropsim.cellfile import read_cell
-from ropsim.controller import StretchOrder
 from ropsim.core import SourceText
 from ropsim.icr import Program
 from ropsim.model import Cell, Station, with_axis_limits
+from ropsim.planning import StretchOrder
 from ropsim.simulation import Fidelity, RunOptions, run
 from ropsim.spatial import Array
 from ropsim.workbench import environment_of

@@ -6,11 +6,11 @@ from dataclasses import replace
 import numpy as np
 
 from ropsim import robots
-from ropsim.controller import MotionChain, MotionPlan, MotionState, Refusal, plan, plan_move
 from ropsim.core import Diagnostic, Span
 from ropsim.flow import ModalState, MotionKind, MoveInstruction, Origin
 from ropsim.kinematics import forward_batch
 from ropsim.model import Frame, Tool
+from ropsim.planning import MotionChain, MotionPlan, MotionState, Refusal, plan, plan_move
 from ropsim.spatial import Array, Pose
 from support.cells import chain_of, one_station
 

@@ -4,8 +4,8 @@ from dataclasses import replace
 from functools import cache
 
 from ropsim import robots
-from ropsim.controller import MotionChain
 from ropsim.model import OrientationMode, RobotModel, on_track
+from ropsim.planning import MotionChain
 from support.built_in import WRITTEN
 from support.cells import chain_of, one_station
 

@@ -4,11 +4,11 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ropsim.controller import MotionChain, MotionPlan, MotionState, plan
-from ropsim.controller.kept_limits import arm_bounds
 from ropsim.flow import ModalState, MotionKind, MoveInstruction
 from ropsim.kinematics import forward_batch
 from ropsim.model import Payload, RobotModel
+from ropsim.planning import MotionChain, MotionPlan, MotionState, plan
+from ropsim.planning.joint_limits.arm_limits import arm_bounds
 from ropsim.spatial import Array, Pose
 from support.motion import references
 

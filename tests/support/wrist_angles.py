@@ -5,10 +5,10 @@ from dataclasses import replace
 
 import numpy as np
 
-from ropsim.controller.leg import Leg, leg_of
 from ropsim.flow import ModalState, MotionKind, MoveInstruction, Origin
 from ropsim.kinematics import forward_batch
 from ropsim.model import OrientationMode
+from ropsim.planning.moves.planned_move import Leg, leg_of
 from ropsim.spatial import Array, Pose
 from support.cells import chain_of, with_station
 from support.motion import CELL, LINE, PASS, PUMA, interface_pose

@@ -17,9 +17,9 @@ from ropsim.calibration.refining import spreads
 from ropsim.calibration.replanning import replanner
 from ropsim.calibration.stretch_fit import placed
 from ropsim.calibration.trace import Trace
-from ropsim.controller import StretchOrder
 from ropsim.core import Diagnostic
 from ropsim.model import Cell, Station
+from ropsim.planning import StretchOrder
 
 _WORTH_SAYING = 0.02
 

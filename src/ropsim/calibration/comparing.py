@@ -16,9 +16,9 @@ from ropsim.calibration.rests import Rests, rests_of
 from ropsim.calibration.shift import shift_of
 from ropsim.calibration.trace import Trace
 from ropsim.calibration.zeros import zeros_beside
-from ropsim.controller import MotionPlan, StretchOrder
 from ropsim.core import Diagnostic, frozen_dataclass
 from ropsim.model import Joint
+from ropsim.planning import MotionPlan, StretchOrder
 from ropsim.spatial import Array
 
 _ENOUGH = 0.5

@@ -6,7 +6,7 @@ from ropsim.calibration.limits import ORDERS, MotionSettings
 from ropsim.calibration.logged_stretch import LoggedStretch
 from ropsim.calibration.replanning import Replan, difference
 from ropsim.calibration.stretch_fit import StretchFit
-from ropsim.controller import MotionPlan
+from ropsim.planning import MotionPlan
 from ropsim.spatial import Array, frozen, record
 
 RAISED = 1.1

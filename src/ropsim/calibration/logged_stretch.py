@@ -8,7 +8,7 @@ from ropsim.calibration.matching import Passage
 from ropsim.calibration.replanning import coordinates
 from ropsim.calibration.rests import Rests
 from ropsim.calibration.trace import Trace
-from ropsim.controller import MotionPlan
+from ropsim.planning import MotionPlan
 from ropsim.spatial import Array, frozen, record
 
 _AROUND = 0.15

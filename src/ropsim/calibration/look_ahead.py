@@ -8,8 +8,8 @@ from ropsim.calibration.limits import MotionSettings
 from ropsim.calibration.logged_stretch import LoggedStretch
 from ropsim.calibration.refining import fits_under, total_error
 from ropsim.calibration.replanning import Replan
-from ropsim.controller import StretchOrder
 from ropsim.core import frozen_dataclass
+from ropsim.planning import StretchOrder
 
 MOST = 40
 """Largest look-ahead that is told from a larger one."""

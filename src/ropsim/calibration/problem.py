@@ -20,9 +20,9 @@ from ropsim.calibration.look_ahead import (
 from ropsim.calibration.refining import fits_under, refined, total_error
 from ropsim.calibration.replanning import Replan
 from ropsim.calibration.stretch_fit import StretchFit, fit_stretch
-from ropsim.controller import StretchOrder
 from ropsim.core import frozen_dataclass
 from ropsim.flow import MotionKind
+from ropsim.planning import StretchOrder
 
 _MOST_FITTED = 12
 """Stretches of which limits are fitted at most; the times of all are compared."""

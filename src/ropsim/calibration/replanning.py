@@ -7,7 +7,8 @@ from functools import lru_cache
 import numpy as np
 
 from ropsim.calibration.limits import ORDERS, MotionSettings, under
-from ropsim.controller import (
+from ropsim.model import Cell, RobotModel, Station, with_axis_limits
+from ropsim.planning import (
     MotionChain,
     MotionPlan,
     StandardPathPlanner,
@@ -15,7 +16,6 @@ from ropsim.controller import (
     ordered,
     standard_chain,
 )
-from ropsim.model import Cell, RobotModel, Station, with_axis_limits
 from ropsim.spatial import Array
 
 Replan = Callable[[int, MotionSettings], MotionPlan | None]

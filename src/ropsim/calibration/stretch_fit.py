@@ -8,7 +8,7 @@ import numpy as np
 from ropsim.calibration.limits import ORDERS, MotionSettings
 from ropsim.calibration.logged_stretch import LoggedStretch
 from ropsim.calibration.replanning import Replan, coordinates, speeds
-from ropsim.controller import MotionPlan
+from ropsim.planning import MotionPlan
 from ropsim.spatial import Array, record
 
 _STEP = 0.03

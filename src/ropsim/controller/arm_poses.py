@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from ropsim.controller.work_frames import WorkFrames, inverted
 from ropsim.flow import ModalState
 from ropsim.kinematics import tool_pose
 from ropsim.model import RobotModel
+from ropsim.planning import WorkFrames, inverted
 from ropsim.spatial import Array, Pose, record
 
 

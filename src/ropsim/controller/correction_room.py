@@ -12,8 +12,6 @@ from ropsim.spatial import Array, Pose, cross, record
 
 SHARE = 0.1
 """Share of the speeds and accelerations of the joints that a correction may take."""
-PLANNED_SPEED, PLANNED_ACCELERATION = 0.8, 0.7
-"""Shares of them for the move itself; what is left is for how the correction bends the path of the joints."""
 
 _MARGIN = 1e-3
 """Distance from a joint limit at which a correction ends [rad | m]."""

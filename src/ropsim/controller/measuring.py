@@ -6,8 +6,8 @@ from typing import Any
 
 import numpy as np
 
-from ropsim.controller.sensed_cell import SensedCell
 from ropsim.model import DistanceSensor, ForceSensor, Sensor
+from ropsim.planning import SensedCell
 from ropsim.spatial import Pose
 
 

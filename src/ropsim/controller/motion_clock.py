@@ -1,4 +1,4 @@
-"""The motion clock: walks through the reference rows of a motion at a rate that anybody may change."""
+"""The motion clock walks through references at any rate up to that of the plan."""
 
 import math
 from functools import lru_cache
@@ -8,10 +8,28 @@ from typing import NamedTuple, Protocol
 import numpy as np
 
 from ropsim.codegen import Compiled, bound
-from ropsim.controller.clock_diagnostics import WRONG_CLOCK_REQUEST, ClockError
 from ropsim.controller.motion_clock_kernel import walk
+from ropsim.core import RopsimError, Severity, define
 from ropsim.flow import JointReference
 from ropsim.spatial import Array, record
+
+WRONG_CLOCK_REQUEST = define(
+    "C610",
+    "wrong-clock-request",
+    Severity.ERROR,
+    "a motion clock was given an override or limits that it cannot follow",
+    """
+The motion clock walks through a planned motion at a rate between 0, where the arm stands, and 1, the speed
+that was planned. A rate outside of that, a limit of its change that is not above 0, or a number that is not
+finite has no meaning for it.
+
+Ask for an override from 0 to 1, and give `ClockLimits` numbers above 0.
+""",
+)
+
+
+class ClockError(RopsimError):
+    """A motion clock was asked for what it cannot do."""
 
 
 class Rows(Protocol):

@@ -6,10 +6,9 @@ from collections.abc import Mapping
 from dataclasses import replace
 from operator import itemgetter
 
-from ropsim.controller.entities import Sample
 from ropsim.controller.measuring import is_on, measure
-from ropsim.controller.sensed_cell import SensedCell
 from ropsim.model import Signal
+from ropsim.planning import Sample, SensedCell
 
 _NO_SAMPLE = Sample(value=False, valid=False, age=math.inf)
 

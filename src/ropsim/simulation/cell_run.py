@@ -6,10 +6,11 @@ from collections import deque
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 
-from ropsim.controller import CellSensors, NothingSensed, Sample, StretchOrder
+from ropsim.controller import CellSensors
 from ropsim.core import Diagnostic, Span
 from ropsim.flow import SLOWEST, Event, InputChange, Placement, WaitEvent
 from ropsim.model import Cell, Part, Tool
+from ropsim.planning import NothingSensed, Sample, StretchOrder
 from ropsim.simulation.clasp import Clasp
 from ropsim.simulation.devices.device_run import NEVER, DeviceRun
 from ropsim.simulation.inputs import signal_track

@@ -9,20 +9,16 @@ import numpy as np
 from ropsim.controller import (
     Correction,
     CorrectionRoom,
-    PlannedMove,
-    Refusal,
-    Sample,
     ShiftedArm,
     ShiftedJoints,
     braked,
-    guarded,
     is_within_limits,
     next_correction,
-    refused,
     shifted_reference,
 )
 from ropsim.core import Diagnostic, Kind
 from ropsim.flow import JointReference, PathTracking
+from ropsim.planning import PlannedMove, Refusal, Sample, guarded, refused
 from ropsim.simulation.diagnostics import CORRECTION_AT_LIMIT, CORRECTION_STOPPED_BY_ARM, NO_NUMBER_MEASURED
 from ropsim.simulation.move_span import FollowedCorrection
 from ropsim.simulation.station_run import StationRun

@@ -7,9 +7,10 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from ropsim.controller import ClockLimits, ClockState, MotionPlan, advance, undisturbed
+from ropsim.controller import ClockLimits, ClockState, advance, undisturbed
 from ropsim.core import frozen_dataclass
 from ropsim.flow import JointReference
+from ropsim.planning import MotionPlan
 from ropsim.simulation.cell_run import CellRun
 from ropsim.simulation.correcting import Correcting
 from ropsim.simulation.guarding import Lookout

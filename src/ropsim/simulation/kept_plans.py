@@ -2,9 +2,9 @@
 
 from collections.abc import Hashable
 
-from ropsim.controller import MotionChain, StretchOrder
 from ropsim.flow import ModalState, MoveInstruction
 from ropsim.model import Cell
+from ropsim.planning import MotionChain, StretchOrder
 from ropsim.simulation.kept_results import KeptResults
 from ropsim.simulation.planned_stretch import PlannedStretch, planned_anew
 from ropsim.simulation.replaced_lines import on_lines_of

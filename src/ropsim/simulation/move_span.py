@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from ropsim.controller import MovingFrame
 from ropsim.flow import MoveInstruction
 from ropsim.motion import ToolPath
+from ropsim.planning import MovingFrame
 from ropsim.spatial import Array, record
 
 

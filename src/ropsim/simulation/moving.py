@@ -2,13 +2,6 @@
 
 from collections.abc import Iterator, Sequence
 
-from ropsim.controller import (
-    NEXT_IS_SKIPPED,
-    MotionPlan,
-    PlannedMove,
-    StretchOrder,
-    stopped_by,
-)
 from ropsim.core import Diagnostic
 from ropsim.flow import (
     Guard,
@@ -21,6 +14,7 @@ from ropsim.flow import (
     SkipEvent,
 )
 from ropsim.kinematics import forward
+from ropsim.planning import NEXT_IS_SKIPPED, MotionPlan, PlannedMove, StretchOrder, stopped_by
 from ropsim.simulation.cell_run import CellRun
 from ropsim.simulation.correcting import Correcting
 from ropsim.simulation.following import Follower

@@ -5,9 +5,13 @@ from typing import TypeAlias
 
 import numpy as np
 
-from ropsim.controller import (
+from ropsim.controller import ClockLimits
+from ropsim.flow import CriticalLimit
+from ropsim.kinematics import tool_places
+from ropsim.model import Payload, RobotModel
+from ropsim.motion import JointBounds
+from ropsim.planning import (
     PLANNED_ACCELERATION,
-    ClockLimits,
     MotionChain,
     MotionPlan,
     Refusal,
@@ -16,10 +20,6 @@ from ropsim.controller import (
     critical_limits,
     ordered,
 )
-from ropsim.flow import CriticalLimit
-from ropsim.kinematics import tool_places
-from ropsim.model import Payload, RobotModel
-from ropsim.motion import JointBounds
 from ropsim.simulation.tally_kernel import peaks
 from ropsim.spatial import Array, record
 

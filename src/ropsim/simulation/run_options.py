@@ -3,9 +3,10 @@
 from collections.abc import Callable, Mapping
 from dataclasses import field
 
-from ropsim.controller import CompiledLaw, MotionChain, PythonLaw, SensorInterface, StretchOrder
+from ropsim.controller import CompiledLaw, PythonLaw
 from ropsim.core import frozen_dataclass
 from ropsim.flow import Fidelity, InputChange, OverrideChange
+from ropsim.planning import MotionChain, SensorInterface, StretchOrder
 from ropsim.simulation.adapting import Adaptation, as_programmed
 from ropsim.simulation.planned_stretch import Planning, planned_anew
 from ropsim.simulation.row_log import MOST_ROWS

@@ -5,16 +5,8 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from ropsim.controller import (
-    ENTITY_FAILS,
-    ArmState,
-    Sample,
-    SensorInterface,
-    entity_fails,
-    is_our_own,
-    raised,
-)
 from ropsim.kinematics import Blocks, forward, nearest_along, part_blocks, stacked
+from ropsim.planning import ENTITY_FAILS, ArmState, Sample, SensorInterface, entity_fails, is_our_own, raised
 from ropsim.simulation.cell_run import CellRun
 from ropsim.simulation.station_run import StationRun
 from ropsim.spatial import Array, Pose

@@ -4,9 +4,9 @@ from collections.abc import Callable
 
 import numpy as np
 
-from ropsim.controller import Sample
 from ropsim.flow import JointReference
 from ropsim.model import Cell, Payload, Station
+from ropsim.planning import Sample
 from ropsim.simulation.plant import constant
 from ropsim.simulation.run_options import RunOptions
 from ropsim.simulation.servo.checks import check_signals

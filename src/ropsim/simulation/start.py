@@ -2,9 +2,10 @@
 
 import math
 
-from ropsim.controller import CellSensors, standard_chain
+from ropsim.controller import CellSensors
 from ropsim.flow import Fidelity, in_time
 from ropsim.model import Cell, Device, Payload, Station, link_name, tool_body
+from ropsim.planning import standard_chain
 from ropsim.simulation.cell_run import CellRun
 from ropsim.simulation.devices.course import Course, Piece
 from ropsim.simulation.devices.device_run import DeviceRun

@@ -3,10 +3,10 @@
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 
-from ropsim.controller import MotionChain
 from ropsim.flow import AwaitInstruction, JointReference, ModalState, Origin
 from ropsim.kinematics import forward_batch, frames_batch
 from ropsim.model import Payload, Station, Tool, external_links, link_name, tool_body
+from ropsim.planning import MotionChain
 from ropsim.simulation.activation import Activations
 from ropsim.simulation.devices.course import Course
 from ropsim.simulation.looked_wait import LookedWait

@@ -3,9 +3,9 @@
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
-from ropsim.controller import Sample
 from ropsim.flow import ModalState
 from ropsim.icr import Target
+from ropsim.planning import Sample
 from ropsim.simulation.polling import Polling
 from ropsim.simulation.station_arm import StationArm
 from ropsim.spatial import Array, Pose

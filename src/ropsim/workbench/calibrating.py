@@ -13,11 +13,11 @@ from ropsim.calibration import (
     settings_of,
 )
 from ropsim.cellfile import Limits, limits_section, read_cell, with_limits, written_limits
-from ropsim.controller import StretchOrder
 from ropsim.core import Diagnostic, SourceText, read_bytes
 from ropsim.flow import Fidelity
 from ropsim.icr import Program
 from ropsim.model import Cell, ReadRobot, Station
+from ropsim.planning import StretchOrder
 from ropsim.simulation import RunOptions, run
 from ropsim.userfiles import UNREADABLE, missing_file
 from ropsim.workbench.calibrated_project import CalibratedProject

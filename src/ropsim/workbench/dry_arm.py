@@ -4,11 +4,12 @@ from dataclasses import replace
 
 import numpy as np
 
-from ropsim.controller import TOOL_PATHS, ArmPoses, PathRequest, work_frames
+from ropsim.controller import ArmPoses
 from ropsim.flow import ModalState, MoveInstruction
 from ropsim.icr import Target
 from ropsim.model import Cell, OrientationMode, Station
 from ropsim.motion import ToolPath
+from ropsim.planning import TOOL_PATHS, PathRequest, work_frames
 from ropsim.spatial import Array, Pose, frozen, record
 
 

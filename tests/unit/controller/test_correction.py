@@ -8,22 +8,20 @@ import pytest
 
 from ropsim import robots
 from ropsim.controller import (
-    PLANNED_ACCELERATION,
     Correction,
     CorrectionRoom,
-    Sample,
     ShiftedArm,
     ShiftedJoints,
-    StandardPathCorrector,
     next_correction,
     shifted_reference,
 )
-from ropsim.controller.correction_check import beside_correction
-from ropsim.controller.correction_room import PLANNED_SPEED, SHARE
-from ropsim.controller.kept_limits import arm_bounds
+from ropsim.controller.correction_room import SHARE
 from ropsim.flow import JointReference, PathTracking, ToolDirection
 from ropsim.kinematics import forward
 from ropsim.model import CorrectionLimits, Payload
+from ropsim.planning import PLANNED_ACCELERATION, PLANNED_SPEED, Sample, StandardPathCorrector
+from ropsim.planning.joint_limits.arm_limits import arm_bounds
+from ropsim.planning.sequence_checks import beside_correction
 from ropsim.spatial import Pose
 
 PERIOD = 4e-3

@@ -7,11 +7,11 @@ import numpy as np
 import pytest
 
 from ropsim import robots
-from ropsim.controller import MotionChain, Refusal, plan_move
 from ropsim.core import Diagnostic
 from ropsim.flow import ModalState, MoveInstruction
 from ropsim.kinematics import forward, posture
 from ropsim.model import Frame, RobotModel, Tool, beside, on_track
+from ropsim.planning import MotionChain, Refusal, plan_move
 from ropsim.spatial import Array, Pose
 from support.cells import chain_of, one_station
 from support.motion import CHAIN, LINE, PASS, PUMA, START, interface_pose, lin, planned, ptp

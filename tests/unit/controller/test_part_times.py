@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from ropsim.controller.part_times_kernel import longest_cell, part_times
 from ropsim.motion import Traced
+from ropsim.planning.postures.part_times_kernel import longest_cell, part_times
 from ropsim.spatial import Array
 
 ROUNDING = 1e-12

@@ -1,7 +1,8 @@
 """Channels: scripted inputs, outputs that programs set, unknown names."""
 
-from ropsim.controller import CellSensors, NothingSensed, Sample
+from ropsim.controller import CellSensors
 from ropsim.model import Signal
+from ropsim.planning import NothingSensed, Sample
 
 SIGNALS = {
     "part_ready": Signal("part_ready", is_input=True, changes=((1.0, 1.0), (2.5, 0.0))),

@@ -7,14 +7,14 @@ import numpy as np
 import pytest
 import ruckig
 
-from ropsim.controller import MotionChain
-from ropsim.controller.course import course_of
-from ropsim.controller.leg import Leg, leg_of
-from ropsim.controller.parts import parts_of
-from ropsim.controller.pieces import pieces_of
 from ropsim.flow import ModalState
 from ropsim.model import Synchronisation
 from ropsim.motion import SynchronisedJoints
+from ropsim.planning import MotionChain
+from ropsim.planning.moves.planned_move import Leg, leg_of
+from ropsim.planning.trajectory.sections import parts_of
+from ropsim.planning.trajectory.segments import pieces_of
+from ropsim.planning.trajectory.timing import course_of
 from ropsim.spatial import Array
 from support.cells import chain_of, with_station
 from support.motion import (

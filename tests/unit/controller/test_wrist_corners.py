@@ -7,10 +7,10 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from ropsim.controller.corners import Rounding, Stop, corner_between
-from ropsim.controller.leg import Leg
 from ropsim.flow import MotionKind, MoveInstruction
 from ropsim.model import Payload
+from ropsim.planning.blends.blend import Rounding, Stop, corner_between
+from ropsim.planning.moves.planned_move import Leg
 from ropsim.spatial import Array, Pose
 from support.motion import PUMA, START, planned_stretch, references
 from support.walks import shares

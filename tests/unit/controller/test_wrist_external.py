@@ -6,11 +6,11 @@ from functools import cache
 import numpy as np
 import pytest
 
-from ropsim.controller import MotionChain, Refusal, plan_move
-from ropsim.controller.leg import Leg, leg_of
 from ropsim.flow import MotionKind, MoveInstruction
 from ropsim.kinematics import posture
 from ropsim.model import OrientationMode, Payload
+from ropsim.planning import MotionChain, Refusal, plan_move
+from ropsim.planning.moves.planned_move import Leg, leg_of
 from ropsim.spatial import Array, Pose
 from support.carried import carried_cell, commanded, from_plate, to_plate, to_room, tool_poses
 from support.cells import chain_of, with_station

@@ -6,12 +6,12 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from ropsim.controller.leg import Leg, leg_of
-from ropsim.controller.wrist_path import WristPath
 from ropsim.flow import MotionKind, MoveInstruction
 from ropsim.kinematics import jacobian_at, posture, singular_distances
 from ropsim.model import OrientationMode, PathDefaults, Payload
 from ropsim.motion import Curve, JointPath
+from ropsim.planning.moves.planned_move import Leg, leg_of
+from ropsim.planning.wrist.wrist_path import WristPath
 from ropsim.spatial import Array, Pose
 from support.cells import chain_of, with_station
 from support.motion import CELL, LINE, PUMA, START, interface_pose, lin, planned, references, refused, shifted

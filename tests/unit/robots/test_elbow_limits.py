@@ -8,7 +8,6 @@ import pytest
 
 from ropsim import robots
 from ropsim.cellfile import read_cell
-from ropsim.controller import MotionPlan, Refusal, plan_move, standard_chain
 from ropsim.core import SourceText
 from ropsim.flow import ModalState, MotionKind, MoveInstruction
 from ropsim.kinematics import (
@@ -21,6 +20,7 @@ from ropsim.kinematics import (
 )
 from ropsim.kinematics.result import NO_AXIS
 from ropsim.model import RobotModel, audit, coordinates, coupled_limits, on_track
+from ropsim.planning import MotionPlan, Refusal, plan_move, standard_chain
 from ropsim.spatial import Array, Pose
 from ropsim.studio.desk.jog.stops import within_limits
 from ropsim.studio.desk.jog.words import limit_words

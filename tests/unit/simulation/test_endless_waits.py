@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 from ropsim import robots
-from ropsim.controller import Sample, SensedCell
 from ropsim.core import Diagnostic
 from ropsim.flow import AwaitEvent, Event, Recording, WaitEvent
 from ropsim.model import Barrier, BeltDrive, Cell, Device, IndexDrive, Part, Signal, Station, SwitchDrive
+from ropsim.planning import Sample, SensedCell
 from ropsim.simulation import Fidelity, InputChange, RunOptions, RunView, run
 from ropsim.spatial import Pose
 from support.compiled import station_code

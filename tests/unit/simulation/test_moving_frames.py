@@ -7,11 +7,11 @@ import pytest
 
 from ropsim import icr, language
 from ropsim.cellfile import read_cell
-from ropsim.controller import standard_chain
 from ropsim.core import SourceText
 from ropsim.flow import MessageEvent, ModalState, MoveInstruction, Origin, Recording
 from ropsim.kinematics import body_poses, forward, frame_poses
 from ropsim.model import Cell, body_tree
+from ropsim.planning import standard_chain
 from ropsim.simulation import Fidelity, RunOptions, run
 from ropsim.spatial import Pose
 from ropsim.workbench.environment import environment_of

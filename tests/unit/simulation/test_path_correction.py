@@ -8,14 +8,7 @@ import pytest
 
 from ropsim import robots
 from ropsim.cellfile import read_cell
-from ropsim.controller import (
-    Correction,
-    PathCorrector,
-    Sample,
-    ShiftedArm,
-    ShiftedJoints,
-    standard_chain,
-)
+from ropsim.controller import Correction, ShiftedArm, ShiftedJoints
 from ropsim.core import SourceText
 from ropsim.flow import InputChange, OverrideChange, PathTracking, Recording
 from ropsim.kinematics import forward_batch
@@ -30,6 +23,7 @@ from ropsim.model import (
     Signal,
     Tool,
 )
+from ropsim.planning import PathCorrector, Sample, standard_chain
 from ropsim.simulation import Fidelity, RunOptions, RunView, run
 from ropsim.simulation.watch import NobodyWatches
 from ropsim.spatial import Array, Pose

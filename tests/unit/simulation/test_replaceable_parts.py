@@ -8,10 +8,20 @@ import pytest
 
 import ropsim
 from ropsim import icr, robots
-from ropsim.controller import (
+from ropsim.controller import LawInput, LawTraits
+from ropsim.flow import (
+    JointSamples,
+    ModalState,
+    MoveEvent,
+    MoveInstruction,
+    PoseSetpoints,
+    Recording,
+)
+from ropsim.kinematics import forward, forward_batch
+from ropsim.model import Cell, Signal, Tool
+from ropsim.motion import JointPath, JointPoints, Line, ToolPath, ToolPoints, numeric_points
+from ropsim.planning import (
     InverseTransform,
-    LawInput,
-    LawTraits,
     MotionPlan,
     PathPlanner,
     PathRequest,
@@ -24,17 +34,6 @@ from ropsim.controller import (
     StandardPathPlanner,
     plan_move,
 )
-from ropsim.flow import (
-    JointSamples,
-    ModalState,
-    MoveEvent,
-    MoveInstruction,
-    PoseSetpoints,
-    Recording,
-)
-from ropsim.kinematics import forward, forward_batch
-from ropsim.model import Cell, Signal, Tool
-from ropsim.motion import JointPath, JointPoints, Line, ToolPath, ToolPoints, numeric_points
 from ropsim.simulation import Fidelity, RunOptions, run
 from ropsim.spatial import Array
 from support.cells import chain_of, one_station

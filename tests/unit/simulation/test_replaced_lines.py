@@ -4,11 +4,11 @@ from dataclasses import replace
 
 import pytest
 
-from ropsim.controller import Refusal, StretchOrder
 from ropsim.core import Diagnostic, Label, Span, TextEdit
 from ropsim.flow import MoveInstruction, Origin
 from ropsim.model import Payload
 from ropsim.motion import JOINT_LIMIT_ON_LINE
+from ropsim.planning import Refusal, StretchOrder
 from ropsim.simulation import KeptPlans
 from ropsim.simulation.planned_stretch import PlannedStretch
 from ropsim.simulation.replaced_lines import on_lines_of

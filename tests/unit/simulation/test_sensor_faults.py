@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 from ropsim import robots
-from ropsim.controller import Sample, SensedCell
 from ropsim.core import Diagnostic
 from ropsim.flow import MoveEvent, Recording
 from ropsim.model import Signal, Tool
+from ropsim.planning import Sample, SensedCell
 from ropsim.simulation import Fidelity, RunOptions, run
 from support.cells import one_station
 from support.compiled import code_of

@@ -6,11 +6,12 @@ import numpy as np
 import pytest
 
 from ropsim import robots
-from ropsim.controller import ArmState, CompiledLaw, LawError, LawTraits, Sample, SensedCell
+from ropsim.controller import CompiledLaw, LawError, LawTraits
 from ropsim.dynamics import inverse_dynamics
 from ropsim.flow import InputChange, MessageEvent, MoveEvent, Recording
 from ropsim.kinematics import forward
 from ropsim.model import Box, Cell, DistanceSensor, FixedObject, ForceSensor, Part, Shape, Signal, Tool
+from ropsim.planning import ArmState, Sample, SensedCell
 from ropsim.simulation import Fidelity, RunOptions, run
 from ropsim.spatial import Pose
 from support.cells import one_station

@@ -4,10 +4,10 @@ from pathlib import Path
 
 import pytest
 
-from ropsim.controller import joint_fit
-from ropsim.controller.fit import Fit
 from ropsim.flow import MoveEvent, Recording
 from ropsim.motion import Arc
+from ropsim.planning.joint_limits import fitting
+from ropsim.planning.joint_limits.evaluated import Fit
 from ropsim.simulation import Fidelity, RunOptions
 from ropsim.workbench import open_project
 
@@ -50,7 +50,7 @@ def test_a_load_that_cannot_be_held_is_told_without_trying_speeds(
     def try_it(*_: object) -> Fit:
         pytest.fail("a speed was tried")
 
-    monkeypatch.setattr(joint_fit, "as_bounds_allow", try_it)
+    monkeypatch.setattr(fitting, "as_bounds_allow", try_it)
     tool = "[tools.weight]\nposition = [0, 0, 150]\nmass = 60.0\n"
     found = ran(tmp_path, "set tool weight\nmov (700, 0, 300)\nlin (700, 0, 200)\n", CELL + tool)
     assert "M564" in {one.code for one in found.findings}, [str(one) for one in found.findings]

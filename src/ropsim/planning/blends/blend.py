@@ -1,0 +1,162 @@
+"""Corners of a stretch: how the path goes from one move to the next where a zone is in force."""
+
+from enum import Enum
+
+import numpy as np
+
+from ropsim.core import maker
+from ropsim.flow import MoveInstruction
+from ropsim.motion import CornerFault, JointPath, ToolPath, corner
+from ropsim.planning.blends.joined_ends import joined_to
+from ropsim.planning.blends.meeting import meeting_of
+from ropsim.planning.blends.wrist_blend import are_led, wrist_corner
+from ropsim.planning.blends.zone_search import Crossing, way_of
+from ropsim.planning.moves.path_following import trace
+from ropsim.planning.moves.planned_move import Leg
+from ropsim.planning.records.coordination import Coordination, coordination_round
+from ropsim.planning.records.entities import Refusal
+from ropsim.planning.records.motion_chain import MotionChain
+from ropsim.spatial import record
+
+HALF = 0.5
+"""Share of a move that a zone may take."""
+
+LEAST_ZONE = 1e-6
+"""Zones below this are none [m]: no arm shows them, and rounding would have a say in the way round them."""
+
+
+class Stop(Enum):
+    """Why the arm stops at a corner though a zone is in force."""
+
+    TURNS_BACK = "the path turns back on itself there"
+    STANDS = "the tool only turns on one side of it"
+    TOO_SMALL = "it is smaller than a micrometre"
+    NO_WAY = "there is no way between it and its neighbour"
+    UNREACHABLE = "the arm cannot follow the rounded corner"
+    QUICKER = "a stop takes less time than the way round so small a corner"
+    SLOWED = "a stop takes less time than the way round, for which joints must be slowed"
+    NO_LOOK_AHEAD = "the controller does not look ahead"
+
+
+@record
+class Rounding:
+    """A corner between two paths of the tool, rounded by a third one.
+
+    Attributes:
+        zone: distance of the TCP from the corner at which the path leaves and enters [m].
+        leave: place on the path before, in its unit.
+        enter: place on the path behind, in its unit.
+        tool: the way between, in the base frame or that of the coordination.
+        joints: the same in joint space.
+        coordination: external axes that go along; None where they stand on both sides.
+    """
+
+    zone: float
+    leave: float
+    enter: float
+    tool: ToolPath
+    joints: JointPath
+    coordination: Coordination | None
+
+
+@record
+class Overlap:
+    """A corner at which the next move begins while the one before still ends: both motions are added.
+
+    Attributes:
+        zone: distance of the TCP from the corner within which both may last, on the longer of the paths [m].
+        shorter: the same on the shorter one [m].
+        leave: place on the path before from which on the next move may begin, in its unit.
+        enter: place on the path behind up to which the one before may last, in its unit.
+    """
+
+    zone: float
+    shorter: float
+    leave: float
+    enter: float
+
+
+_overlap = maker(Overlap)
+
+Corner = Rounding | Overlap
+
+
+def corner_between(chain: MotionChain, before: Leg, behind: Leg) -> Corner | Stop:
+    """Return the corner between two moves, or why the arm must stop there.
+
+    Two paths of one tool are joined by a path of the tool, seen from a frame in which both are given. Where
+    there is none, a path in joint space takes part, or the tool changes, the motions overlap: nobody has said
+    on which way the tool goes there.
+
+    Args:
+        chain: the entities.
+        before: the move that ends at the corner, with a zone.
+        behind: the move that begins there.
+    """
+    if chain.controller.look_ahead < 1:
+        return Stop.NO_LOOK_AHEAD
+    if before.joints is None or behind.joints is None:
+        return Stop.NO_WAY
+    meeting = meeting_of(before, behind)
+    one, other = (
+        way_of(chain.robot, joints, leg.planned.X_MT, path)
+        for leg, joints, path in (
+            (before, before.joints, meeting.before if meeting else _in_base(before)),
+            (behind, behind.joints, meeting.behind if meeting else _in_base(behind)),
+        )
+    )
+    halves, zone = (HALF * one.length, HALF * other.length), commanded_zone(chain, before.move)
+    if zone < LEAST_ZONE:
+        return Stop.TOO_SMALL
+    if meeting:
+        zone = min(zone, one.distance(halves[0], one.length), other.distance(halves[1], 0.0))
+        if zone < LEAST_ZONE:
+            return Stop.STANDS
+    (s_leave, leaving), (s_enter, entering) = one.leave(zone, halves[0]), other.enter(zone, halves[1])
+    flown = max(leaving, entering)
+    if meeting:
+        between = corner(meeting.before, s_leave, meeting.behind, s_enter)
+        if between is CornerFault.TURNS_BACK:
+            return Stop.TURNS_BACK
+        if not isinstance(between, CornerFault):
+            axes = meeting.axes
+            along = coordination_round(between.length, axes[0], s_leave, axes[1], s_enter) if axes else None
+            if are_led(before, behind):
+                led = wrist_corner(chain.robot, (before, s_leave), (behind, s_enter), between, along)
+                return (
+                    Rounding(flown, s_leave, s_enter, led.tool, led.joints, along)
+                    if led
+                    else Stop.UNREACHABLE
+                )
+            ends = before.joints.joints(np.array([s_leave])), behind.joints.joints(np.array([s_enter]))
+            traced = trace(chain, between, ends[0].q[0], before.move, along)
+            if isinstance(traced, Refusal):
+                return Stop.UNREACHABLE
+            joints = joined_to(chain, between, traced[0], ends, before.planned.X_MT, along)
+            return Rounding(flown, s_leave, s_enter, between, joints, along) if joints else Stop.UNREACHABLE
+    return overlap_of((s_leave, leaving), (s_enter, entering))
+
+
+def overlap_of(leave: Crossing, enter: Crossing) -> Overlap:
+    """Return the overlap of two moves.
+
+    Args:
+        leave: where the path before may be left.
+        enter: up to where that behind may be entered.
+    """
+    (s_leave, leaving), (s_enter, entering) = leave, enter
+    flown, shorter = max(leaving, entering), min(leaving, entering)
+    # where the tool only turns no zone is too long
+    return _overlap(flown, shorter if shorter > LEAST_ZONE else flown, s_leave, s_enter)
+
+
+def commanded_zone(chain: MotionChain, move: MoveInstruction) -> float:
+    """Return the zone of a move [m]: its own, or that of via points where it only passes by."""
+    modal = move.modal
+    return chain.controller.via_zone if modal.passes and modal.zone == 0.0 else modal.zone
+
+
+def _in_base(leg: Leg) -> ToolPath | None:
+    """Return the path of the tool of a move where it has one in the base frame."""
+    coordination = leg.planned.coordination
+    return None if coordination and coordination.frame else leg.tool

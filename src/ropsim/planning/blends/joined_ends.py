@@ -1,0 +1,86 @@
+"""Ways round corners that begin and end as the moves beside them go, where poses leave joints free."""
+
+import numpy as np
+
+from ropsim.flow import JointSamples, PoseSetpoints
+from ropsim.kinematics import inverse_near
+from ropsim.motion import JointPath, JointPoints, ToolPath, Traced, traced_with_roughness
+from ropsim.planning.moves.inverse_transform import has_named_branches
+from ropsim.planning.records.coordination import Coordination
+from ropsim.planning.records.motion_chain import MotionChain
+from ropsim.planning.records.sampling import SMOOTH
+from ropsim.spatial import Array, Pose
+
+_STEPS = (64, 128, 256, 512, 1024)
+"""Samples of such a way, as many as it needs."""
+_FAR = 0.5
+"""What is farther from where it is expected [rad | m] is another posture."""
+_SAME = 1e-6
+"""Joint coordinates of one posture, found along two ways, are no farther apart [rad | m]."""
+
+
+def joined_to(
+    chain: MotionChain,
+    path: ToolPath,
+    joints: JointPath,
+    ends: tuple[JointPoints, JointPoints],
+    X_MT: Pose,
+    along: Coordination | None,
+) -> JointPath | None:
+    """Return a way round a corner that goes over into the moves beside it.
+
+    Where a pose leaves joints free, what is followed from the start of the corner does not meet what was
+    followed along the move before to its end and from there along the next one. What is missing in place,
+    slope and bend at both ends is added, as a polynomial of fifth degree between them, and each pose is kept.
+
+    Args:
+        chain: the entities.
+        path: of the tool in the base frame, or in that of the coordination.
+        joints: its path in joint space, followed from its start.
+        ends: the moves beside it where it begins and ends, by the place on their paths.
+        X_MT: the tool.
+        along: external axes that go along; None where they stand.
+
+    Returns:
+        the way; None where it would end in another posture or the poses cannot be kept.
+    """
+    if has_named_branches(chain.robot):
+        last = joints.q[-1] if isinstance(joints, Traced) else joints.joints(np.array([path.length])).q[0]
+        return joints if np.abs(ends[1].q[0] - last).max() <= _SAME else None
+    length, own = path.length, joints.joints(np.array([0.0, path.length]))
+    missing = [
+        (end.q[0] - own.q[k], (end.d1[0] - own.d1[k]) * length, (end.d2[0] - own.d2[k]) * length**2)
+        for k, end in enumerate(ends)
+    ]
+    if not max(np.abs(one).max() for several in missing for one in several) < _FAR:
+        return None
+    added = _between(*missing)
+    for steps in _STEPS:
+        r = np.arange(steps + 1, dtype=np.float64) / steps
+        places = r * length
+        near = joints.joints(places).q + np.vander(r, 6, increasing=True) @ added
+        setpoints = PoseSetpoints(length, path.tool(places).matrices)
+        matrices = (along.in_base(setpoints) if along else setpoints).matrices
+        q = inverse_near(chain.robot, matrices @ X_MT.inverse().matrix(), near)
+        if not np.abs(q - near).max() < _FAR:  # true for NaN
+            return None
+        q[0], q[-1] = ends[0].q[0], ends[1].q[0]
+        rough = traced_with_roughness(length, q)[1]
+        if steps == _STEPS[-1] or (rough is not None and rough.max() <= SMOOTH):
+            return chain.joint_interpolator.refine(JointSamples(length, q))
+    return None
+
+
+def _between(start: tuple[Array, Array, Array], end: tuple[Array, Array, Array]) -> Array:
+    """Return a polynomial of fifth degree for r from 0 to 1 by its coefficients, shape (6, n).
+
+    Args:
+        start: value, first and second derivative at 0, shape (n,) each.
+        end: the same at 1.
+    """
+    q0, v0, a0 = start
+    q1, v1, a1 = end
+    d, v, a = q1 - q0 - v0 - 0.5 * a0, v1 - v0 - a0, a1 - a0
+    return np.array(
+        (q0, v0, 0.5 * a0, 10.0 * d - 4.0 * v + 0.5 * a, -15.0 * d + 7.0 * v - a, 6.0 * d - 3.0 * v + 0.5 * a)
+    )

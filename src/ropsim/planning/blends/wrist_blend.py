@@ -1,0 +1,68 @@
+"""The way round a corner between two paths that the wrist leads: its joints go on smoothly."""
+
+import numpy as np
+
+from ropsim.model import RobotModel
+from ropsim.motion import JointPath, JointPoints, ToolPath, smoothly
+from ropsim.planning.moves.planned_move import Leg
+from ropsim.planning.records.coordination import Coordination
+from ropsim.planning.records.posture_choice import JointRange
+from ropsim.planning.wrist.wrist_following import SAME_JOINTS, wrist_joints, wrist_lead
+from ropsim.planning.wrist.wrist_motion import WristWay, arm_axes
+from ropsim.planning.wrist.wrist_path import WristPath
+from ropsim.spatial import record
+
+
+@record
+class WristCorner:
+    """The way round a corner.
+
+    Attributes:
+        tool: the path of the tool, in the frame of the corner.
+        joints: that lead it.
+    """
+
+    tool: WristPath
+    joints: JointPath
+
+
+def are_led(before: Leg, behind: Leg) -> bool:
+    """Return whether the wrist leads both of two moves."""
+    return isinstance(before.tool, WristPath) and isinstance(behind.tool, WristPath)
+
+
+def wrist_corner(
+    robot: RobotModel,
+    before: tuple[Leg, float],
+    behind: tuple[Leg, float],
+    path: ToolPath,
+    along: Coordination | None,
+) -> WristCorner | None:
+    """Return the way round a corner, None where the arm cannot keep it in the posture of both sides.
+
+    The joints of the wrist have angles, slopes and bends of both sides at its ends.
+
+    Args:
+        robot: the arm with its external axes.
+        before: the move that ends at the corner, and the place at which its path is left.
+        behind: the move that begins there, and the place at which its path is entered.
+        path: of the tool round the corner, in the base frame or that of the external axes.
+        along: external axes on it; None where they stand.
+    """
+    first, last = _joints(*before), _joints(*behind)
+    wrist = list(arm_axes(robot)[3:])
+    turned = (JointPoints(one.q[:, wrist], one.d1[:, wrist], one.d2[:, wrist]) for one in (first, last))
+    turning = smoothly(path.length, *turned)
+    way = WristWay(robot, before[0].planned.X_MT, path, turning, first.q[0], along)
+    lead = wrist_lead(way)
+    if lead.share < 1.0 or float(np.abs(lead.q[-1] - last.q[0]).max()) > SAME_JOINTS:
+        return None
+    if JointRange.of(robot).excess(lead.q).any():
+        return None
+    joints = wrist_joints(way, lead.q)
+    return WristCorner(way.led_by(joints), joints)
+
+
+def _joints(leg: Leg, place: float) -> JointPoints:
+    assert leg.joints is not None
+    return leg.joints.joints(np.array([place]))

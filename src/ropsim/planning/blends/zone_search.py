@@ -1,0 +1,148 @@
+"""Ways into and out of zones: where the TCP leaves and enters one along the path of a move."""
+
+from typing import Protocol
+
+import numpy as np
+
+from ropsim.kinematics import POSES, chain_arrays, forward_batch
+from ropsim.model import RobotModel
+from ropsim.motion import (
+    MOST_LOOKS,
+    TRACED,
+    ZONE_NODES,
+    ZONE_SHARES,
+    JointPath,
+    Line,
+    PathRows,
+    ToolPath,
+    enter,
+    leave,
+    rows_of_path,
+)
+from ropsim.planning.blends.zone_search_kernel import HELD, zones_of_arm
+from ropsim.spatial import Array, Pose
+
+Crossing = tuple[float, float]
+"""A place in the unit of the path, and how far the TCP is from the corner there [m]."""
+
+
+class Way(Protocol):
+    """The way of the TCP along the path of a move, at an end of which it is in the centre of a zone."""
+
+    @property
+    def length(self) -> float:
+        """Return the length of the path, in its own unit."""
+
+    def leave(self, zone: float, clip: float) -> Crossing:
+        """Return the place, at least `clip`, behind which the TCP stays within a zone [m] round the end."""
+
+    def enter(self, zone: float, clip: float) -> Crossing:
+        """Return the place, at most `clip`, before which the TCP stays within a zone [m] round the start."""
+
+    def distance(self, place: float, other: float) -> float:
+        """Return the distance of the TCP between two places [m]."""
+
+
+def way_of(robot: RobotModel, joints: JointPath, X_MT: Pose, tool: ToolPath | None) -> Way:
+    """Return the way of the TCP along a move.
+
+    Args:
+        robot: the arm.
+        joints: its path.
+        X_MT: the tool.
+        tool: the path of the tool, if it has one; positions are in its frame, else in the base frame.
+    """
+    if isinstance(tool, Line) and tool.moves:
+        return StraightWay(joints.length)
+    rows = None if tool or robot.cuts else rows_of_path(joints)
+    if rows is None or rows.kind == TRACED:
+        return _Way(robot, joints, X_MT, tool)
+    return _ArmWay(robot, joints, X_MT, rows)
+
+
+class StraightWay:
+    """Along a straight line, which is asked for its ends: nothing is to be searched for.
+
+    Args:
+        length: of the line [m].
+    """
+
+    def __init__(self, length: float) -> None:
+        self.length = length
+
+    def leave(self, zone: float, clip: float) -> Crossing:
+        """Return the place at which a zone [m] round the end begins, at least `clip`."""
+        place = max(clip, self.length - zone)
+        return place, abs(place - self.length)
+
+    def enter(self, zone: float, clip: float) -> Crossing:
+        """Return the place at which a zone [m] round the start ends, at most `clip`."""
+        place = min(clip, zone)
+        return place, place
+
+    def distance(self, place: float, other: float) -> float:
+        """Return the distance of two places [m]."""
+        return abs(place - other)
+
+
+class _Way:
+    """Along a path of the tool, or one of the joints that only the path itself knows."""
+
+    def __init__(self, robot: RobotModel, joints: JointPath, X_MT: Pose, tool: ToolPath | None) -> None:
+        self._robot, self._joints, self._X_MT, self._tool = robot, joints, X_MT, tool
+        self.length = joints.length
+
+    def _positions(self, places: Array) -> Array:
+        """Return TCP positions [m] at places, (k,) to (k, 3)."""
+        if self._tool is not None:
+            return self._tool.positions(places)
+        matrices = forward_batch(self._robot, self._joints.joints(places).q)
+        return np.asarray((matrices @ self._X_MT.matrix())[:, :3, 3])
+
+    def leave(self, zone: float, clip: float) -> Crossing:
+        place = leave(self._positions, self.length, zone, clip)
+        return place, self.distance(place, self.length)
+
+    def enter(self, zone: float, clip: float) -> Crossing:
+        place = enter(self._positions, self.length, zone, clip)
+        return place, self.distance(place, 0.0)
+
+    def distance(self, place: float, other: float) -> float:
+        a, b = self._positions(np.array([place, other]))
+        return float(np.linalg.norm(a - b))
+
+
+class _ArmWay(_Way):
+    """Along a path of the joints from one row of coordinates to another."""
+
+    def __init__(self, robot: RobotModel, joints: JointPath, X_MT: Pose, rows: PathRows) -> None:
+        super().__init__(robot, joints, X_MT, None)
+        self._chain, self._rows = chain_arrays(robot), rows
+
+    def leave(self, zone: float, clip: float) -> Crossing:
+        return self._searched(zone, self.length - clip, 1.0)
+
+    def enter(self, zone: float, clip: float) -> Crossing:
+        return self._searched(zone, min(clip, self.length), 0.0)
+
+    def _searched(self, zone: float, clip: float, from_end: float) -> Crossing:
+        """Return where the way is in a zone at most `clip` from the end (1.0) or the start (0.0)."""
+        kind, begin, length, size, flat, _ = self._rows
+        chain, rows = self._chain, np.concatenate(flat).reshape(size, -1)
+        asked = np.array([(self.length, zone, clip, from_end, kind, begin, length, 0.0, size)])
+        own = chain.flat, chain.spread, rows, self._X_MT.position[np.newaxis]
+        zones_of_arm(ZONE_SHARES, ZONE_NODES, *own, asked, *search_rooms(self._robot, 1))
+        place, distance, *_ = asked[0].tolist()
+        return place, distance
+
+
+def search_rooms(robot: RobotModel, count: int) -> tuple[Array, ...]:
+    """Return rooms to work in for `zones_of_arm`.
+
+    Args:
+        robot: the arm.
+        count: of the searches side by side.
+    """
+    places, steps = count * MOST_LOOKS, len(chain_arrays(robot).slides)
+    searches = np.empty((count, 5, MOST_LOOKS)), np.empty((count, HELD)), np.empty((3, MOST_LOOKS, robot.n))
+    return *searches, np.empty((places, steps)), np.empty((places, 4, 4)), np.empty(POSES)

@@ -1,0 +1,116 @@
+"""A motion in control ticks: references, and the ticks at which moves, pieces and triggers come."""
+
+from collections.abc import Sequence
+from itertools import pairwise
+
+import numpy as np
+
+from ropsim.core import Diagnostic, maker
+from ropsim.flow import JointReference
+from ropsim.motion import JointPoints, Kept, Ticks
+from ropsim.planning.moves.planned_move import Leg
+from ropsim.planning.records.motion_chain import MotionChain
+from ropsim.planning.records.motion_plan import MotionPlan, PlannedMove, PlannedPiece
+from ropsim.planning.records.trigger_ticks import Flown, PlannedTrigger, trigger_ticks
+from ropsim.planning.trajectory.timing import Course
+from ropsim.planning.trajectory.timing_kernel import ticks_come
+from ropsim.spatial import Array
+
+_SLACK = 1e-9
+"""Share of a control tick by which a motion may be longer than whole ticks, for rounding."""
+_move, _piece = maker(PlannedMove), maker(PlannedPiece)
+
+
+def standing(
+    legs: Sequence[Leg], q_start: Array, period: float, findings: Sequence[Diagnostic]
+) -> MotionPlan:
+    """Return the plan of moves that all end where they begin.
+
+    Args:
+        legs: the moves.
+        q_start: command joint coordinates [rad | m], shape (n,).
+        period: time of a control tick [s].
+        findings: on the moves.
+    """
+    moves = tuple(PlannedMove(leg.move, leg.planned.X_MT, leg.q_end, 0, 0.0) for leg in legs)
+    nothing = JointReference(*(np.empty((0, len(q_start))) for _ in range(3)))
+    return MotionPlan(moves, (), q_start, nothing, period, tuple(findings))
+
+
+def in_ticks(
+    chain: MotionChain,
+    legs: Sequence[Leg],
+    zones: Sequence[float],
+    course: Course,
+    kept: Kept,
+    findings: Sequence[Diagnostic],
+) -> MotionPlan:
+    """Return the plan of a motion; it takes over the rows of the motion and writes its end there.
+
+    Args:
+        chain: the entities; gives the control period.
+        legs: the moves.
+        zones: that are flown at their ends [m].
+        course: of the stretch.
+        kept: its motion within the limits of the joints, at all ticks of whole interpolation ticks.
+        findings: on the moves.
+    """
+    period, phi = chain.controller.rates.control_period, kept.phi[1:]
+    reference = _to_rest(kept.rows, legs[-1].q_end, Ticks(period).count(kept.clock.duration))
+    at, ends = np.empty((len(course.piece_ends) + len(course.runs), 2)), np.empty(len(legs) - 1)
+    times = course.table, course.piece_ends, np.array(course.ends[:-1]), phi, _SLACK * period
+    ticks_come(*times, at[: len(course.piece_ends)], at[len(course.piece_ends) :], ends)
+    lasts = [0, *map(int, ends.tolist()), reference.ticks]
+    moves, found = [], list(findings)
+    for leg, zone, (first, last) in zip(legs, zones, pairwise(lasts), strict=True):
+        planned, move = leg.planned, leg.move
+        X_MT = planned.X_MT
+        triggers: tuple[PlannedTrigger, ...] = ()
+        if move.triggers:
+            along, q = planned.coordination, reference.q[max(first - 1, 0) : last]
+            q = np.concatenate((kept.rows.q[:1], q)) if first == 0 else q
+            flown = Flown(chain.robot, X_MT, q, along.frame if along else None)
+            triggers, told = trigger_ticks(move, flown, first, period)
+            found += told
+        of_tool = planned.tool is not None
+        moves.append(_move(move, X_MT, leg.q_end, last, zone, triggers, planned.limits, of_tool))
+    pieces, blends = _pieces(course, at.astype(np.int64).tolist())
+    return MotionPlan(tuple(moves), pieces, kept.rows.q[0], reference, period, tuple(found), blends)
+
+
+def _pieces(
+    course: Course, ticks: Sequence[Sequence[int]]
+) -> tuple[tuple[PlannedPiece, ...], tuple[tuple[int, int], ...]]:
+    """Return the pieces, and the ways round corners and the overlaps in order of time.
+
+    Args:
+        course: of the stretch.
+        ticks: the last one before each piece, and the last one on it; behind these the same for the overlap
+            of each run with the one before.
+    """
+    pieces, blends, number = [], [], 0
+    for run in course.runs:
+        for piece in run.part.pieces:
+            (first, last), along = ticks[number], piece.coordination
+            pieces.append(_piece(piece.tool, piece.X_MT, first, last, along.frame if along else None))
+            if piece.corner is not None:
+                blends.append((first, last))
+            number += 1
+    for run, (first, last) in zip(course.runs, ticks[number:], strict=True):
+        if run.overlap > 0.0:
+            blends.append((first, last))
+    return tuple(pieces), tuple(sorted(blends))
+
+
+def _to_rest(rows: JointPoints, q_end: Array, at_rest: int) -> JointReference:
+    """Return the reference of a motion: its rows themselves, for which nobody else asks any more.
+
+    The end is exact, without the rounding of sums.
+
+    Args:
+        rows: of the motion at the control ticks 0, 1, … until it rests.
+        q_end: joint coordinates at its end [rad | m], shape (n,).
+        at_rest: first control tick at which it is there.
+    """
+    rows.q[at_rest:], rows.d1[at_rest:], rows.d2[at_rest:] = q_end, 0.0, 0.0
+    return JointReference(rows.q[1:], rows.d1[1:], rows.d2[1:])

@@ -1,0 +1,1 @@
+"""Checks of what entities and paths of a user return."""

@@ -1,0 +1,118 @@
+"""Joint limits of a motion: what the arm can do with its payload, and what is said where that binds."""
+
+from bisect import bisect_right
+from collections.abc import Sequence
+from functools import lru_cache
+
+from ropsim.core import Diagnostic
+from ropsim.dynamics import effort_limits, effort_rows
+from ropsim.model import Joint, JointType, Payload, RobotModel
+from ropsim.motion import BEYOND_LIMITS, SLOWED, Beyond, Effort, JointBounds, Quantity, Slowed
+from ropsim.planning.moves.planned_move import Leg
+from ropsim.planning.records.entities import Refusal
+from ropsim.planning.records.wording import passes, rate
+from ropsim.spatial import record
+
+WORTH_SAYING = 0.85
+"""Share of the planned speed above which slowing is not told: it costs next to no time."""
+
+_WORDS = {
+    Quantity.SPEED: ("speed", "/s"),
+    Quantity.ACCELERATION: ("acceleration", "/s²"),
+    Quantity.JERK: ("jerk", "/s³"),
+    Quantity.TORQUE: ("torque", ""),
+}
+
+
+@record
+class ArmBounds:
+    """What the joints of an arm can do.
+
+    Attributes:
+        joints: speed, acceleration, jerk, and torque where drives say it.
+        effort: torques that a motion takes with the payload in force; None where they do not count.
+    """
+
+    joints: JointBounds
+    effort: Effort | None
+
+
+@lru_cache(maxsize=256)
+def arm_bounds(robot: RobotModel, payload: Payload) -> ArmBounds:
+    """Return what an arm can do; torque counts where masses and drives of all joints are known.
+
+    Args:
+        robot: the arm.
+        payload: tool and part as one body, for the whole motion.
+    """
+    limits = robot.max_speeds, robot.max_accelerations, robot.max_jerks
+    if len(robot.drives) != robot.n:
+        return ArmBounds(JointBounds(*limits), None)
+    return ArmBounds(JointBounds(*limits, effort_limits(robot)), effort_rows(robot, payload))
+
+
+def slowed_findings(
+    legs: Sequence[Leg], ends: Sequence[float], slowed: Sequence[Slowed], robot: RobotModel
+) -> tuple[Diagnostic, ...]:
+    """Return M563 for each move that is slowed, at its slowest place.
+
+    Args:
+        legs: the moves.
+        ends: motion times at which they end [s].
+        slowed: the parts of the motion that are slower than planned.
+        robot: the arm.
+    """
+    worst: dict[int, Slowed] = {}
+    for part in slowed:
+        leg = move_at(ends, 0.5 * (part.start + part.end))
+        if leg not in worst or part.share < worst[leg].share:
+            worst[leg] = part
+    return tuple(
+        _slowed(legs[leg], part, robot.axis_joints[part.joint], ends[leg - 1] if leg else 0.0, ends[leg])
+        for leg, part in sorted(worst.items())
+        if part.share < WORTH_SAYING
+    )
+
+
+def beyond_refusal(leg: Leg, beyond: Beyond, robot: RobotModel) -> Refusal:
+    """Return M564 for a move that asks more of a joint than it can do at any speed."""
+    joint, origin = robot.axis_joints[beyond.joint], leg.move.origin
+    finding = BEYOND_LIMITS.at(
+        origin.span,
+        f"joint `{joint.name}` would need a {_WORDS[beyond.quantity][0]} of "
+        f"{_figure(joint, beyond.quantity, beyond.value)}, the limit is "
+        f"{_figure(joint, beyond.quantity, beyond.limit)}, however slow the move is",
+        label=passes(origin),
+        hint="bring the load nearer to the axis of the joint, or take a lighter one",
+        data={"joint": joint.name, "value": beyond.value, "limit": beyond.limit, "pass": origin.visit},
+    )
+    return Refusal((finding,))
+
+
+def move_at(ends: Sequence[float], phi: float) -> int:
+    """Return the number of the move that goes on at a motion time [s].
+
+    Args:
+        ends: motion times at which the moves end [s].
+        phi: motion time [s].
+    """
+    return min(bisect_right(ends, phi), len(ends) - 1)
+
+
+def _slowed(leg: Leg, part: Slowed, joint: Joint, start: float, end: float) -> Diagnostic:
+    place = (0.5 * (part.start + part.end) - start) / max(end - start, 1e-300)
+    place, origin = min(max(place, 0.0), 1.0), leg.move.origin
+    return SLOWED.at(
+        origin.span,
+        f"slowed down to {part.share:.0%} of the speed that its other limits allow, after {place:.0%} of the "
+        f"move: joint `{joint.name}` is at its {_WORDS[part.quantity][0]} limit",
+        label=passes(origin),
+        hint="another posture may need less of the joint; a lower speed of the whole move may be quicker",
+        data={"joint": joint.name, "share": part.share, "place": place},
+    )
+
+
+def _figure(joint: Joint, quantity: Quantity, value: float) -> str:
+    if quantity is Quantity.TORQUE:
+        return f"{value:.4g} {'N·m' if joint.measure is JointType.REVOLUTE else 'N'}"
+    return rate(joint, value, _WORDS[quantity][1])

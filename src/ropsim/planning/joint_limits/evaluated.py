@@ -1,0 +1,60 @@
+"""Courses, looked at for what they take of the joints."""
+
+from dataclasses import replace
+
+from ropsim.motion import Reference, Slowed, Ticks, as_planned, loaded
+from ropsim.planning.joint_limits.arm_limits import ArmBounds
+from ropsim.planning.trajectory.timing import Course
+from ropsim.planning.trajectory.trajectory import StretchMotion
+from ropsim.spatial import record
+
+
+@record
+class Fit:
+    """A course, and what it takes of the joints.
+
+    Attributes:
+        motion: of the stretch on the course.
+        reference: at ticks, and what it uses of the limits.
+        ticks: at which it was looked at: those of control, or a few of them.
+        slowed: where it is slower than its bounds would have it.
+    """
+
+    motion: StretchMotion
+    reference: Reference
+    ticks: Ticks
+    slowed: tuple[Slowed, ...]
+
+    @property
+    def course(self) -> Course:
+        """Return the course of the stretch."""
+        return self.motion.course
+
+    def loaded(self, arm: ArmBounds) -> "Fit":
+        """Return the same with the torques that it takes, where they count."""
+        if arm.effort is None or self.reference.torque is not None:
+            return self
+        return replace(self, reference=loaded(self.reference, arm.joints, arm.effort))
+
+    def at_each(self, ticks: Ticks, arm: ArmBounds) -> "Fit":
+        """Return the same looked at at each tick, torques aside where they were so far.
+
+        Args:
+            ticks: of control.
+            arm: limits of the joints.
+        """
+        if self.ticks == ticks:
+            return self
+        effort = None if self.reference.torque is None else arm.effort
+        return as_bounds_allow(self.motion, replace(arm, effort=effort), ticks)
+
+
+def as_bounds_allow(motion: StretchMotion, arm: ArmBounds, ticks: Ticks) -> Fit:
+    """Return a motion with what it takes of the joints, whatever they say to it.
+
+    Args:
+        motion: of the stretch.
+        arm: limits of the joints.
+        ticks: at which it is looked at.
+    """
+    return Fit(motion, as_planned(motion, arm.joints, arm.effort, ticks), ticks, ())

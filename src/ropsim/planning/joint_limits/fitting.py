@@ -1,0 +1,138 @@
+"""Time laws that joints can follow: where they cannot, a path of the tool is planned with less."""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+
+from ropsim.motion import (
+    LONGEST_DELAY,
+    ROUNDING,
+    Quantity,
+    Reference,
+    Ticks,
+    demand,
+    too_heavy,
+)
+from ropsim.planning.joint_limits.arm_limits import ArmBounds
+from ropsim.planning.joint_limits.evaluated import Fit, as_bounds_allow
+from ropsim.planning.joint_limits.exceeding_kernel import exceeding
+from ropsim.planning.joint_limits.grid_lines_kernel import MOST_PARTS, band_times
+from ropsim.planning.joint_limits.limit_grid import Bands, bands_of
+from ropsim.planning.joint_limits.slowed_sections import slowed_in
+from ropsim.planning.joint_limits.slowing_step import Aim, slower_run
+from ropsim.planning.trajectory.timing import course_of
+from ropsim.spatial import Array
+
+_SPACING = 4e-3
+"""Motion time of a band, about [s]."""
+_FEWEST = 8
+"""Ways between the times that even bands would have, at least."""
+_ATTEMPTS = 40
+_ROUNDS = 10
+"""How often a part is slowed as a whole that still exceeds a limit then."""
+_LESS = 1e-4
+"""What is taken off beyond an excess; each attempt takes more."""
+_TORQUE = list(Quantity).index(Quantity.TORQUE)
+_LEAST = 1e-3
+"""Where joints leave less of the rate than this share, slowing by motion time has its finer means."""
+
+
+def fitted(planned: Fit, arm: ArmBounds, ticks: Ticks, look_ahead: int) -> Fit:
+    """Return the course with its bounds brought down where joints could not follow, with its torques.
+
+    The limits that the program gives for the tool stay those of every time law. Where joints leave next to
+    nothing of the speed, or the motion would take far too long, the course stays as it was; so does one
+    without a path of the tool. Torques take time, and slower motions hardly need more of them: they are
+    looked at when all else is kept. Where they are too much then, and were so as planned, they count from the
+    start.
+
+    Args:
+        planned: the course as the bounds of its parts alone would have it, looked at at control ticks, or at
+            a few of them to begin with.
+        arm: limits of the joints.
+        ticks: of control.
+        look_ahead: how many moves beyond the present one are known.
+    """
+    if planned.reference.strain.is_kept:
+        planned = planned.at_each(ticks, arm)
+    if not any(run.part.leads_tool for run in planned.course.runs):
+        return planned.loaded(arm)
+    if planned.reference.torque is None and not planned.reference.strain.is_kept:
+        return _fitted(planned, arm, replace(arm, effort=None), ticks, look_ahead)
+    heavy = planned.loaded(arm)
+    if heavy.reference.strain.is_kept or _is_too_heavy(heavy.reference, arm):
+        return heavy
+    return _fitted(heavy, arm, arm, ticks, look_ahead)
+
+
+def _fitted(planned: Fit, arm: ArmBounds, looked_at: ArmBounds, ticks: Ticks, look_ahead: int) -> Fit:
+    """Return the course with its bounds brought down; at first with regard to what is looked at alone."""
+    now, times, bands = planned, _band_times(planned), dict[int, Bands]()
+    for attempt in range(_ATTEMPTS + _ROUNDS):
+        exceeded = _exceeding(now)
+        if not exceeded and now.ticks != ticks:
+            now = now.at_each(ticks, arm)
+            continue
+        if not exceeded and looked_at is not arm:
+            now, looked_at = now.loaded(arm), arm
+            if not now.reference.strain.is_kept:
+                heavy = planned.loaded(arm)
+                if heavy.reference.strain.peaks[_TORQUE] > 1.0:
+                    return fitted(heavy, arm, ticks, look_ahead)
+                continue
+        if not exceeded:
+            return replace(now, slowed=slowed_in(planned.course, now.course, bands))
+        changed = [run.part for run in now.course.runs]
+        for number, found in exceeded.items():
+            own = bands.get(number) or _bands(planned, number, times)
+            if attempt < _ATTEMPTS:
+                aim = Aim(looked_at, now.ticks.period, 1.0 - _LESS * (1 + attempt), look_ahead)
+                bands[number], changed[number] = slower_run(
+                    now.motion, now.reference, number, own, found, aim
+                )
+            else:
+                bands[number] = own.slower(1.0 / (now.reference.strain.factor * (1.0 + _LESS)))
+                changed[number] = bands[number].replanned(look_ahead)
+            if bands[number].share < _LEAST:
+                return planned.loaded(arm)
+        course = course_of(changed, len(planned.course.ends))
+        if course.duration - planned.course.duration > LONGEST_DELAY:
+            return planned.loaded(arm)
+        now = as_bounds_allow(now.motion.timed(course), looked_at, ticks)
+    return planned.loaded(arm)
+
+
+def _is_too_heavy(reference: Reference, arm: ArmBounds) -> bool:
+    """Return whether a joint has too little torque to hold the arm somewhere: no speed helps there."""
+    asked = demand(reference.rows, arm.joints, arm.effort)
+    return too_heavy(asked, reference.phi) is not None
+
+
+def _band_times(fit: Fit) -> Array:
+    """Return motion times between which bands lie [s], rising, shape (m,)."""
+    reference, duration = fit.reference, fit.course.duration
+    count = max(math.ceil(duration / _SPACING), _FEWEST)
+    ways, times, told = np.empty((2, count)), np.empty(MOST_PARTS * count + 1), np.empty(1)
+    band_times(reference.strain.used, reference.phi, duration, ways, times, told)
+    return times[: int(told[0])]
+
+
+def _bands(planned: Fit, number: int, times: Array) -> Bands:
+    """Return the bands of a run as it was planned, between times, see `_band_times`."""
+    run = planned.course.runs[number]
+    return bands_of(run.part, times, run.start)
+
+
+def _exceeding(fit: Fit) -> dict[int, Array]:
+    """Return the ticks, without 0, at which a limit is exceeded in runs with stages; of those with any."""
+    reference, runs = fit.reference, fit.course.runs
+    table = fit.motion.table
+    spans = table.runs if table else np.array([(run.start, run.end) for run in runs])
+    ticks, told = np.empty(len(reference.phi)), np.empty((len(runs), 2))
+    exceeding(reference.strain.used, 1.0 + ROUNDING, reference.phi, spans, ticks, told)
+    return {
+        number: ticks[int(first) : int(until)]
+        for number, (first, until) in enumerate(told.tolist())
+        if first < until and runs[number].part.has_stages
+    }

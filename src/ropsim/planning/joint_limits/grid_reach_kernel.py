@@ -1,0 +1,89 @@
+"""Bands in which caps count, in loops that numba compiles."""
+
+from ropsim.codegen import kernel
+from ropsim.planning.joint_limits.joint_imposed_kernel import JERK
+from ropsim.spatial import Array
+
+KIND, VALUE, TICK, JOINT, QUANTITY = range(5)
+"""Rows of caps."""
+BESIDE = 2
+"""Bands beside one that are brought down with it: what is slower comes later to what lies behind."""
+MOST_LONGER = 0.3
+"""Share of a time with too much jerk by which it is taken to get longer, at most: without a bound short
+motions that turn back last 0.3 % longer in the mean, with less a line often takes a step more."""
+
+
+@kernel("void(f8[:,::1], i8, f8[:,::1], f8[::1], f8[:,::1], f8[:,::1], f8[:,::1])")
+def reach_of(
+    caps: Array, count: int, places: Array, borders: Array, before: Array, ticks: Array, reach: Array
+) -> None:
+    """Write the first and the last band in which each cap counts.
+
+    A cap counts in the bands of its tick and in a few beside them. With less jerk along the path, the time in
+    which the acceleration changes gets longer by as much, in front of it or behind it: a cap of jerk at the
+    first of successive ticks counts from so far in front of it, and one at the last of them up to so far
+    behind it; and a tick further, for it may begin and end anywhere between two ticks.
+
+    Args:
+        caps: in columns kind, value, number of the tick, joint, quantity; of shape (5, h or more).
+        count: of them, h.
+        places: from which and up to which caps of a tick count, of b ticks, rising, shape (2, b).
+        borders: places between which the bands lie, shape (c + 1,).
+        before: bounds of speed, acceleration and jerk as they are, shape (3, c).
+        ticks: room to work in, shape (4, b).
+        reach: where the bands go, shape (2, h or more).
+    """
+    most = borders.shape[0] - 2
+    _bands_of_ticks(places, borders, ticks)
+    _count_successive(places, ticks)
+    for h in range(count):
+        k = int(caps[TICK, h])
+        first, last = int(ticks[0, k]), int(ticks[1, k])
+        if caps[KIND, h] == JERK and caps[QUANTITY, h] == JERK and max(ticks[2, k], ticks[3, k]) > 0.0:
+            longer = min(max(before[JERK, (first + last) // 2] / caps[VALUE, h] - 1.0, 0.0), MOST_LONGER)
+            way = places[1, k] - places[0, k]
+            if ticks[2, k] > 0.0:
+                begin = places[0, k] - (1.0 + longer * ticks[2, k]) * way
+                first = min(first, _band_of(borders, begin, first))
+            if ticks[3, k] > 0.0:
+                end = places[1, k] + (1.0 + longer * ticks[3, k]) * way
+                last = max(last, _band_of(borders, end, last))
+        reach[0, h], reach[1, h] = max(first, 0), min(last, most)
+
+
+def _bands_of_ticks(places: Array, borders: Array, ticks: Array) -> None:
+    """Write the bands of each tick and those beside them, in the first two rows."""
+    most, last = borders.shape[0] - 2, 0
+    for k in range(places.shape[1]):
+        for end in range(2):
+            last = _band_of(borders, places[end, k], last)
+            ticks[end, k] = min(max(last + (BESIDE if end else -BESIDE), 0), most)
+
+
+def _count_successive(places: Array, ticks: Array) -> None:
+    """Write how many ticks are successive: in the third row at the first of them, in the last at the last."""
+    first, count = 0, places.shape[1]
+    for k in range(count):
+        ticks[2, k] = ticks[3, k] = 0.0
+        if k == count - 1 or places[0, k + 1] != places[1, k]:
+            ticks[2, first] = ticks[3, k] = k + 1 - first
+            first = k + 1
+
+
+def _band_of(borders: Array, place: float, near: int) -> int:
+    """Return the band in front of the first border behind a place, looked for first at one and behind it.
+
+    It is -1 in front of all bands, and their number behind them.
+    """
+    low, high = 0, borders.shape[0]
+    if near > 0 and near < high and borders[near] <= place:
+        low = near + 1
+        if low < high and borders[low] > place:
+            return near
+    while low < high:
+        middle = (low + high) // 2
+        if borders[middle] <= place:
+            low = middle + 1
+        else:
+            high = middle
+    return low - 1

@@ -1,0 +1,111 @@
+"""How slow a path must be walked at ticks at which joints cannot follow."""
+
+from functools import lru_cache
+
+import numpy as np
+
+from ropsim.motion import ROUNDING, JointBounds, torques
+from ropsim.planning.joint_limits.arm_limits import ArmBounds
+from ropsim.planning.joint_limits.joint_imposed_kernel import caps_of
+from ropsim.spatial import Array, record
+
+_CREEP = 0.02
+"""Share of the speed at which dry friction is as in motion and nothing else counts."""
+
+
+@record
+class Caps:
+    """Bounds along a path that joints set, h of them.
+
+    Attributes:
+        rows: in columns kind of the bound (of speed, acceleration or jerk), its value along the path, number
+            of the tick, joint that sets it, and number of the quantity that it has too little of, of shape
+            (5, h or more).
+        count: of them, h.
+        places: between which caps of each tick count, shape (2, b).
+    """
+
+    rows: Array
+    count: int
+    places: Array
+
+
+@record
+class Walked:
+    """A path at b ticks and at those before them; two rows of each, the ticks before first.
+
+    Attributes:
+        places: on the path, shape (2, b).
+        speeds: along it, shape (2, b).
+        accelerations: along it, shape (2, b).
+        jerks: along it, behind these times, shape (2, b).
+        d1: first derivatives of the joints by the place, shape (2, b, n).
+        d2: second ones.
+        q: joint coordinates at the ticks [rad | m], shape (b, n).
+        qd: speeds [rad/s | m/s], of all motions that go on, shape (b, n).
+        qdd: accelerations [rad/s² | m/s²], likewise, shape (2, b, n).
+        torque: at the ticks [N m | N], shape (b, n); None where it does not count.
+    """
+
+    places: Array
+    speeds: Array
+    accelerations: Array
+    jerks: Array
+    d1: Array
+    d2: Array
+    q: Array
+    qd: Array
+    qdd: Array
+    torque: Array | None
+
+
+def joint_caps(walked: Walked, arm: ArmBounds, period: float, used: float) -> Caps:
+    """Return what joints allow along a path where they are asked for too much.
+
+    With the path q(s), its speed v and acceleration a: q̈ = q″·v² + q′·a. What has the greatest part in an
+    excess is brought down by it, but by no more than a half at once; where none is great, the speed is,
+    which all parts go with. Where motions overlap, each gives way by its part of the sum: were each to take
+    away the whole excess, both would be walked too slowly; of torque each takes the whole excess. A jerk too
+    great is of the path, of speed and bend, or of the jerk along the path.
+
+    Args:
+        walked: the path at ticks at which a limit is exceeded.
+        arm: limits of the joints.
+        period: of the ticks [s].
+        used: share of the limits that is aimed at, in ]0, 1].
+    """
+    rows, told = np.empty((5, 5 * walked.q.size)), np.empty(1)
+    b, n = walked.q.shape
+    slopes = walked.d1.reshape(2 * b, n), walked.d2.reshape(2 * b, n)
+    at_path = walked.speeds.ravel(), walked.accelerations.ravel(), walked.jerks.ravel(), *slopes
+    loads, limits = _loads(walked, arm), joint_limits(arm.joints, period)
+    caps_of(*at_path, walked.qd, walked.qdd, loads, limits, period, used, 1.0 + ROUNDING, rows, told)
+    return Caps(rows, int(told[0]), walked.places)
+
+
+@lru_cache(maxsize=16)
+def joint_limits(joints: JointBounds, period: float) -> Array:
+    """Return limits of speed, acceleration, change of acceleration in a tick, and torque, shape (4, n).
+
+    Args:
+        joints: their bounds.
+        period: of the ticks [s].
+    """
+    effort = np.full(len(joints.speed), np.inf) if joints.effort is None else joints.effort
+    return np.array([joints.speed, joints.acceleration, period * joints.jerk, effort])
+
+
+def _loads(walked: Walked, arm: ArmBounds) -> Array:
+    """Return torques, what of them goes with the square of the speed, and what with the acceleration.
+
+    Returns:
+        shape (3, b, n) [N m | N], or (3, 0, n) where torque does not count.
+    """
+    if walked.torque is None or arm.effort is None or arm.joints.effort is None:
+        return np.empty((3, 0, walked.q.shape[1]))
+    nothing = np.zeros_like(walked.q)
+    held = torques(arm.effort, walked.q, _CREEP * walked.qd, nothing)
+    rest = torques(arm.effort, walked.q, nothing, nothing)
+    gone = walked.d1[1] * walked.accelerations[1, :, None]
+    along = torques(arm.effort, walked.q, nothing, gone) - rest
+    return np.array((walked.torque, walked.torque - held - along, along))

@@ -1,0 +1,111 @@
+"""Bounds along a part of a stretch in bands, which joints that cannot follow bring down."""
+
+import numpy as np
+
+from ropsim.motion import Quantity, Stages, plan_stages
+from ropsim.planning.joint_limits.grid_lines_kernel import FIRST_BOUND, PIECE, PLACE, TIME, lay_bands
+from ropsim.planning.joint_limits.joint_imposed import Caps
+from ropsim.planning.joint_limits.limit_grid_kernel import bring_down, stages_of
+from ropsim.planning.trajectory.sections import Part
+from ropsim.spatial import Array, record
+
+_SAME_PLACE = 1e-7
+"""Share of a part below which two borders are one."""
+_QUANTITIES = tuple(Quantity)
+
+
+@record
+class Bands:
+    """What counts between c + 1 places of a part.
+
+    Attributes:
+        part: as it was planned.
+        begins: places at which its pieces begin, and the end of the last one, shape (p + 1,).
+        legs: number of the move of each piece, shape (p,).
+        borders: from its start on, stages and pieces end at some of them, shape (c + 1,).
+        times: at which the part as it was planned is at the borders, from its start on [s], shape (c + 1,).
+        owners: number of the piece on which each band lies, shape (c,).
+        planned: bounds of speed, acceleration and jerk along it, shape (3, c).
+        bounds: the same with regard to joints, shape (3, c).
+        causes: joint that brought one of them down last, and the number of the quantity, or -1, (2, c).
+        share: least share of its planned rate that a band is left, in ]0, 1].
+    """
+
+    part: Part
+    begins: Array
+    legs: Array
+    borders: Array
+    times: Array
+    owners: Array
+    planned: Array
+    bounds: Array
+    causes: Array
+    share: float
+
+    def lowered(self, caps: Caps) -> "Bands":
+        """Return the same with bounds no higher than caps, and by as many steps lower than planned.
+
+        Args:
+            caps: what joints allow, and where.
+        """
+        bounds, causes, told = np.empty(self.bounds.shape), self.causes.copy(), np.empty(1)
+        rooms = np.empty((4, caps.places.shape[1])), np.empty((2, caps.rows.shape[1]))
+        held = caps.rows, caps.count, caps.places, self.borders, self.planned, self.bounds
+        bring_down(*held, bounds, causes, *rooms, told)
+        return self.with_bounds(bounds, causes, float(told[0]))
+
+    def slower(self, share: float) -> "Bands":
+        """Return the same where everything goes at a share, in ]0, 1], of its rate."""
+        bounds = self.bounds * np.array([[share], [share**2], [share**3]])
+        return self.with_bounds(bounds, self.causes, self.share * share)
+
+    def replanned(self, look_ahead: int) -> Part:
+        """Return the part with these bounds.
+
+        Args:
+            look_ahead: how many moves beyond the present one are known.
+        """
+        rows, counts, told = np.empty((len(self.owners), 6)), np.empty(len(self.legs)), np.empty(1)
+        stages_of(self.borders, self.bounds, self.owners, self.legs, look_ahead, rows, counts, told)
+        return self.with_stages(rows[: int(told[0])], counts)
+
+    def with_stages(self, rows: Array, counts: Array) -> Part:
+        """Return the part with stages.
+
+        Args:
+            rows: of them, see `plan_stages`, shape (s, 6).
+            counts: how many of them each piece has, shape (p,).
+        """
+        stages, law = Stages(rows[:, :4]), plan_stages(rows, counts)
+        return Part(self.part.pieces, stages, counts.astype(np.intp), law, self.part.over)
+
+    def with_bounds(self, bounds: Array, causes: Array, share: float) -> "Bands":
+        """Return the same with other bounds and causes, of which a band has the least share of its rate."""
+        fixed = self.part, self.begins, self.legs, self.borders, self.times, self.owners, self.planned
+        return Bands(*fixed, bounds, causes, share)
+
+    def cause(self, band: int) -> tuple[int, Quantity]:
+        """Return the joint that has brought a band down, and what it had too little of."""
+        joint, quantity = self.causes[:, band].tolist()
+        return int(joint), _QUANTITIES[int(quantity)]
+
+
+def bands_of(part: Part, times: Array, start: float) -> Bands:
+    """Return the bands of a part.
+
+    Args:
+        part: of the stretch, with stages.
+        times: between which bands lie [s], rising, shape (m,); of those beside the part none counts.
+        start: of them at which the part begins [s].
+    """
+    # rooms of a part are as large as that, not as the stretch: rounding may take one time more at each end
+    first, last = times.searchsorted((start, start + part.law.duration)).tolist()
+    times = times[max(first - 1, 0) : last + 1]
+    count, rows, counts = len(times), part.stages.rows, part.counts.astype(np.float64)
+    begins, bands, told = np.empty(len(counts) + 1), np.empty((6, count + len(rows) + 1)), np.empty(1)
+    walked, rooms = (part.law.segments, part.law.ends, start, times), (np.empty(count), np.empty((4, count)))
+    lay_bands(*walked, np.ascontiguousarray(rows), counts, _SAME_PLACE, *rooms, begins, bands, told)
+    c, legs = int(told[0]), np.array([piece.leg for piece in part.pieces], dtype=np.float64)
+    borders, reached, owners = bands[PLACE, : c + 1], bands[TIME, : c + 1], bands[PIECE, :c]
+    bounds = bands[FIRST_BOUND:PIECE, :c].copy()
+    return Bands(part, begins, legs, borders, reached, owners, bounds, bounds, np.full((2, c), -1.0), 1.0)

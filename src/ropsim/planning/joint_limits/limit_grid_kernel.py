@@ -1,0 +1,132 @@
+"""Bands that caps bring down, and stages from them, in plain loops that numba compiles."""
+
+from math import exp, floor, inf, log, sqrt
+
+import numpy as np
+
+from ropsim.codegen import kernel
+from ropsim.planning.joint_limits.grid_reach_kernel import JOINT, KIND, QUANTITY, VALUE, reach_of
+from ropsim.planning.trajectory.timing_kernel import lay_horizons
+from ropsim.spatial import Array
+
+FIRST_STEP, SECOND_STEP, THIRD_STEP = 0.01, 0.04, 0.08
+"""Logarithms of the steps in which bounds of speed, acceleration and jerk come down from the planned ones, so
+that neighbours are often the same."""
+
+
+@kernel(
+    "void(f8[:,::1], i8, f8[:,::1], f8[::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1],"
+    " f8[:,::1], f8[::1])"
+)
+def bring_down(
+    caps: Array,
+    count: int,
+    places: Array,
+    borders: Array,
+    planned: Array,
+    before: Array,
+    bounds: Array,
+    causes: Array,
+    ticks: Array,
+    reach: Array,
+    told: Array,
+) -> None:
+    """Bring the bounds of bands down to caps and on to the next step, and note what each was lowered for.
+
+    Args:
+        caps: in columns kind, value, number of the tick, joint, quantity; of shape (5, h or more).
+        count: of them, h.
+        places: from which and up to which caps of a tick count, of b ticks, shape (2, b).
+        borders: places between which the bands lie, shape (c + 1,).
+        planned: the bounds before joints counted, shape (3, c).
+        before: the bounds as they are, shape (3, c).
+        bounds: where they go, no higher than the caps, shape (3, c).
+        causes: joint and quantity of each band; become those of the last cap that binds, shape (2, c).
+        ticks: room to work in, shape (4, b).
+        reach: likewise, shape (2, h or more).
+        told: where the least share of its planned rate goes that a band is left, in ]0, 1], shape (1,).
+    """
+    for kind in range(bounds.shape[0]):
+        for band in range(bounds.shape[1]):
+            bounds[kind, band] = before[kind, band]
+    reach_of(caps, count, places, borders, before, ticks, reach)
+    for h in range(count):
+        kind, value = int(caps[KIND, h]), caps[VALUE, h]
+        for band in range(int(reach[0, h]), int(reach[1, h]) + 1):
+            bounds[kind, band] = min(bounds[kind, band], value)
+    for h in range(count):
+        kind, value = int(caps[KIND, h]), caps[VALUE, h]
+        for band in range(int(reach[0, h]), int(reach[1, h]) + 1):
+            if value == bounds[kind, band] and value < before[kind, band]:
+                causes[0, band], causes[1, band] = caps[JOINT, h], caps[QUANTITY, h]
+    for kind in range(bounds.shape[0]):
+        step = FIRST_STEP if kind == 0 else SECOND_STEP if kind == 1 else THIRD_STEP
+        known, left = 1.0, 1.0  # neighbours are often the same
+        for band in range(bounds.shape[1]):
+            if bounds[kind, band] < before[kind, band]:
+                share = bounds[kind, band] / planned[kind, band]
+                if share != known:
+                    known, left = share, exp(floor(log(share) / step) * step)
+                bounds[kind, band] = planned[kind, band] * left
+    told[0] = _least_share(planned, bounds)
+
+
+@kernel("void(f8[::1], f8[:,::1], f8[::1], f8[::1], i8, f8[:,::1], f8[::1], f8[::1])")
+def stages_of(
+    borders: Array,
+    bounds: Array,
+    owners: Array,
+    legs: Array,
+    look_ahead: int,
+    stages: Array,
+    counts: Array,
+    told: Array,
+) -> None:
+    """Write the stages of bands: neighbours on one piece with the same bounds are one.
+
+    Args:
+        borders: places between which the bands lie, shape (c + 1,).
+        bounds: of speed, acceleration and jerk, shape (3, c).
+        owners: number of the piece that a band lies on, rising, shape (c,).
+        legs: number of the move of each piece, rising, shape (p,).
+        look_ahead: how many moves beyond the present one are known.
+        stages: where they go, see `plan_stages`, shape (c, 6).
+        counts: where the number of stages of each piece goes, shape (p,).
+        told: where the number of all goes, shape (1,).
+    """
+    count, last = 0, bounds.shape[1] - 1
+    begin = borders[0]
+    for piece in range(counts.shape[0]):
+        counts[piece] = 0.0
+    for band in range(last + 1):
+        if (
+            band < last
+            and owners[band] == owners[band + 1]
+            and bounds[0, band] == bounds[0, band + 1]
+            and bounds[1, band] == bounds[1, band + 1]
+            and bounds[2, band] == bounds[2, band + 1]
+        ):
+            continue
+        stages[count, 0] = borders[band + 1] - begin
+        for kind in range(3):
+            stages[count, 1 + kind] = bounds[kind, band]
+        counts[int(owners[band])] += 1.0
+        begin = borders[band + 1]
+        count += 1
+    lay_horizons(legs, counts, look_ahead, stages[:count])
+    told[0] = count
+
+
+def _least_share(planned: Array, bounds: Array) -> float:
+    """Return the least share of its planned rate that a band is left, in ]0, 1]."""
+    least, last = inf, bounds.shape[1] - 1
+    for kind in range(bounds.shape[0]):
+        left, band = inf, 0
+        while band <= last:
+            bound, plan = bounds[kind, band], planned[kind, band]
+            left = min(left, bound / plan)
+            band += 1
+            while band <= last and bounds[kind, band] == bound and planned[kind, band] == plan:
+                band += 1  # neighbours are often the same
+        least = min(least, left if kind == 0 else sqrt(left) if kind == 1 else np.cbrt(left))
+    return least

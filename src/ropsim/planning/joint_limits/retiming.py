@@ -1,0 +1,94 @@
+"""The motion of a stretch within the limits of the joints, and within those that the program gives."""
+
+import math
+from dataclasses import replace
+
+from ropsim.motion import ROUNDING, Beyond, Kept, Quantity, Slowed, Ticks, kept_from
+from ropsim.planning.joint_limits.arm_limits import ArmBounds
+from ropsim.planning.joint_limits.evaluated import Fit, as_bounds_allow
+from ropsim.planning.joint_limits.fitting import fitted
+from ropsim.planning.trajectory.timing import Course
+from ropsim.planning.trajectory.trajectory import StretchMotion
+from ropsim.spatial import record
+
+_SPACING = 8e-3
+"""Real time between two places at which a motion is planned with that is slowed, about [s]."""
+_NARROW_SPACING = 4e-3
+"""The same where the tool is led, for how joints follow it is less even, and where torque is too much."""
+_FIRST_LOOK = 4e-3
+"""Time between two ticks at which a motion is looked at first, at most [s]; with twice as much single motions
+last up to 6 % longer."""
+_FEWEST_LOOKS = 64
+"""A motion of fewer of them is looked at at all control ticks at once."""
+_TORQUE = list(Quantity).index(Quantity.TORQUE)
+_LONGER = 1.03
+"""A motion that is fitted to the joints may take so many times as long before another way is tried."""
+
+
+@record
+class Keeping:
+    """A motion, and how it goes within all limits.
+
+    Attributes:
+        motion: of the stretch by its course, before motion time goes slower.
+        kept: how it goes; Beyond where no speed can do.
+        slowed: where it is slower than it was planned.
+    """
+
+    motion: StretchMotion
+    kept: Kept | Beyond
+    slowed: tuple[Slowed, ...]
+
+    @property
+    def course(self) -> Course:
+        """Return the course of the stretch."""
+        return self.motion.course
+
+    @property
+    def duration(self) -> float:
+        """Return how long the motion lasts [s]; infinity where there is none."""
+        return self.kept.clock.duration if isinstance(self.kept, Kept) else float("inf")
+
+    @property
+    def ends(self) -> tuple[float, ...]:
+        """Return the times at which the moves end [s]; infinity where there is no motion."""
+        ends = self.course.ends
+        if isinstance(self.kept, Kept):
+            return tuple(self.kept.clock.times_of(ends).tolist())
+        return (float("inf"),) * len(ends)
+
+
+def keeping_of(course: Course, arm: ArmBounds, ticks: Ticks, look_ahead: int) -> Keeping:
+    """Return the motion on the course of a stretch.
+
+    Time laws with lower bounds lose least where joints lack little. Where they lack much, motion time that
+    goes slower there may do it in less; the quicker one counts.
+
+    Args:
+        course: as the bounds of its parts alone would have it.
+        arm: limits of the joints.
+        ticks: of control.
+        look_ahead: how many moves beyond the present one are known.
+    """
+    first = _first_look(course, ticks)
+    planned = as_bounds_allow(StretchMotion.on(course), replace(arm, effort=None), first)
+    fit = fitted(planned, arm, ticks, look_ahead)
+    quick = _keeping(fit, arm, ticks)
+    if fit.motion is planned.motion or quick.duration <= _LONGER * planned.course.duration:
+        return quick
+    return min(quick, _keeping(planned.loaded(arm), arm, ticks), key=lambda one: one.duration)
+
+
+def _keeping(fit: Fit, arm: ArmBounds, ticks: Ticks) -> Keeping:
+    is_led = any(run.part.leads_tool for run in fit.course.runs)
+    is_heavy = fit.reference.strain.used[_TORQUE].max() > 1.0
+    spacing = _NARROW_SPACING if is_led or is_heavy else _SPACING
+    kept = kept_from(fit.reference, fit.motion, arm.joints, arm.effort, ticks, spacing)
+    return Keeping(fit.motion, kept, fit.slowed + (kept.slowed if isinstance(kept, Kept) else ()))
+
+
+def _first_look(course: Course, ticks: Ticks) -> Ticks:
+    """Return the ticks at which a motion is looked at first, a few of those of control apart."""
+    many = math.floor(_FIRST_LOOK / ticks.period * (1.0 + ROUNDING))
+    is_long = course.duration >= _FEWEST_LOOKS * many * ticks.period
+    return Ticks(many * ticks.period) if many > 1 and is_long else ticks

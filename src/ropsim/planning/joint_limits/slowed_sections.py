@@ -1,0 +1,35 @@
+"""Where a course that joints can follow is slower than it was planned, and what for."""
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from ropsim.motion import Slowed
+from ropsim.planning.joint_limits.limit_grid import Bands
+from ropsim.planning.joint_limits.slowed_sections_kernel import slower_ways
+from ropsim.planning.trajectory.timing import Course
+
+
+def slowed_in(planned: Course, course: Course, bands: Mapping[int, Bands]) -> tuple[Slowed, ...]:
+    """Return the ways between two places that are slower, in order of time.
+
+    What is lost of the speed counts as a share of the greatest speed on the part, so that a start that is
+    somewhat less steep is no standstill.
+
+    Args:
+        planned: the course as its limits alone would have it.
+        course: that joints can follow.
+        bands: of its runs by their numbers, with the causes.
+    """
+    slowed: list[Slowed] = []
+    for number, own in sorted(bands.items()):
+        if own.bounds is own.planned:
+            continue
+        run, count, law = course.runs[number], len(own.owners), planned.runs[number].law
+        room, ways, told = np.empty((4, 2 * count)), np.empty((4, count)), np.empty(1)
+        here = own.borders, own.times, own.owners, own.begins, own.planned, own.bounds, own.causes
+        laws = run.law.segments, run.law.ends, float(law.speeds.max())
+        slower_ways(*here, *laws, room, ways, told)
+        for start, stop, share, band in ways[:, : int(told[0])].T.tolist():
+            slowed.append(Slowed(run.start + start, run.start + stop, share, *own.cause(int(band))))
+    return tuple(slowed)

@@ -1,0 +1,70 @@
+"""A step by which a run gets slower where joints cannot follow."""
+
+import numpy as np
+
+from ropsim.motion import LawRows, Reference
+from ropsim.planning.joint_limits.arm_limits import ArmBounds
+from ropsim.planning.joint_limits.exceeding_kernel import walk_at
+from ropsim.planning.joint_limits.joint_imposed import Walked, joint_caps
+from ropsim.planning.joint_limits.limit_grid import Bands
+from ropsim.planning.trajectory.sections import Part
+from ropsim.planning.trajectory.trajectory import StretchMotion
+from ropsim.spatial import Array, record
+
+
+@record
+class Aim:
+    """What a step aims at.
+
+    Attributes:
+        arm: limits of the joints.
+        period: of the ticks at which the motion was looked at [s].
+        used: share of the limits, in ]0, 1].
+        look_ahead: how many moves beyond the present one are known.
+    """
+
+    arm: ArmBounds
+    period: float
+    used: float
+    look_ahead: int
+
+
+def slower_run(
+    motion: StretchMotion, reference: Reference, number: int, bands: Bands, ticks: Array, aim: Aim
+) -> tuple[Bands, Part]:
+    """Return the bands of a run as caps at ticks bring them down, and its part with them.
+
+    Args:
+        motion: of the stretch.
+        reference: of it, at the ticks at which it was looked at.
+        number: of the run.
+        bands: of it.
+        ticks: at which a limit is exceeded, none of them 0, shape (b,).
+        aim: of the step.
+    """
+    walked = _walked(motion, reference, number, bands.begins, ticks)
+    lower = bands.lowered(joint_caps(walked, aim.arm, aim.period, aim.used))
+    return lower, lower.replanned(aim.look_ahead)
+
+
+def _walked(motion: StretchMotion, reference: Reference, number: int, begins: Array, ticks: Array) -> Walked:
+    """Return the path of a run at ticks and at those before them."""
+    run, b = motion.course.runs[number], len(ticks)
+    rows, law, places = reference.rows, np.empty((5, 2 * b)), np.empty((2, b))
+    joints, qdd = np.empty((2, 2, b, rows.q.shape[1]))
+    tables = run.law.segments, run.law.duration, run.start, begins, reference.phi, ticks
+    walk_at(*tables, rows.q, rows.d1, rows.d2, np.empty(2 * b), law, places, joints, qdd)
+    points = motion.on_run(number, LawRows(law[0].astype(np.int64), law[1], law[2], law[3]))
+    pairs = qdd.shape
+    return Walked(
+        places,
+        law[2].reshape(2, b),
+        law[3].reshape(2, b),
+        law[4].reshape(2, b),
+        points.d1.reshape(pairs),
+        points.d2.reshape(pairs),
+        joints[0],
+        joints[1],
+        qdd,
+        None if reference.torque is None else reference.torque[ticks.astype(np.intp)],
+    )

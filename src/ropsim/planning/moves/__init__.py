@@ -1,0 +1,1 @@
+"""One move: its path, and the path-following inverse kinematics."""

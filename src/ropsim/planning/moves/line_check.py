@@ -1,0 +1,160 @@
+"""Checks of the joint samples along a path of the tool: limits, and what stops the joints."""
+
+import numpy as np
+
+from ropsim.core import Diagnostic
+from ropsim.flow import MoveInstruction, PoseSetpoints
+from ropsim.kinematics import IkOptions, IkStatus, inverse, jacobian, singular_distances
+from ropsim.model import RobotModel
+from ropsim.motion import (
+    JOINT_LIMIT_ON_LINE,
+    JUMP_ON_LINE,
+    OTHER_JOINTS_AT_LINE_END,
+    OUT_OF_REACH,
+    OUT_OF_TASK_SPACE,
+)
+from ropsim.planning.moves.branch_following import Follow
+from ropsim.planning.records.posture_choice import JointRange
+from ropsim.planning.records.wording import coordinate, external_notes, figures, passes, shortfall_words
+from ropsim.spatial import Array, Pose, record
+
+_NEAR_SINGULAR = 0.08  # smallest singular value of the Jacobian [m | -] below which the note names it
+_SAME_JOINTS = 1e-6  # [rad | m]
+
+
+@record
+class Line:
+    """A line on its way through the inverse transform.
+
+    Attributes:
+        move: its instruction.
+        setpoints: X_BT along the path.
+        q_start: joint coordinates at the start [rad | m], shape (n,).
+        robot: the arm with its external axes.
+    """
+
+    move: MoveInstruction
+    setpoints: PoseSetpoints
+    q_start: Array
+    robot: RobotModel
+
+    @property
+    def held(self) -> Array:
+        """Return coordinates whose external ones are those of the setpoints, shape (k, n).
+
+        Where external axes stand it is the start alone, shape (n,).
+        """
+        if self.setpoints.external is None:
+            return self.q_start
+        rows = np.tile(self.q_start, (len(self.setpoints.matrices), 1))
+        rows[:, list(self.robot.external)] = self.setpoints.external
+        return rows
+
+    def share(self, row: int) -> float:
+        """Return which share of the way lies behind setpoint `row`."""
+        return min(row / (len(self.setpoints.matrices) - 1), 1.0)
+
+
+def lost(line: Line, found: Follow, matrices: Array) -> Diagnostic:
+    """Return M501 or M530 where the line leaves the reach of the arm, or M505 where joints would jump.
+
+    Args:
+        line: the line.
+        found: how far it can be followed.
+        matrices: X_BM at its setpoints, shape (k, 4, 4).
+    """
+    row, robot = len(found.q), line.robot
+    share = line.share(row)
+    data = {"share": share, "pass": line.move.origin.visit}
+    span, label = line.move.origin.span, passes(line.move.origin)
+    q = found.q[-1] if row else line.q_start
+    if not found.reachable:
+        here = line.held if line.setpoints.external is None else line.held[row]
+        options = IkOptions(near=here)
+        shortfall = inverse(robot, Pose.from_matrix(matrices[row]), options).shortfall
+        beside = shortfall is not None and shortfall.status is IkStatus.OUT_OF_TASK_SPACE
+        left = "the poses that this arm can take" if beside else "the reach of the arm"
+        x, y, z = (1e3 * line.setpoints.matrices[row, :3, 3]).tolist()
+        return (OUT_OF_TASK_SPACE if beside else OUT_OF_REACH).at(
+            span,
+            f"the line leaves {left} at {share:.0%} of the way, "
+            f"with the TCP at ({x:.1f}, {y:.1f}, {z:.1f}) mm in the base frame",
+            label=label,
+            notes=(
+                *((shortfall_words(shortfall),) if shortfall else ()),
+                *external_notes(robot, here),
+            ),
+            hint="shift the line, or use PTP where the path does not matter",
+            data=data,
+        )
+    return JUMP_ON_LINE.at(
+        span,
+        f"the joints would have to jump at {share:.0%} of the way",
+        label=label,
+        notes=singularity_notes(robot, q),
+        hint="turn the tool a little, shift the line, or use PTP for this part of the way",
+        data=data,
+    )
+
+
+def limit_refusals(line: Line, q: Array, limits: JointRange) -> tuple[Diagnostic, ...]:
+    """Return M503 for the joint that meets its limit first, or nothing."""
+    excess = limits.excess(q)
+    outside = np.flatnonzero(excess.any(axis=1))
+    if len(outside) == 0:
+        return ()
+    row = int(outside[0])
+    index = int(np.argmax(excess[row]))
+    values = limits.values(q)[:, index]
+    furthest = float(values[int(np.argmax(excess[:, index]))])
+    joint = limits.joints[index]
+    limit = joint.upper if values[row] > joint.upper else joint.lower
+    share = line.share(row)
+    finding = JOINT_LIMIT_ON_LINE.at(
+        line.move.origin.span,
+        f"joint `{joint.name}` passes its limit of {coordinate(joint, limit)} at {share:.0%} of the way, "
+        f"the line needs {coordinate(joint, furthest)}",
+        label=passes(line.move.origin),
+        hint="start the line in another posture, make it shorter, or use PTP",
+        data={
+            **figures(joint, furthest, limit),
+            "share": share,
+            "pass": line.move.origin.visit,
+        },
+    )
+    return (finding,)
+
+
+def end_findings(move: MoveInstruction, q_end: Array) -> tuple[Diagnostic, ...]:
+    """Return M514 where a line to joint coordinates ends in others."""
+    target = move.target
+    if not isinstance(target, tuple):
+        return ()
+    if float(np.abs(q_end - np.array(target)).max()) <= _SAME_JOINTS:
+        return ()
+    finding = OTHER_JOINTS_AT_LINE_END.at(
+        move.origin.span,
+        "the line reaches the pose of the target, but with other joint coordinates",
+        label=passes(move.origin),
+        hint="use PTP to reach exactly these joint coordinates",
+    )
+    return (finding,)
+
+
+def singularity_notes(robot: RobotModel, q: Array) -> tuple[str, ...]:
+    """Return in words which singularity of an arm with spherical wrist is near, if one is.
+
+    The direction in joint space that moves the tool least tells: without the first three joints it is the
+    wrist; led by joint 1 the shoulder, else the elbow.
+    """
+    if singular_distances(robot, q) is None:
+        return ()
+    _, values, directions = np.linalg.svd(jacobian(robot, q))
+    if values[-1] > _NEAR_SINGULAR:
+        return ()
+    arm = np.abs(directions[-1][:3])
+    if float(np.linalg.norm(arm)) < 0.3:
+        return ("the wrist is near its singularity: the axes of joints 4 and 6 are almost in line",)
+    if int(np.argmax(arm)) == 0:
+        return ("the shoulder is near its singularity: the wrist is almost on the axis of joint 1",)
+    return ("the elbow is near its singularity: upper arm and forearm are almost stretched",)

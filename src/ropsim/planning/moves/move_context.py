@@ -1,0 +1,52 @@
+"""Begun: what moves to poses under one modal state have in common, where nothing is wrong with it."""
+
+from ropsim.core import Diagnostic
+from ropsim.flow import ModalState, MotionKind, MoveInstruction, Origin
+from ropsim.kinematics import Method, solver_of
+from ropsim.model import ControllerModel, RobotModel
+from ropsim.motion import JointMotionLimits
+from ropsim.planning.moves.move_check import check_values
+from ropsim.planning.records.planned_path import PlannedPath, move_limits
+from ropsim.planning.records.work_frames import WorkFrames
+from ropsim.spatial import Pose, record
+
+
+@record
+class Begun:
+    """What is known of a move to a pose before its target is looked at.
+
+    Attributes:
+        plan: limits and tool of the move, without a path.
+        X_BK: the task frame in force, which stands still.
+    """
+
+    plan: PlannedPath
+    X_BK: Pose
+
+
+def begun_of(
+    robot: RobotModel,
+    joints: JointMotionLimits,
+    controller: ControllerModel,
+    work: WorkFrames,
+    modal: ModalState,
+) -> Begun | None:
+    """Return what moves have in common, None where there is something to say or axes move the task frame.
+
+    Args:
+        robot: the arm.
+        joints: what its joints can.
+        controller: defaults on lines, speed override.
+        work: tools and task frames.
+        modal: the modal state of the moves.
+    """
+    X_MT = work.tool_pose(modal, None)
+    if isinstance(X_MT, Diagnostic) or modal.frame in work.moving:
+        return None
+    if not robot.has_arm or solver_of(robot).method is Method.NUMERIC:
+        return None
+    somewhere = MoveInstruction(MotionKind.PTP, Pose(), modal)
+    if check_values(somewhere) or work.out_of_hand(modal, None) or work.frame_findings(modal, Origin()):
+        return None
+    plan = PlannedPath(None, None, move_limits(modal, joints, controller), X_MT)
+    return Begun(plan, work.frames.get(modal.frame, modal.X_BK))

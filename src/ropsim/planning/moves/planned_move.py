@@ -1,0 +1,117 @@
+"""A leg: one move with its path in joint space."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from ropsim.core import Diagnostic
+from ropsim.flow import MoveInstruction
+from ropsim.motion import JointLine, JointPath, ToolPath, Traced
+from ropsim.planning.entity_checks.entity_faults import guarded
+from ropsim.planning.entity_checks.path_faults import unusable_path, unusable_plan, unusable_tool_path
+from ropsim.planning.moves.move_check import check_duration
+from ropsim.planning.moves.path_following import trace
+from ropsim.planning.moves.requested_posture import other_posture
+from ropsim.planning.records.entities import Refusal
+from ropsim.planning.records.motion_chain import MotionChain
+from ropsim.planning.records.planned_path import PlannedPath
+from ropsim.spatial import Array, frozen, record
+
+
+@record
+class Leg:
+    """A move that can be made.
+
+    Attributes:
+        move: the instruction.
+        planned: path, limits, tool.
+        joints: the path of the joints over the length of the path; None where the move has no length.
+        q_end: command joint coordinates at its end [rad | m], shape (n,).
+        findings: of planner and inverse transform.
+    """
+
+    move: MoveInstruction
+    planned: PlannedPath
+    joints: JointPath | None
+    q_end: Array
+    findings: tuple[Diagnostic, ...]
+
+    @property
+    def tool(self) -> ToolPath | None:
+        """Return the path of the tool, None for a path in joint space."""
+        return self.planned.tool
+
+
+def legs_in_order(
+    chain: MotionChain, moves: Sequence[MoveInstruction], q_start: Array
+) -> tuple[list[Leg], Refusal | None]:
+    """Return the legs of moves up to the first one that cannot be made, and why it cannot.
+
+    Args:
+        chain: the entities.
+        moves: in order.
+        q_start: command joint coordinates at their start [rad | m], shape (n,).
+    """
+    legs, q = list[Leg](), q_start
+    for move in moves:
+        leg = leg_of(chain, move, q)
+        if isinstance(leg, Refusal):
+            return legs, leg
+        legs.append(leg)
+        q = leg.q_end
+    return legs, None
+
+
+def leg_of(chain: MotionChain, move: MoveInstruction, q_start: Array) -> Leg | Refusal:
+    """Return the leg of a move that begins at `q_start`, or why it cannot be made.
+
+    Args:
+        chain: the entities.
+        move: the instruction with its modal state.
+        q_start: command joint coordinates at the end of the move before [rad | m], shape (n,).
+    """
+    planner = chain.planner
+    planned = guarded(planner, lambda: planner.plan(move, q_start), (PlannedPath,), move)
+    if isinstance(planned, Refusal):
+        return planned
+    wrong = unusable_plan(chain, planned, q_start, move)
+    if wrong:
+        return wrong
+    joints: JointPath | None = planned.joints
+    found: tuple[Diagnostic, ...] = ()
+    if planned.tool is not None:
+        wrong = unusable_tool_path(planner, planned.tool, move)
+        if wrong:
+            return wrong
+        if late := check_duration(move, planned.least_time):  # before samples of such a way fill the memory
+            return Refusal(late)
+    if planned.tool is not None and joints is None:
+        traced = trace(chain, planned.tool, q_start, move, planned.coordination)
+        if isinstance(traced, Refusal):
+            return traced
+        joints, found = traced
+    elif joints is not None:
+        wrong = unusable_path(planner, joints, q_start, move)
+        if wrong:
+            return wrong
+    if joints is None:
+        return Leg(move, planned, None, q_start, planned.findings)
+    return _ended(chain, move, planned, joints, found)
+
+
+def _ended(
+    chain: MotionChain,
+    move: MoveInstruction,
+    planned: PlannedPath,
+    joints: JointPath,
+    found: tuple[Diagnostic, ...],
+) -> Leg:
+    """Return the leg of a path of the joints, with what is found on it."""
+    if type(joints) is JointLine:
+        q_end = joints.q_end
+    elif type(joints) is Traced:
+        q_end = joints.q[-1]
+    else:
+        q_end = frozen(joints.joints(np.array([joints.length])).q[0])
+    found += other_posture(move, chain.robot, q_end)
+    return Leg(move, planned, joints, q_end, planned.findings + found)

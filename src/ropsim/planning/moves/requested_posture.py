@@ -1,0 +1,141 @@
+"""Postures and turns that a program asks for: which branches have them."""
+
+import numpy as np
+
+from ropsim.core import Diagnostic
+from ropsim.flow import MoveInstruction, PostureRequest
+from ropsim.kinematics import Posture, posture, solver_of
+from ropsim.model import RobotModel
+from ropsim.motion import OTHER_POSTURE, POSTURE_OUT_OF_REACH
+from ropsim.planning.records.posture_choice import JointRange
+from ropsim.planning.records.wording import coordinate, passes
+from ropsim.spatial import Array
+
+_TURN = 2.0 * np.pi
+
+
+def wished(robot: RobotModel, branches: Array, request: PostureRequest) -> Array:
+    """Return the branches that have the posture asked for, with the turns asked for; the others become NaN.
+
+    Args:
+        robot: the arm.
+        branches: of a pose, rows as in the postures of the arm's solver, NaN where absent [rad | m], (b, n).
+        request: words of the posture, and turns of the axes of the arm from the first on.
+    """
+    found = branches.copy()
+    for row, name in enumerate(solver_of(robot).postures[: len(found)]):
+        if not _has_words(name, request):
+            found[row] = np.nan
+    for axis, turn in zip(_arm_axes(robot), request.turns, strict=False):
+        angle = found[:, axis]
+        found[:, axis] = angle - _TURN * np.floor((angle + np.pi) / _TURN) + _TURN * turn
+    return found
+
+
+def difference(robot: RobotModel, q_end: Array, q_other: Array) -> str:
+    """Return in words how one way to reach a pose differs from another; each [rad | m], shape (n,)."""
+    taken, other = posture(robot, q_end), posture(robot, q_other)
+    if taken != other:
+        return f"posture {taken} is taken instead of {other}"
+    joint = int(np.argmax(np.abs(q_end - q_other)))
+    axis = robot.axis_joints[joint]
+    here, there = (coordinate(axis, float(q[joint])) for q in (q_end, q_other))
+    return f"joint `{axis.name}` goes to {here} instead of {there}"
+
+
+def no_such_posture(
+    move: MoveInstruction, robot: RobotModel, branches: Array, q_start: Array, limits: JointRange
+) -> Diagnostic:
+    """Return M568 for a move whose target is not reached in the posture and with the turns asked for.
+
+    Args:
+        move: the instruction.
+        robot: the arm.
+        branches: all that reach the target, some within the limits, as `wished` takes them [rad | m], (b, n).
+        q_start: where the move begins [rad | m], shape (n,).
+        limits: of the joints.
+    """
+    return POSTURE_OUT_OF_REACH.at(
+        move.origin.span,
+        f"`{robot.name}` does not reach the target {asked_of(move)} within its joint limits",
+        label=passes(move.origin),
+        hint=_possible_instead(move.posture or PostureRequest(), robot, branches, q_start, limits),
+        data={"pass": move.origin.visit},
+    )
+
+
+def _possible_instead(
+    request: PostureRequest, robot: RobotModel, branches: Array, q_start: Array, limits: JointRange
+) -> str:
+    """Return in words how the target is reached, the nearest to what was asked for first."""
+    turned = wished(robot, branches, PostureRequest((), request.turns))
+    q = turned if limits.inside(turned).any() else branches
+    postures = solver_of(robot).postures
+
+    def distance(row: int) -> tuple[int, int, float]:
+        missing = set(request.words) - set(postures[row].words)
+        turns = zip(_turns(robot, q[row]), request.turns, strict=False)
+        apart = sum(abs(here - asked) for here, asked in turns)
+        return len(missing), apart, float(np.abs(q[row] - q_start).sum())
+
+    rows = sorted(np.flatnonzero(limits.inside(q)).tolist(), key=distance)
+    shown = dict.fromkeys(_as_terms(robot, request, postures[row], q[row]) for row in rows)
+    ways = " or ".join(f"`{one}`" for one in shown if one)
+    return f"possible here: {ways}" if ways else "leave `turns` out, or move the target"
+
+
+def _as_terms(robot: RobotModel, request: PostureRequest, name: Posture, q: Array) -> str:
+    """Return the terms with which a target asks for a branch, with as many turns as were asked for."""
+    turns = _turns(robot, q)[: len(request.turns)]
+    words = [f"config ({', '.join(name.words)})"] if name.words else []
+    return ", ".join(words + ([f"turns ({', '.join(map(str, turns))})"] if turns else []))
+
+
+def other_posture(move: MoveInstruction, robot: RobotModel, q_end: Array) -> tuple[Diagnostic, ...]:
+    """Return M569 where a path of the tool ends otherwise than asked for, else nothing.
+
+    Args:
+        move: the instruction.
+        robot: the arm.
+        q_end: joint coordinates at its end [rad | m], shape (n,).
+    """
+    request = move.posture
+    if request is None or is_as_wished(robot, q_end, request):
+        return ()
+    name = posture(robot, q_end)
+    finding = OTHER_POSTURE.at(
+        move.origin.span,
+        f"the path ends in posture {name}, not {asked_of(move)}",
+        label=passes(move.origin),
+        hint="a path of the tool keeps its posture: take it up with `mov` before",
+        data={"pass": move.origin.visit},
+    )
+    return (finding,)
+
+
+def is_as_wished(robot: RobotModel, q: Array, request: PostureRequest) -> bool:
+    """Return whether joint coordinates [rad | m], shape (n,), have a posture and turns that are asked for."""
+    return _has_words(posture(robot, q), request) and all(
+        here == asked for here, asked in zip(_turns(robot, q), request.turns, strict=False)
+    )
+
+
+def _turns(robot: RobotModel, q: Array) -> list[int]:
+    """Return the whole turns of the axes of the arm."""
+    return [int(np.floor((q[axis] + np.pi) / _TURN)) for axis in _arm_axes(robot)]
+
+
+def _has_words(name: Posture, request: PostureRequest) -> bool:
+    return set(request.words) <= set(name.words)
+
+
+def _arm_axes(robot: RobotModel) -> list[int]:
+    return [axis for axis in range(robot.n) if axis not in robot.external]
+
+
+def asked_of(move: MoveInstruction) -> str:
+    """Return the words for the posture and the turns that a move asks for."""
+    request = move.posture or PostureRequest()
+    words = [f"in posture {'-'.join(request.words)}"] if request.words else []
+    turns = [f"with turns {', '.join(map(str, request.turns))}"] if request.turns else []
+    return " ".join(words + turns)

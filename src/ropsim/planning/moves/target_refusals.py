@@ -1,0 +1,193 @@
+"""What the path planner says about a command pose that the arm cannot take."""
+
+import numpy as np
+
+from ropsim.core import Diagnostic
+from ropsim.flow import MotionKind, MoveInstruction
+from ropsim.kinematics import (
+    NO_CLOSED_FORM,
+    IkStatus,
+    Method,
+    Miss,
+    Reach,
+    Shortfall,
+    posture,
+    solver_of,
+)
+from ropsim.model import RobotModel
+from ropsim.motion import (
+    JOINT_OUT_OF_RANGE,
+    NO_ARM,
+    OUT_OF_REACH,
+    OUT_OF_TASK_SPACE,
+    POSTURE_CHANGE,
+    POSTURE_FOR_LATER,
+)
+from ropsim.planning.moves.requested_posture import difference
+from ropsim.planning.records.conflict import Trouble
+from ropsim.planning.records.posture_choice import JointRange
+from ropsim.planning.records.wording import coordinate, external_notes, figures, passes, shortfall_words
+from ropsim.spatial import Array, Pose
+
+
+def no_arm(move: MoveInstruction, robot: RobotModel) -> tuple[Diagnostic, ...]:
+    """Return M518 where a pose or a line is asked of a station that has no arm, else nothing."""
+    if robot.has_arm or not (isinstance(move.target, Pose) or move.kind == MotionKind.LIN):
+        return ()
+    axes = ", ".join(f"`{joint.name}`" for joint in robot.axis_joints)
+    what = "a straight line" if move.kind == MotionKind.LIN else "a pose"
+    finding = NO_ARM.at(
+        move.origin.span,
+        f"{what} needs an arm, this station has the axis {axes} only",
+        label=passes(move.origin),
+        hint="move it by `mov joints(…)` with its coordinate",
+        data={"pass": move.origin.visit},
+    )
+    return (finding,)
+
+
+_TURNED_OVER = 3.1
+"""Angle to what the arm can take from which on its tool is turned over [rad]."""
+
+
+def _beside_hint(miss: Miss | None, X_BM: Pose) -> str:
+    """Return what to do with a pose X_BM of the mechanical interface beside what the arm can take."""
+    if miss is not None and miss.angle > _TURNED_OVER and X_BM.matrix()[2, 2] > 0.0:
+        return (
+            "the tool points up there; write `; down` behind the coordinates, or with a turn `; down, rz 90`"
+        )
+    return "give the pose the orientation that the arm has there, or use joint coordinates"
+
+
+def out_of_reach(
+    move: MoveInstruction, X_BM: Pose, shortfall: Shortfall, robot: RobotModel, q: Array
+) -> Diagnostic:
+    """Return M501 or M530 for a command pose X_BM of the mechanical interface that no posture reaches.
+
+    Args:
+        move: the instruction.
+        X_BM: the pose.
+        shortfall: what is missing.
+        robot: the arm with its external axes.
+        q: joint coordinates with the external axes where they stand [rad | m], shape (n,).
+    """
+    x, y, z = (1e3 * X_BM.position).tolist()
+    place = f"mechanical interface at ({x:.1f}, {y:.1f}, {z:.1f}) mm in the base frame"
+    data = {
+        "position_m": tuple(X_BM.position.tolist()),
+        "pass": move.origin.visit,
+        **_reach_data(shortfall.reach),
+        **_miss_data(shortfall.miss),
+    }
+    beside = shortfall.status is IkStatus.OUT_OF_TASK_SPACE
+    what = "this arm cannot take the command pose" if beside else "command pose is out of reach"
+    why = shortfall_words(shortfall)
+    return (OUT_OF_TASK_SPACE if beside else OUT_OF_REACH).at(
+        move.origin.span,
+        f"{what}: {why or place}",
+        label=passes(move.origin),
+        notes=(*((place,) if why else ()), *external_notes(robot, q)),
+        hint=_beside_hint(shortfall.miss, X_BM)
+        if beside
+        else "move the target or its frame, and look at the units of its coordinates",
+        data=data,
+    )
+
+
+def _reach_data(reach: Reach | None) -> dict[str, object]:
+    if reach is None:
+        return {}
+    return {"distance_m": reach.distance, "shortest_m": reach.shortest, "longest_m": reach.longest}
+
+
+def _miss_data(miss: Miss | None) -> dict[str, object]:
+    return {} if miss is None else {"missing_m": miss.distance, "missing_rad": miss.angle}
+
+
+def out_of_range(move: MoveInstruction, branches: Array, limits: JointRange) -> Diagnostic:
+    """Return M502 for a command pose that every posture reaches only beyond the joint limits.
+
+    The joint that is named is the worst one of the posture that comes nearest to the limits.
+
+    Args:
+        move: the instruction.
+        branches: of the pose, with their best turns, NaN where absent [rad | m], shape (b, n).
+        limits: of the joints.
+    """
+    turned = branches[~np.isnan(branches).any(axis=1)]
+    excess = limits.excess(turned)
+    nearest = int(np.argmin(excess.max(axis=1)))
+    index = int(np.argmax(excess[nearest]))
+    joint, value = limits.joints[index], float(limits.values(turned)[nearest, index])
+    limit = joint.upper if value > joint.upper else joint.lower
+    count = len(turned)
+    reach = "one posture reaches" if count == 1 else f"{count} postures reach"
+    none = "not" if count == 1 else "none"
+    return JOINT_OUT_OF_RANGE.at(
+        move.origin.span,
+        f"command pose needs joint `{joint.name}` at {coordinate(joint, value)}, "
+        f"the limit is {coordinate(joint, limit)}",
+        label=passes(move.origin),
+        notes=(f"{reach} the command pose, {none} within the joint limits",),
+        hint="move or turn the target or its frame",
+        data={
+            **figures(joint, value, limit),
+            "postures": count,
+            "pass": move.origin.visit,
+        },
+    )
+
+
+def posture_change(
+    move: MoveInstruction, robot: RobotModel, q_start: Array, q_end: Array
+) -> tuple[Diagnostic, ...]:
+    """Return M511 for a move that cannot keep its posture."""
+    before, after = posture(robot, q_start), posture(robot, q_end)
+    if before == after:
+        return ()
+    words = zip(solver_of(robot).parts, before.words, after.words, strict=True)
+    changes = ", ".join(f"{part} from {old} to {new}" for part, old, new in words if old != new)
+    finding = POSTURE_CHANGE.at(
+        move.origin.span,
+        f"the posture changes on the way: {changes}",
+        label=passes(move.origin),
+        hint="the posture of the start does not reach the target within the joint limits",
+    )
+    return (finding,)
+
+
+def posture_for_later(
+    move: MoveInstruction, robot: RobotModel, q_nearest: Array, q_end: Array, why: Trouble
+) -> tuple[Diagnostic, ...]:
+    """Return M585 for a move that takes another posture than the nearest one.
+
+    Args:
+        move: the instruction.
+        robot: the arm.
+        q_nearest: where it would have ended [rad | m], shape (n,).
+        q_end: where it ends [rad | m], shape (n,).
+        why: what would go ill behind it.
+    """
+    finding = POSTURE_FOR_LATER.at(
+        move.origin.span,
+        f"{difference(robot, q_end, q_nearest)}, which is nearest, for the sake of a later move",
+        secondary=why.places,
+        label=passes(move.origin),
+        notes=(f"otherwise {why.words}",),
+        hint="where another posture is wanted, name it with `config`, or shift the later move",
+    )
+    return (finding,)
+
+
+def numeric_hint(move: MoveInstruction, robot: RobotModel) -> tuple[Diagnostic, ...]:
+    """Return M550 for a move that an arm solved numerically makes to a pose."""
+    posed = isinstance(move.target, Pose) or move.kind != MotionKind.PTP
+    if not posed or solver_of(robot).method is not Method.NUMERIC:
+        return ()
+    finding = NO_CLOSED_FORM.at(
+        move.origin.span,
+        f"`{robot.name}` is solved numerically: further branches than those found may exist",
+        label=passes(move.origin),
+        hint="where the posture matters, give the target in joint coordinates",
+    )
+    return (finding,)

@@ -1,0 +1,1 @@
+"""Bounds of speed, acceleration and jerk along a path, by its derivatives."""

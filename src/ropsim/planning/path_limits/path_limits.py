@@ -1,0 +1,173 @@
+"""Bounds of speed, acceleration and jerk along a piece of a stretch: one stage, or several on a bent one."""
+
+from collections.abc import Callable, Sequence
+from functools import lru_cache
+from math import sqrt
+
+import numpy as np
+
+from ropsim.motion import (
+    JointLine,
+    JointMotionLimits,
+    JointPath,
+    JointSection,
+    Line,
+    Stages,
+    ToolLimits,
+    ToolPath,
+    ToolSection,
+    grid,
+)
+from ropsim.planning.path_limits.derivative_bounds import Bends, bends_of
+from ropsim.planning.path_limits.derivative_bounds_kernel import TINY
+from ropsim.planning.path_limits.path_limits_kernel import bent_stages, straight_stage
+from ropsim.planning.records.coordination import Coordination
+from ropsim.spatial import Array, frozen
+
+_PLACES = np.linspace(0.0, 1.0, 33)
+_START = frozen([0.0])
+_STRAIGHT = 1e-9
+"""A path of the tool whose direction changes by less from end to end is straight."""
+_SAME_PLACE = 1e-9
+"""Share of a path below which two ends of stages are one."""
+
+
+def joint_stages(path: JointPath, limits: JointMotionLimits) -> Stages:
+    """Return the bounds along a path in joint space; for a straight one they are exact.
+
+    Args:
+        path: of the joints.
+        limits: of every joint.
+    """
+    line = path.path if isinstance(path, JointSection) else path
+    if type(line) is JointLine:  # one derived from it may go elsewhere
+        return _straight(path.length, np.abs(line.q_end - line.q_start), limits)
+    points = path.joints(_PLACES * path.length)
+    if not points.d2.any():
+        return _straight(path.length, np.abs(points.d1).max(axis=0), limits)
+
+    def look(places: Array) -> tuple[Array, Array]:
+        rows = path.joints(places)
+        return rows.d1[:, :, None], rows.d2[:, :, None]
+
+    return _bent(bends_of(look, _PLACES * path.length, limits), limits, 1.0)
+
+
+def tool_stages(path: ToolPath, limits: ToolLimits) -> Stages:
+    """Return the bounds along a path of the tool, as fast as its bends allow.
+
+    Args:
+        path: of the tool.
+        limits: of the TCP and of the orientation.
+    """
+    return tool_choices(path, limits, (1.0,))[0]
+
+
+def tool_choices(path: ToolPath, limits: ToolLimits, shares: Sequence[float]) -> tuple[Stages, ...]:
+    """Return bounds along a path of the tool that go together; of an even bend one choice for each share.
+
+    The slower a bend is walked, the more it leaves for changes of speed on it: not the highest speed is the
+    quickest where the path begins or ends on the bend. Other paths have one choice.
+
+    Args:
+        path: of the tool.
+        limits: of the TCP and of the orientation.
+        shares: of the highest speed that the bend allows, falling from 1.
+    """
+    line = path.path if isinstance(path, ToolSection) else path
+    if type(line) is Line:
+        start = line.tool(_START)
+        if not any(start.d2[0].tolist()):  # so it goes on: only a tool that rolls while it swings has some
+            return (_even(path.length, start.d1[0].tolist(), limits),)
+
+    def look(places: Array) -> tuple[Array, Array]:
+        rows = path.tool(places)
+        return rows.d1.reshape(-1, 2, 3), rows.d2.reshape(-1, 2, 3)
+
+    both = _of_parts(limits)
+    d1, d2 = (np.linalg.norm(rows, axis=2).max(axis=0) for rows in look(_PLACES * path.length))
+    if float((d2 * path.length).max()) <= _STRAIGHT * float(d1.max()):
+        return (_straight(path.length, d1, both),)
+    with np.errstate(over="ignore", invalid="ignore", divide="ignore"):  # of a point in which it turns back
+        bends = bends_of(look, grid(path), both)
+    return _choices(_bent(bends, both, shares[0]), lambda share: _bent(bends, both, share), shares[1:])
+
+
+def _choices(first: Stages, walked: Callable[[float], Stages], shares: Sequence[float]) -> tuple[Stages, ...]:
+    """Return the first choice, and those at lesser shares where these differ."""
+    if len(first) > 1:  # a bend that changes: what is left for changes of speed is used up where it changes
+        return (first,)
+    found = [first]
+    for share in shares:
+        other = walked(share)
+        if not any(np.array_equal(other.rows, one.rows) for one in found):
+            found.append(other)
+    return tuple(found)
+
+
+@lru_cache(maxsize=256)
+def rates_of(limits: ToolLimits) -> Array:
+    """Return limits of the tool as an array, a row for each of speed, acceleration and jerk.
+
+    Its columns are position and orientation, shape (3, 2).
+    """
+    return frozen(np.reshape(limits.all, (2, 3)).T)
+
+
+def lesser_limits(one: ToolLimits, other: ToolLimits) -> ToolLimits:
+    """Return the limits that keep both."""
+    return one if one is other or one == other else ToolLimits(*map(min, one.all, other.all))
+
+
+def along_with(stages: Stages, coordination: Coordination | None) -> Stages:
+    """Return the bounds along a path of the tool on which external axes go along, theirs too.
+
+    Args:
+        stages: of the path.
+        coordination: the axes; None where they stand.
+    """
+    if coordination is None:
+        return stages
+    axes = joint_stages(coordination.axes, coordination.limits)
+    ways = [each.ends for each in (stages, axes)]
+    length = float(ways[0][-1])
+    ends = np.unique(np.concatenate((ways[0][:-1], ways[1][:-1])))
+    near = _SAME_PLACE * length
+    ends = ends[(np.diff(ends, prepend=0.0) > near) & (ends < length - near)]
+    middles = 0.5 * (np.append(0.0, ends) + np.append(ends, length))
+    here, there = (np.minimum(np.searchsorted(way, middles), len(way) - 1) for way in ways)
+    least = np.minimum(stages.bounds[here], axes.bounds[there])
+    return Stages(np.column_stack((np.diff(ends, prepend=0.0, append=length), least)))
+
+
+@lru_cache(maxsize=256)
+def _of_parts(limits: ToolLimits) -> JointMotionLimits:
+    """Return limits of the tool as those of its two parts, position and orientation, each of shape (2,)."""
+    return JointMotionLimits(*rates_of(limits))
+
+
+def _even(length: float, d1: list[float], limits: ToolLimits) -> Stages:
+    """Return the bounds along a path with the same first derivatives of the tool everywhere, six numbers."""
+    x, y, z, a, b, c = d1
+    way, turn = max(sqrt(x * x + y * y + z * z), TINY), max(sqrt(a * a + b * b + c * c), TINY)
+    row = (
+        length,
+        min(limits.speed / way, limits.orientation_speed / turn),
+        min(limits.acceleration / way, limits.orientation_acceleration / turn),
+        min(limits.jerk / way, limits.orientation_jerk / turn),
+    )
+    return Stages(np.array((row,)))
+
+
+def _straight(length: float, d1: Array, limits: JointMotionLimits) -> Stages:
+    row = np.empty((1, 4))
+    straight_stage(length, d1, limits.speed, limits.acceleration, limits.jerk, row)
+    return Stages(row)
+
+
+def _bent(bends: Bends, limits: JointMotionLimits, share: float) -> Stages:
+    """Return bounds that hold together on a bent path, bends walked at a share of what they allow."""
+    rates, k = np.array((limits.speed, limits.acceleration, limits.jerk)), len(bends.lengths)
+    out, told = np.empty((k, 7)), np.empty(1)
+    bent_stages(bends.table, bends.lengths, rates, share, np.empty(k), np.empty((k, 3)), out, told)
+    return Stages(out[: int(told[0]), :4].copy())

@@ -1,0 +1,152 @@
+"""Stages along a bent path: what may be gone in its cells, in plain loops that numba compiles.
+
+What is no number stays none: a path that turns back in a point has such bounds.
+"""
+
+from math import isnan, sqrt
+
+import numpy as np
+
+from ropsim.codegen import kernel
+from ropsim.planning.path_limits.derivative_bounds_kernel import ACROSS, ALONG, D1, TINY, bend_speeds
+from ropsim.spatial import Array
+
+MIXED = 0.5
+"""Share of the jerk that a bend leaves along the path that is given up for changes of speed in the bend."""
+ALIKE = (1.1, 2.0, 2.0)
+"""Factors by which speed, acceleration and jerk of cells differ at most that are made one stage."""
+
+
+@kernel("void(f8[:,:,::1], f8[::1], f8[:,::1], f8, f8[::1], f8[:,::1], f8[:,::1], f8[::1])")
+def bent_stages(
+    bounds: Array,
+    lengths: Array,
+    limits: Array,
+    share: float,
+    speeds: Array,
+    cells: Array,
+    out: Array,
+    told: Array,
+) -> None:
+    """Write the stages along a bent path of k cells.
+
+    With the derivatives d1, d2, d3 of the path by its length s: acceleration d2·v² + d1·a, jerk
+    d3·v³ + 3·d2·v·a + d1·j. What is along d1 adds up, and what is across it is at right angles to that.
+
+    Args:
+        bounds: of the derivatives, rows as in `bends_kernel`, shape (5 or more, k, p).
+        lengths: of the cells, shape (k,).
+        limits: of speed, acceleration and jerk of the parts, shape (3, p).
+        share: of the highest speed that bends allow, at which they are walked at the most.
+        speeds: room to work in, shape (k,).
+        cells: room to work in, shape (k, 3).
+        out: where length, speed, acceleration and jerk go, and the greatest of the last three in any cell of
+            the stage, shape (k, 7).
+        told: where their number goes, shape (1,).
+    """
+    bend_speeds(bounds, limits, speeds)
+    for i in range(bounds.shape[1]):
+        slow = share * speeds[i]
+        for part in range(bounds.shape[2]):
+            slow = _lesser(slow, limits[0, part] / _greater(bounds[D1, i, part], TINY))
+        speeds[i] = slow
+    _write_room(bounds, limits, speeds, cells)
+    told[0] = _join_alike(lengths, cells, out)
+
+
+@kernel("void(f8, f8[::1], f8[::1], f8[::1], f8[::1], f8[:,::1])")
+def straight_stage(
+    length: float, d1: Array, speed: Array, acceleration: Array, jerk: Array, out: Array
+) -> None:
+    """Write the stage of a straight path of p parts.
+
+    Args:
+        length: of the path.
+        d1: sizes of the first derivatives of the parts, the same everywhere, shape (p,).
+        speed: limits of the parts, shape (p,).
+        acceleration: likewise.
+        jerk: likewise.
+        out: where length, speed, acceleration and jerk go, shape (1, 4).
+    """
+    v, a, j = np.inf, np.inf, np.inf
+    for part in range(d1.shape[0]):
+        size = _greater(d1[part], TINY)
+        v = _lesser(v, speed[part] / size)
+        a = _lesser(a, acceleration[part] / size)
+        j = _lesser(j, jerk[part] / size)
+    out[0, 0], out[0, 1], out[0, 2], out[0, 3] = length, v, a, j
+
+
+def _write_room(bounds: Array, limits: Array, speeds: Array, out: Array) -> None:
+    """Write the speeds, accelerations and jerks along a path that hold together in k cells.
+
+    Args:
+        bounds: of the derivatives, rows as above, shape (5 or more, k, p).
+        limits: of speed, acceleration and jerk of the parts, shape (3, p).
+        speeds: with which the cells are walked, shape (k,).
+        out: where all three go, shape (k, 3).
+    """
+    for i in range(bounds.shape[1]):
+        v, a, j = speeds[i], np.inf, np.inf
+        cube = v * v * v
+        for part in range(bounds.shape[2]):
+            d1 = _greater(bounds[D1, i, part], TINY)
+            second, second_across = bounds[ALONG, i, part], bounds[ACROSS, i, part]
+            most, jerk = limits[1, part], limits[2, part]
+            along, across = bounds[ALONG + 1, i, part] * cube, bounds[ACROSS + 1, i, part] * cube
+            bent = second_across * (v * v)
+            room = sqrt(_greater(most * most - bent * bent, 0.0)) - second * (v * v)
+            left = MIXED * (sqrt(_greater(jerk * jerk - across * across, 0.0)) - along)
+            rest = sqrt(_greater(jerk * jerk - (along + left) * (along + left), 0.0)) - across
+            mixed = _lesser(left / _greater(second * v, TINY), rest / _greater(second_across * v, TINY))
+            a = _lesser(a, _lesser(room / d1, mixed / 3.0))
+        for part in range(bounds.shape[2]):
+            d1, jerk = _greater(bounds[D1, i, part], TINY), limits[2, part]
+            along, across = bounds[ALONG + 1, i, part] * cube, bounds[ACROSS + 1, i, part] * cube
+            across += 3.0 * bounds[ACROSS, i, part] * v * a
+            along += 3.0 * bounds[ALONG, i, part] * v * a
+            j = _lesser(j, (sqrt(_greater(jerk * jerk - across * across, 0.0)) - along) / d1)
+        out[i, 0], out[i, 1], out[i, 2] = v, a, j
+
+
+def _join_alike(lengths: Array, bounds: Array, out: Array) -> int:
+    """Write cells, of neighbours with similar bounds one, with the least of each bound.
+
+    Args:
+        lengths: of k cells, shape (k,).
+        bounds: of their speeds, accelerations and jerks, shape (k, 3).
+        out: where lengths and bounds go, then the greatest of the bounds, shape (k, 7).
+
+    Returns:
+        their number.
+    """
+    count = 0
+    for i in range(lengths.shape[0]):
+        row = count - 1
+        alike = count > 0
+        for kind in range(3):
+            if alike:
+                low = min(out[row, 1 + kind], bounds[i, kind])
+                high = max(out[row, 4 + kind], bounds[i, kind])
+                alike = high <= ALIKE[kind] * low
+        if not alike:
+            row = count
+            count += 1
+            out[row, 0] = 0.0
+            for kind in range(3):
+                out[row, 1 + kind] = out[row, 4 + kind] = bounds[i, kind]
+        out[row, 0] += lengths[i]
+        for kind in range(3):
+            out[row, 1 + kind] = min(out[row, 1 + kind], bounds[i, kind])
+            out[row, 4 + kind] = max(out[row, 4 + kind], bounds[i, kind])
+    return count
+
+
+def _greater(one: float, other: float) -> float:
+    """Return the greater number; what is none stays."""
+    return one if one > other or isnan(one) else other
+
+
+def _lesser(one: float, other: float) -> float:
+    """Return the lesser number; what is none stays."""
+    return one if one < other or isnan(one) else other

@@ -1,0 +1,1 @@
+"""Postures that serve the paths behind them."""

@@ -1,0 +1,140 @@
+"""What goes ill with a path of the tool in one posture and may go well in another."""
+
+from functools import lru_cache
+
+import numpy as np
+
+from ropsim.flow import MoveInstruction
+from ropsim.model import RobotModel
+from ropsim.motion import (
+    JOINT_LIMIT_ON_LINE,
+    JUMP_ON_LINE,
+    NO_WRIST_ANGLES,
+    Line,
+    SynchronisedJoints,
+    Traced,
+    durations,
+)
+from ropsim.planning.moves.interpolator import places
+from ropsim.planning.moves.planned_move import Leg
+from ropsim.planning.postures.part_times_kernel import longest_cell, part_times
+from ropsim.planning.records.conflict import Trouble
+from ropsim.planning.records.entities import Refusal
+from ropsim.planning.records.posture_choice import JointRange
+from ropsim.spatial import Array, frozen
+
+WHIRL = 0.25
+"""Share to which a joint may slow a path down before another posture is looked for: of the speed that is
+asked of the tool or, where joints are slower all along, of that on half of the path."""
+
+NARROW = np.radians(5.0)
+"""Distance from a limit within which an axis that turns has little room [rad]."""
+
+_STEPS = 64
+"""Parts of a path of which each is looked at by the way of the joints on it."""
+_TINY = 1e-300
+
+
+def trouble_of(robot: RobotModel, leg: Leg, number: int) -> Trouble | None:
+    """Return where the joints whirl on the path of a move, None where they do not.
+
+    Args:
+        robot: the arm.
+        leg: the move, with a path of the tool.
+        number: of the move in the stretch.
+    """
+    if _is_calm(robot, leg):
+        return None
+    own, needs, least = _times(robot, leg)
+    if least >= WHIRL:
+        return None
+    times = np.maximum(needs.max(axis=1), own)
+    shares = np.maximum(own, np.median(times)) / np.maximum(times, _TINY)
+    part = int(np.argmin(shares))
+    if not shares[part] < WHIRL:
+        return None
+    joint = robot.axis_joints[int(np.argmax(needs[part]))]
+    words = f"joint `{joint.name}` slows the path down to {shares[part]:.0%} after {part / _STEPS:.0%} of it"
+    return Trouble(number, words, leg.move.origin.span)
+
+
+def trouble_of_refusal(move: MoveInstruction, refusal: Refusal, number: int) -> list[Trouble]:
+    """Return why a path cannot be followed, nothing where no other posture would help.
+
+    Args:
+        move: that is refused.
+        refusal: of it.
+        number: of the move in the stretch.
+    """
+    codes = {JOINT_LIMIT_ON_LINE.code, JUMP_ON_LINE.code, NO_WRIST_ANGLES.code}
+    return [
+        Trouble(number, found.message, move.origin.span)
+        for found in refusal.diagnostics[:1]
+        if found.code in codes
+    ]
+
+
+def is_narrow(limits: JointRange, leg: Leg) -> bool:
+    """Return whether an axis that turns comes near to a limit on the path of a move.
+
+    Args:
+        limits: of the joints.
+        leg: the move.
+    """
+    if leg.joints is None:
+        return False
+    q = leg.joints.joints(np.linspace(0.0, leg.joints.length, _STEPS + 1)).q
+    room = np.minimum(q - limits.lower, limits.upper - q)[:, limits.revolute > 0.0]
+    return bool((room < NARROW).any())
+
+
+def time_of(robot: RobotModel, leg: Leg, q_start: Array) -> float:
+    """Return the time of a move [s], without that for changes of speed on a path of the tool.
+
+    Args:
+        robot: the arm.
+        leg: the move.
+        q_start: command joint coordinates at its start [rad | m], shape (n,).
+    """
+    if leg.joints is None:
+        return 0.0
+    if isinstance(leg.joints, SynchronisedJoints):
+        return leg.joints.length
+    if leg.tool is None:
+        return float(durations(q_start, leg.q_end[np.newaxis], leg.planned.limits.joints)[0])
+    own, needs, _ = _times(robot, leg)
+    return float(np.maximum(needs.max(axis=1), own).sum())
+
+
+def _is_calm(robot: RobotModel, leg: Leg) -> bool:
+    """Return whether the joints clearly keep up with a straight line."""
+    path, joints = leg.tool, leg.joints
+    if not isinstance(path, Line) or type(joints) is not Traced or not path.moves:
+        return False
+    longest = np.empty(1)
+    longest_cell(joints.q, joints.derivatives, max_speeds_of(robot), longest)
+    at_tool_speed = path.length / max(leg.planned.limits.tool.speed, _TINY) / (len(joints.q) - 1)
+    return bool(longest[0] * WHIRL <= at_tool_speed)
+
+
+def _times(robot: RobotModel, leg: Leg) -> tuple[Array, Array, float]:
+    """Return the times [s] of the parts of a path: of the tool, shape (k,), and of the joints, (k, n).
+
+    Behind them stands the least share of the former to the longest of a part.
+    """
+    assert leg.tool is not None
+    assert leg.joints is not None
+    length, limits = leg.tool.length, leg.planned.limits.tool
+    at = places(length, _STEPS)
+    d1, q = leg.tool.tool(at).d1, leg.joints.joints(at).q
+    own, needs, told = np.empty(_STEPS), np.empty((_STEPS, robot.n)), np.empty(1)
+    speed, turning = max(limits.speed, _TINY), max(limits.orientation_speed, _TINY)
+    rows = np.ascontiguousarray(d1, dtype=np.float64), np.ascontiguousarray(q, dtype=np.float64)
+    part_times(*rows, length / _STEPS, speed, turning, max_speeds_of(robot), own, needs, told)
+    return own, needs, float(told[0])
+
+
+@lru_cache(maxsize=64)
+def max_speeds_of(robot: RobotModel) -> Array:
+    """Return the speed limits of the joints [rad/s | m/s], shape (n,)."""
+    return frozen(robot.max_speeds)

@@ -1,0 +1,197 @@
+"""The search for postures: which branches the PTP moves of a stretch take, so that paths behind them go well.
+
+A PTP move to a pose may end in any branch of the inverse kinematics within the joint limits; a path of the
+tool keeps the branch in which it begins. So the branches of each such target are the nodes of a graph in
+layers, and the best way to each node is found from those of the layer before (Bellman 1957, Dynamic
+Programming).
+"""
+
+from collections.abc import Sequence
+from dataclasses import replace
+from itertools import pairwise
+
+import numpy as np
+
+from ropsim.flow import MotionKind, MoveInstruction
+from ropsim.kinematics import IkOptions, Limits, forward_batch, inverse, posture
+from ropsim.model import RobotModel
+from ropsim.motion import POSTURE_CHANGE
+from ropsim.planning.moves.planned_move import Leg, leg_of, legs_in_order
+from ropsim.planning.moves.requested_posture import is_as_wished
+from ropsim.planning.moves.target_refusals import posture_for_later
+from ropsim.planning.postures.path_conflicts import is_narrow, time_of, trouble_of
+from ropsim.planning.records.conflict import Trouble
+from ropsim.planning.records.entities import Refusal
+from ropsim.planning.records.motion_chain import MotionChain
+from ropsim.planning.records.posture_choice import JointRange, nearest_turns, turned_branches
+from ropsim.spatial import Array, Pose, record
+
+MOST_LEGS = 2000
+"""Legs that are tried at most; targets behind them take the nearest posture."""
+
+_SAME = 1e-6
+"""Joint coordinates that differ by less are one branch [rad | m]."""
+
+
+@record
+class Way:
+    """A way through the first moves of a stretch.
+
+    Attributes:
+        q: where it ends [rad | m], shape (n,).
+        legs: of the moves.
+        refusal: why the next move cannot be made; None where it can, or has not been tried.
+        troubles: how many of its paths whirl the joints.
+        changes: for each PTP move that does not end in the nearest branch 1, and 1 for each word of the
+            posture that differs.
+        narrow: how many of its paths of the tool lead near to a joint limit.
+        time: that the moves take, without changes of speed on paths of the tool [s].
+    """
+
+    q: Array
+    legs: tuple[Leg, ...] = ()
+    refusal: Refusal | None = None
+    troubles: int = 0
+    changes: int = 0
+    narrow: int = 0
+    time: float = 0.0
+
+    @property
+    def rank(self) -> tuple[int, int, int, int, float]:
+        """Return what is least for the best way: minus the moves made, troubles, changes, narrow, time."""
+        return -len(self.legs), self.troubles, self.changes, self.narrow, self.time
+
+
+def has_choice(move: MoveInstruction) -> bool:
+    """Return whether a move may end in more than one branch: in any, or in those that it asks for."""
+    return move.kind == MotionKind.PTP and isinstance(move.target, Pose)
+
+
+def search(
+    chain: MotionChain, stretch: Sequence[MoveInstruction], q_start: Array, troubles: Sequence[Trouble]
+) -> Way:
+    """Return the best way through a stretch.
+
+    That is the one on which most moves can be made, then fewest paths whirl the joints, then least is changed
+    of the nearest postures, then fewest paths lead near to a joint limit, then the time is least.
+
+    Args:
+        chain: the entities.
+        stretch: moves in order.
+        q_start: command joint coordinates at their start [rad | m], shape (n,).
+        troubles: of the way of the nearest postures, in order; one or more.
+    """
+    limits = JointRange.of(chain.robot)
+    bounds = [*(number for number, move in enumerate(stretch) if has_choice(move)), len(stretch)]
+    ways, ended, tried = [_onward(chain, limits, Way(q_start), stretch[: bounds[0]])], list[Way](), 0
+    for number, behind in pairwise(bounds):
+        starts = list[_Start]()
+        for way in ways:
+            leg = leg_of(chain, stretch[number], way.q)
+            if isinstance(leg, Refusal):
+                ended.append(replace(way, refusal=leg))
+            else:
+                starts.append(_Start(way, leg))
+        goals = _goals(chain, starts, limits) if tried < MOST_LEGS else [one.nearest.q_end for one in starts]
+        ways = []
+        for q_end in goals:
+            there = _taken(chain, starts, q_end, _reason(troubles, number))
+            if there is None:
+                continue
+            way = _onward(chain, limits, there, stretch[number + 1 : behind])
+            tried += len(way.legs) - number
+            (ended if way.refusal else ways).append(way)
+    return min(ways or ended, key=lambda way: way.rank)
+
+
+@record
+class _Start:
+    """A way to the start of a PTP move, and the move as the planner makes it."""
+
+    way: Way
+    nearest: Leg
+
+
+def _goals(chain: MotionChain, starts: Sequence[_Start], limits: JointRange) -> list[Array]:
+    """Return all joint coordinates that reach a target as it is asked for, the nearest ones first."""
+    found: list[Array] = []
+    for start in starts:
+        _put(found, start.nearest.q_end)
+    if found:
+        q = found[0]
+        X_BM = Pose.from_matrix(forward_batch(chain.robot, q[np.newaxis])[0])
+        branches = inverse(chain.robot, X_BM, IkOptions(Limits.IGNORE, near=q)).branches
+        wish = starts[0].nearest.move.posture
+        for row in turned_branches(nearest_turns(branches, q, limits), limits):
+            if wish is None or is_as_wished(chain.robot, row, wish):
+                _put(found, row)
+    return found
+
+
+def _put(found: list[Array], q: Array) -> None:
+    if not any(_is_same(q, other) for other in found):
+        found.append(q)
+
+
+def _is_same(q: Array, other: Array) -> bool:
+    return float(np.abs(q - other).max()) <= _SAME
+
+
+def _change(robot: RobotModel, q_nearest: Array, q_end: Array) -> int:
+    nearest, taken = posture(robot, q_nearest), posture(robot, q_end)
+    return 1 + sum(one != other for one, other in zip(nearest.words, taken.words, strict=True))
+
+
+def _taken(chain: MotionChain, starts: Sequence[_Start], q_end: Array, why: Trouble) -> Way | None:
+    """Return the best way to joint coordinates; None where the planner makes none.
+
+    Args:
+        chain: the entities.
+        starts: where the move may begin.
+        q_end: where it ends [rad | m], shape (n,).
+        why: what asks for another posture than the nearest one.
+    """
+    best: Way | None = None
+    for start in starts:
+        way, leg = start.way, start.nearest
+        changes = way.changes
+        if not _is_same(leg.q_end, q_end):
+            other = _to_joints(chain, start, q_end, why)
+            if isinstance(other, Refusal):
+                continue
+            leg, changes = other, changes + _change(chain.robot, leg.q_end, q_end)
+        time = way.time + time_of(chain.robot, leg, way.q)
+        found = Way(leg.q_end, (*way.legs, leg), None, way.troubles, changes, way.narrow, time)
+        if best is None or found.rank < best.rank:
+            best = found
+    return best
+
+
+def _to_joints(chain: MotionChain, start: _Start, q_end: Array, why: Trouble) -> Leg | Refusal:
+    """Return the move to other joint coordinates of its target, with a hint instead of M511."""
+    move = start.nearest.move
+    there = replace(move, target=tuple(q_end.tolist()), external=())
+    leg = leg_of(chain, there, start.way.q)
+    if isinstance(leg, Refusal):
+        return leg
+    said = tuple(one for one in start.nearest.findings if one.code != POSTURE_CHANGE.code)
+    hint = posture_for_later(move, chain.robot, start.nearest.q_end, q_end, why)
+    return replace(leg, move=move, findings=said + hint)
+
+
+def _reason(troubles: Sequence[Trouble], number: int) -> Trouble:
+    """Return the first trouble behind a move, without one the last of all."""
+    return next((one for one in troubles if one.number > number), troubles[-1])
+
+
+def _onward(chain: MotionChain, limits: JointRange, way: Way, moves: Sequence[MoveInstruction]) -> Way:
+    """Return the way with moves that have no choice, as far as they can be made."""
+    q, time, troubles, narrow = way.q, way.time, way.troubles, way.narrow
+    legs, refusal = legs_in_order(chain, moves, q)
+    for leg in legs:
+        time += time_of(chain.robot, leg, q)
+        if leg.tool is not None:
+            troubles += trouble_of(chain.robot, leg, 0) is not None
+            narrow += is_narrow(limits, leg)
+        q = leg.q_end
+    return Way(q, (*way.legs, *legs), refusal, troubles, way.changes, narrow, time)

@@ -1,0 +1,50 @@
+"""A posture that the program asks for and in which a later path of the tool cannot be followed."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from ropsim.core import Diagnostic
+from ropsim.flow import MotionKind, MoveInstruction
+from ropsim.model import RobotModel
+from ropsim.motion import POSTURE_IN_THE_WAY
+from ropsim.planning.moves.planned_move import Leg
+from ropsim.planning.moves.requested_posture import asked_of, difference
+from ropsim.planning.records.conflict import Trouble
+from ropsim.planning.records.wording import passes
+from ropsim.spatial import Pose
+
+
+def last_wish(stretch: Sequence[MoveInstruction]) -> int | None:
+    """Return the number of the last move that asks for the posture it ends in; None where none does."""
+    numbers = range(len(stretch) - 1, -1, -1)
+    return next((number for number in numbers if _asks(stretch[number])), None)
+
+
+def without_wish(stretch: Sequence[MoveInstruction], number: int) -> list[MoveInstruction]:
+    """Return the moves of a stretch, of which one may end in any posture."""
+    return [*stretch[:number], replace(stretch[number], posture=None), *stretch[number + 1 :]]
+
+
+def in_the_way(robot: RobotModel, leg: Leg, free: Leg, trouble: Trouble) -> tuple[Diagnostic, ...]:
+    """Return M589 for a move that asks for a posture.
+
+    Args:
+        robot: the arm.
+        leg: of the move.
+        free: of the same move where it asks for none.
+        trouble: of the later path where it asks for the posture.
+    """
+    move = leg.move
+    finding = POSTURE_IN_THE_WAY.at(
+        move.origin.span,
+        f"{asked_of(move)}, which this move asks for, a later path cannot be followed",
+        secondary=trouble.places,
+        label=passes(move.origin),
+        notes=(trouble.words,),
+        hint=f"leave that out: {difference(robot, free.q_end, leg.q_end)}, and it can be followed",
+    )
+    return (finding,)
+
+
+def _asks(move: MoveInstruction) -> bool:
+    return move.kind == MotionKind.PTP and isinstance(move.target, Pose) and move.posture is not None

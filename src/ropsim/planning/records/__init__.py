@@ -1,0 +1,1 @@
+"""Records of planning, and the protocols of its entities."""

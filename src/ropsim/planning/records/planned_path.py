@@ -1,0 +1,106 @@
+"""The path of a move, and the limits that hold on it."""
+
+from functools import lru_cache
+
+from ropsim.core import Diagnostic
+from ropsim.flow import ModalState
+from ropsim.model import ControllerModel
+from ropsim.motion import Arc, Curve, JointMotionLimits, JointPath, Line, Standing, ToolLimits, ToolPath
+from ropsim.planning.records.coordination import Coordination
+from ropsim.spatial import Pose, record
+
+
+@record
+class MoveLimits:
+    """What a move must respect, with the shares and the override in force.
+
+    Attributes:
+        joints: of every joint, on paths in joint space.
+        tool: of the tool, on paths of the tool.
+    """
+
+    joints: JointMotionLimits
+    tool: ToolLimits
+
+
+@record
+class PlannedPath:
+    """The path of a move.
+
+    Attributes:
+        joints: the path, where it is one of the joints; beside a path of the tool the joints that lead it,
+            where the planner says so and inverse kinematics has no choice.
+        tool: the path, where it is one of the tool: in the base frame, or in that of the coordination. Where
+            both are None, nothing moves.
+        limits: bounds of its speed, acceleration and jerk.
+        X_MT: the tool that is meant.
+        findings: what the planner has to say about it.
+        coordination: external axes that go along with a path of the tool; None where they stand.
+    """
+
+    joints: JointPath | None
+    tool: ToolPath | None
+    limits: MoveLimits
+    X_MT: Pose
+    findings: tuple[Diagnostic, ...] = ()
+    coordination: Coordination | None = None
+
+    @property
+    def least_time(self) -> float:
+        """Return a time [s] that the path of the tool takes at least, 0 where it tells none.
+
+        The length of a path is a way [m], or an angle [rad] where the TCP stands; at its greatest speed it is
+        gone in no less.
+        """
+        path, limits = self.tool, self.limits.tool
+        if path is None or isinstance(path, Standing):
+            return 0.0
+        moves = isinstance(path, Arc | Curve) or (isinstance(path, Line) and path.moves)
+        return path.length / (limits.speed if moves else max(limits.speed, limits.orientation_speed))
+
+
+_Rate = float | None
+
+
+def move_limits(modal: ModalState, joints: JointMotionLimits, controller: ControllerModel) -> MoveLimits:
+    """Return the limits of a move; moves for which the same is asked have one and the same record.
+
+    Args:
+        modal: the modal state of the move; its values have been checked.
+        joints: what the joints of the arm can.
+        controller: defaults on lines, speed override.
+    """
+    return _limits(
+        joints,
+        controller,
+        (modal.ptp_speed, modal.ptp_acceleration),
+        (modal.path_speed, modal.path_acceleration, modal.path_jerk),
+        (modal.orientation_speed, modal.orientation_acceleration),
+    )
+
+
+@lru_cache(maxsize=256)
+def _limits(
+    joints: JointMotionLimits,
+    controller: ControllerModel,
+    ptp: tuple[float, float],
+    of_tcp: tuple[_Rate, _Rate, _Rate],
+    of_turn: tuple[_Rate, _Rate],
+) -> MoveLimits:
+    path, override = controller.path, controller.speed_override
+    tool = ToolLimits(
+        _either(of_tcp[0], path.speed) * override,
+        _either(of_tcp[1], path.acceleration),
+        _either(of_tcp[2], path.jerk),
+        _either(of_turn[0], path.orientation_speed) * override,
+        _either(of_turn[1], path.orientation_acceleration),
+        path.orientation_jerk,
+    )
+    speed, share = ptp[0] * override, ptp[1]
+    return MoveLimits(
+        JointMotionLimits(joints.speed * speed, joints.acceleration * share, joints.jerk * share), tool
+    )
+
+
+def _either(asked: _Rate, default: float) -> float:
+    return default if asked is None else asked

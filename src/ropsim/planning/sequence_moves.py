@@ -1,0 +1,91 @@
+"""The legs of a stretch: each move from where the one before ends, in postures that serve those behind it."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from ropsim.flow import MoveInstruction
+from ropsim.planning.moves.planned_move import Leg, legs_in_order
+from ropsim.planning.postures.path_conflicts import trouble_of, trouble_of_refusal
+from ropsim.planning.postures.posture_search import has_choice, search
+from ropsim.planning.postures.requested_conflict import in_the_way, last_wish, without_wish
+from ropsim.planning.records.conflict import Trouble
+from ropsim.planning.records.entities import Refusal
+from ropsim.planning.records.motion_chain import MotionChain
+from ropsim.spatial import Array
+
+
+def legs_of(
+    chain: MotionChain, stretch: Sequence[MoveInstruction], ahead: Sequence[MoveInstruction], q_start: Array
+) -> tuple[list[Leg], Refusal | None]:
+    """Return the legs of a stretch up to the first move that cannot be made, and why it cannot.
+
+    Every move takes what the planner holds for the nearest posture. Where a path of the tool then meets a
+    joint limit or a singularity, or whirls the joints near one, other postures are tried for the PTP moves
+    before it; that one is taken in which most moves can be made. Where a path cannot be followed in a posture
+    for which the program asks, but could without that, a finding says so.
+
+    Args:
+        chain: the entities.
+        stretch: moves in order.
+        ahead: moves that follow upon the stop at its end, up to the next PTP move.
+        q_start: command joint coordinates at their start [rad | m], shape (n,).
+    """
+    moves, count = (*stretch, *ahead), len(stretch)
+    legs, refusal = _chosen(chain, moves, q_start)
+    if refusal:
+        legs = _told(chain, moves, q_start, legs, refusal)
+    return legs[:count], refusal if len(legs) < count else None
+
+
+def _told(
+    chain: MotionChain,
+    moves: Sequence[MoveInstruction],
+    q_start: Array,
+    legs: list[Leg],
+    refusal: Refusal,
+) -> list[Leg]:
+    """Return legs with a finding on the move that asks for a posture in which a later one is refused.
+
+    Args:
+        chain: the entities.
+        moves: in order.
+        q_start: command joint coordinates at their start [rad | m], shape (n,).
+        legs: of those before the one that is refused.
+        refusal: of that.
+    """
+    refused = len(legs)
+    wish = last_wish(moves[:refused])
+    troubles = trouble_of_refusal(moves[refused], refusal, refused)
+    if wish is None or not troubles:
+        return legs
+    free, _ = _chosen(chain, without_wish(moves[: refused + 1], wish), q_start)
+    if len(free) <= refused:
+        return legs
+    said = in_the_way(chain.robot, legs[wish], free[wish], troubles[0])
+    return [*legs[:wish], replace(legs[wish], findings=legs[wish].findings + said), *legs[wish + 1 :]]
+
+
+def _chosen(
+    chain: MotionChain, stretch: Sequence[MoveInstruction], q_start: Array
+) -> tuple[list[Leg], Refusal | None]:
+    legs, refusal = legs_in_order(chain, stretch, q_start)
+    troubles = _troubles(chain, stretch, legs, refusal)
+    if not troubles:
+        return legs, refusal
+    best = search(chain, stretch, q_start, troubles)
+    return (legs, refusal) if best.changes == 0 else (list(best.legs), best.refusal)
+
+
+def _troubles(
+    chain: MotionChain, stretch: Sequence[MoveInstruction], legs: Sequence[Leg], refusal: Refusal | None
+) -> list[Trouble]:
+    """Return what another posture might mend, in the order of the moves; nothing where there is no choice."""
+    first = next((number for number, leg in enumerate(legs) if has_choice(leg.move)), len(legs))
+    troubles = [
+        found
+        for number, leg in enumerate(legs[first:], first)
+        if leg.tool is not None and (found := trouble_of(chain.robot, leg, number))
+    ]
+    if refusal and first < len(legs):
+        troubles += trouble_of_refusal(stretch[len(legs)], refusal, len(legs))
+    return troubles

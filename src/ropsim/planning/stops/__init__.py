@@ -1,0 +1,1 @@
+"""Blends that are slower than a stop become stops."""

@@ -1,0 +1,103 @@
+"""Which zones of a stretch are flown: by the limits of the tool first, then by those of the joints."""
+
+from collections.abc import Sequence
+
+from ropsim.motion import Ticks
+from ropsim.planning.blends.blend import Corner
+from ropsim.planning.joint_limits.arm_limits import ArmBounds
+from ropsim.planning.joint_limits.retiming import Keeping, keeping_of
+from ropsim.planning.moves.planned_move import Leg
+from ropsim.planning.stops.quicker_stops import Times, quicker_stops, without
+from ropsim.planning.stops.sequence_times import arm_times, times_alone, tool_times
+from ropsim.planning.trajectory.sections import parts_of
+from ropsim.planning.trajectory.segments import Walk, pieces_of
+from ropsim.planning.trajectory.timing import Course, course_of
+from ropsim.spatial import record
+
+Corners = Sequence[Corner | None]
+
+
+@record
+class ByTool:
+    """The quickest corners by the limits of the tool.
+
+    Attributes:
+        stops: numbers of those that became stops.
+        corners: that are left.
+        course: of the stretch with them.
+        alone: times that the moves take from rest to rest, at least [s].
+        times: of moves from rest to rest with the corners between them.
+    """
+
+    stops: tuple[int, ...]
+    corners: Corners
+    course: Course
+    alone: tuple[float, ...]
+    times: Times
+
+
+@record
+class ByJoints:
+    """The quickest corners by the limits of tool and joints.
+
+    Attributes:
+        stops: numbers of those that became stops for the joints.
+        corners: that are left.
+        keeping: the motion with them.
+    """
+
+    stops: tuple[int, ...]
+    corners: Corners
+    keeping: Keeping
+
+
+def by_tool(legs: Sequence[Leg], corners: Corners, walks: Sequence[Walk], look_ahead: int) -> ByTool:
+    """Return which corners are quicker than stops by the limits of the tool.
+
+    Args:
+        legs: the moves.
+        corners: between each two of them.
+        walks: the pieces of the moves with these corners, as from `pieces_of`.
+        look_ahead: how many moves beyond the present one are known.
+    """
+    stops: tuple[int, ...] = ()
+    parts = parts_of(walks, look_ahead)
+    alone, times = times_alone(legs, parts, look_ahead), tool_times(legs, corners, look_ahead)
+    course = course_of(parts, len(legs))
+    while more := quicker_stops(corners, course.ends, alone, times):
+        corners, stops = without(corners, more), (*stops, *more)
+        course = course_of(parts_of(pieces_of(legs, corners), look_ahead), len(legs))
+    return ByTool(stops, corners, course, alone, times)
+
+
+def by_joints(legs: Sequence[Leg], chosen: ByTool, arm: ArmBounds, ticks: Ticks, look_ahead: int) -> ByJoints:
+    """Return which of the corners that are left are quicker than stops within the limits of the joints.
+
+    What joints make of a whole stretch can be a little slower than what they make of its parts. So stops at
+    all points are tried, too, where they might be quicker.
+
+    Args:
+        legs: the moves.
+        chosen: corners that the limits of the tool leave.
+        arm: limits of the joints.
+        ticks: of control.
+        look_ahead: how many moves beyond the present one are known.
+    """
+
+    def kept(corners: Corners) -> Keeping:
+        course = course_of(parts_of(pieces_of(legs, corners), look_ahead), len(legs))
+        return keeping_of(course, arm, ticks, look_ahead)
+
+    corners = chosen.corners
+    stops: tuple[int, ...] = ()
+    keeping = keeping_of(chosen.course, arm, ticks, look_ahead)
+    times = arm_times(legs, corners, look_ahead, chosen.times, arm, ticks)
+    while more := quicker_stops(corners, keeping.ends, chosen.alone, times):
+        corners, stops = without(corners, more), (*stops, *more)
+        keeping = kept(corners)
+    rounded = tuple(number for number, corner in enumerate(corners) if corner)
+    if rounded and keeping.duration > sum(chosen.alone):
+        nowhere = without(corners, rounded)
+        if (stopping := kept(nowhere)).duration < keeping.duration:
+            return ByJoints((*stops, *rounded), nowhere, stopping)
+    return ByJoints(stops, corners, keeping)

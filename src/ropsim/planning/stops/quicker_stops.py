@@ -1,0 +1,120 @@
+"""Corners at which the arm is quicker when it stops: zones are left there, so that no zone costs time."""
+
+from collections.abc import Callable, Iterator, Sequence
+from itertools import pairwise
+
+from ropsim.planning.blends.blend import Corner
+from ropsim.spatial import record
+
+_FURTHEST = 4
+"""Corners of those looked at that a motion between two stops may pass, beside the motion as it is."""
+_WORTH = 1e-6
+"""Share of the time from stop to stop that other stops have to save: rounding saves less."""
+
+Span = tuple[int, int]
+"""Number of the first move, and that behind the last one."""
+
+
+@record
+class Times:
+    """Times of moves from rest to rest, with all corners between them rounded.
+
+    Attributes:
+        least: of some moves, no more than the time they take [s].
+        exact: the time they take [s].
+    """
+
+    least: Callable[[Span], float]
+    exact: Callable[[Span], float]
+
+
+def quicker_stops(
+    corners: Sequence[Corner | None], ends: Sequence[float], alone: Sequence[float], times: Times
+) -> tuple[int, ...]:
+    """Return the numbers of the rounded corners at which to stop, so that the motion takes the least time.
+
+    A move that flows takes no longer from the middle of its first corner to that of its last one than it
+    would from rest to rest; while all do, the whole takes less time than with a stop at each point. Where
+    one takes longer, the corners beside it are looked at, and where the whole between two stops takes
+    longer, all its corners. Stops at some of them are the way with the least sum of times: a shortest way,
+    of which an edge is planned only where nothing shorter is known to be left.
+
+    Args:
+        corners: between each two moves; None where the arm stops already.
+        ends: times at which the moves end in the motion as it is [s].
+        alone: times no more than those that the moves take from rest to rest [s].
+        times: of the moves between two stops.
+
+    References:
+        Dellin and Srinivasa 2016, A unifying formalism for shortest path problems with expensive edge
+        evaluations via lazy best-first search over paths with edge selectors, ICAPS.
+    """
+    found: list[int] = []
+    for first, last in _runs(corners):
+        begin = ends[first - 1] if first else 0.0
+        taken = [end - start for start, end in pairwise((begin, *ends[first:last]))]
+        slow = [one > other for one, other in zip(taken, alone[first:last], strict=True)]
+        if not any(slow):
+            continue
+        whole = sum(taken) > sum(alone[first:last])
+        places = [
+            number + 1 for number in range(last - first - 1) if whole or slow[number] or slow[number + 1]
+        ]
+        stops = _shortest([first, *(first + place for place in places), last], sum(taken), times)
+        found += (stop - 1 for stop in stops)
+    return tuple(found)
+
+
+def _runs(corners: Sequence[Corner | None]) -> Iterator[Span]:
+    """Yield the moves between each two stops that pass a corner."""
+    stops = [0, *(number + 1 for number, corner in enumerate(corners) if corner is None), len(corners) + 1]
+    yield from ((first, last) for first, last in pairwise(stops) if last - first > 1)
+
+
+def _shortest(nodes: Sequence[int], present: float, times: Times) -> list[int]:
+    """Return where to stop between the first node and the last one, so that it takes the least time.
+
+    Args:
+        nodes: numbers of moves before which the arm may stop, those at the ends included.
+        present: time without a stop [s].
+        times: of the moves between two nodes.
+    """
+    whole = (nodes[0], nodes[-1])
+    known = {whole: present * (1.0 - _WORTH)}
+    exact = {whole}
+    while True:
+        way = _way(nodes, known, times)
+        unknown = [edge for edge in way if edge not in exact]
+        if not unknown:
+            return [last for _, last in way[:-1]]
+        known |= {edge: times.exact(edge) for edge in unknown}
+        exact.update(unknown)
+
+
+def _way(nodes: Sequence[int], known: dict[Span, float], times: Times) -> list[Span]:
+    """Return the edges of the shortest way as far as it is known; lower bounds count for the others."""
+    costs, before = [0.0], [0]
+    for place, node in enumerate(nodes[1:], 1):
+        begins = set(range(max(place - _FURTHEST, 0), place)) | ({0} if place == len(nodes) - 1 else set())
+        for begin in begins:
+            edge = (nodes[begin], node)
+            if edge not in known:
+                known[edge] = times.least(edge)
+        cost, best = min((costs[begin] + known[nodes[begin], node], begin) for begin in sorted(begins))
+        costs.append(cost)
+        before.append(best)
+    way, place = [], len(nodes) - 1
+    while place:
+        way.append((nodes[before[place]], nodes[place]))
+        place = before[place]
+    return way[::-1]
+
+
+def without(corners: Sequence[Corner | None], stops: Sequence[int]) -> list[Corner | None]:
+    """Return corners with stops at some of them.
+
+    Args:
+        corners: between each two moves.
+        stops: numbers of those at which the arm stops.
+    """
+    return [None if number in stops else corner for number, corner in enumerate(corners)]

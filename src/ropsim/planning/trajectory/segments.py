@@ -1,0 +1,124 @@
+"""Pieces of a stretch: parts of the paths of moves, and the ways round corners between them."""
+
+from collections.abc import Sequence
+
+from ropsim.core import maker
+from ropsim.motion import (
+    JointPath,
+    JointSection,
+    Stages,
+    SynchronisedJoints,
+    ToolPath,
+    ToolSection,
+)
+from ropsim.planning.blends.blend import Corner, Overlap, Rounding
+from ropsim.planning.moves.planned_move import Leg
+from ropsim.planning.path_limits.path_limits import (
+    along_with,
+    joint_stages,
+    lesser_limits,
+    tool_choices,
+    tool_stages,
+)
+from ropsim.planning.records.coordination import Coordination
+from ropsim.spatial import Pose, record
+
+_SHARES = (1.0, 0.9, 0.81, 0.729, 0.656, 0.59, 0.531, 0.478)
+"""Of the highest speed that a bend allows: those that are tried on the path of a move."""
+_NOTHING = 1e-9
+"""Share of a path below which nothing is left of it between two corners."""
+_NO_STAGES = Stages.of(())
+
+
+@record
+class Piece:
+    """A part of the course.
+
+    Attributes:
+        leg: number of the move that it belongs to; a corner belongs to the move before it.
+        joints: its path in joint space.
+        tool: its path of the tool, in the base frame or that of the coordination; None where it has none.
+        X_MT: the tool.
+        stages: bounds along it, part by part; none where it has a time law of its own.
+        corner: that it leads round; None for a part of the path of a move.
+        coordination: external axes that go along with the path of the tool; None where they stand.
+        begin: place at which it begins on the path of its move, in the unit of that; 0 for a corner.
+        gentler: other bounds along it, with less speed and more acceleration in its bends.
+    """
+
+    leg: int
+    joints: JointPath
+    tool: ToolPath | None
+    X_MT: Pose
+    stages: Stages
+    corner: Rounding | None = None
+    coordination: Coordination | None = None
+    begin: float = 0.0
+    gentler: tuple[Stages, ...] = ()
+
+    @property
+    def is_even(self) -> bool:
+        """Return whether the same bounds hold all along it, and no others can be chosen."""
+        return len(self.stages.rows) == 1 and not self.gentler
+
+
+_piece, _section = maker(Piece), maker(JointSection)
+
+Walk = tuple[list[Piece], Overlap | None]
+"""Pieces that are walked together, and how they go over into the next ones; None for a stop."""
+
+
+def pieces_of(legs: Sequence[Leg], corners: Sequence[Corner | None]) -> list[Walk]:
+    """Return the pieces of a stretch in order.
+
+    Args:
+        legs: the moves.
+        corners: between each two of them; None where the arm stops there, or where one has no length.
+    """
+    parts: dict[int, tuple[float, float]] = {}
+    enters = 0.0
+    for number, (leg, corner) in enumerate(zip(legs, (*corners, None), strict=True)):
+        if leg.joints is None:
+            continue
+        length = leg.joints.length
+        leaves = corner.leave if isinstance(corner, Rounding) else length
+        if leaves - enters > _NOTHING * length:
+            parts[number] = enters, leaves
+        enters = corner.enter if isinstance(corner, Rounding) else 0.0
+    runs: list[Walk] = []
+    pieces: list[Piece] = []
+    for number, (leg, corner) in enumerate(zip(legs, (*corners, None), strict=True)):
+        if number in parts:
+            pieces.append(_straight(number, leg, *parts[number]))
+        if isinstance(corner, Rounding):
+            pieces.append(_round(number, leg, legs[number + 1], corner))
+        elif leg.joints is not None:
+            runs.append((pieces, corner))
+            pieces = []
+    return runs
+
+
+def _straight(number: int, leg: Leg, first: float, last: float) -> Piece:
+    """Return a part of the path of a move with the bounds along it."""
+    planned, joints = leg.planned, leg.joints
+    assert joints is not None
+    tool, coordination, whole = planned.tool, planned.coordination, first == 0.0 and last == joints.length
+    if not whole:
+        joints = _section(joints, first, last)
+    if tool is None:
+        is_timed = isinstance(joints, SynchronisedJoints)
+        stages = _NO_STAGES if is_timed else joint_stages(joints, planned.limits.joints)
+        return _piece(number, joints, None, planned.X_MT, stages, None, None, first, ())
+    if not whole:
+        tool = ToolSection(tool, first, last)
+        coordination = coordination.part(first, last) if coordination else None
+    choices = tool_choices(tool, planned.limits.tool, _SHARES)
+    stages, *gentler = (along_with(one, coordination) for one in choices)
+    return _piece(number, joints, tool, planned.X_MT, stages, None, coordination, first, tuple(gentler))
+
+
+def _round(number: int, before: Leg, behind: Leg, corner: Rounding) -> Piece:
+    X_MT = before.planned.X_MT
+    least = lesser_limits(before.planned.limits.tool, behind.planned.limits.tool)
+    stages = along_with(tool_stages(corner.tool, least), corner.coordination)
+    return _piece(number, corner.joints, corner.tool, X_MT, stages, corner, corner.coordination, 0.0, ())

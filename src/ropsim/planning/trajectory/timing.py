@@ -1,0 +1,118 @@
+"""The course of a stretch: runs of its parts, one behind or over the other."""
+
+from collections.abc import Sequence
+from itertools import accumulate
+from math import nan
+
+import numpy as np
+
+from ropsim.core import maker
+from ropsim.motion import TimeLaw
+from ropsim.planning.trajectory.sections import Part
+from ropsim.planning.trajectory.segments import Piece
+from ropsim.planning.trajectory.timing_kernel import lay_runs
+from ropsim.spatial import Array, record
+
+_STOP = nan, 0.0
+"""Stands for no overlap of a run and the next one."""
+
+
+@record
+class Run:
+    """A part of a stretch at its time.
+
+    Attributes:
+        part: pieces that are walked together.
+        start: motion time at which it begins [s].
+        overlap: for how long the run before still lasts then [s].
+        end: motion time at which it ends [s].
+    """
+
+    part: Part
+    start: float
+    overlap: float
+    end: float
+
+    @property
+    def pieces(self) -> tuple[Piece, ...]:
+        """Return its pieces in order."""
+        return self.part.pieces
+
+    @property
+    def law(self) -> TimeLaw:
+        """Return when it is where on its pieces."""
+        return self.part.law
+
+
+_run = maker(Run)
+
+
+@record
+class Course:
+    """All runs of a stretch.
+
+    Attributes:
+        runs: in order; none where nothing moves.
+        ends: motion times at which the moves end [s]: in the middle of their corners, or where they stop.
+        table: the runs as numbers: start, end and duration [s], first segment, segments, first piece, and
+            overlap [s] of each, shape (r, 7).
+        segments: of all time laws, see `TimeLaw`, shape (8, m).
+        piece_ends: times of these laws at which their pieces end [s], shape (p,).
+    """
+
+    runs: tuple[Run, ...]
+    ends: tuple[float, ...]
+    table: Array
+    segments: Array
+    piece_ends: Array
+
+    @property
+    def duration(self) -> float:
+        """Return the motion time from start to end [s]."""
+        return self.runs[-1].end if self.runs else 0.0
+
+    def alone(self, number: int) -> tuple[float, float]:
+        """Return the motion times between which no other run goes on beside one [s].
+
+        Args:
+            number: of the run.
+        """
+        run, behind = self.runs[number], self.runs[number + 1 : number + 2]
+        return run.start + run.overlap, run.end - (behind[0].overlap if behind else 0.0)
+
+
+def course_of(parts: Sequence[Part], legs: int) -> Course:
+    """Return the course through the parts of a stretch.
+
+    Args:
+        parts: of it.
+        legs: number of its moves.
+    """
+    if not parts:
+        return Course((), (0.0,) * legs, np.empty((0, 7)), np.empty((8, 0)), np.empty(0))
+    numbers = list[float]()
+    for part in parts:
+        over = part.over
+        left = (over.leave - part.pieces[-1].begin, over.enter) if over else _STOP
+        numbers += (part.law.segments.shape[1], len(part.pieces), *left)
+    segments = np.concatenate([part.law.segments for part in parts], 1)
+    ends, asked = np.concatenate([part.law.ends for part in parts]), np.fromiter(numbers, np.float64)
+    table, times = np.empty((len(parts), 7)), np.empty((len(parts), 3))
+    lay_runs(segments, ends, asked.reshape(-1, 4), table, times)
+    table.flags.writeable = segments.flags.writeable = ends.flags.writeable = False
+    runs = tuple(_run(part, *at) for part, at in zip(parts, times.tolist(), strict=True))
+    return Course(runs, tuple(_ends(runs, legs)), table, segments, ends)
+
+
+def _ends(runs: Sequence[Run], legs: int) -> list[float]:
+    """Return the motion times at which moves end [s], see `Course`."""
+    ends = [0.0] * legs
+    for run, overlap in zip(runs, (*[run.overlap for run in runs[1:]], 0.0), strict=True):
+        pieces = run.part.pieces
+        if len(pieces) > 1:  # a corner lies between two others
+            corners = [number for number, piece in enumerate(pieces) if piece.corner]
+            halves = [pieces[number].joints.length / 2.0 for number in corners]
+            for number, middle in zip(corners, run.law.times_of(corners, halves).tolist(), strict=True):
+                ends[pieces[number].leg] = run.start + middle
+        ends[pieces[-1].leg] = run.end - 0.5 * overlap
+    return list(accumulate(ends, max))

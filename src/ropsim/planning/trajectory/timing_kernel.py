@@ -1,0 +1,152 @@
+"""The timing of sections in loops that numba compiles: look-ahead, overlaps, control ticks."""
+
+from math import isnan
+
+from ropsim.codegen import kernel
+from ropsim.motion import time_at
+from ropsim.planning.trajectory.trajectory_kernel import (
+    DURATION,
+    END,
+    FIRST_PIECE,
+    OVERLAP,
+    SEGMENT,
+    SEGMENTS,
+    START,
+)
+from ropsim.spatial import Array
+
+RATIO, HORIZON = 4, 5
+"""Columns of the bounds of stages."""
+
+
+@kernel("void(f8[::1], f8[::1], i8, f8[:,::1])")
+def lay_horizons(legs: Array, counts: Array, look_ahead: int, bounds: Array) -> None:
+    """Write the last stage that is known where a stage ends, of all stages; -1 where that tells nothing.
+
+    Within a piece no more gets known: who can stop after it can stop before.
+
+    Args:
+        legs: number of the move of each piece, rising, shape (p,).
+        counts: how many stages each piece has, one or more, shape (p,).
+        look_ahead: how many moves beyond the present one are known.
+        bounds: of the stages, see `plan_stages`; ratio and horizon are written, shape (s, 6).
+    """
+    for k in range(bounds.shape[0]):
+        bounds[k, RATIO], bounds[k, HORIZON] = 1.0, -1.0
+    last, known, last_known = -1, 0, int(counts[0]) - 1
+    for piece in range(legs.shape[0]):
+        last += int(counts[piece])
+        while known + 1 < legs.shape[0] and legs[known + 1] <= legs[piece] + look_ahead:
+            known += 1
+            last_known += int(counts[known])
+        bounds[last, HORIZON] = last_known
+
+
+_SEGMENTS, _PIECES, _LEAVE, _ENTER = range(4)
+"""Columns of what is asked."""
+
+
+@kernel("void(f8[:,::1], f8[::1], f8[:,::1], f8[:,::1], f8[:,::1])")
+def lay_runs(segments: Array, ends: Array, asked: Array, runs: Array, times: Array) -> None:
+    """Write when runs begin and end, and for how long the run before each still lasts when it begins [s].
+
+    Both motions are added no longer than the shorter one of their parts beside the corner lasts.
+
+    Args:
+        segments: of the time laws of all runs, shape (8, m).
+        ends: times of each law at which its pieces end [s], shape (p,).
+        asked: of each run segments and pieces; the place on its last piece from which on the next run may
+            begin, NaN where it stops; and the place on the first piece of that up to which it may last;
+            shape (r, 4).
+        runs: where all goes that is known of them, see `Course.table`, shape (r, 7).
+        times: where start, overlap and end go [s], shape (r, 3).
+    """
+    segment = piece = 0
+    for number in range(runs.shape[0]):
+        run, told = runs[number], runs[number, OVERLAP:]
+        run[SEGMENT], run[SEGMENTS], run[FIRST_PIECE] = segment, asked[number, _SEGMENTS], piece
+        segment, first, piece = segment + int(run[SEGMENTS]), piece, piece + int(asked[number, _PIECES])
+        run[DURATION], both, end = ends[piece - 1], 0.0, 0.0
+        if number:
+            before, over, end = runs[number - 1], asked[number - 1], runs[number - 1, END]
+            if not isnan(over[_LEAVE]):
+                left = _time(segments, ends[:first], before, int(over[_PIECES]) - 1, over[_LEAVE], told)
+                entered = _time(segments, ends[:piece], run, 0, over[_ENTER], told)
+                both = min(before[DURATION] - left, entered)
+        run[START], run[OVERLAP] = end - both, both
+        run[END] = run[START] + run[DURATION]
+        times[number, 0], times[number, 1], times[number, 2] = run[START], both, run[END]
+
+
+def _time(segments: Array, ends: Array, run: Array, piece: int, place: float, told: Array) -> float:
+    """Return the time of its law at which a run is at a place of one of its pieces [s]; see `time_at`."""
+    own = segments[:, int(run[SEGMENT]) : int(run[SEGMENT] + run[SEGMENTS])]
+    time_at(own, ends[int(run[FIRST_PIECE]) :], piece, place, told)
+    return float(told[0])
+
+
+@kernel("void(f8[:,::1], f8[::1], f8[::1], f8[::1], f8, f8[:,::1], f8[:,::1], f8[::1])")
+def ticks_come(
+    runs: Array,
+    piece_ends: Array,
+    move_ends: Array,
+    phi: Array,
+    slack: float,
+    pieces: Array,
+    overlaps: Array,
+    moves: Array,
+) -> None:
+    """Write at which control ticks what comes; a piece counts as far as no other run overlaps it.
+
+    Args:
+        runs: see `Course.table`, shape (r, 7).
+        piece_ends: see `Course.piece_ends`, shape (p,).
+        move_ends: motion times at which moves end [s], shape (m,).
+        phi: motion times at the control ticks 1, 2, … [s], shape (ticks,).
+        slack: by which motion times may be off [s].
+        pieces: where the last tick before each piece goes, and the last one on it, shape (p, 2).
+        overlaps: the same for the overlap of each run with the one before, shape (r, 2).
+        moves: where the first tick goes, 0 for the start, at which each move has ended, shape (m,).
+    """
+    count, ticks = runs.shape[0], phi.shape[0]
+    for r in range(count):
+        start, together = runs[r, START], runs[r, OVERLAP]
+        overlaps[r, 0], overlaps[r, 1] = _come(phi, start + slack), _come(phi, start + together + slack)
+        begin, end, beyond = start + together, runs[r, END], piece_ends.shape[0]
+        if r + 1 < count:
+            end, beyond = end - runs[r + 1, OVERLAP], int(runs[r + 1, FIRST_PIECE])
+        first, tick = int(runs[r, FIRST_PIECE]), _come(phi, min(max(start, begin), end) + slack)
+        for p in range(first, beyond):
+            pieces[p, 0] = tick
+            time = end if p + 1 == beyond else min(max(start + piece_ends[p], begin), end)
+            tick = _come(phi, time + slack)
+            pieces[p, 1] = tick
+        if r + 1 == count:
+            pieces[beyond - 1, 1] = ticks
+    for m in range(move_ends.shape[0]):
+        time = move_ends[m] - slack
+        moves[m] = min(_before(phi, time) + (1 if time > 0.0 else 0), ticks)
+
+
+def _come(phi: Array, time: float) -> int:
+    """Return the number of motion times that are no later than a time."""
+    low, high = 0, phi.shape[0]
+    while low < high:
+        middle = (low + high) // 2
+        if phi[middle] <= time:
+            low = middle + 1
+        else:
+            high = middle
+    return low
+
+
+def _before(phi: Array, time: float) -> int:
+    """Return the number of motion times before a time."""
+    low, high = 0, phi.shape[0]
+    while low < high:
+        middle = (low + high) // 2
+        if phi[middle] < time:
+            low = middle + 1
+        else:
+            high = middle
+    return low

@@ -1,0 +1,166 @@
+"""The nominal motion of a stretch: its runs, walked by their time laws, added where they overlap."""
+
+import numpy as np
+
+from ropsim.motion import COEFFICIENTS, JointPoints, LawRows, Ways
+from ropsim.planning.trajectory.timing import Course, Run
+from ropsim.planning.trajectory.trajectory_kernel import (
+    AT_ONCE,
+    FIRST_PIECE,
+    PIECE,
+    PLACE,
+    add_in_time,
+    points_on,
+    walk_runs,
+)
+from ropsim.planning.trajectory.trajectory_table import WalkTable, walk_table
+from ropsim.spatial import Array, frozen, record
+
+
+@record
+class StretchMotion:
+    """Joint coordinates over motion time.
+
+    While a run still ends and the next one has begun, the joints are where the one has them, and as far
+    from the corner as the other has gone: q = q_before + q_behind - q_corner.
+
+    Attributes:
+        course: the runs.
+        corners: joint coordinates where one run ends and the next one has begun [rad | m], shape (r - 1, n).
+        table: the runs as numbers; None where one has a path that compiled loops do not know.
+    """
+
+    course: Course
+    corners: Array
+    table: WalkTable | None
+
+    @classmethod
+    def on(cls, course: Course) -> "StretchMotion":
+        """Return the motion on a course."""
+        table = walk_table(course)
+        corners = _corners(course, table) if table else frozen([_end(run) for run in course.runs[:-1]])
+        return cls(course, corners, table)
+
+    def timed(self, course: Course) -> "StretchMotion":
+        """Return the motion on a course that has the same pieces and other times."""
+        return StretchMotion(course, self.corners, self.table.timed(course) if self.table else None)
+
+    @property
+    def duration(self) -> float:
+        """Return the motion time from start to end [s]."""
+        return self.course.duration
+
+    def at(self, phi: Array) -> JointPoints:
+        """Return coordinates and their first two derivatives by time.
+
+        Args:
+            phi: motion times in rising order [s], shape (k,).
+        """
+        runs = self.course.runs
+        if table := self.table:
+            numbers = table.runs, table.segments, table.pieces, table.rows, table.slopes
+            asked, n = np.ascontiguousarray(phi, dtype=np.float64), table.rows.shape[1]
+            total = np.empty((3, len(phi), n))
+            law, room, held = np.empty((5, AT_ONCE)), np.empty((COEFFICIENTS, n)), np.empty((3, AT_ONCE, n))
+            walk_runs(*numbers, self.corners, asked, law, room, held, total)
+            return JointPoints(total[0], total[1], total[2])
+        corners = self.corners if len(self.corners) else _end(runs[0])[None]
+        total, before = np.empty((3, len(phi), corners.shape[1])), 0
+        for number, run in enumerate(runs):
+            first = int(np.searchsorted(phi, run.start)) if number else 0
+            until = int(np.searchsorted(phi, run.end)) if number + 1 < len(runs) else len(phi)
+            if until > first:
+                corner = corners[max(number - 1, 0)]
+                _walk(run, phi[first:until] - run.start, first, before, corner, total)
+            before = until
+        return JointPoints(*total)
+
+    def on_run(self, number: int, rows: LawRows) -> JointPoints:
+        """Return coordinates and their derivatives by the place where the time law of a run is.
+
+        Args:
+            number: of the run.
+            rows: of its time law, in rising order, k of them.
+        """
+        pieces = self.course.runs[number].pieces
+        n = self.table.rows.shape[1] if self.table else len(_end(self.course.runs[number]))
+        out = np.empty((3, len(rows.places), n))
+        if table := self.table:
+            law, room = np.empty((4, len(rows.places))), np.empty((COEFFICIENTS, out.shape[2]))
+            law[0], law[1], law[2], law[3] = rows.pieces, rows.places, 1.0, 0.0
+            first = int(table.runs[number, FIRST_PIECE])
+            points_on(first, table.pieces, table.rows, table.slopes, law, room, out)
+            return JointPoints(out[0], out[1], out[2])
+        for piece in np.unique(rows.pieces).tolist():
+            here = np.flatnonzero(rows.pieces == piece)
+            points = pieces[piece].joints.joints(rows.places[here])
+            out[:, here] = points.q, points.d1, points.d2
+        return JointPoints(out[0], out[1], out[2])
+
+    def ways(self, phi: Array) -> Ways:
+        """Return how paths of the tool are walked; where runs overlap, nobody has said how the tool goes.
+
+        Args:
+            phi: motion times in rising order [s], shape (k,).
+        """
+        runs = self.course.runs
+        r = int(any(run.part.leads_tool for run in runs))
+        walked, most = np.zeros((2, len(phi), r)), np.full((2, len(phi), r), np.inf)
+        for number, run in enumerate(runs):
+            if not run.part.leads_tool:
+                continue
+            first, until = np.searchsorted(phi, self.course.alone(number), "right").tolist()
+            first = first if number else 0
+            rows = run.law.at(phi[first:until] - run.start)
+            walked[:, first:until, 0] = rows.speeds, rows.accelerations
+            most[:, first:until, 0] = _most(run, rows)
+        return Ways(*walked, *most)
+
+
+def _corners(course: Course, table: WalkTable) -> Array:
+    """Return the joint coordinates at the ends of all runs but the last [rad | m], shape (r - 1, n)."""
+    runs = course.runs[:-1]
+    law, out = np.zeros((4, len(runs))), np.empty((3, len(runs), table.rows.shape[1]))
+    law[PIECE], law[PLACE] = table.runs[1:, FIRST_PIECE] - 1.0, [run.pieces[-1].joints.length for run in runs]
+    points_on(0, table.pieces, table.rows, table.slopes, law, np.empty((COEFFICIENTS, out.shape[2])), out)
+    out.flags.writeable = False
+    corners: Array = out[0]
+    return corners
+
+
+def _end(run: Run) -> Array:
+    """Return the joint coordinates at the end of a run [rad | m], shape (n,)."""
+    path = run.pieces[-1].joints
+    return np.ascontiguousarray(path.joints(np.array([path.length])).q[0])
+
+
+def _walk(run: Run, times: Array, row: int, shared: int, corner: Array, total: Array) -> None:
+    """Write coordinates and derivatives by time at times since the start of a run, shape (k,).
+
+    Args:
+        run: of the course.
+        times: [s], rising, shape (k,).
+        row: of the motion, for the first of them.
+        shared: row up to which the run before still ends.
+        corner: joint coordinates at which that ends, shape (n,).
+        total: the motion, shape (3, m, n).
+    """
+    rows = run.law.at(times)
+    first, last = int(rows.pieces[0]), int(rows.pieces[-1])
+    cuts = [0, len(times)]
+    if last > first:
+        cuts = np.searchsorted(rows.pieces, np.arange(first, last + 2)).tolist()
+    for piece, begin, end in zip(run.pieces[first : last + 1], cuts[:-1], cuts[1:], strict=True):
+        if end > begin:
+            here = slice(begin, end)
+            points = piece.joints.joints(rows.places[here])
+            q, d1, d2 = map(np.ascontiguousarray, (points.q, points.d1, points.d2))
+            v, a = rows.speeds[here], rows.accelerations[here]
+            add_in_time(q, d1, d2, v, a, row + begin, shared, corner, total)
+
+
+def _most(run: Run, rows: LawRows) -> Array:
+    """Return the limits of acceleration and jerk on the path of a run, shape (2, k)."""
+    places = run.part.borders[rows.pieces] + rows.places
+    here = np.searchsorted(run.part.stages.ends[:-1], places, "right")
+    return run.part.stages.bounds[here, 1:].T

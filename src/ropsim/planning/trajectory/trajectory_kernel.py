@@ -1,0 +1,210 @@
+"""From paths over their length to a motion over time, in loops that numba compiles."""
+
+from ropsim.codegen import columns, kernel
+from ropsim.motion import (
+    SYNCHRONISED,
+    TRACED,
+    joints_in_time,
+    line_in_time,
+    rows_at,
+    traced_in_time,
+)
+from ropsim.spatial import Array
+
+START, END, DURATION, SEGMENT, SEGMENTS, FIRST_PIECE, OVERLAP = range(7)
+"""Columns of runs."""
+KIND, BEGIN, LENGTH, FIRST_ROW, ROWS, FIRST_SLOPE = range(6)
+"""Columns of pieces."""
+PIECE, PLACE, SPEED, ACCELERATION, TIME = range(5)
+"""Rows of what time laws tell."""
+AT_ONCE = 512
+"""Times that are looked at together, so that what is known of them stays near the processor."""
+
+
+@kernel(
+    "void(f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,:,::1], f8[:,::1], f8[::1], f8[:,::1],"
+    " f8[:,::1], f8[:,:,::1], f8[:,:,::1])"
+)
+def walk_runs(
+    runs: Array,
+    segments: Array,
+    pieces: Array,
+    rows: Array,
+    slopes: Array,
+    corners: Array,
+    phi: Array,
+    law: Array,
+    room: Array,
+    held: Array,
+    total: Array,
+) -> None:
+    """Write coordinates and derivatives by time of a whole motion; see `WalkTable`.
+
+    Args:
+        runs: shape (r, 7).
+        segments: of their time laws, shape (8, m).
+        pieces: of all runs, shape (p, 6).
+        rows: of their paths, shape (l, n).
+        slopes: likewise, shape (2, l or fewer, n).
+        corners: joint coordinates where one run ends and the next one has begun, shape (r - 1 or more, n).
+        phi: motion times, rising [s], shape (k,).
+        law: room to work in, shape (5, AT_ONCE).
+        room: to work in, shape (COEFFICIENTS, n).
+        held: room to work in, shape (3, AT_ONCE, n).
+        total: the motion, shape (3, k, n).
+    """
+    last, before = runs.shape[0] - 1, 0
+    for number in range(last + 1):
+        run = runs[number]
+        first = _behind(phi, run[START]) if number else 0
+        until = _behind(phi, run[END]) if number < last else phi.shape[0]
+        own = segments[:, int(run[SEGMENT]) : int(run[SEGMENT] + run[SEGMENTS])]
+        for begin in range(first, until, AT_ONCE):
+            count = min(until - begin, AT_ONCE)
+            for k in range(count):
+                law[TIME, k] = phi[begin + k] - run[START]
+            rows_at(own, run[DURATION], law[TIME, :count], law)
+            shared = min(before - begin, count)
+            for k in range(shared):
+                _copy(total.shape[2], total[0, begin + k], held[0, k])
+                _copy(total.shape[2], total[1, begin + k], held[1, k])
+                _copy(total.shape[2], total[2, begin + k], held[2, k])
+            _walk(int(run[FIRST_PIECE]), pieces, rows, slopes, law, count, room, begin, total)
+            for k in range(shared):
+                q, qd, qdd = total[0, begin + k], total[1, begin + k], total[2, begin + k]
+                _add(total.shape[2], held[0, k], held[1, k], held[2, k], corners[number - 1], q, qd, qdd)
+        before = until
+
+
+@kernel("void(i8, f8[:,::1], f8[:,::1], f8[:,:,::1], f8[:,::1], f8[:,::1], f8[:,:,::1])")
+def points_on(
+    first: int, pieces: Array, rows: Array, slopes: Array, law: Array, room: Array, points: Array
+) -> None:
+    """Write the joints and their derivatives by time where a time law of a run is.
+
+    Args:
+        first: piece with which the run begins.
+        pieces: of all runs, as for `walk_runs`, and so are rows and slopes.
+        rows: see there.
+        slopes: see there.
+        law: numbers of the pieces of the run, rising, places on these, which become those on their paths,
+            speeds and accelerations, shape (4, k).
+        room: to work in, shape (COEFFICIENTS, n).
+        points: where all goes, shape (3, k, n).
+    """
+    _walk(first, pieces, rows, slopes, law, law.shape[1], room, 0, points)
+
+
+def _walk(
+    first: int,
+    pieces: Array,
+    rows: Array,
+    slopes: Array,
+    law: Array,
+    count: int,
+    room: Array,
+    row: int,
+    total: Array,
+) -> None:
+    """Write the joints and their derivatives by time at times of a run, of which the first one has a row."""
+    begin = 0
+    while begin < count:
+        end = begin + 1
+        while end < count and law[PIECE, end] == law[PIECE, begin]:
+            end += 1
+        piece = pieces[first + int(law[PIECE, begin])]
+        for k in range(begin, end):
+            law[PLACE, k] += piece[BEGIN]
+        _in_time(piece, rows, slopes, law, begin, end, room, row, total)
+        begin = end
+
+
+def _in_time(
+    piece: Array,
+    rows: Array,
+    slopes: Array,
+    law: Array,
+    first: int,
+    until: int,
+    room: Array,
+    at: int,
+    total: Array,
+) -> None:
+    """Write the joints and their derivatives by time at times on one path."""
+    row, count, kind = int(piece[FIRST_ROW]), int(piece[ROWS]), int(piece[KIND])
+    own = rows[row : row + count]
+    if kind == TRACED:
+        slope = int(piece[FIRST_SLOPE])
+        d1, d2 = slopes[0, slope : slope + count], slopes[1, slope : slope + count]
+        traced_in_time(own, d1, d2, (count - 1) / piece[LENGTH], law, first, until, room, at, total)
+    elif kind == SYNCHRONISED:
+        joints_in_time(own[0], own[1], own[2:], piece[LENGTH], law, first, until, at, total)
+    else:
+        line_in_time(own[0], own[1], law, first, until, at, total)
+
+
+@columns
+def _copy(count: int, row: Array, out: Array) -> None:
+    """Write a row elsewhere."""
+    for j in range(count):
+        out[j] = row[j]
+
+
+@columns
+def _add(
+    count: int, held: Array, d1: Array, d2: Array, corner: Array, q: Array, qd: Array, qdd: Array
+) -> None:
+    """Add where another path is to where this one is, as far as that is from the corner between them."""
+    for j in range(count):
+        q[j] = q[j] + (held[j] - corner[j])
+        qd[j] = qd[j] + d1[j]
+        qdd[j] = qdd[j] + d2[j]
+
+
+def _behind(phi: Array, time: float) -> int:
+    """Return the number of motion times before a time."""
+    low, high = 0, phi.shape[0]
+    while low < high:
+        middle = (low + high) // 2
+        if phi[middle] < time:
+            low = middle + 1
+        else:
+            high = middle
+    return low
+
+
+@kernel("void(f8[:,::1], f8[:,::1], f8[:,::1], f8[::1], f8[::1], i8, i8, f8[::1], f8[:,:,::1])")
+def add_in_time(
+    q: Array,
+    d1: Array,
+    d2: Array,
+    speeds: Array,
+    accelerations: Array,
+    first: int,
+    shared: int,
+    corner: Array,
+    total: Array,
+) -> None:
+    """Write coordinates and derivatives by time: q' = dq/ds·v and q'' = d²q/ds²·v² + dq/ds·a.
+
+    Args:
+        q: joint coordinates at k places of a path [rad | m], shape (k, n).
+        d1: their first derivatives by the place, shape (k, n).
+        d2: second ones.
+        speeds: along the path at the k times, v, shape (k,).
+        accelerations: along it, a, shape (k,).
+        first: row of the motion at which the first of them is.
+        shared: row of the motion up to which another path still ends: there both are added, as far as they
+            are from the corner between them.
+        corner: joint coordinates there [rad | m], shape (n,).
+        total: the motion; rows from `first` on are written, shape (3, m, n).
+    """
+    for k in range(q.shape[0]):
+        row, v, a = first + k, speeds[k], accelerations[k]
+        for j in range(q.shape[1]):
+            place, slope, bend = q[k, j], d1[k, j] * v, d2[k, j] * (v * v) + d1[k, j] * a
+            if row < shared:
+                place += total[0, row, j] - corner[j]
+                slope += total[1, row, j]
+                bend += total[2, row, j]
+            total[0, row, j], total[1, row, j], total[2, row, j] = place, slope, bend

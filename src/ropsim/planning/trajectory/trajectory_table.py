@@ -1,0 +1,55 @@
+"""The runs of a stretch as numbers, for the compiled loop that walks all of them."""
+
+import numpy as np
+
+from ropsim.motion import rows_of_path
+from ropsim.planning.trajectory.timing import Course
+from ropsim.spatial import Array, record
+
+
+@record
+class WalkTable:
+    """Runs with their time laws and paths.
+
+    Attributes:
+        runs: see `Course.table`, shape (r, 7).
+        segments: see `Course.segments`, shape (8, m).
+        pieces: kind, place at which it begins, length of the path, first row, rows, and first slope of each
+            piece, see `PathRows`, shape (p, 6).
+        rows: of all paths, shape (k, n).
+        slopes: likewise, shape (2, l, n).
+    """
+
+    runs: Array
+    segments: Array
+    pieces: Array
+    rows: Array
+    slopes: Array
+
+    def timed(self, course: Course) -> "WalkTable":
+        """Return the table of a course with the same pieces and other times."""
+        return WalkTable(course.table, course.segments, self.pieces, self.rows, self.slopes)
+
+
+def walk_table(course: Course) -> WalkTable | None:
+    """Return the table of the runs of a course; None where one has a path that compiled loops do not know.
+
+    Args:
+        course: of one run or more.
+    """
+    numbers, rows, slopes, row, slope = list[float](), list[Array](), list[Array](), 0, 0
+    for run in course.runs:
+        for piece in run.pieces:
+            path = rows_of_path(piece.joints)
+            if path is None:
+                return None
+            kind, begin, length, size, joints, changes = path
+            numbers += (kind, begin, length, row, size, slope)
+            rows += joints
+            row += size
+            if changes is not None:
+                slopes.append(changes)
+                slope += size
+    pieces, at = np.fromiter(numbers, np.float64).reshape(-1, 6), np.concatenate(rows).reshape(row, -1)
+    along = np.concatenate(slopes, axis=1) if slopes else np.empty((2, 0, at.shape[1]))
+    return WalkTable(course.table, course.segments, pieces, at, along)

@@ -1,0 +1,1 @@
+"""Paths on which the tool turns by the angles of the wrist."""

@@ -1,0 +1,185 @@
+"""Wrist angles: joint coordinates that take the TCP along a way on which the joints of the wrist are given.
+
+The last three joints of an arm with spherical wrist turn as they are told, external axes go along; the first
+three bring the TCP to its place. Such a motion passes the singularity of the wrist like any other place. The
+TCP keeps its way; how the tool turns follows.
+"""
+
+from dataclasses import field
+
+import numpy as np
+
+from ropsim.kinematics import forward_batch, frames_batch, frames_of_steps
+from ropsim.model import BASE_LINK, RobotModel, held_arm
+from ropsim.motion import JointPath, Refined, Traced, joins, rough_parts
+from ropsim.planning.records.sampling import SMOOTH
+from ropsim.planning.wrist.wrist_motion import WristWay, arm_axes
+from ropsim.spatial import Array, Pose, cross, record
+
+_COARSE = (16, 64, 256)
+"""Steps of four parts of a way that are gone one after the other; more where a place is not found."""
+_MOST = 4096
+"""Steps of four parts of a way at most."""
+_NEWTON = 20  # steps at most; from a near start each doubles the digits
+_SAME_PLACE = 1e-10  # [m]
+SAME_JOINTS = 1e-6
+"""A way that passes a point with joints further from those wanted has shoulder or elbow elsewhere [rad]."""
+_JUMP = np.pi / 4.0  # [rad] from one step to the next; that is another branch
+
+
+@record
+class WristLead:
+    """How far a way is led.
+
+    Attributes:
+        q: joint coordinates at equidistant places [rad | m], shape (k, n); up to the place where they end.
+        share: of the way that is led; 1 for all of it, then it may still end in another branch.
+    """
+
+    q: Array
+    share: float
+
+
+def wrist_lead(way: WristWay, parts: int = 1) -> WristLead:
+    """Return the joint coordinates along a way, as dense as their smooth path needs.
+
+    The first three joints are found by Newton's method, from place to place along the way and then between
+    two places each.
+
+    Args:
+        way: with what is given on it.
+        parts: of the way, between whose ends it is smoother than where they meet.
+    """
+    arm = _Arm(way.robot, way.X_MT)
+    fours = -(-parts // 4)
+    lead = WristLead(way.q_start[np.newaxis], 0.0)
+    for steps in _COARSE:
+        lead = _walked(arm, way, steps * fours)
+        if lead.share == 1.0:
+            break
+    else:
+        return lead
+    return _densely(arm, way, lead.q, (0.0, way.path.length), _MOST * fours)
+
+
+def wrist_joints(way: WristWay, q: Array) -> JointPath:
+    """Return the smooth path through joint coordinates; where they are too far apart, more are found.
+
+    Args:
+        way: with what is given on it.
+        q: at equidistant places of all of the way [rad | m], an odd number of them, shape (k, n).
+    """
+    length, arm = way.path.length, _Arm(way.robot, way.X_MT)
+    whole, step = Traced(length, q), length / (len(q) - 1)
+    places = np.arange(1.0, len(q) - 1.0, 2.0) * step
+    rough = np.abs(Traced(length, q[::2]).joints(places).q - q[1:-1:2]).max(axis=1)
+    begins, parts = [], []
+    for first, last in rough_parts(rough > SMOOTH):
+        begin, end = first * step, last * step
+        lead = _densely(arm, way, q[first : last + 1], (begin, end), _MOST)
+        part = Traced(end - begin, lead.q)
+        if lead.share == 1.0 and joins(whole, begin, part, step, SMOOTH):
+            begins.append(begin)
+            parts.append(part)
+    return Refined(whole, np.array(begins), tuple(parts)) if parts else whole
+
+
+def _densely(arm: "_Arm", way: WristWay, q: Array, ends: tuple[float, float], most: int) -> WristLead:
+    """Return the joints between two places of a way, as dense as their smooth path needs.
+
+    Args:
+        arm: that leads.
+        way: with what is given on it.
+        q: at equidistant places between the two, shape (k, n).
+        ends: the two places, in the unit of the way.
+        most: steps, about.
+    """
+    begin, end = ends
+    while True:
+        shares = (np.arange(len(q) - 1) + 0.5) / (len(q) - 1)
+        places = begin + shares * (end - begin)
+        guess = way.given(places)
+        guess[:, arm.first] = 0.5 * (q[:-1] + q[1:])[:, arm.first]
+        between, found = arm.solved(guess, way.positions(places))
+        if not found.all():
+            return WristLead(q, float(shares[int(np.argmin(found))]))
+        is_smooth = float(np.abs(Traced(1.0, q).joints(shares).q - between).max()) <= SMOOTH
+        both = np.empty((2 * len(q) - 1, q.shape[1]))
+        both[::2], both[1::2], q = q, between, both
+        if is_smooth or len(q) > most:
+            return WristLead(q, 1.0)
+
+
+def _walked(arm: "_Arm", way: WristWay, steps: int) -> WristLead:
+    """Return the joints at the places of so many steps, each found from those before."""
+    places = np.linspace(0.0, way.path.length, steps + 1)
+    goals, q = way.positions(places), way.given(places)
+    q[0] = way.q_start
+    for k in range(1, steps + 1):
+        q[k, arm.first] = (2.0 * q[k - 1] - q[k - 2] if k > 1 else q[0])[arm.first]
+        there, found = arm.solved(q[k : k + 1], goals[k : k + 1])
+        if not found[0] or float(np.abs(there[0] - q[k - 1])[arm.first].max()) > _JUMP:
+            return WristLead(q[:k], (k - 1) / steps)
+        q[k] = there[0]
+    return WristLead(q, 1.0)
+
+
+@record
+class _Arm:
+    """The arm of a robot: the place of its TCP by its first three joints.
+
+    Attributes:
+        robot: with its external axes.
+        X_MT: the tool.
+        first: numbers of the first three axes of the arm among those of the robot.
+    """
+
+    robot: RobotModel
+    X_MT: Pose
+    first: list[int] = field(init=False)
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "first", list(arm_axes(self.robot)[:3]))
+
+    def solved(self, guess: Array, positions: Array) -> tuple[Array, Array]:
+        """Return joint coordinates that bring the TCP to positions, and which of them do.
+
+        Args:
+            guess: of all joints, of which the first three of the arm change [rad | m], shape (k, n).
+            positions: in the base frame [m], shape (k, 3).
+
+        Returns:
+            joint coordinates, shape (k, n), and whether they are found, shape (k,).
+        """
+        held, axes = self._held, list(arm_axes(self.robot))
+        own, goals = np.ascontiguousarray(guess[:, axes]), self._from_carrier(guess, positions)
+        offset, smallest = np.full((len(own), 3), np.inf), np.inf
+        for _ in range(_NEWTON):
+            interface = forward_batch(held, own)
+            places = interface[:, :3, :3] @ self.X_MT.position + interface[:, :3, 3]
+            offset = goals - places
+            size = float(np.abs(offset).max())
+            if not size < 0.5 * smallest and smallest <= _SAME_PLACE:  # down to rounding
+                break
+            smallest = min(size, smallest)
+            frames = frames_of_steps(held, own)[:, :3]
+            J = cross(frames[..., :3, 2], places[:, np.newaxis] - frames[..., :3, 3])  # rows: joints
+            try:
+                own[:, :3] += np.linalg.solve(np.swapaxes(J, 1, 2), offset[..., np.newaxis])[..., 0]
+            except np.linalg.LinAlgError:
+                break
+        q = guess.copy()
+        q[:, self.first] = own[:, :3]
+        return q, (np.abs(offset) <= _SAME_PLACE).all(axis=1)  # false for NaN
+
+    @property
+    def _held(self) -> RobotModel:
+        return held_arm(self.robot).arm if self.robot.external else self.robot
+
+    def _from_carrier(self, Q: Array, positions: Array) -> Array:
+        """Return positions (k, 3) in the base frame of the arm, which external axes at Q (k, n) may carry."""
+        carrier = held_arm(self.robot).carrier if self.robot.external else BASE_LINK
+        if carrier == BASE_LINK:
+            return positions
+        X_BC = frames_batch(self.robot, Q)[:, carrier]
+        return np.asarray(((positions - X_BC[:, :3, 3])[:, np.newaxis] @ X_BC[:, :3, :3])[:, 0])

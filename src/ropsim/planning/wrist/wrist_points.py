@@ -1,0 +1,51 @@
+"""The points of a path that the wrist leads: where the joints of the wrist have to be as they are there."""
+
+import numpy as np
+
+from ropsim.motion import Curve, ToolPath
+from ropsim.planning.records.coordination import Coordination
+from ropsim.planning.wrist.wrist_motion import standing
+from ropsim.spatial import Array, record
+
+
+@record
+class WristPoints:
+    """Start, points on the way and end of a path.
+
+    Attributes:
+        places: on the path, rising from 0 to its length, shape (k,).
+        X_BT: the tool there, shape (k, 4, 4).
+        q: coordinates of all axes at the start, the external ones as they go along [rad | m], shape (k, n).
+    """
+
+    places: Array
+    X_BT: Array
+    q: Array
+
+    @property
+    def end(self) -> int:
+        """Return the number of the last one, from 0 for the start."""
+        return len(self.places) - 1
+
+    def name(self, number: int) -> str:
+        """Return in words which point one is."""
+        if number == self.end:
+            return "its end"
+        x, y, z = (1e3 * self.X_BT[number, :3, 3]).tolist()
+        share = self.places[number] / self.places[-1]
+        return f"its point at {share:.0%} of the way, ({x:.1f}, {y:.1f}, {z:.1f}) mm in the base frame,"
+
+
+def points_of(path: ToolPath, q_start: Array, coordination: Coordination | None) -> WristPoints:
+    """Return the points of a path: of a curve those that it goes through, of others their ends.
+
+    Args:
+        path: in the base frame or that of the coordination.
+        q_start: coordinates of all axes at its start [rad | m], shape (n,).
+        coordination: external axes that go along; None where they stand.
+    """
+    places = path.knots if isinstance(path, Curve) else np.array([0.0, path.length])
+    q, X = standing(q_start, coordination, places), path.tool(places).matrices
+    if coordination and coordination.frame:
+        X = coordination.frame.matrices(q) @ X
+    return WristPoints(places, X, q)

@@ -1,0 +1,107 @@
+"""Zones of a motion sequence: findings on them, and how much of each is achieved."""
+
+import math
+from collections.abc import Sequence
+from itertools import pairwise
+
+import numpy as np
+
+from ropsim.core import Diagnostic
+from ropsim.flow import MoveInstruction
+from ropsim.kinematics import tool_places
+from ropsim.model import RobotModel
+from ropsim.motion import ZONE_CLIPPED, ZONE_STOPS
+from ropsim.planning.blends.blend import Corner, Overlap, Stop
+from ropsim.planning.moves.planned_move import Leg
+from ropsim.planning.records.wording import passes
+from ropsim.planning.trajectory.trajectory import StretchMotion
+
+NEXT_IS_SKIPPED = "the next move is left out"
+"""Why the arm stops before a move that cannot be planned."""
+
+_SAME = 1e-6
+"""Share by which the zone that is flown may be smaller than the commanded one without a word."""
+
+
+def clipped(move: MoveInstruction, corner: Corner) -> tuple[Diagnostic, ...]:
+    """Return M562 where less than the commanded zone is flown.
+
+    Args:
+        move: that commands the zone.
+        corner: that is flown; where motions overlap, its zone is the most that may be flown.
+    """
+    wanted, zone = move.modal.zone, corner.zone
+    if zone >= wanted * (1.0 - _SAME):
+        return ()
+    shown = f"{zone * 1e3:.3g} mm, half of the shorter way beside it"
+    if isinstance(corner, Overlap):
+        shorter = f" and {corner.shorter * 1e3:.3g} mm" if corner.shorter < zone * (1.0 - _SAME) else ""
+        shown = f"at most {zone * 1e3:.3g} mm{shorter}, half of the ways beside it"
+    finding = ZONE_CLIPPED.at(
+        move.origin.span,
+        f"the zone of {wanted * 1e3:g} mm is flown as {shown}",
+        label=passes(move.origin),
+        hint=f"give `blend {zone * 1e3:.3g} mm`, or put the points further apart",
+        data={"zone_m": wanted, "flown_m": zone},
+    )
+    return (finding,)
+
+
+def stopped(move: MoveInstruction, why: Stop) -> tuple[Diagnostic, ...]:
+    """Return M560 for a corner at which the arm stops though a zone is in force."""
+    hint = "give a larger zone" if why in (Stop.QUICKER, Stop.SLOWED) else "shift the point"
+    return _stops(move, why.value, f"{hint}, or give the move `fine`" if move.modal.zone > 0.0 else hint)
+
+
+def stopped_by(move: MoveInstruction, what: str) -> tuple[Diagnostic, ...]:
+    """Return M560 for the last move of a stretch where its zone becomes a stop.
+
+    Args:
+        move: the last one before the arm has to stand.
+        what: the reason, such as `the gripper closes next`.
+    """
+    return _stops(move, what, "give the move `fine`, or do that elsewhere")
+
+
+def _stops(move: MoveInstruction, why: str, hint: str) -> tuple[Diagnostic, ...]:
+    zone = move.modal.zone
+    if not (zone > 0.0 or move.modal.passes):
+        return ()
+    what = f"its zone of {zone * 1e3:g} mm is not flown" if zone > 0.0 else "the via point is not passed by"
+    finding = ZONE_STOPS.at(
+        move.origin.span,
+        f"the arm stops here, {what}: {why}",
+        label=passes(move.origin),
+        hint=hint,
+        data={"zone_m": zone},
+    )
+    return (finding,)
+
+
+def flown_zones(
+    robot: RobotModel, legs: Sequence[Leg], corners: Sequence[Corner | None], motion: StretchMotion
+) -> list[float]:
+    """Return the distance from the target of each move at which the path leaves it [m]; 0 where it stops.
+
+    A rounded corner is left at its zone. Where motions overlap, both are added only as long as the shorter
+    of their two parts within the zone lasts, so the other move is left nearer to the corner: it is where
+    the TCP is when the next motion begins that counts.
+
+    Args:
+        robot: the arm with its external axes.
+        legs: the moves.
+        corners: between each two of them; None where the arm stops.
+        motion: how they are walked.
+    """
+    zones = [one.zone if one else 0.0 for one in corners] + [0.0]
+    runs = [(run, behind.start) for run, behind in pairwise(motion.course.runs) if run.part.over is not None]
+    if not runs:
+        return zones
+    numbers = [run.part.pieces[-1].leg for run, _ in runs]
+    q = motion.at(np.array([start for _, start in runs])).q
+    tools = [legs[number].planned.X_MT for number in numbers]
+    q = np.concatenate((q.reshape(-1), *(legs[number].q_end for number in numbers)))
+    leaves, targets = tool_places(robot, q, tools + tools).reshape(2, -1, 3)
+    for number, (x, y, z) in zip(numbers, (leaves - targets).tolist(), strict=True):
+        zones[number] = math.sqrt(x * x + y * y + z * z)
+    return zones

@@ -1,0 +1,87 @@
+"""Time laws that joints can follow, and motion time that is slowed where these lose more."""
+
+import numpy as np
+import pytest
+
+from ropsim.flow import ModalState
+from ropsim.motion import Effort, JointBounds, Kept, Ticks, keep_limits
+from ropsim.planning.joint_limits.arm_limits import ArmBounds
+from ropsim.planning.joint_limits.evaluated import Fit, as_bounds_allow
+from ropsim.planning.joint_limits.fitting import fitted
+from ropsim.planning.joint_limits.retiming import keeping_of
+from ropsim.planning.moves.planned_move import Leg, leg_of
+from ropsim.planning.trajectory.sections import Part, parts_of
+from ropsim.planning.trajectory.segments import pieces_of
+from ropsim.planning.trajectory.timing import course_of
+from ropsim.planning.trajectory.trajectory import StretchMotion
+from ropsim.spatial import Array
+from support.motion import CHAIN, PUMA, START, interface_pose, lin, shifted
+
+AHEAD, TICK = 10, 1e-3
+HERE = interface_pose(START)
+
+
+def line(way: tuple[float, float, float], speed: float | None = None) -> tuple[Part, ...]:
+    """Return a line as the limits of the tool allow it."""
+    leg = leg_of(CHAIN, lin(shifted(HERE, *way), ModalState(path_speed=speed)), START)
+    assert isinstance(leg, Leg)
+    return parts_of(pieces_of([leg], []), AHEAD)
+
+
+def arm(speed: float, acceleration: float, jerk: float, effort: Effort | None = None) -> ArmBounds:
+    """Return shares of what the joints of the PUMA can do, and torques of 1 where there are any."""
+    torque = None if effort is None else np.ones(PUMA.n)
+    limits = speed * PUMA.max_speeds, acceleration * PUMA.max_accelerations, jerk * PUMA.max_jerks
+    return ArmBounds(JointBounds(*limits, torque), effort)
+
+
+def fit(parts: tuple[Part, ...], bounds: ArmBounds) -> tuple[Fit, Fit]:
+    """Return a course as its bounds allow it, and as joints can follow it."""
+    planned = as_bounds_allow(StretchMotion.on(course_of(parts, 1)), bounds, Ticks(TICK))
+    return planned, fitted(planned, bounds, Ticks(TICK), AHEAD)
+
+
+def test_a_line_that_joints_leave_more_than_a_thousandth_of_its_rate_is_fitted() -> None:
+    """Of the jerk they leave 1e-8, so of the rate, which goes with its cube root, 0.2 %."""
+    planned, found = fit(line((-1e-4, 0.0, 0.0)), arm(1.0, 1.0, 1e-8))
+    assert found.reference.strain.is_kept
+    assert found.course.duration > 100.0 * planned.course.duration
+
+
+def test_a_line_that_joints_leave_less_of_its_rate_stays_as_it_was() -> None:
+    planned, found = fit(line((-1e-4, 0.0, 0.0)), arm(1.0, 1.0, 1e-10))
+    assert found is planned
+
+
+def test_a_fitted_motion_is_looked_at_with_the_torques_that_it_takes() -> None:
+    """The line as planned keeps its torques, which are below 1 there."""
+
+    def effort(_q: Array, qd: Array, qdd: Array) -> Array:
+        return 0.01 * qd + 0.01 * qdd
+
+    planned, found = fit(line((-0.1, 0.1, 0.0)), arm(1.0, 0.1, 0.1, effort))
+    rows = found.reference.rows
+    assert found is not planned
+    assert found.reference.torque is not None
+    assert (found.reference.torque == effort(rows.q, rows.d1, rows.d2)).all()
+    assert found.reference.strain.used[3] == pytest.approx(np.abs(found.reference.torque).max(axis=1))
+
+
+@pytest.mark.parametrize(
+    ("way", "shares", "speed"),
+    [
+        ((-0.06, -0.16, 0.15), (0.61, 0.89, 0.05), 0.29),  # lower bounds lose less
+        ((-0.19, -0.07, -0.26), (0.89, 0.05, 0.2), 1.37),  # slower motion time does
+    ],
+)
+def test_of_both_ways_to_keep_the_limits_the_quicker_one_counts(
+    way: tuple[float, float, float], shares: tuple[float, float, float], speed: float
+) -> None:
+    parts, bounds = line(way, speed), arm(*shares)
+    planned, lower = fit(parts, bounds)
+    slower = keep_limits(planned.motion, bounds.joints, None, TICK)
+    assert isinstance(slower, Kept)
+    durations = lower.course.duration, slower.clock.duration
+    assert min(durations) < 0.95 * max(durations)
+    found = keeping_of(course_of(parts, 1), bounds, Ticks(TICK), AHEAD)
+    assert found.duration == pytest.approx(min(durations), rel=0.01)  # it looks at fewer ticks at first

@@ -1,0 +1,106 @@
+"""All runs of a stretch walked in one compiled loop: what each path and time law tells by itself."""
+
+from dataclasses import replace
+from itertools import pairwise
+
+import numpy as np
+import pytest
+
+from ropsim import robots
+from ropsim.flow import ModalState, MoveInstruction
+from ropsim.model import Synchronisation
+from ropsim.motion import JointPath, JointPoints
+from ropsim.planning.blends.blend import Stop, corner_between
+from ropsim.planning.joint_limits.limit_grid import bands_of
+from ropsim.planning.moves.planned_move import Leg, leg_of
+from ropsim.planning.trajectory.sections import parts_of
+from ropsim.planning.trajectory.segments import pieces_of
+from ropsim.planning.trajectory.timing import Course, course_of
+from ropsim.planning.trajectory.trajectory import StretchMotion
+from ropsim.planning.trajectory.trajectory_table import walk_table
+from ropsim.spatial import Array
+from support.cells import chain_of, one_station
+from support.motion import PUMA, START, interface_pose, lin, ptp, shifted
+
+HERE = interface_pose(START)
+GOALS = [shifted(HERE, -0.1, 0.1, 0.0), shifted(HERE, -0.1, 0.1, 0.1), shifted(HERE, 0.0, 0.15, 0.1)]
+ZONE = ModalState(zone=0.02)
+
+
+class Unknown:
+    """A path that compiled loops do not know."""
+
+    def __init__(self, path: JointPath) -> None:
+        self._path, self.length = path, path.length
+
+    def joints(self, s: Array) -> JointPoints:
+        return self._path.joints(s)
+
+
+def course(moves: list[MoveInstruction], mode: Synchronisation) -> Course:
+    chain = chain_of(one_station("walk", PUMA, replace(robots.default_controller(PUMA), ptp=mode)))
+    q, legs = START, []
+    for move in moves:
+        leg = leg_of(chain, move, q)
+        assert isinstance(leg, Leg)
+        legs.append(leg)
+        q = leg.q_end
+    found = [corner_between(chain, *pair) for pair in pairwise(legs)]
+    corners = [None if isinstance(one, Stop) else one for one in found]
+    return course_of(parts_of(pieces_of(legs, corners), 10), len(legs))
+
+
+def one_by_one(whole: Course) -> Course:
+    """Return a course whose paths are walked one by one."""
+    return replace(
+        whole,
+        runs=tuple(
+            replace(
+                run,
+                part=replace(
+                    run.part,
+                    pieces=tuple(replace(piece, joints=Unknown(piece.joints)) for piece in run.part.pieces),
+                ),
+            )
+            for run in whole.runs
+        ),
+    )
+
+
+@pytest.mark.parametrize("mode", list(Synchronisation))
+def test_all_runs_in_one_loop_are_bit_by_bit_what_their_paths_tell(mode: Synchronisation) -> None:
+    first, second, third = GOALS
+    whole = course([lin(first, ZONE), lin(second, ZONE), ptp(third, ZONE), ptp(HERE)], mode)
+    assert [len(run.pieces) for run in whole.runs] == [3, 1, 1]
+    assert walk_table(whole) is not None
+    apart = one_by_one(whole)
+    assert walk_table(apart) is None
+    times = np.linspace(0.0, whole.duration, 400)
+    together, each = StretchMotion.on(whole).at(times), StretchMotion.on(apart).at(times)
+    for name in ("q", "d1", "d2"):
+        assert getattr(together, name).tolist() == getattr(each, name).tolist()
+
+
+def test_paths_at_places_of_a_run_are_bit_by_bit_what_they_tell_themselves() -> None:
+    first, second, third = GOALS
+    whole = course([lin(first, ZONE), lin(second, ZONE), ptp(third)], Synchronisation.PHASE)
+    together, each = StretchMotion.on(whole), StretchMotion.on(one_by_one(whole))
+    for number, run in enumerate(whole.runs):
+        rows = run.law.at(np.linspace(0.0, run.law.duration, 50))
+        assert len(set(rows.pieces.tolist())) == len(run.pieces)
+        for name in ("q", "d1", "d2"):
+            one, other = (getattr(motion.on_run(number, rows), name) for motion in (together, each))
+            assert one.tolist() == other.tolist()
+
+
+def test_a_motion_on_the_same_pieces_at_other_times_is_that_of_the_other_course() -> None:
+    first, second, third = GOALS
+    moves = [lin(first, ZONE), lin(second, ZONE), ptp(third, ZONE), ptp(HERE)]
+    whole = course(moves, Synchronisation.PHASE)
+    (part, *others) = (run.part for run in whole.runs)
+    bands = bands_of(part, np.linspace(0.0, part.law.duration, 20), 0.0)
+    slower = course_of([bands.slower(0.5).replanned(10), *others], len(moves))
+    times = np.linspace(0.0, slower.duration, 300)
+    timed, anew = StretchMotion.on(whole).timed(slower), StretchMotion.on(slower)
+    assert slower.duration > 1.2 * whole.duration
+    assert timed.at(times).q.tolist() == anew.at(times).q.tolist()
