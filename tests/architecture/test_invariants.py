@@ -18,7 +18,7 @@ OWN_FILES = {
     "core/inside.py",
     "core/own_folder.py",
     "core/temporary_file.py",
-    "codegen/code_digest.py",
+    "codegen/machine/kept_code.py",
     "prolog/native/program.py",
 }
 """The doors to the disk; the compiler's version; the folder of a child process."""
@@ -168,11 +168,11 @@ def test_machine_code_is_loaded_where_its_seal_was_checked() -> None:
         if isinstance(node, ast.Attribute)
         and node.attr in {"deserialize", "deserialize_file", "add_object_file", "CDLL", "LoadLibrary"}
     }
-    assert loaders == {"codegen/machine_code.py", "prolog/wasm/module_cache.py"}
+    assert loaders == {"codegen/machine/object_code.py", "prolog/wasm/module_cache.py"}
 
 
 OWN_READERS = {
-    "codegen/code_digest.py",
+    "codegen/machine/kept_code.py",
     "studio/pages.py",
     "userfiles/examples.py",
     "workbench/viewer.py",

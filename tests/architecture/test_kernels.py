@@ -6,13 +6,13 @@ import sys
 ALL_KERNELS = """
 import importlib, pkgutil, sys
 import ropsim
-from ropsim.codegen.kernel import kernel_of
+from ropsim.codegen.kernel import Kernel
 
 found = set()
 for module in pkgutil.walk_packages(ropsim.__path__, "ropsim."):
     if module.name.endswith("_kernel"):
         own = vars(importlib.import_module(module.name)).values()
-        found.update(filter(None, map(kernel_of, own)))
+        found.update(one for one in own if isinstance(one, Kernel))
 for one in found:
     one.made()
 print(len(found), "numba" in sys.modules)

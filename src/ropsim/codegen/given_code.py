@@ -7,12 +7,11 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from ropsim.codegen.direct import Compiled
-from ropsim.codegen.emit import SourceFunction, emit
-from ropsim.codegen.engine import Engine
-from ropsim.codegen.hoist import CONSTANTS, hoisted
-from ropsim.codegen.load import load
-from ropsim.codegen.tracer import Scalar
+from ropsim.codegen.formulas.emit import SourceFunction, emit
+from ropsim.codegen.formulas.hoist import CONSTANTS, hoisted
+from ropsim.codegen.formulas.tracer import Scalar
+from ropsim.codegen.load import Engine, load
+from ropsim.codegen.machine.door import Compiled
 from ropsim.core import frozen_dataclass
 
 Array = npt.NDArray[np.float64]
@@ -48,7 +47,7 @@ class GivenCode:
 
     @classmethod
     def of(cls, *formulas: Formula) -> "GivenCode":
-        """Return the code of formulas that belong to one tracer; see `ropsim.codegen.hoist`."""
+        """Return the code of formulas that belong to one tracer; see `ropsim.codegen.formulas.hoist`."""
         parts = hoisted([value for formula in formulas for _, value in formula.results])
         values = iter(parts.results)
         functions = tuple(

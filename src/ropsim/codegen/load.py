@@ -3,16 +3,34 @@
 import math
 import re
 from collections.abc import Sequence
+from enum import Enum
 from functools import lru_cache
+from types import FunctionType
 from typing import Any
 
 import numpy as np
 
-from ropsim.codegen.compiled import compiled
-from ropsim.codegen.direct import Compiled
-from ropsim.codegen.emit import Bounds, Form, SourceFunction
-from ropsim.codegen.engine import Engine
-from ropsim.codegen.signature import Signature
+from ropsim.codegen.formulas.emit import Form, SourceFunction
+from ropsim.codegen.kernel import entry_of, numba_available
+from ropsim.codegen.machine.compiled import compiled
+from ropsim.codegen.machine.compiler import Bounds, Compiler
+from ropsim.codegen.machine.door import Compiled
+from ropsim.codegen.machine.signature import Signature
+
+
+class Engine(Enum):
+    """The way in which a generated module is executed.
+
+    Both run the same source; results agree to rounding of the elementary functions.
+    """
+
+    NUMBA = "numba"
+    PYTHON = "python"
+
+
+def default_engine() -> Engine:
+    """Return NUMBA if it is installed, else PYTHON."""
+    return Engine.NUMBA if numba_available() else Engine.PYTHON
 
 
 def load(name: str, functions: Sequence[SourceFunction], engine: Engine) -> Compiled:
@@ -25,7 +43,7 @@ def load(name: str, functions: Sequence[SourceFunction], engine: Engine) -> Comp
     Args:
         name: Python identifier that tells what the module is about.
         functions: in order; later ones may call earlier ones.
-        engine: who runs it.
+        engine: the way to execute them.
     """
     return _load(name, tuple(functions), engine)
 
@@ -33,58 +51,53 @@ def load(name: str, functions: Sequence[SourceFunction], engine: Engine) -> Comp
 @lru_cache(maxsize=64)
 def _load(name: str, functions: tuple[SourceFunction, ...], engine: Engine) -> Compiled:
     last = functions[-1]
+    source = "\n\n".join(function.text for function in functions)
+    plain: Compiled = _run(source, name, {"math": math, "np": np})[last.name]
     if engine is Engine.PYTHON:
-        source = "\n\n".join(function.text for function in functions)
-        function: Compiled = _run(source, name, {"math": math, "np": np})[last.name]
-        return function
+        return plain
     signature = Signature.parse(last.signature)
-    source = compiled_source(functions)
+    kinds = "".join(f"# {one.name}: {one.signature} {one.form} {one.bounds}\n" for one in functions)
 
-    def build() -> tuple[Any, Compiled]:
-        scope = _run(source, name, {})
-        return scope["entry"], scope["last"]
+    def build(compiler: Compiler) -> FunctionType:
+        return entry_of(compiled_functions(functions, compiler)[last.name], signature, compiler)
 
-    return compiled(name, source, signature, build)
-
-
-_HEAD = """\
-import math
-
-import numpy as np
-
-from ropsim.codegen.lone_text import lone_text
-from ropsim.codegen.stages import array_at, inside_as
-from ropsim.codegen.straight_line import straight_line, straight_rows
-"""
+    return compiled(name, kinds + source, signature, build, plain)
 
 
-def compiled_source(functions: Sequence[SourceFunction]) -> str:
-    """Return the text of a module that knows its functions as compiled ones do; `entry` calls `last`."""
-    *inner, last = functions
-    parts = [_HEAD, *(_inside(one, inner[:k]) for k, one in enumerate(inner))]
-    if last.form is not Form.ANY:
-        parts.append(_inside(last, inner))
-        taken = ", ".join(f"a{k}" for k in range(len(Signature.parse(last.signature).arguments)))
-        last = SourceFunction("last", last.signature, f"def last({taken}):\n    {last.name}({taken})\n")
-    parts.append(_inside(last, functions))
-    parts.append(Signature.parse(last.signature).entry_text(last.name))
-    return "\n\n".join((*parts, f"last = {last.name}\n"))
+def compiled_functions(functions: Sequence[SourceFunction], compiler: Compiler) -> dict[str, Any]:
+    """Return the functions of a module for callers in compiled code, by name."""
+    scope: dict[str, Any] = {"math": math, "np": np}
+    for k, one in enumerate(functions):
+        scope[one.name] = _inside(one, functions[:k], compiler, scope)
+    return scope
 
 
-def _inside(function: SourceFunction, before: Sequence[SourceFunction]) -> str:
-    """Return the text of a function that only compiled code calls; it may call those before it."""
-    if function.form is Form.STRAIGHT_LINE:
-        return f'{function.name} = straight_line("""\\\n{function.text}""")\n'
-    if function.form is Form.ROW_BY_ROW:
-        row = before[-1]
+def _inside(
+    function: SourceFunction, before: Sequence[SourceFunction], compiler: Compiler, scope: dict[str, Any]
+) -> Compiled:
+    """Return a function for callers in compiled code; it may call those before it, which are in the scope."""
+    if compiler.writes_instructions and function.form is not Form.ANY:
+        from ropsim.codegen.vector.straight_line import straight_line, straight_rows
+
+        if function.form is Form.STRAIGHT_LINE:
+            return straight_line(function.text)
         shared = function.text.partition("(")[2].partition(",")[0]
-        made = f'straight_rows("""\\\n{row.text}""", {function.name!r}, {shared!r})'
-        return f"{function.name} = {made}\n"
-    options = f'"{function.signature}", boundscheck={function.bounds is Bounds.CHECKED}'
+        return straight_rows(before[-1].text, function.name, shared)
     others = (one.name for one in before if one.name != function.name)
     if any(re.search(rf"\b{name}\b", function.text) for name in others):
-        return f"@inside_as({options})\n{function.text}"
-    return f"{function.name} = lone_text({function.name!r}, {function.text!r}, {options})\n"
+        made = _run(function.text, function.name, scope)[function.name]
+        return compiler.inside_as(made, function.signature, function.bounds)
+    return _lone(compiler, function.name, function.text, function.signature, function.bounds)
+
+
+@lru_cache(maxsize=64)
+def _lone(compiler: Compiler, name: str, text: str, signature: str, bounds: Bounds) -> Compiled:
+    """Return a function that calls no other one: compiled once in a process for all modules.
+
+    The law of a joint controller is the same for many an arm, what moves the links of a long one for all.
+    """
+    function = _run(text, name, {"math": math, "np": np})[name]
+    return compiler.inside_as(function, signature, bounds)
 
 
 def _run(source: str, name: str, scope: dict[str, Any]) -> dict[str, Any]:

@@ -7,7 +7,7 @@ each of these lies in it, so that rounding can make it worse but never wrong.
 
 from math import inf, sqrt
 
-from ropsim.codegen import kernel
+from ropsim.codegen import Array1, Array2, kernel
 from ropsim.spatial import Array
 
 MOST = 200
@@ -18,18 +18,16 @@ ZERO = 1e-12
 """Bodies that are nearer than this meet [m]; where their difference is larger than 1 m, this share of it."""
 
 
-@kernel(
-    "void(f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[::1], f8[::1], f8[:,::1], f8[:,::1])",
-)
+@kernel
 def distances(
-    points: Array,
-    bodies: Array,
-    poses: Array,
-    pairs: Array,
-    bounds: Array,
-    limits: Array,
-    room: Array,
-    found: Array,
+    points: Array2,
+    bodies: Array2,
+    poses: Array2,
+    pairs: Array2,
+    bounds: Array1,
+    limits: Array1,
+    room: Array2,
+    found: Array2,
 ) -> None:
     """Find the distances of pairs of convex bodies, without their margins.
 
@@ -54,9 +52,9 @@ def distances(
         limits[0] = min(limits[0], found[p, 0] - bodies[i, 3] - bodies[j, 3] + limits[1])
 
 
-@kernel("void(f8[:,::1], f8[:,::1], f8[:,::1], i8, i8, f8[:,::1], f8[:,::1], i8)")
+@kernel
 def pair_distance(
-    points: Array, bodies: Array, poses: Array, i: int, j: int, room: Array, found: Array, p: int
+    points: Array2, bodies: Array2, poses: Array2, i: int, j: int, room: Array2, found: Array2, p: int
 ) -> None:
     """Find the distance of one pair: 0 where no step saw a plane between the two.
 

@@ -2,28 +2,25 @@
 
 from math import inf, sqrt
 
-from ropsim.codegen import kernel
+from ropsim.codegen import Array1, Array2, Array3, kernel
 from ropsim.collision.gjk_kernel import pair_distance
 from ropsim.spatial import Array
 
 
-@kernel(
-    "void(f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,:,::1], f8[:,:,::1], f8[:,::1], f8[:,::1],"
-    " f8[::1], f8[:,::1], f8[::1], f8[:,::1])",
-)
+@kernel
 def closest_on_ways(
-    points: Array,
-    bodies: Array,
-    items: Array,
-    pairs: Array,
-    frames: Array,
-    travel: Array,
-    poses: Array,
-    room: Array,
-    least: Array,
-    found: Array,
-    near: Array,
-    episodes: Array,
+    points: Array2,
+    bodies: Array2,
+    items: Array2,
+    pairs: Array2,
+    frames: Array3,
+    travel: Array3,
+    poses: Array2,
+    room: Array2,
+    least: Array1,
+    found: Array2,
+    near: Array1,
+    episodes: Array2,
 ) -> None:
     """Find how near pairs of convex bodies come while what carries them moves: conservative advancement.
 

@@ -2,7 +2,7 @@
 
 from math import floor, sqrt
 
-from ropsim.codegen import kernel
+from ropsim.codegen import Array1, Array3, kernel
 from ropsim.spatial import Array
 
 LANDED = 1e-12
@@ -11,11 +11,11 @@ HALVINGS = 4
 """How often the way between the change that is wished for and the one that is safe is halved."""
 
 
-@kernel("void(f8[:,:,::1], f8[::1], f8[:,:,::1], i8, i8, f8, f8, f8, f8, f8, f8, f8)")
+@kernel
 def walk(
-    rows: Array,
-    limits: Array,
-    out: Array,
+    rows: Array3,
+    limits: Array1,
+    out: Array3,
     first: int,
     last: int,
     place: float,

@@ -5,7 +5,7 @@ A box is a row of `WIDTH` numbers: see `Blocks.boxes`.
 
 from math import inf, sqrt
 
-from ropsim.codegen import kernel
+from ropsim.codegen import Array1, Array2, kernel
 from ropsim.spatial import Array
 
 WIDTH = 22
@@ -22,8 +22,8 @@ FLAT = 1e-12
 """An axis whose z component is smaller is level."""
 
 
-@kernel("void(f8[:,::1], f8[:,::1])")
-def part_boxes(parts: Array, boxes: Array) -> None:
+@kernel
+def part_boxes(parts: Array2, boxes: Array2) -> None:
     """Write the boxes of parts.
 
     Args:
@@ -47,15 +47,15 @@ def part_boxes(parts: Array, boxes: Array) -> None:
         _reach(box)
 
 
-@kernel("void(f8[:,::1])")
-def reaches(boxes: Array) -> None:
+@kernel
+def reaches(boxes: Array2) -> None:
     """Write the corners along x, y, z of boxes (k, `WIDTH`) whose other numbers are known."""
     for k in range(boxes.shape[0]):
         _reach(boxes[k])
 
 
-@kernel("void(f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1])")
-def pair_gaps(parts: Array, others: Array, pairs: Array, room: Array, found: Array) -> None:
+@kernel
+def pair_gaps(parts: Array2, others: Array2, pairs: Array2, room: Array2, found: Array2) -> None:
     """Write the least gap of each pair of a part and something else, and the greatest depth.
 
     Args:
@@ -75,9 +75,9 @@ def pair_gaps(parts: Array, others: Array, pairs: Array, room: Array, found: Arr
         found[k, 0], found[k, 1] = _gap(parts[i], others[j], room)
 
 
-@kernel("void(f8[:,::1], f8[:,::1], f8[::1], f8[:,::1], f8, f8[:,::1], f8[:,::1])")
+@kernel
 def stand_rows(
-    parts: Array, others: Array, owners: Array, pairs: Array, gap: float, room: Array, found: Array
+    parts: Array2, others: Array2, owners: Array1, pairs: Array2, gap: float, room: Array2, found: Array2
 ) -> None:
     """Write on which of some bodies each part stands, and in which it is the deepest.
 

@@ -10,7 +10,7 @@ nothing has to be looked at again.
 
 from math import ceil, pi
 
-from ropsim.codegen import kernel
+from ropsim.codegen import Array1, Array2, Array3, kernel
 from ropsim.spatial import Array
 
 PER_QUARTER = 0.6366197723675814
@@ -45,8 +45,8 @@ BENT = 1e-9
 """A matrix whose turn from the arm's frame is farther from a rotation [sum of entries] is no pose."""
 
 
-@kernel("void(f8[::1], f8[:,::1], f8[:,:,::1], f8[::1])")
-def forward_rows(chain: Array, Q: Array, out: Array, room: Array) -> None:
+@kernel
+def forward_rows(chain: Array1, Q: Array2, out: Array3, room: Array1) -> None:
     """Write X_BM of every row of Q (k, n) to out (k, 4, 4), sixteen rows side by side.
 
     The pose on the way is twelve numbers: its axes a, b, c and its origin p.
@@ -108,8 +108,8 @@ def _go_on(chain: Array, at: int, room: Array) -> None:
             room[WIDE * (3 * r + 2) + lane] = a * p2 + b * p5 + c * p8
 
 
-@kernel("void(f8[::1], f8[::1], f8[:,:,::1], f8[:,:,::1], f8[::1])")
-def refine_rows(chain: Array, shape: Array, T: Array, Q: Array, room: Array) -> None:
+@kernel
+def refine_rows(chain: Array1, shape: Array1, T: Array3, Q: Array3, room: Array1) -> None:
     """Bring every row of Q (k, 8, 6) to its pose X_BM in T (k, 4, 4), the rows of a pose side by side.
 
     Args:

@@ -8,7 +8,7 @@ Yuan 2005; for robots Sugihara 2011); μ falls after a step that helps and grows
 
 from math import atan2, ceil, pi, sqrt
 
-from ropsim.codegen import kernel
+from ropsim.codegen import Array1, Array2, Array3, kernel
 from ropsim.kinematics.steps_kernel import axis_columns, place_steps, spread_over
 from ropsim.spatial import Array
 
@@ -23,19 +23,17 @@ STALLS = 6
 """So many steps in a row that hardly help end the search."""
 
 
-@kernel(
-    "void(f8[::1], f8[:,::1], f8[::1], f8[:,:,::1], f8[:,:,::1], f8[::1], f8[:,::1], f8[:,::1], f8[:,::1])"
-)
+@kernel
 def polish_rows(
-    chain: Array,
-    spread: Array,
-    turning: Array,
-    T: Array,
-    Q: Array,
-    settings: Array,
-    frames: Array,
-    room: Array,
-    lanes: Array,
+    chain: Array1,
+    spread: Array2,
+    turning: Array1,
+    T: Array3,
+    Q: Array3,
+    settings: Array1,
+    frames: Array2,
+    room: Array2,
+    lanes: Array2,
 ) -> None:
     """Bring every row of Q (k, j, n) to its pose X_BM in T (k, 4, 4), or make it NaN.
 

@@ -2,7 +2,7 @@
 
 from math import ceil, floor, pi
 
-from ropsim.codegen import kernel
+from ropsim.codegen import Array1, Array2, kernel
 from ropsim.spatial import Array
 
 SAME = 1e-6
@@ -17,8 +17,8 @@ HEAD = 4
 """So many numbers say how much was found."""
 
 
-@kernel("void(f8[:,::1], f8[:,::1], f8[::1])")
-def select(limits: Array, branches: Array, found: Array) -> None:
+@kernel
+def select(limits: Array2, branches: Array2, found: Array1) -> None:
     """List the branches that count.
 
     Args:

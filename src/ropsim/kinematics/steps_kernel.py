@@ -2,13 +2,20 @@
 
 from math import cos, sin
 
-from ropsim.codegen import kernel
+from ropsim.codegen import Array1, Array2, Array3, kernel
 from ropsim.spatial import Array
 
 
-@kernel("void(f8[::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,:,::1], f8[:,:,::1])")
+@kernel
 def frames_and_jacobians(
-    chain: Array, spread: Array, Q: Array, X_MT: Array, frames: Array, lanes: Array, T: Array, J: Array
+    chain: Array1,
+    spread: Array2,
+    Q: Array2,
+    X_MT: Array2,
+    frames: Array2,
+    lanes: Array2,
+    T: Array3,
+    J: Array3,
 ) -> None:
     """Write the frames of a tool and the Jacobians of its origin at configurations Q (k, n).
 
@@ -39,8 +46,8 @@ def frames_and_jacobians(
         axis_columns(chain, spread, frames, J[k], lanes)
 
 
-@kernel("void(f8[:,::1], f8[::1], f8[::1])")
-def spread_over(spread: Array, q: Array, steps: Array) -> None:
+@kernel
+def spread_over(spread: Array2, q: Array1, steps: Array1) -> None:
     """Write the coordinates of the steps (m,) for those of the axes, the first n numbers of q."""
     n = spread.shape[1] - 1
     for i in range(steps.shape[0]):
@@ -53,8 +60,8 @@ def spread_over(spread: Array, q: Array, steps: Array) -> None:
             steps[i] = total
 
 
-@kernel("void(f8[::1], f8[::1], f8[:,::1])")
-def place_steps(chain: Array, q: Array, frames: Array) -> None:
+@kernel
+def place_steps(chain: Array1, q: Array1, frames: Array2) -> None:
     """Write the frames of all steps and of the interface, R by rows and p, to frames (m + 1, 12)."""
     n = frames.shape[0] - 1
     for i in range(n + 1):
@@ -83,8 +90,8 @@ def place_steps(chain: Array, q: Array, frames: Array) -> None:
             X[3 * r + 2] = z
 
 
-@kernel("void(f8[::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1])")
-def axis_columns(chain: Array, spread: Array, frames: Array, J: Array, lanes: Array) -> None:
+@kernel
+def axis_columns(chain: Array1, spread: Array2, frames: Array2, J: Array2, lanes: Array2) -> None:
     """Write the Jacobian of the last of frames (m + 1, 12) to the first six rows of J, as in `jacobian.py`.
 
     Rows of `lanes`: room for that of the steps (6 rows at least).

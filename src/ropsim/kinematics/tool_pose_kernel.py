@@ -2,16 +2,16 @@
 
 from math import sqrt
 
-from ropsim.codegen import kernel
+from ropsim.codegen import Array1, Array2, Array3, kernel
 from ropsim.kinematics.chain_kernel import forward_rows
 from ropsim.spatial import Array
 
 _Quaternion = tuple[float, float, float, float]
 
 
-@kernel("void(f8[::1], f8[:,::1], f8[::1], f8[::1], f8[:,:,::1], f8[::1], f8[::1])")
+@kernel
 def write_tool_pose(
-    chain: Array, q: Array, position: Array, orientation: Array, X_BM: Array, room: Array, out: Array
+    chain: Array1, q: Array2, position: Array1, orientation: Array1, X_BM: Array3, room: Array1, out: Array1
 ) -> None:
     """Write X_BT = X_BM(q)·X_MT, bit by bit as poses are multiplied of which none is the identity.
 
@@ -31,8 +31,8 @@ def write_tool_pose(
     _write_product(out, position, orientation, out)
 
 
-@kernel("void(f8[::1], f8[::1], f8[::1])")
-def write_pose_product(X_AB: Array, X_BC: Array, X_AC: Array) -> None:
+@kernel
+def write_pose_product(X_AB: Array1, X_BC: Array1, X_AC: Array1) -> None:
     """Write the product of two poses, bit by bit as `Pose` does; neither is looked at whether it is none.
 
     Args:
@@ -61,8 +61,8 @@ def _write_product(X_AB: Array, position: Array, orientation: Array, X_AC: Array
     X_AC[3], X_AC[4], X_AC[5], X_AC[6] = _unit(_unit(turned))
 
 
-@kernel("void(f8[::1], f8[:,::1], f8[:,::1], f8[:,:,::1], f8[::1])")
-def write_tool_places(chain: Array, Q: Array, points: Array, X_BM: Array, room: Array) -> None:
+@kernel
+def write_tool_places(chain: Array1, Q: Array2, points: Array2, X_BM: Array3, room: Array1) -> None:
     """Write where points of the interface are.
 
     Args:

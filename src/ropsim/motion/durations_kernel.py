@@ -2,14 +2,13 @@
 
 from math import inf, nan, sqrt
 
-from ropsim.codegen import kernel
-from ropsim.spatial import Array
+from ropsim.codegen import Array1, Array2, kernel
 
 _TINY = 1e-300
 
 
-@kernel("void(f8[::1], f8[::1], f8[:,::1], f8[::1])")
-def write_duration(q_start: Array, q_end: Array, limits: Array, told: Array) -> None:
+@kernel
+def write_duration(q_start: Array1, q_end: Array1, limits: Array2, told: Array1) -> None:
     """Write what `durations` tells of one end that is elsewhere.
 
     Args:

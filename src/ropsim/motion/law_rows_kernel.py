@@ -6,14 +6,14 @@ at the end; see `TimeLaw`.
 
 from math import inf
 
-from ropsim.codegen import columns, kernel
+from ropsim.codegen import Array1, Array2, columns, kernel
 from ropsim.spatial import Array
 
 SIXTH = 1.0 / 6.0
 
 
-@kernel("void(f8[:,::1], f8, f8[::1], f8[:,::1])")
-def rows_at(segments: Array, duration: float, times: Array, out: Array) -> None:
+@kernel
+def rows_at(segments: Array2, duration: float, times: Array1, out: Array2) -> None:
     """Write piece, place, speed and acceleration at each time.
 
     Args:

@@ -6,7 +6,7 @@ at the end; see `TimeLaw`.
 
 from math import inf, isnan, sqrt
 
-from ropsim.codegen import kernel
+from ropsim.codegen import Array1, Array2, kernel
 from ropsim.spatial import Array
 
 HALVINGS = 80
@@ -20,8 +20,10 @@ NEARLY_EVEN = 0.2
 """Relative; where half the change of the speed on a step is below this share of it, the series converges."""
 
 
-@kernel("void(f8[:,::1], f8[::1], f8[::1], f8[::1], f8[::1], f8[::1])")
-def times_at(segments: Array, ends: Array, pieces: Array, places: Array, out: Array, told: Array) -> None:
+@kernel
+def times_at(
+    segments: Array2, ends: Array1, pieces: Array1, places: Array1, out: Array1, told: Array1
+) -> None:
     """Write the time [s] at which the motion is at each of some places of pieces.
 
     Args:
@@ -46,8 +48,8 @@ def times_at(segments: Array, ends: Array, pieces: Array, places: Array, out: Ar
         out[k] = _time_of(segments, ends, piece, beyond, low, places[k])
 
 
-@kernel("void(f8[:,::1], f8[::1], f8[::1], f8[::1], f8[::1])")
-def times_along(segments: Array, ends: Array, pieces: Array, places: Array, out: Array) -> None:
+@kernel
+def times_along(segments: Array2, ends: Array1, pieces: Array1, places: Array1, out: Array1) -> None:
     """Write what `times_at` does but for rounding, of places in order, each looked for from the one before.
 
     Args:
@@ -108,8 +110,8 @@ def _near(segments: Array, row: int, way: float, u: float) -> float:
     return u
 
 
-@kernel("void(f8[:,::1], f8[::1], i8, f8, f8[::1])")
-def time_at(segments: Array, ends: Array, piece: int, place: float, out: Array) -> None:
+@kernel
+def time_at(segments: Array2, ends: Array1, piece: int, place: float, out: Array1) -> None:
     """Write the time [s] at which the motion is at a place of a piece that there is; see `times_at`.
 
     Args:

@@ -1,20 +1,20 @@
 """A time law over stages, told over longer pieces, in loops that numba compiles."""
 
-from ropsim.codegen import kernel
+from ropsim.codegen import Array1, Array2, Array3, kernel
 from ropsim.motion.time_law_kernel import plan_segments
 from ropsim.spatial import Array
 
 
-@kernel("void(f8[:,::1], f8[::1], f8[:,:,::1], f8[:,:,::1], f8[:,::1], f8[::1], f8[::1], f8[::1])")
+@kernel
 def plan_longer(
-    bounds: Array,
-    counts: Array,
-    ways: Array,
-    courses: Array,
-    rows: Array,
-    ends: Array,
-    longer_ends: Array,
-    told: Array,
+    bounds: Array2,
+    counts: Array1,
+    ways: Array3,
+    courses: Array3,
+    rows: Array2,
+    ends: Array1,
+    longer_ends: Array1,
+    told: Array1,
 ) -> None:
     """Write what `plan_segments` does, told over pieces of several stages.
 

@@ -2,24 +2,23 @@
 
 from math import nan
 
-from ropsim.codegen import kernel
+from ropsim.codegen import Array1, Array2, Array3, kernel
 from ropsim.motion.time_law_kernel import plan_segments
-from ropsim.spatial import Array
 
 MOST_SEGMENTS = 16
 """Of one piece, up and down."""
 
 
-@kernel("void(f8[:,::1], f8[:,:,::1], f8[:,:,::1], f8[:,::1], f8[::1], f8[::1], f8[::1], f8[:,::1])")
+@kernel
 def plan_alone(
-    bounds: Array,
-    ways: Array,
-    courses: Array,
-    rows: Array,
-    told: Array,
-    times: Array,
-    counts: Array,
-    laws: Array,
+    bounds: Array2,
+    ways: Array3,
+    courses: Array3,
+    rows: Array2,
+    told: Array1,
+    times: Array1,
+    counts: Array1,
+    laws: Array2,
 ) -> None:
     """Write the times [s] that pieces take, each from rest to rest, and their segments.
 

@@ -7,14 +7,14 @@ and Robots, section 3.4).
 
 from math import sqrt
 
-from ropsim.codegen import columns, kernel
+from ropsim.codegen import Array1, Array2, Array3, columns, kernel
 from ropsim.motion.time_law_kernel import LEAST, MOST
 from ropsim.spatial import Array
 
 
-@kernel("void(f8[::1], f8[::1], f8[:,::1], f8, f8[::1], f8[:,:,::1])")
+@kernel
 def joint_rows(
-    q_start: Array, q_end: Array, shapes: Array, duration: float, times: Array, out: Array
+    q_start: Array1, q_end: Array1, shapes: Array2, duration: float, times: Array1, out: Array3
 ) -> None:
     """Write coordinates, speeds and accelerations of n joints at k times.
 
@@ -30,17 +30,17 @@ def joint_rows(
         _profiles(q_start, q_end, shapes, duration, times[k], 1.0, 0.0, out[0, k], out[1, k], out[2, k])
 
 
-@kernel("void(f8[::1], f8[::1], f8[:,::1], f8, f8[:,::1], i8, i8, i8, f8[:,:,::1])")
+@kernel
 def joints_in_time(
-    q_start: Array,
-    q_end: Array,
-    shapes: Array,
+    q_start: Array1,
+    q_end: Array1,
+    shapes: Array2,
     duration: float,
-    law: Array,
+    law: Array2,
     first: int,
     until: int,
     at: int,
-    total: Array,
+    total: Array3,
 ) -> None:
     """Write coordinates and derivatives by time where profiles are walked, see `traced_in_time`.
 
@@ -119,8 +119,8 @@ def _half(
         qdd[i] = sign * (j * (x1 - x3)) * (v * v) + d1 * a
 
 
-@kernel("void(f8[::1], f8[:,::1], f8[:,::1], f8[::1])")
-def plan_together(way: Array, limits: Array, shapes: Array, told: Array) -> None:
+@kernel
+def plan_together(way: Array1, limits: Array2, shapes: Array2, told: Array1) -> None:
     """Write the profiles that take n joints from rest to rest in one time, the least time of the slowest.
 
     The others are stretched to it: with times longer by a factor f, the jerk is smaller by f³.

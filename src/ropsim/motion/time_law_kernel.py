@@ -21,7 +21,7 @@ speed, acceleration, jerk, duration, place at the end, and the speed to which it
 
 from math import inf, sqrt
 
-from ropsim.codegen import kernel
+from ropsim.codegen import Array1, Array2, Array3, kernel
 from ropsim.spatial import Array
 
 LEVELLED = 8e-15
@@ -41,8 +41,10 @@ NEWTON = 2e-8
 SIXTH, THIRD = 1.0 / 6.0, 1.0 / 3.0
 
 
-@kernel("void(f8[:,::1], f8[:,:,::1], f8[:,:,::1], f8[:,::1], f8[::1], f8[::1])")
-def plan_segments(bounds: Array, ways: Array, courses: Array, rows: Array, ends: Array, told: Array) -> None:
+@kernel
+def plan_segments(
+    bounds: Array2, ways: Array3, courses: Array3, rows: Array2, ends: Array1, told: Array1
+) -> None:
     """Write the segments of constant jerk that take the motion from rest to rest over p pieces.
 
     Args:

@@ -2,15 +2,15 @@
 
 from math import atan2, sin, sqrt
 
-from ropsim.codegen import kernel
+from ropsim.codegen import Array1, kernel
 from ropsim.spatial import Array
 
 STRAIGHT = 1e-12
 """A smaller sine of an angle says that two vectors are in line."""
 
 
-@kernel("void(f8[::1], f8[::1], i8, f8[::1])")
-def turn_between(start: Array, end: Array, drives: int, out: Array) -> None:
+@kernel
+def turn_between(start: Array1, end: Array1, drives: int, out: Array1) -> None:
     """Write axis, angle and roll of the turn from one orientation to another; sources at `plan_turn`.
 
     Args:

@@ -1,18 +1,17 @@
 """Running maxima of what a run is judged by, in plain loops that numba compiles."""
 
-from ropsim.codegen import kernel
-from ropsim.spatial import Array
+from ropsim.codegen import Array1, Array2, kernel
 
 
-@kernel("void(f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8, f8[:,::1], f8[:,::1], i8, i8, i8)")
+@kernel
 def enter_rows(
-    q: Array,
-    qd: Array,
-    limits: Array,
-    table: Array,
+    q: Array2,
+    qd: Array2,
+    limits: Array2,
+    table: Array2,
     tick: float,
-    worst: Array,
-    log: Array,
+    worst: Array2,
+    log: Array2,
     row: int,
     first: int,
     every: int,
@@ -58,8 +57,8 @@ def enter_rows(
             table[1, n + j] = tick + k
 
 
-@kernel("void(f8[:,::1], f8[:,::1], f8)")
-def merge_tables(table: Array, other: Array, tick: float) -> None:
+@kernel
+def merge_tables(table: Array2, other: Array2, tick: float) -> None:
     """Enter the table of another tally, of ticks behind those that have been entered.
 
     Args:
@@ -76,8 +75,8 @@ def merge_tables(table: Array, other: Array, tick: float) -> None:
             table[3, j] = tick + other[3, j]
 
 
-@kernel("void(f8[::1], f8[:,::1], f8[::1])")
-def greatest(values: Array, spans: Array, found: Array) -> None:
+@kernel
+def greatest(values: Array1, spans: Array2, found: Array1) -> None:
     """Write the greatest of some values in a row, again and again.
 
     Args:
@@ -92,8 +91,8 @@ def greatest(values: Array, spans: Array, found: Array) -> None:
         found[m] = most
 
 
-@kernel("void(f8[:,::1], f8[::1])")
-def peaks(rows: Array, found: Array) -> None:
+@kernel
+def peaks(rows: Array2, found: Array1) -> None:
     """Write the largest magnitudes in the columns of rows (k, n), shape (n,), 0 without a row."""
     for j in range(rows.shape[1]):
         found[j] = 0.0

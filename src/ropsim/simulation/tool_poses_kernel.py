@@ -2,12 +2,11 @@
 
 import math
 
-from ropsim.codegen import kernel
-from ropsim.spatial import Array
+from ropsim.codegen import Array1, Array2, Array3, kernel
 
 
-@kernel("void(f8[:,:,::1], f8[:,:,::1], f8[::1], f8[:,::1], f8[:,::1])")
-def tool_poses(poses: Array, tools: Array, which: Array, square: Array, quaternions: Array) -> None:
+@kernel
+def tool_poses(poses: Array3, tools: Array3, which: Array1, square: Array2, quaternions: Array2) -> None:
     """Make poses of the tool of those of the flange, and write their orientations as unit quaternions.
 
     The largest of the four components is found first and divides the others (Shepperd 1978), so that no

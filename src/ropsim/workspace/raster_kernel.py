@@ -9,7 +9,7 @@ one connected range, so that few intervals are enough.
 
 from math import atan2, ceil, floor, pi, sqrt
 
-from ropsim.codegen import kernel
+from ropsim.codegen import Array1, Array2, Array3, kernel
 from ropsim.spatial import Array
 
 MOST = 4
@@ -21,9 +21,9 @@ DEPTH = 24
 SLACK = 1e-12
 
 
-@kernel("void(f8[::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,:,::1])")
+@kernel
 def cover(
-    lattice: Array, F: Array, V: Array, slacks: Array, corners: Array, stack: Array, marks: Array
+    lattice: Array1, F: Array2, V: Array2, slacks: Array2, corners: Array2, stack: Array2, marks: Array3
 ) -> None:
     """Mark what the sheets of a grid of frames cover, one sheet for each row of V.
 

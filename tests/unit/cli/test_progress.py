@@ -3,7 +3,7 @@ import io
 import pytest
 
 from ropsim.cli.progress import Progress
-from ropsim.codegen.compiling import begin_compiling
+from ropsim.codegen.machine.compiling import begin_compiling
 
 
 class Clock:

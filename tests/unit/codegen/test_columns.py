@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 from llvmlite import ir
 
-from ropsim.codegen import columns, kernel
-from ropsim.codegen.column_lines import column_lines
-from ropsim.codegen.lane_functions import LaneFunctions
+from ropsim.codegen import Array1, Array2, Array3, columns, kernel
+from ropsim.codegen.vector.column_lines import column_lines
+from ropsim.codegen.vector.lane_functions import LaneFunctions
 from ropsim.spatial import Array
 
 MOST = math.inf
@@ -29,8 +29,8 @@ def lines(count: int, a: float, x: Array, y: Array, out: Array, last: Array) -> 
         last[j] = out[0, j] + last[j]
 
 
-@kernel("void(f8, f8[:,::1], f8[:,:,::1], f8[:,:,::1], f8[:,::1])")
-def of_rows(a: float, x: Array, y: Array, out: Array, last: Array) -> None:
+@kernel
+def of_rows(a: float, x: Array2, y: Array3, out: Array3, last: Array2) -> None:
     """Call the lines for all rows."""
     for k in range(x.shape[0]):
         lines(x.shape[1], a, x[k], y[k], out[k], last[k])
@@ -60,8 +60,8 @@ def choices(count: int, given: Array, x: Array, out: Array) -> None:
         out[0, j] = 1.0 if x[0, j] == 0.0 else 2.0
 
 
-@kernel("void(f8[::1], f8[:,::1], f8[:,::1])")
-def chosen(given: Array, x: Array, out: Array) -> None:
+@kernel
+def chosen(given: Array1, x: Array2, out: Array2) -> None:
     """Call the lines."""
     choices(x.shape[1], given, x, out)
 
@@ -73,8 +73,8 @@ def directions(count: int, y: Array, x: Array, out: Array) -> None:
         out[j] = atan2(y[j], x[j])
 
 
-@kernel("void(f8[::1], f8[::1], f8[::1])")
-def directed(y: Array, x: Array, out: Array) -> None:
+@kernel
+def directed(y: Array1, x: Array1, out: Array1) -> None:
     """Call the lines."""
     directions(y.shape[0], y, x, out)
 
@@ -129,8 +129,8 @@ def _shared(count: int, x: Array, out: Array) -> None:
         out[j] = x[1] * 2.0
 
 
-@kernel("void(f8[:,::1], f8[::1])")
-def shared_of_table(x: Array, out: Array) -> None:
+@kernel
+def shared_of_table(x: Array2, out: Array1) -> None:
     _shared(out.shape[0], x, out)
 
 

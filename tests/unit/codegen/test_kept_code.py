@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 
 from ropsim.codegen import Engine, SourceFunction, load
-from ropsim.codegen.kept_code import GENERATED
+from ropsim.codegen.machine.kept_code import GENERATED
 from ropsim.core import kept_files
 from ropsim.core.turns import turn
 
@@ -42,7 +42,7 @@ RESULTS = PROGRAM + "print(*(result(number) for number in map(int, sys.argv[1:])
 FOUND = """
 import os, shutil, sys
 from pathlib import Path
-from ropsim.codegen.kept_code import kept_address
+from ropsim.codegen.machine.kept_code import kept_address
 
 room = Path(os.environ["ROPSIM_CACHE_DIR"]) / "generated"
 names = sorted(one.name for one in room.glob("f*.code"))
@@ -59,7 +59,7 @@ print(tried, found)
 """
 HAS_FIRST = """
 import sys
-from ropsim.codegen.kept_code import kept_address
+from ropsim.codegen.machine.kept_code import kept_address
 print(kept_address(sys.argv[1]) is not None)
 """
 EXPECTED = [(1.25 * number + number + 0.5).hex() for number in range(COUNT)]
@@ -189,7 +189,7 @@ def test_a_file_that_others_could_have_written_is_made_anew(
 
 HOLDER = """
 import sys
-from ropsim.codegen.kept_code import GENERATED
+from ropsim.codegen.machine.kept_code import GENERATED
 with GENERATED.turn(int(sys.argv[1], 16)):
     print("has it", flush=True)
     sys.stdin.read()
@@ -202,13 +202,13 @@ def test_a_process_that_was_stopped_while_it_compiles_keeps_nobody_for_ever(
 ) -> None:
     monkeypatch.setenv("ROPSIM_CACHE_DIR", str(tmp_path / "cache"))
     digests: list[str] = []
-    digest_of = sys.modules["ropsim.codegen.compiled"].digest_of
+    digest_of = sys.modules["ropsim.codegen.machine.compiled"].digest_of
 
     def noted(source: str) -> str:
         digests.append(digest_of(source))
         return digests[-1]
 
-    monkeypatch.setattr("ropsim.codegen.compiled.digest_of", noted)
+    monkeypatch.setattr("ropsim.codegen.machine.compiled.digest_of", noted)
     text = "def tripled(x, out): out[0] = 3.0 * x[0]"
     tripled = SourceFunction("tripled", "void(f8[::1], f8[::1])", text)
     out = np.empty(1)
@@ -216,7 +216,7 @@ def test_a_process_that_was_stopped_while_it_compiles_keeps_nobody_for_ever(
     def refused(*_anything: object) -> None:
         raise InterruptedError
 
-    monkeypatch.setattr("ropsim.codegen.compiled._made", refused)
+    monkeypatch.setattr("ropsim.codegen.machine.compiled._made", refused)
     with pytest.raises(InterruptedError):
         load("tripled", (tripled,), Engine.NUMBA)
     monkeypatch.undo()

@@ -12,33 +12,34 @@ from weakref import ref
 import numpy as np
 import pytest
 
-from ropsim.codegen import Engine, bound, default_engine, kernel, numba_available
-from ropsim.codegen.machine_code import MachineCode, MissingNameError
+from ropsim.codegen import Array1, Array2, Engine, bound, default_engine, kernel, numba_available
+from ropsim.codegen.kernel import InPython, Kernel
+from ropsim.codegen.machine.numba_stages import STAGES
+from ropsim.codegen.machine.object_code import MachineCode, MissingNameError
 from ropsim.spatial import Array
 
 THIRD = 1.0 / 3.0
-SIGNATURE = "void(f8[:,::1], f8, f8[::1])"
 
 
 def _share(value: float, part: float) -> float:
     return value * part * THIRD
 
 
-def _sums(rows: Array, part: float, out: Array) -> None:
+def _sums(rows: Array2, part: float, out: Array1) -> None:
     for k in range(rows.shape[0]):
         out[k] = 0.0
         for value in rows[k]:
             out[k] += _share(value, part)
 
 
-compiled_sums = kernel(SIGNATURE)(_sums)
+compiled_sums = kernel(_sums)
 
 
-def _weighed(first: float, count: int, second: float, out: Array, place: int, third: float) -> None:
+def _weighed(first: float, count: int, second: float, out: Array1, place: int, third: float) -> None:
     out[place] = first + 10.0 * second + 100.0 * third + 1000.0 * count
 
 
-compiled_weighed = kernel("void(f8, i8, f8, f8[::1], i8, f8)")(_weighed)
+compiled_weighed = kernel(_weighed)
 
 
 def _hide_numba(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -67,20 +68,20 @@ def _placed(values: Array, place: int) -> float:
     return first
 
 
-def _first(values: Array, out: Array) -> None:
+def _first(values: Array1, out: Array1) -> None:
     out[0] = _placed(values, 0) + 10.0 * _placed(values, 1)
 
 
-def _second(values: Array, out: Array) -> None:
+def _second(values: Array1, out: Array1) -> None:
     out[0] = _placed(values, 2)
 
 
-def _third(values: Array, out: Array) -> None:
+def _third(values: Array1, out: Array1) -> None:
     _first(values, out)
     out[0] += _placed(values, 0)
 
 
-FIRST, SECOND = (kernel("void(f8[::1], f8[::1])")(function) for function in (_first, _second))
+FIRST, SECOND = kernel(_first), kernel(_second)
 
 
 def test_what_several_kernels_call_is_compiled_once_whatever_numbers_they_call_it_with(
@@ -94,11 +95,11 @@ def test_what_several_kernels_call_is_compiled_once_whatever_numbers_they_call_i
             each(values, out)
             found.append(out[0])
         assert found == [21.0, 3.0]
-        scope = sys.modules["ropsim.codegen.kernel"]._scope(_first)
+        scope = sys.modules["ropsim.codegen.kernel"]._scope(_first, STAGES)
         assert len(scope["_placed"].overloads) == 1
 
 
-def test_where_code_does_not_stand_alone_numba_calls_a_kernel(
+def test_a_kernel_that_needs_a_missing_function_is_called_by_numba(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def lacks(_code: MachineCode) -> int:
@@ -106,9 +107,9 @@ def test_where_code_does_not_stand_alone_numba_calls_a_kernel(
 
     if numba_available():
         monkeypatch.setenv("ROPSIM_CACHE_DIR", str(tmp_path))
-        monkeypatch.setattr("ropsim.codegen.compiled.load", lacks)
+        monkeypatch.setattr("ropsim.codegen.machine.compiled.load", lacks)
         out = np.empty(1)
-        kernel("void(f8[::1], f8[::1])")(_third)(np.array([1.0, 2.0]), out)
+        kernel(_third)(np.array([1.0, 2.0]), out)
         assert out[0] == 22.0
         assert list(tmp_path.rglob("*.code")) == []
 
@@ -170,14 +171,21 @@ def test_more_arguments_than_a_function_takes_are_not_bound() -> None:
             bound(compiled_sums, np.zeros((4, 7)), 1.0, np.empty(4), 2.0)
 
 
-def test_without_numba_a_kernel_is_the_function_itself(monkeypatch: pytest.MonkeyPatch) -> None:
+def _over(values: Array1, out: Array1) -> None:
+    out[0], out[1] = values[0] / values[1], 1e308 * values[0] * 10.0
+
+
+def test_without_numba_python_runs_a_kernel(monkeypatch: pytest.MonkeyPatch) -> None:
     _hide_numba(monkeypatch)
-    assert kernel(SIGNATURE)(_sums) is _sums
+    assert isinstance(Kernel(_over).made(), InPython)
+    out = np.empty(2)
+    kernel(_over)(np.array([1.0, 0.0]), out)  # without a warning
+    assert out.tolist() == [np.inf, np.inf]
 
 
 def test_numbas_own_switch_turns_compiling_off(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("NUMBA_DISABLE_JIT", "1")
-    assert kernel(SIGNATURE)(_sums) is _sums
+    assert isinstance(Kernel(_sums).made(), InPython)
     assert default_engine() is Engine.PYTHON
 
 
@@ -188,12 +196,12 @@ def test_without_numba_generated_code_runs_as_plain_python(monkeypatch: pytest.M
 
 
 INNER = """
-from ropsim.codegen import kernel
+from ropsim.codegen import Array1, kernel
 
 FACTOR = {factor}
 
-@kernel("void(f8[::1], f8[::1])")
-def scaled(values, out):
+@kernel
+def scaled(values: Array1, out: Array1) -> None:
     for k in range(values.shape[0]):
         out[k] = _times(values[k])
 
@@ -201,13 +209,13 @@ def _times(value):
     return FACTOR * value
 """
 OUTER = """
-from ropsim.codegen import kernel
+from ropsim.codegen import Array1, kernel
 from scaled_elsewhere import scaled
 
 FACTOR = 100.0
 
-@kernel("void(f8[::1], f8[::1])")
-def scaled_and_more(values, out):
+@kernel
+def scaled_and_more(values: Array1, out: Array1) -> None:
     scaled(values[1:], out[1:])
     out[0] = FACTOR
 """
@@ -231,15 +239,15 @@ def test_a_kernel_calls_kernels_of_other_modules_with_the_numbers_that_these_kno
 
 NUMBERED = """
 import numpy as np
-from ropsim.codegen import kernel
+from ropsim.codegen import Array1, kernel
 from numbers_elsewhere import FACTOR
 
-@kernel("void(f8[::1])")
-def enter(out):
+@kernel
+def entry(out: Array1) -> None:
     out[0] = FACTOR
 
 out = np.empty(1)
-enter(out)
+entry(out)
 print(out[0])
 """
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from ropsim.codegen import CONSTANTS, Compiled, Engine, Scalar, Tracer, cos, emit, load, row_by_row, sin, tanh
-from ropsim.codegen.tracer import maximum, minimum, sqrt
+from ropsim.codegen.formulas.tracer import maximum, minimum, sqrt
 from ropsim.spatial import Array
 
 ROUNDING = 3e-16

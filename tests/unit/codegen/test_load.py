@@ -10,10 +10,10 @@ import numpy as np
 import pytest
 
 from ropsim.codegen import Engine, SourceFunction, compiling_reported, load
-from ropsim.codegen.kept_code import GENERATED, kept_address
-from ropsim.codegen.machine_code import MachineCode, MissingNameError, unpacked
-from ropsim.codegen.machine_code import load as load_code
-from ropsim.codegen.signature import Signature
+from ropsim.codegen.machine.kept_code import GENERATED, kept_address
+from ropsim.codegen.machine.object_code import MachineCode, MissingNameError, unpacked
+from ropsim.codegen.machine.object_code import load as load_code
+from ropsim.codegen.machine.signature import Signature
 
 SCRIPT = """
 import sys
@@ -69,8 +69,8 @@ def test_what_another_process_has_made_meanwhile_is_not_made_again(
         raise AssertionError
 
     monkeypatch.setenv("ROPSIM_CACHE_DIR", str(filled))
-    monkeypatch.setattr("ropsim.codegen.compiled.kept_address", late)
-    monkeypatch.setattr("ropsim.codegen.compiled._made", fails)
+    monkeypatch.setattr("ropsim.codegen.machine.compiled.kept_address", late)
+    monkeypatch.setattr("ropsim.codegen.machine.compiled._made", fails)
     out = np.empty(1)
     text = "def double(x, out): out[0] = 2.0 * x[0]"
     double = SourceFunction("double", "void(f8[::1], f8[::1])", text)
@@ -120,7 +120,8 @@ def test_code_that_needs_numba_says_so_and_is_loaded_with_it(
     assert content is not None
     assert "NRT_MemInfo_alloc_aligned" in " ".join(unpacked(content).needs)
     script = (
-        "import sys; from ropsim.codegen.kept_code import kept_address; assert 'numba' not in sys.modules;"
+        "import sys; from ropsim.codegen.machine.kept_code import kept_address;"
+        "assert 'numba' not in sys.modules;"
         "assert kept_address(sys.argv[1]) is not None; print('numba' in sys.modules)"
     )
     done = subprocess.run(
@@ -141,7 +142,7 @@ def test_where_code_does_not_stand_alone_numba_calls_it(
         raise MissingNameError("sin")
 
     monkeypatch.setenv("ROPSIM_CACHE_DIR", str(tmp_path))
-    monkeypatch.setattr("ropsim.codegen.compiled.load", lacks)
+    monkeypatch.setattr("ropsim.codegen.machine.compiled.load", lacks)
     text = "def lone(x):\n    x[0] = 3.0 * x[0]\n"
     x = np.array([14.0])
     load("lone", (SourceFunction("lone", "void(f8[::1])", text),), Engine.NUMBA)(x)
@@ -171,7 +172,7 @@ def test_importing_the_package_does_not_import_numba() -> None:
 
 
 def test_code_is_found_again_only_by_the_compiler_that_made_it(monkeypatch: pytest.MonkeyPatch) -> None:
-    module = sys.modules["ropsim.codegen.code_digest"]
+    module = sys.modules["ropsim.codegen.machine.kept_code"]
     monkeypatch.setattr(module, "_compiler", module._compiler.__wrapped__)
     before = module.digest_of("source")
     assert module.digest_of("source") == before

@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 
 from ropsim.codegen import Engine, SourceFunction, load, numba_available
-from ropsim.codegen.load import compiled_source
+from ropsim.codegen.load import compiled_functions
+from ropsim.codegen.machine.numba_stages import STAGES
 
 pytestmark = pytest.mark.skipif(not numba_available(), reason="numba is not installed")
 
@@ -19,9 +20,7 @@ NEGATED = SourceFunction("negated", TAKES, "def negated(x, out):\n    part(x, ou
 
 
 def known(*functions: SourceFunction) -> dict[str, Any]:
-    scope: dict[str, Any] = {}
-    exec(compiled_source(functions), scope)
-    return scope
+    return compiled_functions(functions, STAGES)
 
 
 def test_two_modules_share_a_function_that_calls_no_other() -> None:

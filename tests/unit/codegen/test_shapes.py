@@ -2,13 +2,12 @@
 
 import numpy as np
 
-from ropsim.codegen import as_row, as_table, kernel
-from ropsim.spatial import Array
+from ropsim.codegen import Array1, Array3, as_row, as_table, kernel
 from support.in_python import in_python
 
 
-@kernel("void(f8[::1], f8[:,:,::1], f8[::1])")
-def turned_over(room: Array, rows: Array, told: Array) -> None:
+@kernel
+def turned_over(room: Array1, rows: Array3, told: Array1) -> None:
     """Write the numbers of the second table backwards to a table that begins behind the first number."""
     numbers, table = as_row(rows[1]), as_table(room[1:], 2, 3)
     told[0], told[1], told[2] = numbers.shape[0], table.shape[0], table.shape[1]

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from ropsim.codegen import Tracer
-from ropsim.codegen.reachable import reachable
+from ropsim.codegen.formulas.tracer import reachable
 from ropsim.dynamics import chain_of, drive_fault, forward_dynamics, friction, mass_matrix, steady_drive
 from ropsim.dynamics.drives import command_limit
 from ropsim.dynamics.drives.block import AmplifierBlock, MotorBlock, TransmissionBlock

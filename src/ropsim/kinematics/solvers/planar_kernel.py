@@ -6,15 +6,15 @@ whether the whole pose is, forward kinematics tells afterwards.
 
 from math import atan2, ceil, cos, nan, pi, sin, sqrt
 
-from ropsim.codegen import kernel
+from ropsim.codegen import Array1, Array3, kernel
 from ropsim.spatial import Array
 
 LENGTHS, JOINTS, SIGNS, ZEROS, X_J, R_M, OFFSET, SLACKS = 0, 2, 6, 10, 14, 26, 35, 37
 """Where the fields of `PlanarArm.flat` begin; frames lie by rows."""
 
 
-@kernel("void(f8[::1], f8[::1], f8[:,:,::1], f8[:,:,::1])")
-def planar_rows(arm: Array, near: Array, T: Array, out: Array) -> None:
+@kernel
+def planar_rows(arm: Array1, near: Array1, T: Array3, out: Array3) -> None:
     """Write both branches of every pose X_BM in T (k, 4, 4) to out (k, 2, n), NaN where absent.
 
     Args:

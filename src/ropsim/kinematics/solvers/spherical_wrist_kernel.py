@@ -5,7 +5,7 @@ The symbols are those of `spherical_wrist.py`; what is done for each branch is i
 
 from math import cos, sin
 
-from ropsim.codegen import as_table, kernel
+from ropsim.codegen import Array1, Array2, Array3, as_table, kernel
 from ropsim.kinematics.solvers.wrist_columns import (
     ANGLES,
     COLUMNS,
@@ -46,8 +46,8 @@ _EACH = 4
 """Branches of a pose, but for the turn of the wrist, which is no more than another sign."""
 
 
-@kernel("void(f8[::1], f8[::1], f8[:,:,::1], f8[:,:,::1])")
-def inverse_rows(arm: Array, room: Array, T: Array, out: Array) -> None:
+@kernel
+def inverse_rows(arm: Array1, room: Array1, T: Array3, out: Array3) -> None:
     """Write all branches of every pose X_BM in T (k, 4, 4) to out (k, 8, 6), NaN where absent.
 
     Args:
@@ -70,8 +70,8 @@ def inverse_rows(arm: Array, room: Array, T: Array, out: Array) -> None:
                     _tell(sheet, _EACH * k + way, flip, out[first + k, 2 * way + flip])
 
 
-@kernel("void(f8[::1], f8[::1], f8[:,:,::1], i8, f8[:,::1])")
-def inverse_branch(arm: Array, room: Array, T: Array, row: int, out: Array) -> None:
+@kernel
+def inverse_branch(arm: Array1, room: Array1, T: Array3, row: int, out: Array2) -> None:
     """Write one branch of every pose, as `inverse_rows` does all of them.
 
     Args:
@@ -90,8 +90,8 @@ def inverse_branch(arm: Array, room: Array, T: Array, row: int, out: Array) -> N
             _tell(sheet, k, row % 2, out[first + k])
 
 
-@kernel("void(f8[::1], f8[::1], f8, f8[::1])")
-def wrist_posture(arm: Array, q: Array, side: float, told: Array) -> None:
+@kernel
+def wrist_posture(arm: Array1, q: Array1, side: float, told: Array1) -> None:
     """Write to which branch joint coordinates belong, and how near they are to a singular place.
 
     Args:

@@ -8,7 +8,7 @@ class the slacks are as wide as the snap, and its rows are starts for `polish.py
 
 from math import atan2, ceil, cos, nan, pi, sin, sqrt
 
-from ropsim.codegen import kernel
+from ropsim.codegen import Array1, Array3, kernel
 from ropsim.spatial import Array
 
 ALIGNED_SLACK = 1e-10
@@ -23,8 +23,8 @@ X_J, X_M, SLACKS = 57, 69, 81
 """Where the fields of `SwivelArm.flat` begin; frames lie by rows."""
 
 
-@kernel("void(f8[::1], f8[::1], f8[::1], f8[:,:,::1], f8[:,:,::1])")
-def inverse_rows(arm: Array, room: Array, swivels: Array, T: Array, out: Array) -> None:
+@kernel
+def inverse_rows(arm: Array1, room: Array1, swivels: Array1, T: Array3, out: Array3) -> None:
     """Write all branches of every pose X_BM in T (k, 4, 4) to out (k, 8, 7), NaN where absent.
 
     Args:

@@ -11,7 +11,7 @@ that was snapped into the class the slacks are as wide as the snap: its rows are
 
 from math import atan2, ceil, cos, nan, pi, sin, sqrt
 
-from ropsim.codegen import kernel
+from ropsim.codegen import Array1, Array3, kernel
 from ropsim.spatial import Array
 
 WRIST_SLACK = 1e-10
@@ -28,8 +28,8 @@ ROOM = 33
 """So many numbers are room to work in, the first six joint coordinates that a singular pose keeps."""
 
 
-@kernel("void(f8[::1], f8[::1], f8[:,:,::1], f8[:,:,::1])")
-def inverse_rows(arm: Array, room: Array, T: Array, out: Array) -> None:
+@kernel
+def inverse_rows(arm: Array1, room: Array1, T: Array3, out: Array3) -> None:
     """Write all branches of every pose X_BM in T (k, 4, 4) to out (k, 8, 6), NaN where absent.
 
     Args:

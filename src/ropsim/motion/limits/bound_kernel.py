@@ -1,19 +1,18 @@
 """Bounds of the rows of the fastest course, in a loop that numba compiles."""
 
-from ropsim.codegen import kernel
-from ropsim.spatial import Array
+from ropsim.codegen import Array1, Array2, kernel
 
 
-@kernel("void(f8[:,::1], f8[::1], f8[::1], f8, f8[:,::1], f8[:,::1], f8[:,::1], f8[::1])")
+@kernel
 def bound(
-    most: Array,
-    share: Array,
-    caps: Array,
+    most: Array2,
+    share: Array1,
+    caps: Array1,
     wider: float,
-    before: Array,
-    lower: Array,
-    upper: Array,
-    same: Array,
+    before: Array2,
+    lower: Array2,
+    upper: Array2,
+    same: Array1,
 ) -> None:
     """Write the bounds of the first rows of `fastest`, and where they are those of the call before.
 

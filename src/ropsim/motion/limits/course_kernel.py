@@ -2,7 +2,7 @@
 
 import math
 
-from ropsim.codegen import kernel
+from ropsim.codegen import Array1, Array2, kernel
 from ropsim.motion.limits.motion_time_kernel import timed
 from ropsim.motion.limits.rounding_kernel import rounded
 from ropsim.spatial import Array
@@ -21,17 +21,17 @@ _ENDLESS = 1e100
 _LEAST_WAY = 2.0**-52
 
 
-@kernel("void(f8[::1], f8[::1], f8[::1], f8[::1], f8[:,::1], f8[::1], f8[::1], f8[::1], f8[::1])")
+@kernel
 def smooth_course(
-    places: Array,
-    x: Array,
-    lasting: Array,
-    width: Array,
-    work: Array,
-    sigma: Array,
-    times: Array,
-    smooth: Array,
-    changes: Array,
+    places: Array1,
+    x: Array1,
+    lasting: Array1,
+    width: Array1,
+    work: Array2,
+    sigma: Array1,
+    times: Array1,
+    smooth: Array1,
+    changes: Array1,
 ) -> None:
     """Write a course of rates without kinks that is nowhere above the given one, and its times.
 
@@ -77,9 +77,9 @@ def _cell(places: Array, i: int) -> float:
     return max(places[i + 1] - places[i], before) if i < last else before
 
 
-@kernel("void(f8[:,::1], f8[:,::1], f8[:,::1], f8, f8, f8[::1])")
+@kernel
 def windows_last(
-    first: Array, most: Array, jerk: Array, by_speed: float, longest: float, lasting: Array
+    first: Array2, most: Array2, jerk: Array2, by_speed: float, longest: float, lasting: Array1
 ) -> None:
     """Write how long windows last, so that jerk limits let accelerations swing in them.
 

@@ -1,15 +1,14 @@
 """How slowly a path is crept along, in a loop that numba compiles."""
 
-from ropsim.codegen import kernel
-from ropsim.spatial import Array
+from ropsim.codegen import Array1, Array2, kernel
 
 _CREEP = 0.02
 """Share of the speed of joints at which dry friction is as in motion and nothing else counts."""
 _TINY = 2.0**-1022
 
 
-@kernel("void(f8[:,::1], f8[::1], f8[:,::1])")
-def creeping(d1: Array, speed: Array, out: Array) -> None:
+@kernel
+def creeping(d1: Array2, speed: Array1, out: Array2) -> None:
     """Write the speeds of joints that creep, a small share of their limits and of their greatest speeds.
 
     Args:

@@ -1,6 +1,6 @@
 """The fastest course along a path under limits that are linear in speed squared and acceleration."""
 
-from ropsim.codegen import kernel
+from ropsim.codegen import Array1, Array2, kernel
 from ropsim.spatial import Array
 
 NOTHING = 1e-12
@@ -15,20 +15,18 @@ MOST_STEPS = 60
 """Newton steps at one place; each passes a corner of a convex polygon, so that a handful is the rule."""
 
 
-@kernel(
-    "void(f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[::1], f8[::1], f8[::1], f8[::1], f8[::1], f8[::1])"
-)
+@kernel
 def fastest(
-    A: Array,
-    B: Array,
-    lower: Array,
-    upper: Array,
-    caps: Array,
-    steps: Array,
-    same: Array,
-    free: Array,
-    back: Array,
-    x: Array,
+    A: Array2,
+    B: Array2,
+    lower: Array2,
+    upper: Array2,
+    caps: Array1,
+    steps: Array1,
+    same: Array1,
+    free: Array1,
+    back: Array1,
+    x: Array1,
 ) -> None:
     """Compute the greatest squared speeds x = (ds/dt)² along a path.
 

@@ -2,17 +2,16 @@
 
 import math
 
-from ropsim.codegen import kernel
+from ropsim.codegen import Array1, Array2, kernel
 from ropsim.motion.limits.rounding_kernel import greatest_nearby
 from ropsim.motion.limits.strain_kernel import WINDOW
-from ropsim.spatial import Array
 
 _WIDEST = 8.0
 """Greatest width of windows over their first one."""
 
 
-@kernel("void(f8[::1], f8[:,::1], f8[:,::1], f8[:,::1])")
-def give_up(sigma: Array, lacks: Array, room: Array, shares: Array) -> None:
+@kernel
+def give_up(sigma: Array1, lacks: Array2, room: Array2, shares: Array2) -> None:
     """Make shares smaller, and windows wider, by the greatest lacks in the windows around places.
 
     Args:

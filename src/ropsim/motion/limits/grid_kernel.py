@@ -2,8 +2,7 @@
 
 import math
 
-from ropsim.codegen import kernel
-from ropsim.spatial import Array
+from ropsim.codegen import Array1, Array2, kernel
 
 _LEAST_PART = 1e-4
 """Ways that are shorter than this share of the grid are not divided further."""
@@ -16,8 +15,8 @@ _STEEP = 0.4
 _MOST_PARTS = 64.0
 
 
-@kernel("void(f8[::1], f8[::1], f8[::1], f8[::1])")
-def parts_by_rate(places: Array, phi: Array, rates: Array, parts: Array) -> None:
+@kernel
+def parts_by_rate(places: Array1, phi: Array1, rates: Array1, parts: Array1) -> None:
     """Write into how many parts ways are divided, so that these last but a little longer than at full rate.
 
     Args:
@@ -39,8 +38,10 @@ def parts_by_rate(places: Array, phi: Array, rates: Array, parts: Array) -> None
         parts[i] = min(parts[i], _MOST_PARTS)
 
 
-@kernel("void(f8[::1], f8[:,::1], f8[:,::1], f8[::1], f8, f8[::1])")
-def parts_by_joints(places: Array, q: Array, d1: Array, speed: Array, spacing: float, parts: Array) -> None:
+@kernel
+def parts_by_joints(
+    places: Array1, q: Array2, d1: Array2, speed: Array1, spacing: float, parts: Array1
+) -> None:
     """Write into how many parts ways are divided for joints that go far or whose speed bounds change steeply.
 
     Args:
@@ -66,8 +67,8 @@ def parts_by_joints(places: Array, q: Array, d1: Array, speed: Array, spacing: f
         before = allowed
 
 
-@kernel("void(f8[::1], f8[::1], f8[::1])")
-def divide(places: Array, parts: Array, out: Array) -> None:
+@kernel
+def divide(places: Array1, parts: Array1, out: Array1) -> None:
     """Write places with the ways between them in equal parts.
 
     Args:

@@ -2,7 +2,7 @@
 
 import math
 
-from ropsim.codegen import columns, kernel
+from ropsim.codegen import Array1, Array2, columns, kernel
 from ropsim.spatial import Array
 
 _INSIDE = 0.9
@@ -12,9 +12,9 @@ The mean rate is then at least (2 - share)/2 of that at the ends, and a cell las
 """
 
 
-@kernel("void(f8[::1], f8[::1], f8[::1], f8[::1], f8[::1], f8[:,::1])")
+@kernel
 def motion_time_at(
-    knots: Array, places: Array, rates: Array, changes: Array, times: Array, out: Array
+    knots: Array1, places: Array1, rates: Array1, changes: Array1, times: Array1, out: Array2
 ) -> None:
     """Write motion time [s], its rate and the change of that [1/s] at real times; see `MotionTime.at`.
 
@@ -78,8 +78,8 @@ def _in_cell(
         rise[j] = change + past * (2.0 * square + past * 3.0 * cube)
 
 
-@kernel("void(f8[::1], f8[::1], f8[::1], f8[::1])")
-def timed(places: Array, rates: Array, changes: Array, times: Array) -> None:
+@kernel
+def timed(places: Array1, rates: Array1, changes: Array1, times: Array1) -> None:
     """Write the real times at which a motion with given rates comes to its knots; see `motion_time`.
 
     Args:

@@ -2,15 +2,15 @@
 
 import math
 
-from ropsim.codegen import kernel
+from ropsim.codegen import Array1, Array2, kernel
 from ropsim.motion.limits.strain_kernel import ACCELERATION, JERK, SPEED, TORQUE
 from ropsim.spatial import Array
 
 _TINY = 1e-300
 
 
-@kernel("void(f8[:,::1], f8[:,::1], f8[::1], f8[:,::1], f8, f8[::1])")
-def rates_kept(d1: Array, d2: Array, places: Array, inverse: Array, period: float, out: Array) -> None:
+@kernel
+def rates_kept(d1: Array2, d2: Array2, places: Array1, inverse: Array2, period: float, out: Array1) -> None:
     """Write the constant rates, at most 1, at which the joints just keep their limits of speed and jerk.
 
     With the rate w, speeds scale by w and jerk by w³; where acceleration is not steady, its step in one
@@ -40,18 +40,18 @@ def rates_kept(d1: Array, d2: Array, places: Array, inverse: Array, period: floa
         before = behind
 
 
-@kernel("void(f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[::1], f8[:,::1], f8, i8, i8, f8[::1])")
+@kernel
 def least_rate(
-    d1: Array,
-    d2: Array,
-    torque: Array,
-    still: Array,
-    places: Array,
-    limits: Array,
+    d1: Array2,
+    d2: Array2,
+    torque: Array2,
+    still: Array2,
+    places: Array1,
+    limits: Array2,
     period: float,
     begin: int,
     end: int,
-    out: Array,
+    out: Array1,
 ) -> None:
     """Write which limit of which joint needs the lowest rate; see `neediest`.
 

@@ -2,7 +2,7 @@
 
 import math
 
-from ropsim.codegen import columns, kernel
+from ropsim.codegen import Array1, Array2, columns, kernel
 from ropsim.motion.limits.strain_kernel import BESIDE, MOST_AT_ONCE, RATE, STEADY, SWING, WINDOW
 from ropsim.spatial import Array
 
@@ -13,25 +13,22 @@ ROWS_OF_PLACES = 7
 """Rows to work in: accelerations at two places, jerks of three ways, excesses, and jerks by real time."""
 
 
-@kernel(
-    "void(f8[:,::1], f8[:,::1], f8[::1], f8[::1], f8[::1], f8[::1], f8[::1], f8[:,::1], f8[:,::1],"
-    " f8, f8, f8[:,::1], f8[:,::1], f8[::1])"
-)
+@kernel
 def lacks_at(
-    first: Array,
-    second: Array,
-    places: Array,
-    times: Array,
-    rates: Array,
-    changes: Array,
-    speed: Array,
-    swing: Array,
-    jerk: Array,
+    first: Array2,
+    second: Array2,
+    places: Array1,
+    times: Array1,
+    rates: Array1,
+    changes: Array1,
+    speed: Array1,
+    swing: Array2,
+    jerk: Array2,
     allowed: float,
     more: float,
-    room: Array,
-    lacks: Array,
-    told: Array,
+    room: Array2,
+    lacks: Array2,
+    told: Array1,
 ) -> None:
     """Write what n joints and r paths lack at m places, as `strain_of` does at control ticks; torque aside.
 

@@ -1,6 +1,6 @@
 """Rounding of a course in windows, in loops that numba compiles; see `rounded`."""
 
-from ropsim.codegen import kernel
+from ropsim.codegen import Array1, Array2, kernel
 from ropsim.spatial import Array
 
 _WIDE, _NARROW = 2.0 / 3.0, 1.0 / 3.0
@@ -9,8 +9,8 @@ WORK = 8
 """Rows of room that rounding needs, each two longer than there are places."""
 
 
-@kernel("void(f8[::1], f8[::1], f8[::1], f8[::1])")
-def greatest_nearby(sigma: Array, values: Array, queue: Array, out: Array) -> None:
+@kernel
+def greatest_nearby(sigma: Array1, values: Array1, queue: Array1, out: Array1) -> None:
     """Write the greatest value within ±1 of each place, the places next to that included.
 
     The window moves on from place to place; places in it whose values are less than one behind them can
@@ -39,8 +39,8 @@ def greatest_nearby(sigma: Array, values: Array, queue: Array, out: Array) -> No
         out[k] = values[int(queue[head])]
 
 
-@kernel("void(f8[::1], f8[::1], f8[:,::1], f8[::1], f8[::1])")
-def rounded(sigma: Array, rates: Array, work: Array, smooth: Array, slopes: Array) -> None:
+@kernel
+def rounded(sigma: Array1, rates: Array1, work: Array2, smooth: Array1, slopes: Array1) -> None:
     """Write a smooth course of rates that is nowhere above the given one.
 
     The lowest rate within ±1 of σ is taken, then the mean over ±2/3, and of that over ±1/3. A mean over ±1

@@ -2,7 +2,7 @@
 
 import math
 
-from ropsim.codegen import kernel
+from ropsim.codegen import Array1, Array2, Array3, kernel
 from ropsim.spatial import Array
 
 _TINY = 1e-300
@@ -20,26 +20,23 @@ RATE, SWING, WINDOW, LOAD = range(4)
 """Rows of lacks: rate and acceleration are divided by them, windows multiplied, torque divided."""
 
 
-@kernel(
-    "void(f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[::1], f8[:,::1], f8[:,:,::1],"
-    " f8, f8, f8[:,::1], f8[:,::1], f8[::1], f8[:,::1])"
-)
+@kernel
 def strain_of(
-    qd: Array,
-    qdd: Array,
-    torque: Array,
-    first: Array,
-    second: Array,
-    course: Array,
-    places: Array,
-    still: Array,
-    limits: Array,
+    qd: Array2,
+    qdd: Array2,
+    torque: Array2,
+    first: Array2,
+    second: Array2,
+    course: Array2,
+    places: Array1,
+    still: Array2,
+    limits: Array3,
     allowed: float,
     more: float,
-    inverse: Array,
-    used: Array,
-    peaks: Array,
-    lacks: Array,
+    inverse: Array2,
+    used: Array2,
+    peaks: Array1,
+    lacks: Array2,
 ) -> None:
     """Compute strains and lacks of n joints and r paths at k control ticks; no number counts as infinity.
 
@@ -117,8 +114,8 @@ def _causes(
     return by_path / whole, bend / whole, change / whole
 
 
-@kernel("void(f8[:,::1], f8[:,::1], f8[:,::1], f8[:,:,::1])")
-def by_real_time(first: Array, second: Array, course: Array, out: Array) -> None:
+@kernel
+def by_real_time(first: Array2, second: Array2, course: Array2, out: Array3) -> None:
     """Write speeds q'·w and accelerations q''·w² + q'·c of a motion at the rate w, which changes by c.
 
     Args:

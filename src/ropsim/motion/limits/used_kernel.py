@@ -2,7 +2,7 @@
 
 import math
 
-from ropsim.codegen import columns, kernel
+from ropsim.codegen import Array1, Array2, columns, kernel
 from ropsim.motion.limits.strain_kernel import ACCELERATION, JERK, SPEED, TORQUE
 from ropsim.spatial import Array
 
@@ -15,8 +15,10 @@ REST = 6
 """Row of zeros: joints rest before the first and after the last tick."""
 
 
-@kernel("void(f8[::1], f8[::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[::1])")
-def used_by_motion(qd: Array, qdd: Array, limits: Array, room: Array, used: Array, peaks: Array) -> None:
+@kernel
+def used_by_motion(
+    qd: Array1, qdd: Array1, limits: Array2, room: Array2, used: Array2, peaks: Array1
+) -> None:
     """Compute what n joints use of speed, acceleration and jerk at k control ticks, as `strain_of` does.
 
     Args:
@@ -56,8 +58,8 @@ def used_by_motion(qd: Array, qdd: Array, limits: Array, room: Array, used: Arra
     peaks[SPEED], peaks[ACCELERATION], peaks[JERK] = most_speed, most_acceleration, most_jerk
 
 
-@kernel("void(f8[::1], f8[::1], f8[:,::1], f8[:,::1], f8[::1])")
-def used_by_torque(torque: Array, limit: Array, room: Array, used: Array, peaks: Array) -> None:
+@kernel
+def used_by_torque(torque: Array1, limit: Array1, room: Array2, used: Array2, peaks: Array1) -> None:
     """Compute what n joints use of their torque at k control ticks, as `strain_of` does.
 
     Args:

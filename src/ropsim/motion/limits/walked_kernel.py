@@ -2,7 +2,7 @@
 
 import math
 
-from ropsim.codegen import columns, kernel
+from ropsim.codegen import Array1, Array2, columns, kernel
 from ropsim.spatial import Array
 
 _ENDLESS = math.inf
@@ -14,9 +14,9 @@ MOST, ROWS_OF_LOAD = 1, 2
 """The same for torques: their limits are in the second row."""
 
 
-@kernel("void(f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[::1])")
+@kernel
 def walk_at(
-    first: Array, second: Array, course: Array, limits: Array, room: Array, out: Array, beyond: Array
+    first: Array2, second: Array2, course: Array2, limits: Array2, room: Array2, out: Array2, beyond: Array1
 ) -> None:
     """Write speeds and accelerations at k control ticks, as `by_real_time` does, and what is beyond limits.
 
@@ -50,8 +50,8 @@ def walk_at(
     beyond[0] = most
 
 
-@kernel("void(f8[::1], f8[::1], f8[:,::1], f8[::1])")
-def beyond_torque(torque: Array, limit: Array, room: Array, beyond: Array) -> None:
+@kernel
+def beyond_torque(torque: Array1, limit: Array1, room: Array2, beyond: Array1) -> None:
     """Write the most by which torques of n joints at k control ticks are beyond their limits.
 
     Args:

@@ -2,7 +2,7 @@
 
 from math import atan2, sqrt
 
-from ropsim.codegen import kernel
+from ropsim.codegen import Array1, Array2, Array3, kernel
 from ropsim.motion.paths.curve_kernel import rate_rows, speed_range, turning_rows, way_of_steps
 from ropsim.spatial import Array
 
@@ -21,32 +21,28 @@ UNEVEN = 0.45
 FULL_TURN = 6.283185307179586
 
 
-@kernel(
-    "void(f8[:,::1], f8[::1], f8[::1], f8[:,:,::1], f8[:,::1], f8[:,::1], f8[:,:,::1], f8[:,::1], f8[:,::1],"
-    " f8, i8, f8[:,:,::1], f8[:,::1], f8[:,::1], f8[::1], f8[:,:,::1], f8[:,:,::1], f8[::1], f8[:,::1],"
-    " f8[::1])"
-)
+@kernel
 def corner_curve(
-    series: Array,
-    points: Array,
-    weights: Array,
-    before: Array,
-    before_d1: Array,
-    before_d2: Array,
-    after: Array,
-    after_d1: Array,
-    after_d2: Array,
+    series: Array2,
+    points: Array1,
+    weights: Array1,
+    before: Array3,
+    before_d1: Array2,
+    before_d2: Array2,
+    after: Array3,
+    after_d1: Array2,
+    after_d2: Array2,
     swing: float,
     steps: int,
-    matrices: Array,
-    rates: Array,
-    room: Array,
-    places: Array,
-    coefficients: Array,
-    middles: Array,
-    ends: Array,
-    inverse: Array,
-    told: Array,
+    matrices: Array3,
+    rates: Array2,
+    room: Array2,
+    places: Array1,
+    coefficients: Array3,
+    middles: Array3,
+    ends: Array1,
+    inverse: Array2,
+    told: Array1,
 ) -> None:
     """Write the corner from one path of the tool to the next, or why there is none.
 
@@ -113,20 +109,17 @@ def _is_unit(tangent: Array) -> bool:
     return abs(sqrt(x * x + y * y + z * z) - 1.0) <= UNIT
 
 
-@kernel(
-    "void(f8[:,::1], f8[:,:,::1], f8[:,::1], f8[:,::1], f8[::1], f8[:,::1],"
-    " f8[:,:,::1], f8[:,:,::1], f8[::1])"
-)
+@kernel
 def corner_polynomials(
-    series: Array,
-    matrices: Array,
-    d1: Array,
-    d2: Array,
-    scales: Array,
-    room: Array,
-    coefficients: Array,
-    middles: Array,
-    told: Array,
+    series: Array2,
+    matrices: Array3,
+    d1: Array2,
+    d2: Array2,
+    scales: Array1,
+    room: Array2,
+    coefficients: Array3,
+    middles: Array3,
+    told: Array1,
 ) -> None:
     """Write the quintic Hermite polynomials of position and rotation vector between two ends.
 

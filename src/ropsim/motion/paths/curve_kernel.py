@@ -8,7 +8,7 @@ c₂ = (1 - cos|θ|) / |θ|², c₃ = (|θ| - sin|θ|) / |θ|³, the derivatives
 
 from math import sqrt
 
-from ropsim.codegen import kernel
+from ropsim.codegen import Array1, Array2, Array3, kernel
 from ropsim.spatial import Array
 
 _Vector = tuple[float, float, float]
@@ -20,9 +20,9 @@ SOME = 12
 """Terms for |θ| below 1 rad; the rest is below 1e-24 of the first one."""
 
 
-@kernel("void(f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,:,::1], f8[:,::1], f8[:,::1])")
+@kernel
 def turning_rows(
-    series: Array, vectors: Array, d1: Array, d2: Array, R: Array, speed: Array, change: Array
+    series: Array2, vectors: Array2, d1: Array2, d2: Array2, R: Array3, speed: Array2, change: Array2
 ) -> None:
     """Write exp(K), ω and ω' of rows of θ, θ' and θ'', shapes (k, 3, 3) and (k, 3)."""
     for k in range(vectors.shape[0]):
@@ -35,8 +35,8 @@ def turning_rows(
             speed[k, i], change[k, i] = w[i], a[i]
 
 
-@kernel("void(f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1])")
-def rate_rows(series: Array, vectors: Array, speed: Array, change: Array, d1: Array, d2: Array) -> None:
+@kernel
+def rate_rows(series: Array2, vectors: Array2, speed: Array2, change: Array2, d1: Array2, d2: Array2) -> None:
     """Write θ' and θ'' of rows of θ, ω and ω', shapes (k, 3): the inverse of `turning_rows`."""
     for k in range(vectors.shape[0]):
         v = (vectors[k, 0], vectors[k, 1], vectors[k, 2])
@@ -51,21 +51,18 @@ def rate_rows(series: Array, vectors: Array, speed: Array, change: Array, d1: Ar
             d1[k, i], d2[k, i] = rate[i], bend[i]
 
 
-@kernel(
-    "void(f8[:,::1], f8[::1], f8[:,::1], i8, f8[:,:,::1], f8[:,:,::1], f8[::1],"
-    " f8[:,:,::1], f8[:,::1], f8[:,::1])"
-)
+@kernel
 def curve_points(
-    series: Array,
-    ends: Array,
-    inverse: Array,
+    series: Array2,
+    ends: Array1,
+    inverse: Array2,
     steps: int,
-    coefficients: Array,
-    middles: Array,
-    s: Array,
-    matrices: Array,
-    d1: Array,
-    d2: Array,
+    coefficients: Array3,
+    middles: Array3,
+    s: Array1,
+    matrices: Array3,
+    d1: Array2,
+    d2: Array2,
 ) -> None:
     """Write the tool and its derivatives by the way at ways s.
 
@@ -115,16 +112,16 @@ def curve_points(
         _turn_by(M, X)
 
 
-@kernel("void(f8[:,::1], f8[::1], f8[:,::1], i8, f8[:,:,::1], f8[:,:,::1], f8[::1], f8[:,:,::1])")
+@kernel
 def curve_poses(
-    series: Array,
-    ends: Array,
-    inverse: Array,
+    series: Array2,
+    ends: Array1,
+    inverse: Array2,
     steps: int,
-    coefficients: Array,
-    middles: Array,
-    s: Array,
-    matrices: Array,
+    coefficients: Array3,
+    middles: Array3,
+    s: Array1,
+    matrices: Array3,
 ) -> None:
     """Write the poses that `curve_points` writes.
 
@@ -161,8 +158,8 @@ def curve_poses(
         _turn_by(middles[segment], X)
 
 
-@kernel("void(f8[:,:,::1], f8[::1], f8[:,::1], f8[:,::1], f8[:,::1])")
-def curve_at(coefficients: Array, u: Array, p: Array, d1: Array, d2: Array) -> None:
+@kernel
+def curve_at(coefficients: Array3, u: Array1, p: Array2, d1: Array2, d2: Array2) -> None:
     """Write positions and their derivatives by t at u, the number of the segment and t in it as one."""
     for k in range(u.shape[0]):
         segment = min(max(int(u[k]), 0), coefficients.shape[0] - 1)
@@ -170,8 +167,8 @@ def curve_at(coefficients: Array, u: Array, p: Array, d1: Array, d2: Array) -> N
             p[k, i], d1[k, i], d2[k, i] = _polynomial(coefficients[segment], i, u[k] - segment)
 
 
-@kernel("void(f8[:,:,::1], i8, f8[::1], f8[:,::1])")
-def speed_range(coefficients: Array, steps: int, room: Array, out: Array) -> None:
+@kernel
+def speed_range(coefficients: Array3, steps: int, room: Array1, out: Array2) -> None:
     """Write the least and the greatest |p'| at the ends of the steps of each segment, shape (c, 2).
 
     Args:
@@ -191,9 +188,15 @@ def speed_range(coefficients: Array, steps: int, room: Array, out: Array) -> Non
             out[segment, 1] = max(out[segment, 1], speeds[step])
 
 
-@kernel("void(f8[:,:,::1], i8, f8[::1], f8[::1], f8[::1], f8[::1], f8[:,::1])")
+@kernel
 def way_of_steps(
-    coefficients: Array, steps: int, points: Array, weights: Array, room: Array, ends: Array, inverse: Array
+    coefficients: Array3,
+    steps: int,
+    points: Array1,
+    weights: Array1,
+    room: Array1,
+    ends: Array1,
+    inverse: Array2,
 ) -> None:
     """Write the way at the end of each step, and t over the share of the step.
 

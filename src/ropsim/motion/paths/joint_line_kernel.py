@@ -1,11 +1,11 @@
 """Rows of a straight way in joint space, in a loop that numba compiles."""
 
-from ropsim.codegen import columns, kernel
+from ropsim.codegen import Array1, Array2, Array3, columns, kernel
 from ropsim.spatial import Array
 
 
-@kernel("void(f8[::1], f8[::1], f8[::1], f8[:,:,::1])")
-def line_points(q_start: Array, q_end: Array, s: Array, out: Array) -> None:
+@kernel
+def line_points(q_start: Array1, q_end: Array1, s: Array1, out: Array3) -> None:
     """Write coordinates and their first two derivatives at places from 0 to 1.
 
     Args:
@@ -18,9 +18,9 @@ def line_points(q_start: Array, q_end: Array, s: Array, out: Array) -> None:
         _line(q_start.shape[0], s[k], 1.0, 0.0, q_start, q_end, out[0, k], out[1, k], out[2, k])
 
 
-@kernel("void(f8[::1], f8[::1], f8[:,::1], i8, i8, i8, f8[:,:,::1])")
+@kernel
 def line_in_time(
-    q_start: Array, q_end: Array, law: Array, first: int, until: int, at: int, total: Array
+    q_start: Array1, q_end: Array1, law: Array2, first: int, until: int, at: int, total: Array3
 ) -> None:
     """Write coordinates and derivatives by time at times of a motion, see `traced_in_time`.
 

@@ -6,7 +6,7 @@ each place costs two sines.
 
 from math import hypot, sin, sqrt
 
-from ropsim.codegen import kernel
+from ropsim.codegen import Array1, Array2, Array3, kernel
 from ropsim.motion.paths.path import STANDS, STILL
 from ropsim.motion.turn_kernel import turn_between
 from ropsim.spatial import Array
@@ -23,9 +23,9 @@ by rows with K the cross product matrix of the axis, the angular velocity of the
 """
 
 
-@kernel("void(f8[::1], f8[::1], f8[::1], f8[::1], i8, f8[::1])")
+@kernel
 def line_numbers(
-    start: Array, turned_start: Array, end: Array, turned_end: Array, drives: int, out: Array
+    start: Array1, turned_start: Array1, end: Array1, turned_end: Array1, drives: int, out: Array1
 ) -> None:
     """Write the numbers of a line.
 
@@ -63,8 +63,8 @@ def line_numbers(
         out[VELOCITY + i] = (a * x + b * y + c * z) * out[ANGLE]
 
 
-@kernel("void(f8[::1], f8[::1], f8[:,:,::1], f8[:,::1], f8[:,::1])")
-def straight_points(numbers: Array, s: Array, matrices: Array, d1: Array, d2: Array) -> None:
+@kernel
+def straight_points(numbers: Array1, s: Array1, matrices: Array3, d1: Array2, d2: Array2) -> None:
     """Write the tool and its derivatives at places of a line; at its end it is that of the end to the bit.
 
     Args:

@@ -1,15 +1,15 @@
 """Polynomials between the rows of traced paths, and motions along them, for all joints at a time."""
 
-from ropsim.codegen import columns, kernel
+from ropsim.codegen import Array1, Array2, Array3, columns, kernel
 from ropsim.spatial import Array
 
 COEFFICIENTS = 13
 """Of a polynomial of degree five and of its derivatives."""
 
 
-@kernel("void(f8[:,::1], f8[:,::1], f8[:,::1], f8, f8[::1], f8[:,::1], f8[:,:,::1])")
+@kernel
 def traced_points(
-    rows: Array, d1: Array, d2: Array, per_unit: float, s: Array, room: Array, out: Array
+    rows: Array2, d1: Array2, d2: Array2, per_unit: float, s: Array1, room: Array2, out: Array3
 ) -> None:
     """Write coordinates and derivatives by the place s between rows (quintic Hermite interpolation).
 
@@ -32,18 +32,18 @@ def traced_points(
         _quintics(n, place - row, per_unit, 1.0, 0.0, room, out[0, k], out[1, k], out[2, k])
 
 
-@kernel("void(f8[:,::1], f8[:,::1], f8[:,::1], f8, f8[:,::1], i8, i8, f8[:,::1], i8, f8[:,:,::1])")
+@kernel
 def traced_in_time(
-    rows: Array,
-    d1: Array,
-    d2: Array,
+    rows: Array2,
+    d1: Array2,
+    d2: Array2,
     per_unit: float,
-    law: Array,
+    law: Array2,
     first: int,
     until: int,
-    room: Array,
+    room: Array2,
     at: int,
-    total: Array,
+    total: Array3,
 ) -> None:
     """Write coordinates and derivatives by time at times of a motion.
 

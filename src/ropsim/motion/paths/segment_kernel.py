@@ -2,12 +2,11 @@
 
 from math import inf, sqrt
 
-from ropsim.codegen import kernel
-from ropsim.spatial import Array
+from ropsim.codegen import Array1, Array2, kernel
 
 
-@kernel("void(f8[:,::1], f8[:,::1], f8[:,::1], f8[::1])")
-def segment_distances(segments: Array, spans: Array, points: Array, distances: Array) -> None:
+@kernel
+def segment_distances(segments: Array2, spans: Array2, points: Array2, distances: Array1) -> None:
     """Write the distances of points from the segments to which they belong.
 
     Args:

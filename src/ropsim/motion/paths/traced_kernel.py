@@ -1,6 +1,6 @@
 """Traced paths in plain loops that numba compiles: derivatives at the rows, and how rough these are."""
 
-from ropsim.codegen import as_row, columns, kernel
+from ropsim.codegen import Array1, Array2, Array3, as_row, columns, kernel
 from ropsim.spatial import Array
 
 HALF = 3
@@ -9,8 +9,8 @@ SIDED = 8
 """So many rows weigh in these."""
 
 
-@kernel("void(f8[:,::1], f8[:,::1], f8[:,:,::1], f8[:,:,::1])")
-def row_differences(rows: Array, inner: Array, sided: Array, out: Array) -> None:
+@kernel
+def row_differences(rows: Array2, inner: Array2, sided: Array3, out: Array3) -> None:
     """Write the first and second derivative of every row, by the number of the row.
 
     Args:
@@ -22,17 +22,15 @@ def row_differences(rows: Array, inner: Array, sided: Array, out: Array) -> None
     _differences(rows, inner, sided, out)
 
 
-@kernel(
-    "void(f8[:,::1], f8[:,::1], f8[:,:,::1], f8[:,:,::1], f8[:,::1], f8[:,:,::1], f8[::1])",
-)
+@kernel
 def rows_with_roughness(
-    rows: Array,
-    inner: Array,
-    sided: Array,
-    out: Array,
-    coarse: Array,
-    coarse_out: Array,
-    rough: Array,
+    rows: Array2,
+    inner: Array2,
+    sided: Array3,
+    out: Array3,
+    coarse: Array2,
+    coarse_out: Array3,
+    rough: Array1,
 ) -> None:
     """Write the derivatives of every row, and how far the path through every second row passes the others.
 

@@ -3,7 +3,7 @@
 It asks for distances: who knows the path looks at the ways that it wants to know of, and calls it again.
 """
 
-from ropsim.codegen import kernel
+from ropsim.codegen import Array1, Array2, kernel
 from ropsim.spatial import Array
 
 LOOK_WAYS, LOOK_SQUARES, KEPT = range(3)
@@ -26,8 +26,10 @@ STEPS = 60
 """Enough where every one is a bisection."""
 
 
-@kernel("void(f8[::1], f8[:,::1], f8, f8, f8[:,::1], f8[::1])")
-def look_further(shares: Array, nodes: Array, zone: float, clip: float, looks: Array, state: Array) -> None:
+@kernel
+def look_further(
+    shares: Array1, nodes: Array2, zone: float, clip: float, looks: Array2, state: Array1
+) -> None:
     """Take the squares of the distances that were asked for, and ask for the next ones.
 
     The first interval of the grid at whose end the path is outside is cut where the polynomial through nine

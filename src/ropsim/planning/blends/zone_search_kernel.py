@@ -1,6 +1,6 @@
 """Where an arm on paths of its joints leaves zones with its tool, in a loop that numba compiles."""
 
-from ropsim.codegen import kernel
+from ropsim.codegen import Array1, Array2, Array3, kernel
 from ropsim.kinematics import POSES, forward_rows
 from ropsim.motion import (
     LOOK_COUNT,
@@ -29,24 +29,21 @@ once the centre of the zone is known; that centre [m]. How many numbers that is.
 """
 
 
-@kernel(
-    "void(f8[::1], f8[:,::1], f8[::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1],"
-    " f8[:,:,::1], f8[:,::1], f8[:,:,::1], f8[:,::1], f8[:,:,::1], f8[::1])"
-)
+@kernel
 def zones_of_arm(
-    shares: Array,
-    nodes: Array,
-    chain: Array,
-    spread: Array,
-    rows: Array,
-    tcps: Array,
-    asked: Array,
-    looks: Array,
-    held: Array,
-    points: Array,
-    steps: Array,
-    poses_at: Array,
-    poses: Array,
+    shares: Array1,
+    nodes: Array2,
+    chain: Array1,
+    spread: Array2,
+    rows: Array2,
+    tcps: Array2,
+    asked: Array2,
+    looks: Array3,
+    held: Array2,
+    points: Array3,
+    steps: Array2,
+    poses_at: Array3,
+    poses: Array1,
 ) -> None:
     """Search on k paths for the places at which the TCP is in a distance from where it is at an end of each.
 

@@ -1,15 +1,15 @@
 """At which control ticks joints and tool are at their limits, in plain loops that numba compiles."""
 
-from ropsim.codegen import kernel
+from ropsim.codegen import Array1, Array2, Array3, kernel
 from ropsim.spatial import Array
 
 TURNED = 1e-9
 """Entries of rotations that differ by less are the same, but for rounding."""
 
 
-@kernel("void(f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], i8, f8[::1], f8[::1], f8[:,:,::1])")
+@kernel
 def look_at(
-    q: Array, qd: Array, qdd: Array, spans: Array, most: int, looks: Array, starts: Array, rows: Array
+    q: Array2, qd: Array2, qdd: Array2, spans: Array2, most: int, looks: Array1, starts: Array1, rows: Array3
 ) -> None:
     """Choose the control ticks at which moves are looked at, evenly spaced, and copy their rows.
 
@@ -35,22 +35,19 @@ def look_at(
     starts[spans.shape[0]] = k
 
 
-@kernel(
-    "void(f8[:,::1], f8[:,::1], f8[::1], f8[::1], f8[:,::1], f8[:,:,::1], f8, f8, f8[:,:,::1], f8[:,::1], "
-    "f8[::1])"
-)
+@kernel
 def joints_reached(
-    qd: Array,
-    qdd: Array,
-    looks: Array,
-    starts: Array,
-    torque: Array,
-    most: Array,
+    qd: Array2,
+    qdd: Array2,
+    looks: Array1,
+    starts: Array1,
+    torque: Array2,
+    most: Array3,
     period: float,
     share: float,
-    counts: Array,
-    longest: Array,
-    reached: Array,
+    counts: Array3,
+    longest: Array2,
+    reached: Array1,
 ) -> None:
     """Write at how many looks at each move joints are at their limits.
 
@@ -90,17 +87,17 @@ def joints_reached(
                     longest[m, 0], longest[m, 1] = i * qd.shape[1] + j, share_of_move
 
 
-@kernel("void(f8[:,::1], f8[::1], f8[::1], f8[::1], f8[::1], f8[:,::1], f8[::1], f8[::1], f8[::1])")
+@kernel
 def four_in_a_row(
-    q: Array,
-    looks: Array,
-    reached: Array,
-    starts: Array,
-    chosen: Array,
-    rows: Array,
-    looks_here: Array,
-    reached_here: Array,
-    starts_here: Array,
+    q: Array2,
+    looks: Array1,
+    reached: Array1,
+    starts: Array1,
+    chosen: Array1,
+    rows: Array2,
+    looks_here: Array1,
+    reached_here: Array1,
+    starts_here: Array1,
 ) -> None:
     """Copy four rows from each look on, of the moves that are chosen; behind the last row that goes on.
 
@@ -129,16 +126,18 @@ def four_in_a_row(
     starts_here[chosen.shape[0]] = k
 
 
-@kernel("void(f8[:,:,::1], f8[::1], f8[:,:,::1], f8[::1], f8[:,::1], f8[::1])")
-def tool_on_pieces(poses: Array, starts: Array, tools: Array, looks: Array, pieces: Array, on: Array) -> None:
+@kernel
+def tool_on_pieces(
+    poses: Array3, starts: Array1, tools: Array3, looks: Array1, pieces: Array2, on: Array1
+) -> None:
     """Put the tools on, and write on which pieces looks lie; see `put_on` and `piece_numbers`."""
     put_on(poses, starts, tools)
     count = int(starts[tools.shape[0]])
     piece_numbers(looks[:count], pieces, on[:count])
 
 
-@kernel("void(f8[:,:,::1], f8[::1], f8[:,:,::1])")
-def put_on(poses: Array, starts: Array, tools: Array) -> None:
+@kernel
+def put_on(poses: Array3, starts: Array1, tools: Array3) -> None:
     """Make poses of the tool of those of the flange.
 
     Args:
@@ -156,8 +155,8 @@ def put_on(poses: Array, starts: Array, tools: Array) -> None:
                     poses[k, i, j] = moved + poses[k, i, 3] if j == 3 else moved
 
 
-@kernel("void(f8[::1], f8[:,::1], f8[::1])")
-def piece_numbers(looks: Array, pieces: Array, on: Array) -> None:
+@kernel
+def piece_numbers(looks: Array1, pieces: Array2, on: Array1) -> None:
     """Write the numbers of the pieces on which looks lie.
 
     Args:
@@ -172,16 +171,16 @@ def piece_numbers(looks: Array, pieces: Array, on: Array) -> None:
         on[k] = piece if piece < pieces.shape[0] and pieces[piece, 0] <= looks[k] else -1.0
 
 
-@kernel("void(f8[:,:,::1], f8[::1], f8[::1], f8[:,:,::1], f8[::1], f8[:,::1], f8[:,::1], f8[::1])")
+@kernel
 def tool_reached(
-    poses: Array,
-    starts: Array,
-    on: Array,
-    least: Array,
-    used: Array,
-    counts: Array,
-    longest: Array,
-    idle: Array,
+    poses: Array3,
+    starts: Array1,
+    on: Array1,
+    least: Array3,
+    used: Array1,
+    counts: Array2,
+    longest: Array2,
+    idle: Array1,
 ) -> None:
     """Write at how many looks at each move speed, acceleration and jerk of the tool are at their limits.
 

@@ -1,12 +1,12 @@
 """Control ticks at which limits are exceeded, and what a motion does there, in loops for numba."""
 
-from ropsim.codegen import kernel
+from ropsim.codegen import Array1, Array2, Array3, kernel
 from ropsim.motion import rows_at
 from ropsim.spatial import Array
 
 
-@kernel("void(f8[:,::1], f8, f8[::1], f8[:,::1], f8[::1], f8[:,::1])")
-def exceeding(used: Array, allowed: float, phi: Array, spans: Array, ticks: Array, told: Array) -> None:
+@kernel
+def exceeding(used: Array2, allowed: float, phi: Array1, spans: Array2, ticks: Array1, told: Array2) -> None:
     """Write the ticks, without 0, at which a limit is exceeded, and which of them lie in spans.
 
     Args:
@@ -34,25 +34,22 @@ def exceeding(used: Array, allowed: float, phi: Array, spans: Array, ticks: Arra
             told[span, end] = low
 
 
-@kernel(
-    "void(f8[:,::1], f8, f8, f8[::1], f8[::1], f8[::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[::1], f8[:,::1],"
-    " f8[:,::1], f8[:,:,::1], f8[:,:,::1])"
-)
+@kernel
 def walk_at(
-    segments: Array,
+    segments: Array2,
     duration: float,
     start: float,
-    begins: Array,
-    phi: Array,
-    ticks: Array,
-    q: Array,
-    qd: Array,
-    qdd: Array,
-    times: Array,
-    law: Array,
-    places: Array,
-    motion: Array,
-    changed: Array,
+    begins: Array1,
+    phi: Array1,
+    ticks: Array1,
+    q: Array2,
+    qd: Array2,
+    qdd: Array2,
+    times: Array1,
+    law: Array2,
+    places: Array2,
+    motion: Array3,
+    changed: Array3,
 ) -> None:
     """Write where a run is at ticks and at those before them, and what joints do there.
 

@@ -4,7 +4,7 @@ from math import ceil, inf, log, sqrt
 
 import numpy as np
 
-from ropsim.codegen import kernel
+from ropsim.codegen import Array1, Array2, kernel
 from ropsim.motion import rows_at, time_at
 from ropsim.spatial import Array
 
@@ -18,8 +18,8 @@ STEEP = 0.4
 """Greatest change of the logarithm of the speed that joints allow between two times, about."""
 
 
-@kernel("void(f8[:,::1], f8[::1], f8, f8[:,::1], f8[::1], f8[::1])")
-def band_times(used: Array, phi: Array, duration: float, ways: Array, times: Array, told: Array) -> None:
+@kernel
+def band_times(used: Array2, phi: Array1, duration: float, ways: Array2, times: Array1, told: Array1) -> None:
     """Write motion times that are about one real time apart, as dense as a motion must be slow there.
 
     Even ways between two times are divided by the rate that they and their neighbours leave, and where the
@@ -62,23 +62,20 @@ def band_times(used: Array, phi: Array, duration: float, ways: Array, times: Arr
     told[0] = count + 1
 
 
-@kernel(
-    "void(f8[:,::1], f8[::1], f8, f8[::1], f8[:,::1], f8[::1], f8, f8[::1], f8[:,::1], f8[::1], f8[:,::1],"
-    " f8[::1])"
-)
+@kernel
 def lay_bands(
-    segments: Array,
-    ends: Array,
+    segments: Array2,
+    ends: Array1,
     start: float,
-    times: Array,
-    stages: Array,
-    counts: Array,
+    times: Array1,
+    stages: Array2,
+    counts: Array1,
     near: float,
-    asked: Array,
-    law: Array,
-    begins: Array,
-    bands: Array,
-    told: Array,
+    asked: Array1,
+    law: Array2,
+    begins: Array1,
+    bands: Array2,
+    told: Array1,
 ) -> None:
     """Write the bands of a part, between the places where it is at times, and where stages end.
 

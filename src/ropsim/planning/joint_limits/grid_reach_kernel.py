@@ -1,6 +1,6 @@
 """Bands in which caps count, in loops that numba compiles."""
 
-from ropsim.codegen import kernel
+from ropsim.codegen import Array1, Array2, kernel
 from ropsim.planning.joint_limits.joint_imposed_kernel import JERK
 from ropsim.spatial import Array
 
@@ -13,9 +13,9 @@ MOST_LONGER = 0.3
 motions that turn back last 0.3 % longer in the mean, with less a line often takes a step more."""
 
 
-@kernel("void(f8[:,::1], i8, f8[:,::1], f8[::1], f8[:,::1], f8[:,::1], f8[:,::1])")
+@kernel
 def reach_of(
-    caps: Array, count: int, places: Array, borders: Array, before: Array, ticks: Array, reach: Array
+    caps: Array2, count: int, places: Array2, borders: Array1, before: Array2, ticks: Array2, reach: Array2
 ) -> None:
     """Write the first and the last band in which each cap counts.
 

@@ -4,7 +4,7 @@ from math import sqrt
 
 import numpy as np
 
-from ropsim.codegen import kernel
+from ropsim.codegen import Array1, Array2, Array3, kernel
 from ropsim.spatial import Array
 
 MOST_AT_ONCE = 0.5
@@ -19,25 +19,22 @@ TORQUE = 3
 """Number of the quantity, and row of the limits."""
 
 
-@kernel(
-    "void(f8[::1], f8[::1], f8[::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,:,::1], f8[:,:,::1], f8[:,::1],"
-    " f8, f8, f8, f8[:,::1], f8[::1])"
-)
+@kernel
 def caps_of(
-    speeds: Array,
-    accelerations: Array,
-    jerks: Array,
-    d1: Array,
-    d2: Array,
-    qd: Array,
-    qdd: Array,
-    loads: Array,
-    limits: Array,
+    speeds: Array1,
+    accelerations: Array1,
+    jerks: Array1,
+    d1: Array2,
+    d2: Array2,
+    qd: Array2,
+    qdd: Array3,
+    loads: Array3,
+    limits: Array2,
     period: float,
     used: float,
     allowed: float,
-    caps: Array,
-    told: Array,
+    caps: Array2,
+    told: Array1,
 ) -> None:
     """Write the caps that joints set along a path, first of speed, then of acceleration, jerk and torque.
 

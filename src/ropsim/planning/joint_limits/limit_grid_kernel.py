@@ -4,7 +4,7 @@ from math import exp, floor, inf, log, sqrt
 
 import numpy as np
 
-from ropsim.codegen import kernel
+from ropsim.codegen import Array1, Array2, kernel
 from ropsim.planning.joint_limits.grid_reach_kernel import JOINT, KIND, QUANTITY, VALUE, reach_of
 from ropsim.planning.trajectory.timing_kernel import lay_horizons
 from ropsim.spatial import Array
@@ -14,22 +14,19 @@ FIRST_STEP, SECOND_STEP, THIRD_STEP = 0.01, 0.04, 0.08
 that neighbours are often the same."""
 
 
-@kernel(
-    "void(f8[:,::1], i8, f8[:,::1], f8[::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1],"
-    " f8[:,::1], f8[::1])"
-)
+@kernel
 def bring_down(
-    caps: Array,
+    caps: Array2,
     count: int,
-    places: Array,
-    borders: Array,
-    planned: Array,
-    before: Array,
-    bounds: Array,
-    causes: Array,
-    ticks: Array,
-    reach: Array,
-    told: Array,
+    places: Array2,
+    borders: Array1,
+    planned: Array2,
+    before: Array2,
+    bounds: Array2,
+    causes: Array2,
+    ticks: Array2,
+    reach: Array2,
+    told: Array1,
 ) -> None:
     """Bring the bounds of bands down to caps and on to the next step, and note what each was lowered for.
 
@@ -71,16 +68,16 @@ def bring_down(
     told[0] = _least_share(planned, bounds)
 
 
-@kernel("void(f8[::1], f8[:,::1], f8[::1], f8[::1], i8, f8[:,::1], f8[::1], f8[::1])")
+@kernel
 def stages_of(
-    borders: Array,
-    bounds: Array,
-    owners: Array,
-    legs: Array,
+    borders: Array1,
+    bounds: Array2,
+    owners: Array1,
+    legs: Array1,
     look_ahead: int,
-    stages: Array,
-    counts: Array,
-    told: Array,
+    stages: Array2,
+    counts: Array1,
+    told: Array1,
 ) -> None:
     """Write the stages of bands: neighbours on one piece with the same bounds are one.
 

@@ -1,6 +1,6 @@
 """Ways along a part that are slower than they were planned, in a loop that numba compiles."""
 
-from ropsim.codegen import kernel
+from ropsim.codegen import Array1, Array2, kernel
 from ropsim.motion import times_along
 from ropsim.spatial import Array
 
@@ -9,24 +9,21 @@ START, STOP, SHARE, BAND = range(4)
 _TINY = 1e-300
 
 
-@kernel(
-    "void(f8[::1], f8[::1], f8[::1], f8[::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[::1], f8,"
-    " f8[:,::1], f8[:,::1], f8[::1])"
-)
+@kernel
 def slower_ways(
-    borders: Array,
-    times: Array,
-    owners: Array,
-    begins: Array,
-    planned: Array,
-    bounds: Array,
-    causes: Array,
-    segments: Array,
-    ends: Array,
+    borders: Array1,
+    times: Array1,
+    owners: Array1,
+    begins: Array1,
+    planned: Array2,
+    bounds: Array2,
+    causes: Array2,
+    segments: Array2,
+    ends: Array1,
     most: float,
-    room: Array,
-    ways: Array,
-    told: Array,
+    room: Array2,
+    ways: Array2,
+    told: Array1,
 ) -> None:
     """Write ways on which bounds were brought down, and the named band of each that loses most of the speed.
 

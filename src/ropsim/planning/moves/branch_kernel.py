@@ -4,16 +4,16 @@ from math import pi
 
 import numpy as np
 
-from ropsim.codegen import kernel
+from ropsim.codegen import Array1, Array2, Array3, kernel
 from ropsim.kinematics import inverse_branch, inverse_rows
 from ropsim.spatial import Array
 
 TURN = 2.0 * pi
 
 
-@kernel("void(f8[:,:,::1], f8[::1], f8[:,::1], f8, f8, f8[:,::1], f8[::1])")
+@kernel
 def follow_row(
-    branches: Array, q_start: Array, axes: Array, close: float, slack: float, q: Array, told: Array
+    branches: Array3, q_start: Array1, axes: Array2, close: float, slack: float, q: Array2, told: Array1
 ) -> None:
     """Write the coordinates of the branch that is nearest to the start, without jumps by whole turns.
 
@@ -34,20 +34,18 @@ def follow_row(
     unwind(q, q_start, axes, close, slack, told)
 
 
-@kernel(
-    "void(f8[::1], f8[:,::1], f8, f8, f8[:,:,::1], f8[::1], f8[:,::1], f8[:,:,::1], f8[::1], f8[::1])",
-)
+@kernel
 def follow_wrist(
-    arm: Array,
-    axes: Array,
+    arm: Array1,
+    axes: Array2,
     close: float,
     slack: float,
-    T: Array,
-    q_start: Array,
-    q: Array,
-    rows: Array,
-    room: Array,
-    told: Array,
+    T: Array3,
+    q_start: Array1,
+    q: Array2,
+    rows: Array3,
+    room: Array1,
+    told: Array1,
 ) -> None:
     """Write what `follow_row` does for an arm with spherical wrist, of which only one branch is solved.
 
@@ -71,8 +69,8 @@ def follow_wrist(
     unwind(q, q_start, axes, close, slack, told)
 
 
-@kernel("void(f8[:,::1], f8[::1], f8[:,::1], f8, f8, f8[::1])")
-def unwind(q: Array, q_start: Array, axes: Array, close: float, slack: float, told: Array) -> None:
+@kernel
+def unwind(q: Array2, q_start: Array1, axes: Array2, close: float, slack: float, told: Array1) -> None:
     """Turn coordinates by whole turns so that they continue the start.
 
     Args:
@@ -100,8 +98,8 @@ def unwind(q: Array, q_start: Array, axes: Array, close: float, slack: float, to
             q[k, j], before = there, now
 
 
-@kernel("void(f8[:,::1], f8[::1], f8[::1], f8[::1])")
-def nearest_branch(branches: Array, q: Array, revolute: Array, told: Array) -> None:
+@kernel
+def nearest_branch(branches: Array2, q: Array1, revolute: Array1, told: Array1) -> None:
     """Write the number of the branch whose largest difference to `q` is the least, whole turns aside.
 
     Args:

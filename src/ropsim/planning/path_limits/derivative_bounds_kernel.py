@@ -7,7 +7,7 @@ from math import hypot, isnan, sqrt
 
 import numpy as np
 
-from ropsim.codegen import kernel
+from ropsim.codegen import Array1, Array2, Array3, kernel
 from ropsim.spatial import Array
 
 UNIT = 1e-6
@@ -30,19 +30,17 @@ APART = 0.999
 """Numbers are compared by their powers where one is by no more than this share of the other."""
 
 
-@kernel(
-    "void(f8[::1], f8[:,:,::1], f8[:,:,::1], f8[:,::1], f8[::1], f8[:,::1], f8[:,:,::1], f8[::1], f8[::1])"
-)
+@kernel
 def bounds_of(
-    s: Array,
-    d1: Array,
-    d2: Array,
-    limits: Array,
-    units: Array,
-    room: Array,
-    bounds: Array,
-    speeds: Array,
-    loose: Array,
+    s: Array1,
+    d1: Array3,
+    d2: Array3,
+    limits: Array2,
+    units: Array1,
+    room: Array2,
+    bounds: Array3,
+    speeds: Array1,
+    loose: Array1,
 ) -> None:
     """Write bounds of derivatives in the k cells between places; see `bends_of`.
 
@@ -99,8 +97,8 @@ def bounds_of(
         loose[i] = 1.0 if costs else 0.0
 
 
-@kernel("void(f8[:,:,::1], f8[:,::1], f8[::1])")
-def bend_speeds(bounds: Array, limits: Array, out: Array) -> None:
+@kernel
+def bend_speeds(bounds: Array3, limits: Array2, out: Array1) -> None:
     """Write the highest speeds at which bends take no more than their share in k cells.
 
     Args:

@@ -7,7 +7,7 @@ from math import isnan, sqrt
 
 import numpy as np
 
-from ropsim.codegen import kernel
+from ropsim.codegen import Array1, Array2, Array3, kernel
 from ropsim.planning.path_limits.derivative_bounds_kernel import ACROSS, ALONG, D1, TINY, bend_speeds
 from ropsim.spatial import Array
 
@@ -17,16 +17,16 @@ ALIKE = (1.1, 2.0, 2.0)
 """Factors by which speed, acceleration and jerk of cells differ at most that are made one stage."""
 
 
-@kernel("void(f8[:,:,::1], f8[::1], f8[:,::1], f8, f8[::1], f8[:,::1], f8[:,::1], f8[::1])")
+@kernel
 def bent_stages(
-    bounds: Array,
-    lengths: Array,
-    limits: Array,
+    bounds: Array3,
+    lengths: Array1,
+    limits: Array2,
     share: float,
-    speeds: Array,
-    cells: Array,
-    out: Array,
-    told: Array,
+    speeds: Array1,
+    cells: Array2,
+    out: Array2,
+    told: Array1,
 ) -> None:
     """Write the stages along a bent path of k cells.
 
@@ -54,9 +54,9 @@ def bent_stages(
     told[0] = _join_alike(lengths, cells, out)
 
 
-@kernel("void(f8, f8[::1], f8[::1], f8[::1], f8[::1], f8[:,::1])")
+@kernel
 def straight_stage(
-    length: float, d1: Array, speed: Array, acceleration: Array, jerk: Array, out: Array
+    length: float, d1: Array1, speed: Array1, acceleration: Array1, jerk: Array1, out: Array2
 ) -> None:
     """Write the stage of a straight path of p parts.
 

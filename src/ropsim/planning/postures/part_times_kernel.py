@@ -2,21 +2,21 @@
 
 from math import sqrt
 
-from ropsim.codegen import kernel
+from ropsim.codegen import Array1, Array2, Array3, kernel
 from ropsim.spatial import Array
 
 
-@kernel("void(f8[:,::1], f8[:,::1], f8, f8, f8, f8[::1], f8[::1], f8[:,::1], f8[::1])")
+@kernel
 def part_times(
-    d1: Array,
-    q: Array,
+    d1: Array2,
+    q: Array2,
     step: float,
     speed: float,
     turning: float,
-    max_speeds: Array,
-    own: Array,
-    needs: Array,
-    told: Array,
+    max_speeds: Array1,
+    own: Array1,
+    needs: Array2,
+    told: Array1,
 ) -> None:
     """Write the times that a tool and its joints take at least for the parts between places of a path.
 
@@ -44,8 +44,8 @@ def part_times(
             told[0] = own[k] / longest
 
 
-@kernel("void(f8[:,::1], f8[:,:,::1], f8[::1], f8[::1])")
-def longest_cell(q: Array, derivatives: Array, max_speeds: Array, told: Array) -> None:
+@kernel
+def longest_cell(q: Array2, derivatives: Array3, max_speeds: Array1, told: Array1) -> None:
     """Write a time that no joint needs more than from row to row, at its pace anywhere between them.
 
     The first derivative of the polynomial between two rows is nowhere beyond its Bernstein coefficients.

@@ -4,15 +4,20 @@ from math import pi
 
 import numpy as np
 
-from ropsim.codegen import kernel
-from ropsim.spatial import Array
+from ropsim.codegen import Array1, Array2, kernel
 
 TURN = 2.0 * pi
 
 
-@kernel("void(f8[:,::1], f8[::1], f8[::1], f8[::1], f8[::1], f8, f8[:,::1])")
+@kernel
 def turn_rows(
-    branches: Array, q_near: Array, lower: Array, upper: Array, revolute: Array, slack: float, turned: Array
+    branches: Array2,
+    q_near: Array1,
+    lower: Array1,
+    upper: Array1,
+    revolute: Array1,
+    slack: float,
+    turned: Array2,
 ) -> None:
     """Write branches with each turning joint moved by whole turns, see `nearest_turns`.
 
@@ -32,8 +37,8 @@ def turn_rows(
             turned[row, j] = q + TURN * turns
 
 
-@kernel("void(f8[:,::1], f8[::1], f8[::1], f8, f8[::1])")
-def rows_inside(q: Array, lower: Array, upper: Array, slack: float, told: Array) -> None:
+@kernel
+def rows_inside(q: Array2, lower: Array1, upper: Array1, slack: float, told: Array1) -> None:
     """Write for each row 1 where no coordinate is beyond its limit, else 0, as for NaN.
 
     Args:

@@ -2,7 +2,7 @@
 
 from math import isnan
 
-from ropsim.codegen import kernel
+from ropsim.codegen import Array1, Array2, kernel
 from ropsim.motion import time_at
 from ropsim.planning.trajectory.trajectory_kernel import (
     DURATION,
@@ -19,8 +19,8 @@ RATIO, HORIZON = 4, 5
 """Columns of the bounds of stages."""
 
 
-@kernel("void(f8[::1], f8[::1], i8, f8[:,::1])")
-def lay_horizons(legs: Array, counts: Array, look_ahead: int, bounds: Array) -> None:
+@kernel
+def lay_horizons(legs: Array1, counts: Array1, look_ahead: int, bounds: Array2) -> None:
     """Write the last stage that is known where a stage ends, of all stages; -1 where that tells nothing.
 
     Within a piece no more gets known: who can stop after it can stop before.
@@ -46,8 +46,8 @@ _SEGMENTS, _PIECES, _LEAVE, _ENTER = range(4)
 """Columns of what is asked."""
 
 
-@kernel("void(f8[:,::1], f8[::1], f8[:,::1], f8[:,::1], f8[:,::1])")
-def lay_runs(segments: Array, ends: Array, asked: Array, runs: Array, times: Array) -> None:
+@kernel
+def lay_runs(segments: Array2, ends: Array1, asked: Array2, runs: Array2, times: Array2) -> None:
     """Write when runs begin and end, and for how long the run before each still lasts when it begins [s].
 
     Both motions are added no longer than the shorter one of their parts beside the corner lasts.
@@ -85,16 +85,16 @@ def _time(segments: Array, ends: Array, run: Array, piece: int, place: float, to
     return float(told[0])
 
 
-@kernel("void(f8[:,::1], f8[::1], f8[::1], f8[::1], f8, f8[:,::1], f8[:,::1], f8[::1])")
+@kernel
 def ticks_come(
-    runs: Array,
-    piece_ends: Array,
-    move_ends: Array,
-    phi: Array,
+    runs: Array2,
+    piece_ends: Array1,
+    move_ends: Array1,
+    phi: Array1,
     slack: float,
-    pieces: Array,
-    overlaps: Array,
-    moves: Array,
+    pieces: Array2,
+    overlaps: Array2,
+    moves: Array1,
 ) -> None:
     """Write at which control ticks what comes; a piece counts as far as no other run overlaps it.
 

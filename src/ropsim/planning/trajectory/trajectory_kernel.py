@@ -1,6 +1,6 @@
 """From paths over their length to a motion over time, in loops that numba compiles."""
 
-from ropsim.codegen import columns, kernel
+from ropsim.codegen import Array1, Array2, Array3, columns, kernel
 from ropsim.motion import (
     SYNCHRONISED,
     TRACED,
@@ -21,22 +21,19 @@ AT_ONCE = 512
 """Times that are looked at together, so that what is known of them stays near the processor."""
 
 
-@kernel(
-    "void(f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,:,::1], f8[:,::1], f8[::1], f8[:,::1],"
-    " f8[:,::1], f8[:,:,::1], f8[:,:,::1])"
-)
+@kernel
 def walk_runs(
-    runs: Array,
-    segments: Array,
-    pieces: Array,
-    rows: Array,
-    slopes: Array,
-    corners: Array,
-    phi: Array,
-    law: Array,
-    room: Array,
-    held: Array,
-    total: Array,
+    runs: Array2,
+    segments: Array2,
+    pieces: Array2,
+    rows: Array2,
+    slopes: Array3,
+    corners: Array2,
+    phi: Array1,
+    law: Array2,
+    room: Array2,
+    held: Array3,
+    total: Array3,
 ) -> None:
     """Write coordinates and derivatives by time of a whole motion; see `WalkTable`.
 
@@ -76,9 +73,9 @@ def walk_runs(
         before = until
 
 
-@kernel("void(i8, f8[:,::1], f8[:,::1], f8[:,:,::1], f8[:,::1], f8[:,::1], f8[:,:,::1])")
+@kernel
 def points_on(
-    first: int, pieces: Array, rows: Array, slopes: Array, law: Array, room: Array, points: Array
+    first: int, pieces: Array2, rows: Array2, slopes: Array3, law: Array2, room: Array2, points: Array3
 ) -> None:
     """Write the joints and their derivatives by time where a time law of a run is.
 
@@ -173,17 +170,17 @@ def _behind(phi: Array, time: float) -> int:
     return low
 
 
-@kernel("void(f8[:,::1], f8[:,::1], f8[:,::1], f8[::1], f8[::1], i8, i8, f8[::1], f8[:,:,::1])")
+@kernel
 def add_in_time(
-    q: Array,
-    d1: Array,
-    d2: Array,
-    speeds: Array,
-    accelerations: Array,
+    q: Array2,
+    d1: Array2,
+    d2: Array2,
+    speeds: Array1,
+    accelerations: Array1,
     first: int,
     shared: int,
-    corner: Array,
-    total: Array,
+    corner: Array1,
+    total: Array3,
 ) -> None:
     """Write coordinates and derivatives by time: q' = dq/ds·v and q'' = d²q/ds²·v² + dq/ds·a.
 

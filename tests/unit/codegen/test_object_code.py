@@ -3,7 +3,7 @@
 import llvmlite.binding as llvm
 import pytest
 
-from ropsim.codegen.object_symbols import names_from_elsewhere
+from ropsim.codegen.machine.object_code import names_from_elsewhere
 
 SOURCE = """
 target triple = "{triple}"

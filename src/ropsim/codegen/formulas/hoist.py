@@ -7,9 +7,8 @@ results stand as `constants[k]`. So other numbers need no other code, and cost n
 
 from collections.abc import Mapping, Sequence
 
-from ropsim.codegen.emit import SourceFunction, emit
-from ropsim.codegen.reachable import reachable
-from ropsim.codegen.tracer import Scalar, Tracer
+from ropsim.codegen.formulas.emit import SourceFunction, emit
+from ropsim.codegen.formulas.tracer import Scalar, Tracer, reachable
 from ropsim.core import frozen_dataclass
 
 NUMBERS = "numbers"

@@ -1,7 +1,8 @@
-"""Arrays of kernels seen in another shape; numba's own way to do that needs its run time."""
+"""Arrays of kernels in another shape; numba's own way to do that needs its run time."""
 
 from collections.abc import Callable
 from functools import update_wrapper
+from types import FunctionType
 from typing import cast
 
 import numpy as np
@@ -19,18 +20,19 @@ class Shape:
 
     def __init__(self, function: Callable[..., _Array]) -> None:
         update_wrapper(self, function)
-        self._function = function
+        self.function = cast("FunctionType", function)
 
     def __call__(self, *arguments: object) -> _Array:
         """Call it in Python."""
-        return self._function(*arguments)
+        array: _Array = self.function(*arguments)
+        return array
 
     @property
     def inside(self) -> Callable[..., _Array]:
         """Return the function for callers in compiled code."""
-        from ropsim.codegen import shape_views
+        from ropsim.codegen.machine import numba_stages
 
-        return cast("Callable[..., _Array]", getattr(shape_views, self._function.__name__.removeprefix("_")))
+        return cast("Callable[..., _Array]", getattr(numba_stages, self.function.__name__.removeprefix("_")))
 
 
 def _as_row(array: _Array) -> _Array:

@@ -6,6 +6,10 @@ from llvmlite import ir
 
 REAL = ir.DoubleType()
 WHOLE = ir.IntType(64)
+LANES = 8
+"""Numbers in a vector; where a processor takes four at a time, LLVM makes two instructions of one."""
+VECTOR = ir.VectorType(REAL, LANES)
+_LANE = ir.IntType(32)
 _OPERATIONS = {ast.Add: "fadd", ast.Sub: "fsub", ast.Mult: "fmul", ast.Div: "fdiv"}
 _FOREIGN = ("sin", "cos", "tanh", "atan2")
 """Functions of the C library, which Python's `math` calls, too."""
@@ -122,6 +126,32 @@ class Instructions:
 
     def _address(self, first: ir.Value, number: int) -> ir.Value:
         return self.builder.gep(first, [ir.Constant(WHOLE, number)])
+
+
+class LaneValues(Instructions):
+    """Lines whose values are vectors."""
+
+    kind = VECTOR
+    suffix = f"v{LANES}f64"
+
+    def number(self, number: float) -> ir.Value:
+        """Return a number in all lanes."""
+        return ir.Constant(VECTOR, [number] * LANES)
+
+    def lane(self, value: ir.Value, lane: int) -> ir.Value:
+        """Return the number in one lane."""
+        return self.builder.extract_element(value, ir.Constant(_LANE, lane))
+
+    def with_lane(self, value: ir.Value, lane: int, number: ir.Value) -> ir.Value:
+        """Return a vector with another number in one lane."""
+        return self.builder.insert_element(value, number, ir.Constant(_LANE, lane))
+
+    def spread(self, number: ir.Value) -> ir.Value:
+        """Return a value in all lanes."""
+        value = ir.Constant(VECTOR, ir.Undefined)
+        for lane in range(LANES):
+            value = self.with_lane(value, lane, number)
+        return value
 
 
 def _place(node: ast.Subscript) -> tuple[str, int]:

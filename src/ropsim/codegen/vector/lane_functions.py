@@ -13,7 +13,7 @@ from math import factorial
 
 from llvmlite import ir
 
-from ropsim.codegen.lane_values import LANES, VECTOR, LaneValues
+from ropsim.codegen.vector.instructions import LANES, VECTOR, LaneValues
 
 _WHOLES = ir.VectorType(ir.IntType(64), LANES)
 _FARTHEST = 1e6

@@ -5,10 +5,9 @@ from collections.abc import Callable
 
 from llvmlite import ir
 
-from ropsim.codegen.instructions import REAL, WHOLE
-from ropsim.codegen.intrinsics import COUNT, NUMBER, ROW, ROWS, Row, made
-from ropsim.codegen.lane_functions import LaneFunctions
-from ropsim.codegen.lane_values import LANES, VECTOR, LaneValues
+from ropsim.codegen.machine.numba_stages import COUNT, NUMBER, ROW, ROWS, Row, instructions
+from ropsim.codegen.vector.instructions import LANES, REAL, VECTOR, WHOLE, LaneValues
+from ropsim.codegen.vector.lane_functions import LaneFunctions
 
 _MASK = ir.VectorType(ir.IntType(1), LANES)
 _BYTES = ir.IntType(32)
@@ -55,7 +54,7 @@ class _Lines(LaneFunctions):
 
 
 def column_lines(text: str, known: dict[str, float], places: dict[str, int]) -> Callable[..., None]:
-    """Return a function for code that numba compiles, see `ropsim.codegen.columns`.
+    """Return a function for code that numba compiles, see `ropsim.codegen.vector.columns`.
 
     Args:
         text: its source.
@@ -128,7 +127,7 @@ def column_lines(text: str, known: dict[str, float], places: dict[str, int]) -> 
         builder.position_at_end(end)
 
     takes = {name: (NUMBER, ROW, ROWS) for name in names[1:]}
-    return made(function.name, {names[0]: (COUNT,), **takes}, write)
+    return instructions(function.name, {names[0]: (COUNT,), **takes}, write)
 
 
 class _Numbered(ast.NodeTransformer):

@@ -5,7 +5,7 @@ operations become one node, so that zeros and right angles of an arm cost nothin
 """
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 
 UNARY: Mapping[str, Callable[[float], float]] = {
     "neg": lambda x: -x,
@@ -191,6 +191,18 @@ def minimum(a: Scalar, b: Scalar) -> Scalar:
 def maximum(a: Scalar, b: Scalar) -> Scalar:
     """Return the larger of two numbers as Python's `max` does: the first unless the second is larger."""
     return a.tracer.operation("max", a, b)
+
+
+def reachable(roots: Sequence[Scalar]) -> list[Scalar]:
+    """Return what the roots need, themselves included; arguments first."""
+    found: dict[int, Scalar] = {}
+    stack = list(roots)
+    while stack:
+        node = stack.pop()
+        if node.index not in found:
+            found[node.index] = node
+            stack.extend(node.args)
+    return [found[index] for index in sorted(found)]
 
 
 def _ordered(a: Scalar, b: Scalar) -> tuple[Scalar, Scalar]:

@@ -1,21 +1,43 @@
-"""Machine code that stands alone: kept in the cache folder, and run there without the compiler that made it.
+"""Object files by llvmlite: from LLVM's text to machine code that stands alone, and into this process.
 
-Importing numba and reading its cache takes longer than many a simulation. So the object file of a compiled
-function is kept by itself and loaded with llvmlite, which takes a tenth of the time. Where it calls what only
-numba brings, such as room for new arrays, numba is started first.
+Importing numba and reading its cache takes longer than many a simulation. The object file of a compiled
+function is loaded with llvmlite alone, in a tenth of the time. If it calls functions of numba's run time,
+such as memory for new arrays, numba is started first.
 """
 
+import struct
+from collections.abc import Iterator
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
-from ropsim.codegen.object_symbols import names_from_elsewhere
 from ropsim.core import frozen_dataclass
 
 if TYPE_CHECKING:
     from llvmlite.binding import TargetMachine
 
 _COUNTER = "@NRT_decref"
-"""The name of numba's function that counts who uses an array."""
+"""The name of numba's function that counts the references to an array."""
+ENTRY = "ropsim_entry"
+"""The name of the function that `with_entry` adds."""
+_ENTRY_TEXT = """
+
+define i32 @{entry}(ptr %block) {{
+  %answers = alloca [2 x ptr]
+  %says = getelementptr ptr, ptr %answers, i64 1
+  %status = call i32 @"{symbol}"(ptr %answers, ptr %says, ptr %block, ptr %block)
+  ret i32 %status
+}}
+"""
+_ELF = b"\x7fELF"
+_ELF_SECTIONS = struct.Struct("<Q10xHH")  # e_shoff, then e_shentsize and e_shnum, from byte 40
+_ELF_SECTION = struct.Struct("<4xI16xQQI12xQ")  # sh_type, sh_offset, sh_size, sh_link, sh_entsize
+_ELF_SYMBOL = struct.Struct("<I2xH16x")  # st_name, st_shndx
+_ELF_TABLE = 2  # SHT_SYMTAB
+_MACH_O = b"\xcf\xfa\xed\xfe"
+_MACH_HEADER, _MACH_COMMANDS = 32, 16
+_MACH_TABLE = 2  # LC_SYMTAB
+_MACH_SYMBOL = struct.Struct("<IB11x")  # n_strx, n_type
+_MACH_PLACE = 0x0E  # N_TYPE, 0 for names from elsewhere
 _loaded: list[object] = []
 """Machine code stays in memory as long as the process."""
 
@@ -36,11 +58,32 @@ class MachineCode:
 
 
 class MissingNameError(Exception):
-    """Machine code calls something that this process does not have."""
+    """Machine code calls a function that this process does not have."""
+
+
+class NoObjectCodeError(ValueError):
+    """Object files of this system cannot be read."""
+
+
+def with_entry(ir: str, symbol: str) -> str:
+    """Return the text of a module with the function `ENTRY` of one block of memory.
+
+    It calls a function in numba's calling convention, which returns a status and takes two more addresses,
+    for a result and for the text of an exception: nobody reads these.
+
+    Args:
+        ir: LLVM's text of the module.
+        symbol: name of the function `entry` of `Signature.entry_text` in it.
+    """
+    return ir + _ENTRY_TEXT.format(entry=ENTRY, symbol=symbol)
 
 
 def emit_object(ir: str, symbol: str) -> MachineCode:
-    """Return the machine code of one function of a module in LLVM's text form, and of what it calls."""
+    """Return the machine code of one function of a module in LLVM's text form, and of what it calls.
+
+    Raises:
+        NoObjectCodeError: this system has object files of another format.
+    """
     import llvmlite.binding as llvm
 
     module = llvm.parse_assembly(ir)
@@ -52,7 +95,7 @@ def emit_object(ir: str, symbol: str) -> MachineCode:
     tuning.loop_vectorization, tuning.slp_vectorization = True, False  # as numba does
     builder = llvm.create_pass_builder(machine, tuning)
     passes = llvm.create_new_module_pass_manager()
-    passes.add_ipsccp_pass()  # arrays of the caller have no counter: what counts goes once that is seen
+    passes.add_ipsccp_pass()  # arrays of the caller have no counter: then the counting goes
     passes.add_simplify_cfg_pass()
     passes.add_global_dead_code_eliminate_pass()
     for _ in range(2 if _COUNTER in ir else 1):
@@ -150,3 +193,50 @@ def _start_numba() -> None:
 
 def _nothing() -> None:
     pass
+
+
+def names_from_elsewhere(object_file: bytes) -> tuple[str, ...]:
+    """Return the names that must be found in the process before the code can run, sorted.
+
+    Args:
+        object_file: 64 bit, least significant byte first, as LLVM writes it.
+
+    Raises:
+        NoObjectCodeError: it is of neither format.
+    """
+    if object_file.startswith(_ELF):
+        return tuple(sorted(set(_elf_names(object_file))))
+    if object_file.startswith(_MACH_O):
+        return tuple(sorted(set(_mach_o_names(object_file))))
+    raise NoObjectCodeError("the object file is neither ELF nor Mach-O")
+
+
+def _elf_names(data: bytes) -> Iterator[str]:
+    start, size, count = _ELF_SECTIONS.unpack_from(data, 40)
+    sections = [_ELF_SECTION.unpack_from(data, start + k * size) for k in range(count)]
+    for kind, offset, length, link, _ in sections:
+        if kind != _ELF_TABLE:
+            continue
+        texts = sections[link][1]
+        for at in range(offset, offset + length, _ELF_SYMBOL.size):
+            name, section = _ELF_SYMBOL.unpack_from(data, at)
+            if name and section == 0:
+                yield _text(data, texts + name)
+
+
+def _mach_o_names(data: bytes) -> Iterator[str]:
+    (commands,) = struct.unpack_from("<I", data, _MACH_COMMANDS)
+    at = _MACH_HEADER
+    for _ in range(commands):
+        kind, size = struct.unpack_from("<II", data, at)
+        if kind == _MACH_TABLE:
+            symbols, count, texts = struct.unpack_from("<III", data, at + 8)
+            for place in range(symbols, symbols + count * _MACH_SYMBOL.size, _MACH_SYMBOL.size):
+                name, of = _MACH_SYMBOL.unpack_from(data, place)
+                if name and not of & _MACH_PLACE:
+                    yield _text(data, texts + name).removeprefix("_")
+        at += size
+
+
+def _text(data: bytes, start: int) -> str:
+    return data[start : data.index(b"\0", start)].decode()

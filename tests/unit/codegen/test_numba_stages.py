@@ -12,7 +12,7 @@ from numba.core.errors import TypingError
 from numba.core.types import Array, Function, Type, UniTuple, float64, int64
 from numba.core.typing import Context
 
-from ropsim.codegen.call_types import CallTypes
+from ropsim.codegen.machine.numba_stages import _CallTypes
 
 ROWS = Array(float64, 2, "C")
 NUMBERS = [*product((float64, int64), repeat=2)]
@@ -36,7 +36,7 @@ def refreshed(types: Context) -> Context:
 
 @pytest.fixture(scope="module")
 def known() -> Context:
-    return refreshed(CallTypes())
+    return refreshed(_CallTypes())
 
 
 def test_a_call_has_the_types_that_numba_gives_it_at_first_and_again(known: Context) -> None:

@@ -3,8 +3,8 @@
 from collections.abc import Sequence
 from enum import Enum
 
-from ropsim.codegen.reachable import reachable
-from ropsim.codegen.tracer import Scalar
+from ropsim.codegen.formulas.tracer import Scalar, reachable
+from ropsim.codegen.machine.compiler import Bounds
 from ropsim.core import frozen_dataclass
 
 _BINARY = {"add": "+", "sub": "-", "mul": "*", "div": "/"}
@@ -18,13 +18,6 @@ _CALLS = {
     "max": "max",
 }
 _INLINE_LENGTH = 72
-
-
-class Bounds(Enum):
-    """Whether a function looks at every index before it uses it."""
-
-    TRUSTED = "trusted"
-    CHECKED = "checked"
 
 
 class Form(Enum):
@@ -97,8 +90,8 @@ def emit(name: str, arguments: Sequence[str], results: Sequence[tuple[str, Scala
 def row_by_row(name: str, function: SourceFunction, shared: str) -> SourceFunction:
     """Return the function of arrays of rows that calls another one for every row; it must stand behind it.
 
-    Compiled code takes several rows at a time, see `ropsim.codegen.lanes`: elementary functions agree with
-    those of Python's `math` to rounding. Rows do not hang on those beside them.
+    Compiled code takes several rows at a time, see `ropsim.codegen.vector.straight_line`: elementary
+    functions agree with those of Python's `math` to rounding. No row depends on another one.
 
     Args:
         name: of the function.

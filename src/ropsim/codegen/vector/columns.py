@@ -32,7 +32,7 @@ class Columns:
         """Return the function for callers in compiled code."""
         from inspect import getsource
 
-        from ropsim.codegen.column_lines import column_lines
+        from ropsim.codegen.vector.column_lines import column_lines
 
         known: dict[str, Any] = self.function.__globals__
         floats = {name: one for name, one in known.items() if isinstance(one, float)}

@@ -1,0 +1,1 @@
+"""Formulas: traced expressions, straight-line source, and what depends on given numbers alone."""

@@ -1,0 +1,1 @@
+"""Vector instructions: straight lines of Python for eight rows or eight columns at a time."""
