@@ -26,6 +26,7 @@ def calibrate(options: argparse.Namespace, output: Output) -> int:
     if not programs or any(one.is_error for one in before):
         output.document({"ok": False, **diagnostic_document(before)})
         return output.findings(before, sources)
+    output.engine_note()
     with Progress(f"calibrating {project.folder.resolve().name}") as progress:
         count = itertools.count(1)
 

@@ -72,6 +72,14 @@ class Output:
 
             say(diagnostics_text(diagnostics, {}, self.style), sys.stderr)
 
+    def engine_note(self) -> None:
+        """Print on stderr that a simulation will take long, where no compiled code can run."""
+        from ropsim.workbench import engine_note
+
+        note = engine_note()
+        if note:
+            say(note, sys.stderr)
+
     def failure(self, diagnostic: Diagnostic) -> None:
         """Print why a command could not do its work."""
         from ropsim.records import diagnostic_document

@@ -79,6 +79,7 @@ def repl(options: argparse.Namespace, output: Output) -> int:
     chosen = RunOptions(fidelity=fidelity)
     if project.cell is not None:
         chosen = KeptRuns(project.cell).used_in(chosen)
+    output.engine_note()
     begun = begin_session(project, chosen)
     talk = _Talk(begun, chosen, output)
     place = begun.project.folder / "programs" / "session.task"

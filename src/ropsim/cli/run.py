@@ -42,6 +42,7 @@ def run(options: argparse.Namespace, output: Output) -> int:
         output.document({"ok": False, **diagnostic_document(before)})
         return output.findings(before, sources)
     project.workspace.keep()
+    output.engine_note()
     recording = _simulate(project, programs, options)
     if options.collisions:
         recording = _checked(project, recording)

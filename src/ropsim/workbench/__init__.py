@@ -14,6 +14,7 @@ from ropsim.workbench.conversation import SavedProgram as SavedProgram
 from ropsim.workbench.conversation import is_complete as is_complete
 from ropsim.workbench.conversation import reply_to as reply_to
 from ropsim.workbench.conversation import standing as standing
+from ropsim.workbench.engine_note import engine_note as engine_note
 from ropsim.workbench.environment import environment_of as environment_of
 from ropsim.workbench.example_projects import new_project as new_project
 from ropsim.workbench.example_projects import new_robot_project as new_robot_project

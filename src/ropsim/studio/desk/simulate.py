@@ -16,7 +16,7 @@ from ropsim.studio.desk.line import Cancelled, Line
 from ropsim.studio.desk.runnable import MOST_ROWS, Runnable, made_ready, run_job
 from ropsim.studio.jobs import Planned, Progress, Renew, Renewed, RunReply, Simulate
 from ropsim.views import Stage, plain_findings
-from ropsim.workbench import Workspace
+from ropsim.workbench import Workspace, engine_note
 
 LISTEN = 0.05
 """How often a run listens for being given up [s]."""
@@ -50,7 +50,7 @@ def simulate(job: Simulate, line: Line, shelf: Shelf, workspace: Workspace) -> R
         if kept is not None and kept.stays_beside(content, job.cause):
             shelf.run = replace(kept, beside=content)
             return RunReply("done", ready.name, made="nothing")
-        line.report(Progress("preparing the arm"))
+        line.report(Progress(engine_note() or "preparing the arm"))
         listener = Listener(line, content, ready)
         known = shelf.known_in(ready.cell)
         with compiling_reported(lambda count: line.report(Progress(compiling_text(count)))):
