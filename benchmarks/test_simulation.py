@@ -22,7 +22,7 @@ from ropsim.flow import JointReference, ModalState, MotionKind, MoveInstruction,
 from ropsim.kinematics import forward
 from ropsim.model import Cell, Payload
 from ropsim.motion import JointPoints, torques
-from ropsim.motion.limits.strain import strain_as_planned, with_torque
+from ropsim.motion.retiming.utilisation import strain_as_planned, with_torque
 from ropsim.planning import MotionPlan, MotionState, Refusal, plan, plan_move
 from ropsim.planning.joint_limits.arm_limits import arm_bounds
 from ropsim.simulation import Fidelity, KeptPlans, RunOptions

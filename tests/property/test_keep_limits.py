@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from ropsim.motion import Beyond, JointBounds, Kept, MotionTime, keep_limits, time_optimal
-from ropsim.motion.limits.joint_bounds import Effort
+from ropsim.motion.retiming.joint_bounds import Effort
 from ropsim.spatial import Array
 from support.motions import Waves, body, most_of
 

@@ -3,7 +3,7 @@
 import numpy as np
 
 from ropsim.motion import JointPoints, Ways, no_ways
-from ropsim.motion.limits.joint_bounds import Effort
+from ropsim.motion.retiming.joint_bounds import Effort
 from ropsim.spatial import Array
 
 

@@ -3,12 +3,11 @@
 import numpy as np
 import pytest
 
-from ropsim.motion.limits.course import course_below
-from ropsim.motion.limits.course_kernel import LEAST_RATE, windows_last
-from ropsim.motion.limits.demand_kernel import creeping
-from ropsim.motion.limits.grid_kernel import divide, parts_by_joints, parts_by_rate
-from ropsim.motion.limits.motion_time import motion_time
-from ropsim.motion.limits.rounding_kernel import greatest_nearby
+from ropsim.motion.retiming.constraint_kernel import creeping
+from ropsim.motion.retiming.grid_kernel import divide, parts_by_joints, parts_by_rate
+from ropsim.motion.retiming.nominal_time import motion_time
+from ropsim.motion.retiming.smooth_rates import course_below
+from ropsim.motion.retiming.smooth_rates_kernel import LEAST_RATE, greatest_nearby, windows_last
 from ropsim.spatial import Array
 
 

@@ -14,12 +14,12 @@ from ropsim.motion import (
     no_ways,
     time_optimal,
 )
-from ropsim.motion.limits import strain_kernel
-from ropsim.motion.limits.demand import demand
-from ropsim.motion.limits.grid import places_of
-from ropsim.motion.limits.need import neediest, rates_needed
-from ropsim.motion.limits.speeds import Speeds
-from ropsim.motion.limits.strain import Going, strain, strain_as_planned, with_torque
+from ropsim.motion.retiming import utilisation_kernel as strain_kernel
+from ropsim.motion.retiming.binding import neediest, rates_needed
+from ropsim.motion.retiming.constraint_rows import demand
+from ropsim.motion.retiming.fastest import Speeds
+from ropsim.motion.retiming.grid import places_of
+from ropsim.motion.retiming.utilisation import Going, strain, strain_as_planned, with_torque
 from ropsim.spatial import Array
 from support.motions import Passing, Waves, body
 

@@ -3,9 +3,9 @@
 import numpy as np
 
 from ropsim.motion import MotionTime
-from ropsim.motion.limits.motion_time import motion_time, unslowed
-from ropsim.motion.limits.motion_time_kernel import timed
-from ropsim.motion.limits.rounding_kernel import WORK, greatest_nearby, rounded
+from ropsim.motion.retiming.nominal_time import motion_time, unslowed
+from ropsim.motion.retiming.nominal_time_kernel import timed
+from ropsim.motion.retiming.smooth_rates_kernel import WORK, greatest_nearby, rounded
 
 SMOOTH = 1e-5  # of steps of 1e-6 s with changes of rate below 10 / s
 

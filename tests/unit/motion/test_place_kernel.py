@@ -3,9 +3,8 @@
 import numpy as np
 import pytest
 
-from ropsim.motion.limits.give_up_kernel import give_up
-from ropsim.motion.limits.place_kernel import ROWS_OF_PLACES, lacks_at
-from ropsim.motion.limits.strain_kernel import RATE, SWING, WINDOW
+from ropsim.motion.retiming.point_kernel import ROWS_OF_PLACES, lacks_at
+from ropsim.motion.retiming.utilisation_kernel import RATE, SWING, WINDOW, give_up
 from ropsim.spatial import Array
 
 MORE = 0.01

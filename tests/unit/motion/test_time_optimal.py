@@ -5,7 +5,7 @@ import pytest
 from scipy.optimize import linprog
 
 from ropsim.motion import Beyond, JointBounds, JointPoints, ProfileError, Quantity, time_optimal
-from ropsim.motion.limits.fastest_kernel import MOST_FALL, fastest
+from ropsim.motion.retiming.fastest_kernel import MOST_FALL, fastest
 from ropsim.spatial import Array
 from support.in_python import in_python
 from support.motions import Waves, body

@@ -4,9 +4,15 @@ import numpy as np
 import pytest
 
 from ropsim.motion import JointBounds, JointPoints, ProfileError
-from ropsim.motion.limits.strain_kernel import by_real_time
-from ropsim.motion.limits.walked import keeps_torque
-from ropsim.motion.limits.walked_kernel import AT_ONCE, ROWS_OF_LOAD, ROWS_OF_WALK, beyond_torque, walk_at
+from ropsim.motion.retiming.evaluated import keeps_torque
+from ropsim.motion.retiming.nominal_time_kernel import (
+    AT_ONCE,
+    ROWS_OF_LOAD,
+    ROWS_OF_WALK,
+    beyond_torque,
+    walk_at,
+)
+from ropsim.motion.retiming.utilisation_kernel import by_real_time
 from ropsim.spatial import Array
 
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from ropsim.motion import JointPoints, Ways, no_ways
-from ropsim.motion.limits.ways import steps_allowed
+from ropsim.motion.retiming.tool_paths import steps_allowed
 
 INF = np.inf
 

@@ -7,9 +7,9 @@ from enum import Enum
 import numpy as np
 
 from ropsim.model import OrientationMode
+from ropsim.motion.curves.path import FARTHEST, STANDS, ToolPoints
 from ropsim.motion.paths.orientation import ToolTurn, tool_turn
-from ropsim.motion.paths.path import FARTHEST, STANDS, ToolPoints
-from ropsim.motion.turn import Turn
+from ropsim.motion.paths.turn import Turn
 from ropsim.spatial import Array, Pose, frozen, record
 
 _FLATTEST = 1e4  # greatest radius by the longest side of the triangle; the arc is 12 µm off a line of 1 m

@@ -4,7 +4,7 @@ from functools import cache
 
 import numpy as np
 
-from ropsim.motion.paths.curve_kernel import speed_range, way_of_steps
+from ropsim.motion.curves.curve_kernel import speed_range, way_of_steps
 from ropsim.spatial import Array, frozen, record
 
 _POINTS = 5  # of Gauss and Legendre in each step

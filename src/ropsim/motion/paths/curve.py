@@ -4,11 +4,11 @@ import math
 
 import numpy as np
 
+from ropsim.motion.curves.curve_kernel import curve_at, curve_points
+from ropsim.motion.curves.nearest import distances
+from ropsim.motion.curves.path import ToolPoints
+from ropsim.motion.curves.rotation_vector import series
 from ropsim.motion.paths.arc_length import ArcLength
-from ropsim.motion.paths.curve_kernel import curve_at, curve_points
-from ropsim.motion.paths.nearest import distances
-from ropsim.motion.paths.path import ToolPoints
-from ropsim.motion.paths.rotation_vector import series
 from ropsim.spatial import Array, frozen, record
 
 _EVERY = 4  # steps of the arc length from one place of the grid to the next

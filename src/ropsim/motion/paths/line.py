@@ -8,6 +8,8 @@ import numpy as np
 
 from ropsim.core import maker
 from ropsim.model import OrientationMode
+from ropsim.motion.curves.path import ToolPoints
+from ropsim.motion.curves.segment_kernel import segment_distances
 from ropsim.motion.paths.line_kernel import (
     AXIS,
     LINE_LENGTH,
@@ -17,8 +19,6 @@ from ropsim.motion.paths.line_kernel import (
     line_numbers,
     straight_points,
 )
-from ropsim.motion.paths.path import ToolPoints
-from ropsim.motion.paths.segment_kernel import segment_distances
 from ropsim.spatial import Array, Pose, record
 
 

@@ -7,8 +7,8 @@ each place costs two sines.
 from math import hypot, sin, sqrt
 
 from ropsim.codegen import Array1, Array2, Array3, kernel
-from ropsim.motion.paths.path import STANDS, STILL
-from ropsim.motion.turn_kernel import turn_between
+from ropsim.motion.curves.path import STANDS, STILL
+from ropsim.motion.paths.turn_kernel import turn_between
 from ropsim.spatial import Array
 
 ROUNDING = 1e-14

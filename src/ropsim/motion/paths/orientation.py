@@ -6,7 +6,7 @@ import numpy as np
 
 from ropsim.model import OrientationMode
 from ropsim.motion.paths.line_kernel import ROUNDING
-from ropsim.motion.turn import Turn, plan_turn
+from ropsim.motion.paths.turn import Turn, plan_turn
 from ropsim.spatial import Array, Pose, frozen, record
 
 

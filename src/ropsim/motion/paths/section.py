@@ -1,40 +1,11 @@
-"""Section: what lies between two places of a path, as a path of its own."""
+"""Section of a path of the tool, as a path of its own."""
 
 import numpy as np
 
-from ropsim.motion.paths.grid import grid_of_part
-from ropsim.motion.paths.nearest import distances
-from ropsim.motion.paths.path import JointPath, JointPoints, ToolPath, ToolPoints
-from ropsim.motion.paths.path_rows import PathRows, rows_of_path
+from ropsim.motion.curves.grid import grid_of_part
+from ropsim.motion.curves.nearest import distances
+from ropsim.motion.curves.path import ToolPath, ToolPoints
 from ropsim.spatial import Array, record
-
-
-@record
-class JointSection:
-    """The places `begin` to `end` of a path of the joints, counted from 0.
-
-    Attributes:
-        path: of the joints.
-        begin: its place at the start of the section.
-        end: its place at the end of the section, beyond `begin`.
-    """
-
-    path: JointPath
-    begin: float
-    end: float
-
-    @property
-    def length(self) -> float:
-        """Return the length in the unit of the path."""
-        return self.end - self.begin
-
-    def joints(self, s: Array) -> JointPoints:
-        """Return the joints and their derivatives at places s, shape (k,)."""
-        return self.path.joints(s + self.begin)
-
-    def path_rows(self, begin: float) -> PathRows | None:
-        """Return what compiled loops take of the path; None where they do not know it, or of a part of it."""
-        return rows_of_path(self.path, self.begin) if begin == 0.0 else None
 
 
 @record

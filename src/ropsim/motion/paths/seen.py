@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from ropsim.motion.paths.grid import grid
-from ropsim.motion.paths.path import ToolPath, ToolPoints
+from ropsim.motion.curves.grid import grid
+from ropsim.motion.curves.path import ToolPath, ToolPoints
 from ropsim.spatial import Array, Pose, record
 
 

@@ -6,12 +6,12 @@ from enum import Enum
 import numpy as np
 import numpy.typing as npt
 
+from ropsim.motion.curves.natural import natural_derivatives
+from ropsim.motion.curves.path import FARTHEST, STANDS, STILL
+from ropsim.motion.curves.polynomials import largest, quintics
+from ropsim.motion.curves.rotation_vector import FULL_TURN, exponentials, logarithms, rates
 from ropsim.motion.paths.arc_length import arc_length
 from ropsim.motion.paths.curve import Curve
-from ropsim.motion.paths.natural import natural_derivatives
-from ropsim.motion.paths.path import FARTHEST, STANDS, STILL
-from ropsim.motion.paths.polynomials import largest, quintics
-from ropsim.motion.paths.rotation_vector import FULL_TURN, exponentials, logarithms, rates
 from ropsim.spatial import Array, Pose
 
 _STEPS = 64  # of the arc length between two points

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from ropsim.motion.paths.path import ToolPoints
+from ropsim.motion.curves.path import ToolPoints
 from ropsim.spatial import Array, Pose, record
 
 

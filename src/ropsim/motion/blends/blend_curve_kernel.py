@@ -1,0 +1,225 @@
+"""A corner between two poses, its polynomials and its arc length, in plain loops that numba compiles."""
+
+from math import atan2, sqrt
+
+from ropsim.codegen import Array1, Array2, Array3, kernel
+from ropsim.motion.curves.curve_kernel import rate_rows, speed_range, turning_rows, way_of_steps
+from ropsim.spatial import Array
+
+LOOKS = 64
+"""Steps in which the turn of the tool and the speed of the polynomials are looked at."""
+MADE, NO_LENGTH, TURNS_BACK, WHIRLS = range(4)
+"""What became of a corner."""
+UNIT = 1e-6
+"""By which a tangent may differ from a unit vector."""
+SHARPEST = -0.98481
+"""Cosine of 170°."""
+SLOWEST = 0.05
+"""Least |p'| of the speeds at both ends; a corner of two lines by 170° has 0.087."""
+UNEVEN = 0.45
+"""Least |p'| by its greatest; below, steps are four times as fine."""
+FULL_TURN = 6.283185307179586
+
+
+@kernel
+def corner_curve(
+    series: Array2,
+    points: Array1,
+    weights: Array1,
+    before: Array3,
+    before_d1: Array2,
+    before_d2: Array2,
+    after: Array3,
+    after_d1: Array2,
+    after_d2: Array2,
+    swing: float,
+    steps: int,
+    matrices: Array3,
+    rates: Array2,
+    room: Array2,
+    places: Array1,
+    coefficients: Array3,
+    middles: Array3,
+    ends: Array1,
+    inverse: Array2,
+    told: Array1,
+) -> None:
+    """Write the corner from one path of the tool to the next, or why there is none.
+
+    Args:
+        series: `rotation_vector.series`.
+        points: of the quadrature, as for `way_of_steps`.
+        weights: likewise.
+        before: pose of the tool where it leaves the path before, shape (1, 4, 4).
+        before_d1: first derivatives by the way there, shape (1, 6).
+        before_d2: second ones.
+        after: the same where it enters the path behind.
+        after_d1: see there.
+        after_d2: see there.
+        swing: ds/du at the ends of a corner that does not turn, as a multiple of the way to its point.
+        steps: of the arc length, for a corner of even speed.
+        matrices: room to work in, shape (2, 4, 4).
+        rates: room to work in, shape (5, 6).
+        room: to work in, shape (15, 3).
+        places: room to work in, shape (3·steps + 3,), at least 2·`LOOKS` + 2.
+        coefficients: where those of u⁰ to u⁵ go, shape (1, 6, 6).
+        middles: where the orientation goes that rotation vectors count from, shape (1, 3, 3).
+        ends: where the arc length goes, as for `way_of_steps`, if it has as many steps as there is room for.
+        inverse: likewise.
+        told: ways that both paths still have to the point where they meet [m]; becomes what came of it, as
+            above, and the number of steps that it needs: these or four times as many, shape (2,).
+    """
+    d1, d2, scales, speeds = rates[0:2], rates[2:4], rates[4, 0:2], rates[4:5, 2:4]
+    for i in range(4):
+        for j in range(4):
+            matrices[0, i, j], matrices[1, i, j] = before[0, i, j], after[0, i, j]
+    for i in range(6):
+        d1[0, i], d1[1, i], d2[0, i], d2[1, i] = (
+            before_d1[0, i],
+            after_d1[0, i],
+            before_d2[0, i],
+            after_d2[0, i],
+        )
+    cosine = d1[0, 0] * d1[1, 0] + d1[0, 1] * d1[1, 1] + d1[0, 2] * d1[1, 2]
+    scale = swing * sqrt(sqrt(max(0.5 + 0.5 * cosine, 0.0)))
+    if not (_is_unit(d1[0]) and _is_unit(d1[1])):
+        told[0] = NO_LENGTH
+        return
+    if cosine < SHARPEST:
+        told[0] = TURNS_BACK
+        return
+    scales[0], scales[1] = scale * told[0], scale * told[1]
+    slowest = SLOWEST * min(scales[0], scales[1])
+    corner_polynomials(series, matrices, d1, d2, scales, room, coefficients, middles, told)
+    if not told[0] <= FULL_TURN:
+        told[0] = WHIRLS
+        return
+    speed_range(coefficients, LOOKS, places, speeds)
+    if not speeds[0, 0] > slowest:
+        told[0] = TURNS_BACK
+        return
+    count = 4 * steps if speeds[0, 0] < UNEVEN * speeds[0, 1] else steps
+    if count == inverse.shape[0]:
+        way_of_steps(coefficients, count, points, weights, places, ends, inverse)
+    told[0], told[1] = MADE, count
+
+
+def _is_unit(tangent: Array) -> bool:
+    x, y, z = tangent[0], tangent[1], tangent[2]
+    return abs(sqrt(x * x + y * y + z * z) - 1.0) <= UNIT
+
+
+@kernel
+def corner_polynomials(
+    series: Array2,
+    matrices: Array3,
+    d1: Array2,
+    d2: Array2,
+    scales: Array1,
+    room: Array2,
+    coefficients: Array3,
+    middles: Array3,
+    told: Array1,
+) -> None:
+    """Write the quintic Hermite polynomials of position and rotation vector between two ends.
+
+    Args:
+        series: `rotation_vector.series`.
+        matrices: poses of the tool at both ends, shape (2, 4, 4).
+        d1: first derivatives by the way there, shape (2, 6).
+        d2: second ones.
+        scales: ds/du at both ends, shape (2,).
+        room: to work in, shape (15, 3).
+        coefficients: where those of u⁰ to u⁵ go, shape (1, 6, 6).
+        middles: where the orientation goes that rotation vectors count from, shape (1, 3, 3).
+        told: where the greatest of these goes [rad], shape (1,).
+    """
+    half, still, middle = room[0:1], room[1:2], middles[0]
+    _logarithm(matrices, room[2:6], half[0])
+    for i in range(3):
+        half[0, i] *= 0.5
+        still[0, i] = 0.0
+    turning_rows(series, half, still, still, middles, room[3:4], room[4:5])  # exp of the half, for now
+    for j in range(3):
+        x, y, z = middle[0, j], middle[1, j], middle[2, j]
+        for i in range(3):
+            room[2 + i, j] = matrices[0, i, 0] * x + matrices[0, i, 1] * y + matrices[0, i, 2] * z
+    for i in range(3):
+        for j in range(3):
+            middle[i, j] = room[2 + i, j]
+    vectors, speed, change, rate, bend = room[5:7], room[7:9], room[9:11], room[11:13], room[13:15]
+    for end in range(2):
+        c = scales[end]
+        for i in range(3):
+            vectors[end, i] = half[0, i] if end else -half[0, i]
+            w = a = 0.0
+            for k in range(3):
+                w += d1[end, 3 + k] * middle[k, i]
+                a += d2[end, 3 + k] * middle[k, i]
+            speed[end, i], change[end, i] = w * c, a * (c * c)
+    rate_rows(series, vectors, speed, change, rate, bend)
+    C = coefficients[0]
+    one, other = scales[0], scales[1]
+    for i in range(3):
+        _quintic(
+            C, i, matrices[0, i, 3], d1[0, i] * one, d2[0, i] * (one * one),
+            matrices[1, i, 3], d1[1, i] * other, d2[1, i] * (other * other),
+        )  # fmt: skip
+        _quintic(C, 3 + i, vectors[0, i], rate[0, i], bend[0, i], vectors[1, i], rate[1, i], bend[1, i])
+    told[0] = _greatest_turn(C)
+
+
+def _quintic(C: Array, column: int, x: float, v: float, a: float, y: float, w: float, b: float) -> None:
+    """Write a column of coefficients from value, first and second derivative at u = 0 and at u = 1."""
+    C[0, column], C[1, column], C[2, column] = x, v, 0.5 * a
+    C[3, column] = -10.0 * x - 6.0 * v - 1.5 * a + 10.0 * y - 4.0 * w + 0.5 * b
+    C[4, column] = 15.0 * x + 8.0 * v + 1.5 * a - 15.0 * y + 7.0 * w - b
+    C[5, column] = -6.0 * x - 3.0 * v - 0.5 * a + 6.0 * y - 3.0 * w + 0.5 * b
+
+
+def _greatest_turn(C: Array) -> float:
+    """Return the greatest length of rotation vectors where it is looked; NaN where one is none."""
+    greatest = 0.0
+    for look in range(LOOKS + 1):
+        u, square = look / LOOKS, 0.0
+        for i in range(3, 6):
+            value = 0.0
+            for k in range(5, -1, -1):
+                value = value * u + C[k, i]
+            square += value * value
+        if not square <= greatest:
+            greatest = square
+    return sqrt(greatest)
+
+
+def _logarithm(matrices: Array, room: Array, vector: Array) -> None:
+    """Write the rotation vector, of at most half a turn, from the first to the second orientation (3,) [rad].
+
+    By the quaternion whose largest component divides the others (Shepperd 1978).
+    """
+    for i in range(3):
+        for j in range(3):
+            total = 0.0
+            for k in range(3):
+                total += matrices[0, k, i] * matrices[1, k, j]
+            room[i, j] = total
+    trace = room[0, 0] + room[1, 1] + room[2, 2]
+    w, largest, axis = 1.0 + trace, 1.0 + trace, -1
+    for i in range(3):
+        square = 1.0 + 2.0 * room[i, i] - trace
+        if square > largest:
+            largest, axis = square, i
+    x, y, z = room[2, 1] - room[1, 2], room[0, 2] - room[2, 0], room[1, 0] - room[0, 1]
+    if axis == 0:
+        w, x, y, z = x, largest, room[1, 0] + room[0, 1], room[0, 2] + room[2, 0]
+    elif axis == 1:
+        w, x, y, z = y, room[1, 0] + room[0, 1], largest, room[2, 1] + room[1, 2]
+    elif axis == 2:
+        w, x, y, z = z, room[0, 2] + room[2, 0], room[2, 1] + room[1, 2], largest
+    size = sqrt(w * w + x * x + y * y + z * z)
+    if w < 0.0:
+        size = -size
+    w, x, y, z = w / size, x / size, y / size, z / size
+    sine = sqrt(x * x + y * y + z * z)
+    ratio = 2.0 * atan2(sine, w) / sine if sine > 0.0 else 2.0
+    vector[0], vector[1], vector[2] = ratio * x, ratio * y, ratio * z

@@ -1,0 +1,70 @@
+"""Zone: where a path leaves the ball around its end, and where it comes out of that around its start."""
+
+from collections.abc import Callable
+
+import numpy as np
+
+from ropsim.motion.blends.zone_kernel import (
+    DEGREE,
+    LOOK_COUNT,
+    LOOK_FOUND,
+    LOOK_SQUARES,
+    LOOK_STATE,
+    LOOK_WAYS,
+    MOST_LOOKS,
+    look_further,
+)
+from ropsim.spatial import Array, frozen
+
+ZONE_SHARES = frozen([0.0, *(2.0 ** np.arange(-30, -5, 2)), *(np.arange(2, 33) / 32.0)])
+"""Of the way to search, from the centre of the zone on: finer and finer towards it, 1/32 further out."""
+_EXTREMA = (1.0 - np.cos(np.pi * np.arange(DEGREE + 1) / DEGREE)) / 2.0  # Chebyshev's, in [0, 1]
+ZONE_NODES = frozen(np.vstack((_EXTREMA, np.linalg.inv(_EXTREMA[:, None] ** np.arange(DEGREE + 1)))))
+"""Shares of an interval, and the matrix from values there to coefficients of a polynomial, shape (10, 9)."""
+
+
+def leave(positions: Callable[[Array], Array], length: float, zone: float, clip: float) -> float:
+    """Return the place at which a path enters the zone around its end for the last time.
+
+    Args:
+        positions: of the TCP at places, shape (k,) to (k, 3) [m].
+        length: of the path, in its own unit.
+        zone: distance from the end, straight through space [m].
+        clip: earliest place, in the unit of the path.
+
+    Returns:
+        the place in [clip, length] behind which the path stays within the zone; `clip` where it does so from
+        there on, `length` where there is no zone. On lines exact but for rounding, else to 1e-8 of the zone.
+    """
+    return length - _way_out(lambda way: positions(length - way), zone, length - clip)
+
+
+def enter(positions: Callable[[Array], Array], length: float, zone: float, clip: float) -> float:
+    """Return the place at which a path leaves the zone around its start for the first time.
+
+    Args:
+        positions: of the TCP at places, shape (k,) to (k, 3) [m].
+        length: of the path, in its own unit.
+        zone: distance from the start, straight through space [m].
+        clip: last place, in the unit of the path; at most `length`.
+
+    Returns:
+        the place in [0, clip] before which the path stays within the zone; `clip` where it does so up to
+        there, 0 where there is no zone. On lines exact but for rounding, else to 1e-8 of the zone.
+    """
+    return _way_out(positions, zone, min(clip, length))
+
+
+def _way_out(positions: Callable[[Array], Array], zone: float, clip: float) -> float:
+    """Return the first way at which the distance from the place at way 0 is `zone`, at most `clip`."""
+    looks, state, centre = np.empty((3, MOST_LOOKS)), np.zeros(LOOK_STATE), np.zeros(3)
+    look_further(ZONE_SHARES, ZONE_NODES, zone, clip, looks, state)
+    first = True
+    while count := int(state[LOOK_COUNT]):
+        places = positions(looks[LOOK_WAYS, :count].copy())
+        centre = places[0] if first else centre
+        # the square of the distance is smooth at the centre, too, and on a line a parabola
+        looks[LOOK_SQUARES, :count] = np.sum(np.square(places - centre), axis=1)
+        look_further(ZONE_SHARES, ZONE_NODES, zone, clip, looks, state)
+        first = False
+    return float(state[LOOK_FOUND])

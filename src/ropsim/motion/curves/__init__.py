@@ -1,0 +1,1 @@
+"""What paths are made of: their protocols, polynomials, differences, distances and rotation vectors."""

@@ -1,0 +1,46 @@
+"""Grid of a path of the tool: places that are close where it changes quickly."""
+
+from typing import Protocol, runtime_checkable
+
+import numpy as np
+
+from ropsim.motion.curves.path import ToolPath
+from ropsim.spatial import Array
+
+_EVEN = 32
+"""Cells of a path of which nothing is known."""
+
+_NEAR = 1e-6
+"""Share of a section below which a place is its start or its end."""
+
+
+@runtime_checkable
+class Gridded(Protocol):
+    """A path of the tool that knows where it changes quickly; others are looked at evenly."""
+
+    def own_grid(self) -> Array:
+        """Return places from start to end in rising order, among them all at which a third derivative jumps.
+
+        Returns:
+            the places in the unit of the path, shape (m,).
+        """
+        ...
+
+
+def grid(path: ToolPath) -> Array:
+    """Return the grid of a path of a length above 0: its own, or an even one, shape (m,)."""
+    return path.own_grid() if isinstance(path, Gridded) else np.linspace(0.0, path.length, _EVEN + 1)
+
+
+def grid_of_part(path: ToolPath, begin: float, length: float) -> Array:
+    """Return the grid of a part of a path, in places of the part, shape (m,).
+
+    Args:
+        path: the whole path.
+        begin: place on it at which the part begins, in its unit.
+        length: of the part, in the same unit.
+    """
+    whole = grid(path) - begin
+    near = _NEAR * length
+    inside = whole[(whole > near) & (whole < length - near)]
+    return np.concatenate(([0.0], inside, [length]))

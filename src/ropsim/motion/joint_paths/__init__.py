@@ -1,0 +1,1 @@
+"""Paths of the joints over the length of a path."""

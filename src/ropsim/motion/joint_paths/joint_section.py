@@ -1,0 +1,33 @@
+"""Section of a path of the joints, as a path of its own."""
+
+from ropsim.motion.curves.path import JointPath, JointPoints
+from ropsim.motion.joint_paths.path_rows import PathRows, rows_of_path
+from ropsim.spatial import Array, record
+
+
+@record
+class JointSection:
+    """The places `begin` to `end` of a path of the joints, counted from 0.
+
+    Attributes:
+        path: of the joints.
+        begin: its place at the start of the section.
+        end: its place at the end of the section, beyond `begin`.
+    """
+
+    path: JointPath
+    begin: float
+    end: float
+
+    @property
+    def length(self) -> float:
+        """Return the length in the unit of the path."""
+        return self.end - self.begin
+
+    def joints(self, s: Array) -> JointPoints:
+        """Return the joints and their derivatives at places s, shape (k,)."""
+        return self.path.joints(s + self.begin)
+
+    def path_rows(self, begin: float) -> PathRows | None:
+        """Return what compiled loops take of the path; None where they do not know it, or of a part of it."""
+        return rows_of_path(self.path, self.begin) if begin == 0.0 else None

@@ -1,0 +1,127 @@
+"""Refined path: a way of the joints, short parts of which are known more exactly than the rest."""
+
+from dataclasses import field
+
+import numpy as np
+import numpy.typing as npt
+
+from ropsim.motion.curves.path import JointPath, JointPoints
+from ropsim.motion.curves.polynomials import powers, quintics, with_derivatives
+from ropsim.spatial import Array, frozen, record
+
+_SEAM = 1.0 / 16.0
+"""Share of the length of a part within which it goes over into the path around it, at either end."""
+
+_REACH = 8
+"""Rows on either side of one that is missed: every second one of them, six at an end, tells derivatives."""
+
+
+@record
+class Refined:
+    """A path of the joints in which others take the place of some of its parts.
+
+    Where a part begins and ends, both paths have nearly the same values and derivatives: whoever makes one
+    sees to that. What they lack is added to the part there, and fades out with a polynomial of fifth degree,
+    so that values and two derivatives are continuous.
+
+    Attributes:
+        whole: the path.
+        begins: its places at which the parts begin, rising, in its unit, shape (p,).
+        parts: what counts there; each ends before the next one begins.
+    """
+
+    whole: JointPath
+    begins: Array
+    parts: tuple[JointPath, ...]
+    _ends: Array = field(init=False, repr=False)
+    _seams: tuple[Array, ...] = field(init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        begins = frozen(self.begins)
+        object.__setattr__(self, "begins", begins)
+        lengths = np.array([part.length for part in self.parts])
+        object.__setattr__(self, "_ends", frozen(begins + lengths))
+        seams = map(self._seam, begins.tolist(), self.parts)
+        object.__setattr__(self, "_seams", tuple(seams))
+
+    @property
+    def length(self) -> float:
+        """Return the length in the unit of the path."""
+        return self.whole.length
+
+    def joints(self, s: Array) -> JointPoints:
+        """Return the joints and their derivatives at places s, shape (k,)."""
+        points = self.whole.joints(s)
+        number = np.searchsorted(self.begins, s, "right") - 1
+        inside = (number >= 0) & (s <= self._ends[np.maximum(number, 0)])
+        if not inside.any():
+            return points
+        rows = np.stack((points.q, points.d1, points.d2))
+        for part in np.unique(number[inside]).tolist():
+            here = np.flatnonzero(inside & (number == part))
+            own = s[here] - self.begins[part]
+            exact = self.parts[part].joints(own)
+            rows[:, here] = exact.q, exact.d1, exact.d2
+            rows[:, here] += self._seams_at(part, own)
+        return JointPoints(*rows)
+
+    def _seam(self, begin: float, part: JointPath) -> Array:
+        """Return what a part lacks at its ends, as polynomials of the way from there, shape (2, 6, 3·n).
+
+        The way counts in widths of the seam, towards the middle of the part; behind the rows of the values
+        stand those of the derivatives.
+        """
+        ends, inwards = np.array([0.0, part.length]), np.array([1.0, -1.0])[:, None]
+        there, own = self.whole.joints(begin + ends), part.joints(ends)
+        width = _SEAM * part.length
+        lacks = there.q - own.q, (there.d1 - own.d1) * inwards * width, (there.d2 - own.d2) * width**2
+        nothing = np.zeros_like(there.q)
+        return frozen(with_derivatives(quintics(np.stack((*lacks, nothing, nothing, nothing), axis=1))))
+
+    def _seams_at(self, number: int, s: Array) -> Array:
+        """Return what is added at places of a part, with two derivatives, shape (3, k, n)."""
+        length = self.parts[number].length
+        width, n = _SEAM * length, self._seams[number].shape[2] // 3
+        added = np.zeros((3, len(s), n))
+        for seam, way, inwards in zip(self._seams[number], (s, length - s), (1.0, -1.0), strict=True):
+            near = np.flatnonzero(way < width)
+            rows = powers(way[near] / width) @ seam
+            scales = 1.0, inwards / width, 1.0 / width**2
+            for order, scale in enumerate(scales):
+                added[order, near] += scale * rows[:, order * n : (order + 1) * n]
+        return added
+
+
+def joins(whole: JointPath, begin: float, part: JointPath, step: float, within: float) -> bool:
+    """Return whether a part goes over into the path around it, at both of its ends.
+
+    Values, first derivatives over a step and second ones over its square differ by no more than `within`.
+
+    Args:
+        whole: the path.
+        begin: its place at which the part begins, in its unit.
+        part: that is to count there.
+        step: from row to row of the path, in its unit.
+        within: [rad | m].
+    """
+    ends = np.array([0.0, part.length])
+    there, own = whole.joints(begin + ends), part.joints(ends)
+    off = (there.q - own.q, (there.d1 - own.d1) * step, (there.d2 - own.d2) * (step * step))
+    return float(np.abs(np.stack(off)).max()) <= within
+
+
+def rough_parts(rough: npt.NDArray[np.bool_]) -> list[tuple[int, int]]:
+    """Return the rows between which a path through 2·k + 1 rows is to be known more exactly, first and last.
+
+    Around each row that the path through every second one misses lie as many rows as differences reach.
+
+    Args:
+        rough: whether it misses the rows 1, 3, 5 …, shape (k,).
+    """
+    parts: list[tuple[int, int]] = []
+    for row in (2 * np.flatnonzero(rough) + 1).tolist():
+        first, last = max(row - _REACH, 0), min(row + _REACH, 2 * len(rough))
+        if parts and first <= parts[-1][1]:
+            first = parts.pop()[0]
+        parts.append((first, last))
+    return parts

@@ -1,0 +1,81 @@
+"""Courses of a motion, each with less of the limits where the one before lacked something."""
+
+import numpy as np
+
+from ropsim.motion.retiming.binding import rates_needed
+from ropsim.motion.retiming.constraint_rows import Demand
+from ropsim.motion.retiming.fastest import Speeds
+from ropsim.motion.retiming.nominal_time import MotionTime, unslowed
+from ropsim.motion.retiming.point_kernel import ROWS_OF_PLACES, lacks_at
+from ropsim.motion.retiming.smooth_rates import course_below, window_times
+from ropsim.motion.retiming.smooth_rates_kernel import SLACK
+from ropsim.motion.retiming.utilisation import ROUNDING
+from ropsim.motion.retiming.utilisation_kernel import LOAD, RATE, SWING, WINDOW, give_up
+from ropsim.spatial import Array
+
+_AT_PLACES = 6
+_BETWEEN = 2e-7
+"""Share of a rate that is left for what speeds are beyond their limits between two places."""
+
+
+class Courses:
+    """Courses through m places of a motion, as fast as shares of its limits allow.
+
+    Args:
+        asked: what the motion asks of joints and paths at the places.
+        planned: the same, or without torque, which then does not count.
+        places: motion times [s], rising from 0 to the end, shape (m,).
+        period: of the control ticks [s].
+    """
+
+    def __init__(self, asked: Demand, planned: Demand, places: Array, period: float) -> None:
+        self._asked, self._places, m = asked, places, len(places)
+        self._lasting, self._steps = window_times(asked, float(places[-1])), np.diff(places)
+        needed = rates_needed(asked, places, period)
+        self._caps = np.where(needed < 1.0 - SLACK, needed * (1.0 - _BETWEEN), 1.0)
+        self._shares, self._sigma, self._x = np.ones((4, m)), places, self._caps**2
+        self._room, self._lacks, self._told = np.empty((2, m)), np.empty((4, m)), np.empty(1)
+        self.clock: MotionTime = unslowed(float(places[-1]))
+        self.plan_with(planned)
+
+    def plan_with(self, planned: Demand) -> None:
+        """Go on to the course that is planned with another demand, such as one in which torque counts."""
+        self._speeds = Speeds(planned, self._steps)
+        self._go()
+
+    @property
+    def slowest(self) -> tuple[int, float]:
+        """Return the place with the lowest rate that limits leave, and its square."""
+        place = int(self._x.argmin())
+        return place, float(self._x[place])
+
+    def give_up(self, lacks: Array) -> None:
+        """Go on to the course with less of the limits around lacks, of shape (4, m), see `Strain`."""
+        give_up(self._sigma, lacks, self._room, self._shares)
+        self._go()
+
+    def keep_at_places(self, more: float) -> None:
+        """Give up what speed, acceleration and jerk at the places themselves tell: few ticks lack more then.
+
+        Args:
+            more: taken off beyond each lack, as a share.
+        """
+        first, second = self._asked.along()
+        paths = first.shape[1] - len(self._asked.bounds.speed)
+        speed = np.append(self._asked.bounds.speed, np.full(paths, np.inf))
+        most, jerk = np.array(self._asked.most()), np.array(self._asked.most_jerk())
+        limits, beyond = (speed, most, jerk, 1.0 + ROUNDING), float(np.log1p(more))
+        room = np.empty((ROWS_OF_PLACES, first.shape[1]))
+        for _ in range(_AT_PLACES):
+            clock = self.clock
+            course = self._places, clock.times, clock.rates, clock.changes
+            lacks_at(first, second, *course, *limits, beyond, room, self._lacks, self._told)
+            if self._told[0] == 0.0:
+                return
+            self.give_up(self._lacks)
+
+    def _go(self) -> None:
+        shares = self._shares
+        caps = (self._caps * shares[RATE]) ** 2
+        self._x = self._speeds.under(caps, self._x, shares[SWING], shares[LOAD])
+        self._sigma, self.clock = course_below(self._places, self._x, self._lasting, shares[WINDOW])

@@ -1,0 +1,85 @@
+"""What a motion asks of joints and paths, linear in the square of its rate and in the change of that."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ropsim.motion.curves.path import JointPoints
+from ropsim.motion.retiming.constraint_kernel import creeping
+from ropsim.motion.retiming.joint_bounds import Effort, JointBounds, torques
+from ropsim.motion.retiming.tool_paths import Ways, no_ways
+from ropsim.spatial import Array
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Demand:
+    """What m places of a motion of n joints on r paths ask; u is the change of its rate, x the rate squared.
+
+    The acceleration of the joints is q'·u + q''·x, that on a path likewise. Their torque is inertia·u +
+    (torque of steady speed); the latter, at rest `still`, is taken as linear in x up to a speed that is
+    given: exact there, for torques of gravity, dry and viscous friction and products of speeds alike.
+
+    Attributes:
+        points: the path, m places.
+        bounds: of the joints.
+        ways: paths with limits of their own there.
+        effort: torque of the joints, or None.
+        still: torque of creeping along [N m | N], shape (m, n), or (m, 0) where torque does not count.
+    """
+
+    points: JointPoints
+    bounds: JointBounds
+    ways: Ways
+    effort: Effort | None
+    still: Array
+
+    def without_torque(self) -> "Demand":
+        """Return the same where torque does not count."""
+        return Demand(self.points, self.bounds, self.ways, None, self.points.q[:, :0])
+
+    def along(self) -> tuple[Array, Array]:
+        """Return first and second derivatives of joints and places on paths by motion time, (m, n + r)."""
+        return self.ways.beside(self.points)
+
+    def most(self) -> Array:
+        """Return the bounds of acceleration of joints and paths, (m, n + r), or (1, n) without paths."""
+        return self._beside(self.bounds.acceleration, self.ways.most_accelerations)
+
+    def most_jerk(self) -> Array:
+        """Return the bounds of jerk of joints and paths, (m, n + r), or (1, n) without paths."""
+        return self._beside(self.bounds.jerk, self.ways.most_jerks)
+
+    def _beside(self, joints: Array, ways: Array) -> Array:
+        if ways.shape[1] == 0:
+            return joints[None]
+        return np.ascontiguousarray(np.hstack((np.broadcast_to(joints, self.points.q.shape), ways)))
+
+    def inertia(self) -> Array:
+        """Return the torque of a unit of u [N m | N], shape (m, n), or (m, 0) where torque does not count."""
+        if self.effort is None:
+            return self.still
+        q, d1 = self.points.q, self.points.d1
+        rest = np.zeros_like(q)
+        return torques(self.effort, q, rest, d1) - torques(self.effort, q, rest, rest)
+
+
+def demand(
+    points: JointPoints, bounds: JointBounds, effort: Effort | None, ways: Ways | None = None
+) -> Demand:
+    """Return what a path asks of the joints.
+
+    Args:
+        points: the path, m places.
+        bounds: of the joints.
+        effort: torque of the joints, or None.
+        ways: paths with limits of their own there; None where there are none.
+
+    Raises:
+        ProfileError: M540, torques are no numbers.
+    """
+    q, d1, on = points.q, points.d1, ways or no_ways(len(points.q))
+    if effort is None or bounds.effort is None:
+        return Demand(points, bounds, on, None, q[:, :0])
+    creep = np.empty(q.shape)
+    creeping(np.ascontiguousarray(d1), bounds.speed, creep)
+    return Demand(points, bounds, on, effort, torques(effort, q, creep, np.zeros_like(q)))

@@ -1,0 +1,108 @@
+"""A motion in its motion time at control ticks, and what it uses of the limits there."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ropsim.motion.curves.path import JointPoints
+from ropsim.motion.retiming.constraint_rows import Demand
+from ropsim.motion.retiming.joint_bounds import Effort, JointBounds, Ticks, no_torques, told_torques
+from ropsim.motion.retiming.nominal_time import MotionTime
+from ropsim.motion.retiming.nominal_time_kernel import (
+    AT_ONCE,
+    ROWS_OF_LOAD,
+    ROWS_OF_WALK,
+    beyond_torque,
+    walk_at,
+)
+from ropsim.motion.retiming.retimed import Motion
+from ropsim.motion.retiming.utilisation import ROUNDING, Going, Strain, strain
+from ropsim.spatial import Array
+
+_CLEARLY = (1.0 + ROUNDING) * (1.0 - 1e-12)
+"""Share of a limit below which rounding does not decide whether it is kept."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Walked:
+    """A motion in its motion time, at k control ticks.
+
+    Attributes:
+        course: motion times [s], rates, and changes of these [1/s], shape (3, k).
+        points: the joints by motion time.
+        rows: coordinates, speeds and accelerations by real time.
+        keeps_motion: whether joints clearly keep their limits of speed, acceleration and jerk.
+    """
+
+    course: Array
+    points: JointPoints
+    rows: JointPoints
+    keeps_motion: bool
+
+
+def walked(motion: Motion, clock: MotionTime, bounds: JointBounds, ticks: Ticks) -> Walked:
+    """Return a motion in its motion time.
+
+    qd = q'·w and qdd = q''·w² + q'·c, with the rate w of motion time and its change c.
+
+    Args:
+        motion: the plan.
+        clock: its motion time.
+        bounds: what the joints can do.
+        ticks: of control.
+    """
+    course = clock.at(ticks.times(clock.duration))
+    points = motion.at(course[0])
+    first, second = np.ascontiguousarray(points.d1), np.ascontiguousarray(points.d2)
+    limits = np.array([bounds.speed, bounds.acceleration, ticks.period * bounds.jerk]) * _CLEARLY
+    rates, beyond = np.empty((2, *points.q.shape)), np.empty(1)
+    room = np.empty((ROWS_OF_WALK, AT_ONCE * limits.shape[1]))
+    walk_at(first, second, course, limits, room, rates.reshape(2, -1), beyond)
+    return Walked(course, points, JointPoints(points.q, rates[0], rates[1]), bool(beyond[0] < 0.0))
+
+
+def keeps_torque(rows: JointPoints, bounds: JointBounds, effort: Effort | None) -> bool:
+    """Return whether no row takes more torque than there is but by rounding.
+
+    Raises:
+        ProfileError: M540, torques are no numbers.
+    """
+    if effort is None or bounds.effort is None:
+        return True
+    return _keeps(told_torques(effort, rows.q, rows.d1, rows.d2), rows, bounds.effort * (1.0 + ROUNDING))
+
+
+def strain_of_walk(
+    walk: Walked, motion: Motion, demand: Demand, places: Array, period: float, more: float
+) -> Strain | None:
+    """Return what a motion in its motion time uses of the limits, None where it clearly keeps all.
+
+    Args:
+        walk: the motion at control ticks.
+        motion: the plan.
+        demand: what it asks of the joints at the places.
+        places: motion times [s], shape (m,).
+        period: of the control ticks [s].
+        more: added to each lack, see `strain`.
+
+    Raises:
+        ProfileError: M540, as for `strain`, or torques are no numbers.
+    """
+    rows, bounds, torque = walk.rows, demand.bounds, None
+    is_kept = walk.keeps_motion and demand.ways.speeds.shape[1] == 0
+    if demand.effort is not None and bounds.effort is not None:
+        torque = told_torques(demand.effort, rows.q, rows.d1, rows.d2)
+        is_kept = _keeps(torque, rows, bounds.effort * _CLEARLY) and is_kept
+    if is_kept:
+        return None
+    going = Going(walk.points, motion.ways(walk.course[0]), walk.course, places, demand.still)
+    return strain(rows, torque, bounds, period, going, more)
+
+
+def _keeps(torque: Array, rows: JointPoints, most: Array) -> bool:
+    """Return whether no torque is above its limit [N m | N]; an error where one is no number."""
+    room, beyond = np.empty((ROWS_OF_LOAD, AT_ONCE * len(most))), np.empty(1)
+    beyond_torque(torque.reshape(-1), most, room, beyond)
+    if not beyond[0] < np.inf and not np.isfinite(torque).all():
+        raise no_torques(torque, rows.q)
+    return bool(beyond[0] <= 0.0)

@@ -1,0 +1,150 @@
+"""Limits kept at every control tick: a planned motion is slowed where it asks too much of the joints."""
+
+import math
+
+import numpy as np
+
+from ropsim.motion.diagnostics import WRONG_PROFILE_REQUEST
+from ropsim.motion.retiming.attempts import Courses
+from ropsim.motion.retiming.binding import neediest
+from ropsim.motion.retiming.constraint_rows import Demand, demand
+from ropsim.motion.retiming.evaluated import keeps_torque, strain_of_walk, walked
+from ropsim.motion.retiming.grid import places_of
+from ropsim.motion.retiming.joint_bounds import Effort, JointBounds, Ticks
+from ropsim.motion.retiming.nominal_time import MotionTime, unslowed
+from ropsim.motion.retiming.reference import Reference, as_planned
+from ropsim.motion.retiming.retimed import Beyond, Kept, Motion, Slowed, too_heavy, too_slow
+from ropsim.motion.retiming.smooth_rates_kernel import LEAST_RATE
+from ropsim.motion.retiming.utilisation import ROUNDING
+from ropsim.motion.time_law.profile import ProfileError
+from ropsim.spatial import Array
+
+LONGEST_DELAY = 600.0
+"""A motion that slowing would make longer by more than this [s] counts as one that no speed can do."""
+_ATTEMPTS = 30
+_MORE = 0.005
+"""What is taken off beyond the excess at control ticks, in the first round; each round takes more."""
+
+
+def keep_limits(
+    motion: Motion, bounds: JointBounds, effort: Effort | None, period: float, grid: float = 4e-3
+) -> Kept | Beyond:
+    """Return the motion within its limits at every control tick, slowed where it must be.
+
+    Motion time φ goes at the rate w = dφ/dt <= 1. Where the plan is within the limits, w is 1 and nothing
+    else is computed. Else the fastest course under the limits of speed, acceleration and torque is found
+    backwards and forwards along the path; below it, a course without kinks by lowest values and means over
+    windows; what that exceeds at control ticks is taken off the limits around there, and the same is done
+    again. If some is left after that, the whole motion is slowed by it, so that nothing remains. The limits
+    of the paths that the motion is on are kept along with those of the joints: slower and faster again within
+    them.
+
+    Every place must be one at which the arm can creep, so that the motion can be halted anywhere. Where dry
+    friction and gravity alone take more than the torque that there is, it is refused, though momentum might
+    help.
+
+    Args:
+        motion: the plan, at rest at both ends.
+        bounds: what the joints can do.
+        effort: torques at the joints, affine in accelerations; None where they do not count.
+        period: of the control ticks [s].
+        grid: real time between two places that are planned with, about [s].
+
+    Raises:
+        ProfileError: M540, the duration or a period is not above 0, or the motion or its torques are none.
+
+    References:
+        Bobrow, Dubowsky and Gibson 1985; Shin and McKay 1985; Pham and Pham 2018 (see `fastest_kernel`).
+    """
+    ticks = Ticks(period)
+    return kept_from(as_planned(motion, bounds, effort, ticks), motion, bounds, effort, ticks, grid)
+
+
+def kept_from(
+    planned: Reference,
+    motion: Motion,
+    bounds: JointBounds,
+    effort: Effort | None,
+    ticks: Ticks,
+    grid: float = 4e-3,
+) -> Kept | Beyond:
+    """Return the same as `keep_limits`, where the references of the plan are known.
+
+    Args:
+        planned: references of the motion, see `as_planned`; where they are not within the limits, at a few of
+            the control ticks at least.
+        motion: the plan.
+        bounds: what the joints can do.
+        effort: torques at the joints; None where they do not count.
+        ticks: of control.
+        grid: real time between two places that are planned with, about [s].
+    """
+    if not (math.isfinite(grid) and grid > 0.0):
+        raise ProfileError(WRONG_PROFILE_REQUEST.at(None, f"grid {grid:g} s, allowed are numbers above 0"))
+    plain = planned.strain
+    if plain.is_kept:
+        return Kept(unslowed(motion.duration), (), planned.phi, planned.rows)
+    places, points = places_of(motion, bounds, grid, planned.phi, plain.rates)
+    asked = demand(points, bounds, effort, motion.ways(places))
+    first = asked if plain.peaks[3] > 1.0 else asked.without_torque()
+    return too_heavy(asked, places) or _slowed(motion, asked, first, places, ticks)
+
+
+def _slowed(motion: Motion, asked: Demand, planned: Demand, places: Array, ticks: Ticks) -> Kept | Beyond:
+    """Return the motion slowed.
+
+    Args:
+        motion: the plan.
+        asked: what it asks of the joints at places on it.
+        planned: the same, or without torque: that is then planned with only if it is found to be too much.
+        places: motion times [s], shape (m,).
+        ticks: of control.
+    """
+    period = ticks.period
+    courses = Courses(asked, planned, places, period)
+    if asked.ways.speeds.shape[1] == 0:  # what changes at once on paths of their own only ticks tell
+        courses.keep_at_places(2.0 * _MORE)
+    best, attempt = (math.inf, unslowed(motion.duration)), 0
+    while True:
+        clock, (slowest, x) = courses.clock, courses.slowest
+        if x < LEAST_RATE**2 or clock.duration - motion.duration > LONGEST_DELAY:
+            return too_slow(asked, places, neediest(asked, places, period, slowest, slowest + 1))
+        walk, more = walked(motion, clock, asked.bounds, ticks), math.log1p(_MORE * (attempt + 1))
+        found = strain_of_walk(walk, motion, planned, places, period, more)
+        if found is None or found.is_kept:
+            if planned is asked or keeps_torque(walk.rows, asked.bounds, asked.effort):
+                return Kept(clock, _parts(clock, planned, period), walk.course[0], walk.rows)
+            planned = asked
+            courses.plan_with(planned)
+            continue
+        best = min(best, (clock.duration * found.factor, clock), key=lambda pair: pair[0])
+        if attempt == _ATTEMPTS:
+            return _slower(motion, best[1], asked, places, ticks)
+        courses.give_up(found.lacks)
+        attempt += 1
+
+
+def _slower(motion: Motion, clock: MotionTime, asked: Demand, places: Array, ticks: Ticks) -> Kept | Beyond:
+    """Return the motion with all rates brought down by what its worst control tick needs."""
+    extra = ROUNDING
+    while True:
+        walk = walked(motion, clock, asked.bounds, ticks)
+        found = strain_of_walk(walk, motion, asked, places, ticks.period, 0.0)
+        if found is None or found.is_kept:
+            return Kept(clock, _parts(clock, asked, ticks.period), walk.course[0], walk.rows)
+        clock, extra = clock.slower(1.0 / (min(found.factor, 2.0) * (1.0 + extra))), 2.0 * extra
+        if clock.duration - motion.duration > LONGEST_DELAY:
+            return too_slow(asked, places, neediest(asked, places, ticks.period, 0, len(places)))
+
+
+def _parts(clock: MotionTime, asked: Demand, period: float) -> tuple[Slowed, ...]:
+    """Return the parts of a motion that are slowed, with what needs it most there."""
+    slow = np.concatenate(([False], clock.rates < 1.0, [False]))
+    starts, ends = np.flatnonzero(slow[1:] & ~slow[:-1]), np.flatnonzero(slow[:-1] & ~slow[1:])
+    parts = []
+    for first, end in zip(starts.tolist(), ends.tolist(), strict=True):
+        need = neediest(asked, clock.places, period, first, end)
+        begins, stops = clock.places[max(first - 1, 0)], clock.places[min(end, len(clock.places) - 1)]
+        share = float(clock.rates[first:end].min())
+        parts.append(Slowed(float(begins), float(stops), share, need.joint, need.quantity))
+    return tuple(parts)

@@ -1,0 +1,127 @@
+"""A retimed trajectory, or why it is infeasible at any speed."""
+
+from typing import Protocol, cast
+
+import numpy as np
+
+from ropsim.motion.curves.path import JointPoints
+from ropsim.motion.retiming.binding import Need
+from ropsim.motion.retiming.constraint_rows import Demand
+from ropsim.motion.retiming.joint_bounds import Quantity
+from ropsim.motion.retiming.nominal_time import MotionTime
+from ropsim.motion.retiming.smooth_rates_kernel import LEAST_RATE
+from ropsim.motion.retiming.tool_paths import Ways
+from ropsim.motion.retiming.utilisation import ROUNDING
+from ropsim.spatial import Array, record
+
+
+class Motion(Protocol):
+    """A planned motion over motion time φ, at rest at both ends, within the limits of its paths."""
+
+    @property
+    def duration(self) -> float:
+        """Return the motion time of the end [s]."""
+
+    def at(self, phi: Array) -> JointPoints:
+        """Return the coordinates at motion times [s], (k,), and their derivatives by φ.
+
+        The arrays are new; whoever asks may write to them.
+        """
+
+    def ways(self, phi: Array) -> Ways:
+        """Return how paths with limits of their own are walked at motion times [s], rising, (k,)."""
+
+
+@record
+class Slowed:
+    """A part of a motion that goes slower than it was planned.
+
+    Attributes:
+        start: motion time at which slowing begins [s].
+        end: motion time at which the plan's speed is there again [s].
+        share: least rate in between, in ]0, 1[.
+        joint: index of the joint that the plan asks too much of, most of all between the two.
+        quantity: what it asks too much of.
+    """
+
+    start: float
+    end: float
+    share: float
+    joint: int
+    quantity: Quantity
+
+
+@record
+class Kept:
+    """A motion within its limits at every control tick.
+
+    Attributes:
+        clock: motion time over real time.
+        slowed: the parts that are slowed, in order; none where the plan is within the limits.
+        phi: motion times at the control ticks 0, 1, 2 … until it rests, see `Ticks` [s], shape (k,).
+        rows: coordinates, speeds and accelerations by real time there; a plan that takes them over ends with
+            them exactly at rest.
+    """
+
+    clock: MotionTime
+    slowed: tuple[Slowed, ...]
+    phi: Array
+    rows: JointPoints
+
+
+@record
+class Beyond:
+    """The first place at which no speed keeps the limits.
+
+    Attributes:
+        phi: motion time of the place [s].
+        joint: index of the joint.
+        quantity: what is too much for it.
+        value: how much of that it would take [unit of the quantity], at the least speed that counts.
+        limit: what the joint can do.
+    """
+
+    phi: float
+    joint: int
+    quantity: Quantity
+    value: float
+    limit: float
+
+
+_POWERS = (1, 2, 3, 2)
+"""Of the rate, with which the quantities grow."""
+_TINY = 1e-300
+
+
+def too_heavy(asked: Demand, places: Array) -> Beyond | None:
+    """Return the first place at which dry friction and gravity take more torque than there is.
+
+    Args:
+        asked: what the plan asks of the joints.
+        places: parameter of the path, shape (m,).
+    """
+    most = asked.bounds.effort
+    if most is None or asked.effort is None:
+        return None
+    beyond = np.abs(asked.still) > most * (1.0 + ROUNDING)
+    if not beyond.any():
+        return None
+    where, joints = np.nonzero(beyond)
+    i, j = int(where[0]), int(joints[0])
+    return Beyond(float(places[i]), j, Quantity.TORQUE, float(abs(asked.still[i, j])), float(most[j]))
+
+
+def too_slow(asked: Demand, places: Array, need: Need) -> Beyond:
+    """Return the refusal for a place that would have to be gone at next to no speed.
+
+    Args:
+        asked: what the plan asks of the joints.
+        places: motion times [s], shape (m,).
+        need: what is needed most there.
+    """
+    bounds, kind = asked.bounds, tuple(Quantity).index(need.quantity)
+    limits = (bounds.speed, bounds.acceleration, bounds.jerk, cast("Array", bounds.effort))
+    limit = float(limits[kind][need.joint])
+    over = (LEAST_RATE / max(need.rate, _TINY)) ** _POWERS[kind]
+    value = limit * max(over, 1.0)
+    return Beyond(float(places[need.place]), need.joint, need.quantity, value, limit)

@@ -1,0 +1,65 @@
+"""How a motion goes along paths that have limits of their own, such as those of a tool."""
+
+import numpy as np
+
+from ropsim.motion.curves.path import JointPoints
+from ropsim.spatial import Array, frozen, record
+
+
+@record
+class Ways:
+    """How r paths are walked at k motion times, each of shape (k, r).
+
+    With the place s on a path, in its unit: the limits hold for d²s/dt² and d³s/dt³ by real time t. Where the
+    motion is not on a path, s rests and its limits are infinity.
+
+    Attributes:
+        speeds: ds/dφ by motion time φ.
+        accelerations: d²s/dφ².
+        most_accelerations: limits of |d²s/dt²|, above 0.
+        most_jerks: limits of |d³s/dt³|, above 0.
+    """
+
+    speeds: Array
+    accelerations: Array
+    most_accelerations: Array
+    most_jerks: Array
+
+    def __post_init__(self) -> None:
+        for name in ("speeds", "accelerations", "most_accelerations", "most_jerks"):
+            object.__setattr__(self, name, frozen(getattr(self, name)))
+
+    def beside(self, points: JointPoints) -> tuple[Array, Array]:
+        """Return first and second derivatives of n joints and r places by motion time, (k, n + r).
+
+        Args:
+            points: the joints, k rows.
+        """
+        if self.speeds.shape[1] == 0:
+            return np.ascontiguousarray(points.d1), np.ascontiguousarray(points.d2)
+        pairs = (points.d1, self.speeds), (points.d2, self.accelerations)
+        first, second = (np.ascontiguousarray(np.hstack(pair)) for pair in pairs)
+        return first, second
+
+
+def no_ways(k: int) -> Ways:
+    """Return what a motion without such paths tells at k times."""
+    return Ways(*(np.empty((k, 0)) for _ in range(4)))
+
+
+def steps_allowed(ways: Ways, phi: Array, period: float) -> Array:
+    """Return by how much d²s/dt² may differ from that of the control tick before, shape (k, r).
+
+    Limits may change from tick to tick; the lesser one counts, but never less than what the plan itself does
+    between the two. Where there is no limit at one of them, there is none.
+
+    Args:
+        ways: at control ticks.
+        phi: motion times there [s], rising, shape (k,).
+        period: of the control ticks [s].
+    """
+    jerks, gone = ways.most_jerks, np.diff(phi)[:, None]
+    planned = np.abs(np.diff(ways.accelerations, axis=0)) / np.where(gone > 0.0, gone, np.inf)
+    lesser = np.where(np.isinf(jerks[1:] + jerks[:-1]), np.inf, np.minimum(jerks[1:], jerks[:-1]))
+    between = np.maximum(lesser, planned)
+    return np.asarray(period * np.concatenate((jerks[:1], between)))

@@ -1,0 +1,205 @@
+"""What a motion uses of the limits, at control ticks."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ropsim.motion.curves.path import JointPoints
+from ropsim.motion.diagnostics import WRONG_PROFILE_REQUEST
+from ropsim.motion.retiming.joint_bounds import JointBounds, no_torques
+from ropsim.motion.retiming.tool_paths import Ways, no_ways, steps_allowed
+from ropsim.motion.retiming.utilisation_kernel import (
+    AT_ONCE,
+    ROWS_OF_MOTION,
+    ROWS_OF_TORQUE,
+    TORQUE,
+    by_real_time,
+    strain_of,
+    used_by_motion,
+    used_by_torque,
+)
+from ropsim.motion.time_law.profile import ProfileError
+from ropsim.spatial import Array
+
+ROUNDING = 1e-9
+"""More than a bound by this share of it is rounding."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Going:
+    """How a path is gone at k control ticks.
+
+    Attributes:
+        points: the joints by motion time, k rows.
+        ways: paths with limits of their own, likewise.
+        course: motion times [s], rates, and changes of these [1/s], shape (3, k).
+        places: motion times between which lacks are told [s], rising, shape (m,).
+        still: torque of creeping there [N m | N], shape (m, n), or (m, 0) where torque does not count.
+    """
+
+    points: JointPoints
+    ways: Ways
+    course: Array
+    places: Array
+    still: Array
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Strain:
+    """What is used of the limits at k control ticks.
+
+    Attributes:
+        used: by the joint or path that uses most, 1.0 for all of it, in the order of `Quantity`, (4, k).
+        peaks: the most of each, shape (4,); where torque is too much, of that alone which slowing changes.
+        lacks: logarithms of what rate and acceleration are to be divided by, windows to be multiplied with,
+            and torque to be divided by, at m places, shape (4, m).
+    """
+
+    used: Array
+    peaks: Array
+    lacks: Array
+
+    @property
+    def is_kept(self) -> bool:
+        """Return whether no limit is exceeded but by rounding."""
+        most = 1.0 + ROUNDING
+        return bool(self.peaks[:TORQUE].max() <= most and self.used[TORQUE].max() <= most)
+
+    @property
+    def rates(self) -> Array:
+        """Return the rate at each tick at which limits would about hold, in ]0, 1], shape (k,)."""
+        speed, acceleration, jerk, _ = self.used
+        needed = np.maximum(speed, np.maximum(np.sqrt(acceleration), np.cbrt(jerk)))
+        return np.asarray(1.0 / np.maximum(needed, 1.0))
+
+    @property
+    def factor(self) -> float:
+        """Return by how much the whole motion must be slower to keep all here, from 1.0 on."""
+        speed, acceleration, jerk, torque = self.peaks.tolist()
+        return float(max(speed, np.sqrt(acceleration), np.cbrt(jerk), np.sqrt(torque), 1.0))
+
+
+def strain_as_planned(rows: JointPoints, bounds: JointBounds, period: float) -> Strain:
+    """Return what rows that are not slowed use of the bounds, torque aside; nothing lacks.
+
+    Args:
+        rows: references at the control ticks, k rows.
+        bounds: of the joints.
+        period: of the control ticks [s].
+
+    Raises:
+        ProfileError: M540, references are no numbers.
+    """
+    limits = np.array([bounds.speed, bounds.acceleration, period * bounds.jerk])
+    k, n = rows.q.shape
+    used, peaks, room = np.empty((4, k)), np.zeros(4), np.empty((ROWS_OF_MOTION, AT_ONCE * n))
+    used[TORQUE] = 0.0
+    used_by_motion(rows.d1.reshape(-1), rows.d2.reshape(-1), limits, room, used, peaks)
+    return _told(rows, used, peaks)
+
+
+def with_torque(plain: Strain, rows: JointPoints, torque: Array, bounds: JointBounds) -> Strain:
+    """Return what the same rows use with their torques.
+
+    Args:
+        plain: what they use, torque aside.
+        rows: references at the control ticks, k rows.
+        torque: of the joints there [N m | N], shape (k, n).
+        bounds: of the joints.
+
+    Raises:
+        ProfileError: M540, torques are no numbers.
+    """
+    assert bounds.effort is not None
+    used, peaks = plain.used.copy(), plain.peaks.copy()
+    room = np.empty((ROWS_OF_TORQUE, AT_ONCE * torque.shape[1]))
+    used_by_torque(torque.reshape(-1), bounds.effort, room, used, peaks)
+    if not peaks[TORQUE] < np.inf and not np.isfinite(torque).all():
+        raise no_torques(torque, rows.q)
+    return _told(rows, used, peaks)
+
+
+def _told(rows: JointPoints, used: Array, peaks: Array) -> Strain:
+    if not peaks.max() < np.inf:
+        _check(rows, used)
+    return Strain(used, peaks, np.zeros((len(used), 2)))
+
+
+def _check(rows: JointPoints, used: Array) -> None:
+    if not used.max() < np.inf:
+        row = int(np.flatnonzero(~(used < np.inf).all(axis=0))[0])
+        found = f"the motion is {rows.q[row]}, {rows.d1[row]}, {rows.d2[row]} at tick {row}"
+        raise ProfileError(WRONG_PROFILE_REQUEST.at(None, f"{found}, allowed are finite numbers"))
+
+
+def strain(
+    rows: JointPoints,
+    torque: Array | None,
+    bounds: JointBounds,
+    period: float,
+    going: Going | None = None,
+    more: float = 0.0,
+) -> Strain:
+    """Return what rows use of the bounds; see `strain_of`.
+
+    Args:
+        rows: references at the control ticks, k rows.
+        torque: of the joints there [N m | N], shape (k, n), or None where it does not count.
+        bounds: of the joints.
+        period: of the control ticks [s].
+        going: how the path is gone; None for as it is planned.
+        more: added to each lack.
+
+    Raises:
+        ProfileError: M540, references are no numbers.
+    """
+    k = len(rows.q)
+    if torque is None or bounds.effort is None:
+        torque = np.empty((k, 0))
+    if going is None:
+        ends, still = np.array([0.0, np.inf]), np.zeros((2, torque.shape[1]))
+        going = Going(rows, no_ways(k), np.stack((np.zeros(k), np.ones(k), np.zeros(k))), ends, still)
+    ways, qd, qdd = going.ways, rows.d1, rows.d2
+    if ways.speeds.shape[1]:
+        of_ways = np.empty((2, *ways.speeds.shape))
+        by_real_time(ways.speeds, ways.accelerations, going.course, of_ways)
+        qd, qdd = np.hstack((qd, of_ways[0])), np.hstack((qdd, of_ways[1]))
+    first, second = ways.beside(going.points)
+    used, peaks, lacks = np.zeros((4, k)), np.zeros(4), np.zeros((4, len(going.places)))
+    strain_of(
+        np.ascontiguousarray(qd),
+        np.ascontiguousarray(qdd),
+        torque,
+        first,
+        second,
+        going.course,
+        going.places,
+        going.still,
+        _limits(bounds, going, period),
+        1.0 + ROUNDING,
+        more,
+        np.empty((4, first.shape[1])),
+        used,
+        peaks,
+        lacks,
+    )
+    _check(rows, used)
+    return Strain(used, peaks, lacks)
+
+
+def _limits(bounds: JointBounds, going: Going, period: float) -> Array:
+    """Return limits of joints and paths, shape (4, 1, n), or (4, k, n + r) where there are paths.
+
+    They are those of speed, acceleration, change of acceleration in one tick, and torque.
+    """
+    n, ways = len(bounds.speed), going.ways
+    k, r = ways.speeds.shape
+    effort = np.full(n, np.inf) if bounds.effort is None else bounds.effort
+    joints = np.array([bounds.speed, bounds.acceleration, period * bounds.jerk, effort])[:, None, :]
+    if r == 0:
+        return joints
+    limits = np.full((4, k, n + r), np.inf)
+    limits[:, :, :n] = joints
+    limits[1, :, n:] = np.maximum(ways.most_accelerations, np.abs(ways.accelerations))
+    limits[2, :, n:] = steps_allowed(ways, going.course[0], period)
+    return limits

@@ -1,0 +1,314 @@
+"""Utilisation of the limits at control ticks, and what a motion gives up for it, in loops for numba."""
+
+import math
+
+from ropsim.codegen import Array1, Array2, Array3, columns, kernel
+from ropsim.motion.retiming.smooth_rates_kernel import greatest_nearby
+from ropsim.spatial import Array
+
+ENDLESS = math.inf
+AT_ONCE = 16
+"""Ticks whose numbers are looked at as one row."""
+ROWS_OF_MOTION, ROWS_OF_TORQUE = 7, 2
+"""Rows to work in: reciprocals of limits of all columns, what is used of them, and zeros."""
+REST = 6
+"""Row of zeros: joints rest before the first and after the last tick."""
+
+
+@kernel
+def used_by_motion(
+    qd: Array1, qdd: Array1, limits: Array2, room: Array2, used: Array2, peaks: Array1
+) -> None:
+    """Compute what n joints use of speed, acceleration and jerk at k control ticks, as `strain_of` does.
+
+    Args:
+        qd: speeds [rad/s | m/s], shape (k·n,).
+        qdd: accelerations [rad/s² | m/s²], shape (k·n,).
+        limits: of speed, acceleration and change of acceleration in one tick, shape (3, n).
+        room: to work in, shape (ROWS_OF_MOTION, AT_ONCE·n).
+        used: becomes what is used by the joint that uses most, in its first three rows, shape (4, k).
+        peaks: becomes the most of each, in its first three numbers, shape (4,).
+    """
+    n, ticks = limits.shape[1], used.shape[1]
+    for k in range(AT_ONCE):
+        for j in range(n):
+            room[0, k * n + j], room[1, k * n + j] = 1.0 / limits[0, j], 1.0 / limits[1, j]
+            room[2, k * n + j], room[REST, k * n + j] = 1.0 / limits[2, j], 0.0
+    begin, most_speed, most_acceleration, most_jerk = 0, 0.0, 0.0, 0.0
+    while begin < ticks:
+        end = min(begin + AT_ONCE, ticks) if begin else 1
+        first, count = begin * n, (end - begin) * n
+        before = qdd[first - n :] if begin else room[REST]
+        _motion_shares(count, qd[first:], qdd[first:], before, room)
+        for k in range(begin, end):
+            speed, acceleration, jerk = 0.0, 0.0, 0.0
+            for j in range((k - begin) * n, (k - begin + 1) * n):
+                speed = max(speed, room[3, j])
+                acceleration = max(acceleration, room[4, j])
+                jerk = max(jerk, room[5, j])
+            if k == ticks - 1:
+                _motion_shares(n, qd[k * n :], qdd[k * n :], room[REST], room)
+                for j in range(n):
+                    jerk = max(jerk, room[5, j])
+            used[SPEED, k], used[ACCELERATION, k], used[JERK, k] = speed, acceleration, jerk
+            most_speed = max(most_speed, speed)
+            most_acceleration = max(most_acceleration, acceleration)
+            most_jerk = max(most_jerk, jerk)
+        begin = end
+    peaks[SPEED], peaks[ACCELERATION], peaks[JERK] = most_speed, most_acceleration, most_jerk
+
+
+@kernel
+def used_by_torque(torque: Array1, limit: Array1, room: Array2, used: Array2, peaks: Array1) -> None:
+    """Compute what n joints use of their torque at k control ticks, as `strain_of` does.
+
+    Args:
+        torque: of the joints [N m | N], shape (k·n,).
+        limit: of each [N m | N], shape (n,).
+        room: to work in, shape (ROWS_OF_TORQUE, AT_ONCE·n).
+        used: its last row becomes what is used by the joint that uses most, shape (4, k).
+        peaks: its last number becomes the most of that, shape (4,).
+    """
+    n, ticks, peak = limit.shape[0], used.shape[1], 0.0
+    for k in range(AT_ONCE):
+        for j in range(n):
+            room[0, k * n + j] = 1.0 / limit[j]
+    for begin in range(0, ticks, AT_ONCE):
+        end = min(begin + AT_ONCE, ticks)
+        _torque_shares((end - begin) * n, torque[begin * n :], room)
+        for k in range(begin, end):
+            most = 0.0
+            for j in range((k - begin) * n, (k - begin + 1) * n):
+                most = max(most, room[1, j])
+            used[TORQUE, k] = most
+            peak = max(peak, most)
+    peaks[TORQUE] = peak
+
+
+@columns
+def _motion_shares(count: int, qd: Array, qdd: Array, before: Array, room: Array) -> None:
+    """Write what is used of limits of speed, acceleration and jerk; no number counts as infinity."""
+    for j in range(count):
+        room[3, j] = min(ENDLESS, abs(qd[j]) * room[0, j])
+        room[4, j] = min(ENDLESS, abs(qdd[j]) * room[1, j])
+        room[5, j] = min(ENDLESS, abs(qdd[j] - before[j]) * room[2, j])
+
+
+@columns
+def _torque_shares(count: int, torque: Array, room: Array) -> None:
+    """Write what is used of limits of torque."""
+    for j in range(count):
+        room[1, j] = min(ENDLESS, abs(torque[j]) * room[0, j])
+
+
+_TINY = 1e-300
+_CLEARLY = 1.0 - 1e-12
+"""Share of what may be used below which rounding decides nothing."""
+MOST_AT_ONCE = 2.0
+"""Greatest excess that is made good at once."""
+STEADY = 1.0 / 3.0
+"""Power of a jerk's excess by which the rate falls where the path itself causes it."""
+BESIDE = 0.2
+"""Share of a lack of width that accelerations make good."""
+SPEED, ACCELERATION, JERK, TORQUE = range(4)
+"""Rows of what is used, of peaks and of limits, in the order of `Quantity`."""
+RATE, SWING, WINDOW, LOAD = range(4)
+"""Rows of lacks: rate and acceleration are divided by them, windows multiplied, torque divided."""
+
+
+@kernel
+def strain_of(
+    qd: Array2,
+    qdd: Array2,
+    torque: Array2,
+    first: Array2,
+    second: Array2,
+    course: Array2,
+    places: Array1,
+    still: Array2,
+    limits: Array3,
+    allowed: float,
+    more: float,
+    inverse: Array2,
+    used: Array2,
+    peaks: Array1,
+    lacks: Array2,
+) -> None:
+    """Compute strains and lacks of n joints and r paths at k control ticks; no number counts as infinity.
+
+    Jerk is the difference of accelerations of neighbouring ticks, at the later one of the two; joints rest
+    before the first and after the last tick. It has three causes: the path itself asks for a lower rate,
+    changes of rate on a bent path for lower accelerations, changes of acceleration along the path for wider
+    windows. Of a torque that is too much only what dry friction and gravity leave can be given up. Most ticks
+    keep all limits; those are done with as soon as that is seen.
+
+    Args:
+        qd: speeds of joints [rad/s | m/s], then of places on paths, shape (k, n + r).
+        qdd: accelerations [rad/s² | m/s²] likewise, shape (k, n + r).
+        torque: of joints [N m | N], shape (k, n), or (k, 0) where it does not count.
+        first: first derivatives by motion time, shape (k, n + r).
+        second: second ones.
+        course: motion times φ [s], rising, rates dφ/dt, and their changes [1/s], shape (3, k).
+        places: motion times [s], rising, shape (m,).
+        still: torque of creeping at the places [N m | N], shape (m, n), or (m, 0).
+        limits: of speed, acceleration, change of acceleration in one tick, and torque, shape (4, k, n + r),
+            or (4, 1, n + r) where they are the same at all ticks.
+        allowed: what may be used of a limit, 1 and rounding.
+        more: added to the logarithm of each excess.
+        inverse: room for the inverse of limits, shape (4, n + r).
+        used: 0; becomes what is used by what uses most, 1 for all, in the order of `Quantity`, (4, k).
+        peaks: 0; becomes the greatest excess of each, shape (4,).
+        lacks: 0; becomes logarithms of what rate and acceleration are to be divided by, windows to be
+            multiplied with, and torque to be divided by, at the places on both sides of the ticks, (4, m).
+    """
+    way, last, constant = 0, places.shape[0] - 2, limits.shape[1] == 1
+    kinds = 4 if torque.shape[1] else 3
+    for k in range(qd.shape[0]):
+        before = max(k - 1, 0)
+        while way < last and places[way + 1] <= course[0, k]:
+            way += 1
+        here = 0 if constant else k
+        if k == 0 or not constant:
+            _invert(limits, here, inverse)
+        if 0 < k < qd.shape[0] - 1 and _keeps(qd, qdd, torque, inverse, k, allowed, used, peaks):
+            continue
+        for j in range(qd.shape[1]):
+            load = abs(torque[k, j]) if j < torque.shape[1] else 0.0
+            values = (abs(qd[k, j]), abs(qdd[k, j]), _jump(qdd, k, j), load)
+            for kind in range(kinds):
+                value = values[kind]
+                share = value * inverse[kind, j]
+                if not share < allowed * _CLEARLY:
+                    share = _of(value, limits[kind, here, j])
+                used[kind, k] = max(used[kind, k], share)
+                if share <= allowed:
+                    peaks[kind] = max(peaks[kind], share)
+                    continue
+                if kind == TORQUE:
+                    past = (course[0, k] - places[way]) / (places[way + 1] - places[way])
+                    held = still[way, j] + past * (still[way + 1, j] - still[way, j])
+                    held = math.copysign(held, held * torque[k, j])
+                    share = (value - held) / max(limits[TORQUE, here, j] - held, _TINY)
+                peaks[kind] = max(peaks[kind], share)
+                lack = math.log(min(max(share, 1.0), MOST_AT_ONCE)) + more
+                given = _given_up(kind, lack, first, second, course, j, before, k)
+                for row in range(len(given)):
+                    for i in range(way, way + 2):
+                        lacks[row, i] = max(lacks[row, i], given[row])
+
+
+def _causes(
+    first: Array, second: Array, course: Array, j: int, before: int, now: int
+) -> tuple[float, float, float]:
+    """Return the shares that the path, changes of rate on it and changes of acceleration have in a jerk."""
+    w, c = course[1, now], course[2, now]
+    faster = w * w - course[1, before] * course[1, before]
+    by_path = abs(second[now, j] - second[before, j]) * w * w
+    bend = abs(second[now, j] * faster) + abs((first[now, j] - first[before, j]) * c)
+    change = abs(first[now, j] * (c - course[2, before]))
+    whole = max(by_path + bend + change, _TINY)
+    return by_path / whole, bend / whole, change / whole
+
+
+@kernel
+def by_real_time(first: Array2, second: Array2, course: Array2, out: Array3) -> None:
+    """Write speeds q'·w and accelerations q''·w² + q'·c of a motion at the rate w, which changes by c.
+
+    Args:
+        first: first derivatives by motion time, shape (k, n).
+        second: second ones.
+        course: motion times [s], rates w = dφ/dt, and their changes c [1/s], shape (3, k).
+        out: where they go, shape (2, k, n).
+    """
+    for k in range(first.shape[0]):
+        w, c = course[1, k], course[2, k]
+        for j in range(first.shape[1]):
+            out[0, k, j] = first[k, j] * w
+            out[1, k, j] = second[k, j] * (w * w) + first[k, j] * c
+
+
+def _jump(qdd: Array, k: int, j: int) -> float:
+    """Return how much the acceleration of a joint changes towards a tick; it rests before and behind all."""
+    jump = abs(qdd[k, j]) if k == 0 else abs(qdd[k, j] - qdd[k - 1, j])
+    if k == qdd.shape[0] - 1:
+        jump = max(jump, abs(qdd[k, j]))
+    return float(jump)
+
+
+def _invert(limits: Array, here: int, inverse: Array) -> None:
+    """Write the inverse of the limits at a tick."""
+    for kind in range(inverse.shape[0]):
+        for j in range(inverse.shape[1]):
+            inverse[kind, j] = 1.0 / limits[kind, here, j]
+
+
+def _keeps(
+    qd: Array, qdd: Array, torque: Array, inverse: Array, k: int, allowed: float, used: Array, peaks: Array
+) -> bool:
+    """Return whether a tick between others clearly keeps all limits; if so its shares are noted."""
+    speed, acceleration, jerk, load, whole = 0.0, 0.0, 0.0, 0.0, 0.0
+    for j in range(qd.shape[1]):
+        fast, swing, jump = abs(qd[k, j]), abs(qdd[k, j]), abs(qdd[k, j] - qdd[k - 1, j])
+        whole += fast + jump + swing
+        speed = max(speed, fast * inverse[SPEED, j])
+        acceleration = max(acceleration, swing * inverse[ACCELERATION, j])
+        jerk = max(jerk, jump * inverse[JERK, j])
+    for j in range(torque.shape[1]):
+        whole += abs(torque[k, j])
+        load = max(load, abs(torque[k, j]) * inverse[TORQUE, j])
+    if not (whole < math.inf and max(speed, acceleration, jerk, load) < allowed * _CLEARLY):
+        return False
+    used[SPEED, k], used[ACCELERATION, k], used[JERK, k], used[TORQUE, k] = speed, acceleration, jerk, load
+    peaks[SPEED], peaks[ACCELERATION] = max(peaks[SPEED], speed), max(peaks[ACCELERATION], acceleration)
+    peaks[JERK], peaks[TORQUE] = max(peaks[JERK], jerk), max(peaks[TORQUE], load)
+    return True
+
+
+def _given_up(
+    kind: int, lack: float, first: Array, second: Array, course: Array, j: int, before: int, now: int
+) -> tuple[float, float, float, float]:
+    """Return what is to be given up for a lack, in the order of the rows of lacks."""
+    if kind == JERK:
+        by_path, bend, change = _causes(first, second, course, j, before, now)
+        return by_path * STEADY * lack, (bend + BESIDE * change) * lack, lack * change, 0.0
+    if kind == ACCELERATION:
+        return 0.0, lack, 0.0, 0.0
+    if kind == TORQUE:
+        return 0.0, 0.0, 0.0, lack
+    return lack, 0.0, 0.0, 0.0  # whatever it is, slowing is what helps
+
+
+def _of(value: float, limit: float) -> float:
+    """Return what a value is of its limit; no number counts as infinity."""
+    share = value / limit
+    return share if share < math.inf else math.inf
+
+
+_WIDEST = 8.0
+"""Greatest width of windows over their first one."""
+
+
+@kernel
+def give_up(sigma: Array1, lacks: Array2, room: Array2, shares: Array2) -> None:
+    """Make shares smaller, and windows wider, by the greatest lacks in the windows around places.
+
+    Args:
+        sigma: places in windows, see `smooth_course`, shape (m,).
+        lacks: logarithms, as from `lacks_at`, shape (4, m).
+        room: to work in, shape (2, m).
+        shares: of rate and acceleration, width of windows, and share of torque, shape (4, m).
+    """
+    for row in range(lacks.shape[0]):
+        greatest = 0.0
+        for i in range(sigma.shape[0]):
+            greatest = max(greatest, lacks[row, i])
+        if greatest == 0.0:
+            continue
+        greatest_nearby(sigma, lacks[row], room[0], room[1])
+        for i in range(sigma.shape[0]):
+            if room[1, i] > 0.0:
+                factor = math.exp(room[1, i])
+                if row == WINDOW:
+                    shares[row, i] = min(shares[row, i] * factor, _WIDEST)
+                else:
+                    shares[row, i] /= factor

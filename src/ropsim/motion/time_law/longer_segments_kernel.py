@@ -1,0 +1,61 @@
+"""A time law over stages, told over longer pieces, in loops that numba compiles."""
+
+from ropsim.codegen import Array1, Array2, Array3, kernel
+from ropsim.motion.time_law.time_law_kernel import plan_segments
+from ropsim.spatial import Array
+
+
+@kernel
+def plan_longer(
+    bounds: Array2,
+    counts: Array1,
+    ways: Array3,
+    courses: Array3,
+    rows: Array2,
+    ends: Array1,
+    longer_ends: Array1,
+    told: Array1,
+) -> None:
+    """Write what `plan_segments` does, told over pieces of several stages.
+
+    Args:
+        bounds: of the stages, see `plan_segments`, and so are ways, courses, rows and ends, shape (s, 6).
+        counts: how many stages are one piece, in order, shape (c,); their sum is s.
+        ways: see there.
+        courses: see there.
+        rows: see there; they count pieces.
+        ends: see there, of the stages, shape (s,).
+        longer_ends: where the times [s] go at which the pieces end, shape (c,).
+        told: see there.
+    """
+    plan_segments(bounds, ways, courses, rows, ends, told)
+    if told[0] >= 0.0:
+        _over_longer(rows, int(told[0]), ends, counts, longer_ends)
+
+
+def _over_longer(segments: Array, count: int, ends: Array, counts: Array, longer_ends: Array) -> None:
+    """Make segments over pieces those over longer pieces, each of several pieces with the same unit.
+
+    Args:
+        segments: columns as in `TimeLaw`, of every piece one or more; they change; shape (8, m or more).
+        count: of them, m.
+        ends: times [s] at which the pieces end, shape (p,).
+        counts: how many pieces are one, in order, shape (c,); their sum is p.
+        longer_ends: where the times [s] go at which the longer pieces end, shape (c,).
+    """
+    number = piece = int(segments[0, 0])  # 0; a number in the text would be a type of its own for numba
+    left, gone, first, length = int(counts[0]), 0.0, 0.0, 0.0
+    for k in range(count):
+        if int(segments[0, k]) != piece:
+            gone += length
+            left -= 1
+            if left == 0:
+                longer_ends[number] = ends[piece]
+                number += 1
+                left, first = int(counts[number]), gone
+            piece = int(segments[0, k])
+        length = segments[7, k]
+        segments[0, k] = number
+        segments[2, k] += gone - first
+        segments[7, k] += gone - first
+    longer_ends[number] = ends[piece]

@@ -1,0 +1,50 @@
+"""Stages one behind the other, as rows of numbers: long ways have thousands, planned again and again."""
+
+from collections.abc import Iterable, Iterator
+
+import numpy as np
+
+from ropsim.motion.time_law.stage import Stage
+from ropsim.spatial import Array, record
+
+
+@record
+class Stages:
+    """Bounds of stages that go over into each other at one unit; iterating gives each as a `Stage`.
+
+    Attributes:
+        rows: length, and bounds of speed, acceleration and jerk of each, see `Stage`, shape (s, 4).
+    """
+
+    rows: Array
+
+    def __post_init__(self) -> None:
+        self.rows.flags.writeable = False
+
+    @classmethod
+    def of(cls, stages: Iterable[Stage]) -> "Stages":
+        """Return the same as rows; ratios and horizons are left out."""
+        rows = [(one.length, one.speed, one.acceleration, one.jerk) for one in stages]
+        return cls(np.array(rows, dtype=np.float64).reshape(-1, 4))
+
+    def __len__(self) -> int:
+        """Return their number."""
+        return len(self.rows)
+
+    def __iter__(self) -> Iterator[Stage]:
+        """Yield them in order."""
+        return (Stage(*row) for row in self.rows.tolist())
+
+    def __getitem__(self, number: int) -> Stage:
+        """Return one of them."""
+        return Stage(*self.rows[number].tolist())
+
+    @property
+    def ends(self) -> Array:
+        """Return the places at which they end, from the start of the first one on, shape (s,)."""
+        return np.cumsum(self.rows[:, 0])
+
+    @property
+    def bounds(self) -> Array:
+        """Return the bounds of speed, acceleration and jerk, shape (s, 3)."""
+        return self.rows[:, 1:]
