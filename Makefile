@@ -1,7 +1,9 @@
 # Plain POSIX make. Everything lives in .venv, which `sh tools/venv.sh` keeps up to date.
 # make PYTHON=/path/to/python3 <target> chooses the interpreter (3.11 or newer).
+# make BIN=.venv/Scripts <target> is for Windows, where Python puts the commands of .venv there.
 
-VENV = PYTHON='$(PYTHON)' sh tools/venv.sh
+BIN = .venv/bin
+VENV = PYTHON='$(PYTHON)' VENV_BIN='$(BIN)' sh tools/venv.sh
 DEMO = examples/palletizing
 # One worker more than cores (they wait now and then), at most four; tests of a module stay together, in the order of tests/conftest.py.
 SIDE_BY_SIDE = -n auto --maxprocesses 4 --dist loadfile --no-loadscope-reorder $(PLAIN)
@@ -21,47 +23,47 @@ help:
 
 demo:
 	@$(VENV)
-	.venv/bin/ropsim run $(DEMO) --report $(DEMO)/out/report.html
+	$(BIN)/ropsim run $(DEMO) --report $(DEMO)/out/report.html
 
 test:
 	@$(VENV) test
-	$(KEEP_COMPILED) .venv/bin/python -m pytest $(SIDE_BY_SIDE)
+	$(KEEP_COMPILED) $(BIN)/python -m pytest $(SIDE_BY_SIDE)
 
 check:
 	@$(VENV) test check
-	.venv/bin/ruff check .
-	.venv/bin/ruff format --check .
-	.venv/bin/mypy
-	.venv/bin/lint-imports
-	.venv/bin/codespell
-	.venv/bin/python tools/diagnostic_pages.py --check
-	.venv/bin/python tools/icr_table.py --check
-	.venv/bin/python tools/import_table.py --check
-	.venv/bin/python -m tools.robot_library --check
-	.venv/bin/python -m tools.robot_page --check
-	.venv/bin/python tools/wire_types.py --check
-	.venv/bin/python tools/block_words.py --check
-	.venv/bin/python tools/pack_fixture.py --check
-	.venv/bin/python -m tools.frontend
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+	$(BIN)/mypy
+	$(BIN)/lint-imports
+	$(BIN)/codespell
+	$(BIN)/python tools/diagnostic_pages.py --check
+	$(BIN)/python tools/icr_table.py --check
+	$(BIN)/python tools/import_table.py --check
+	$(BIN)/python -m tools.robot_library --check
+	$(BIN)/python -m tools.robot_page --check
+	$(BIN)/python tools/wire_types.py --check
+	$(BIN)/python tools/block_words.py --check
+	$(BIN)/python tools/pack_fixture.py --check
+	$(BIN)/python -m tools.frontend
 
 bench:
 	@$(VENV) test
-	.venv/bin/python -m pytest benchmarks
+	$(BIN)/python -m pytest benchmarks
 
 docs:
 	@$(VENV)
-	.venv/bin/python tools/diagnostic_pages.py
-	.venv/bin/python tools/icr_table.py
-	.venv/bin/python tools/import_table.py
-	.venv/bin/python -m tools.robot_library
-	.venv/bin/python -m tools.robot_page
-	.venv/bin/python tools/wire_types.py
-	.venv/bin/python tools/block_words.py
+	$(BIN)/python tools/diagnostic_pages.py
+	$(BIN)/python tools/icr_table.py
+	$(BIN)/python tools/import_table.py
+	$(BIN)/python -m tools.robot_library
+	$(BIN)/python -m tools.robot_page
+	$(BIN)/python tools/wire_types.py
+	$(BIN)/python tools/block_words.py
 
 pictures:
 	@$(VENV) test
-	.venv/bin/python tools/readme_picture.py
-	PYTHONPATH=tests .venv/bin/python -m tools.studio_pictures
+	$(BIN)/python tools/readme_picture.py
+	PYTHONPATH=tests $(BIN)/python -m tools.studio_pictures
 
 clean:
 	rm -rf .venv build dist .pytest_cache .mypy_cache .ruff_cache .import_linter_cache .hypothesis

@@ -234,7 +234,9 @@ def main(arguments: list[str]) -> int:
     root = Path(__file__).parent
     stale = is_stale(root)
     if arguments == ["--state"]:
-        print("stale" if stale else "current")
+        print(
+            "stale" if stale else "current", end=""
+        )  # a line would end with \r\n on Windows, which sh keeps
         return 0
     if arguments:
         print(f"hatch_build.py knows `--state` only, not `{' '.join(arguments)}`", file=sys.stderr)

