@@ -7,7 +7,6 @@
 """
 
 import os
-from functools import lru_cache
 from importlib import import_module
 from warnings import warn
 
@@ -29,6 +28,9 @@ from ropsim.core import without_collection
 
 BOUNDS = "ROPSIM_BOUNDS"
 """Variable of the environment: with 1 all compiled code checks every index, and none is kept."""
+
+
+_warned: set[str] = set()
 
 
 class CompilingWarning(RuntimeWarning):
@@ -66,7 +68,7 @@ def _made(name: str, signature: Signature, build: Build, plain: Compiled) -> Com
     try:
         import_module("numba")
     except ImportError as error:
-        _warn(f"numba cannot be imported, Python runs all code itself: {error}")
+        _warn("numba cannot be imported, Python runs all code itself", error)
         return plain
     try:
         code = _object_code(build)
@@ -78,7 +80,7 @@ def _made(name: str, signature: Signature, build: Build, plain: Compiled) -> Com
             made = _made_by_numba(signature, build, Bounds.TRUSTED)
         except Exception:  # a mistake in the source
             raise error from None
-        _warn(f"numba is used by its public interface, each process compiles all code anew: {error!r:.300}")
+        _warn("numba is used by its public interface, each process compiles all code anew", error)
         return made
     keep_code(name, code)
     return Call(machine_code_at(address), signature.kinds)
@@ -97,7 +99,8 @@ def _made_by_numba(signature: Signature, build: Build, bounds: Bounds) -> Compil
     return Call(numba.entry(build(numba)), signature.kinds)
 
 
-@lru_cache(maxsize=2)
-def _warn(text: str) -> None:
+def _warn(text: str, error: Exception) -> None:
     """Warn once in a process."""
-    warn(text, CompilingWarning, stacklevel=2)
+    if text not in _warned:
+        _warned.add(text)
+        warn(f"{text}: {error!r:.300}", CompilingWarning, stacklevel=2)
