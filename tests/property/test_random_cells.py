@@ -15,8 +15,8 @@ from ropsim.flow import Fidelity, Recording, TaskEvent
 from ropsim.icr import Program
 from ropsim.model import WORLD, Cell
 from ropsim.simulation import RunOptions, RunView, run
-from ropsim.simulation.cell_run import CellRun
-from ropsim.simulation.placements import Placements
+from ropsim.simulation.parts.placements import Placements
+from ropsim.simulation.state.cell_run import CellRun
 from support.random_cells import random_cell
 
 COUNT = int(os.environ.get("ROPSIM_RANDOM_CELLS", "30"))

@@ -2,15 +2,14 @@
 
 from ropsim.flow import Fidelity as Fidelity
 from ropsim.flow import InputChange as InputChange
-from ropsim.simulation.adapting import Adaptation as Adaptation
-from ropsim.simulation.kept_plans import KeptPlans as KeptPlans
-from ropsim.simulation.kept_runs import KeptRuns as KeptRuns
-from ropsim.simulation.live_sample import live_sample as live_sample
-from ropsim.simulation.move_span import MoveSpan as MoveSpan
-from ropsim.simulation.planned_stretch import Planning as Planning
-from ropsim.simulation.planned_stretch import planned_anew as planned_anew
+from ropsim.simulation.kept.kept_plans import KeptPlans as KeptPlans
+from ropsim.simulation.kept.kept_runs import KeptRuns as KeptRuns
+from ropsim.simulation.recording.live_sample import live_sample as live_sample
+from ropsim.simulation.records.adapting import Adaptation as Adaptation
+from ropsim.simulation.records.move_span import MoveSpan as MoveSpan
+from ropsim.simulation.records.planned_sequence import Planning as Planning
+from ropsim.simulation.records.planned_sequence import planned_anew as planned_anew
 from ropsim.simulation.run import run as run
-from ropsim.simulation.run_options import RunOptions as RunOptions
 from ropsim.simulation.servo.diagnostics import DivergedError as DivergedError
 from ropsim.simulation.servo.diagnostics import DriveDataError as DriveDataError
 from ropsim.simulation.servo.diagnostics import NoDrivesError as NoDrivesError
@@ -22,9 +21,10 @@ from ropsim.simulation.servo.state import ServoState as ServoState
 from ropsim.simulation.servo.state import StateLayout as StateLayout
 from ropsim.simulation.simulate import SimulationOptions as SimulationOptions
 from ropsim.simulation.simulate import simulate as simulate
-from ropsim.simulation.watch import NobodyWatches as NobodyWatches
-from ropsim.simulation.watch import RunView as RunView
-from ropsim.simulation.watch import Watch as Watch
+from ropsim.simulation.state.run_options import RunOptions as RunOptions
+from ropsim.simulation.state.watch import NobodyWatches as NobodyWatches
+from ropsim.simulation.state.watch import RunView as RunView
+from ropsim.simulation.state.watch import Watch as Watch
 from ropsim.simulation.ways import RunCollisions as RunCollisions
 from ropsim.simulation.ways import contact_findings as contact_findings
 from ropsim.simulation.ways import needs_check as needs_check

@@ -6,12 +6,12 @@ from bisect import bisect_right
 import numpy as np
 
 from ropsim.core import Diagnostic
-from ropsim.simulation.cell_run import CellRun
 from ropsim.simulation.devices.device_run import NEVER, Carried, DeviceRun, Now
-from ropsim.simulation.diagnostics import RUN_OFF
-from ropsim.simulation.feeding import along, feed, room_at
-from ropsim.simulation.placements import Exit, Placements
-from ropsim.simulation.track import tick_at
+from ropsim.simulation.diagnostics.part_diagnostics import RUN_OFF
+from ropsim.simulation.grips.feeding import along, feed, room_at
+from ropsim.simulation.parts.placements import Exit, Placements
+from ropsim.simulation.records.track import tick_at
+from ropsim.simulation.state.cell_run import CellRun
 from ropsim.spatial import Pose
 
 

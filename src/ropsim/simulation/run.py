@@ -12,14 +12,14 @@ from ropsim.flow import Recording
 from ropsim.icr import Program
 from ropsim.model import Cell
 from ropsim.simulation.acting import act
-from ropsim.simulation.cell_run import CellRun
-from ropsim.simulation.endless_waits import are_endless, end_waits
-from ropsim.simulation.handing import look_for_pulls
-from ropsim.simulation.record import recording_of
-from ropsim.simulation.run_options import RunOptions
-from ropsim.simulation.shared_programs import told_at
-from ropsim.simulation.start import start_run
-from ropsim.simulation.working import work
+from ropsim.simulation.findings.shared_programs import told_at
+from ropsim.simulation.grips.handing import look_for_pulls
+from ropsim.simulation.recording.record import recording_of
+from ropsim.simulation.state.cell_run import CellRun
+from ropsim.simulation.state.run_options import RunOptions
+from ropsim.simulation.station.start import start_run
+from ropsim.simulation.station.working import work
+from ropsim.simulation.waiting.endless_waits import are_endless, end_waits
 
 
 def run(cell: Cell, programs: Mapping[str, Program], options: RunOptions) -> Recording:

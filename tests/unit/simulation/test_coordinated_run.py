@@ -14,7 +14,7 @@ from ropsim.flow import LimitQuantity, MoveEvent, Recording
 from ropsim.kinematics import forward_batch
 from ropsim.model import Cell
 from ropsim.simulation import Fidelity, RunOptions, RunView, run
-from ropsim.simulation.watch import NobodyWatches
+from ropsim.simulation.state.watch import NobodyWatches
 from ropsim.spatial import Array
 from ropsim.views.path_summary import summarize_path
 from ropsim.workbench import environment_of

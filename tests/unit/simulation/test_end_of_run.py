@@ -10,7 +10,7 @@ from ropsim.controller import CompiledLaw, LawTraits
 from ropsim.flow import MoveEvent, Recording
 from ropsim.model import Cell, InputKind, Rates, Signal, Tool
 from ropsim.simulation import DivergedError, Fidelity, RunOptions, run
-from ropsim.simulation.settle import SPEED_TIME
+from ropsim.simulation.station.settle import SPEED_TIME
 from support.cells import one_station, with_station
 from support.compiled import code_of
 
@@ -60,7 +60,7 @@ def test_a_long_stand_is_the_same_in_one_piece_and_in_slices(
 ) -> None:
     program = code_of(cell, "mov joints (0, 60, -150, 0, -60, 0)", "wait 0.5 s")
     whole = run(cell, {"robot": program}, RunOptions())
-    monkeypatch.setattr("ropsim.simulation.station_run._SLICE", 7)
+    monkeypatch.setattr("ropsim.simulation.state.station_run._SLICE", 7)
     sliced = run(cell, {"robot": program}, RunOptions())
     assert np.array_equal(whole.channels["q"].values, sliced.channels["q"].values)
     assert np.array_equal(whole.time, sliced.time)

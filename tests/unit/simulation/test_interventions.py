@@ -14,7 +14,7 @@ from ropsim.flow import AwaitEvent, MoveEvent, OutputEvent, OverrideChange, Reco
 from ropsim.model import Cell, Rates, Signal, Station, Tool
 from ropsim.records.inputs import inputs_of, with_inputs
 from ropsim.simulation import Fidelity, OptionError, RunOptions, RunView, run
-from ropsim.simulation.watch import NobodyWatches
+from ropsim.simulation.state.watch import NobodyWatches
 from ropsim.spatial import Pose
 from ropsim.workbench import environment_of
 

@@ -11,7 +11,7 @@ from ropsim.dynamics import structure_of
 from ropsim.flow import Recording
 from ropsim.model import Payload
 from ropsim.simulation import KeptRuns, RunOptions, Servo
-from ropsim.simulation.plant import constant
+from ropsim.simulation.records.plant import constant
 from ropsim.simulation.servo.kept_drives import KeptDrives, driven_anew
 from ropsim.simulation.servo.log import LogLayout
 from ropsim.simulation.servo.recorder import Recorder

@@ -12,7 +12,7 @@ from ropsim import icr, robots
 from ropsim.flow import MoveEvent, Recording
 from ropsim.model import Cell, Tool
 from ropsim.simulation import Fidelity, RunOptions, RunView, run
-from ropsim.simulation.watch import NobodyWatches
+from ropsim.simulation.state.watch import NobodyWatches
 from ropsim.spatial import Array
 from ropsim.workbench import environment_of
 from support.cells import one_station

@@ -25,7 +25,7 @@ from ropsim.model import (
 )
 from ropsim.planning import PathCorrector, Sample, standard_chain
 from ropsim.simulation import Fidelity, RunOptions, RunView, run
-from ropsim.simulation.watch import NobodyWatches
+from ropsim.simulation.state.watch import NobodyWatches
 from ropsim.spatial import Array, Pose
 from support.cells import one_station
 from support.compiled import code_of

@@ -6,7 +6,7 @@ import numpy as np
 
 from ropsim.dynamics import DriveChain, Limit, LimitSort, chain_of, structure_of
 from ropsim.model import RobotModel
-from ropsim.simulation.fields import Field
+from ropsim.simulation.records.fields import Field
 from ropsim.simulation.servo.log import REFERENCE_COLUMNS, LogLayout, floors
 from ropsim.spatial import Array
 

@@ -9,7 +9,7 @@ from typing import TypeAlias
 
 from ropsim.flow import JointReference
 from ropsim.model import Payload
-from ropsim.simulation.kept_results import KeptResults
+from ropsim.simulation.records.kept_results import KeptResults
 from ropsim.simulation.servo.recorder import Recorder
 from ropsim.simulation.servo.servo import Servo
 from ropsim.simulation.servo.state import ServoState

@@ -4,7 +4,7 @@ from math import inf
 
 from ropsim.core import frozen_dataclass
 from ropsim.dynamics import Column, DriveChain
-from ropsim.simulation.fields import Field, fields
+from ropsim.simulation.records.fields import Field, fields
 
 ARM_COLUMNS = (
     Column("q", "{q}", "attained joint coordinates"),

@@ -4,13 +4,13 @@ import numpy as np
 
 from ropsim.dynamics import structure_of
 from ropsim.model import RobotModel
-from ropsim.simulation.row_log import MOST_ROWS, RowLog
+from ropsim.simulation.records.row_log import MOST_ROWS, RowLog
+from ropsim.simulation.records.tally import Tally
 from ropsim.simulation.servo.judged import judged
 from ropsim.simulation.servo.log import LogLayout
 from ropsim.simulation.servo.plant_code import observe
 from ropsim.simulation.servo.slice_log import SliceLog
 from ropsim.simulation.servo.state import ServoState
-from ropsim.simulation.tally import Tally
 from ropsim.spatial import Array
 
 

@@ -4,7 +4,7 @@ from typing import Protocol
 
 import numpy as np
 
-from ropsim.simulation.tally import Tally
+from ropsim.simulation.records.tally import Tally
 from ropsim.spatial import Array
 
 

@@ -3,7 +3,7 @@
 from ropsim.controller import LawTraits
 from ropsim.core import frozen_dataclass
 from ropsim.dynamics import DriveChain
-from ropsim.simulation.fields import Field, fields
+from ropsim.simulation.records.fields import Field, fields
 from ropsim.spatial import Array, record
 
 MOTOR_SPEED = "motor_speed"

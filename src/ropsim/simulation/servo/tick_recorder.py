@@ -3,8 +3,8 @@
 import numpy as np
 
 from ropsim.model import RobotModel
-from ropsim.simulation.past import Past
-from ropsim.simulation.row_log import MOST_ROWS
+from ropsim.simulation.records.past import Past
+from ropsim.simulation.records.row_log import MOST_ROWS
 from ropsim.simulation.servo.recorder import Recorder
 from ropsim.simulation.servo.state import ServoState
 from ropsim.spatial import Array

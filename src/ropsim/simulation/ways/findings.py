@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from ropsim.core import Diagnostic, Kind, Span
 from ropsim.flow import Contact, RunFacts, body_title
-from ropsim.simulation.diagnostics import PENETRATION, TOO_NEAR
+from ropsim.simulation.diagnostics.run_diagnostics import PENETRATION, TOO_NEAR
 
 _FILLED = "`{}` counts without its hollows, if it has any: what is in one of them is free in truth"
 AROUND = "lead the arm around it by a point on the way, or move what is in the way"

@@ -1,0 +1,42 @@
+"""What an arm carried against what its maker allows."""
+
+from math import isfinite
+
+from ropsim.core import Diagnostic, Span
+from ropsim.model import RobotModel
+from ropsim.simulation.diagnostics.limit_diagnostics import PAYLOAD_EXCEEDED
+from ropsim.simulation.records.track import Track
+
+SLACK = 1e-9
+"""Share by which sums of masses may be beyond the rated payload: they are rounded."""
+
+
+def load_findings(robot: RobotModel, loads: Track, lines: Track, hz: int, source: str) -> list[Diagnostic]:
+    """Return S749 at the line on which the load was the heaviest, where that was too heavy.
+
+    Args:
+        robot: with its rated payload; one without says nothing.
+        loads: mass of tool and parts in force [kg].
+        lines: source lines in force.
+        hz: control ticks per second.
+        source: name of the text that the lines count in.
+    """
+    if not loads.values or max(loads.values) <= robot.rated_payload * (1.0 + SLACK):
+        return []
+    load = max(loads.values)
+    tick = loads.ticks[loads.values.index(load)]
+    line = int(lines.value(tick) or lines.value(tick + 1))
+    finding = PAYLOAD_EXCEEDED.at(
+        Span.whole_line(source, line) if line else None,
+        f"tool and parts have {load:.4g} kg, `{robot.name}` may carry {robot.rated_payload:.4g} kg",
+        label=f"at t = {tick / hz:.2f} s",
+        hint="take a lighter tool, fewer parts at a time, or an arm with a greater payload",
+        data={"value": load, "limit": robot.rated_payload, "time_s": tick / hz},
+    )
+    return [finding]
+
+
+def has_rated_payloads(robots: list[RobotModel]) -> bool:
+    """Return whether the loads of all arms can be looked at, and there is one."""
+    arms = [robot for robot in robots if robot.has_arm]
+    return bool(arms) and all(isfinite(robot.rated_payload) for robot in arms)

@@ -1,0 +1,1 @@
+"""Grips, hand-overs and supplies of parts."""

@@ -1,0 +1,100 @@
+"""Plans that are kept by the content of their stretches: what was planned before is not planned again."""
+
+from collections.abc import Hashable
+
+from ropsim.flow import ModalState, MoveInstruction
+from ropsim.model import Cell
+from ropsim.planning import MotionChain, StretchOrder
+from ropsim.simulation.kept.replaced_lines import on_lines_of
+from ropsim.simulation.records.kept_results import KeptResults
+from ropsim.simulation.records.planned_sequence import PlannedStretch, planned_anew
+from ropsim.spatial import bits_of, bits_without, fingerprint
+
+MOST_BYTES = 200_000_000
+"""So much of references is kept: 20 minutes of motion of six axes at a control rate of 1 kHz."""
+
+_OF_A_MOVE = 10_000
+"""What a move takes beside its reference rows, about [bytes]."""
+
+_MOST_MOVES = 100
+"""Keys of moves that are remembered from stretch to stretch."""
+
+_content = bits_without(MoveInstruction, "origin", "modal")
+
+
+class KeptPlans:
+    """Plans of the stations of a cell, each with the standard entities of its controller.
+
+    A plan depends on the moves of its stretch and on how often they have been made, on those that are known
+    to come behind them, on where the arm stands before it and on its payload; on nothing else, so that one
+    that is kept is the one that would be made. Where the lines of its moves have moved in their text, so have
+    those of its findings.
+
+    Args:
+        cell: whose stations are planned for.
+        most: room for references [bytes].
+
+    Attributes:
+        anew: stretches that were planned, since the run began.
+    """
+
+    def __init__(self, cell: Cell, most: int = MOST_BYTES) -> None:
+        self.cell = cell
+        self.anew: list[tuple[MoveInstruction, ...]] = []
+        self._modal: tuple[ModalState | None, Hashable] = (None, None)
+        self._moves: dict[int, tuple[MoveInstruction, Hashable]] = {}
+        self._kept: KeptResults[tuple[tuple[MoveInstruction, ...], PlannedStretch]] = KeptResults(most)
+
+    @property
+    def used(self) -> int:
+        """Return how much room is taken, about [bytes]."""
+        return self._kept.used
+
+    def begin(self) -> None:
+        """Take notice that another run begins."""
+        self._kept.begin()
+        self.anew = []
+
+    def plan(self, station: str, chain: MotionChain, order: StretchOrder) -> PlannedStretch:
+        """Return the plan of a stretch, made now or before.
+
+        Args:
+            station: name of the station in the cell.
+            chain: its standard entities.
+            order: the moves, and where the arm stands.
+        """
+        moves = (*order.moves, *order.ahead)
+        asked = tuple([self._bits(move) for move in moves])
+        key = (station, order.q_start.tobytes(), fingerprint(order.payload), asked, len(order.ahead))
+        kept = self._kept.get(key)
+        found = on_lines_of(moves, *kept) if kept else None
+        if found is None:
+            self.anew.append(order.moves)
+            found = planned_anew(station, chain, order)
+            self._kept.put(key, (moves, found), _size(found))
+        return found
+
+    def _bits(self, move: MoveInstruction) -> Hashable:
+        """Return the key of a move, which may be known from the stretch that it was ahead of."""
+        known = self._moves.get(id(move))
+        if known is None or known[0] is not move:
+            if len(self._moves) > _MOST_MOVES:
+                self._moves.clear()
+            known = move, (_content(move), self._modal_bits(move.modal), move.origin.visit)
+            self._moves[id(move)] = known
+        return known[1]
+
+    def _modal_bits(self, modal: ModalState) -> Hashable:
+        """Return the key of a modal state, mostly that of the move before."""
+        if modal is not self._modal[0]:
+            self._modal = modal, bits_of(modal)
+        return self._modal[1]
+
+
+def _size(planned: PlannedStretch) -> int:
+    """Return how much room a plan takes, about [bytes]."""
+    if planned.motion is None:
+        return _OF_A_MOVE
+    reference = planned.motion.plan.reference
+    rows = sum(one.nbytes for one in (reference.q, reference.qd, reference.qdd))
+    return rows + _OF_A_MOVE * len(planned.motion.plan.moves)

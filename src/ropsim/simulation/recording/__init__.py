@@ -1,0 +1,1 @@
+"""From the running state to a recording."""

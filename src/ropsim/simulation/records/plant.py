@@ -1,0 +1,72 @@
+"""What follows joint references: the servo-driven arm, or the ideal arm of a kinematic run."""
+
+from typing import Protocol
+
+import numpy as np
+
+from ropsim.flow import JointReference
+from ropsim.model import Payload
+from ropsim.simulation.records.tally import Tally
+from ropsim.spatial import Array
+
+
+class Plant(Protocol):
+    """Joint controller, drives and arm as one thing that is driven by references and recorded."""
+
+    @property
+    def q(self) -> Array:
+        """Return the attained joint coordinates [rad | m], shape (n,)."""
+        ...
+
+    @property
+    def qd(self) -> Array:
+        """Return the attained joint speeds [rad/s | m/s], shape (n,)."""
+        ...
+
+    @property
+    def effort(self) -> Array:
+        """Return the torques of the drives at the joints [N·m | N], shape (n,); 0 without drives."""
+        ...
+
+    @property
+    def record_ticks(self) -> int:
+        """Return the control ticks between two recorded rows."""
+        ...
+
+    @property
+    def tally(self) -> Tally:
+        """Return the worst of all control ticks so far."""
+        ...
+
+    def follow(self, reference: JointReference, payload: Payload) -> None:
+        """Advance by one control tick per row of `reference`."""
+        ...
+
+    def hold(self, q: Array, ticks: int, payload: Payload) -> None:
+        """Advance by `ticks` control ticks with a constant reference."""
+        ...
+
+    def q_at(self, tick: float) -> Array:
+        """Return the attained joint coordinates at a tick that is not forgotten [rad | m], shape (n,).
+
+        They are exact at control ticks, however coarse the recording is, and linear between two of them.
+        """
+        ...
+
+    def forget(self, tick: int) -> None:
+        """Take notice that nobody asks any more where the arm was before a tick."""
+        ...
+
+    def log(self) -> dict[str, Array]:
+        """Return what was recorded: arrays (rows, n) by channel name, and `tick` (rows,)."""
+        ...
+
+    def at(self, tick: float) -> dict[str, Array]:
+        """Return what `log` holds at a tick, linear between two rows: arrays (n,) by channel name."""
+        ...
+
+
+def constant(q: Array, ticks: int) -> JointReference:
+    """Return the reference that stands still at `q`, shape (n,), for `ticks` control ticks."""
+    zeros = np.zeros((ticks, len(q)))
+    return JointReference(np.tile(q, (ticks, 1)), zeros, zeros)

@@ -1,0 +1,181 @@
+"""The running state of one station: its controller, drives and arm, and how far they are."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+
+from ropsim.flow import AwaitInstruction, JointReference, ModalState, Origin
+from ropsim.kinematics import forward_batch, frames_batch
+from ropsim.model import Payload, Station, Tool, external_links, link_name, tool_body
+from ropsim.planning import MotionChain
+from ropsim.simulation.devices.course import Course
+from ropsim.simulation.records.activation import Activations
+from ropsim.simulation.records.looked_wait import LookedWait
+from ropsim.simulation.records.move_span import MoveSpan, PathSpan
+from ropsim.simulation.records.plant import Plant
+from ropsim.simulation.records.polling import Polled
+from ropsim.simulation.records.tool_frames import ToolFrames
+from ropsim.simulation.records.track import Track
+from ropsim.spatial import Array, Pose
+
+_SLICE = 1_000
+"""Longest reference of an arm that stands still [control ticks]."""
+
+_STRIDE = 100_000
+"""Control ticks that a station moves on at a time where nobody looks."""
+
+
+@dataclass(slots=True)
+class StationRun:
+    """Running state.
+
+    Attributes:
+        station: static model.
+        chain: the slow side of the controller.
+        plant: joint controller, drives and arm, advanced by references.
+        q_command: command coordinates reached so far, shape (n,).
+        tool: tool in force.
+        tool_frames: X_MT that were in force, also of tools that only the program knows.
+        payload: tool and grasped part as one body; one object as long as it does not change.
+        last_tick: control tick at which standing still ends at the latest.
+        cell_ticks: ticks of the cell's clock in one control tick.
+        stride: control ticks that it moves on at a time at the longest.
+        tick: control ticks done.
+        moves: moves done.
+        paths: of the tool, as far as they have been followed.
+        tracks: piecewise constant channels by name, over control ticks.
+        activations: times of the tasks.
+        fingers: courses of the fingers of its tools, by the name of the body of the tool.
+        awaits: what it stands for, where it waits for a channel.
+        polled: what it looks at again and again, where it does nothing else.
+        looked: its wait by looking again and again, as long as that may go on.
+        origin: of the instruction in force.
+        modal: the modal state whose tool is in force.
+        is_busy: whether that is still being carried out.
+        is_held: whether it stands because the override is 0.
+        in_vain: whether it stands for what will never come; the program is over then.
+        dismissed: whether it has served those of other stations, which have ended; the program is over then.
+        unfinished: whether the run was ended, by hand or by its longest time, before the program.
+        cut_short: whether `last_tick` ended its standing still, or a hand its move; the program is over then.
+        hands: names of the bodies of its tools.
+        hz: rate of the joint controller [Hz].
+    """
+
+    station: Station
+    chain: MotionChain
+    plant: Plant
+    q_command: Array
+    tool: Tool | None
+    tool_frames: ToolFrames
+    payload: Payload
+    last_tick: int
+    cell_ticks: int
+    stride: int = _STRIDE
+    tick: int = 0
+    moves: list[MoveSpan] = field(default_factory=list)
+    paths: list[PathSpan] = field(default_factory=list)
+    tracks: dict[str, Track] = field(default_factory=dict)
+    activations: Activations = field(default_factory=Activations)
+    fingers: dict[str, Course] = field(default_factory=dict)
+    awaits: AwaitInstruction | None = None
+    polled: Polled | None = None
+    looked: LookedWait | None = None
+    origin: Origin = field(default_factory=Origin)
+    modal: ModalState | None = None
+    is_busy: bool = False
+    is_held: bool = False
+    in_vain: bool = False
+    dismissed: bool = False
+    unfinished: bool = False
+    cut_short: bool = False
+    hands: frozenset[str] = field(init=False)
+    hz: int = field(init=False)
+
+    def __post_init__(self) -> None:
+        self.hands = frozenset(tool_body(name, self.station.name) for name in self.station.tools)
+        self.hz = self.station.controller.rates.control_hz
+
+    @property
+    def is_over(self) -> bool:
+        """Return whether the longest simulated time has passed."""
+        return self.cut_short or self.tick >= self.last_tick
+
+    @property
+    def due(self) -> int:
+        """Return how far the station is [ticks of the cell's clock]."""
+        return self.tick * self.cell_ticks
+
+    @property
+    def time(self) -> float:
+        """Return the simulated time [s]."""
+        return self.tick / self.hz
+
+    @property
+    def hand(self) -> str:
+        """Return the name of the body of the tool in force, empty for none."""
+        return tool_body(self.tool.name, self.station.name) if self.tool else ""
+
+    def carriers(self, due: int) -> dict[str, Pose]:
+        """Return the attained poses X_WC of what carries parts at a tick of the cell's clock, by name.
+
+        These are its tools, with the pose of the mechanical interface, and the links that external axes move.
+        From the tick on that the station has come to they are those of the arm now, before it those of its
+        past, which is kept from the least tick on that any station has come to.
+        """
+        hands, robot, X_WB = self.hands, self.station.robot, self.station.X_WB
+        moved = external_links(robot) if robot.external else ()
+        if not hands and not moved:
+            return {}
+        q = self.plant.q if due >= self.due else self.plant.q_at(due / self.cell_ticks)
+        poses = {}
+        if hands:
+            poses = dict.fromkeys(hands, X_WB @ Pose.from_matrix(forward_batch(robot, q[None])[0]))
+        if moved:
+            frames = frames_batch(robot, q[None])[0]
+            names = {number: link_name(number + 1, self.station.name) for number in moved}
+            poses |= {names[number]: X_WB @ Pose.from_matrix(frames[number]) for number in moved}
+        return poses
+
+    def forget(self, due: int) -> None:
+        """Drop where the arm was before a tick of the cell's clock."""
+        self.plant.forget(due // self.cell_ticks)
+
+    def follow(self, reference: JointReference) -> None:
+        """Let the arm follow a reference to its end, which is its command position then."""
+        if reference.ticks:
+            self.plant.follow(reference, self.payload)
+            self.tick += reference.ticks
+            self.q_command = reference.q[-1]
+
+    def stand(self, ticks: int) -> Iterator[None]:
+        """Hold the command position for a number of control ticks, at the longest until `last_tick`.
+
+        However long that is, it takes the memory of `_SLICE` ticks only; it yields after so many.
+        """
+        until = self.tick + ticks
+        while (left := min(until, self.last_tick) - self.tick) > 0:  # who watches may end the run
+            self.rest(min(left, self.stride, _SLICE))
+            yield
+        self.cut_short |= self.tick < until
+
+    def rest(self, ticks: int) -> None:
+        """Hold the command position for a number of control ticks, whoever else waits meanwhile."""
+        until = self.tick + ticks
+        while self.tick < until:
+            slice_ = min(until - self.tick, _SLICE)
+            self.plant.hold(self.q_command, slice_, self.payload)
+            self.tick += slice_
+
+    def track(self, name: str, value: float) -> None:
+        """Let a piecewise constant channel have a new value from now on; before its first one it is 0."""
+        track = self.tracks.get(name)
+        if track is None:
+            track = self.tracks[name] = Track([0], [0.0])
+        track.set(self.tick, value)
+
+    def when(self, since: int) -> tuple[float, float, str]:
+        """Return time [s], duration [s] and station of an event that began at tick `since` and ends now."""
+        return since / self.hz, (self.tick - since) / self.hz, self.station.name
+
+    def ran(self, origin: Origin, since: int) -> None:
+        """Count an instruction that began at tick `since` and ends now for the tasks around it."""
+        self.activations.add(origin, since, self.tick)

@@ -1,0 +1,1 @@
+"""A station at work: instructions, motion sequences, moves, settling."""

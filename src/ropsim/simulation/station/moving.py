@@ -1,0 +1,179 @@
+"""Moves of a run: plan a stretch, follow it, settle at its end."""
+
+from collections.abc import Iterator, Sequence
+
+from ropsim.core import Diagnostic
+from ropsim.flow import (
+    Guard,
+    MessageEvent,
+    MessageInstruction,
+    MotionKind,
+    MoveEvent,
+    MoveInstruction,
+    OutputEvent,
+    SkipEvent,
+)
+from ropsim.kinematics import forward
+from ropsim.planning import NEXT_IS_SKIPPED, MotionPlan, PlannedMove, StretchOrder, stopped_by
+from ropsim.simulation.records.move_span import MoveSpan, PathSpan
+from ropsim.simulation.records.planned_sequence import PlannedMotion
+from ropsim.simulation.state.cell_run import CellRun
+from ropsim.simulation.state.in_force import put_in_force
+from ropsim.simulation.state.station_run import StationRun
+from ropsim.simulation.state.world import SimulatedWorld
+from ropsim.simulation.station.correcting import Correcting
+from ropsim.simulation.station.following import Follower
+from ropsim.simulation.station.guarding import Lookout
+from ropsim.simulation.station.sequences import Stretch, why_it_ends
+from ropsim.simulation.station.settle import settle
+from ropsim.spatial import Pose
+
+
+def move(run: CellRun, at: StationRun, stretch: Stretch, world: SimulatedWorld) -> Iterator[None]:
+    """Plan the moves of a stretch and follow them; those that cannot be planned are skipped.
+
+    What lies behind a skipped move is planned anew from where the arm stands.
+    """
+    done, moves = 0, stretch.moves
+    while done < len(moves) and not at.is_over:
+        order = StretchOrder(moves[done:], at.q_command, at.payload, stretch.ahead)
+        run.ordered(at.station.name, order)
+        planned = run.plan(at.station.name, at.chain, order)
+        if motion := planned.motion:
+            done_then = done + len(motion.plan.moves)
+            why = why_it_ends(stretch) if done_then == len(moves) else NEXT_IS_SKIPPED
+            _report(run, at, stopped_by(moves[done_then - 1], why))
+            texts = [stretch.said_before(done + number) for number in range(len(motion.plan.moves))]
+            yield from _follow(run, at, motion, texts, world)
+            done = done_then
+        if (refusal := planned.refusal) and not at.cut_short:
+            _say(run, at, stretch.said_before(done))
+            world.q_met = None
+            _skip(run, at, moves[done], refusal.diagnostics)
+            done += 1
+    if done == len(moves) and not at.cut_short:
+        _say(run, at, stretch.said_before(done))
+
+
+def _report(run: CellRun, at: StationRun, findings: Sequence[Diagnostic]) -> None:
+    """Add findings of a plan to those of the run: each kind of a line only of the first pass that has it."""
+    for one in findings:
+        key = (at.station.name, one.code, one.span or one.message)
+        if run.planned_findings.setdefault(key, one.label) == one.label:  # the label says the pass
+            run.findings.append(one)
+
+
+def _say(run: CellRun, at: StationRun, texts: Sequence[MessageInstruction]) -> None:
+    for text in texts:
+        run.note(at, at.tick, MessageEvent(*at.when(at.tick), text.origin, text=text.text))
+
+
+def _skip(run: CellRun, at: StationRun, move: MoveInstruction, why: tuple[Diagnostic, ...]) -> None:
+    put_in_force(run, at, move)
+    run.findings.extend(why)
+    run.note(at, at.tick, SkipEvent(*at.when(at.tick), move.origin, motion=move.kind))
+
+
+def _follow(
+    run: CellRun,
+    at: StationRun,
+    motion: PlannedMotion,
+    texts: Sequence[Sequence[MessageInstruction]],
+    world: SimulatedWorld,
+) -> Iterator[None]:
+    """Follow a plan move by move and piece by piece, and settle at its end."""
+    planned = motion.plan
+    _report(run, at, planned.findings)
+    follower = Follower(run, at, motion)
+    for number, one in enumerate(planned.moves):
+        _say(run, at, texts[number])
+        put_in_force(run, at, one.move)
+        since, ordinal, first = at.tick, len(at.moves), follower.clock.place
+        at.track("move", ordinal)
+        world.q_met = None
+        follower.lookout = _lookout(run, at, world, one.move.guard) if one.move.guard else None
+        tracking = one.move.tracking
+        follower.correcting = Correcting(at, world, one, tracking, planned.reference) if tracking else None
+        yield from _to(run, at, follower, one)
+        if follower.lookout:
+            run.findings += _told_by(follower.lookout, follower, one, first)
+        run.findings += follower.correcting.findings() if follower.correcting else ()
+        end, out = at.tick, None
+        if number == len(planned.moves) - 1 and not at.cut_short:
+            out = yield from settle(run, at, one.move)
+        at.moves.append(MoveSpan(one.move, since, end, at.tick))
+        at.track("move", -1)
+        done = MoveEvent(
+            *at.when(since),
+            one.move.origin,
+            motion=one.move.kind,
+            ordinal=ordinal,
+            travel=(end - since) / at.hz,
+            settle=(at.tick - end) / at.hz,
+            zone=float(one.move.modal.zone),
+            flown=one.zone,
+            blending=follower.blended(since, end) / at.hz,
+            critical=motion.critical[number],
+            path_speed=_path_speed(at, one.move),
+            target=_commanded(at, one.X_MT) if tracking else motion.places[number],
+            out_of_position=out,
+        )
+        run.note(at, since, done)
+        run.moved += 1
+        run.progress(f"move {run.moved}")
+        if at.cut_short:
+            break
+    _enter_paths(at, planned, follower)
+
+
+def _lookout(run: CellRun, at: StationRun, world: SimulatedWorld, guard: Guard) -> Lookout:
+    signal = run.cell.signals.get(guard.channel)
+    return Lookout(guard, world, at, at.time, signal.sensor if signal is not None else None)
+
+
+def _told_by(lookout: Lookout, follower: Follower, one: PlannedMove, first: float) -> tuple[Diagnostic, ...]:
+    """Return what is found of the condition of a move that has ended; it began at a place of the plan."""
+    if follower.at.cut_short:
+        return ()
+    if follower.ended_at == first and lookout.world.guard_met:
+        came = "the arm came through a zone and braked at once" if first > 0.0 else "the arm did not go"
+        return (lookout.held_before(one.move, came),)
+    return () if follower.ended else tuple(filter(None, (lookout.missed(one.move),)))
+
+
+def _path_speed(at: StationRun, move: MoveInstruction) -> float | None:
+    """Return the speed that program or cell give for the path of the tool [m/s]; None in joint space."""
+    if move.kind == MotionKind.PTP:
+        return None
+    controller, given = at.station.controller, move.modal.path_speed
+    return (controller.path.speed if given is None else given) * controller.speed_override
+
+
+def _commanded(at: StationRun, X_MT: Pose) -> tuple[float, ...]:
+    """Return where the TCP is commanded to be now, in the base frame [m]."""
+    return tuple((forward(at.station.robot, at.q_command) @ X_MT).position.tolist())
+
+
+def _to(run: CellRun, at: StationRun, follower: Follower, one: PlannedMove) -> Iterator[None]:
+    """Follow the plan to the end of a move; what is to be set on its way is set."""
+    for trigger in one.triggers:
+        yield from follower.until(trigger.tick)
+        if at.cut_short or follower.ended:
+            return
+        channel, value = trigger.trigger.channel, trigger.trigger.value
+        run.set_output(at, channel, value)
+        done = OutputEvent(*at.when(at.tick), one.move.origin, channel=channel, value=value)
+        run.note(at, at.tick, done)
+    yield from follower.until(one.last)
+
+
+def _enter_paths(at: StationRun, planned: MotionPlan, follower: Follower) -> None:
+    """Note which paths of the tool have been followed; the last one goes on while the arm settles."""
+    come = follower.clock.place
+    correction = follower.correcting.followed() if follower.correcting else None
+    for piece in planned.pieces:
+        if piece.path is None or piece.first >= come:
+            continue
+        end = follower.tick_at(piece.last) if piece.last < min(come, planned.ticks) else at.tick
+        first = follower.tick_at(piece.first)
+        at.paths.append(PathSpan(piece.path, first, end, piece.frame, correction))

@@ -1,0 +1,140 @@
+"""Stretches of a program: moves that are known together before the first of them begins."""
+
+from collections.abc import Sequence
+
+from ropsim.core import frozen_dataclass
+from ropsim.flow import (
+    AwaitInstruction,
+    GripAction,
+    GripInstruction,
+    MessageInstruction,
+    MotionKind,
+    MoveInstruction,
+    OutputInstruction,
+    PathTracking,
+    SyncInstruction,
+    WaitInstruction,
+)
+from ropsim.icr import Finished
+from ropsim.simulation.records.steps import Step, Steps
+
+MOST_AHEAD = 50
+"""Paths of the tool that are looked at behind a stretch at most: a program may go on without an end."""
+_MOST_STEPS = 1000
+"""Steps that are looked at for them: it may also tell the operator something without an end."""
+
+_NEEDED_FOR = {
+    "HALT": "the program ends",
+    "STOP": "the program ends",
+    "IN": "the program looks at a signal next",
+    "TIME": "the program looks at the time next",
+    "CURPOSE": "the program asks for the pose of the arm next",
+    "ATTAINED": "the program asks for the pose of the arm next",
+    "MET": "the program asks next how the move has ended",
+}
+"""Why the arm stands before an ICR instruction."""
+
+
+@frozen_dataclass
+class Stretch:
+    """Moves of which all but the last have a zone, and what the program says on its way.
+
+    Attributes:
+        moves: one or more, in order.
+        messages: texts for the operator, each with the number of the move that begins when it is shown;
+            behind the last move it is the number of moves.
+        next: what the program does then.
+        ahead: paths of the tool that follow upon the stop at its end, in the posture that its last PTP move
+            takes; none where it has none.
+    """
+
+    moves: tuple[MoveInstruction, ...]
+    messages: tuple[tuple[int, MessageInstruction], ...]
+    next: Step
+    ahead: tuple[MoveInstruction, ...] = ()
+
+    def said_before(self, number: int) -> tuple[MessageInstruction, ...]:
+        """Return what is said when a move begins; for the number of moves, when the last one has ended."""
+        if not self.messages:
+            return ()
+        return tuple(text for before, text in self.messages if before == number)
+
+
+def gather(first: MoveInstruction, steps: Steps) -> Stretch:
+    """Return the stretch that begins with a move; the interpreter runs ahead to its end, and to the next PTP.
+
+    A stretch ends with a move without a zone or with a condition that ends it, before and behind a move that
+    a sensor corrects, and before anything that needs the arm to stand: an output, a gripper, a wait, an input
+    that is read, the end of the program. What then comes stays to be taken.
+
+    Args:
+        first: the move.
+        steps: of the program behind it.
+    """
+    moves = [first]
+    messages: list[tuple[int, MessageInstruction]] = []
+    while True:
+        step = steps.ahead(0)
+        flows = _flows(moves[-1])
+        if isinstance(step, MessageInstruction) and flows:
+            messages.append((len(moves), step))
+        elif isinstance(step, MoveInstruction) and flows and step.tracking is None:
+            moves.append(step)
+        else:
+            return Stretch(tuple(moves), tuple(messages), step, _ahead(moves, steps))
+        steps.take()
+
+
+def _ahead(moves: Sequence[MoveInstruction], steps: Steps) -> tuple[MoveInstruction, ...]:
+    """Return the paths of the tool that follow upon moves in the posture that the last PTP of them takes.
+
+    They go up to the next PTP. Nothing is known of what comes behind a move that a condition ends or a sensor
+    corrects, which is no PTP, nor behind anything for which the arm has to stand.
+    """
+    found: list[MoveInstruction] = []
+    if moves[-1].guard or not any(one.kind == MotionKind.PTP for one in moves):
+        return ()
+    for number in range(_MOST_STEPS):
+        if len(found) == MOST_AHEAD:
+            break
+        match steps.ahead(number):
+            case MoveInstruction(kind=kind, tracking=None) as move if kind != MotionKind.PTP:
+                found.append(move)
+                if move.guard is not None:
+                    break
+            case MessageInstruction():
+                continue
+            case _:
+                break
+    return tuple(found)
+
+
+def _flows(move: MoveInstruction) -> bool:
+    """Return whether the next move may begin before a move has ended."""
+    return move.guard is None and move.tracking is None and (move.modal.zone > 0.0 or move.modal.passes)
+
+
+def why_it_ends(stretch: Stretch) -> str:
+    """Return why the arm has to stand at the end of a stretch."""
+    match stretch.next:
+        case Finished():
+            return "the program ends"
+        case GripInstruction(action=action):
+            word = "opens" if action is GripAction.OPEN else "closes"
+            return f"the gripper {word} next, when the arm stands"
+        case OutputInstruction(channel=channel):
+            return f"output `{channel}` is set next, when the arm stands"
+        case WaitInstruction():
+            return "the program waits next"
+        case AwaitInstruction(channel=channel):
+            return f"the program waits for `{channel}` next"
+        case SyncInstruction(before=before) if before in _NEEDED_FOR:
+            return _NEEDED_FOR[before]
+        case MoveInstruction() if stretch.moves[-1].tracking is not None:
+            return "a sensor corrects the move"
+        case MoveInstruction(tracking=PathTracking()):
+            return "a sensor corrects the next move"
+        case MoveInstruction():
+            return "a condition ends the move"
+        case _:
+            return "the program waits here until the arm stands"

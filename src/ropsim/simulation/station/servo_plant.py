@@ -1,0 +1,118 @@
+"""The servo-driven arm as a plant: true drives and dynamics, in compiled slices."""
+
+from collections.abc import Callable
+
+import numpy as np
+
+from ropsim.flow import JointReference
+from ropsim.model import Cell, Payload, Station
+from ropsim.planning import Sample
+from ropsim.simulation.records.plant import constant
+from ropsim.simulation.records.tally import Tally
+from ropsim.simulation.servo.checks import check_signals
+from ropsim.simulation.servo.kept_drives import driven_anew
+from ropsim.simulation.servo.recorder import Recorder
+from ropsim.simulation.servo.servo import Servo
+from ropsim.simulation.servo.tick_recorder import TickRecorder
+from ropsim.simulation.state.run_options import RunOptions
+from ropsim.spatial import Array
+
+
+class ServoPlant:
+    """Follows references as drives, gears, friction and inertia allow.
+
+    Args:
+        cell: with the signals.
+        station: the arm and its controller.
+        payload: body at the mechanical interface at time 0.
+        options: the joint controller and how densely to record.
+        read: delivers the signals that the law reads, by name at a time [s].
+
+    Raises:
+        LawError: C602, the law reads a signal that the cell does not have.
+    """
+
+    def __init__(
+        self,
+        cell: Cell,
+        station: Station,
+        payload: Payload,
+        options: RunOptions,
+        read: Callable[[str, float], Sample],
+    ) -> None:
+        robot, law = station.robot, options.laws.get(station.name)
+        self._name, self._servo = station.name, Servo.build(robot, station.controller, law)
+        self._drive = driven_anew if law or self._servo.python_law else options.drive
+        self._read = read
+        if options.sensors is None:
+            check_signals(self._servo.law, cell)
+        self._state = self._servo.initial_state(station.q_start, payload)
+        record_ticks = options.record_ticks(self._servo.control_hz)
+        others = len(cell.stations) + len(cell.devices) > 1
+        kind = TickRecorder if others else Recorder
+        self._recorder = kind(robot, self._state, record_ticks, options.most_rows)
+
+    @property
+    def q(self) -> Array:
+        """Return the attained joint coordinates [rad | m], shape (n,)."""
+        return self._state.q
+
+    @property
+    def qd(self) -> Array:
+        """Return the attained joint speeds [rad/s | m/s], shape (n,)."""
+        return self._state.qd
+
+    @property
+    def effort(self) -> Array:
+        """Return the torques of the drives at the joints [N·m | N], shape (n,)."""
+        return self._servo.efforts(self._state)
+
+    @property
+    def record_ticks(self) -> int:
+        """Return the control ticks between two recorded rows."""
+        return self._recorder.record_ticks
+
+    @property
+    def tally(self) -> Tally:
+        """Return the worst of all control ticks so far."""
+        return self._recorder.tally
+
+    def follow(self, reference: JointReference, payload: Payload) -> None:
+        """Advance by one control tick per row of `reference`, in one compiled call at the most."""
+        aux = self._signals(reference.ticks)
+        self._state = self._drive(
+            self._name, self._servo, self._state, reference, payload, self._recorder, aux
+        )
+
+    def hold(self, q: Array, ticks: int, payload: Payload) -> None:
+        """Advance by `ticks` control ticks with a constant reference."""
+        self.follow(constant(q, ticks), payload)
+
+    def log(self) -> dict[str, Array]:
+        """Return the recorded channels, and their ticks as `tick`."""
+        return {"tick": self._recorder.ticks, **self._recorder.channels()}
+
+    def at(self, tick: float) -> dict[str, Array]:
+        """Return the recorded channels at a tick, linear between two rows, shape (n,) each."""
+        return self._recorder.at(tick)
+
+    def q_at(self, tick: float) -> Array:
+        """Return the attained joint coordinates at a tick that is not forgotten [rad | m], shape (n,)."""
+        return self._recorder.q_at(tick)
+
+    def forget(self, tick: int) -> None:
+        """Take notice that nobody asks any more where the arm was before a tick."""
+        self._recorder.forget(tick)
+
+    def _signals(self, ticks: int) -> Array:
+        """Return what the law reads at the next ticks, shape (ticks, a); 0 where a signal is not valid.
+
+        All of a slice is read before it, when the arm is where it begins.
+        """
+        names = self._servo.law.traits.aux
+        values = np.zeros((ticks, len(names)))
+        for column, name in enumerate(names):
+            for k in range(ticks):
+                sample = self._read(name, (self._state.tick + k) * self._servo.period)
+                values[k, column] = float(sample.value) if sample.valid else 0.0
+        return values

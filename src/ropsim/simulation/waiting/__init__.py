@@ -1,0 +1,1 @@
+"""Programs that wait for ever, for signals or held."""
