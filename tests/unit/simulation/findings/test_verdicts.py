@@ -80,7 +80,7 @@ def test_a_limit_of_a_drive_without_a_page_of_its_own_is_told_by_its_quantity(
         amplifier=replace(chain.amplifier, limits=limits),
         motor=replace(chain.motor, states=states),
     )
-    for module in ("verdicts", "servo.judged"):
+    for module in ("findings.verdicts", "servo.judged"):
         monkeypatch.setattr(f"ropsim.simulation.{module}.chain_of", lambda _: other)
     monkeypatch.setattr(LogLayout, "of", lambda _, of=LogLayout.of: of((other,) * ROBOT.n))
     rows = quiet()
