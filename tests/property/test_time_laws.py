@@ -8,7 +8,7 @@ import ruckig
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from ropsim.motion import ProfileLimits, Stage, TimeLaw, evaluate, plan_profile, plan_time_law
+from ropsim.motion import PiecewiseLaw, ProfileLimits, Stage, evaluate, plan_profile, plan_time_law
 from ropsim.spatial import Array
 
 BOUNDS = 1e-12  # relative; what bounds may be exceeded by
@@ -38,7 +38,7 @@ def _way(v0: float, v1: float, acceleration: float, jerk: float) -> float:
     return float((v0 + v1) / 2.0 * time)
 
 
-def _speeds(way: list[Stage], law: TimeLaw) -> tuple[list[float], list[float]]:
+def _speeds(way: list[Stage], law: PiecewiseLaw) -> tuple[list[float], list[float]]:
     """Return ds/dt at the starts and at the ends of all pieces [1/s], the ends by the ratios."""
     first = np.searchsorted(law.pieces, np.arange(len(way)))
     starts: list[float] = law.speeds[first].tolist()
@@ -61,7 +61,7 @@ def _ruckig_time(v0: float, v1: float, stage: Stage) -> float:
     return float(oracle.duration) if found == ruckig.Result.Working else float("inf")
 
 
-def _inside(law: TimeLaw, each: int) -> Array:
+def _inside(law: PiecewiseLaw, each: int) -> Array:
     """Return times inside of all segments [s], `each` for every one."""
     shares = (np.arange(each) + 0.5) / each
     return np.ravel(law.times[:, None] + law.segments[6][:, None] * shares)

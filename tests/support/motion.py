@@ -10,7 +10,8 @@ from ropsim.core import Diagnostic, Span
 from ropsim.flow import ModalState, MotionKind, MoveInstruction, Origin
 from ropsim.kinematics import forward_batch
 from ropsim.model import Frame, Tool
-from ropsim.planning import MotionChain, MotionPlan, MotionState, Refusal, plan, plan_move
+from ropsim.motion import JERK_LIMITED, TIME_LAWS
+from ropsim.planning import MotionChain, MotionPlan, MotionState, Refusal, TimingRules, plan, plan_move
 from ropsim.spatial import Array, Pose
 from support.cells import chain_of, one_station
 
@@ -33,6 +34,8 @@ CELL = one_station(
 CHAIN = chain_of(CELL)
 
 Target = Pose | tuple[float, ...] | None
+AHEAD = 10
+RULES = TimingRules(TIME_LAWS[JERK_LIMITED], AHEAD)  # of sections of a motion sequence
 
 
 def ptp(target: Target, modal: ModalState = FINE, visit: int = PASS) -> MoveInstruction:

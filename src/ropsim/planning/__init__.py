@@ -46,5 +46,6 @@ from ropsim.planning.records.work_frames import WorkFrames as WorkFrames
 from ropsim.planning.records.work_frames import inverted as inverted
 from ropsim.planning.sequence_checks import PLANNED_ACCELERATION as PLANNED_ACCELERATION
 from ropsim.planning.sequence_checks import PLANNED_SPEED as PLANNED_SPEED
+from ropsim.planning.trajectory.sections import TimingRules as TimingRules
 from ropsim.planning.zones import NEXT_IS_SKIPPED as NEXT_IS_SKIPPED
 from ropsim.planning.zones import stopped_by as stopped_by

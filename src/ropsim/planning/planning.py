@@ -7,7 +7,7 @@ from itertools import pairwise
 from ropsim.core import Diagnostic
 from ropsim.flow import MoveInstruction
 from ropsim.model import Payload, RobotModel
-from ropsim.motion import Beyond, JointBounds, SynchronisedJoints, Ticks
+from ropsim.motion import TIME_LAWS, Beyond, JointBounds, Ticks, own_law_of
 from ropsim.planning.blends.blend import Corner, Stop, corner_between
 from ropsim.planning.control_ticks import in_ticks, standing
 from ropsim.planning.joint_limits.arm_limits import arm_bounds, beyond_refusal, move_at, slowed_findings
@@ -30,6 +30,7 @@ from ropsim.planning.sequence_checks import (
 )
 from ropsim.planning.sequence_moves import legs_of
 from ropsim.planning.stops.chosen_stops import by_joints, by_tool
+from ropsim.planning.trajectory.sections import TimingRules
 from ropsim.planning.trajectory.segments import pieces_of
 from ropsim.planning.zones import clipped, flown_zones, stopped
 from ropsim.spatial import Array, record
@@ -112,9 +113,9 @@ def _planned(
         for piece in pieces:
             if piece.corner is None and (refusal := standing_refusal(legs[piece.leg], piece)):
                 return _Hurdle(piece.leg, refusal)
-    ahead, rates = chain.controller.look_ahead, chain.controller.rates
-    period = rates.control_period
-    chosen = by_tool(legs, corners, walks, ahead)
+    rates = chain.controller.rates
+    rules, period = TimingRules(TIME_LAWS[chain.time_law], chain.controller.look_ahead), rates.control_period
+    chosen = by_tool(legs, corners, walks, rules)
     findings += (hint for one in chosen.stops for hint in stopped(legs[one].move, Stop.QUICKER))
     course = chosen.course
     if not course.runs:
@@ -126,7 +127,7 @@ def _planned(
         return hopeless
     if any(leg.move.tracking for leg in legs):
         bounds = beside_correction(bounds)
-    flown = by_joints(legs, chosen, bounds, Ticks(period, rates.interpolation_ticks), ahead)
+    flown = by_joints(legs, chosen, bounds, Ticks(period, rates.interpolation_ticks), rules)
     findings += (hint for one in flown.stops for hint in stopped(legs[one].move, Stop.SLOWED))
     course, kept = flown.keeping.course, flown.keeping.kept
     if isinstance(kept, Beyond):
@@ -206,8 +207,8 @@ def _time_alone(leg: Leg) -> float:
     limits = leg.planned.limits
     if leg.joints is None:
         return 0.0
-    if isinstance(leg.joints, SynchronisedJoints):
-        return leg.joints.length
+    if own := own_law_of(leg.joints):
+        return own.duration
     stages = (
         along_with(tool_stages(leg.tool, limits.tool), leg.planned.coordination)
         if leg.tool

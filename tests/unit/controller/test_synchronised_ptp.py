@@ -21,6 +21,7 @@ from support.motion import (
     CELL,
     CHAIN,
     PUMA,
+    RULES,
     START,
     interface_pose,
     lin,
@@ -69,7 +70,7 @@ def test_a_thousand_moves_through_the_controller_take_the_time_of_ruckig() -> No
         request.max_jerk = (acceleration * PUMA.max_jerks).tolist()
         assert planner.calculate(request, oracle) == ruckig.Result.Working
         modal = ModalState(ptp_speed=speed, ptp_acceleration=acceleration)
-        duration = course_of(parts_of(pieces_of([leg(q_end, q_start, modal)], []), 10), 1).duration
+        duration = course_of(parts_of(pieces_of([leg(q_end, q_start, modal)], []), RULES), 1).duration
         assert abs(duration - oracle.duration) <= SAME_TIME * oracle.duration
 
 

@@ -1,20 +1,17 @@
 """Time-synchronised PTP: all joints start and end together, each by a profile of its own."""
 
-from collections.abc import Callable
 from dataclasses import field
-from typing import cast
 
 import numpy as np
 
-from ropsim.core import maker
 from ropsim.motion.curves.path import JointPoints
 from ropsim.motion.diagnostics import WRONG_PROFILE_REQUEST
 from ropsim.motion.joint_paths.path_rows import SYNCHRONISED, PathRows
 from ropsim.motion.motion_limits import JointMotionLimits
 from ropsim.motion.time_law import synchronised_kernel
 from ropsim.motion.time_law.durations import ZERO_LENGTH
+from ropsim.motion.time_law.piecewise_law import PiecewiseLaw
 from ropsim.motion.time_law.profile import ProfileError
-from ropsim.motion.time_law.time_law import TimeLaw
 from ropsim.motion.time_law.time_law_kernel import LEAST, MOST
 from ropsim.spatial import Array, frozen, record
 
@@ -66,26 +63,11 @@ class SynchronisedJoints:
         for name, value in made.items():
             object.__setattr__(self, name, value)
 
-    @staticmethod
-    def of_shapes(
-        q_start: Array, q_end: Array, limits: JointMotionLimits, length: float, shapes: Array
-    ) -> "SynchronisedJoints":
-        """Return the way of profiles that `plan_together` has written, in arrays that nobody can change.
-
-        Args:
-            q_start: as for any such way.
-            q_end: likewise.
-            limits: likewise.
-            length: the time from start to end [s], above 0.
-            shapes: of the profiles, shape (3, n).
-        """
-        return _made(q_start, q_end, limits, length, shapes)
-
     @property
-    def law(self) -> TimeLaw:
+    def own_law(self) -> PiecewiseLaw:
         """Return the time law that walks the way at speed 1: it starts and ends at rest by itself."""
         segment = np.array([0.0, 0.0, 0.0, 1.0, 0.0, 0.0, self.length, self.length])
-        return TimeLaw(segment[:, np.newaxis], np.array([self.length]))
+        return PiecewiseLaw(segment[:, np.newaxis], np.array([self.length]))
 
     def joints(self, s: Array) -> JointPoints:
         """Return the joints, their speeds and accelerations at times s [s], shape (k,); ends are exact."""
@@ -98,11 +80,6 @@ class SynchronisedJoints:
         """Return what compiled loops take of the path from a place on."""
         rows = self.q_start, self.q_end, self.shapes.reshape(-1)
         return PathRows(SYNCHRONISED, begin, self.length, 5, rows, None)
-
-
-_made = cast(
-    "Callable[[Array, Array, JointMotionLimits, float, Array], SynchronisedJoints]", maker(SynchronisedJoints)
-)
 
 
 def _wrong_words(joint: int, way: Array, bounds: Array) -> str:

@@ -21,6 +21,7 @@ from ropsim.planning.joint_limits.grid_lines_kernel import MOST_PARTS, band_time
 from ropsim.planning.joint_limits.limit_grid import Bands, bands_of
 from ropsim.planning.joint_limits.slowed_sections import slowed_in
 from ropsim.planning.joint_limits.slowing_step import Aim, slower_run
+from ropsim.planning.trajectory.sections import TimingRules
 from ropsim.planning.trajectory.timing import course_of
 from ropsim.spatial import Array
 
@@ -38,7 +39,7 @@ _LEAST = 1e-3
 """Where joints leave less of the rate than this share, slowing by motion time has its finer means."""
 
 
-def fitted(planned: Fit, arm: ArmBounds, ticks: Ticks, look_ahead: int) -> Fit:
+def fitted(planned: Fit, arm: ArmBounds, ticks: Ticks, rules: TimingRules) -> Fit:
     """Return the course with its bounds brought down where joints could not follow, with its torques.
 
     The limits that the program gives for the tool stay those of every time law. Where joints leave next to
@@ -52,21 +53,21 @@ def fitted(planned: Fit, arm: ArmBounds, ticks: Ticks, look_ahead: int) -> Fit:
             a few of them to begin with.
         arm: limits of the joints.
         ticks: of control.
-        look_ahead: how many moves beyond the present one are known.
+        rules: time law and look-ahead.
     """
     if planned.reference.strain.is_kept:
         planned = planned.at_each(ticks, arm)
     if not any(run.part.leads_tool for run in planned.course.runs):
         return planned.loaded(arm)
     if planned.reference.torque is None and not planned.reference.strain.is_kept:
-        return _fitted(planned, arm, replace(arm, effort=None), ticks, look_ahead)
+        return _fitted(planned, arm, replace(arm, effort=None), ticks, rules)
     heavy = planned.loaded(arm)
     if heavy.reference.strain.is_kept or _is_too_heavy(heavy.reference, arm):
         return heavy
-    return _fitted(heavy, arm, arm, ticks, look_ahead)
+    return _fitted(heavy, arm, arm, ticks, rules)
 
 
-def _fitted(planned: Fit, arm: ArmBounds, looked_at: ArmBounds, ticks: Ticks, look_ahead: int) -> Fit:
+def _fitted(planned: Fit, arm: ArmBounds, looked_at: ArmBounds, ticks: Ticks, rules: TimingRules) -> Fit:
     """Return the course with its bounds brought down; at first with regard to what is looked at alone."""
     now, times, bands = planned, _band_times(planned), dict[int, Bands]()
     for attempt in range(_ATTEMPTS + _ROUNDS):
@@ -79,7 +80,7 @@ def _fitted(planned: Fit, arm: ArmBounds, looked_at: ArmBounds, ticks: Ticks, lo
             if not now.reference.strain.is_kept:
                 heavy = planned.loaded(arm)
                 if heavy.reference.strain.peaks[_TORQUE] > 1.0:
-                    return fitted(heavy, arm, ticks, look_ahead)
+                    return fitted(heavy, arm, ticks, rules)
                 continue
         if not exceeded:
             return replace(now, slowed=slowed_in(planned.course, now.course, bands))
@@ -87,13 +88,13 @@ def _fitted(planned: Fit, arm: ArmBounds, looked_at: ArmBounds, ticks: Ticks, lo
         for number, found in exceeded.items():
             own = bands.get(number) or _bands(planned, number, times)
             if attempt < _ATTEMPTS:
-                aim = Aim(looked_at, now.ticks.period, 1.0 - _LESS * (1 + attempt), look_ahead)
+                aim = Aim(looked_at, now.ticks.period, 1.0 - _LESS * (1 + attempt), rules)
                 bands[number], changed[number] = slower_run(
                     now.motion, now.reference, number, own, found, aim
                 )
             else:
                 bands[number] = own.slower(1.0 / (now.reference.strain.factor * (1.0 + _LESS)))
-                changed[number] = bands[number].replanned(look_ahead)
+                changed[number] = bands[number].replanned(rules)
             if bands[number].share < _LEAST:
                 return planned.loaded(arm)
         course = course_of(changed, len(planned.course.ends))

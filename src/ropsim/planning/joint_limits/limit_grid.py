@@ -2,11 +2,11 @@
 
 import numpy as np
 
-from ropsim.motion import Quantity, Stages, plan_stages
+from ropsim.motion import Quantity, Stages
 from ropsim.planning.joint_limits.grid_lines_kernel import FIRST_BOUND, PIECE, PLACE, TIME, lay_bands
 from ropsim.planning.joint_limits.joint_imposed import Caps
 from ropsim.planning.joint_limits.limit_grid_kernel import bring_down, stages_of
-from ropsim.planning.trajectory.sections import Part
+from ropsim.planning.trajectory.sections import Part, TimingRules
 from ropsim.spatial import Array, record
 
 _SAME_PLACE = 1e-7
@@ -59,24 +59,16 @@ class Bands:
         bounds = self.bounds * np.array([[share], [share**2], [share**3]])
         return self.with_bounds(bounds, self.causes, self.share * share)
 
-    def replanned(self, look_ahead: int) -> Part:
+    def replanned(self, rules: TimingRules) -> Part:
         """Return the part with these bounds.
 
         Args:
-            look_ahead: how many moves beyond the present one are known.
+            rules: time law and look-ahead.
         """
         rows, counts, told = np.empty((len(self.owners), 6)), np.empty(len(self.legs)), np.empty(1)
-        stages_of(self.borders, self.bounds, self.owners, self.legs, look_ahead, rows, counts, told)
-        return self.with_stages(rows[: int(told[0])], counts)
-
-    def with_stages(self, rows: Array, counts: Array) -> Part:
-        """Return the part with stages.
-
-        Args:
-            rows: of them, see `plan_stages`, shape (s, 6).
-            counts: how many of them each piece has, shape (p,).
-        """
-        stages, law = Stages(rows[:, :4]), plan_stages(rows, counts)
+        stages_of(self.borders, self.bounds, self.owners, self.legs, rules.look_ahead, rows, counts, told)
+        rows = rows[: int(told[0])]
+        stages, law = Stages(rows[:, :4]), rules.law(rows, counts)
         return Part(self.part.pieces, stages, counts.astype(np.intp), law, self.part.over)
 
     def with_bounds(self, bounds: Array, causes: Array, share: float) -> "Bands":

@@ -7,6 +7,7 @@ from ropsim.motion import ROUNDING, Beyond, Kept, Quantity, Slowed, Ticks, kept_
 from ropsim.planning.joint_limits.arm_limits import ArmBounds
 from ropsim.planning.joint_limits.evaluated import Fit, as_bounds_allow
 from ropsim.planning.joint_limits.fitting import fitted
+from ropsim.planning.trajectory.sections import TimingRules
 from ropsim.planning.trajectory.timing import Course
 from ropsim.planning.trajectory.trajectory import StretchMotion
 from ropsim.spatial import record
@@ -58,7 +59,7 @@ class Keeping:
         return (float("inf"),) * len(ends)
 
 
-def keeping_of(course: Course, arm: ArmBounds, ticks: Ticks, look_ahead: int) -> Keeping:
+def keeping_of(course: Course, arm: ArmBounds, ticks: Ticks, rules: TimingRules) -> Keeping:
     """Return the motion on the course of a stretch.
 
     Time laws with lower bounds lose least where joints lack little. Where they lack much, motion time that
@@ -68,11 +69,11 @@ def keeping_of(course: Course, arm: ArmBounds, ticks: Ticks, look_ahead: int) ->
         course: as the bounds of its parts alone would have it.
         arm: limits of the joints.
         ticks: of control.
-        look_ahead: how many moves beyond the present one are known.
+        rules: time law and look-ahead.
     """
     first = _first_look(course, ticks)
     planned = as_bounds_allow(StretchMotion.on(course), replace(arm, effort=None), first)
-    fit = fitted(planned, arm, ticks, look_ahead)
+    fit = fitted(planned, arm, ticks, rules)
     quick = _keeping(fit, arm, ticks)
     if fit.motion is planned.motion or quick.duration <= _LONGER * planned.course.duration:
         return quick

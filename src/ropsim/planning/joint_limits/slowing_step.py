@@ -7,7 +7,7 @@ from ropsim.planning.joint_limits.arm_limits import ArmBounds
 from ropsim.planning.joint_limits.exceeding_kernel import walk_at
 from ropsim.planning.joint_limits.joint_imposed import Walked, joint_caps
 from ropsim.planning.joint_limits.limit_grid import Bands
-from ropsim.planning.trajectory.sections import Part
+from ropsim.planning.trajectory.sections import Part, TimingRules
 from ropsim.planning.trajectory.trajectory import StretchMotion
 from ropsim.spatial import Array, record
 
@@ -20,13 +20,13 @@ class Aim:
         arm: limits of the joints.
         period: of the ticks at which the motion was looked at [s].
         used: share of the limits, in ]0, 1].
-        look_ahead: how many moves beyond the present one are known.
+        rules: time law and look-ahead.
     """
 
     arm: ArmBounds
     period: float
     used: float
-    look_ahead: int
+    rules: TimingRules
 
 
 def slower_run(
@@ -44,7 +44,7 @@ def slower_run(
     """
     walked = _walked(motion, reference, number, bands.begins, ticks)
     lower = bands.lowered(joint_caps(walked, aim.arm, aim.period, aim.used))
-    return lower, lower.replanned(aim.look_ahead)
+    return lower, lower.replanned(aim.rules)
 
 
 def _walked(motion: StretchMotion, reference: Reference, number: int, begins: Array, ticks: Array) -> Walked:

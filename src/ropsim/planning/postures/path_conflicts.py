@@ -11,9 +11,9 @@ from ropsim.motion import (
     JUMP_ON_LINE,
     NO_WRIST_ANGLES,
     Line,
-    SynchronisedJoints,
     Traced,
     durations,
+    own_law_of,
 )
 from ropsim.planning.moves.interpolator import places
 from ropsim.planning.moves.planned_move import Leg
@@ -98,12 +98,12 @@ def time_of(robot: RobotModel, leg: Leg, q_start: Array) -> float:
     """
     if leg.joints is None:
         return 0.0
-    if isinstance(leg.joints, SynchronisedJoints):
-        return leg.joints.length
+    if own := own_law_of(leg.joints):
+        return own.duration
     if leg.tool is None:
         return float(durations(q_start, leg.q_end[np.newaxis], leg.planned.limits.joints)[0])
-    own, needs, _ = _times(robot, leg)
-    return float(np.maximum(needs.max(axis=1), own).sum())
+    of_tool, needs, _ = _times(robot, leg)
+    return float(np.maximum(needs.max(axis=1), of_tool).sum())
 
 
 def _is_calm(robot: RobotModel, leg: Leg) -> bool:

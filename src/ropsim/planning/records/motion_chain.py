@@ -4,6 +4,7 @@ from dataclasses import dataclass, field
 
 from ropsim.flow import ModalState
 from ropsim.model import ControllerModel, RobotModel
+from ropsim.motion import JERK_LIMITED
 from ropsim.planning.records.entities import (
     Interpolator,
     InverseTransform,
@@ -29,6 +30,7 @@ class MotionChain:
         controller: rates, limits, how far it looks ahead.
         corrector: shifts paths by what a sensor reads, while they are made.
         work: tools and task frames of the cell.
+        time_law: name of the law by which paths are timed, see `motion.TIME_LAWS`.
     """
 
     planner: PathPlanner
@@ -39,6 +41,7 @@ class MotionChain:
     controller: ControllerModel
     corrector: PathCorrector = field(default_factory=StandardPathCorrector)
     work: WorkFrames = field(default_factory=WorkFrames)
+    time_law: str = JERK_LIMITED
 
     def tool_pose(self, modal: ModalState) -> Pose:
         """Return X_MT of the tool in force; of the mechanical interface itself where the tool is unknown."""

@@ -9,7 +9,7 @@ from ropsim.planning.joint_limits.retiming import Keeping, keeping_of
 from ropsim.planning.moves.planned_move import Leg
 from ropsim.planning.stops.quicker_stops import Times, quicker_stops, without
 from ropsim.planning.stops.sequence_times import arm_times, times_alone, tool_times
-from ropsim.planning.trajectory.sections import parts_of
+from ropsim.planning.trajectory.sections import TimingRules, parts_of
 from ropsim.planning.trajectory.segments import Walk, pieces_of
 from ropsim.planning.trajectory.timing import Course, course_of
 from ropsim.spatial import record
@@ -51,26 +51,28 @@ class ByJoints:
     keeping: Keeping
 
 
-def by_tool(legs: Sequence[Leg], corners: Corners, walks: Sequence[Walk], look_ahead: int) -> ByTool:
+def by_tool(legs: Sequence[Leg], corners: Corners, walks: Sequence[Walk], rules: TimingRules) -> ByTool:
     """Return which corners are quicker than stops by the limits of the tool.
 
     Args:
         legs: the moves.
         corners: between each two of them.
         walks: the pieces of the moves with these corners, as from `pieces_of`.
-        look_ahead: how many moves beyond the present one are known.
+        rules: time law and look-ahead.
     """
     stops: tuple[int, ...] = ()
-    parts = parts_of(walks, look_ahead)
-    alone, times = times_alone(legs, parts, look_ahead), tool_times(legs, corners, look_ahead)
+    parts = parts_of(walks, rules)
+    alone, times = times_alone(legs, parts, rules), tool_times(legs, corners, rules)
     course = course_of(parts, len(legs))
     while more := quicker_stops(corners, course.ends, alone, times):
         corners, stops = without(corners, more), (*stops, *more)
-        course = course_of(parts_of(pieces_of(legs, corners), look_ahead), len(legs))
+        course = course_of(parts_of(pieces_of(legs, corners), rules), len(legs))
     return ByTool(stops, corners, course, alone, times)
 
 
-def by_joints(legs: Sequence[Leg], chosen: ByTool, arm: ArmBounds, ticks: Ticks, look_ahead: int) -> ByJoints:
+def by_joints(
+    legs: Sequence[Leg], chosen: ByTool, arm: ArmBounds, ticks: Ticks, rules: TimingRules
+) -> ByJoints:
     """Return which of the corners that are left are quicker than stops within the limits of the joints.
 
     What joints make of a whole stretch can be a little slower than what they make of its parts. So stops at
@@ -81,17 +83,17 @@ def by_joints(legs: Sequence[Leg], chosen: ByTool, arm: ArmBounds, ticks: Ticks,
         chosen: corners that the limits of the tool leave.
         arm: limits of the joints.
         ticks: of control.
-        look_ahead: how many moves beyond the present one are known.
+        rules: time law and look-ahead.
     """
 
     def kept(corners: Corners) -> Keeping:
-        course = course_of(parts_of(pieces_of(legs, corners), look_ahead), len(legs))
-        return keeping_of(course, arm, ticks, look_ahead)
+        course = course_of(parts_of(pieces_of(legs, corners), rules), len(legs))
+        return keeping_of(course, arm, ticks, rules)
 
     corners = chosen.corners
     stops: tuple[int, ...] = ()
-    keeping = keeping_of(chosen.course, arm, ticks, look_ahead)
-    times = arm_times(legs, corners, look_ahead, chosen.times, arm, ticks)
+    keeping = keeping_of(chosen.course, arm, ticks, rules)
+    times = arm_times(legs, corners, rules, chosen.times, arm, ticks)
     while more := quicker_stops(corners, keeping.ends, chosen.alone, times):
         corners, stops = without(corners, more), (*stops, *more)
         keeping = kept(corners)

@@ -4,59 +4,57 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from ropsim.motion import SynchronisedJoints, Ticks, rest_to_rest_times
+from ropsim.motion import Stages, Ticks, own_law_of
 from ropsim.planning.blends.blend import Corner
 from ropsim.planning.joint_limits.arm_limits import ArmBounds
 from ropsim.planning.joint_limits.retiming import keeping_of
 from ropsim.planning.moves.planned_move import Leg
 from ropsim.planning.stops.quicker_stops import Span, Times
-from ropsim.planning.trajectory.sections import Part, parts_of
+from ropsim.planning.trajectory.sections import Part, TimingRules, parts_of
 from ropsim.planning.trajectory.segments import pieces_of
 from ropsim.planning.trajectory.timing import Course, course_of
 
 
-def times_alone(legs: Sequence[Leg], parts: Sequence[Part], look_ahead: int) -> tuple[float, ...]:
+def times_alone(legs: Sequence[Leg], parts: Sequence[Part], rules: TimingRules) -> tuple[float, ...]:
     """Return the times that moves take from rest to rest by the limits of their paths [s].
 
     Args:
         legs: the moves.
         parts: of the moves with corners between them.
-        look_ahead: how many moves beyond the present one are known.
+        rules: time law and look-ahead.
     """
-    found, even = {}, {}
+    found: dict[int, float] = {}
     for part in parts:
         for piece in part.pieces:
-            if piece.corner is None and piece.is_even:
-                if len(part.pieces) == 1 and piece.joints is legs[piece.leg].joints:
-                    found[piece.leg] = part.law.duration
-                else:
-                    even[piece.leg] = piece.stages.rows
-    lengths = {number: path.length for number in even if (path := legs[number].joints)}
-    if lengths:
-        rows = np.concatenate([even[number] for number in lengths])
-        rows[:, 0] = tuple(lengths.values())
-        found |= zip(lengths, rest_to_rest_times(rows).tolist(), strict=True)
+            if piece.corner is None and piece.is_even and (path := legs[piece.leg].joints):
+                found[piece.leg] = _even_time(piece.stages, path.length, rules)
     for number, leg in enumerate(legs):
-        if isinstance(leg.joints, SynchronisedJoints):
-            found[number] = leg.joints.length  # its parameter is the time
+        if own := own_law_of(leg.joints):
+            found[number] = own.duration
         elif number not in found:
-            found[number] = _course([leg], [], look_ahead).duration
+            found[number] = _course([leg], [], rules).duration
     return tuple(found[number] for number in range(len(legs)))
 
 
-def tool_times(legs: Sequence[Leg], corners: Sequence[Corner | None], look_ahead: int) -> Times:
+def _even_time(stages: Stages, length: float, rules: TimingRules) -> float:
+    """Return the time [s] along a path of a length with the same bounds all along it."""
+    rows = np.array([[length, *stages.bounds[0].tolist(), 1.0, -1.0]])
+    return rules.law(rows, np.ones(1)).duration
+
+
+def tool_times(legs: Sequence[Leg], corners: Sequence[Corner | None], rules: TimingRules) -> Times:
     """Return the times of moves by the limits of their paths alone.
 
     Args:
         legs: the moves.
         corners: between each two of them.
-        look_ahead: how many moves beyond the present one are known.
+        rules: time law and look-ahead.
     """
     known: dict[Span, float] = {}
 
     def time(span: Span) -> float:
         if span not in known:
-            known[span] = _course(*_part(legs, corners, span), look_ahead).duration
+            known[span] = _course(*_part(legs, corners, span), rules).duration
         return known[span]
 
     return Times(time, time)
@@ -65,7 +63,7 @@ def tool_times(legs: Sequence[Leg], corners: Sequence[Corner | None], look_ahead
 def arm_times(
     legs: Sequence[Leg],
     corners: Sequence[Corner | None],
-    look_ahead: int,
+    rules: TimingRules,
     least: Times,
     arm: ArmBounds,
     ticks: Ticks,
@@ -75,15 +73,15 @@ def arm_times(
     Args:
         legs: the moves.
         corners: between each two of them.
-        look_ahead: how many moves beyond the present one are known.
+        rules: time law and look-ahead.
         least: their times by the limits of their paths.
         arm: limits of the joints.
         ticks: of control.
     """
 
     def time(span: Span) -> float:
-        course = _course(*_part(legs, corners, span), look_ahead)
-        return keeping_of(course, arm, ticks, look_ahead).duration
+        course = _course(*_part(legs, corners, span), rules)
+        return keeping_of(course, arm, ticks, rules).duration
 
     return Times(least.exact, time)
 
@@ -95,5 +93,5 @@ def _part(
     return legs[first:last], corners[first : last - 1]
 
 
-def _course(legs: Sequence[Leg], corners: Sequence[Corner | None], look_ahead: int) -> Course:
-    return course_of(parts_of(pieces_of(legs, corners), look_ahead), len(legs))
+def _course(legs: Sequence[Leg], corners: Sequence[Corner | None], rules: TimingRules) -> Course:
+    return course_of(parts_of(pieces_of(legs, corners), rules), len(legs))

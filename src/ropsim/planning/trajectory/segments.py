@@ -7,9 +7,9 @@ from ropsim.motion import (
     JointPath,
     JointSection,
     Stages,
-    SynchronisedJoints,
     ToolPath,
     ToolSection,
+    own_law_of,
 )
 from ropsim.planning.blends.blend import Corner, Overlap, Rounding
 from ropsim.planning.moves.planned_move import Leg
@@ -106,8 +106,7 @@ def _straight(number: int, leg: Leg, first: float, last: float) -> Piece:
     if not whole:
         joints = _section(joints, first, last)
     if tool is None:
-        is_timed = isinstance(joints, SynchronisedJoints)
-        stages = _NO_STAGES if is_timed else joint_stages(joints, planned.limits.joints)
+        stages = _NO_STAGES if own_law_of(joints) else joint_stages(joints, planned.limits.joints)
         return _piece(number, joints, None, planned.X_MT, stages, None, None, first, ())
     if not whole:
         tool = ToolSection(tool, first, last)

@@ -62,11 +62,11 @@ def test_start_and_end_are_exact_and_at_rest_and_hold_outside() -> None:
 
 def test_its_time_law_walks_it_at_speed_one() -> None:
     t = np.linspace(0.0, MOVE.length, 7)
-    rows = MOVE.law.at(t)
-    assert MOVE.law.duration == MOVE.length
+    rows = MOVE.own_law.at(t)
+    assert MOVE.own_law.duration == MOVE.length
     assert rows.places.tolist() == t.tolist()
     assert rows.speeds[:-1].tolist() == [1.0] * 6
-    assert MOVE.law.times_of(0, t).tolist() == t.tolist()
+    assert MOVE.own_law.times_of(0, t).tolist() == t.tolist()
 
 
 def test_derivatives_are_those_of_the_joint_coordinates() -> None:

@@ -11,16 +11,14 @@ import numpy.typing as npt
 import pytest
 
 from ropsim.motion import (
+    PiecewiseLaw,
     ProfileError,
     ProfileLimits,
     Stage,
-    TimeLaw,
     evaluate,
     plan_profile,
     plan_stages,
     plan_time_law,
-    rest_to_rest,
-    rest_to_rest_times,
 )
 from ropsim.motion.time_law import law_rows_kernel, law_times_kernel, time_law_kernel
 from support.in_python import in_python
@@ -51,7 +49,7 @@ def _rest_to_rest(stage: Stage) -> float:
     return plan_profile(stage.length, limits).duration
 
 
-def _speeds_at_ends(law: TimeLaw) -> list[float]:
+def _speeds_at_ends(law: PiecewiseLaw) -> list[float]:
     """Return ds/dt just after the ends of all pieces but the last [1/s]."""
     speeds: list[float] = law.at(law.ends[:-1]).speeds.tolist()
     return speeds
@@ -225,7 +223,7 @@ def test_times_of_places_are_those_at_which_the_motion_is_there(piece: int) -> N
     assert (np.diff(times) > 0.0).all()
 
 
-def told_over(stages: Sequence[Stage], counts: npt.ArrayLike) -> TimeLaw:
+def told_over(stages: Sequence[Stage], counts: npt.ArrayLike) -> PiecewiseLaw:
     """Return the time law of stages, told over pieces of so many of them."""
     rows = [(one.length, one.speed, one.acceleration, one.jerk, one.ratio, one.horizon) for one in stages]
     return plan_stages(np.array(rows, np.float64), np.array(counts, np.float64))
@@ -290,16 +288,9 @@ def test_the_times_of_places_in_order_are_those_of_each_but_for_rounding(seed: i
     assert out[~inside] == pytest.approx(wanted[~inside], rel=1e-12)
 
 
-def test_laws_from_rest_to_rest_are_those_of_ways_of_one_piece() -> None:
-    rows = np.random.default_rng(3).uniform((1e-3, 0.1, 1.0, 10.0), (2.0, 2.0, 9.0, 500.0), (200, 4))
-    alone = [plan_time_law([Stage(*row)]) for row in rows.tolist()]
-    assert rest_to_rest(rows) == tuple(alone)
-    assert rest_to_rest_times(rows).tolist() == [law.duration for law in alone]
-
-
-def test_a_way_of_one_piece_that_no_motion_can_have_is_refused_with_its_bounds() -> None:
+def test_a_piece_that_no_motion_can_have_is_refused_with_its_bounds() -> None:
     with pytest.raises(ProfileError, match=r"length 0\.7, speed nan"):
-        rest_to_rest(np.array([[0.5, 1.0, 1.0, 1.0], [0.7, math.nan, 1.0, 1.0]]))
+        plan_time_law([Stage(0.7, math.nan, 1.0, 1.0)])
 
 
 def test_times_of_places_beyond_the_ends_are_those_of_the_ends() -> None:

@@ -15,9 +15,9 @@ from ropsim.planning.trajectory.segments import pieces_of
 from ropsim.planning.trajectory.timing import course_of
 from ropsim.planning.trajectory.trajectory import StretchMotion
 from ropsim.spatial import Array
-from support.motion import CHAIN, PUMA, START, interface_pose, lin, shifted
+from support.motion import CHAIN, PUMA, RULES, START, interface_pose, lin, shifted
 
-AHEAD, TICK = 10, 1e-3
+TICK = 1e-3
 HERE = interface_pose(START)
 
 
@@ -25,7 +25,7 @@ def line(way: tuple[float, float, float], speed: float | None = None) -> tuple[P
     """Return a line as the limits of the tool allow it."""
     leg = leg_of(CHAIN, lin(shifted(HERE, *way), ModalState(path_speed=speed)), START)
     assert isinstance(leg, Leg)
-    return parts_of(pieces_of([leg], []), AHEAD)
+    return parts_of(pieces_of([leg], []), RULES)
 
 
 def arm(speed: float, acceleration: float, jerk: float, effort: Effort | None = None) -> ArmBounds:
@@ -38,7 +38,7 @@ def arm(speed: float, acceleration: float, jerk: float, effort: Effort | None = 
 def fit(parts: tuple[Part, ...], bounds: ArmBounds) -> tuple[Fit, Fit]:
     """Return a course as its bounds allow it, and as joints can follow it."""
     planned = as_bounds_allow(StretchMotion.on(course_of(parts, 1)), bounds, Ticks(TICK))
-    return planned, fitted(planned, bounds, Ticks(TICK), AHEAD)
+    return planned, fitted(planned, bounds, Ticks(TICK), RULES)
 
 
 def test_a_line_that_joints_leave_more_than_a_thousandth_of_its_rate_is_fitted() -> None:
@@ -83,5 +83,5 @@ def test_of_both_ways_to_keep_the_limits_the_quicker_one_counts(
     assert isinstance(slower, Kept)
     durations = lower.course.duration, slower.clock.duration
     assert min(durations) < 0.95 * max(durations)
-    found = keeping_of(course_of(parts, 1), bounds, Ticks(TICK), AHEAD)
+    found = keeping_of(course_of(parts, 1), bounds, Ticks(TICK), RULES)
     assert found.duration == pytest.approx(min(durations), rel=0.01)  # it looks at fewer ticks at first

@@ -12,15 +12,13 @@ from ropsim.planning.joint_limits.limit_grid import Bands, bands_of
 from ropsim.planning.moves.planned_move import Leg, leg_of
 from ropsim.planning.trajectory.sections import Part, part_of, parts_of
 from ropsim.planning.trajectory.segments import pieces_of
-from support.motion import CHAIN, START, interface_pose, lin, shifted
-
-AHEAD = 10
+from support.motion import CHAIN, RULES, START, interface_pose, lin, shifted
 
 
 def part() -> Part:
     leg = leg_of(CHAIN, lin(shifted(interface_pose(START), -0.1, 0.1, 0.0)), START)
     assert isinstance(leg, Leg)
-    return parts_of(pieces_of([leg], []), AHEAD)[0]
+    return parts_of(pieces_of([leg], []), RULES)[0]
 
 
 PART = part()
@@ -57,7 +55,7 @@ def test_times_beside_a_part_neither_count_nor_take_room() -> None:
 
 
 def test_with_its_bounds_as_they_were_a_part_has_its_time_law() -> None:
-    again = BANDS.replanned(AHEAD)
+    again = BANDS.replanned(RULES)
     assert len(again.stages) == 1
     assert again.law.duration == pytest.approx(PART.law.duration, rel=1e-12)
 
@@ -71,14 +69,14 @@ def test_pieces_with_the_same_bounds_keep_stages_of_their_own() -> None:
         replace(piece, joints=JointSection(piece.joints, begin * LENGTH, end * LENGTH), stages=halves)
         for begin, end in ((0.0, 0.5), (0.5, 1.0))
     ]
-    two = part_of(pieces, None, AHEAD)
-    again = bands_of(two, np.linspace(0.0, two.law.duration, 40), 0.0).replanned(AHEAD)
+    two = part_of(pieces, None, RULES)
+    again = bands_of(two, np.linspace(0.0, two.law.duration, 40), 0.0).replanned(RULES)
     assert again.counts.tolist() == [1, 1]
     assert again.stages.rows[:, 0] == pytest.approx([half.length, half.length])
 
 
 def test_at_a_share_of_all_rates_a_part_takes_as_many_times_as_long() -> None:
-    assert BANDS.slower(0.5).replanned(AHEAD).law.duration == pytest.approx(2.0 * PART.law.duration, rel=1e-9)
+    assert BANDS.slower(0.5).replanned(RULES).law.duration == pytest.approx(2.0 * PART.law.duration, rel=1e-9)
     assert BANDS.slower(0.5).share == pytest.approx(0.5)
 
 
@@ -102,7 +100,7 @@ def test_the_lowest_cap_stays_with_its_cause() -> None:
 
 def test_the_motion_keeps_what_the_cells_allow() -> None:
     low = BANDS.lowered(caps(SPEED, 0.01, 0.4 * LENGTH, 0.6 * LENGTH))
-    slow = low.replanned(AHEAD)
+    slow = low.replanned(RULES)
     assert slow.law.duration > PART.law.duration
     rows = slow.law.at(np.linspace(0.0, slow.law.duration, 2000))
     band = np.clip(np.searchsorted(low.borders, rows.places, "right") - 1, 0, low.bounds.shape[1] - 1)

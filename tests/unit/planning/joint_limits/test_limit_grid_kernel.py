@@ -250,7 +250,7 @@ def test_what_joints_do_at_ticks_stands_beside_where_the_run_is(seed: int) -> No
         each.tolist() for each in (rows.pieces, rows.places, rows.speeds, rows.accelerations)
     ]
     moving = (phi[pair] >= start) & (phi[pair] < start + law.duration)
-    behind = law.segments[5, np.searchsorted(law.times, phi[pair] - start, "right") - 1]
+    behind = law.segments[5, np.searchsorted(law.segments[1], phi[pair] - start, "right") - 1]
     assert out[4].tolist() == np.where(moving, behind, 0.0).tolist()
     assert places.ravel().tolist() == (begins[rows.pieces] + rows.places).tolist()
     assert motion.tolist() == [q[now].tolist(), qd[now].tolist()]

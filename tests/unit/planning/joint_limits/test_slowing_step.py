@@ -13,15 +13,15 @@ from ropsim.planning.trajectory.sections import Part, parts_of
 from ropsim.planning.trajectory.segments import pieces_of
 from ropsim.planning.trajectory.timing import course_of
 from ropsim.planning.trajectory.trajectory import StretchMotion
-from support.motion import CHAIN, PUMA, START, interface_pose, lin, shifted
+from support.motion import CHAIN, PUMA, RULES, START, interface_pose, lin, shifted
 
-AHEAD, TICK = 10, 1e-3
+TICK = 1e-3
 
 
 def line(way: tuple[float, float, float]) -> tuple[Part, ...]:
     leg = leg_of(CHAIN, lin(shifted(interface_pose(START), *way)), START)
     assert isinstance(leg, Leg)
-    return parts_of(pieces_of([leg], []), AHEAD)
+    return parts_of(pieces_of([leg], []), RULES)
 
 
 @pytest.mark.parametrize("way", [(-0.1, 0.1, 0.0), (-0.06, -0.16, 0.15), (-0.19, -0.07, -0.26)])
@@ -37,7 +37,7 @@ def test_a_step_lowers_bounds_where_joints_cannot_follow_and_they_exceed_less_th
     ticks = over[over > 0].astype(np.float64)
     assert len(ticks) > 0
     bands = bands_of(part, np.linspace(0.0, part.law.duration, 80), 0.0)
-    lower, slower = slower_run(motion, before.reference, 0, bands, ticks, Aim(arm, TICK, 0.999, AHEAD))
+    lower, slower = slower_run(motion, before.reference, 0, bands, ticks, Aim(arm, TICK, 0.999, RULES))
     after = as_bounds_allow(motion.timed(course_of([slower], 1)), arm, Ticks(TICK))
     lowered = (lower.bounds < lower.planned).any(axis=0)
     assert (lower.bounds <= lower.planned).all()

@@ -13,7 +13,7 @@ from ropsim.planning.moves.planned_move import Leg, leg_of
 from ropsim.planning.trajectory.sections import parts_of
 from ropsim.planning.trajectory.segments import pieces_of
 from ropsim.planning.trajectory.timing import Course, course_of
-from support.motion import CHAIN, START, interface_pose, lin, ptp, shifted
+from support.motion import CHAIN, RULES, START, interface_pose, lin, ptp, shifted
 
 HERE = interface_pose(START)
 GOALS = [shifted(HERE, -0.1, 0.1, 0.0), shifted(HERE, -0.1, 0.1, 0.1), shifted(HERE, 0.0, 0.15, 0.1)]
@@ -31,7 +31,9 @@ def course(moves: list[MoveInstruction], look_ahead: int = 10) -> tuple[Course, 
     for before, behind in pairwise(legs):
         found = corner_between(CHAIN, before, behind)
         corners.append(None if isinstance(found, Stop) else found)
-    return course_of(parts_of(pieces_of(legs, corners), look_ahead), len(legs)), corners
+    return course_of(
+        parts_of(pieces_of(legs, corners), RULES._replace(look_ahead=look_ahead)), len(legs)
+    ), corners
 
 
 def test_lines_with_zones_are_walked_in_one_run() -> None:

@@ -5,13 +5,13 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from ropsim.motion import Stage, TimeLaw, plan_time_law
+from ropsim.motion import PiecewiseLaw, Stage, plan_time_law
 from ropsim.planning.trajectory.timing_kernel import lay_runs
 
 ROUNDING = 1e-12
 
 
-def laws(random: np.random.Generator, count: int) -> list[TimeLaw]:
+def laws(random: np.random.Generator, count: int) -> list[PiecewiseLaw]:
     rows = random.uniform(0.2, 2.0, (count, 3, 4))
     return [plan_time_law([Stage(*row.tolist()) for row in law[: 1 + k % 3]]) for k, law in enumerate(rows)]
 

@@ -20,7 +20,7 @@ from ropsim.planning.trajectory.trajectory import StretchMotion
 from ropsim.planning.trajectory.trajectory_table import walk_table
 from ropsim.spatial import Array
 from support.cells import chain_of, one_station
-from support.motion import PUMA, START, interface_pose, lin, ptp, shifted
+from support.motion import PUMA, RULES, START, interface_pose, lin, ptp, shifted
 
 HERE = interface_pose(START)
 GOALS = [shifted(HERE, -0.1, 0.1, 0.0), shifted(HERE, -0.1, 0.1, 0.1), shifted(HERE, 0.0, 0.15, 0.1)]
@@ -47,7 +47,7 @@ def course(moves: list[MoveInstruction], mode: Synchronisation) -> Course:
         q = leg.q_end
     found = [corner_between(chain, *pair) for pair in pairwise(legs)]
     corners = [None if isinstance(one, Stop) else one for one in found]
-    return course_of(parts_of(pieces_of(legs, corners), 10), len(legs))
+    return course_of(parts_of(pieces_of(legs, corners), RULES), len(legs))
 
 
 def one_by_one(whole: Course) -> Course:
@@ -99,7 +99,7 @@ def test_a_motion_on_the_same_pieces_at_other_times_is_that_of_the_other_course(
     whole = course(moves, Synchronisation.PHASE)
     (part, *others) = (run.part for run in whole.runs)
     bands = bands_of(part, np.linspace(0.0, part.law.duration, 20), 0.0)
-    slower = course_of([bands.slower(0.5).replanned(10), *others], len(moves))
+    slower = course_of([bands.slower(0.5).replanned(RULES), *others], len(moves))
     times = np.linspace(0.0, slower.duration, 300)
     timed, anew = StretchMotion.on(whole).timed(slower), StretchMotion.on(slower)
     assert slower.duration > 1.2 * whole.duration

@@ -1,0 +1,94 @@
+"""The time law of a way of several pieces: jerk-limited, from rest to rest, as fast as its bounds allow."""
+
+from collections.abc import Iterable
+
+import numpy as np
+
+from ropsim.motion.diagnostics import WRONG_PROFILE_REQUEST
+from ropsim.motion.time_law import time_law_kernel
+from ropsim.motion.time_law.longer_segments_kernel import plan_longer
+from ropsim.motion.time_law.piecewise_law import PiecewiseLaw
+from ropsim.motion.time_law.profile import ProfileError
+from ropsim.motion.time_law.stage import Stage
+from ropsim.motion.time_law.time_law_kernel import LEAST, MOST
+from ropsim.spatial import Array
+
+_SEGMENTS = 8  # of a piece, at most, up and likewise down
+
+
+def plan_time_law(stages: Iterable[Stage]) -> PiecewiseLaw:
+    """Return the time law of a way of p pieces, in time proportional to p and the look-ahead.
+
+    The motion starts and ends at rest and keeps the bounds of each piece; its acceleration goes on where a
+    piece ends. Rises are as steep as the bounds allow, so are falls: the motion follows the lower of both,
+    and goes over between them at the highest speed there is. Between pieces whose bounds differ it is not
+    the fastest of all: a rise never waits, so that it may come to a bound too early: up to
+    23 % for two pieces of very different acceleration, none below a factor of three. One piece alone has the
+    S-curve of `plan_profile`, and so has a line that is cut into pieces.
+
+    Args:
+        stages: bounds of the pieces, in their order.
+
+    Raises:
+        ProfileError: M540, where there are no pieces, a length, bound or ratio is not from 1e-50 to 1e50, in
+            its own unit or that of the first piece (a ratio may be 0), or a horizon lies before its piece.
+
+    References:
+        Biagiotti and Melchiorri 2008, Trajectory Planning for Automatic Machines and Robots, section 3.4.
+        Bobrow, Dubowsky and Gibson 1985, Int. J. Robotics Research 4(3), for the passes.
+    """
+    rows = [(one.length, one.speed, one.acceleration, one.jerk, one.ratio, one.horizon) for one in stages]
+    return _planned(np.array(rows, dtype=np.float64))
+
+
+def plan_stages(bounds: Array, counts: Array) -> PiecewiseLaw:
+    """Return what `plan_time_law` does, of stages that stand in rows, told over pieces of several of them.
+
+    Args:
+        bounds: of the stages, in their order: length, speed, acceleration, jerk, ratio, horizon, see `Stage`;
+            within a piece the ratio is 1; shape (s, 6), one or more.
+        counts: how many stages each piece has, one or more, shape (p,); their sum is s.
+
+    Raises:
+        ProfileError: M540, as there.
+    """
+    ends = np.empty(len(counts))
+    ways, courses, rows, stage_ends, told = _rooms(len(bounds))
+    plan_longer(bounds, counts, ways, courses, rows, stage_ends, ends, told)
+    return PiecewiseLaw(rows[:, : _count(told, bounds)].copy(), ends)
+
+
+def _planned(bounds: Array) -> PiecewiseLaw:
+    """Return the time law of pieces, rows as for `plan_segments`, shape (p, 6)."""
+    ways, courses, rows, ends, told = _rooms(len(bounds))
+    time_law_kernel.plan_segments(bounds, ways, courses, rows, ends, told)
+    return PiecewiseLaw(rows[:, : _count(told, bounds)].copy(), ends)
+
+
+def _rooms(p: int) -> tuple[Array, Array, Array, Array, Array]:
+    """Return ways, courses, rows, ends and told of p pieces for `plan_segments`."""
+    if p == 0:
+        raise ProfileError(WRONG_PROFILE_REQUEST.at(None, "a way has no pieces, allowed is one or more"))
+    ways, courses = np.empty((3, 12, p + 1)), np.empty((3, 8, _SEGMENTS * p))
+    return ways, courses, np.empty((8, 2 * _SEGMENTS * p)), np.empty(p), np.empty(2)
+
+
+def _count(told: Array, bounds: Array) -> int:
+    """Return the number of segments that have been planned."""
+    count, wrong = told.tolist()
+    if count < 0.0:
+        raise ProfileError(WRONG_PROFILE_REQUEST.at(None, _wrong_words(int(wrong), bounds[int(wrong)])))
+    return int(count)
+
+
+def _wrong_words(piece: int, bounds: Array) -> str:
+    """Return what is wrong with the bounds of a piece, shape (6,)."""
+    length, speed, acceleration, jerk, ratio, horizon = bounds.tolist()
+    found = (
+        f"length {length:g}, speed {speed:g}, acceleration {acceleration:g}, "
+        f"jerk {jerk:g}, ratio {ratio:g}, horizon {int(horizon)}"
+    )
+    return (
+        f"piece {piece} has {found}; allowed are numbers from {LEAST:g} to {MOST:g}, for the ratio also 0, "
+        "and a horizon that is -1 or not before the piece"
+    )

@@ -1,0 +1,10 @@
+"""Time laws by name: another one is a file and an entry here."""
+
+from collections.abc import Mapping
+
+from ropsim.motion.time_law.jerk_limited import plan_stages
+from ropsim.motion.time_law.law import TimeLawPlanner
+
+JERK_LIMITED = "jerk-limited"
+TIME_LAWS: Mapping[str, TimeLawPlanner] = {JERK_LIMITED: plan_stages}
+"""Name of a law -> what plans it."""
