@@ -32,6 +32,11 @@ from ropsim.motion.curves.path import Path as Path
 from ropsim.motion.curves.path import ToolPath as ToolPath
 from ropsim.motion.curves.path import ToolPoints as ToolPoints
 from ropsim.motion.curves.rotation_vector import series as series
+from ropsim.motion.curves.traits import constant_derivatives as constant_derivatives
+from ropsim.motion.curves.traits import end_of as end_of
+from ropsim.motion.curves.traits import has_straight_tcp as has_straight_tcp
+from ropsim.motion.curves.traits import knots_of as knots_of
+from ropsim.motion.curves.traits import parameter_is_way as parameter_is_way
 from ropsim.motion.diagnostics import BAD_MOTION_VALUE as BAD_MOTION_VALUE
 from ropsim.motion.diagnostics import FRAME_OF_OTHERS as FRAME_OF_OTHERS
 from ropsim.motion.diagnostics import JOINT_OUT_OF_RANGE as JOINT_OUT_OF_RANGE

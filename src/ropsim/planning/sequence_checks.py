@@ -11,7 +11,7 @@ from ropsim.core import Diagnostic, Severity, define
 from ropsim.flow import MoveInstruction
 from ropsim.kinematics import speed_bound
 from ropsim.model import RobotModel
-from ropsim.motion import NO_SPLINE, PATH_NOT_CORRECTED, SPEED_BEYOND_ARM, JointBounds, Line
+from ropsim.motion import NO_SPLINE, PATH_NOT_CORRECTED, SPEED_BEYOND_ARM, JointBounds, constant_derivatives
 from ropsim.planning.joint_limits.arm_limits import ArmBounds
 from ropsim.planning.moves.move_check import MAX_DURATION, check_duration
 from ropsim.planning.moves.planned_move import Leg
@@ -141,7 +141,7 @@ def standing_refusal(leg: Leg, piece: Piece) -> Refusal | None:
         piece: a part of its path.
     """
     tool = leg.planned.tool
-    if tool is None or type(tool) is Line:
+    if tool is None or constant_derivatives(tool) is not None:
         return None
     stages = piece.stages.rows
     if len(stages) == 1:

@@ -1,12 +1,9 @@
 """Joint line: all joints on a straight way in joint space."""
 
-from collections.abc import Callable
 from dataclasses import field
-from typing import cast
 
 import numpy as np
 
-from ropsim.core import maker
 from ropsim.motion.curves.path import JointPoints
 from ropsim.motion.joint_paths.joint_line_kernel import line_points
 from ropsim.motion.joint_paths.path_rows import STRAIGHT, PathRows
@@ -33,15 +30,10 @@ class JointLine:
         object.__setattr__(self, "q_end", q_end)
         object.__setattr__(self, "length", 0.0 if q_start.tolist() == q_end.tolist() else 1.0)
 
-    @staticmethod
-    def of_ends(q_start: Array, q_end: Array) -> "JointLine":
-        """Return the line between two places that are not one, of which nobody can change an array.
-
-        Args:
-            q_start: as for any such line.
-            q_end: likewise.
-        """
-        return _made(q_start, q_end, 1.0)
+    @property
+    def constant_derivatives(self) -> Array:
+        """Return the first derivatives of the joints, shape (n,)."""
+        return self.q_end - self.q_start
 
     def joints(self, s: Array) -> JointPoints:
         """Return the joints and their derivatives at places s, shape (k,)."""
@@ -52,6 +44,3 @@ class JointLine:
     def path_rows(self, begin: float) -> PathRows:
         """Return what compiled loops take of the path from a place on."""
         return PathRows(STRAIGHT, begin, 1.0, 2, (self.q_start, self.q_end), None)
-
-
-_made = cast("Callable[[Array, Array, float], JointLine]", maker(JointLine))

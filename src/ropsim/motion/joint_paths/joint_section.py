@@ -1,6 +1,7 @@
 """Section of a path of the joints, as a path of its own."""
 
 from ropsim.motion.curves.path import JointPath, JointPoints
+from ropsim.motion.curves.traits import constant_derivatives
 from ropsim.motion.joint_paths.path_rows import PathRows, rows_of_path
 from ropsim.spatial import Array, record
 
@@ -23,6 +24,11 @@ class JointSection:
     def length(self) -> float:
         """Return the length in the unit of the path."""
         return self.end - self.begin
+
+    @property
+    def constant_derivatives(self) -> Array | None:
+        """Return those of the path, see `constant_derivatives`."""
+        return constant_derivatives(self.path)
 
     def joints(self, s: Array) -> JointPoints:
         """Return the joints and their derivatives at places s, shape (k,)."""

@@ -40,6 +40,11 @@ class Traced:
         object.__setattr__(self, "q", q)
         object.__setattr__(self, "derivatives", derivatives)
 
+    @property
+    def q_end(self) -> Array:
+        """Return the joint coordinates at the end [rad | m], shape (n,)."""
+        return self.q[-1, :]
+
     def joints(self, s: Array) -> JointPoints:
         """Return the joints and their derivatives at places s, shape (k,)."""
         count, n = self.q.shape

@@ -62,6 +62,11 @@ class Arc:
             object.__setattr__(self, name, frozen(getattr(self, name)))
         object.__setattr__(self, "length", self.radius * self.angle)
 
+    @property
+    def moves(self) -> bool:
+        """Return that the TCP moves: the path parameter is its way."""
+        return True
+
     def tool(self, s: Array) -> ToolPoints:
         """Return the tool and its derivatives at places s, shape (k,)."""
         share = 1.0 / self.length

@@ -42,6 +42,11 @@ class Curve:
                 object.__setattr__(self, name, frozen(array))
 
     @property
+    def moves(self) -> bool:
+        """Return that the TCP moves: the path parameter is its way."""
+        return True
+
+    @property
     def length(self) -> float:
         """Return the way of the TCP [m]."""
         return self.way.length

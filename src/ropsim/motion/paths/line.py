@@ -1,12 +1,10 @@
 """Line: the TCP on a straight way while the tool turns; or the tool turning about a TCP that stands."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import field
-from typing import cast
 
 import numpy as np
 
-from ropsim.core import maker
 from ropsim.model import OrientationMode
 from ropsim.motion.curves.path import ToolPoints
 from ropsim.motion.curves.segment_kernel import segment_distances
@@ -19,7 +17,9 @@ from ropsim.motion.paths.line_kernel import (
     line_numbers,
     straight_points,
 )
-from ropsim.spatial import Array, Pose, record
+from ropsim.spatial import Array, Pose, frozen, record
+
+_START = frozen([0.0])
 
 
 @record
@@ -55,19 +55,6 @@ class Line:
         object.__setattr__(self, "moves", bool(moves))
         object.__setattr__(self, "length", length)
 
-    @staticmethod
-    def of_numbers(X_start: Pose, X_end: Pose, mode: OrientationMode, numbers: Array) -> "Line":
-        """Return the line of numbers that `line_numbers` has written, in an array that nobody can change.
-
-        Args:
-            X_start: as for any line.
-            X_end: likewise.
-            mode: likewise.
-            numbers: those of this line, shape (LINE_SIZE,).
-        """
-        length, moves = numbers[LINE_LENGTH : MOVES + 1].tolist()
-        return _made(X_start, X_end, mode, numbers, bool(moves), length)
-
     @property
     def way(self) -> Array:
         """Return the way from start to end [m], shape (3,)."""
@@ -77,6 +64,17 @@ class Line:
     def axis(self) -> Array:
         """Return the axis about which the tool turns, in its frame at the start, shape (3,)."""
         return self.numbers[AXIS : AXIS + 3]
+
+    @property
+    def constant_derivatives(self) -> Array | None:
+        """Return the first derivatives of the tool, None where it rolls while it swings, shape (6,)."""
+        start = self.tool(_START)
+        return None if start.d2.any() else start.d1[0]
+
+    @property
+    def has_straight_tcp(self) -> bool:
+        """Return whether the TCP moves: it goes on one straight line then."""
+        return self.moves
 
     def tool(self, s: Array) -> ToolPoints:
         """Return the tool and its derivatives at places s, shape (k,)."""
@@ -98,9 +96,6 @@ class Line:
 
     def _between(self, r: Array) -> Array:
         return (1.0 - r)[:, None] * self.X_start.position + r[:, None] * self.X_end.position
-
-
-_made = cast("Callable[[Pose, Pose, OrientationMode, Array, bool, float], Line]", maker(Line))
 
 
 def enter_distances(

@@ -5,6 +5,7 @@ import numpy as np
 from ropsim.motion.curves.grid import grid_of_part
 from ropsim.motion.curves.nearest import distances
 from ropsim.motion.curves.path import ToolPath, ToolPoints
+from ropsim.motion.curves.traits import constant_derivatives
 from ropsim.spatial import Array, record
 
 
@@ -29,6 +30,11 @@ class ToolSection:
     def length(self) -> float:
         """Return the length in the unit of the path."""
         return self.end - self.begin
+
+    @property
+    def constant_derivatives(self) -> Array | None:
+        """Return those of the path, see `constant_derivatives`."""
+        return constant_derivatives(self.path)
 
     def own_grid(self) -> Array:
         """Return the grid of the path as far as it lies in the section, shape (m,)."""

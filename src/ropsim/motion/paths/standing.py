@@ -18,6 +18,10 @@ class Standing:
     X: Pose
     length: float = 1.0
 
+    @property
+    def moves(self) -> None:
+        """Return that the path parameter is neither a way nor an angle of the tool."""
+
     def tool(self, s: Array) -> ToolPoints:
         """Return the tool and its derivatives at places s, shape (k,)."""
         matrices = np.empty((len(s), 4, 4))

@@ -4,7 +4,7 @@ import numpy as np
 
 from ropsim.flow import JointSamples, PoseSetpoints
 from ropsim.kinematics import inverse_near
-from ropsim.motion import JointPath, JointPoints, ToolPath, Traced, traced_with_roughness
+from ropsim.motion import JointPath, JointPoints, ToolPath, end_of, traced_with_roughness
 from ropsim.planning.moves.inverse_transform import has_named_branches
 from ropsim.planning.records.coordination import Coordination
 from ropsim.planning.records.motion_chain import MotionChain
@@ -45,8 +45,7 @@ def joined_to(
         the way; None where it would end in another posture or the poses cannot be kept.
     """
     if has_named_branches(chain.robot):
-        last = joints.q[-1] if isinstance(joints, Traced) else joints.joints(np.array([path.length])).q[0]
-        return joints if np.abs(ends[1].q[0] - last).max() <= _SAME else None
+        return joints if np.abs(ends[1].q[0] - end_of(joints)).max() <= _SAME else None
     length, own = path.length, joints.joints(np.array([0.0, path.length]))
     missing = [
         (end.q[0] - own.q[k], (end.d1[0] - own.d1[k]) * length, (end.d2[0] - own.d2[k]) * length**2)

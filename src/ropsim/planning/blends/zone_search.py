@@ -12,10 +12,10 @@ from ropsim.motion import (
     ZONE_NODES,
     ZONE_SHARES,
     JointPath,
-    Line,
     PathRows,
     ToolPath,
     enter,
+    has_straight_tcp,
     leave,
     rows_of_path,
 )
@@ -52,7 +52,7 @@ def way_of(robot: RobotModel, joints: JointPath, X_MT: Pose, tool: ToolPath | No
         X_MT: the tool.
         tool: the path of the tool, if it has one; positions are in its frame, else in the base frame.
     """
-    if isinstance(tool, Line) and tool.moves:
+    if has_straight_tcp(tool):
         return StraightWay(joints.length)
     rows = None if tool or robot.cuts else rows_of_path(joints)
     if rows is None or rows.kind == TRACED:

@@ -9,8 +9,8 @@ import numpy as np
 from ropsim.core import frozen_dataclass
 from ropsim.flow import LimitQuantity
 from ropsim.kinematics import forward_batch
-from ropsim.model import OrientationMode, RobotModel
-from ropsim.motion import Line, ToolLimits, ToolPath
+from ropsim.model import RobotModel
+from ropsim.motion import ToolLimits, ToolPath, constant_derivatives
 from ropsim.planning.joint_limits.binding_kernel import four_in_a_row, tool_on_pieces, tool_reached
 from ropsim.planning.records.motion_plan import MotionPlan, PlannedMove
 from ropsim.spatial import Array
@@ -59,7 +59,7 @@ def critical_of_tools(
     if not moves:
         return []
     starts, longest, idle = _counts(plan, moves, numbers, looks, robot)
-    may_bend = [one.path is not None and not _is_straight(one.path) for one in plan.pieces]
+    may_bend = [one.path is not None and constant_derivatives(one.path) is None for one in plan.pieces]
     found = []
     for (first, end), (quantity, most) in zip(pairwise(starts), longest, strict=True):
         bent = _bent_looks(plan, idle[int(first) : int(end)].tolist()) if any(may_bend) else 0
@@ -144,11 +144,7 @@ def _least(limits: ToolLimits, T: float) -> Array:
 
 def _is_bent(path: ToolPath) -> bool:
     """Return whether a path turns off its way, or its orientation off its turn."""
-    if _is_straight(path):
+    if constant_derivatives(path) is not None:
         return False
     points = path.tool(_PLACES * path.length)
     return bool(np.abs(points.d2).max() * path.length > _BENT * np.abs(points.d1).max())
-
-
-def _is_straight(path: ToolPath) -> bool:
-    return isinstance(path, Line) and path.mode is OrientationMode.FIXED_AXIS

@@ -2,11 +2,9 @@
 
 from collections.abc import Sequence
 
-import numpy as np
-
 from ropsim.core import Diagnostic
 from ropsim.flow import MoveInstruction
-from ropsim.motion import JointLine, JointPath, ToolPath, Traced
+from ropsim.motion import JointPath, ToolPath, end_of
 from ropsim.planning.entity_checks.entity_faults import guarded
 from ropsim.planning.entity_checks.path_faults import unusable_path, unusable_plan, unusable_tool_path
 from ropsim.planning.moves.move_check import check_duration
@@ -15,7 +13,7 @@ from ropsim.planning.moves.requested_posture import other_posture
 from ropsim.planning.records.entities import Refusal
 from ropsim.planning.records.motion_chain import MotionChain
 from ropsim.planning.records.planned_path import PlannedPath
-from ropsim.spatial import Array, frozen, record
+from ropsim.spatial import Array, record
 
 
 @record
@@ -107,11 +105,6 @@ def _ended(
     found: tuple[Diagnostic, ...],
 ) -> Leg:
     """Return the leg of a path of the joints, with what is found on it."""
-    if type(joints) is JointLine:
-        q_end = joints.q_end
-    elif type(joints) is Traced:
-        q_end = joints.q[-1]
-    else:
-        q_end = frozen(joints.joints(np.array([joints.length])).q[0])
+    q_end = end_of(joints)
     found += other_posture(move, chain.robot, q_end)
     return Leg(move, planned, joints, q_end, planned.findings + found)

@@ -7,15 +7,12 @@ from math import sqrt
 import numpy as np
 
 from ropsim.motion import (
-    JointLine,
     JointMotionLimits,
     JointPath,
-    JointSection,
-    Line,
     Stages,
     ToolLimits,
     ToolPath,
-    ToolSection,
+    constant_derivatives,
     grid,
 )
 from ropsim.planning.path_limits.derivative_bounds import Bends, bends_of
@@ -25,7 +22,6 @@ from ropsim.planning.records.coordination import Coordination
 from ropsim.spatial import Array, frozen
 
 _PLACES = np.linspace(0.0, 1.0, 33)
-_START = frozen([0.0])
 _STRAIGHT = 1e-9
 """A path of the tool whose direction changes by less from end to end is straight."""
 _SAME_PLACE = 1e-9
@@ -39,9 +35,8 @@ def joint_stages(path: JointPath, limits: JointMotionLimits) -> Stages:
         path: of the joints.
         limits: of every joint.
     """
-    line = path.path if isinstance(path, JointSection) else path
-    if type(line) is JointLine:  # one derived from it may go elsewhere
-        return _straight(path.length, np.abs(line.q_end - line.q_start), limits)
+    if (same := constant_derivatives(path)) is not None:
+        return _straight(path.length, np.abs(same), limits)
     points = path.joints(_PLACES * path.length)
     if not points.d2.any():
         return _straight(path.length, np.abs(points.d1).max(axis=0), limits)
@@ -74,11 +69,8 @@ def tool_choices(path: ToolPath, limits: ToolLimits, shares: Sequence[float]) ->
         limits: of the TCP and of the orientation.
         shares: of the highest speed that the bend allows, falling from 1.
     """
-    line = path.path if isinstance(path, ToolSection) else path
-    if type(line) is Line:
-        start = line.tool(_START)
-        if not any(start.d2[0].tolist()):  # so it goes on: only a tool that rolls while it swings has some
-            return (_even(path.length, start.d1[0].tolist(), limits),)
+    if (same := constant_derivatives(path)) is not None:
+        return (_even(path.length, same.tolist(), limits),)
 
     def look(places: Array) -> tuple[Array, Array]:
         rows = path.tool(places)

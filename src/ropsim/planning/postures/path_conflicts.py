@@ -10,9 +10,9 @@ from ropsim.motion import (
     JOINT_LIMIT_ON_LINE,
     JUMP_ON_LINE,
     NO_WRIST_ANGLES,
-    Line,
     Traced,
     durations,
+    has_straight_tcp,
     own_law_of,
 )
 from ropsim.planning.moves.interpolator import places
@@ -109,7 +109,7 @@ def time_of(robot: RobotModel, leg: Leg, q_start: Array) -> float:
 def _is_calm(robot: RobotModel, leg: Leg) -> bool:
     """Return whether the joints clearly keep up with a straight line."""
     path, joints = leg.tool, leg.joints
-    if not isinstance(path, Line) or type(joints) is not Traced or not path.moves:
+    if path is None or not has_straight_tcp(path) or type(joints) is not Traced:
         return False
     longest = np.empty(1)
     longest_cell(joints.q, joints.derivatives, max_speeds_of(robot), longest)

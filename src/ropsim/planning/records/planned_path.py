@@ -5,7 +5,7 @@ from functools import lru_cache
 from ropsim.core import Diagnostic
 from ropsim.flow import ModalState
 from ropsim.model import ControllerModel
-from ropsim.motion import Arc, Curve, JointMotionLimits, JointPath, Line, Standing, ToolLimits, ToolPath
+from ropsim.motion import JointMotionLimits, JointPath, ToolLimits, ToolPath, parameter_is_way
 from ropsim.planning.records.coordination import Coordination
 from ropsim.spatial import Pose, record
 
@@ -53,10 +53,10 @@ class PlannedPath:
         gone in no less.
         """
         path, limits = self.tool, self.limits.tool
-        if path is None or isinstance(path, Standing):
+        is_way = parameter_is_way(path) if path else None
+        if path is None or is_way is None:
             return 0.0
-        moves = isinstance(path, Arc | Curve) or (isinstance(path, Line) and path.moves)
-        return path.length / (limits.speed if moves else max(limits.speed, limits.orientation_speed))
+        return path.length / (limits.speed if is_way else max(limits.speed, limits.orientation_speed))
 
 
 _Rate = float | None

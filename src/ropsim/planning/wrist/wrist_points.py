@@ -1,8 +1,6 @@
 """The points of a path that the wrist leads: where the joints of the wrist have to be as they are there."""
 
-import numpy as np
-
-from ropsim.motion import Curve, ToolPath
+from ropsim.motion import ToolPath, knots_of
 from ropsim.planning.records.coordination import Coordination
 from ropsim.planning.wrist.wrist_motion import standing
 from ropsim.spatial import Array, record
@@ -44,7 +42,7 @@ def points_of(path: ToolPath, q_start: Array, coordination: Coordination | None)
         q_start: coordinates of all axes at its start [rad | m], shape (n,).
         coordination: external axes that go along; None where they stand.
     """
-    places = path.knots if isinstance(path, Curve) else np.array([0.0, path.length])
+    places = knots_of(path)
     q, X = standing(q_start, coordination, places), path.tool(places).matrices
     if coordination and coordination.frame:
         X = coordination.frame.matrices(q) @ X
