@@ -1,5 +1,7 @@
 """Files: no path of one machine, no registry host, exact versions."""
 
+import ast
+import itertools
 import re
 import subprocess
 from pathlib import Path
@@ -42,3 +44,76 @@ def test_every_pinned_version_is_exact() -> None:
     pins = [line for line in lines if line and not line.startswith("#")]
     assert [pin for pin in pins if not re.fullmatch(r"[A-Za-z0-9_.-]+==[\w.]+", pin)] == []
     assert any(pin.startswith("numpy==") for pin in pins)
+
+
+WIDE = {
+    "calibration",
+    "cellfile",
+    "cli",
+    "codegen",
+    "core",
+    "dynamics",
+    "exchange",
+    "icr",
+    "kinematics",
+    "kinematics/solvers",
+    "lsp",
+    "model",
+    "motion",
+    "motion/limits",
+    "motion/paths",
+    "nirox",
+    "prolog",
+    "simulation",
+    "studio",
+    "tasks",
+    "views",
+    "workbench",
+    "workspace",
+}
+LONG = {
+    "motion/paths/curve_kernel.py",
+    "motion/time_law_kernel.py",
+    "simulation/diagnostics.py",
+    "studio/documents.py",
+    "studio/jobs.py",
+    "studio/messages.py",
+    "tasks/diagnostics.py",
+}
+SMALL_FILES = 208
+PACKAGES = ROOT / "src" / "ropsim"
+DATA = {"robots/arms"}
+
+
+def modules() -> list[Path]:
+    """Return the Python files of the packages, by their paths below `src/ropsim`."""
+    return [path.relative_to(PACKAGES) for path in PACKAGES.rglob("*.py") if "static" not in path.parts]
+
+
+def line_count(module: Path) -> int:
+    return len((PACKAGES / module).read_text("utf-8").splitlines())
+
+
+def test_a_folder_has_at_most_twenty_entries() -> None:
+    inside = [path.relative_to(PACKAGES) for path in project_files() if path.is_relative_to(PACKAGES)]
+    entries: dict[str, set[str]] = {}
+    for path in inside:
+        for folder, entry in itertools.pairwise([*reversed(path.parents), path]):
+            entries.setdefault(folder.as_posix(), set()).add(entry.name)
+    wide = {folder for folder, names in entries.items() if len(names) > 20}
+    assert wide - DATA - {"."} == WIDE
+
+
+def test_a_file_has_at_most_four_hundred_lines_and_few_have_less_than_forty() -> None:
+    lengths = {path.as_posix(): line_count(path) for path in modules() if path.name != "__init__.py"}
+    assert {name for name, length in lengths.items() if length > 400} == LONG
+    assert sum(length < 40 for length in lengths.values()) <= SMALL_FILES
+
+
+def test_a_room_says_in_one_sentence_what_is_in_it() -> None:
+    rooms = [path for path in modules() if path.name == "__init__.py" and len(path.parts) > 1]
+    assert [
+        room.as_posix()
+        for room in rooms
+        if not ast.get_docstring(ast.parse((PACKAGES / room).read_text("utf-8")))
+    ] == []

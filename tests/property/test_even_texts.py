@@ -18,8 +18,8 @@ from ropsim import icr, language, robots
 from ropsim.calibration.trace_reader import read_trace
 from ropsim.cellfile import read_cell
 from ropsim.core import RopsimError, SourceText
-from ropsim.language import cuts
-from ropsim.language.line_kinds import kinds_of
+from ropsim.language.cutting import cuts
+from ropsim.language.cutting.line_kinds import kinds_of
 from ropsim.lsp.requests import ASKED
 from ropsim.records import read_inputs
 from ropsim.workbench.robot_files import read_robot

@@ -117,10 +117,10 @@ def test_the_manual_names_every_part_that_is_refused_by_name() -> None:
 
 
 def test_the_limits_are_those_of_the_compiler() -> None:
-    from ropsim.language import blocks as blocks_module
-    from ropsim.language import report, text
-    from ropsim.language.check import implicit
-    from ropsim.language.syntax import cursor, lexer, line, lines
+    from ropsim.language import report
+    from ropsim.language.blocks import matching as blocks_module
+    from ropsim.language.check.calls import implicit
+    from ropsim.language.syntax import cursor, lexer, line, lines, text
 
     table = (DOCS / "reference" / "language.md").read_text("utf-8").split("## Limits")[1].split("## Not")[0]
     rows = [row for row in table.splitlines() if row.startswith("|")][2:]

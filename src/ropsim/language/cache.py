@@ -1,10 +1,10 @@
 """What the compiler keeps between the versions of texts that are being edited."""
 
+from ropsim.language.cutting.reading import PARSER
 from ropsim.language.environment import Environment
 from ropsim.language.questions import ENVIRONMENT
-from ropsim.language.reading import PARSER
 from ropsim.language.syntax.shapes import Shapes
-from ropsim.language.text import Parsed
+from ropsim.language.syntax.text import Parsed
 from ropsim.query import Database, Once
 
 MAX_KEPT = 250_000

@@ -4,18 +4,17 @@ from collections.abc import Hashable, Iterable, Mapping
 
 from ropsim.core import Diagnostic, Span, frozen_dataclass
 from ropsim.language import questions
-from ropsim.language.check.body import settled
 from ropsim.language.check.declarations import Declared
-from ropsim.language.check.outcome import Outcome
-from ropsim.language.check.world import Variable, World
-from ropsim.language.control_check import check_control
-from ropsim.language.control_walk import walk_control
+from ropsim.language.check.scope.body import settled
+from ropsim.language.check.scope.world import Outcome, Variable, World
+from ropsim.language.control.check import check_control
+from ropsim.language.control.walk import walk_control
+from ropsim.language.control.way import give_equal
 from ropsim.language.division import Units
 from ropsim.language.findings import syntax as syntax_kinds
 from ropsim.language.report import Report
+from ropsim.language.syntax.text import Line
 from ropsim.language.task_form import TaskForm
-from ropsim.language.text import Line
-from ropsim.language.way import give_equal
 from ropsim.program import Local, Program, SignalUse
 from ropsim.query import Database
 

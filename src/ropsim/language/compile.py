@@ -7,22 +7,22 @@ from ropsim.core import Diagnostic, SourceText, frozen_dataclass, without_collec
 from ropsim.icr import Program as IcrProgram
 from ropsim.language import checked as checker
 from ropsim.language import questions
-from ropsim.language import text as texts
 from ropsim.language.cache import LineCache, once
-from ropsim.language.check.outcome import Outcome
+from ropsim.language.check.calls.signatures import for_library
 from ropsim.language.check.reached import never_called, unreached
-from ropsim.language.check.signatures import for_library
-from ropsim.language.code import Code
-from ropsim.language.codes import code_of
-from ropsim.language.contract_checks import broken_contracts
+from ropsim.language.check.scope.world import Outcome
+from ropsim.language.code.codes import code_of
+from ropsim.language.code.main_code import HIDDEN
+from ropsim.language.code.program_code import Code
 from ropsim.language.division import divided
 from ropsim.language.environment import NO_SIGNATURES, Environment, TaskSignature
 from ropsim.language.findings import syntax as kinds
-from ropsim.language.main_code import HIDDEN
-from ropsim.language.places import at_names
+from ropsim.language.questions.contract_checks import broken_contracts
 from ropsim.language.report import Report, TooManyFindingsError
+from ropsim.language.syntax import text as texts
+from ropsim.language.syntax.places import at_names
+from ropsim.language.syntax.text import Line
 from ropsim.language.task_form import TaskForm
-from ropsim.language.text import Line
 from ropsim.program import Program, SourceMap, has_gripper_contract, in_order, recursion
 from ropsim.query import Database
 

@@ -7,12 +7,12 @@ from operator import is_not
 from typing import TypeVar
 
 from ropsim.core import SourceText, Span, frozen_dataclass
-from ropsim.language import units
-from ropsim.language.check.tasks import TaskText
-from ropsim.language.chunk_walk import Step, walk_chunks
+from ropsim.language.blocks import units
+from ropsim.language.check.calls.tasks import TaskText
+from ropsim.language.cutting.chunk_walk import Step, walk_chunks
+from ropsim.language.cutting.joined_steps import Trail, joined_again, joined_anew
 from ropsim.language.environment import Environment
 from ropsim.language.findings import names as name_kinds
-from ropsim.language.joined_steps import Trail, joined_again, joined_anew
 from ropsim.language.report import Report
 from ropsim.program import Places, SourceMap, placed
 from ropsim.query import Database

@@ -1,13 +1,14 @@
 """Collects the diagnostics of one compilation; knows how to turn offsets into spans."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from dataclasses import replace
 from typing import Protocol
 
-from ropsim.core import Diagnostic, Kind, Severity, Span, TextEdit, frozen_dataclass
+from ropsim.core import Diagnostic, Kind, Label, Severity, Span, TextEdit, frozen_dataclass
 from ropsim.language.findings import names
 from ropsim.language.findings import syntax as kinds
-from ropsim.language.further_places import with_place
-from ropsim.language.text import Line
+from ropsim.language.syntax.fault import Fault
+from ropsim.language.syntax.text import Line
 
 MAX_FINDINGS = 200
 MAX_HINTS = 100
@@ -143,3 +144,49 @@ class Report:
 
         unique = {(d.code, d.span, d.message): d for d in self.found}
         return tuple(sorted(unique.values(), key=place))
+
+
+MAX_PLACES = 200
+"""Further places that one finding knows."""
+
+FIRST_LINE = "first_line"
+"""Key of the line of its first place, in the data of a finding at a further one."""
+
+_ALSO = "here, too"
+
+
+def with_place(first: Diagnostic, place: Span | None) -> Diagnostic:
+    """Return a finding that holds at a further place, too; of very many places the first ones are known."""
+    if place is None or len(first.secondary) >= MAX_PLACES:
+        return first if first.notes else replace(first, notes=("It stands in more places.",))
+    return replace(first, secondary=(*first.secondary, Label(place, _ALSO)))
+
+
+def each_place(findings: Iterable[Diagnostic]) -> Iterator[Diagnostic]:
+    """Yield a finding for each place of a mistake, with the change that mends it there."""
+    for finding in findings:
+        further = [label.span for label in finding.secondary if label.text == _ALSO]
+        if not further:
+            yield finding
+            continue
+        others = tuple(label for label in finding.secondary if label.text != _ALSO)
+        yield replace(finding, secondary=others)
+        where = (Label(finding.span, "here first"),) if finding.span is not None else ()
+        data = {**finding.data, FIRST_LINE: finding.span.line if finding.span is not None else 0}
+        for span in dict.fromkeys(further):
+            fix = TextEdit(span, finding.fix.replacement) if finding.fix is not None else None
+            yield replace(finding, span=span, secondary=(*where, *others), fix=fix, data=data)
+
+
+def finding_of(line: Line, fault: Fault, source: str) -> Diagnostic:
+    """Return the finding of a fault.
+
+    Args:
+        line: that has it.
+        fault: what is wrong with it.
+        source: name of the text.
+    """
+    span = line.logical.span(source, fault.start, fault.end)
+    place = line.logical.span(source, fault.start - fault.before, fault.end)
+    edit = TextEdit(place, fault.fix) if fault.fix else None
+    return fault.kind.at(span, fault.message, hint=fault.hint, fix=edit)

@@ -6,14 +6,18 @@ from types import NoneType
 
 from ropsim.core import Diagnostic, frozen_dataclass
 from ropsim.icr import Location, composed, external_part, pose_part
-from ropsim.language.blocks import Block
-from ropsim.language.check import convert, facing, fold, frames, grids, hidden, metres, origins, poses, values
-from ropsim.language.check.body import Body, RejectedError
-from ropsim.language.check.expressions import EXPRESSIONS
+from ropsim.language.blocks.matching import Block
+from ropsim.language.blocks.units import Part
+from ropsim.language.check import grids
+from ropsim.language.check.doubts import facing, metres, origins
+from ropsim.language.check.expressions import convert, frames, poses, values
+from ropsim.language.check.expressions.expression import EXPRESSIONS
+from ropsim.language.check.scope import fold, hidden
+from ropsim.language.check.scope.body import Body, RejectedError
+from ropsim.language.check.scope.types import INT, JOINTS, NAMED, POSE, AnyType, Unknown, Value, closed, known
+from ropsim.language.check.scope.units import UNITS, Dimension, UnitSystem
+from ropsim.language.check.scope.world import Origin, Poison, Symbol, Variable, World
 from ropsim.language.check.taken_names import TakenNames
-from ropsim.language.check.types import INT, JOINTS, NAMED, POSE, AnyType, Unknown, Value, closed, known
-from ropsim.language.check.units import UNITS, Dimension, UnitSystem
-from ropsim.language.check.world import Origin, Poison, Symbol, Variable, World
 from ropsim.language.environment import Environment
 from ropsim.language.findings import hidden as hidden_kinds
 from ropsim.language.findings import names as name_kinds
@@ -21,8 +25,7 @@ from ropsim.language.findings import types as kinds
 from ropsim.language.report import Report
 from ropsim.language.syntax import nodes
 from ropsim.language.syntax import statements as syntax
-from ropsim.language.text import Line
-from ropsim.language.units import Part
+from ropsim.language.syntax.text import Line
 from ropsim.program import SignalUse, ValueType
 from ropsim.spatial import PoseTuple, quaternion
 

@@ -1,10 +1,12 @@
 """Grids of locations: the declaration `pattern`."""
 
 from ropsim.icr import external_part, pose_part
-from ropsim.language.check import convert, facing, fold, poses, values
-from ropsim.language.check.body import Body
-from ropsim.language.check.types import INT, POSE
-from ropsim.language.check.world import Pattern
+from ropsim.language.check.doubts import facing
+from ropsim.language.check.expressions import convert, poses, values
+from ropsim.language.check.scope import fold
+from ropsim.language.check.scope.body import Body
+from ropsim.language.check.scope.types import INT, POSE
+from ropsim.language.check.scope.world import Pattern
 from ropsim.language.findings import types as kinds
 from ropsim.language.syntax import statements as syntax
 from ropsim.spatial import quaternion

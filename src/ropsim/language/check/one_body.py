@@ -3,23 +3,24 @@
 from collections.abc import Iterator, Mapping
 from contextlib import suppress
 
-from ropsim.language.check import hidden, origins, structures
-from ropsim.language.check.body import Body, Told, settled
-from ropsim.language.check.expressions import EXPRESSIONS
-from ropsim.language.check.first_values import with_first_values
-from ropsim.language.check.near_names import near_names, seen_variables, unread_variables
-from ropsim.language.check.outcome import Outcome
+from ropsim.language.blocks.clause import Clause
+from ropsim.language.blocks.units import CONTROL, Items, of_task
+from ropsim.language.check.calls.first_values import with_first_values
+from ropsim.language.check.calls.tasks import TaskText
+from ropsim.language.check.doubts import origins
+from ropsim.language.check.doubts.near_names import near_names, seen_variables, unread_variables
+from ropsim.language.check.expressions.expression import EXPRESSIONS
 from ropsim.language.check.reached import late
-from ropsim.language.check.tasks import TaskText
-from ropsim.language.check.types import POSE, Type, known
-from ropsim.language.check.world import Signature, TaskOrigins, Variable, World
-from ropsim.language.clause import Clause
+from ropsim.language.check.scope import hidden
+from ropsim.language.check.scope.body import Body, Told, settled
+from ropsim.language.check.scope.types import POSE, Type, known
+from ropsim.language.check.scope.world import Outcome, Signature, TaskOrigins, Variable, World
+from ropsim.language.check.statements import structures
 from ropsim.language.findings import hidden as hidden_kinds
 from ropsim.language.findings import types as kinds
 from ropsim.language.report import Report, TooManyFindingsError
 from ropsim.language.syntax import statements as syntax
-from ropsim.language.text import Line
-from ropsim.language.units import CONTROL, Items, of_task
+from ropsim.language.syntax.text import Line
 from ropsim.program import Block as StatementBlock
 from ropsim.program import Call, Contract, If, Local, Return, Statement, Task, points_of, walk
 

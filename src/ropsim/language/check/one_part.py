@@ -5,15 +5,15 @@ from contextlib import suppress
 from dataclasses import replace
 
 from ropsim.core import Diagnostic, Span, frozen_dataclass, maker
-from ropsim.language.check import structures
-from ropsim.language.check.body import Body, Made, Unfit, settled
-from ropsim.language.check.expressions import EXPRESSIONS
+from ropsim.language.blocks.units import Part
+from ropsim.language.check.expressions.expression import EXPRESSIONS
 from ropsim.language.check.reached import goes_on, late
-from ropsim.language.check.sight import Seen, Sight
-from ropsim.language.check.types import OPEN, AnyType, Type, Unknown, known
-from ropsim.language.check.world import Symbol, Variable, World
+from ropsim.language.check.scope.body import Body, Made, Unfit, settled
+from ropsim.language.check.scope.sight import Seen, Sight
+from ropsim.language.check.scope.types import OPEN, AnyType, Type, Unknown, known
+from ropsim.language.check.scope.world import Symbol, Variable, World
+from ropsim.language.check.statements import structures
 from ropsim.language.report import Report, TooManyFindingsError
-from ropsim.language.units import Part
 from ropsim.program import Block, Call, Local, SignalUse, walk
 from ropsim.spatial import PoseTuple
 

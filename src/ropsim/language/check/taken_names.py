@@ -3,8 +3,8 @@
 from collections.abc import Container
 from dataclasses import dataclass, field
 
-from ropsim.language.check import hidden
-from ropsim.language.check.body import Body
+from ropsim.language.check.scope import hidden
+from ropsim.language.check.scope.body import Body
 from ropsim.language.environment import Environment
 from ropsim.language.findings import hidden as hidden_kinds
 from ropsim.language.findings import names as kinds

@@ -3,7 +3,7 @@
 from collections.abc import Iterable
 
 from ropsim.core import SourceText
-from ropsim.language.form.indents import indented
+from ropsim.language.blocks.block_ends import indented
 from ropsim.language.form.pieces import Piece, pieces
 from ropsim.language.form.rows import rows, without_blanks
 from ropsim.language.form.sameness import shape
@@ -11,7 +11,7 @@ from ropsim.language.form.writing import INDENT, written
 from ropsim.language.syntax.line import parse_line
 from ropsim.language.syntax.lines import logical_lines
 from ropsim.language.syntax.statements import Broken, ContractClause
-from ropsim.language.text import Line
+from ropsim.language.syntax.text import Line
 
 _MARK = "\ufeff"
 """Byte order mark: it may begin a text."""

@@ -3,13 +3,13 @@
 from collections.abc import Iterable, Iterator, Sequence
 
 from ropsim.core import SourceText, frozen_dataclass
-from ropsim.language.blocks import Block, build
+from ropsim.language.blocks.matching import Block, build
+from ropsim.language.blocks.taken import told
 from ropsim.language.cache import LineCache
-from ropsim.language.chunks import chunks
-from ropsim.language.form.told import told
+from ropsim.language.cutting.chunks import chunks
 from ropsim.language.report import Report, TooManyFindingsError
 from ropsim.language.syntax.statements import If
-from ropsim.language.text import Line, read
+from ropsim.language.syntax.text import Line, read
 
 
 @frozen_dataclass

@@ -2,9 +2,9 @@
 
 from collections.abc import Sequence
 
+from ropsim.language.editing.vocabulary import FUNCTIONS
 from ropsim.language.syntax.lexer import Token
 from ropsim.language.syntax.words import MOTION_MODIFIERS, RESERVED
-from ropsim.language.vocabulary import FUNCTIONS
 
 _CONTEXTUAL = MOTION_MODIFIERS | frozenset(
     [

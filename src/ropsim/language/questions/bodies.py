@@ -4,9 +4,8 @@ from dataclasses import replace
 
 from ropsim.core import Span
 from ropsim.language.check import one_body
-from ropsim.language.check.outcome import Outcome
-from ropsim.language.check.table import Marked, Table
-from ropsim.language.check.world import Signature, TaskOrigins, World
+from ropsim.language.check.scope.table import Marked, Table
+from ropsim.language.check.scope.world import Outcome, Signature, TaskOrigins, World
 from ropsim.language.questions.callers import is_own, precedes, task
 from ropsim.language.questions.calls import lacks_result, signature
 from ropsim.language.questions.declarations import names_in, symbol

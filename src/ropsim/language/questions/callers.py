@@ -2,9 +2,9 @@
 
 from collections.abc import Iterable, Mapping
 
-from ropsim.language.check import signatures
-from ropsim.language.check.tasks import TaskText, callee_first, callees
-from ropsim.language.check.world import Signature
+from ropsim.language.check.calls import signatures
+from ropsim.language.check.calls.tasks import TaskText, callee_first, callees
+from ropsim.language.check.scope.world import Signature
 from ropsim.language.environment import Environment
 from ropsim.language.questions.inputs import ENVIRONMENT, ORDER, TASKS
 from ropsim.query import Database

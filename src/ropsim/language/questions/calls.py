@@ -3,10 +3,11 @@
 from dataclasses import replace
 
 from ropsim.core import Diagnostic, frozen_dataclass
-from ropsim.language.check import signatures
-from ropsim.language.check.body import Body
-from ropsim.language.check.expressions import EXPRESSIONS
-from ropsim.language.check.world import Signature
+from ropsim.language.blocks.units import of_task
+from ropsim.language.check.calls import signatures
+from ropsim.language.check.expressions.expression import EXPRESSIONS
+from ropsim.language.check.scope.body import Body
+from ropsim.language.check.scope.world import Signature
 from ropsim.language.questions.callers import is_own, library, task
 from ropsim.language.questions.declarations import basics
 from ropsim.language.questions.groups import Group, groups
@@ -17,7 +18,6 @@ from ropsim.language.questions.walks import untold_of
 from ropsim.language.questions.worlds import open_symbols, world_with
 from ropsim.language.report import Report, TooManyFindingsError
 from ropsim.language.task_form import TaskForm
-from ropsim.language.units import of_task
 from ropsim.query import Database
 
 

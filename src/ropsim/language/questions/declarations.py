@@ -3,21 +3,22 @@
 from collections.abc import Iterator
 from dataclasses import replace
 
-from ropsim.language.check import declarations, fold
+from ropsim.language.blocks.units import CONTROL, Items, Part
+from ropsim.language.check import declarations
 from ropsim.language.check.declarations import Declared
-from ropsim.language.check.table import Marked
-from ropsim.language.check.types import is_open
-from ropsim.language.check.units import UnitSystem
-from ropsim.language.check.world import Symbol, Variable, World
+from ropsim.language.check.scope import fold
+from ropsim.language.check.scope.table import Marked
+from ropsim.language.check.scope.types import is_open
+from ropsim.language.check.scope.units import UnitSystem
+from ropsim.language.check.scope.world import Symbol, Variable, World
+from ropsim.language.cutting.reading import CALLABLE, Names
 from ropsim.language.environment import Environment
 from ropsim.language.questions.callers import is_own
 from ropsim.language.questions.groups import Group, part_groups
 from ropsim.language.questions.inputs import DECLARED, ENVIRONMENT, PART, PARTS
 from ropsim.language.questions.told import inferred
-from ropsim.language.reading import CALLABLE, Names
 from ropsim.language.report import Report, TooManyFindingsError
-from ropsim.language.text import Line
-from ropsim.language.units import CONTROL, Items, Part
+from ropsim.language.syntax.text import Line
 from ropsim.query import Database
 from ropsim.spatial import PoseTuple
 

@@ -4,16 +4,16 @@ from dataclasses import replace
 from functools import partial
 
 from ropsim.core import Diagnostic, frozen_dataclass
-from ropsim.language.check import signatures
-from ropsim.language.check.body import Body
-from ropsim.language.check.expressions import EXPRESSIONS
-from ropsim.language.check.types import AnyType, Unknown, closed, opened
-from ropsim.language.check.world import Signature
+from ropsim.language.blocks.units import of_task
+from ropsim.language.check.calls import signatures
+from ropsim.language.check.expressions.expression import EXPRESSIONS
+from ropsim.language.check.scope.body import Body
+from ropsim.language.check.scope.types import AnyType, Unknown, closed, opened
+from ropsim.language.check.scope.world import Signature
+from ropsim.language.cutting.reading import CALLABLE, Names
 from ropsim.language.questions.callers import is_own, library, precedes, task
 from ropsim.language.questions.worlds import world_of
-from ropsim.language.reading import CALLABLE, Names
 from ropsim.language.report import Report, TooManyFindingsError
-from ropsim.language.units import of_task
 from ropsim.query import Database
 
 

@@ -3,11 +3,14 @@
 from collections.abc import Mapping
 from dataclasses import replace
 
-from ropsim.language.check import one_body, signatures
-from ropsim.language.check.body import Body, settled
-from ropsim.language.check.expressions import EXPRESSIONS
-from ropsim.language.check.types import is_open
-from ropsim.language.check.world import Variable
+from ropsim.language.blocks.units import of_task
+from ropsim.language.check import one_body
+from ropsim.language.check.calls import signatures
+from ropsim.language.check.expressions.expression import EXPRESSIONS
+from ropsim.language.check.scope.body import Body, settled
+from ropsim.language.check.scope.types import is_open
+from ropsim.language.check.scope.world import Variable
+from ropsim.language.cutting.reading import CALLABLE, Names
 from ropsim.language.environment import Environment
 from ropsim.language.questions.callers import task
 from ropsim.language.questions.declarations import _declared, basics, names_in, statements, symbol, untyped
@@ -16,9 +19,7 @@ from ropsim.language.questions.inputs import ENVIRONMENT, ORDER
 from ropsim.language.questions.told import Inferred, Walked, inferred, told
 from ropsim.language.questions.walks import walked, walked_control
 from ropsim.language.questions.worlds import of_body
-from ropsim.language.reading import CALLABLE, Names
 from ropsim.language.report import Report
-from ropsim.language.units import of_task
 from ropsim.query import Database
 
 

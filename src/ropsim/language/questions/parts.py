@@ -3,12 +3,13 @@
 from functools import partial
 
 from ropsim.core import Diagnostic, frozen_dataclass
+from ropsim.language.blocks.units import Part, lines_of
 from ropsim.language.check import one_part
-from ropsim.language.check.fold import IDENTITY
 from ropsim.language.check.one_part import AnyState, CheckedPart, PartAlone, WalkedPart
-from ropsim.language.check.sight import Seen, Sight
-from ropsim.language.check.silent import words_of
-from ropsim.language.check.types import Type
+from ropsim.language.check.scope.fold import IDENTITY
+from ropsim.language.check.scope.sight import Seen, Sight
+from ropsim.language.check.scope.types import Type
+from ropsim.language.check.statements.silent import words_of
 from ropsim.language.questions.bodies import final_world
 from ropsim.language.questions.declarations import basics, statements_of
 from ropsim.language.questions.groups import Group
@@ -16,7 +17,6 @@ from ropsim.language.questions.inputs import BEFORE_CHECK, BEFORE_WALK, BLOCK, J
 from ropsim.language.questions.told import inferred
 from ropsim.language.questions.walks import own_signature
 from ropsim.language.questions.worlds import world_alone, world_of
-from ropsim.language.units import Part, lines_of
 from ropsim.program import Block, KnownPlace, points_from
 from ropsim.query import Database
 from ropsim.spatial import PoseTuple

@@ -3,9 +3,9 @@
 from collections.abc import Mapping
 
 from ropsim.core import frozen_dataclass
-from ropsim.language.check.body import Body, settled
-from ropsim.language.check.types import Type, is_untold
-from ropsim.language.check.world import Formal, Signature
+from ropsim.language.check.scope.body import Body, settled
+from ropsim.language.check.scope.types import Type, is_untold
+from ropsim.language.check.scope.world import Formal, Signature
 from ropsim.language.questions.inputs import INFERRED
 from ropsim.query import Database
 

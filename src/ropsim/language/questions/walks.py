@@ -4,8 +4,8 @@ from dataclasses import replace
 from functools import partial
 
 from ropsim.language.check import one_body
-from ropsim.language.check.types import Type, Unknown
-from ropsim.language.check.world import Signature
+from ropsim.language.check.scope.types import Type, Unknown
+from ropsim.language.check.scope.world import Signature
 from ropsim.language.questions.callers import is_own, library, precedes, task
 from ropsim.language.questions.headers import header, opened_formals, with_types
 from ropsim.language.questions.inputs import WALKED_CONTROL

@@ -4,9 +4,9 @@ from collections.abc import Callable, Container, Mapping
 from dataclasses import replace
 
 from ropsim.language.check.one_part import ToldElsewhereError
-from ropsim.language.check.table import Marked, Table
-from ropsim.language.check.types import is_open, opened
-from ropsim.language.check.world import Signature, Symbol, TaskOrigins, Variable, World
+from ropsim.language.check.scope.table import Marked, Table
+from ropsim.language.check.scope.types import is_open, opened
+from ropsim.language.check.scope.world import Signature, Symbol, TaskOrigins, Variable, World
 from ropsim.language.questions.callers import alike, all_tasks, is_own, library
 from ropsim.language.questions.declarations import basics, declared_symbol, frame, names_in, tool, untyped
 from ropsim.query import Database

@@ -7,10 +7,10 @@ from dataclasses import replace
 from ropsim.language.findings import syntax as kinds
 from ropsim.language.syntax.cursor import Cursor
 from ropsim.language.syntax.fault import Fault, LineFaultError
-from ropsim.language.syntax.left_over import finish
 from ropsim.language.syntax.lexer import Token, tokens
 from ropsim.language.syntax.other_languages import LEFT_OVER
-from ropsim.language.syntax.statement import statement
+from ropsim.language.syntax.readers.left_over import finish
+from ropsim.language.syntax.readers.statement import statement
 from ropsim.language.syntax.statements import Broken, ContractClause, Statement
 
 MAX_LENGTH = 2000

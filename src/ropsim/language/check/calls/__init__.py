@@ -1,0 +1,1 @@
+"""Calls: signatures of tasks, explicit and implicit parameters, and their arguments."""

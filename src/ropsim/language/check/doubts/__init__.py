@@ -1,0 +1,1 @@
+"""Values that are allowed and probably a mistake: wrong unit, tool pointing up, name read once."""

@@ -1,0 +1,1 @@
+"""Expressions: syntax to typed values in SI units."""

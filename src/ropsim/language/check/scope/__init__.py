@@ -1,0 +1,1 @@
+"""Names, types, units and constants as the checker of one body sees them."""

@@ -1,0 +1,215 @@
+"""What a whole text declares, as the checker of one body sees it."""
+
+from collections.abc import Container, Mapping
+from dataclasses import field
+
+from ropsim.core import Diagnostic, Span, frozen_dataclass
+from ropsim.flow import PostureRequest
+from ropsim.language.check.scope.types import AnyType, Type, Value
+from ropsim.language.check.scope.units import UnitSystem
+from ropsim.language.environment import Environment
+from ropsim.program import Block, Expression, Local, SignalUse, Task
+from ropsim.spatial import PoseTuple
+
+
+@frozen_dataclass
+class Formal:
+    """A parameter of a task.
+
+    Attributes:
+        name: of the parameter.
+        type: declared, or a cell that the body tells.
+        default: value where the call gives none.
+        written: the same as the header writes it; empty for tasks of other texts.
+    """
+
+    name: str
+    type: AnyType
+    default: Expression | None = None
+    written: str = ""
+
+
+@frozen_dataclass
+class Signature:
+    """How a task is called.
+
+    Attributes:
+        name: of the task.
+        formals: in the order of a call.
+        references: names of the formals that are reference locations, first, second …
+        result: type of the returned value, or None.
+        is_known: false where the header could not be read; then calls are not checked.
+    """
+
+    name: str
+    formals: tuple[Formal, ...]
+    references: tuple[str, ...]
+    result: Type | None
+    is_known: bool = True
+
+
+@frozen_dataclass
+class Pattern:
+    """A grid of locations.
+
+    Attributes:
+        counts: columns, rows, layers; 1 where not given.
+        origin: first location, in the work frame, or in the one that `moving` names.
+        steps: shift per column, row and layer in that frame [m], three vectors.
+        order: `row` (a row is filled first), `column` or `snake`.
+        external: values of external axes that all locations have [rad | m]; empty for none.
+        moving: name of the frame that moves in which it is given, empty for none.
+        posture: in which all locations are to be reached, None for any.
+        X_KF: frame in whose axes they are shifted.
+    """
+
+    counts: tuple[int, int, int]
+    origin: PoseTuple
+    steps: tuple[tuple[float, float, float], ...]
+    order: str
+    external: tuple[float, ...] = ()
+    moving: str = ""
+    posture: PostureRequest | None = None
+    X_KF: PoseTuple = (0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0)
+
+
+@frozen_dataclass
+class Written:
+    """A number that the text has without a unit; None where it is computed of such."""
+
+    number: float | None = None
+
+
+@frozen_dataclass
+class Reading:
+    """A number in SI units: a sensor measures it, `length` or `force`."""
+
+    measure: str
+
+
+@frozen_dataclass
+class OfParameter:
+    """A number that callers give to a parameter."""
+
+    name: str
+
+
+Origin = Written | Reading | OfParameter
+"""Where a plain number comes from."""
+
+
+@frozen_dataclass
+class TaskOrigins:
+    """What a task tells of plain numbers.
+
+    Attributes:
+        readings: what parameters are compared with that count in SI units, `length` or `force`, by name.
+        result: where its result comes from.
+    """
+
+    readings: Mapping[str, str] = field(default_factory=dict)
+    result: Origin | None = None
+
+
+NO_ORIGINS = TaskOrigins()
+"""Of a task that tells nothing."""
+
+
+@frozen_dataclass
+class Variable:
+    """Something that can be read, and assigned unless `is_fixed`.
+
+    Attributes:
+        name: in the structured program.
+        type: known, or a cell that use tells.
+        is_fixed: whether it keeps the value that its loop gives it.
+        has_counters: whether `.row`, `.col` and `.layer` of it tell the place in a pattern.
+        origin: where the plain number comes from that it keeps; None where that is not known.
+    """
+
+    name: str
+    type: AnyType
+    is_fixed: bool = False
+    has_counters: bool = False
+    origin: Origin | None = None
+
+
+@frozen_dataclass
+class Poison:
+    """A name whose declaration or first value was wrong: its uses are not reported again."""
+
+
+Symbol = Variable | Value | SignalUse | Pattern | Poison
+
+
+@frozen_dataclass
+class World:
+    """All that is declared outside the bodies: what the checker of one body can look at besides it.
+
+    Attributes:
+        environment: cell and library.
+        units: of bare numbers.
+        is_strict: whether `strict` stands in the text.
+        is_classic: whether tasks without parameter list have implicit ones.
+        frame: name of the work frame.
+        X_BK: pose of the work frame in the base frame.
+        frames: all frames by name, in the base frame.
+        tools: all tools by name.
+        symbols: constants, locations, variables, signals and patterns seen everywhere.
+        has_axes: whether some frame is turned against the work frame or moves, so that locations keep
+            along which axes they are shifted.
+        signatures: tasks by name.
+        without_result: tasks that return a value and whose header has no type for it, which is told there.
+        joint_count: how many coordinates `joints(…)` has in this text, 0 as long as there is none.
+        untyped: variables seen everywhere whose types only use tells.
+        own: names of the tasks of the text.
+        alike: the tasks whose names are the same in small letters, by these; those of the text first.
+        origins: what tasks of the text tell of plain numbers, by name.
+    """
+
+    environment: Environment
+    units: UnitSystem
+    is_strict: bool
+    is_classic: bool
+    frame: str
+    X_BK: PoseTuple
+    frames: Mapping[str, PoseTuple]
+    tools: Mapping[str, PoseTuple]
+    symbols: Mapping[str, Symbol] = field(default_factory=dict)
+    has_axes: bool = False
+    signatures: Mapping[str, Signature] = field(default_factory=dict)
+    without_result: Container[str] = frozenset()
+    joint_count: int = 0
+    untyped: Container[str] = frozenset()
+    own: Container[str] = frozenset()
+    alike: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    origins: Mapping[str, TaskOrigins] = field(default_factory=dict)
+
+
+@frozen_dataclass
+class Outcome:
+    """A checked body. Places count lines in its unit.
+
+    Attributes:
+        block: its statements, as far as they are right.
+        locals: its variables.
+        task: the whole task; None for the control statements.
+        found: findings, in the order in which they were made.
+        unread: hints at variables that nothing reads, worth telling where all else is right.
+        signals: that it names.
+        calls: tasks that it calls, and where.
+        late: what no way leads to, and what stands before that.
+        impossible: arcs and curves whose points make none.
+        origins: what it tells of plain numbers.
+    """
+
+    block: Block
+    locals: tuple[Local, ...]
+    task: Task | None
+    found: tuple[Diagnostic, ...]
+    unread: tuple[Diagnostic, ...]
+    signals: tuple[SignalUse, ...]
+    calls: tuple[tuple[str, Span], ...]
+    late: tuple[tuple[Span, Span], ...]
+    impossible: tuple[Diagnostic, ...]
+    origins: TaskOrigins = NO_ORIGINS

@@ -1,0 +1,1 @@
+"""The control statements of a text, part by part."""

@@ -1,0 +1,173 @@
+"""Parts of the control statements gone through in groups; one that sees what it saw is passed by whole."""
+
+from abc import ABC, abstractmethod
+from collections.abc import Sequence
+from itertools import compress, count
+from operator import ne
+from typing import Any, Generic, Protocol, TypeVar
+
+from ropsim.language.check.one_part import Left
+from ropsim.language.control.way import Way
+from ropsim.language.questions import Group
+
+
+class _Step(Protocol):
+    """A part on the way."""
+
+    @property
+    def unit(self) -> str:
+        """Return its name."""
+        ...
+
+    @property
+    def mentions(self) -> tuple[str, ...]:
+        """Return the names that it mentions."""
+        ...
+
+    @property
+    def left(self) -> Left:
+        """Return what it leaves to those behind it."""
+        ...
+
+
+S = TypeVar("S", bound=_Step)
+S_co = TypeVar("S_co", bound=_Step, covariant=True)
+
+
+class _Stage(Protocol[S_co]):
+    """A group of parts on the way."""
+
+    @property
+    def group(self) -> Group:
+        """Return their units."""
+        ...
+
+    @property
+    def steps(self) -> tuple[S_co, ...]:
+        """Return the parts."""
+        ...
+
+    @property
+    def mentions(self) -> frozenset[str]:
+        """Return the names that they mention."""
+        ...
+
+    @property
+    def left(self) -> Left:
+        """Return what they leave to those behind them."""
+        ...
+
+
+G = TypeVar("G", bound=_Stage[Any])
+
+
+class Stages(ABC, Generic[S, G]):
+    """Goes through the parts."""
+
+    def __init__(self) -> None:
+        self._way = Way()
+        self._passed: list[S | G] = []
+
+    @abstractmethod
+    def is_as_before(self, stage: G) -> bool:
+        """Return whether all parts of a group that sees what it saw told what they would tell now."""
+
+    @abstractmethod
+    def is_step_as_before(self, step: S) -> bool:
+        """Return whether a part that sees what it saw told what it would tell now."""
+
+    @abstractmethod
+    def step(self, unit: str, known: S | None) -> S:
+        """Look at a part; `known` is what became of it the last time, where it sees what it saw."""
+
+    @abstractmethod
+    def leaves_as_before(self, before: S, step: S) -> bool:
+        """Return whether a part leaves to those behind it what it left the last time."""
+
+    @abstractmethod
+    def stage(self, group: Group, steps: tuple[S, ...]) -> G:
+        """Put parts together."""
+
+    def go_through(self, groups: Sequence[Group], past: Sequence[G]) -> list[G]:
+        """Return the stages of all groups; `past` are those of the last time."""
+        above, below = ends_alike(groups, [one.group for one in past])
+        found = [self._pass(one) for one in past[:above]]
+        end = len(past) - below
+        found += self._between(groups[above : len(groups) - below], past[above:end])
+        found += [self._pass(one) for one in past[end:]]
+        return found
+
+    def catch_up(self) -> Way:
+        """Return what is known where the parts so far end."""
+        for one in self._passed:
+            self.go_behind(one)
+        self._passed.clear()
+        return self._way
+
+    def pass_by(self, one: S | G) -> None:
+        """Take a part, or a group of them, as it was; it is gone behind when somebody asks for the way."""
+        self._passed.append(one)
+
+    def go_behind(self, one: S | G) -> None:
+        """Go on behind what was passed by."""
+        self._way.pass_by(one.left)
+
+    def went(self, before: S | None, step: S | None) -> None:
+        """Go on behind a part: what it was and what it is, None where there was none or is none any more."""
+        way = self.catch_up()
+        if before is not None:
+            way.would_go_on(before.left)
+        if step is not None:
+            way.go_on(step.left)
+
+    def _pass(self, stage: G) -> G:
+        if not self._catch_up_if_new().is_new_to(stage.mentions) and self.is_as_before(stage):
+            self.pass_by(stage)
+            return stage
+        return self.stage(stage.group, tuple(self._pass_step(one.unit, one) for one in stage.steps))
+
+    def _between(self, groups: Sequence[Group], past: Sequence[G]) -> list[G]:
+        """Return the stages of groups that are others than those that were there."""
+        units = [unit for group in groups for unit in group]
+        steps = [step for stage in past for step in stage.steps]
+        above, below = ends_alike(units, [one.unit for one in steps])
+        made = [self._pass_step(one.unit, one) for one in steps[:above]]
+        end = len(steps) - below
+        for one in steps[above:end]:
+            self.went(one, None)
+        made += [self._pass_step(unit, None) for unit in units[above : len(units) - below]]
+        made += [self._pass_step(one.unit, one) for one in steps[end:]]
+        found, at = [], 0
+        for group in groups:
+            found.append(self.stage(group, tuple(made[at : at + len(group)])))
+            at += len(group)
+        return found
+
+    def _pass_step(self, unit: str, before: S | None) -> S:
+        is_known = before is not None and not self._catch_up_if_new().is_new_to(before.mentions)
+        known = before if is_known else None
+        if known is not None and self.is_step_as_before(known):
+            self.pass_by(known)
+            return known
+        step = self.step(unit, known)
+        if before is not None and self.leaves_as_before(before, step):
+            self.pass_by(step)
+        else:
+            self.went(before, step)
+        return step
+
+    def _catch_up_if_new(self) -> Way:
+        """Return the way, on which what was passed by last counts only where something is new."""
+        if self._way.drift:
+            return self.catch_up()
+        if self._passed:
+            self._way.left = self._way.left_before = self._passed[-1].left
+        return self._way
+
+
+def ends_alike(one: Sequence[object], other: Sequence[object]) -> tuple[int, int]:
+    """Return with how many equal items two rows begin, and with how many further ones they end."""
+    least = min(len(one), len(other))
+    above = next(compress(count(), map(ne, one, other)), least)
+    below = next(compress(count(), map(ne, reversed(one), reversed(other))), least)
+    return above, min(below, least - above)

@@ -1,0 +1,229 @@
+"""The chunks of a text, read one after the other.
+
+What was read stands in a trail. As long as the names of tasks are what they were, and the chunks above leave
+to a chunk what they left, nobody asks for it again.
+"""
+
+from collections import Counter
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from operator import attrgetter
+from typing import TypeVar
+
+from ropsim.core import Diagnostic, SourceText, frozen_dataclass
+from ropsim.language.blocks import prose
+from ropsim.language.cutting.chunks import Chunk
+from ropsim.language.cutting.reading import (
+    CALLABLE,
+    TASK_NAMES,
+    Ends,
+    Key,
+    Parsed,
+    Read,
+    has_foreign,
+    mended,
+    mended_names,
+    parsed,
+    read_chunk,
+)
+from ropsim.language.cutting.recut import Cut, recut
+from ropsim.language.environment import Environment
+from ropsim.language.report import MAX_FINDINGS
+from ropsim.query import Database
+
+T = TypeVar("T")
+
+MOST_FAULTS = 2 * MAX_FINDINGS
+"""Wrong lines; a text that has more of them is not read to its end."""
+
+_TRAIL = "trail of the chunks"
+"""Input: what the last reading has passed."""
+_FAULTS, _TASKS, _MODES = attrgetter("faults"), attrgetter("tasks"), attrgetter("modes")
+
+
+@frozen_dataclass
+class Left:
+    """What the chunks above leave to a chunk.
+
+    Attributes:
+        manner: how contracts are read.
+        cut: openers that were reported as not closed.
+    """
+
+    manner: prose.Manner
+    cut: tuple[str, ...] = ()
+
+
+@frozen_dataclass
+class Step:
+    """A chunk on the way.
+
+    Attributes:
+        chunk: its lines.
+        left: what was left to it.
+        key: what it was read with.
+        read: its blocks.
+        found: what is wrong in it.
+    """
+
+    chunk: Chunk
+    left: Left
+    key: Key
+    read: Read
+    found: tuple[Diagnostic, ...]
+
+
+@dataclass(slots=True)
+class _Trail:
+    """What was read.
+
+    Attributes:
+        cut: the text in chunks.
+        found: each chunk line by line.
+        names: of all tasks.
+        foreign: whether a chunk has words that nobody knows.
+        steps: of all chunks; none where one was mended.
+    """
+
+    cut: Cut = field(default_factory=Cut)
+    found: list[Parsed] = field(default_factory=list)
+    names: frozenset[str] = frozenset()
+    foreign: list[bool] = field(default_factory=list)
+    steps: list[Step] = field(default_factory=list)
+
+
+@frozen_dataclass
+class _Remains:
+    """How many chunks are what they were: those above an edit, and those below it."""
+
+    above: int
+    below: int
+
+    def joined(self, known: Sequence[T], size: int, made: Callable[[int], T]) -> list[T]:
+        """Return what was known of chunks, of which there are so many now, and what is made of the others.
+
+        Args:
+            known: of all chunks that there were; empty where nothing is known.
+            size: how many there are.
+            made: of a chunk, by its number.
+        """
+        if not known:
+            return [*map(made, range(size))]
+        between = map(made, range(self.above, size - self.below))
+        return [*known[: self.above], *between, *known[len(known) - self.below :]]
+
+
+def walk_chunks(source: SourceText, environment: Environment, db: Database) -> list[Step]:
+    """Return the chunks of a text in blocks, up to where more lines are wrong than are worth looking at.
+
+    Those that are read as they were the last time, on both sides of an edit, are the same objects.
+    """
+    trail = db.beside(_TRAIL, _Trail)
+    cut = recut(source.with_line_feeds(), trail.cut)
+    remains = _Remains(cut.above, cut.below)
+    found = _parsed(cut.chunks, remains, trail.found, db)
+    is_whole = len(found) == len(cut.chunks)
+    chunks = cut.chunks if is_whole else cut.chunks[: len(found)]
+    names = _names(environment, found, trail.names)
+    db.give({TASK_NAMES: names})
+    is_known = is_whole and names is trail.names
+    foreign = remains.joined(
+        trail.foreign if is_known else (), len(chunks), lambda k: db.ask(has_foreign, chunks[k].lines)
+    )
+    keys = _mended(chunks, found, foreign, db)
+    misspelt = [(one.lines, ends) for one, ends in zip(chunks, keys, strict=False) if ends is not None]
+    callable_ones = names.union(*(db.ask(mended_names, *one) for one in misspelt)) if misspelt else names
+    db.give({CALLABLE: callable_ones})
+    is_known = is_known and not misspelt
+    steps = _read(chunks, keys, _first_left(found), remains if is_known else _Remains(0, 0), trail.steps, db)
+    trail.cut, trail.names = cut, names
+    trail.found, trail.foreign = (found, foreign) if is_whole else ([], [])
+    trail.steps = steps if is_whole and not misspelt else []
+    return steps
+
+
+def _parsed(
+    chunks: Sequence[Chunk], remains: _Remains, known: Sequence[Parsed], db: Database
+) -> list[Parsed]:
+    """Return the chunks line by line, up to where more lines are wrong than are worth looking at."""
+    if known:
+        found = remains.joined(known, len(chunks), lambda k: db.ask(parsed, chunks[k].lines))
+        if sum(map(_FAULTS, found)) <= MOST_FAULTS:
+            return found
+    found = []
+    faults = 0
+    for chunk in chunks:
+        found.append(db.ask(parsed, chunk.lines))
+        faults += found[-1].faults
+        if faults > MOST_FAULTS:
+            break
+    return found
+
+
+def _names(environment: Environment, found: Sequence[Parsed], before: frozenset[str]) -> frozenset[str]:
+    """Return the names of all tasks, the same object as before where they are what they were."""
+    names = frozenset(environment.tasks).union(environment.refused, *map(_TASKS, found))
+    return before if names == before else names
+
+
+def _mended(
+    chunks: Sequence[Chunk], found: Sequence[Parsed], foreign: Sequence[bool], db: Database
+) -> Sequence[Ends | None]:
+    """Return for each chunk with a word that nobody knows the ends with which it is to be mended."""
+    if not any(foreign):
+        return ()
+    keys: list[Ends | None] = [None] * len(found)
+    total: Counter[str] = Counter()
+    for one in found:
+        total.update(dict(one.ends))
+    ends = tuple(sorted((word, count) for word, count in total.items() if count))
+    for k, chunk in enumerate(chunks):
+        if foreign[k]:
+            keys[k] = ends
+            ends = db.ask(mended, chunk.lines, ends)[1]
+    return keys
+
+
+def _first_left(found: Sequence[Parsed]) -> Left:
+    """Return what is left to the first chunk."""
+    is_classic = prose.is_classic(frozenset().union(*map(_MODES, found)))
+    return Left(prose.Manner(is_classic, is_classic))
+
+
+def _read(
+    chunks: Sequence[Chunk],
+    keys: Sequence[Ends | None],
+    left: Left,
+    remains: _Remains,
+    known: Sequence[Step],
+    db: Database,
+) -> list[Step]:
+    """Return each chunk in blocks; `keys` says with which ends they are mended, where some are."""
+    is_known = bool(known) and known[0].left == left
+    steps = list(known[: remains.above]) if is_known else []
+    if steps:
+        left = _behind(steps[-1])
+    below = len(chunks) - remains.below
+    for k in range(len(steps), len(chunks)):
+        if is_known and k == below:
+            rest = known[len(known) - remains.below :]
+            if rest[0].left == left:
+                return [*steps, *rest]
+        ends = keys[k] if keys else None
+        key: Key = (chunks[k].lines, ends, left.manner, ())
+        one = db.ask(read_chunk, *key)
+        if left.cut and one.looked_above:
+            key = (chunks[k].lines, ends, left.manner, left.cut)
+            one = db.ask(read_chunk, *key)
+        steps.append(Step(chunks[k], left, key, one, one.found))
+        left = _behind(steps[-1])
+    return steps
+
+
+def _behind(step: Step) -> Left:
+    """Return what is left to the chunk behind one."""
+    left, read = step.left, step.read
+    cut = read.cut if step.key[-1] else (*left.cut, *read.cut)
+    if cut == left.cut and read.manner == left.manner:
+        return left
+    return Left(read.manner, cut)
