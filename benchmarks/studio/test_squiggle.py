@@ -11,7 +11,7 @@ from measuring import Measure
 from test_front_end import program_of
 
 from ropsim.lsp import State, Workshop, answer, settle
-from ropsim.lsp.messages import Call
+from ropsim.lsp.protocol.messages import Call
 
 URI = "file:///nowhere-at-all/large.task"
 LINES = 1_000

@@ -8,10 +8,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from ropsim.lsp import serve
-from ropsim.lsp.document import Document
-from ropsim.lsp.framing import FrameReader, framed
-from ropsim.lsp.messages import ErrorCode
-from ropsim.lsp.protocol import ContentChange, Position, Range
+from ropsim.lsp.protocol.document import Document
+from ropsim.lsp.protocol.framing import FrameReader, framed
+from ropsim.lsp.protocol.messages import ErrorCode
+from ropsim.lsp.protocol.parameters import ContentChange, Position, Range
 from ropsim.lsp.requests import ASKED
 from support.characters import ANY
 from support.editors import Editor, applied, place

@@ -4,34 +4,29 @@ from collections.abc import Callable, Mapping
 from typing import Any, Protocol, TypeVar
 
 from ropsim.core import frozen_dataclass
-from ropsim.lsp import protocol
-from ropsim.lsp.code_actions import actions
-from ropsim.lsp.code_lens import code_lenses
-from ropsim.lsp.completion import completions
-from ropsim.lsp.definition import definition
-from ropsim.lsp.document import Document
-from ropsim.lsp.folding import folding_ranges
-from ropsim.lsp.formatting import formatting
-from ropsim.lsp.highlight import highlights
-from ropsim.lsp.hover import hover
-from ropsim.lsp.inlay_hints import inlay_hints
-from ropsim.lsp.pulled import pulled
-from ropsim.lsp.references import references
-from ropsim.lsp.rename import prepare_rename, rename
-from ropsim.lsp.semantic_tokens import all_tokens, tokens_in, tokens_since
-from ropsim.lsp.signature_help import signature_help
+from ropsim.lsp.analysis.workshop import Workshop
+from ropsim.lsp.changes.code_actions import actions
+from ropsim.lsp.changes.formatting import formatting
+from ropsim.lsp.changes.pulled import pulled
+from ropsim.lsp.completion.call_place import signature_help
+from ropsim.lsp.completion.offers import completions
+from ropsim.lsp.display.folding import folding_ranges
+from ropsim.lsp.display.hover import hover
+from ropsim.lsp.display.inlay_hints import code_lenses, inlay_hints
+from ropsim.lsp.display.semantic_tokens import all_tokens, tokens_in, tokens_since
+from ropsim.lsp.display.symbols import symbols, workspace_symbols
+from ropsim.lsp.names.places import definition, highlights, references
+from ropsim.lsp.names.rename import prepare_rename, rename
+from ropsim.lsp.protocol import parameters
+from ropsim.lsp.protocol.document import Document, within
 from ropsim.lsp.state import State
-from ropsim.lsp.symbols import symbols
-from ropsim.lsp.within import within
-from ropsim.lsp.workshop import Workshop
-from ropsim.lsp.workspace_symbols import workspace_symbols
 
 
 class _AboutDocument(Protocol):
     """Parameters that name a document."""
 
     @property
-    def text_document(self) -> protocol.VersionedDocument: ...
+    def text_document(self) -> parameters.VersionedDocument: ...
 
 
 P = TypeVar("P", bound=_AboutDocument)
@@ -74,26 +69,26 @@ def _no_items() -> object:
 
 
 ASKED: dict[str, Method] = {
-    "textDocument/completion": _about(protocol.CompletionAt, completions, _no_items),
-    "textDocument/hover": _about(protocol.AtPosition, hover, _nothing),
-    "textDocument/signatureHelp": _about(protocol.AtPosition, signature_help, _nothing),
-    "textDocument/definition": _about(protocol.AtPosition, definition, _nothing),
-    "textDocument/references": _about(protocol.ReferencesAt, references, list),
-    "textDocument/documentHighlight": _about(protocol.AtPosition, highlights, list),
-    "textDocument/prepareRename": _about(protocol.AtPosition, prepare_rename, _nothing),
-    "textDocument/rename": _about(protocol.RenameAt, rename, _nothing),
-    "textDocument/documentSymbol": _about(protocol.OfDocument, symbols, list),
-    "textDocument/foldingRange": _about(protocol.OfDocument, folding_ranges, list),
-    "textDocument/semanticTokens/full": _about(protocol.OfDocument, all_tokens, _nothing),
-    "textDocument/semanticTokens/full/delta": _about(protocol.TokensSince, tokens_since, _nothing),
-    "textDocument/semanticTokens/range": _about(protocol.InRange, tokens_in, _nothing),
-    "textDocument/inlayHint": _about(protocol.InRange, inlay_hints, list),
-    "textDocument/codeLens": _about(protocol.OfDocument, code_lenses, list),
-    "textDocument/diagnostic": _about(protocol.FindingsSince, pulled, _no_findings),
-    "textDocument/formatting": _about(protocol.OfDocument, formatting, list),
-    "textDocument/codeAction": _about(protocol.ActionsIn, actions, list),
+    "textDocument/completion": _about(parameters.CompletionAt, completions, _no_items),
+    "textDocument/hover": _about(parameters.AtPosition, hover, _nothing),
+    "textDocument/signatureHelp": _about(parameters.AtPosition, signature_help, _nothing),
+    "textDocument/definition": _about(parameters.AtPosition, definition, _nothing),
+    "textDocument/references": _about(parameters.ReferencesAt, references, list),
+    "textDocument/documentHighlight": _about(parameters.AtPosition, highlights, list),
+    "textDocument/prepareRename": _about(parameters.AtPosition, prepare_rename, _nothing),
+    "textDocument/rename": _about(parameters.RenameAt, rename, _nothing),
+    "textDocument/documentSymbol": _about(parameters.OfDocument, symbols, list),
+    "textDocument/foldingRange": _about(parameters.OfDocument, folding_ranges, list),
+    "textDocument/semanticTokens/full": _about(parameters.OfDocument, all_tokens, _nothing),
+    "textDocument/semanticTokens/full/delta": _about(parameters.TokensSince, tokens_since, _nothing),
+    "textDocument/semanticTokens/range": _about(parameters.InRange, tokens_in, _nothing),
+    "textDocument/inlayHint": _about(parameters.InRange, inlay_hints, list),
+    "textDocument/codeLens": _about(parameters.OfDocument, code_lenses, list),
+    "textDocument/diagnostic": _about(parameters.FindingsSince, pulled, _no_findings),
+    "textDocument/formatting": _about(parameters.OfDocument, formatting, list),
+    "textDocument/codeAction": _about(parameters.ActionsIn, actions, list),
     "workspace/symbol": Method(
-        protocol.SymbolQuery,
+        parameters.SymbolQuery,
         lambda state, params, workshop: workspace_symbols(params, state.documents, workshop),
     ),
 }

@@ -5,19 +5,28 @@ from dataclasses import replace
 
 import msgspec
 
-from ropsim.lsp import protocol
-from ropsim.lsp.abilities import encoding_of, marks_lines_of, pulls_of
-from ropsim.lsp.code_actions import KINDS
-from ropsim.lsp.document import Document
-from ropsim.lsp.findings import diagnostic
-from ropsim.lsp.line_states import states_message
-from ropsim.lsp.messages import Call, ErrorCode, Json, Refusal, failure, notification, request, result
-from ropsim.lsp.programs import is_program
-from ropsim.lsp.pulled import findings_of
+from ropsim.lsp.analysis.line_states import states_message
+from ropsim.lsp.analysis.programs import is_program
+from ropsim.lsp.analysis.workshop import Workshop
+from ropsim.lsp.changes.code_actions import KINDS
+from ropsim.lsp.changes.findings import diagnostic
+from ropsim.lsp.changes.pulled import findings_of
+from ropsim.lsp.display.semantic_tokens import LEGEND
+from ropsim.lsp.protocol import parameters
+from ropsim.lsp.protocol.abilities import encoding_of, marks_lines_of, pulls_of
+from ropsim.lsp.protocol.document import Document
+from ropsim.lsp.protocol.messages import (
+    Call,
+    ErrorCode,
+    Json,
+    Refusal,
+    failure,
+    notification,
+    request,
+    result,
+)
 from ropsim.lsp.requests import ASKED, Method
-from ropsim.lsp.semantic_tokens import LEGEND
 from ropsim.lsp.state import Phase, State
-from ropsim.lsp.workshop import Workshop
 from ropsim.version import __version__
 
 CAPABILITIES: Json = {
@@ -162,12 +171,12 @@ def _shut_down(state: State, _: object) -> tuple[State, object]:
     return replace(state, phase=Phase.SHUT_DOWN), None
 
 
-def _open(state: State, params: protocol.DidOpen, _: Workshop) -> State:
+def _open(state: State, params: parameters.DidOpen, _: Workshop) -> State:
     item = params.text_document
     return state.opened(Document(item.uri, item.version, item.text, state.encoding))
 
 
-def _change(state: State, params: protocol.DidChange, _: Workshop) -> State:
+def _change(state: State, params: parameters.DidChange, _: Workshop) -> State:
     document = state.documents.get(params.text_document.uri)
     if document is None:
         return state
@@ -177,12 +186,12 @@ def _change(state: State, params: protocol.DidChange, _: Workshop) -> State:
     )
 
 
-def _close(state: State, params: protocol.OfDocument, workshop: Workshop) -> State:
+def _close(state: State, params: parameters.OfDocument, workshop: Workshop) -> State:
     workshop.forget(params.text_document.uri)
     return state.closed(params.text_document.uri)
 
 
-def _look_again(state: State, _: protocol.Anything, workshop: Workshop) -> State:
+def _look_again(state: State, _: parameters.Anything, workshop: Workshop) -> State:
     workshop.workspace.keep()
     return state.all_stale()
 
@@ -192,9 +201,9 @@ _LIFE: dict[str, Callable[[State, object], tuple[State, object]]] = {
     "shutdown": _shut_down,
 }
 _TOLD = {
-    "textDocument/didOpen": Method(protocol.DidOpen, _open),
-    "textDocument/didChange": Method(protocol.DidChange, _change),
-    "textDocument/didClose": Method(protocol.OfDocument, _close),
-    "textDocument/didSave": Method(protocol.Anything, _look_again),
-    "workspace/didChangeWatchedFiles": Method(protocol.Anything, _look_again),
+    "textDocument/didOpen": Method(parameters.DidOpen, _open),
+    "textDocument/didChange": Method(parameters.DidChange, _change),
+    "textDocument/didClose": Method(parameters.OfDocument, _close),
+    "textDocument/didSave": Method(parameters.Anything, _look_again),
+    "workspace/didChangeWatchedFiles": Method(parameters.Anything, _look_again),
 }

@@ -5,7 +5,7 @@ from dataclasses import field, replace
 from enum import Enum
 
 from ropsim.core import frozen_dataclass
-from ropsim.lsp.document import Document
+from ropsim.lsp.protocol.document import Document
 
 
 class Phase(Enum):

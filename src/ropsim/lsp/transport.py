@@ -9,13 +9,13 @@ from typing import BinaryIO, Protocol
 import msgspec
 
 from ropsim.core import collect_seldom, kept_from_collection, shortage
-from ropsim.lsp.attention import SupersededError, nobody_calls
-from ropsim.lsp.framing import FrameFault, FrameReader, framed
-from ropsim.lsp.inbox import Ended, Inbox
-from ropsim.lsp.messages import Call, ErrorCode, Fault, Json, failure, notification, read_message
+from ropsim.lsp.analysis.workshop import Workshop
+from ropsim.lsp.protocol.attention import SupersededError, nobody_calls
+from ropsim.lsp.protocol.framing import FrameFault, FrameReader, framed
+from ropsim.lsp.protocol.inbox import Ended, Inbox
+from ropsim.lsp.protocol.messages import Call, ErrorCode, Fault, Json, failure, notification, read_message
 from ropsim.lsp.server import answer, first_sight, mark, settle
 from ropsim.lsp.state import Phase, State
-from ropsim.lsp.workshop import Workshop
 from ropsim.userfiles import KEPT_ANSWERS
 
 _CHUNK = 65536

@@ -169,7 +169,7 @@ def test_places_on_one_long_line_are_counted_once_through(monkeypatch: pytest.Mo
         seen += len(text)
         return len(text.encode("utf-16-le")) // 2
 
-    monkeypatch.setattr("ropsim.lsp.document._units", counted)
+    monkeypatch.setattr("ropsim.lsp.protocol.document._units", counted)
     for count in (500, 1000):
         seen, editor, text = 0, Editor(), "mov " + "a " * count + "# é"
         editor.open(BARE, text)

@@ -3,8 +3,8 @@
 import pytest
 
 from ropsim.core import Span
-from ropsim.lsp.document import Document
-from ropsim.lsp.protocol import ContentChange, Position, Range
+from ropsim.lsp.protocol.document import Document
+from ropsim.lsp.protocol.parameters import ContentChange, Position, Range
 
 ROBOT = "\N{ROBOT FACE}"
 

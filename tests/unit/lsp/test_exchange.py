@@ -6,8 +6,8 @@ from typing import Any
 import pytest
 
 from ropsim.lsp import answer, settle
-from ropsim.lsp.inbox import CANCEL, Inbox
-from ropsim.lsp.messages import Call
+from ropsim.lsp.protocol.inbox import CANCEL, Inbox
+from ropsim.lsp.protocol.messages import Call
 from ropsim.workbench import new_project
 from support.editors import Editor, place, uri_of
 

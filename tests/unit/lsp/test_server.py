@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from ropsim.lsp import State, Workshop, answer
-from ropsim.lsp.messages import Call, ErrorCode, Fault, read_message
+from ropsim.lsp.protocol.messages import Call, ErrorCode, Fault, read_message
 from ropsim.lsp.state import Phase
 from ropsim.workbench import new_project, new_robot_project, open_project
 from support.editors import Editor, applied, place, uri_of

@@ -6,8 +6,8 @@ from typing import Any
 
 import pytest
 
-from ropsim.lsp.attention import SupersededError, nobody_calls
-from ropsim.lsp.framing import FrameReader
+from ropsim.lsp.protocol.attention import SupersededError, nobody_calls
+from ropsim.lsp.protocol.framing import FrameReader
 from ropsim.lsp.server import first_sight
 from ropsim.lsp.transport import serve
 from support.editors import Editor

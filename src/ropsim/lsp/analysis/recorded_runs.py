@@ -1,0 +1,99 @@
+"""What the recordings in the `out` folder of a project say of the times of tasks and lines."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import field
+from pathlib import Path
+
+from ropsim.core import RopsimError, frozen_dataclass
+from ropsim.flow import TaskEvent
+from ropsim.lsp.analysis.line_times import LineTimes, line_times
+
+#: Older recordings than so many are not looked at.
+MOST = 8
+
+#: A file, and what tells that it has not changed: time of its last change, size.
+Stamp = tuple[Path, int, int]
+
+
+@frozen_dataclass
+class RecordedProgram:
+    """One program of a recorded run.
+
+    Attributes:
+        icr_id: identity of the code that ran.
+        durations: of each call of a task, in order of time [s], by the name of the task.
+        code_lines: the source line of each instruction, as `icr.code_lines` has them; empty where unknown.
+        lines: what is told of the lines that took time, by their numbers then.
+        cell: content of the cell in which it ran; empty where unknown.
+        source: name of its text.
+        results: what the result of each line hangs on, as `icr.line_contents` has it; empty where unknown.
+    """
+
+    icr_id: str
+    durations: Mapping[str, tuple[float, ...]]
+    code_lines: tuple[int, ...] = ()
+    lines: Mapping[int, LineTimes] = field(default_factory=dict)
+    cell: str = ""
+    source: str = ""
+    results: Mapping[int, str] = field(default_factory=dict)
+
+
+def recordings_in(folder: Path) -> tuple[Stamp, ...]:
+    """Return the recordings of a project, the newest first."""
+    found: list[tuple[int, Stamp]] = []
+    try:
+        for place in (folder / "out").glob("*.npz"):
+            state = place.stat()
+            found.append((state.st_mtime_ns, (place, state.st_mtime_ns, state.st_size)))
+    except OSError:
+        return ()
+    return tuple(stamp for _, stamp in sorted(found, reverse=True)[:MOST])
+
+
+class RecordedRuns:
+    """Reads recordings once, and keeps of each project those that were asked for last and no others.
+
+    Attributes:
+        kept: the programs of recordings, by the folder that they are in.
+    """
+
+    def __init__(self) -> None:
+        self.kept: dict[Path, dict[Stamp, tuple[RecordedProgram, ...]]] = {}
+
+    def programs(self, stamps: Sequence[Stamp]) -> Iterator[RecordedProgram]:
+        """Yield the programs of recordings of one project; one is read when it is come to."""
+        if not stamps:
+            return
+        folder = stamps[0][0].parent
+        known = self.kept.get(folder, {})
+        kept = self.kept[folder] = {stamp: known[stamp] for stamp in stamps if stamp in known}
+        for stamp in stamps:
+            if stamp not in kept:
+                kept[stamp] = programs_in(stamp[0])
+            yield from kept[stamp]
+
+
+def programs_in(place: Path) -> tuple[RecordedProgram, ...]:
+    """Return the programs of a recording, none where it cannot be read."""
+    try:
+        from ropsim.records import read_recording
+
+        recording = read_recording(place)
+    except RopsimError:
+        return ()
+    made = []
+    for station in recording.facts.stations:
+        durations: dict[str, tuple[float, ...]] = {}
+        for event in recording.events_of(TaskEvent):
+            if event.station == station.name:
+                durations[event.name] = (*durations.get(event.name, ()), event.duration)
+        code_lines = recording.content.lines.get(station.name, ())
+        lines = line_times(recording, station)
+        content = recording.content
+        results = content.results.get(station.name, {})
+        made.append(
+            RecordedProgram(
+                station.icr_id, durations, code_lines, lines, content.cell, station.source, results
+            )
+        )
+    return tuple(made)

@@ -1,0 +1,1 @@
+"""Requests about the cell file: completion, hover, names and sections."""

@@ -1,0 +1,1 @@
+"""Findings, code actions and formatting: changes of a text that the server offers."""

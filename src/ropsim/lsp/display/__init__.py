@@ -1,0 +1,1 @@
+"""Hover, outline, folding, inlay hints and colours of a document."""

@@ -1,0 +1,1 @@
+"""Names at all their places: definition, references, highlights and renaming."""

@@ -1,0 +1,1 @@
+"""Messages, their parameters, and documents as the protocol describes them."""
