@@ -56,7 +56,6 @@ WIDE = {
     "icr",
     "kinematics",
     "kinematics/solvers",
-    "model",
     "motion",
     "motion/limits",
     "motion/paths",
@@ -78,7 +77,7 @@ LONG = {
     "studio/messages.py",
     "tasks/diagnostics.py",
 }
-SMALL_FILES = 192
+SMALL_FILES = 177
 PACKAGES = ROOT / "src" / "ropsim"
 DATA = {"robots/arms"}
 

@@ -1,14 +1,51 @@
-"""The controller of an arm as data: rates, gains, default speeds."""
+"""The controller of an arm as data: rates, gains, default speeds, limits of corrections and tolerances."""
 
 from dataclasses import fields
 from enum import Enum
 
 from ropsim.core import frozen_dataclass
 from ropsim.flow import ParameterOrigin
-from ropsim.model.correction_limits import CorrectionLimits
-from ropsim.model.orientation_mode import OrientationMode
-from ropsim.model.synchronisation import Synchronisation
 from ropsim.spatial import Array, frozen, record
+
+
+class OrientationMode(Enum):
+    """Which of the ways from one orientation to another the tool takes.
+
+    With wrist angles the joints of the wrist turn evenly along a line or an arc, on a curve smoothly from
+    point to point, and how the tool turns follows from the arm; a path by itself, which knows no arm, has a
+    fixed axis then.
+    """
+
+    FIXED_AXIS = "fixed axis"
+    DRIVE_TRANSFORM = "drive transform"
+    WRIST_ANGLES = "wrist angles"
+
+
+class Synchronisation(Enum):
+    """What the joints of a PTP move share beside start and end.
+
+    With the phase they share one profile: at each time all have the same share of their way behind them, and
+    the way is straight in joint space. With the time alone each has a profile of its own, as fast as its
+    own limits allow and stretched to the time of the slowest one.
+    """
+
+    PHASE = "phase"
+    TIME = "time"
+
+
+@frozen_dataclass
+class CorrectionLimits:
+    """Limits of a path correction; estimated, as manuals keep theirs in settings of the cell.
+
+    Attributes:
+        size: greatest shift to either side [m].
+        speed: greatest speed of the shift [m/s].
+        acceleration: greatest acceleration of it [m/s²].
+    """
+
+    size: float = 0.02
+    speed: float = 0.02
+    acceleration: float = 0.5
 
 
 class ControllerKind(Enum):
@@ -173,3 +210,10 @@ class ControllerModel:
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "in_position", frozen(self.in_position))
+
+
+SPEED_OVERSHOOT = 0.02
+"""Share by which a servo may exceed a speed limit for a moment; more is a finding."""
+
+OVERRUN = 1e-4
+"""How far a servo may overrun the limit of a joint that it stands at [rad | m]; more is a finding."""

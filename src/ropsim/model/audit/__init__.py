@@ -1,0 +1,1 @@
+"""Doubtful numbers of a model that can still be computed with."""

@@ -1,0 +1,128 @@
+"""The work cell: stations, what stands around them, and where external axes stand at a named location."""
+
+from collections.abc import Mapping
+from dataclasses import field, replace
+
+from ropsim.core import frozen_dataclass, plural
+from ropsim.model.cell.device import Device
+from ropsim.model.cell.frame import Frame
+from ropsim.model.cell.part import Part
+from ropsim.model.cell.signal import Signal
+from ropsim.model.cell.station import Station
+from ropsim.model.cell.surroundings import FixedObject, Sink, SupportLimits
+from ropsim.spatial import Pose, fingerprint, record
+
+
+@frozen_dataclass
+class ExternalValues:
+    """Values of external axes that belong to a location.
+
+    Attributes:
+        values: one for each external axis, in their order [rad | m].
+        station: name of the station whose axes they are; empty for every station that has external axes.
+    """
+
+    values: tuple[float, ...]
+    station: str = ""
+
+    def of(self, station: Station) -> tuple[float, ...]:
+        """Return the values for programs of a station; empty where they are of axes that it does not have."""
+        has_them = bool(station.robot.external) and self.station in ("", station.name)
+        return self.values if has_them else ()
+
+
+@frozen_dataclass
+class ClassicSettings:
+    """How classic task files are read: units of bare numbers and the frame of their points.
+
+    Attributes:
+        length: metres per unit of a bare length.
+        angle: radians per unit of a bare angle.
+        frame: name of the frame, empty for the base frame.
+    """
+
+    length: float = 0.01
+    angle: float = 0.017453292519943295
+    frame: str = ""
+
+
+@record
+class Cell:
+    """Robots and everything that their programs can name; all poses are in the world frame W.
+
+    Attributes:
+        name: of the project.
+        stations: robots under their controllers, by name, at least one.
+        devices: what moves beside the robots, by name.
+        frames: task frames by name.
+        locations: named points (tool poses X_WT) by name; of one that is given in a frame that moves X_KT.
+        located: names of the frames that move in which locations are given, by the name of the location.
+        given: names of the frames that stand still in which locations are given, likewise.
+        parts: what can be grasped.
+        objects: what stands around.
+        sinks: where parts leave.
+        supports: when a part lies on something.
+        signals: by name.
+        classic: settings for classic files.
+        external: where external axes stand at a location, by its name, for those that say so.
+        tools: names of all tools, also of those that no station has.
+        clearance: distance required between what moves and all else in a run [m]; 0 for none.
+    """
+
+    name: str
+    stations: Mapping[str, Station]
+    devices: Mapping[str, Device] = field(default_factory=dict)
+    frames: Mapping[str, Frame] = field(default_factory=dict)
+    locations: Mapping[str, Pose] = field(default_factory=dict)
+    located: Mapping[str, str] = field(default_factory=dict)
+    parts: tuple[Part, ...] = ()
+    objects: tuple[FixedObject, ...] = ()
+    sinks: tuple[Sink, ...] = ()
+    supports: SupportLimits = SupportLimits()
+    signals: Mapping[str, Signal] = field(default_factory=dict)
+    classic: ClassicSettings = field(default_factory=ClassicSettings)
+    external: Mapping[str, ExternalValues] = field(default_factory=dict)
+    tools: tuple[str, ...] = ()
+    given: Mapping[str, str] = field(default_factory=dict)
+    clearance: float = 0.0
+
+    def __repr__(self) -> str:
+        """Return one line: its name, the robots, and how many things of each sort there are."""
+        robots = ", ".join(f"{name} ({one.robot.name})" for name, one in self.stations.items())
+        counts = (
+            plural(len(self.devices), "device"),
+            plural(len(self.locations), "location"),
+            plural(len(self.parts), "part"),
+            plural(len(self.signals), "signal"),
+        )
+        return f"<Cell {self.name}: {', '.join((robots, *(one for one in counts if one[0] != '0')))}>"
+
+    @property
+    def first(self) -> Station:
+        """Return the station that is meant where none is named."""
+        return next(iter(self.stations.values()))
+
+    @property
+    def content(self) -> str:
+        """Return the fingerprint of all but its name, programs of its stations, and when inputs change."""
+        stations = {name: replace(one, program="") for name, one in self.stations.items()}
+        signals = {name: replace(one, changes=()) for name, one in self.signals.items()}
+        return fingerprint(replace(self, name="", stations=stations, signals=signals))
+
+    @property
+    def input_changes(self) -> str:
+        """Return the fingerprint of when its inputs change by themselves, and to what."""
+        return fingerprint({name: one.changes for name, one in self.signals.items() if one.changes})
+
+    def external_at(self, location: str, station: Station) -> tuple[float, ...]:
+        """Return the values of the external axes of a station at a location [rad | m]; empty for none."""
+        given = self.external.get(location)
+        return given.of(station) if given else ()
+
+    def station_of(self, program: str) -> Station:
+        """Return the station that runs a program, by its name; the first one where none does."""
+        return self.stations_of(program)[0]
+
+    def stations_of(self, program: str) -> tuple[Station, ...]:
+        """Return all stations that run a program, by its name; the first one of the cell where none does."""
+        return tuple(one for one in self.stations.values() if one.program == program) or (self.first,)

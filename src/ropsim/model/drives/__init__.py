@@ -1,0 +1,1 @@
+"""Drives as chains of blocks, hydraulic motors and cylinders, and the linkages of cylinders."""

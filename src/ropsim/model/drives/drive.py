@@ -1,0 +1,182 @@
+"""The drive of a joint as a chain of blocks: amplifier, motor, transmission, friction."""
+
+from enum import StrEnum
+from math import copysign, inf
+
+from ropsim.core import frozen_dataclass
+from ropsim.model.drives.hydraulics import HydraulicCylinder, HydraulicMotor
+from ropsim.model.drives.linkage import Linkage
+
+
+class InputKind(StrEnum):
+    """What a joint controller puts out, and what the amplifier of a drive takes."""
+
+    VOLTAGE = "voltage"
+    EFFORT = "effort"
+    CURRENT = "valve current"
+
+
+@frozen_dataclass
+class VoltageAmplifier:
+    """A voltage amplifier.
+
+    Attributes:
+        max_voltage: [V]; the output is clipped to ±max_voltage.
+        max_current: [A]; the drive reports when the current exceeds it.
+    """
+
+    max_voltage: float
+    max_current: float
+
+
+@frozen_dataclass
+class CurrentLimitedAmplifier:
+    """A voltage amplifier that lowers its voltage where the current of its motor would grow beyond a limit.
+
+    Attributes:
+        max_voltage: [V]; the output is clipped to ±max_voltage.
+        max_current: [A]; the current stays within ±max_current as far as the voltage suffices for that.
+    """
+
+    max_voltage: float
+    max_current: float
+
+
+@frozen_dataclass
+class EffortAmplifier:
+    """An amplifier that commands the torque or force of its motor directly.
+
+    Attributes:
+        max_effort: [N·m | N] at the motor; the output is clipped to ±max_effort.
+    """
+
+    max_effort: float = inf
+
+
+@frozen_dataclass
+class ValveAmplifier:
+    """An amplifier that drives the current through the coil of a servo valve.
+
+    Attributes:
+        max_input: [A]; the output is clipped to ±max_input.
+    """
+
+    max_input: float
+
+
+@frozen_dataclass
+class DcMotor:
+    """A permanent-magnet DC motor: L·di/dt = u - R·i - Ke·ω, torque = Kt·i.
+
+    Attributes:
+        torque_constant: Kt [N·m/A].
+        back_emf_constant: Ke [V·s/rad].
+        resistance: R [ohm].
+        inductance: L [H].
+        rotor_inertia: J [kg·m²], rotor and gear input.
+    """
+
+    torque_constant: float
+    back_emf_constant: float
+    resistance: float
+    inductance: float
+    rotor_inertia: float
+
+
+@frozen_dataclass
+class IdealMotor:
+    """A source of torque or force: what is commanded acts at once.
+
+    Attributes:
+        rotor_inertia: J [kg·m²] or, of a linear motor, [kg]; rotor and gear input.
+    """
+
+    rotor_inertia: float = 0.0
+
+
+@frozen_dataclass
+class Gear:
+    """A rigid gear without play.
+
+    Attributes:
+        ratio: G = motor angle / joint coordinate, signed.
+    """
+
+    ratio: float = 1.0
+
+
+@frozen_dataclass
+class ElasticGear:
+    """A gear that twists under load: effort at the joint = k·(θ/G - q) + d·(ω/G - q̇), θ the motor angle.
+
+    Attributes:
+        ratio: G = motor angle / joint coordinate, signed.
+        stiffness: k at the joint [N·m/rad | N/m].
+        damping: d at the joint [N·m·s/rad | N·s/m].
+    """
+
+    ratio: float
+    stiffness: float
+    damping: float = 0.0
+
+
+@frozen_dataclass
+class Friction:
+    """Viscous and Coulomb friction on the motor side of the gear.
+
+    The torque that the drive needs against friction, at the joint, is B·G²·q̇ + |G|·|Tc±|·tanh(q̇/v_s), with
+    Tc+ for positive and Tc- for negative joint speed (Corke & Armstrong-Hélouvry 1994 give both).
+
+    Attributes:
+        viscous: B [N·m·s/rad] at the motor.
+        coulomb_positive: Tc+ >= 0 [N·m] at the motor, for positive joint speed.
+        coulomb_negative: Tc- <= 0 [N·m] at the motor, for negative joint speed.
+        smoothing_speed: v_s [rad/s] at the joint.
+    """
+
+    viscous: float = 0.0
+    coulomb_positive: float = 0.0
+    coulomb_negative: float = 0.0
+    smoothing_speed: float = 5e-3
+
+
+Amplifier = VoltageAmplifier | CurrentLimitedAmplifier | EffortAmplifier | ValveAmplifier
+Motor = DcMotor | IdealMotor | HydraulicMotor | HydraulicCylinder
+Transmission = Gear | ElasticGear | Linkage
+
+
+@frozen_dataclass
+class Drive:
+    """Everything between the control signal and the joint, block by block.
+
+    Attributes:
+        amplifier: takes what the joint controller puts out.
+        motor: turns that into torque at its shaft.
+        transmission: brings the torque to the joint.
+        friction: of motor and gear, on the motor side.
+    """
+
+    amplifier: Amplifier
+    motor: Motor
+    transmission: Transmission
+    friction: Friction = Friction()
+
+    def ratio_at(self, q: float) -> float:
+        """Return G = speed of the motor over that of the joint, signed, where the joint is at q [rad | m]."""
+        gear = self.transmission
+        return gear.ratio_at(q) if isinstance(gear, Linkage) else gear.ratio
+
+    @property
+    def sense(self) -> float:
+        """Return the sign of G, 1.0 or -1.0, which is the same in all of the range of the joint."""
+        gear = self.transmission
+        return gear.sense if isinstance(gear, Linkage) else copysign(1.0, gear.ratio)
+
+
+def ideal_drive(max_effort: float = inf) -> Drive:
+    """Return the drive that needs no data: what the joint controller commands acts on the joint at once.
+
+    Args:
+        max_effort: largest torque or force [N·m | N].
+    """
+    return Drive(EffortAmplifier(max_effort), IdealMotor(), Gear())
