@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from ropsim.lsp.framing import FrameReader, framed
+from ropsim.lsp.protocol.framing import FrameReader, framed
 from ropsim.workbench import new_project
 from support.patience import PATIENCE
 from support.studio_client import command, page_of
