@@ -7,20 +7,20 @@ from pathlib import Path
 
 from ropsim.core import Diagnostic, SourceText, Span, read_bytes
 from ropsim.prolog import Atom, GoalError, Places, Prolog, Struct, Term, Var
-from ropsim.tasks.asked_geometry import Anywhere, Geometry
-from ropsim.tasks.call_reading import call_of
-from ropsim.tasks.call_report import CallReport
-from ropsim.tasks.checking import checked
-from ropsim.tasks.clause_places import ClausePlaces, places_of
+from ropsim.tasks.answers.call_reading import call_of
+from ropsim.tasks.answers.call_report import CallReport
+from ropsim.tasks.answers.checking import checked
+from ropsim.tasks.answers.planning import PLAN_SECONDS, Plan, planned
+from ropsim.tasks.answers.task_reading import task_of
 from ropsim.tasks.folder import read_folder
-from ropsim.tasks.geometry import RememberedGeometry
 from ropsim.tasks.host import CHECK_SECONDS, Host, Progress
-from ropsim.tasks.known_task import KnownTask
-from ropsim.tasks.layer import Layer
-from ropsim.tasks.planning import PLAN_SECONDS, Plan, planned
-from ropsim.tasks.task_call import TaskCall
-from ropsim.tasks.task_reading import task_of
-from ropsim.tasks.world_state import WorldState
+from ropsim.tasks.kinds import Layer
+from ropsim.tasks.terms.asked_geometry import Anywhere, Geometry
+from ropsim.tasks.terms.clause_text import ClausePlaces, places_of
+from ropsim.tasks.terms.known_task import KnownTask
+from ropsim.tasks.terms.task_call import TaskCall
+from ropsim.tasks.world.geometry import RememberedGeometry
+from ropsim.tasks.world.world_state import WorldState
 
 NOWHERE = Anywhere()
 

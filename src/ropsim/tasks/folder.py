@@ -12,8 +12,8 @@ from ropsim.core import (
     place_inside,
     read_bytes,
 )
-from ropsim.tasks.diagnostics import MANIFEST, UNREADABLE_BASE
-from ropsim.tasks.errors import TaskError
+from ropsim.tasks.findings.text_diagnostics import MANIFEST, UNREADABLE_BASE
+from ropsim.tasks.kinds import TaskError
 
 FOLDER, NAME, CELL = "kb", "manifest.toml", "cell.toml"
 MOST_FILES, MOST_BYTES = 5000, 8_000_000

@@ -19,10 +19,10 @@ from ropsim.prolog import (
     Var,
     question,
 )
-from ropsim.tasks.conditions import CONDITIONS
-from ropsim.tasks.diagnostics import TOO_DEEP
-from ropsim.tasks.findings import Wording
-from ropsim.tasks.layer import Layer
+from ropsim.tasks.findings.reading import Wording
+from ropsim.tasks.findings.text_diagnostics import TOO_DEEP
+from ropsim.tasks.kinds import Layer
+from ropsim.tasks.terms.conditions import CONDITIONS
 
 SOURCES = ("kb", "world", "templates", "exclusion", "planner")
 TEXTS, GEOMETRY = "ropsim_kb_texts", "ropsim_kb_geometry"

@@ -1,6 +1,9 @@
-"""What parameters of tasks can be: told by the state of the cell, or passed by task text."""
+"""Kinds of parameters, layers of tasks, and the error of wrong use."""
 
 from collections.abc import Mapping
+from enum import Enum
+
+from ropsim.core import RopsimError
 
 SYMBOLIC = frozenset(("part", "tool", "device", "thing"))
 """Kinds that task text never passes: preconditions tell which one it is."""
@@ -31,3 +34,23 @@ UNITS: Mapping[str, frozenset[str]] = {
 def kind_of_type(word: str) -> str | None:
     """Return the kind that task text passes as a type of the language, None where there is none."""
     return next((kind for kind, known in TYPES.items() if known == word), None)
+
+
+class TaskError(RopsimError):
+    """A folder, a fact, a goal or a task text cannot be taken as what it should be."""
+
+
+class Layer(Enum):
+    """Where the text of a task lies, the layer that counts first at the top; the value is its first number.
+
+    Prolog knows texts by their numbers (`layer/2` of kb.pl).
+    """
+
+    PROJECT = 0
+    USER = -1_000_000
+    LIBRARY = -2_000_000
+
+    @classmethod
+    def of_text(cls, number: int) -> "Layer":
+        """Return the layer of a text by its number."""
+        return next(layer for layer in cls if number >= layer.value)

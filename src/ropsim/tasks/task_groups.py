@@ -3,8 +3,8 @@
 from collections.abc import Iterable, Mapping
 from pathlib import PurePosixPath
 
-from ropsim.tasks.known_task import KnownTask
-from ropsim.tasks.layer import Layer
+from ropsim.tasks.kinds import Layer
+from ropsim.tasks.terms.known_task import KnownTask
 
 OURS, YOURS = "", "yours"
 """Groups of the tasks of the project and of the user's own folder; no file of the library has such a name."""

@@ -9,7 +9,7 @@ import pytest
 from ropsim.core import Span
 from ropsim.tasks import FormParameter, KnownTask, TaskError, TaskForm, edited, form_clause, form_of
 from ropsim.tasks.base import library_texts
-from ropsim.tasks.layer import Layer
+from ropsim.tasks.kinds import Layer
 from support.knowledge import base
 
 NOWHERE = Span.whole_line("", 1)

@@ -15,9 +15,9 @@ from ropsim.language import Environment, compile
 from ropsim.spatial import Array, Pose, pitch_roll_yaw
 from ropsim.studio.desk.jog.location import typed_text
 from ropsim.tasks import PointList, TaskCall, typed_numbers, typed_points
-from ropsim.tasks.call_reading import call_of
-from ropsim.tasks.point import ApproachPose, Coordinates, point_text, typed_point
-from ropsim.tasks.point_list import points_of, points_text
+from ropsim.tasks.answers.call_reading import call_of
+from ropsim.tasks.terms.point import ApproachPose, Coordinates, point_text, typed_point
+from ropsim.tasks.world.point_list import points_of, points_text
 
 PUMA = robots.load("puma560")
 SEED, COUNT = 7, 1000

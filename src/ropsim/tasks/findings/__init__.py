@@ -1,0 +1,1 @@
+"""Kinds of findings on knowledge bases, and the words of their texts."""

@@ -1,0 +1,1 @@
+"""Programs from tasks: compiled bodies, drafts of an operator, and task text."""
