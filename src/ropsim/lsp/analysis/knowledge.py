@@ -33,7 +33,7 @@ def proposed_in_tasks(document: Document, position: Position, tasks: TaskTexts) 
 
 def _words_at(around: str, lead: str) -> Iterator[Json]:
     """Yield the words that fit into what a place stands in."""
-    from ropsim.tasks.findings import words
+    from ropsim.tasks import words
 
     if around == "params" and _PARAMETER.search(lead):
         yield from (_item(one, _KIND, "kind of a parameter", "") for one in words.KINDS)

@@ -21,8 +21,8 @@ from ropsim.tasks import (
     field_at,
     form_clause,
     form_of,
+    words,
 )
-from ropsim.tasks.findings import words
 from ropsim.workbench import Project, TaskTexts, Workspace, text_findings
 
 BODY = "P147"

@@ -14,9 +14,9 @@ from ropsim.tasks import (
     fact_words,
     group_of,
     typed_numbers,
+    words,
     world_table,
 )
-from ropsim.tasks.findings import words
 from ropsim.views import plain_findings
 
 MOST_PARTS = 200
