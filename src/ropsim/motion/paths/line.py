@@ -13,13 +13,13 @@ from ropsim.motion.paths.line_kernel import (
     LINE_LENGTH,
     LINE_SIZE,
     MOVES,
+    ROLL,
+    VELOCITY,
     WAY,
     line_numbers,
     straight_points,
 )
-from ropsim.spatial import Array, Pose, frozen, record
-
-_START = frozen([0.0])
+from ropsim.spatial import Array, Pose, record
 
 
 @record
@@ -68,8 +68,10 @@ class Line:
     @property
     def constant_derivatives(self) -> Array | None:
         """Return the first derivatives of the tool, None where it rolls while it swings, shape (6,)."""
-        start = self.tool(_START)
-        return None if start.d2.any() else start.d1[0]
+        if not self.length or self.numbers[ROLL] != 0.0:
+            return None
+        share = 1.0 / self.length
+        return np.concatenate((self.numbers[WAY : WAY + 3], self.numbers[VELOCITY : VELOCITY + 3])) * share
 
     @property
     def has_straight_tcp(self) -> bool:

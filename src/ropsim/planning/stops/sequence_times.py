@@ -26,8 +26,11 @@ def times_alone(legs: Sequence[Leg], parts: Sequence[Part], rules: TimingRules) 
     found: dict[int, float] = {}
     for part in parts:
         for piece in part.pieces:
-            if piece.corner is None and piece.is_even and (path := legs[piece.leg].joints):
-                found[piece.leg] = _even_time(piece.stages, path.length, rules)
+            path = legs[piece.leg].joints
+            if piece.corner is not None or path is None or not piece.is_even:
+                continue
+            is_whole = len(part.pieces) == 1 and piece.joints is path
+            found[piece.leg] = part.law.duration if is_whole else _even_time(piece.stages, path.length, rules)
     for number, leg in enumerate(legs):
         if own := own_law_of(leg.joints):
             found[number] = own.duration
