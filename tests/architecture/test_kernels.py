@@ -1,33 +1,85 @@
-"""Kernels stand alone: machine code that needs numba at run time makes every process wait for it."""
+"""Kernels stand alone as machine code, and run as Python: each is called with numba switched off."""
 
+import os
 import subprocess
 import sys
+from pathlib import Path
 
-ALL_KERNELS = """
-import importlib, pkgutil, sys
-import ropsim
-from ropsim.codegen.kernel import Kernel
+ROOT = Path(__file__).parents[2]
+TESTS = ROOT / "tests"
+MADE = """
+import sys
+from support.kernels_called import all_kernels
 
-found = set()
-for module in pkgutil.walk_packages(ropsim.__path__, "ropsim."):
-    if module.name.endswith("_kernel"):
-        own = vars(importlib.import_module(module.name)).values()
-        found.update(one for one in own if isinstance(one, Kernel))
-for one in found:
+for one in all_kernels():
     one.made()
-print(len(found), "numba" in sys.modules)
+print(len(all_kernels()), "numba" in sys.modules)
 """
+IN_PYTHON = (
+    "simulation/test_contact_rows.py::test_a_contact_lasts_while_bodies_are_deeper_than_they_may_be",
+    "simulation/test_contact_rows.py::test_the_depth_of_a_contact_is_the_greatest_of_its_rows_between_balls_on_any_ways",
+    "controller/test_motion_clock.py::test_as_many_rows_are_asked_for_as_are_looked_at[700.0-0.4-30.0-30000.0]",
+    "kinematics/test_blocks.py",
+    "kinematics/test_external_axes.py",
+    "kinematics/test_forward.py::test_places_of_tools_are_those_of_their_poses",
+    "kinematics/test_general_six_axis.py::test_it_has_the_answers_of_the_closed_forms",
+    "kinematics/test_wrist_posture.py",
+    "motion/paths/test_spline.py::test_poses_alone_are_those_with_derivatives",
+    "motion/paths/test_spline.py::test_the_positions_are_those_of_the_natural_cubic_spline_over_chords",
+    "motion/paths/test_line.py::test_the_distance_agrees_with_a_search",
+    "motion/test_limit_kernels.py",
+    "motion/test_limit_parts.py",
+    "motion/test_place_kernel.py",
+    "motion/test_walked.py",
+    "motion/test_motion_time.py",
+    "motion/time_law/test_durations_kernel.py",
+    "controller/test_part_times.py",
+    "planning/blends/test_blend.py",
+    "planning/blends/test_joined_ends.py::test_coordinates_are_the_integral_of_the_speeds_round_every_corner",
+    "planning/joint_limits/test_binding_kernel.py",
+    "planning/joint_limits/test_joint_imposed_kernel.py",
+    "planning/joint_limits/test_limit_grid_kernel.py",
+    "planning/moves/test_joint_interpolator.py",
+    "planning/trajectory/test_ticks_kernel.py",
+    "planning/trajectory/test_timing_kernel.py",
+    "planning/trajectory/test_trajectory_table.py",
+    "simulation/test_attained.py::test_it_is_kept_in_the_frame_in_force_and_goes_where_it_was",
+    "simulation/records/test_tally.py::test_tallies_of_two_parts_are_merged_into_that_of_the_whole",
+    "simulation/records/test_tally.py::test_the_log_of_the_ideal_arm_has_a_row_at_every_so_many_ticks",
+    "simulation/records/test_tally.py::test_the_greatest_of_a_span_is_found_beside_what_is_no_number",
+    "simulation/records/test_tally.py::test_peaks_are_the_largest_magnitudes_of_columns",
+    "workspace/test_reachable.py::test_wherever_the_arm_goes_it_is_in_its_workspace[scara]",
+)
+"""Tests that call every kernel with arguments of its usual kind."""
 
 
 def kernels_made() -> tuple[int, bool]:
     """Return how many kernels a new process has made or loaded, and whether it needed numba."""
-    result = subprocess.run([sys.executable, "-c", ALL_KERNELS], capture_output=True, text=True, check=True)
+    around = {**os.environ, "PYTHONPATH": str(TESTS)}
+    result = subprocess.run(
+        [sys.executable, "-c", MADE], env=around, capture_output=True, text=True, check=True
+    )
     count, needed = result.stdout.split()
     return int(count), needed == "True"
 
 
 def test_kernels_that_are_kept_are_loaded_without_numba() -> None:
-    first, _ = kernels_made()  # compiles what the cache folder does not hold yet
+    first, _ = kernels_made()  # compiles those that the cache folder does not hold yet
     again, needed = kernels_made()
     assert again == first > 30
     assert not needed
+
+
+def test_every_kernel_passes_tests_in_python_where_every_index_is_checked() -> None:
+    """A new kernel needs a test in `IN_PYTHON`."""
+    command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", "-p", "support.kernels_called"]
+    done = subprocess.run(
+        [*command, *(f"tests/unit/{one}" for one in IN_PYTHON)],
+        env={**os.environ, "NUMBA_DISABLE_JIT": "1", "PYTHONPATH": str(TESTS)},
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 0, done.stdout[-5000:]
+    assert "not called" not in done.stdout, done.stdout[-5000:]

@@ -9,6 +9,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from ropsim.lsp.protocol.framing import FrameReader, framed
@@ -99,15 +100,25 @@ def test_the_language_server_answers() -> None:
     assert errors == ""
 
 
-def test_a_run_says_that_it_is_slow_beside_its_document_and_has_the_same_cycle_time(cell: Path) -> None:
-    out, errors = ropsim("run", cell, "--kinematic", "--json")
+def test_a_run_says_that_it_is_slow_beside_its_document_and_has_the_same_recording(
+    cell: Path, tmp_path: Path
+) -> None:
+    recordings = tmp_path / "slow.npz", tmp_path / "fast.npz"
+    out, errors = ropsim("run", cell, "--kinematic", "--json", "--record", recordings[0])
     assert errors.count(NOTE) == 1
     assert NOTE not in out
     os.environ.pop("PYTHONPATH")  # until the fixture puts it back
-    compiled, said = ropsim("run", cell, "--kinematic", "--json")
+    compiled, said = ropsim("run", cell, "--kinematic", "--json", "--record", recordings[1])
     assert NOTE not in said
     slow, fast = (json.loads(one)["result"] for one in (out, compiled))
     assert slow["cycle_time"] == pytest.approx(fast["cycle_time"], abs=TWO_ENGINES)
+    one, other = map(np.load, recordings)
+    assert one.files == other.files
+    for name in one.files:
+        if name.endswith("orientation"):  # a quaternion and its negative are the same
+            np.testing.assert_allclose(abs((one[name] * other[name]).sum(axis=1)), 1.0, atol=TWO_ENGINES)
+        elif one[name].dtype.kind == "f":
+            np.testing.assert_allclose(one[name], other[name], rtol=TWO_ENGINES, atol=TWO_ENGINES)
 
 
 def test_the_studio_shows_a_project_and_simulates_it(cell: Path, tmp_path: Path) -> None:

@@ -102,6 +102,18 @@ def test_what_was_entered_by_arrays_is_what_was_entered_one_by_one() -> None:
     np.testing.assert_array_equal(whole.table, [[3.0, 1.0], [6.0, 5.0], [0.0, 3.0], [0.0, 8.0]])
 
 
+def test_tallies_of_two_parts_are_merged_into_that_of_the_whole() -> None:
+    rows = np.array([[0.0, 1.0], [-3.0, 1.0], [2.0, -0.5], [3.5, 1.0]])
+    full = np.array([np.inf, 1.0])
+    for cut in range(len(rows) + 1):
+        whole, first, second = Tally((), 2), Tally((), 2), Tally((), 2)
+        whole.enter(5, rows, full)
+        first.enter(5, rows[:cut], full)
+        second.enter(5 + cut, rows[cut:], full)
+        first.merge(5 + cut, second.since(5 + cut))
+        np.testing.assert_array_equal(first.table, whole.table)
+
+
 def test_the_ideal_arm_is_judged_by_its_ways_beyond_and_its_speeds() -> None:
     """In slices as in one; the first tick of the largest value counts."""
     chosen = np.random.default_rng(4)
