@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 from measuring import Measure
 
-from ropsim.workbench.viewer import built_viewer
+from ropsim.workbench.report import built_viewer
 from support.browser import Pages
 from support.studio_answers import edited
 from support.studio_client import command

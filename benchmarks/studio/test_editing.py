@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import pytest
 from measuring import Measure
 
-from ropsim.workbench.viewer import built_viewer
+from ropsim.workbench.report import built_viewer
 from support.browser import Pages
 from support.bundle import compressed, of_the_replay, scripts_at_once, scripts_of_the_editor, styles_at_once
 from support.large_project import large_palletizing

@@ -12,7 +12,7 @@ from typing import Any
 import pytest
 from measuring import Measure
 
-from ropsim.workbench.viewer import built_viewer
+from ropsim.workbench.report import built_viewer
 from support.browser import Pages
 from support.large_project import large_palletizing
 from support.studio_answers import live

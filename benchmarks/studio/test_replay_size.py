@@ -7,7 +7,7 @@ import pytest
 from measuring import Measure
 
 from ropsim.workbench import open_project, pack_of
-from ropsim.workbench.viewer import built_viewer
+from ropsim.workbench.report import built_viewer
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 #: A report may have this much, and this much for each simulated minute [bytes].

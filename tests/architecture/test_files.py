@@ -61,11 +61,10 @@ WIDE = {
     "prolog",
     "studio",
     "views",
-    "workbench",
     "workspace",
 }
 LONG = {"curve_kernel.py", "time_law_kernel.py", "documents.py", "jobs.py", "messages.py"}
-SMALL_FILES = 172
+SMALL_FILES = 165
 PACKAGES = ROOT / "src" / "ropsim"
 DATA = {"robots/arms"}
 

@@ -68,7 +68,7 @@ def test_the_base_frame_begins_in_two_places_and_is_shown_in_one() -> None:
         for node in ast.walk(tree)
         if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "in_base"
     }
-    assert callers == {"workbench/environment.py", "planning/chain.py", "lsp/analysis/names.py"}
+    assert callers == {"workbench/compiling/environment.py", "planning/chain.py", "lsp/analysis/names.py"}
 
 
 def test_nothing_below_the_readers_of_files_opens_or_prints() -> None:
@@ -175,7 +175,7 @@ OWN_READERS = {
     "codegen/machine/kept_code.py",
     "studio/pages.py",
     "userfiles/examples.py",
-    "workbench/viewer.py",
+    "workbench/report.py",
 }
 """They read files of the package."""
 

@@ -13,7 +13,8 @@ from hypothesis.stateful import RuleBasedStateMachine, initialize, invariant, ru
 
 from ropsim.core import KeptFiles, SourceText
 from ropsim.query import is_same
-from ropsim.workbench import Workspace, questions
+from ropsim.workbench import Workspace
+from ropsim.workbench.workspace import questions
 
 CELL = """[cell]
 name = "c"

@@ -22,8 +22,8 @@ from ropsim.language.cutting import cuts
 from ropsim.language.cutting.line_kinds import kinds_of
 from ropsim.lsp.requests import ASKED
 from ropsim.records import read_inputs
-from ropsim.workbench.robot_files import read_robot
-from ropsim.workbench.told_tasks import told_tasks
+from ropsim.workbench.robots.robot_files import read_robot
+from ropsim.workbench.tasks.told_tasks import told_tasks
 from ropsim.workspace.point_table import read_points
 from support.editors import Editor, place, uri_of
 from support.work import calls_of

@@ -15,7 +15,7 @@ from ropsim.records import recording_bytes
 from ropsim.simulation import RunOptions
 from ropsim.userfiles.answers import KEPT_ANSWERS
 from ropsim.workbench import Workspace, open_project
-from ropsim.workbench.questions import LEAST_LINES
+from ropsim.workbench.workspace.questions import LEAST_LINES
 from support.counted_system import FAULTS, counted, number
 
 _LONG = "# a line\n" * LEAST_LINES

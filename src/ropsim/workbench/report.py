@@ -1,10 +1,11 @@
-"""The report of a recording: terminal text, HTML page, summary."""
+"""The report of a recording: terminal text, HTML page with the built viewer, summary."""
 
 import base64
 import json
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from functools import partial
+from importlib.resources import files
 from pathlib import Path
 
 from ropsim.cellfile import mesh_in_files
@@ -25,7 +26,31 @@ from ropsim.views import (
     summarize,
     terminal_report,
 )
-from ropsim.workbench.viewer import built_viewer
+
+
+@frozen_dataclass
+class Viewer:
+    """The viewer.
+
+    Attributes:
+        script: its program.
+        style: its style sheet.
+    """
+
+    script: str
+    style: str
+
+
+def built_viewer() -> Viewer | None:
+    """Return the viewer, None where ropsim was installed without its built pages."""
+    folder = files("ropsim").joinpath("static", "replay")
+    try:
+        script = folder.joinpath("replay.js").read_text("utf-8")
+        style = folder.joinpath("replay.css").read_text("utf-8")
+    except FileNotFoundError:
+        return None
+    return Viewer(script, style)
+
 
 OTHER_ARM = "No 3-D replay: the recording is not of the arm of this cell."
 NOT_BUILT = "No 3-D replay: this ropsim has been installed without its built pages."

@@ -16,7 +16,7 @@ from ropsim.model import audit
 from ropsim.records.plain_values import numeric
 from ropsim.robotfile import read_robot_file, robot_file_places, write_robot_file
 from ropsim.views import Style, diagnostics_text, scene
-from ropsim.workbench.environment import environment_of
+from ropsim.workbench.compiling.environment import environment_of
 from support.cells import one_station
 from support.fuzzing.cells import AXES, RIGHT, STATIONS
 from support.fuzzing.mutation import TEXT, mutated, nest, numeral, word

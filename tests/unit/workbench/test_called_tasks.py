@@ -15,9 +15,9 @@ from ropsim.query import Outcome
 from ropsim.records import read_recording
 from ropsim.spatial import Pose
 from ropsim.workbench import AtStation, CompiledProgram, Workspace, new_project, open_overlaid
-from ropsim.workbench.mentions import Mentions
-from ropsim.workbench.task_texts import NO_TASKS, TaskTexts, read_task_texts
-from ropsim.workbench.told_tasks import told_tasks
+from ropsim.workbench.tasks.task_texts import NO_TASKS, TaskTexts, read_task_texts
+from ropsim.workbench.tasks.told_tasks import told_tasks
+from ropsim.workbench.workspace.mentions import Mentions
 
 CELL = SourceText(
     "cell.toml",

@@ -8,8 +8,9 @@ import pytest
 from ropsim import language
 from ropsim.core import KeptFiles
 from ropsim.query import is_same
-from ropsim.workbench import CompiledProject, Workspace, new_project, open_project, questions
-from ropsim.workbench.answer_form import Translation, UnknownFormError, read, written
+from ropsim.workbench import CompiledProject, Workspace, new_project, open_project
+from ropsim.workbench.workspace import questions
+from ropsim.workbench.workspace.answer_form import Translation, UnknownFormError, read, written
 from support.tasks import CELL
 
 GOLDEN = sorted((Path(__file__).parents[2] / "golden" / "task").glob("*.task"))

@@ -19,7 +19,7 @@ from ropsim.simulation.state.cell_run import CellRun
 from ropsim.views import pack, result_figures, scene, summarize
 from ropsim.views.pack.pack import sample_times
 from ropsim.workbench import open_project, pack_of
-from ropsim.workbench.project import Project
+from ropsim.workbench.projects.project import Project
 from support.packs import ReadPack, read_pack
 
 EXAMPLES = Path(__file__).parents[4] / "examples"

@@ -1,0 +1,1 @@
+"""What the geometry of a cell answers about tasks, and the knowledge base with its cell."""

@@ -1,0 +1,85 @@
+"""Where a program goes, as the points of a task: for other arms, and other places of the base."""
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from ropsim import icr
+from ropsim.core import Diagnostic, plural
+from ropsim.flow import MoveInstruction
+from ropsim.model import Station
+from ropsim.spatial import Pose
+from ropsim.workbench.compiling.dry_arm import program_arm
+from ropsim.workbench.compiling.environment import environment_of
+from ropsim.workbench.compiling.resolved import BUDGET
+from ropsim.workbench.projects.project import Project
+
+if TYPE_CHECKING:  # loaded by who asks for points
+    from ropsim.workspace import TaskPoint
+
+_DIGITS = 9  # of metres and quaternions that make two points different
+
+
+def program_points(
+    project: Project, X_MT: Pose | None = None
+) -> tuple[tuple["TaskPoint", ...], tuple[Diagnostic, ...]]:
+    """Return where the program of the first station goes, and what of it is left out or wrong.
+
+    A dry run walks the program; targets and points on the way of arcs and curves count, each once, under the
+    line that goes there first. The flange is to be where the program puts it, whatever the tool.
+
+    Args:
+        project: with a cell.
+        X_MT: tool frame in the frame of the mechanical interface that is to be at the points; None for none.
+
+    Returns:
+        Points in the base frame of the station.
+
+    Raises:
+        ProjectError: the project is broken, or has no such program.
+    """
+    from ropsim.workspace import NO_POINTS, POINTS_LEFT_OUT, TaskPoint
+
+    programs = project.programs()
+    if project.cell is None or not programs:
+        return (), (NO_POINTS.at(None, f"`{project.folder}` has no cell with a program"),)
+    name, compiled = next(iter(programs.items()))
+    if compiled.icr is None:
+        return (), compiled.diagnostics
+    station = project.cell.stations[name]
+    found: dict[tuple[float, ...], TaskPoint] = {}
+    left = 0
+    lines: dict[str, int] = {}
+    world = icr.StillWorld(arm=program_arm(compiled.icr, project.cell, station))
+    for move in icr.run(compiled.icr, world, BUDGET).moves:
+        poses = tuple(_flange_poses(project, station, move))
+        left += not poses
+        for X_BM in poses:
+            X_BT = X_BM @ (X_MT or Pose())
+            key = tuple(round(one, _DIGITS) for one in X_BT.as_tuple())
+            if key not in found:
+                label = f"line {move.origin.span.line}" if move.origin.span else "move"
+                lines[label] = lines.get(label, 0) + 1
+                named = f"{label} ({lines[label]})" if lines[label] > 1 else label
+                found[key] = TaskPoint(named, X_BT.position, X_BT.orientation)
+    told: list[Diagnostic] = []
+    if left:
+        words = (
+            f"{plural(left, 'move')} of `{name}` left out: to joint coordinates, or where external axes stand"
+        )
+        told.append(POINTS_LEFT_OUT.at(None, words))
+    if not found:
+        told.append(
+            NO_POINTS.at(None, f"the program of `{name}` goes to no point that is known before it runs")
+        )
+    return tuple(found.values()), tuple(told)
+
+
+def _flange_poses(project: Project, station: Station, move: MoveInstruction) -> Iterator[Pose]:
+    """Yield X_BM of the target and of the points on the way; none where they are not known beforehand."""
+    if not isinstance(move.target, Pose) or move.external:
+        return
+    if move.modal.frame in environment_of(project.cell, station).moving:
+        return
+    back = (move.modal.X_MT or Pose()).inverse()
+    for pose in (*move.via, move.target):
+        yield move.modal.X_BK @ pose @ back

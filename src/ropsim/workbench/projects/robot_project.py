@@ -1,0 +1,78 @@
+"""A new project for a robot: its cell, and a first program that has been run without dynamics."""
+
+from pathlib import Path
+
+from ropsim.cellfile import POINTER, new_cell, written_coordinates
+from ropsim.core import read_bytes
+from ropsim.flow import Fidelity
+from ropsim.model import Mesh, RobotModel, Shape
+from ropsim.robots import swings
+from ropsim.simulation import RunOptions
+from ropsim.workbench.projects.first_way import FirstWay, first_way, turning
+from ropsim.workbench.projects.opening import open_project
+from ropsim.workbench.robots.named_robot import find_robot, load_robot
+
+_HEAD = "program {name}\nunits mm, deg, s\n\n"
+_CAREFUL = "# The arm swings: faster, its joints would go beyond their limits.\nset speed 70 %\n\n"
+
+
+def fill_robot_project(folder: Path, name: str, robot: str) -> None:
+    """Write a project into a folder that is not there yet.
+
+    Args:
+        folder: of the project.
+        name: of its cell and its program.
+        robot: name of a built-in robot, or the path of a robot file, which is copied with its meshes.
+
+    Raises:
+        UnknownRobotError: X860, no built-in robot has this name.
+        RobotFileError: the file cannot be read, or an error in it forbids a robot.
+        OSError: a file cannot be written.
+    """
+    model = load_robot(robot)
+    named = _copied(folder, Path(robot), model) if find_robot(robot).text else robot
+    (folder / "programs").mkdir(parents=True)
+    for way in (first_way(model, POINTER), turning(model)):
+        cell = new_cell(name, named, way.corners)
+        (folder / "cell.toml").write_text(cell, "utf-8")
+        program = _HEAD.format(name=name) + (_CAREFUL if swings(model) else "") + _statements(model, way)
+        (folder / "programs" / "main.task").write_text(program, "utf-8")
+        if open_project(folder).simulate(options=RunOptions(Fidelity.KINEMATIC)).ok:
+            return
+
+
+def _copied(folder: Path, file: Path, model: RobotModel) -> str:
+    """Copy a robot file and the meshes that are there into a project; return its path in the project."""
+    inside = f"robots/{file.name}"
+    home = file.resolve().parent
+    root = home.parent if home.name == "robots" else home
+    for mesh in sorted({solid.file for solid in map(_solid, _shapes(model)) if isinstance(solid, Mesh)}):
+        source = (root / mesh).resolve()
+        if source.is_relative_to(root) and source.is_file():
+            _write(folder / mesh, read_bytes(source))
+    _write(folder / inside, read_bytes(file))
+    return inside
+
+
+def _write(path: Path, content: bytes) -> None:
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_bytes(content)
+
+
+def _shapes(model: RobotModel) -> tuple[Shape, ...]:
+    return (*model.base_shapes, *(shape for link in model.links for shape in link.shapes))
+
+
+def _solid(shape: Shape) -> object:
+    return shape.solid
+
+
+def _statements(model: RobotModel, way: FirstWay) -> str:
+    lines = [f"mov joints({written_coordinates(model, q)})" for q in way.turns]
+    names = [f"corner_{number}" for number in range(1, len(way.corners) + 1)]
+    if names:
+        lines += [
+            f"{'lin' if lines else 'mov'} {names[0]}",
+            *(f"lin {one}" for one in (*names[1:], names[0])),
+        ]
+    return "\n".join([*lines, "mov home"]) + "\n"

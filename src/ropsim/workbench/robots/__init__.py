@@ -1,0 +1,1 @@
+"""Robots by name or file, in all formats that are read."""

@@ -1,0 +1,114 @@
+"""Robots by name: a built-in one, or the path of a robot file."""
+
+from pathlib import Path
+
+from ropsim import robots
+from ropsim.cellfile import is_robot_file
+from ropsim.core import Diagnostic, RopsimError, SourceText, frozen_dataclass
+from ropsim.model import PlaceOf, ReadRobot, RobotModel, WrittenRobot, nowhere
+from ropsim.userfiles import read_text_file
+from ropsim.workbench.robots.robot_files import no_step_file, read_robot, unknown_format, unwritten_format
+from ropsim.workbench.robots.robot_formats import ROBOT_FORMATS, STEP_ENDINGS, STEP_WRITERS, WRITERS, StepForm
+
+
+class RobotFileError(RopsimError):
+    """A robot file from which no robot can be made; carries the first error in it."""
+
+
+@frozen_dataclass
+class NamedRobot:
+    """A robot that was asked for by its name or file.
+
+    Attributes:
+        robot: the model; None where its file is wrong.
+        findings: of reading the file.
+        text: content of the file; None of a built-in robot.
+        read: everything that was read from it; None of a built-in robot.
+    """
+
+    robot: RobotModel | None
+    findings: tuple[Diagnostic, ...] = ()
+    text: SourceText | None = None
+    read: ReadRobot | None = None
+
+    @property
+    def place_of(self) -> PlaceOf:
+        """Return where the numbers of the robot stand in its file."""
+        if self.text is None:
+            return nowhere
+        format_ = ROBOT_FORMATS.get(Path(self.text.name).suffix.lower())
+        return (format_.places(self.text) if format_ else None) or nowhere
+
+
+def find_robot(name: str | Path) -> NamedRobot:
+    """Return a robot, or what is wrong with its file.
+
+    Args:
+        name: of a built-in robot, or the path of a file, which has a dot or a slash.
+
+    Raises:
+        UnknownRobotError: X860, no built-in robot has this name.
+        RobotFileError: there is no such file, it cannot be read, or no reader knows its ending.
+    """
+    if not is_robot_file(str(name)):
+        return NamedRobot(robots.load(str(name)))
+    path = Path(name)
+    if path.suffix.lower() not in ROBOT_FORMATS:
+        raise RobotFileError(unknown_format(str(name), path))
+    text, findings = read_text_file(path, str(name))
+    if text is None:
+        raise RobotFileError(findings[0])
+    read = read_robot(text)
+    return NamedRobot(read.robot, read.findings, text, read)
+
+
+def load_robot(name: str | Path) -> RobotModel:
+    """Return a robot by its name, or the path of its file.
+
+    Args:
+        name: of a built-in robot, or the path of a file, which has a dot or a slash.
+
+    Raises:
+        UnknownRobotError: X860, no built-in robot has this name.
+        RobotFileError: the file cannot be read, or an error in it forbids a robot.
+    """
+    found = find_robot(name)
+    if found.robot is None:
+        raise RobotFileError(next(one for one in found.findings if one.is_error))
+    return found.robot
+
+
+def written_robot(
+    robot: RobotModel, name: str | Path, read: ReadRobot | None = None, form: StepForm = StepForm.NIROX
+) -> WrittenRobot:
+    """Return a robot as the text of a file, and what of it is lost.
+
+    Args:
+        robot: to be written.
+        name: of the file, whose ending says in which format.
+        read: from what it comes; what that said beside the robot is written again, where the format holds it.
+        form: what a STEP file is to say.
+
+    Raises:
+        RobotFileError: X911, robots are not written into files of this ending, or not in this form.
+    """
+    ending = Path(name).suffix.lower()
+    if form is not StepForm.NIROX and ending not in STEP_ENDINGS:
+        raise RobotFileError(no_step_file(str(name), form))
+    if ending not in WRITERS:
+        raise RobotFileError(unwritten_format(str(name)))
+    format_ = STEP_WRITERS[form] if ending in STEP_ENDINGS else WRITERS[ending]
+    return format_.write(robot) if read is None else format_.write_again(robot, read)
+
+
+def built_in_robots() -> tuple[str, ...]:
+    """Return the names of the built-in robots."""
+    return robots.names()
+
+
+def robots_in(folder: Path) -> tuple[Path, ...]:
+    """Return the robot files in the folder `robots` of a project, by name."""
+    place = folder / "robots"
+    if not place.is_dir():
+        return ()
+    return tuple(sorted(path for path in place.iterdir() if path.suffix.lower() in ROBOT_FORMATS))

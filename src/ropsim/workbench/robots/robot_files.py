@@ -1,0 +1,114 @@
+"""The files of robots that a project names: read from inside of its folder, by the format of their ending."""
+
+from collections.abc import Callable, Iterable, Mapping
+from functools import lru_cache
+from pathlib import Path, PurePosixPath
+from typing import TypeAlias
+
+from ropsim.core import (
+    Diagnostic,
+    LeadsOutError,
+    SourceText,
+    did_you_mean,
+    frozen_dataclass,
+    outside_project,
+    stated_inside,
+)
+from ropsim.model import ReadRobot
+from ropsim.userfiles import UNREADABLE
+from ropsim.workbench.project_diagnostics import UNKNOWN_ROBOT_FORMAT
+from ropsim.workbench.robots.robot_formats import ROBOT_FORMATS, STEP_ENDINGS, WRITERS, StepForm
+
+Reading: TypeAlias = tuple[SourceText | None, tuple[Diagnostic, ...]]
+"""What became of reading a file: its text, or why there is none."""
+
+TextOf: TypeAlias = Callable[[str], Reading]
+"""Reads a file of a project by its path inside."""
+
+
+@frozen_dataclass
+class RobotFile:
+    """A file of a robot.
+
+    Attributes:
+        text: its content; None where it cannot be read.
+        read: what it says; findings without a place say why it cannot be read.
+    """
+
+    text: SourceText | None
+    read: ReadRobot
+
+
+def read_robot_files(folder: Path, paths: Iterable[str], text_of: TextOf) -> Mapping[str, RobotFile]:
+    """Return the robot files of a project by their paths; whatever is wrong is a finding.
+
+    Args:
+        folder: of the project.
+        paths: inside of it, as its cell file gives them.
+        text_of: reads one of them.
+    """
+    return {path: _read(folder, path, text_of) for path in paths}
+
+
+def robots_read(files: Mapping[str, RobotFile]) -> Mapping[str, ReadRobot]:
+    """Return what was read from files of robots, by their paths."""
+    return {path: one.read for path, one in files.items()}
+
+
+@lru_cache(maxsize=16)
+def read_robot(text: SourceText) -> ReadRobot:
+    """Return the robot that a text describes, in the format of the ending of its name."""
+    format_ = ROBOT_FORMATS.get(PurePosixPath(text.name).suffix.lower())
+    return format_.read(text) if format_ else ReadRobot(None, (unknown_format(text.name),))
+
+
+def unknown_format(name: str, place: Path | None = None) -> Diagnostic:
+    """Return the finding that files of this name hold no robot.
+
+    Args:
+        name: as it was given.
+        place: where the file would be; robot files beside it are near names.
+    """
+    message = f"`{name[:200]}` is no file of a robot, these end with {_listed(ROBOT_FORMATS)}"
+    hint = "`ropsim robot list` names the built-in robots"
+    if place is not None and place.parent.is_dir():
+        beside = [one.name for one in place.parent.iterdir() if one.suffix.lower() in ROBOT_FORMATS]
+        hint = did_you_mean(place.name, beside) or hint
+    return UNKNOWN_ROBOT_FORMAT.at(None, message, hint=hint)
+
+
+def unwritten_format(name: str) -> Diagnostic:
+    """Return the finding that robots are not written into files of this name."""
+    message = f"robots are not written into `{name[:200]}`, but into files that end with {_listed(WRITERS)}"
+    return UNKNOWN_ROBOT_FORMAT.at(None, message)
+
+
+def no_step_file(name: str, form: StepForm) -> Diagnostic:
+    """Return the finding that a form of STEP files was asked for in a file of another format."""
+    message = f"`{name[:200]}` is no file for the form `{form}`, these end with {_listed(STEP_ENDINGS)}"
+    return UNKNOWN_ROBOT_FORMAT.at(None, message)
+
+
+def _listed(endings: Iterable[str]) -> str:
+    return ", ".join(f"`{ending}`" for ending in endings)
+
+
+def _read(folder: Path, path: str, text_of: TextOf) -> RobotFile:
+    refused = _refusal(folder, path)
+    if refused is not None:
+        return RobotFile(None, ReadRobot(None, (refused,)))
+    text, findings = text_of(path)
+    return RobotFile(text, ReadRobot(None, findings) if text is None else read_robot(text))
+
+
+def _refusal(folder: Path, path: str) -> Diagnostic | None:
+    """Return why a file is not even looked for; None where it may be read."""
+    try:
+        stated_inside(folder, path)
+    except LeadsOutError as error:
+        return outside_project(path, error)
+    except OSError as error:  # odd characters
+        return UNREADABLE.at(None, f"`{path[:200]}` cannot be opened: {error.strerror}")
+    if PurePosixPath(path).suffix.lower() not in ROBOT_FORMATS:
+        return unknown_format(path, folder / path)
+    return None

@@ -1,0 +1,1 @@
+"""A robot that carries out one command after the other."""

@@ -1,0 +1,161 @@
+"""What is said to a simulated robot: statements that it carries out, and words to the session."""
+
+from dataclasses import replace
+from enum import Enum
+from typing import TYPE_CHECKING
+
+from ropsim.core import Diagnostic, RopsimError, frozen_dataclass
+from ropsim.language import goes_on
+from ropsim.workbench.project_diagnostics import NOT_IN_SESSION, NOT_WRITABLE
+from ropsim.workbench.projects.project import ProjectError
+from ropsim.workbench.sessions.session import Session, begin_session, saved, taken_back, told
+from ropsim.workbench.sessions.session_words import with_hints
+
+if TYPE_CHECKING:
+    from ropsim.simulation import RunOptions
+
+HELP = """\
+A statement of the task language is carried out at once; one that fails changes nothing. The declarations and
+tasks of the project's program are known. A block is carried out when it is closed, or at an empty line.
+  undo         take the last command back
+  restart      forget all commands: the robot stands where it began
+  list         print the commands
+  save NAME    write them as task NAME to programs/NAME.task
+  help, quit (or exit)"""
+
+
+class Outcome(Enum):
+    """What became of a line."""
+
+    MOVED = "moved"
+    """The session is another one: a command more, one less, or none."""
+    ANSWERED = "answered"
+    """The session is as before, and what was asked for is told."""
+    REFUSED = "refused"
+    """The session is as before; the findings say why."""
+    OVER = "over"
+    """There is nothing more to say."""
+
+
+@frozen_dataclass
+class SavedProgram:
+    """A program that does what the commands did, to be written to `programs/NAME.task`.
+
+    Attributes:
+        name: of the program.
+        text: what it says.
+    """
+
+    name: str
+    text: str
+
+
+@frozen_dataclass
+class Reply:
+    """What is answered to a line.
+
+    Attributes:
+        session: from now on.
+        outcome: what became of the line.
+        lines: what is told, one after the other.
+        diagnostics: what was found; spans in the text `session` count its lines.
+        asked: the session to whose texts the findings belong: with the command, where one was refused.
+        program: what is to be written, where that was asked for.
+    """
+
+    session: Session
+    outcome: Outcome
+    lines: tuple[str, ...] = ()
+    diagnostics: tuple[Diagnostic, ...] = ()
+    asked: Session | None = None
+    program: SavedProgram | None = None
+
+
+def is_complete(lines: str) -> bool:
+    """Return whether what is typed can be said: an empty line ends it, or all blocks are closed."""
+    return not lines.rpartition("\n")[2].strip() or not goes_on(lines)
+
+
+def reply_to(session: Session, line: str, options: "RunOptions") -> Reply:
+    """Return what is answered to a line; whatever it says, the session goes on.
+
+    Args:
+        session: so far.
+        line: a statement, of several lines where it is a block, or a word to the session.
+        options: of the runs.
+    """
+    try:
+        return _reply(session, line.strip(), line.rstrip(), options)
+    except RopsimError as error:
+        return Reply(session, Outcome.REFUSED, diagnostics=(error.diagnostic,))
+
+
+def _reply(session: Session, said: str, line: str, options: "RunOptions") -> Reply:
+    head, _, rest = said.partition(" ")
+    word, name = head.lower(), rest.strip()
+    if name.startswith("="):  # a variable has the name of a word
+        return _told(session, line, options)
+    match word, name:
+        case "quit" | "exit", "":
+            return Reply(session, Outcome.OVER)
+        case "help", "":
+            return Reply(session, Outcome.ANSWERED, tuple(HELP.splitlines()))
+        case "list", "":
+            lines = tuple(session.text.splitlines()) or ("no commands",)
+            return Reply(session, Outcome.ANSWERED, lines)
+        case "undo", "":
+            return _taken_back(session, options)
+        case "restart", "":
+            return _moved(session, begin_session(session.project, options))
+        case "undo" | "restart", _:
+            hint = {"undo": "say `undo` once for each command", "restart": "say `restart` alone"}[word]
+            what = {"undo": "takes one command back", "restart": "takes all commands back"}[word]
+            raise ProjectError(NOT_IN_SESSION.at(None, f"`{word}` {what}", hint=hint))
+        case "save", "":
+            hint = "say `save` and a name, such as `save first_try`"
+            raise ProjectError(NOT_IN_SESSION.at(None, "`save` has no name for the program", hint=hint))
+        case "save", _:
+            return Reply(session, Outcome.ANSWERED, program=_program(session, name, options))
+        case _:
+            return _told(session, line, options)
+
+
+def _program(session: Session, name: str, options: "RunOptions") -> SavedProgram:
+    """Return what is to be written, unless there is a program of this name."""
+    path = session.project.folder / "programs" / f"{name}.task"
+    if name.isidentifier() and path.exists():
+        raise ProjectError(NOT_WRITABLE.at(None, f"`{path}` is there already", hint="choose another name"))
+    return SavedProgram(name, saved(session, name, options))
+
+
+def _told(session: Session, line: str, options: "RunOptions") -> Reply:
+    answer = told(session, line, options)
+    asked = replace(session, commands=(*session.commands, line))
+    if not answer.is_taken:
+        return Reply(session, Outcome.REFUSED, (), with_hints(answer.diagnostics, line), asked)
+    return replace(_moved(session, answer.session), diagnostics=answer.diagnostics, asked=asked)
+
+
+def _taken_back(session: Session, options: "RunOptions") -> Reply:
+    """Return the session without its last command, and which one that was."""
+    if not session.commands:
+        return Reply(session, Outcome.ANSWERED, ("there is no command to take back",))
+    first, *more = session.commands[-1].strip().splitlines()
+    reply = _moved(session, taken_back(session, options))
+    return replace(reply, lines=(f"took back `{first}{' …' if more else ''}`", *reply.lines))
+
+
+def _moved(before: Session, after: Session) -> Reply:
+    """Return what is told of a session that has become another: what it says more, and where it is."""
+    from ropsim.flow import MessageEvent
+
+    was, now = (one.recording.events_of(MessageEvent) for one in (before, after))
+    said = tuple(f"says {event.text}" for event in now[len(was) :])
+    return Reply(after, Outcome.MOVED, (*said, standing(after, since=before)))
+
+
+def standing(session: Session, since: Session) -> str:
+    """Return in one line how the robot is, and how much longer the run has become since another moment."""
+    from ropsim.views import state_text
+
+    return state_text(session.recording, session.recording.duration - since.recording.duration)

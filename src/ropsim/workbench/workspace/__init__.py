@@ -1,0 +1,1 @@
+"""Texts of projects and everything derived from them, kept until a text changes."""
