@@ -60,11 +60,10 @@ WIDE = {
     "nirox",
     "prolog",
     "studio",
-    "views",
     "workspace",
 }
 LONG = {"curve_kernel.py", "time_law_kernel.py", "documents.py", "jobs.py", "messages.py"}
-SMALL_FILES = 165
+SMALL_FILES = 159
 PACKAGES = ROOT / "src" / "ropsim"
 DATA = {"robots/arms"}
 

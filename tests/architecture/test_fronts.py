@@ -81,11 +81,11 @@ def _through(nodes: Sequence[ast.AST], own: str) -> list[str]:
 @pytest.mark.parametrize(
     "line",
     [
-        "import ropsim.views.terminal",
+        "import ropsim.views.terminal.run",
         "from ropsim.views.html.report import html_report",
         "from ropsim.views import terminal",
         "from ropsim import views\nviews.terminal.terminal_report(summary)",
-        "def f() -> None:\n    from ropsim.views.summary import summarize",
+        "def f() -> None:\n    from ropsim.views.summary.summary import summarize",
     ],
 )
 def test_reaching_behind_a_front_is_found(line: str) -> None:

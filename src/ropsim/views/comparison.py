@@ -3,11 +3,10 @@
 import math
 
 from ropsim.core import Diagnostic, frozen_dataclass
-from ropsim.views.characters import clean, fit
-from ropsim.views.columns import TableCell, columns_text
-from ropsim.views.figures import UNKNOWN, seconds
-from ropsim.views.markup import table, text
-from ropsim.views.style import Style, Tone
+from ropsim.views.markup.markup import table, text
+from ropsim.views.terminal.columns import Style, TableCell, Tone, columns_text
+from ropsim.views.words.characters import clean, fit
+from ropsim.views.words.figures import UNKNOWN, seconds
 
 _NAMES = 28
 _SHOWN_CODES = 3

@@ -5,9 +5,9 @@ from collections.abc import Iterator, Sequence
 
 from ropsim.core import plural
 from ropsim.flow import Clearance, Contact, RunFacts, WayFacts, body_title
-from ropsim.views.characters import clean, fit
-from ropsim.views.figures import seconds
-from ropsim.views.markup import table, text
+from ropsim.views.markup.markup import table, text
+from ropsim.views.words.characters import clean, fit
+from ropsim.views.words.figures import seconds
 
 COLUMNS = 80
 INDENT = 13

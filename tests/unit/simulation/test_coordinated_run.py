@@ -16,7 +16,7 @@ from ropsim.model import Cell
 from ropsim.simulation import Fidelity, RunOptions, RunView, run
 from ropsim.simulation.state.watch import NobodyWatches
 from ropsim.spatial import Array
-from ropsim.views.path_summary import summarize_path
+from ropsim.views.summary.path_summary import summarize_path
 from ropsim.workbench import environment_of
 
 CELL = """

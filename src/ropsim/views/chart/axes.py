@@ -1,8 +1,8 @@
 """Frames and axes of charts over time: all charts of a page share the place of the time axis."""
 
 from ropsim.core import frozen_dataclass
-from ropsim.views.markup import coordinate
-from ropsim.views.ticks import nice_ticks, tick_text
+from ropsim.views.markup.markup import coordinate
+from ropsim.views.markup.ticks import nice_ticks, tick_text
 
 WIDTH = 1000.0
 LEFT = 112.0

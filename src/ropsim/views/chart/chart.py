@@ -8,9 +8,9 @@ import numpy as np
 from ropsim.core import frozen_dataclass
 from ropsim.spatial import Array, record
 from ropsim.views.chart.axes import LEFT, RIGHT, WIDTH, Frame, time_axis, value_axis
-from ropsim.views.decimate import min_max
-from ropsim.views.markup import coordinate, points, text
-from ropsim.views.ticks import padded
+from ropsim.views.markup.decimate import min_max
+from ropsim.views.markup.markup import coordinate, points, text
+from ropsim.views.markup.ticks import padded
 
 TOP = 8.0
 GAP = 10.0

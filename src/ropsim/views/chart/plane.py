@@ -5,9 +5,9 @@ import numpy.typing as npt
 
 from ropsim.core import frozen_dataclass
 from ropsim.spatial import Array, record
-from ropsim.views.decimate import along_curve
-from ropsim.views.markup import coordinate, points, text
-from ropsim.views.ticks import nice_ticks, padded, tick_text
+from ropsim.views.markup.decimate import along_curve
+from ropsim.views.markup.markup import coordinate, points, text
+from ropsim.views.markup.ticks import nice_ticks, padded, tick_text
 
 WIDTH = 500.0
 HEIGHT = 440.0

@@ -6,10 +6,9 @@ from dataclasses import field
 
 from ropsim.core import frozen_dataclass
 from ropsim.flow import Event, OutputEvent, Recording, StationFacts
-from ropsim.views.cycle.line_cycle import LineCycle, lines_of
+from ropsim.views.cycle.line_cycle import LineCycle, TaskCycle, lines_of, tasks_of
 from ropsim.views.cycle.parts import CycleParts, Kind
 from ropsim.views.cycle.spent import Spent, spent, ticks_of
-from ropsim.views.cycle.task_cycle import TaskCycle, tasks_of
 
 _FINE_HZ = 1e6
 """Ticks per second by which times are told apart where the control rate is not known [Hz]."""

@@ -1,4 +1,4 @@
-"""What each source line of a program spent its time on, and which limit sets it."""
+"""What each source line and each task of a program spent its time on, and which limit sets it."""
 
 from collections import Counter
 from collections.abc import Iterable
@@ -79,3 +79,32 @@ def _critical(moves: list[MoveEvent]) -> CriticalShare | None:
         return None
     joint, quantity = longest = max(times, key=times.__getitem__)
     return CriticalShare(joint, quantity, min(times[longest] / travel, 1.0))
+
+
+@frozen_dataclass
+class TaskCycle:
+    """The time of all activations of a task, without what the tasks that it called took.
+
+    Attributes:
+        name: of the task; `main` for what stands in none, empty for what no statement made.
+        parts: of what its time consists.
+    """
+
+    name: str
+    parts: CycleParts
+
+
+def tasks_of(all_spent: Iterable[Spent], hz: float) -> tuple[TaskCycle, ...]:
+    """Return what each task spent its time on, the longest first.
+
+    Args:
+        all_spent: by the events of a station.
+        hz: control ticks per second.
+    """
+    tasks: dict[str, Counter[Kind]] = {}
+    for one in all_spent:
+        origin = one.event.origin
+        name = origin.calls[-1] if origin and origin.calls else ""
+        tasks.setdefault(name, Counter()).update(one.ticks)
+    found = [TaskCycle(name, CycleParts.of(ticks, hz)) for name, ticks in tasks.items()]
+    return tuple(sorted(found, key=lambda task: (-task.parts.total, task.name)))

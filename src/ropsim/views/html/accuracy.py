@@ -6,7 +6,11 @@ from typing import TypeVar
 
 from ropsim.core import SourceText
 from ropsim.views.accuracy import CornerFigures, StopFigures
-from ropsim.views.figures import (
+from ropsim.views.html.tables import source_cell
+from ropsim.views.markup.markup import table
+from ropsim.views.summary.path_summary import PathLine, PathMove, PathSummary
+from ropsim.views.summary.station_summary import Figures
+from ropsim.views.words.figures import (
     DEGREES,
     METRES,
     MILLIMETRES,
@@ -16,10 +20,6 @@ from ropsim.views.figures import (
     fixed,
     seconds,
 )
-from ropsim.views.html.source_cell import source_cell
-from ropsim.views.markup import table
-from ropsim.views.path_summary import PathLine, PathMove, PathSummary
-from ropsim.views.station_summary import Figures
 
 T = TypeVar("T", CornerFigures, StopFigures)
 

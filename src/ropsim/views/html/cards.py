@@ -4,8 +4,19 @@ from typing import TypeAlias
 
 from ropsim.core import plural
 from ropsim.flow import SLOW
-from ropsim.views.device_summary import DeviceSummary
-from ropsim.views.figures import (
+from ropsim.views.html.tables import marked
+from ropsim.views.markup.markup import text
+from ropsim.views.summary.device_summary import DeviceSummary
+from ropsim.views.summary.findings import place_text
+from ropsim.views.summary.joint_summary import (
+    JointSummary,
+    closest_to_position_limit,
+    closest_to_speed_limit,
+    closest_to_torque_limit,
+)
+from ropsim.views.summary.station_summary import Figures, StationSummary
+from ropsim.views.summary.summary import Summary
+from ropsim.views.words.figures import (
     MILLIMETRES,
     PERCENT,
     UNKNOWN,
@@ -14,17 +25,6 @@ from ropsim.views.figures import (
     seconds,
     with_unit,
 )
-from ropsim.views.findings import place_text
-from ropsim.views.html.tables import marked
-from ropsim.views.joint_summary import (
-    JointSummary,
-    closest_to_position_limit,
-    closest_to_speed_limit,
-    closest_to_torque_limit,
-)
-from ropsim.views.markup import text
-from ropsim.views.station_summary import Figures, StationSummary
-from ropsim.views.summary import Summary
 
 Card: TypeAlias = tuple[str, str, str]
 """Name, value and a few words below it."""

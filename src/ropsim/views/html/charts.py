@@ -10,7 +10,10 @@ from ropsim.spatial import Array
 from ropsim.views.channels import StationView, station_views
 from ropsim.views.chart.chart import Stretch, TimeChart, Trace, TraceRow, time_chart
 from ropsim.views.chart.plane import PlaneChart, Spot, plane_chart
-from ropsim.views.figures import (
+from ropsim.views.html.strips import figure, schedule, signals
+from ropsim.views.summary.path_summary import speed
+from ropsim.views.summary.summary import Summary
+from ropsim.views.words.figures import (
     AMPERE,
     MILLIMETRES,
     MILLIMETRES_PER_SECOND,
@@ -19,10 +22,6 @@ from ropsim.views.figures import (
     effort_scale,
     speed_scale,
 )
-from ropsim.views.html.figure import figure
-from ropsim.views.html.strips import schedule, signals
-from ropsim.views.path_summary import speed
-from ropsim.views.summary import Summary
 
 
 @frozen_dataclass

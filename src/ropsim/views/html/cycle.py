@@ -4,10 +4,10 @@ from collections.abc import Callable
 
 from ropsim.core import SourceText
 from ropsim.views.cycle import CycleParts, CycleTime
-from ropsim.views.cycle_text import NO_STATEMENT, critical_text, zone_text
-from ropsim.views.figures import UNKNOWN, percent, seconds
-from ropsim.views.html.source_cell import source_cell
-from ropsim.views.markup import table, text
+from ropsim.views.html.tables import source_cell
+from ropsim.views.markup.markup import table, text
+from ropsim.views.terminal.cycle import NO_STATEMENT, critical_text, zone_text
+from ropsim.views.words.figures import UNKNOWN, percent, seconds
 
 _ALWAYS: tuple[tuple[str, Callable[[CycleParts], float]], ...] = (
     ("total<br>[s]", lambda parts: parts.total),

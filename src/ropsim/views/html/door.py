@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 from ropsim.core import SourceText
 from ropsim.flow import Recording
 from ropsim.views.html.replay import NoReplay, Replay
-from ropsim.views.summary import Summary
+from ropsim.views.summary.summary import Summary
 
 if TYPE_CHECKING:
     from ropsim.views.comparison import Comparison

@@ -1,16 +1,17 @@
-"""Findings and skipped moves in the HTML report."""
+"""Findings, skipped moves and messages of the program in the HTML report."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from ropsim.core import SourceText, plural
 from ropsim.flow import SkipEvent
-from ropsim.views.event_text import event_text
-from ropsim.views.figures import seconds
-from ropsim.views.findings import FindingGroup, passes_text
-from ropsim.views.markup import prose, text
-from ropsim.views.snippet import Mark, snippet
-from ropsim.views.style import Style, Tone
-from ropsim.views.summary import Summary
+from ropsim.views.markup.markup import prose, table, text
+from ropsim.views.summary.findings import FindingGroup, passes_text
+from ropsim.views.summary.summary import Summary
+from ropsim.views.terminal.columns import Style, Tone
+from ropsim.views.terminal.snippet import Mark, snippet
+from ropsim.views.words.event_text import event_text
+from ropsim.views.words.figures import seconds
+from ropsim.views.words.messages import Message
 
 SHOWN_FINDINGS = 200
 
@@ -71,3 +72,20 @@ def skipped_section(summary: Summary) -> str:
 def _skipped(event: SkipEvent) -> str:
     place = f" ({text(str(event.span))})" if event.span else ""
     return f"<li>t = {seconds(event.time)} s: {text(event_text(event))}{place}</li>\n"
+
+
+SHOWN_MESSAGES = 500
+
+
+def messages_section(told: Sequence[Message]) -> str:
+    """Return what `print` showed; empty where it showed nothing."""
+    if not told:
+        return ""
+    rows = [
+        (seconds(one.time), text(one.place), str(one.visit or ""), text(one.text))
+        for one in told[:SHOWN_MESSAGES]
+    ]
+    more = len(told) - len(rows)
+    rest = f"<p>… and {plural(more, 'more message')}.</p>" if more > 0 else ""
+    listed = table("What <code>print</code> showed.", ("at t [s]", "line", "pass", "text"), rows, "words")
+    return f"<section><h2>Messages</h2>\n{listed}{rest}</section>\n"

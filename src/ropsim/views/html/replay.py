@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from dataclasses import field
 
 from ropsim.core import frozen_dataclass
-from ropsim.views.markup import text
+from ropsim.views.markup.markup import text
 
 NO_SCRIPT = "The replay needs a browser that runs the script of this page; the report below does not."
 

@@ -8,15 +8,13 @@ from collections.abc import Mapping
 from ropsim.core import SourceText
 from ropsim.flow import Recording, StationFacts
 from ropsim.views.comparison import Comparison, comparison_section
-from ropsim.views.cursor import SCRIPT
-from ropsim.views.definitions import DEFINITIONS
-from ropsim.views.figures import seconds
 from ropsim.views.html.accuracy import accuracy_section
 from ropsim.views.html.cards import key_figures, station_figures
 from ropsim.views.html.charts import active_lines, figures
+from ropsim.views.html.cursor import SCRIPT
 from ropsim.views.html.cycle import cycle_section
-from ropsim.views.html.findings import findings_section, skipped_section
-from ropsim.views.html.messages import messages_section
+from ropsim.views.html.definitions import DEFINITIONS
+from ropsim.views.html.findings import findings_section, messages_section, skipped_section
 from ropsim.views.html.replay import (
     NoReplay,
     Replay,
@@ -26,13 +24,14 @@ from ropsim.views.html.replay import (
     replay_section,
 )
 from ropsim.views.html.tables import approach_table, called_table, joint_table, origin_table, task_table
-from ropsim.views.markup import text
-from ropsim.views.messages import messages
-from ropsim.views.station_summary import StationSummary
-from ropsim.views.summary import Summary
-from ropsim.views.theme import stylesheet
-from ropsim.views.verdict import Verdict, verdict
+from ropsim.views.markup.markup import text
+from ropsim.views.markup.theme import stylesheet
+from ropsim.views.summary.station_summary import StationSummary
+from ropsim.views.summary.summary import Summary
+from ropsim.views.summary.verdict import Verdict, verdict
 from ropsim.views.ways import ways_section
+from ropsim.views.words.figures import seconds
+from ropsim.views.words.messages import messages
 
 SHOWN_LINE_CHANGES = 5000
 

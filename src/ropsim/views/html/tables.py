@@ -1,6 +1,11 @@
 """The tables of the HTML report."""
 
-from ropsim.views.figures import (
+from ropsim.core import SourceText
+from ropsim.views.markup.markup import table, text
+from ropsim.views.summary.device_summary import TaskSummary
+from ropsim.views.summary.joint_summary import Closeness, JointSummary, LimitApproach, end_closeness
+from ropsim.views.summary.summary import Summary
+from ropsim.views.words.figures import (
     UNKNOWN,
     coordinate_scale,
     effort_scale,
@@ -10,10 +15,6 @@ from ropsim.views.figures import (
     seconds,
     speed_scale,
 )
-from ropsim.views.joint_summary import Closeness, JointSummary, LimitApproach, end_closeness
-from ropsim.views.markup import table, text
-from ropsim.views.summary import Summary
-from ropsim.views.task_summary import TaskSummary
 
 
 def joint_table(joints: tuple[JointSummary, ...]) -> str:
@@ -155,3 +156,15 @@ def marked(figure: str, closeness: Closeness) -> str:
         return figure
     kind = "mark" if closeness is Closeness.BEYOND else "near"
     return f'<span class="{kind}">{closeness.value} {figure}</span>'
+
+
+_LONGEST = 200
+"""Characters of a line that are written; the page shows as many as there is room for."""
+
+
+def source_cell(source: SourceText | None, line: int) -> str:
+    """Return a line of a program, from 1, as code that is cut where it has no room; 0 for no line."""
+    if source is None or not line:
+        return UNKNOWN
+    shown = text(source.line(line).strip()[:_LONGEST])
+    return f'<code class="source" title="{shown}">{shown}</code>'

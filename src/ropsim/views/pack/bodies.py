@@ -8,7 +8,7 @@ from ropsim.model import BodyKind, BodyTree, Cell, body_tree
 from ropsim.spatial import Array, quaternions_from_matrices
 from ropsim.views.pack.channels import QUATERNION_STEP, continuous, resampled
 from ropsim.views.pack.columns import Body, Code, smooth
-from ropsim.views.shown_placements import ShownPlacements
+from ropsim.views.scene.shown_placements import ShownPlacements
 
 POSITION_STEP = 1e-5
 """Coarsest rounding of a body's position [m]."""

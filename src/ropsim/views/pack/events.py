@@ -4,7 +4,7 @@ from dataclasses import asdict, fields, is_dataclass
 from enum import Enum
 
 from ropsim.flow import Event
-from ropsim.views.event_text import event_text
+from ropsim.views.words.event_text import event_text
 
 _COMMON = {field.name for field in fields(Event)}
 _NAMES: dict[type, tuple[str, ...]] = {}

@@ -19,9 +19,9 @@ from ropsim.views.pack.bodies import packed_bodies
 from ropsim.views.pack.channels import packed_channels
 from ropsim.views.pack.columns import Body
 from ropsim.views.pack.events import packed_event
-from ropsim.views.result_figures import result_figures
 from ropsim.views.scene.shapes import plain_pose
-from ropsim.views.summary import Summary
+from ropsim.views.summary.result_figures import result_figures
+from ropsim.views.summary.summary import Summary
 
 VERSION = 3
 RATE = 60

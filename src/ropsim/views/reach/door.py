@@ -2,7 +2,7 @@
 
 from typing import TYPE_CHECKING
 
-from ropsim.views.style import Style
+from ropsim.views.terminal.columns import Style
 
 if TYPE_CHECKING:
     from ropsim.workspace import Study

@@ -4,7 +4,7 @@ import numpy as np
 
 from ropsim.kinematics import frames_batch
 from ropsim.spatial import Array
-from ropsim.views.decimate import along_curve
+from ropsim.views.markup.decimate import along_curve
 from ropsim.views.reach.plot import Plane
 from ropsim.workspace import ArmStudy, PointCheck, Standing, Study, SweepKind, outline, section_coordinates
 

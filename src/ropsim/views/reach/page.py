@@ -1,10 +1,10 @@
 """Workspaces and points of a task as one HTML page that needs nothing else."""
 
 from ropsim.version import __version__
-from ropsim.views.markup import table, text
+from ropsim.views.markup.markup import table, text
+from ropsim.views.markup.theme import stylesheet
 from ropsim.views.reach.drawings import section_drawing, top_drawing
 from ropsim.views.reach.words import dexterity_texts, extent_texts, left_text, volume_text, way_text
-from ropsim.views.theme import stylesheet
 from ropsim.workspace import ArmStudy, Standing, Study, size_of
 
 STYLE = """

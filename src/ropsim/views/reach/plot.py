@@ -4,8 +4,8 @@ from collections.abc import Iterable
 
 from ropsim.core import frozen_dataclass
 from ropsim.spatial import Array
-from ropsim.views.markup import coordinate, points, text
-from ropsim.views.ticks import nice_ticks, padded, tick_text
+from ropsim.views.markup.markup import coordinate, points, text
+from ropsim.views.markup.ticks import nice_ticks, padded, tick_text
 
 WIDTH, HEIGHT = 500.0, 440.0
 LEFT, RIGHT, TOP, BOTTOM = 62.0, 486.0, 14.0, 396.0

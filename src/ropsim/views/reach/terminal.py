@@ -1,9 +1,8 @@
 """Workspaces and points of a task as text for a terminal."""
 
-from ropsim.views.characters import clean, fit
-from ropsim.views.columns import TableCell, columns_text
 from ropsim.views.reach.words import dexterity_texts, extent_texts, left_text, volume_text, way_text
-from ropsim.views.style import Style, Tone, paint
+from ropsim.views.terminal.columns import Style, TableCell, Tone, columns_text, paint
+from ropsim.views.words.characters import clean, fit
 from ropsim.workspace import ArmStudy, Standing, Study, SweepKind
 
 NAME = 20

@@ -1,0 +1,1 @@
+"""Pieces of HTML and SVG, their colours, axis ticks and thinned points."""

@@ -1,0 +1,204 @@
+"""The figures of one station of a run: what its program did, and its arm."""
+
+import math
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import field, replace
+from typing import Protocol
+
+from ropsim.core import frozen_dataclass
+from ropsim.flow import (
+    Event,
+    GripEvent,
+    MotionKind,
+    MoveEvent,
+    Recording,
+    ReleaseEvent,
+    Settling,
+    SkipEvent,
+    StationFacts,
+    Waiting,
+    settling_of,
+    waiting_of,
+)
+from ropsim.views.accuracy import CornerFigures, StopFigures, corner_figures, stop_figures
+from ropsim.views.channels import station_views
+from ropsim.views.cycle import CycleTime, summarize_cycle
+from ropsim.views.summary.device_summary import TaskSummary, summarize_tasks
+from ropsim.views.summary.joint_summary import JointSummary, summarize_joints
+from ropsim.views.summary.path_summary import PathSummary, summarize_path
+
+
+@frozen_dataclass
+class StationSummary:
+    """The figures of one station.
+
+    Attributes:
+        facts: who ran what on which arm.
+        cycle_time: end of its last motion or instruction [s].
+        moves: number of moves carried out, by kind (`PTP`, `LIN`).
+        grips: number of times that a gripper closed on a part.
+        empty_grips: number of times that it closed on nothing.
+        releases: number of times the gripper was opened.
+        skipped: moves that were refused and left out.
+        share_in_motion: share of its cycle time in which its moves were on their way, outside of zones and
+            within them; NaN for no time.
+        settling: what settling after moves cost.
+        waiting: how long its program stood at waits.
+        tasks: time per task.
+        joints: extremes per joint.
+        path: accuracy of the moves with a path of the tool.
+        corners: how corners are passed that are rounded, in order of time.
+        stops: how moves come to rest, in order of time; of a kinematic run there are none.
+        cycle: of what its cycle time consists.
+        is_driven: whether drives moved its arm; without them it is where its reference is, exactly, and
+            nothing is known of settling, torques and accuracy.
+    """
+
+    facts: StationFacts
+    cycle_time: float
+    moves: Mapping[str, int]
+    grips: int
+    empty_grips: int
+    releases: int
+    skipped: tuple[SkipEvent, ...]
+    share_in_motion: float
+    settling: Settling
+    waiting: Waiting
+    tasks: tuple[TaskSummary, ...]
+    joints: tuple[JointSummary, ...]
+    path: PathSummary
+    corners: tuple[CornerFigures, ...]
+    stops: tuple[StopFigures, ...]
+    cycle: CycleTime = field(default_factory=CycleTime)
+    is_driven: bool = True
+
+
+class Figures(Protocol):
+    """What a whole run and one of its stations have both: time, moves, settling, waits."""
+
+    @property
+    def cycle_time(self) -> float:
+        """Return the end of the last motion or instruction [s]."""
+        ...
+
+    @property
+    def share_in_motion(self) -> float:
+        """Return the share of the cycle time in which moves were on their way."""
+        ...
+
+    @property
+    def is_driven(self) -> bool:
+        """Return whether drives moved an arm."""
+        ...
+
+    @property
+    def settling(self) -> Settling:
+        """Return what settling after moves cost."""
+        ...
+
+    @property
+    def waiting(self) -> Waiting:
+        """Return how long programs stood at waits."""
+        ...
+
+    @property
+    def moves(self) -> Mapping[str, int]:
+        """Return the number of moves by kind."""
+        ...
+
+    @property
+    def grips(self) -> int:
+        """Return how often a gripper closed on a part."""
+        ...
+
+    @property
+    def empty_grips(self) -> int:
+        """Return how often a gripper closed on nothing."""
+        ...
+
+    @property
+    def releases(self) -> int:
+        """Return how often a gripper opened."""
+        ...
+
+    @property
+    def joints(self) -> tuple[JointSummary, ...]:
+        """Return the extremes per joint."""
+        ...
+
+    @property
+    def path(self) -> PathSummary:
+        """Return the accuracy of the moves with a path of the tool."""
+        ...
+
+    @property
+    def corners(self) -> tuple[CornerFigures, ...]:
+        """Return how rounded corners are passed."""
+        ...
+
+    @property
+    def stops(self) -> tuple[StopFigures, ...]:
+        """Return how moves come to rest."""
+        ...
+
+
+def summarize_stations(recording: Recording) -> tuple[StationSummary, ...]:
+    """Return the figures of each station of a run, in the order of the cell."""
+    return tuple(
+        _station(_part(recording, facts), facts, summarize_cycle(recording, facts))
+        for facts in recording.facts.stations
+    )
+
+
+def end_of(events: Iterable[Event]) -> float:
+    """Return when the last of some events was over [s]; 0 for none."""
+    return max((event.end for event in events), default=0.0)
+
+
+def moves_by_kind(events: Iterable[Event]) -> dict[str, int]:
+    """Return how many moves of each kind were carried out: those of the joints first, then tool paths."""
+    counts = Counter(event.motion for event in events if isinstance(event, MoveEvent))
+    known = [kind.value for kind in MotionKind if kind.value in counts]
+    return {kind: counts[kind] for kind in (*known, *sorted(counts.keys() - known))}
+
+
+def share_in_motion(cycles: Sequence[CycleTime]) -> float:
+    """Return the share of the cycle times of stations together in which moves were on their way.
+
+    It is that of the parts `motion` and `blending`, so it agrees with them. NaN for no time.
+    """
+    total = sum(one.whole.total for one in cycles)
+    return sum(one.whole.moving for one in cycles) / total if total > 0.0 else math.nan
+
+
+def _part(recording: Recording, facts: StationFacts) -> Recording:
+    """Return what a recording has of one station; all of it where there is no other one."""
+    if len(recording.facts.stations) == 1:
+        return recording
+    events = tuple(event for event in recording.events if event.station == facts.name)
+    return replace(recording, events=events, facts=replace(recording.facts, stations=(facts,)))
+
+
+def _station(recording: Recording, facts: StationFacts, cycle: CycleTime) -> StationSummary:
+    events = recording.events
+    cycle_time, views = end_of(events), station_views(recording)
+    return StationSummary(
+        facts=facts,
+        cycle_time=cycle_time,
+        moves=moves_by_kind(events),
+        grips=sum(isinstance(event, GripEvent) and event.part != "" for event in events),
+        empty_grips=sum(isinstance(event, GripEvent) and event.part == "" for event in events),
+        releases=sum(isinstance(event, ReleaseEvent) for event in events),
+        skipped=tuple(event for event in events if isinstance(event, SkipEvent)),
+        share_in_motion=share_in_motion([cycle]),
+        settling=settling_of(events, cycle_time),
+        waiting=waiting_of(events, cycle_time),
+        tasks=summarize_tasks(recording),
+        joints=summarize_joints(recording),
+        path=summarize_path(recording),
+        corners=tuple(one for station in views for one in corner_figures(station)),
+        stops=tuple(one for station in views for one in stop_figures(station)),
+        cycle=cycle,
+        is_driven=any(station.is_driven for station in views),
+    )

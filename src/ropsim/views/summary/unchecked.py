@@ -1,0 +1,163 @@
+"""What a verdict leaves unchecked, in the same words everywhere, and what slowing by hand has cost."""
+
+from collections.abc import Iterable, Iterator, Sequence
+
+from ropsim.core import Diagnostic, frozen_dataclass, plural
+from ropsim.flow import SLOWEST, OverrideChange, RunFacts, in_time
+from ropsim.views.words.characters import clean
+from ropsim.views.words.figures import PERCENT, seconds
+
+
+@frozen_dataclass
+class ByHand:
+    """How long a run was held and slowed by hand within its cycle time.
+
+    Attributes:
+        held: time at an override of 0 [s].
+        slowed: time at an override between 0 and 1 [s].
+        slowest: least override that was asked for, the holds apart; 1 where it was never below.
+        is_held: whether it was held at all, be it for no time or behind the end of the cycle.
+        held_in_all: time at an override of 0 until the run ended, behind the end of the cycle, too [s].
+    """
+
+    held: float = 0.0
+    slowed: float = 0.0
+    slowest: float = 1.0
+    is_held: bool = False
+    held_in_all: float = 0.0
+
+    @property
+    def mark(self) -> str:
+        """Return a few words for beside the cycle time; empty where nothing of it is by hand.
+
+        Both times are those of the override as set: braking to a hold is in them, speeding up after it not.
+        """
+        times = (("held", self.held), ("slowed", self.slowed))
+        parts = [f"{word} for {seconds(time)} s" for word, time in times if shown(time)]
+        return f"{' and '.join(parts)} by hand" if parts else ""
+
+
+def by_hand(changes: Sequence[OverrideChange], cycle_time: float, duration: float) -> ByHand:
+    """Return what changes of the override did to a run until the end of its cycle.
+
+    Args:
+        changes: of the override; before the first one it is 1.
+        cycle_time: end of the last motion or instruction [s].
+        duration: end of the run [s].
+    """
+    lasting = _lasting(changes, cycle_time)
+    return ByHand(
+        held=sum(time for value, time in lasting if value == 0.0),
+        slowed=sum(time for value, time in lasting if 0.0 < value < 1.0),
+        slowest=min((value for value, _ in lasting if value > 0.0), default=1.0),
+        is_held=any(value == 0.0 for value, _ in lasting),
+        held_in_all=sum(time for value, time in _lasting(changes, duration) if value == 0.0),
+    )
+
+
+def _lasting(changes: Sequence[OverrideChange], until: float) -> list[tuple[float, float]]:
+    """Return each override, 0 where it holds, and how long it was in force until a time [s]."""
+    ordered = in_time(changes)
+    ends = [*(one.time for one in ordered[1:]), float("inf")]
+    return [
+        (0.0 if one.value < SLOWEST else one.value, max(min(end, until) - one.time, 0.0))
+        for one, end in zip(ordered, ends, strict=False)
+    ]
+
+
+def percentage(override: float) -> str:
+    """Return an override below 1, never as 100 %: something was slowed."""
+    return f"{min(round(override * PERCENT.factor, 1), 99.9):g}\u00a0{PERCENT.unit}"
+
+
+def shown(time: float) -> bool:
+    """Return whether a time is told: not where it would read 0.00 s."""
+    return time >= 0.005
+
+
+CHECKED_IF_SAID = ("collisions", "rated payload")
+"""What a run has checked only where its recording says so."""
+
+WITHOUT_DYNAMICS = ("torques", "drives", "servo")
+"""What a kinematic run does not look at, beside that."""
+
+SHORT = 40
+"""Groups of estimated parameters are named if their names take at most so many characters, else counted."""
+
+
+@frozen_dataclass
+class Unchecked:
+    """What the figures and the verdict of a run leave open.
+
+    Attributes:
+        given: what was done to the run by hand, in words; the cycle time is that of the program only without.
+        aspects: not looked at, such as `collisions`.
+        estimated: groups of parameters that are estimates, as the model names them.
+        fine_stops: source lines with a finding that a zone is not flown (a fine stop), text after text.
+    """
+
+    given: str = ""
+    aspects: tuple[str, ...] = ()
+    estimated: tuple[str, ...] = ()
+    fine_stops: tuple[int, ...] = ()
+
+    @property
+    def text(self) -> str:
+        """Return all of it as one line; empty where nothing is left open."""
+        parts = [self.given] if self.given else []
+        if self.aspects:
+            parts.append(f"not checked: {', '.join(self.aspects)}")
+        if self.estimated:
+            names = ", ".join(clean(name) for name in self.estimated)
+            count = plural(len(self.estimated), "group")
+            parts.append(f"estimated: {names if len(names) <= SHORT else f'{count} of parameters'}")
+        if self.fine_stops:
+            parts.append(f"zones not flown (fine stop) on {plural(len(self.fine_stops), 'line')}")
+        return " · ".join(parts)
+
+
+def unchecked(facts: RunFacts, findings: Iterable[Diagnostic], hand: ByHand) -> Unchecked:
+    """Return what a run did not look at.
+
+    Args:
+        facts: of the run.
+        findings: of the run.
+        hand: how long it was held and slowed.
+    """
+    aspects = CHECKED_IF_SAID + (WITHOUT_DYNAMICS if facts.is_kinematic else ())
+    stops = {(one.span.source, one.span.line) for one in findings if one.span and _is_fine_stop(one)}
+    return Unchecked(
+        given_text(facts, hand),
+        (*_on_ways(facts), *(one for one in aspects if one not in facts.checked)),
+        tuple(dict.fromkeys(name for station in facts.stations for name in station.estimated)),
+        tuple(line for _, line in sorted(stops)),
+    )
+
+
+def _is_fine_stop(finding: Diagnostic) -> bool:
+    """Return whether a finding says that the arm stops where a zone is in force."""
+    zone = finding.data.get("zone_m")
+    return isinstance(zone, float) and zone > 0.0 and "flown_m" not in finding.data
+
+
+def _on_ways(facts: RunFacts) -> Iterator[str]:
+    """Yield what a look for collisions did not see."""
+    if facts.ways is None:
+        return
+    if unseen := facts.ways.unseen:
+        which = clean(unseen[0]) if len(unseen) == 1 else f"{len(unseen)} bodies"
+        yield f"collisions of {which} without a known shape"
+    if met := facts.ways.met:
+        yield f"collisions of {plural(len(met), 'pair')} in each other at the start"
+
+
+def given_text(facts: RunFacts, hand: ByHand) -> str:
+    """Return what was done to a run, such as `by hand: 2 inputs, override down to 50 %, held 3.20 s`."""
+    parts = [plural(len(facts.inputs), "input")] if facts.inputs else []
+    if hand.slowest < 1.0:
+        parts.append(f"override down to {percentage(hand.slowest)}")
+    if hand.is_held:
+        parts.append(f"held {seconds(hand.held_in_all)} s" if shown(hand.held_in_all) else "held")
+    if facts.stopped is not None:
+        parts.append(f"stopped at {facts.stopped:.2f} s")
+    return f"by hand: {', '.join(parts)}" if parts else ""

@@ -1,0 +1,1 @@
+"""Text for a terminal: summaries, diagnostics with source lines, aligned columns."""

@@ -1,0 +1,186 @@
+"""How true a run or a station was to its commands, as lines for a terminal of 80 columns."""
+
+import math
+
+from ropsim.core import plural
+from ropsim.views.accuracy import BAND, CornerFigures, StopFigures
+from ropsim.views.summary.findings import place_text
+from ropsim.views.summary.path_summary import PathSummary
+from ropsim.views.summary.station_summary import Figures
+from ropsim.views.terminal.columns import Style, Tone, paint
+from ropsim.views.words.figures import (
+    DEGREES,
+    MILLIMETRES,
+    MILLIMETRES_PER_SECOND,
+    PERCENT,
+    UNKNOWN,
+    WITHOUT_DRIVES,
+    seconds,
+    with_unit,
+)
+
+_OFF = 1e-3
+"""Distance from its target beyond which it is said of a stop that is reached [m]."""
+
+
+def accuracy_lines(figures: Figures, style: Style) -> list[str]:
+    """Return the accuracy of paths, corners and stops; nothing of what the run does not have."""
+    if not figures.is_driven:
+        return [*_commanded(figures.path, style), *_planned(figures.corners, style)]
+    return [
+        *_path(figures.path, style),
+        *_corners(figures.corners, style),
+        *_stops(figures.stops, style),
+    ]
+
+
+def _commanded(path: PathSummary, style: Style) -> list[str]:
+    """Return what is said of the tool paths of an arm without drives."""
+    if not path.moves:
+        return []
+    title = paint(f"path error of tool paths ({plural(len(path.moves), 'move')})", Tone.QUIET, style)
+    return [f"{title}: {WITHOUT_DRIVES}", *_slow(path)]
+
+
+def _planned(corners: tuple[CornerFigures, ...], style: Style) -> list[str]:
+    """Return what is said of the corners of an arm without drives."""
+    if not corners:
+        return []
+    title = paint(f"rounded corners ({len(corners)})", Tone.QUIET, style)
+    return [f"{title}: {WITHOUT_DRIVES}; planned {_ends([one.planned for one in corners])} from the corner"]
+
+
+def _path(path: PathSummary, style: Style) -> list[str]:
+    worst = path.worst
+    if worst is None:
+        return []
+    figures = ", ".join(
+        f"{name} {with_unit(value, MILLIMETRES, 3)}"
+        for name, value in (
+            ("max", path.max_error),
+            ("mean", path.mean_error),
+            ("RMS", path.rms_error),
+            ("95th percentile", path.p95_error),
+        )
+    )
+    return [
+        paint(f"path error of tool paths ({plural(len(path.moves), 'move')})", Tone.QUIET, style),
+        f"  {figures}",
+        f"  worst at t = {seconds(worst.time)} s{place_text(worst.line, worst.visit)}",
+        *_orientation(path),
+        *_repeats(path),
+        *_slow(path),
+        *_speeds(path),
+    ]
+
+
+def _orientation(path: PathSummary) -> list[str]:
+    worst = path.worst_angle
+    if worst is None:
+        return []
+    return [
+        f"  orientation: max {with_unit(worst.max_angle, DEGREES, 3)}{place_text(worst.line, worst.visit)}"
+    ]
+
+
+def _repeats(path: PathSummary) -> list[str]:
+    line = path.worst_repeat
+    if line is None:
+        return []
+    passes = f"{len(line.moves)} passes of line {line.line}" if line.line else f"{len(line.moves)} passes"
+    return [f"  path repeatability RT: max {with_unit(line.repeatability, MILLIMETRES, 3)} ({passes})"]
+
+
+def _slow(path: PathSummary) -> list[str]:
+    if not path.slow:
+        return []
+    least = min(path.slow, key=lambda move: move.speeds.command / move.given)
+    speeds = f"{with_unit(least.speeds.command, MILLIMETRES_PER_SECOND, 0)} of " + with_unit(
+        least.given, MILLIMETRES_PER_SECOND, 0
+    )
+    many = plural(len(path.slow), "move")
+    return [f"  given speed not reached in {many}: {speeds}{place_text(least.line, least.visit)}"]
+
+
+def _speeds(path: PathSummary) -> list[str]:
+    worst = path.worst_speed
+    if worst is None:
+        return []
+    speeds, place = worst.speeds, place_text(worst.line, worst.visit)
+    wanted = with_unit(speeds.command, MILLIMETRES_PER_SECOND, 0)
+    return [
+        f"  path velocity accuracy AV: mean {_signed(path.mean_speed_accuracy)}",
+        f"  worst {_signed(speeds.accuracy)} of {wanted}{place}",
+        f"  fluctuation FV: max {with_unit(path.largest_fluctuation, MILLIMETRES_PER_SECOND, 2)}",
+    ]
+
+
+def _corners(corners: tuple[CornerFigures, ...], style: Style) -> list[str]:
+    if not corners:
+        return []
+    nearest, farthest = (pick(corners, key=lambda one: one.rounding) for pick in (min, max))
+    beyond = max(corners, key=lambda one: one.overshoot if math.isfinite(one.overshoot) else -1.0)
+    away = _ends([nearest.rounding, farthest.rounding])
+    lines = [
+        paint(f"rounded corners ({len(corners)})", Tone.QUIET, style),
+        f"  corner rounding CR: {away}{place_text(farthest.line, farthest.visit)}",
+    ]
+    if math.isfinite(beyond.overshoot):
+        most = with_unit(beyond.overshoot, MILLIMETRES, 3)
+        lines.append(f"  cornering overshoot CO: max {most}{place_text(beyond.line, beyond.visit)}")
+    return lines
+
+
+def _stops(stops: tuple[StopFigures, ...], style: Style) -> list[str]:
+    if not stops:
+        return []
+    title = paint(f"stops ({len(stops)})", Tone.QUIET, style)
+    return [title, *_ends_of(stops, style), *_overshoot(stops), *_stabilization(stops)]
+
+
+def _ends_of(stops: tuple[StopFigures, ...], style: Style) -> list[str]:
+    """Return how far stops end from their targets, and how many of them are not reached."""
+    missed = [one for one in stops if not one.is_reached]
+    far = max(missed or stops, key=lambda one: one.away)
+    away = f"{with_unit(far.away, MILLIMETRES, 3)}{place_text(far.line, far.visit)}"
+    if missed:
+        return [paint(f"  ! not reached: {len(missed)} of {len(stops)}, farthest {away}", Tone.ERROR, style)]
+    return [f"  distance from the target at the end: max {away}"] if far.away > _OFF else []
+
+
+def _overshoot(stops: tuple[StopFigures, ...]) -> list[str]:
+    known = [one for one in stops if math.isfinite(one.overshoot)]
+    if not known:
+        return [f"  position overshoot OV: {UNKNOWN}, the TCP comes to no target"]
+    far = max(known, key=lambda one: one.overshoot)
+    if not far.overshoot > 0.0:
+        return [f"  position overshoot OV: none beyond {with_unit(BAND, MILLIMETRES, 1)}"]
+    over = f"{with_unit(far.overshoot, MILLIMETRES, 3)}{place_text(far.line, far.visit)}"
+    return [f"  position overshoot OV: max {over}"]
+
+
+def _stabilization(stops: tuple[StopFigures, ...]) -> list[str]:
+    """Return how long the TCP takes until it stays at its place; nothing where it never goes beyond it."""
+    if not any(one.overshoot > 0.0 or not one.is_reached for one in stops):
+        return []
+    band = with_unit(BAND, MILLIMETRES, 1)
+    known = [one for one in stops if math.isfinite(one.stabilization)]
+    lines, restless = [], len(stops) - len(known)
+    slow = max(known, key=lambda one: one.stabilization, default=None)
+    if slow is not None and slow.stabilization > 0.0:
+        lines.append(
+            f"  stabilization time: max {slow.stabilization:.3f} s{place_text(slow.line, slow.visit)}"
+        )
+    if restless:
+        lines.append(f"  not within {band} of its place when it went on: {plural(restless, 'stop')}")
+    return lines
+
+
+def _ends(lengths: list[float]) -> str:
+    """Return the least and the largest of some lengths [m], one where they read the same."""
+    return " to ".join(dict.fromkeys(with_unit(one, MILLIMETRES, 3) for one in (min(lengths), max(lengths))))
+
+
+def _signed(share: float) -> str:
+    text = with_unit(share, PERCENT, 2)
+    return text if not math.isfinite(share) or share < 0.0 else f"+{text}"

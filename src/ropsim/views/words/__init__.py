@@ -1,0 +1,1 @@
+"""Numbers, events and messages in words for people."""
