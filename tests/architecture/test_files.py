@@ -57,13 +57,12 @@ WIDE = {
     "kinematics",
     "kinematics/solvers",
     "motion/retiming",
-    "nirox",
     "prolog",
     "studio",
     "workspace",
 }
 LONG = {"curve_kernel.py", "time_law_kernel.py", "documents.py", "jobs.py", "messages.py"}
-SMALL_FILES = 159
+SMALL_FILES = 157
 PACKAGES = ROOT / "src" / "ropsim"
 DATA = {"robots/arms"}
 

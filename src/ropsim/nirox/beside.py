@@ -6,10 +6,9 @@ from types import MappingProxyType
 
 from ropsim.core import frozen_dataclass
 from ropsim.model import RobotModel
-from ropsim.nirox.building import UNSET, Key
-from ropsim.nirox.built import built
-from ropsim.nirox.further_frame import FurtherFrame
-from ropsim.nirox.seen import Seen
+from ropsim.nirox.building import UNSET, FurtherFrame, Key
+from ropsim.nirox.readers.seen import Seen
+from ropsim.nirox.writers.built import built
 from ropsim.part21 import Instance, Record, Reference, Value, references
 
 _OWN: Mapping[str, tuple[int, ...]] = MappingProxyType(

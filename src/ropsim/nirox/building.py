@@ -1,9 +1,10 @@
-"""Instances of a file while they are made, each under a key that says what of the robot it stands for."""
+"""Instances that are built one after the other, and the further frame of an arm."""
 
 from collections.abc import Iterable
 from math import inf
 
 from ropsim.part21 import Absent, Instance, Record, Reference, Value
+from ropsim.spatial import Pose, record
 
 Key = tuple[str | int | float, ...]
 """What an instance stands for, such as `("pair", 2)`: that of the third joint; the base is link -1."""
@@ -62,3 +63,20 @@ def reals(values: Iterable[float]) -> tuple[Value, ...]:
 def bounded(value: float) -> Value:
     """Return a number, or nothing where it stands for no bound at all."""
     return UNSET if value in (inf, -inf) else float(value)
+
+
+@record
+class FurtherFrame:
+    """A frame on a link.
+
+    Attributes:
+        name: of the frame.
+        role: what it is for, an item of the enumeration `frame_role` in small letters.
+        link: number of the link that carries it, from 0; -1 for the base.
+        X_LF: its pose in the frame of the joint that moves that link.
+    """
+
+    name: str
+    role: str
+    link: int
+    X_LF: Pose

@@ -5,17 +5,16 @@ from collections.abc import Iterator
 from ropsim.core import Diagnostic, SourceText, frozen_dataclass
 from ropsim.express import validate
 from ropsim.model import PlaceOf, ReadRobot, RobotModel, audit, nowhere
-from ropsim.nirox.attributes import ImpossibleError
 from ropsim.nirox.beside import NOTHING, Beside, beside_of
-from ropsim.nirox.conformance import ConformanceClass, conformance_of
+from ropsim.nirox.building import FurtherFrame
 from ropsim.nirox.diagnostics import KEPT, LOST, NOT_NIROX
-from ropsim.nirox.further_frame import FurtherFrame
-from ropsim.nirox.number_places import places_of
-from ropsim.nirox.plain_mechanism import SCHEMA, with_arm
-from ropsim.nirox.product_masses import with_masses
-from ropsim.nirox.read_arm import read_arm
-from ropsim.nirox.schema_text import NAME, nirox_schema
-from ropsim.nirox.seen import Seen
+from ropsim.nirox.products.plain_mechanism import SCHEMA, with_arm
+from ropsim.nirox.products.product_masses import with_masses
+from ropsim.nirox.readers.arm import read_arm
+from ropsim.nirox.readers.attributes import ImpossibleError
+from ropsim.nirox.readers.number_places import places_of
+from ropsim.nirox.readers.seen import Seen
+from ropsim.nirox.schema_text import NAME, ConformanceClass, conformance_of, nirox_schema
 from ropsim.part21 import ExchangeFile, read_exchange
 
 _OF_PLAIN = (

@@ -4,10 +4,10 @@ from ropsim.core import Diagnostic
 from ropsim.express import Population, validate
 from ropsim.model import RobotModel, WrittenRobot, check_counts
 from ropsim.nirox.beside import NOTHING, Beside
-from ropsim.nirox.built import built
 from ropsim.nirox.diagnostics import LOST, REFUSED
 from ropsim.nirox.rejoined import rejoined
 from ropsim.nirox.schema_text import NAME, nirox_schema
+from ropsim.nirox.writers.built import built
 from ropsim.part21 import ExchangeFile, Record, write_exchange
 from ropsim.version import __version__
 

@@ -10,7 +10,7 @@ from ropsim.kinematics import forward
 from ropsim.model import Attribute, AuditPlace, ElasticGear, Friction, Gear, JointType
 from ropsim.nirox import ReadNirox, nirox_places, nirox_schema, read_nirox, write_nirox
 from ropsim.nirox.diagnostics import IMPOSSIBLE, LOST
-from ropsim.nirox.seen import MOST, Seen
+from ropsim.nirox.readers.seen import MOST, Seen
 from ropsim.part21 import read_exchange
 from support.nirox_texts import END, HEAD, TEXT, line_of
 

@@ -5,11 +5,10 @@ from math import isfinite
 
 from ropsim.core import Diagnostic
 from ropsim.model import Joint, JointType, RobotModel
-from ropsim.nirox.building import DERIVED, UNSET, Building, bounded, reals
+from ropsim.nirox.building import DERIVED, UNSET, Building, FurtherFrame, bounded, reals
 from ropsim.nirox.diagnostics import LOST
-from ropsim.nirox.further_frame import FurtherFrame
-from ropsim.nirox.written_mechanism import MechanismWriting
-from ropsim.nirox.written_places import write_placement
+from ropsim.nirox.writers.mechanism import MechanismWriting
+from ropsim.nirox.writers.places import write_placement
 from ropsim.part21 import Enumeration, Reference, Value
 
 _VALUES = {JointType.PRISMATIC: "PRISMATIC_PAIR_VALUE", JointType.SCREW: "SCREW_PAIR_VALUE"}

@@ -7,7 +7,7 @@ import numpy as np
 
 from ropsim.model import Joint, JointType, Link, RobotModel, coordinates
 from ropsim.nirox.orientations import columns_of, columns_of_pose, moved_frame, placed_frame, quaternion_of
-from ropsim.nirox.read_joints import WITHOUT_END
+from ropsim.nirox.readers.joints import WITHOUT_END
 from ropsim.spatial import Array, Pose, frozen
 
 FLANGE = "flange"

@@ -19,8 +19,8 @@ from ropsim.model import (
     Sphere,
 )
 from ropsim.nirox.diagnostics import IMPOSSIBLE, LOST
-from ropsim.nirox.read_mechanism import Mechanism
-from ropsim.nirox.seen import Seen
+from ropsim.nirox.readers.mechanism import Mechanism
+from ropsim.nirox.readers.seen import Seen
 from ropsim.spatial import Array
 
 _MASSES = ("rigid_link_mass_properties", "effective_link_inertia")

@@ -12,8 +12,8 @@ from dataclasses import replace
 from ropsim.core import Diagnostic, frozen_dataclass
 from ropsim.nirox.building import reals
 from ropsim.nirox.diagnostics import NO_MASS
-from ropsim.nirox.product_units import Known, measured, reference, references_in, scale_of
-from ropsim.nirox.read_mechanism import MOST_JOINTS
+from ropsim.nirox.products.product_units import Known, measured, reference, references_in, scale_of
+from ropsim.nirox.readers.mechanism import MOST_JOINTS
 from ropsim.part21 import Enumeration, ExchangeFile, Instance, Record, Reference, Typed
 
 _CENTRES = ("centre of mass", "center of mass", "centre of gravity", "center of gravity")

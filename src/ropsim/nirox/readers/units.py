@@ -4,7 +4,7 @@ from math import isclose, pi, radians
 
 from ropsim.core import frozen_dataclass
 from ropsim.nirox.diagnostics import UNIT_UNKNOWN
-from ropsim.nirox.seen import Seen
+from ropsim.nirox.readers.seen import Seen
 
 PREFIXES = {
     "exa": 18, "peta": 15, "tera": 12, "giga": 9, "mega": 6, "kilo": 3, "hecto": 2, "deca": 1,

@@ -7,8 +7,8 @@ from typing import TypeVar
 
 from ropsim.core import Diagnostic, Kind
 from ropsim.express import Population, Schema
-from ropsim.nirox.attributes import Attributes, ImpossibleError
 from ropsim.nirox.building import Key
+from ropsim.nirox.readers.attributes import Attributes, ImpossibleError
 from ropsim.part21 import ExchangeFile, Instance
 
 T = TypeVar("T")

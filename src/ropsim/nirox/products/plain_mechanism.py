@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from ropsim.nirox.building import UNSET
-from ropsim.nirox.plain_loops import loops_of
+from ropsim.nirox.products.plain_loops import loops_of
 from ropsim.part21 import ExchangeFile, Instance, Record, Reference, Value
 
 SCHEMA = "AP242"

@@ -3,7 +3,7 @@
 from ropsim.model import ALL_DIRECTIONS, BASE_LINK, RobotModel
 from ropsim.nirox.building import DERIVED, UNSET, Building
 from ropsim.nirox.pair_words import pair_of
-from ropsim.nirox.written_places import write_placement
+from ropsim.nirox.writers.places import write_placement
 from ropsim.part21 import FALSE, TRUE, Reference, Value
 
 

@@ -12,8 +12,8 @@ from ropsim.nirox.orientations import (
     moved_frame,
     quaternion_of,
 )
-from ropsim.nirox.seen import Seen
-from ropsim.nirox.units import SI, Units
+from ropsim.nirox.readers.seen import Seen
+from ropsim.nirox.readers.units import SI, Units
 from ropsim.spatial import Pose
 
 _AGREES = 1e-6

@@ -5,9 +5,9 @@ from dataclasses import replace
 from ropsim.model import RobotModel, WrittenRobot, check_counts
 from ropsim.nirox.building import DERIVED, Building
 from ropsim.nirox.diagnostics import REFUSED
-from ropsim.nirox.plain_form import plain_form
-from ropsim.nirox.written_arm import write_state
-from ropsim.nirox.written_mechanism import MechanismWriting
+from ropsim.nirox.products.plain_form import plain_form
+from ropsim.nirox.writers.arm import write_state
+from ropsim.nirox.writers.mechanism import MechanismWriting
 from ropsim.part21 import ExchangeFile, Instance, Record, Reference, Value, write_exchange
 from ropsim.version import __version__
 

@@ -19,8 +19,8 @@ from ropsim.model import (
     pin_at,
 )
 from ropsim.nirox.diagnostics import LOST
-from ropsim.nirox.read_mechanism import Mechanism
-from ropsim.nirox.seen import Seen
+from ropsim.nirox.readers.mechanism import Mechanism
+from ropsim.nirox.readers.seen import Seen
 from ropsim.spatial import Pose
 
 HYDRAULIC = ("hydraulic_rotary_motor", "hydraulic_cylinder")

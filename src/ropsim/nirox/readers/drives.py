@@ -19,11 +19,11 @@ from ropsim.model import (
     Transmission,
     VoltageAmplifier,
 )
-from ropsim.nirox.attributes import LARGEST
 from ropsim.nirox.diagnostics import LOST
-from ropsim.nirox.read_hydraulics import HYDRAULIC, Linkages, read_hydraulic
-from ropsim.nirox.read_mechanism import Mechanism
-from ropsim.nirox.seen import Seen
+from ropsim.nirox.readers.attributes import LARGEST
+from ropsim.nirox.readers.hydraulics import HYDRAULIC, Linkages, read_hydraulic
+from ropsim.nirox.readers.mechanism import Mechanism
+from ropsim.nirox.readers.seen import Seen
 
 _SIMPLE = "coulomb_viscous_friction"
 

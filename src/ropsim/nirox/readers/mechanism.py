@@ -6,10 +6,10 @@ from ropsim.core import frozen_dataclass
 from ropsim.model import BASE_LINK, JointType
 from ropsim.nirox.diagnostics import IMPOSSIBLE
 from ropsim.nirox.pair_words import PAIRS
-from ropsim.nirox.read_places import Places
-from ropsim.nirox.seen import Seen
-from ropsim.nirox.units import Units, units_of
-from ropsim.nirox.ways import ways
+from ropsim.nirox.readers.places import Places
+from ropsim.nirox.readers.seen import Seen
+from ropsim.nirox.readers.units import Units, units_of
+from ropsim.nirox.readers.ways import ways
 from ropsim.spatial import Pose
 
 MOST_JOINTS = 200

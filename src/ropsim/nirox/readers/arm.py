@@ -15,15 +15,14 @@ from ropsim.model import (
     RobotModel,
     number_findings,
 )
-from ropsim.nirox.further_frame import FurtherFrame
-from ropsim.nirox.number_places import places_of
-from ropsim.nirox.read_axes import read_couplings, read_dh_table, read_external
-from ropsim.nirox.read_bodies import read_links
-from ropsim.nirox.read_cuts import read_cuts
-from ropsim.nirox.read_drives import read_drives
-from ropsim.nirox.read_joints import Joints
-from ropsim.nirox.read_mechanism import Mechanism
-from ropsim.nirox.seen import Seen
+from ropsim.nirox.building import FurtherFrame
+from ropsim.nirox.readers.axes import read_couplings, read_cuts, read_dh_table, read_external
+from ropsim.nirox.readers.bodies import read_links
+from ropsim.nirox.readers.drives import read_drives
+from ropsim.nirox.readers.joints import Joints
+from ropsim.nirox.readers.mechanism import Mechanism
+from ropsim.nirox.readers.number_places import places_of
+from ropsim.nirox.readers.seen import Seen
 from ropsim.spatial import Pose, frozen
 
 _KINDS = ("published", "derived", "estimated")

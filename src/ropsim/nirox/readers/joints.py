@@ -5,8 +5,8 @@ from math import inf, isclose, pi
 
 from ropsim.model import Joint, JointType
 from ropsim.nirox.diagnostics import ESTIMATED, IMPOSSIBLE
-from ropsim.nirox.read_mechanism import Mechanism, Moved
-from ropsim.nirox.seen import Seen
+from ropsim.nirox.readers.mechanism import Mechanism, Moved
+from ropsim.nirox.readers.seen import Seen
 
 WITHOUT_END = 400.0 * 2.0 * pi
 """Limit of an axis that turns without end [rad]."""

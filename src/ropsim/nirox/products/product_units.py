@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 
-from ropsim.nirox.units import PREFIXES
+from ropsim.nirox.readers.units import PREFIXES
 from ropsim.part21 import Enumeration, Instance, Record, Reference, Typed, Value
 
 Known = Mapping[int, Instance]

@@ -2,12 +2,10 @@
 
 from ropsim.core import Diagnostic, frozen_without_equality
 from ropsim.model import RobotModel
-from ropsim.nirox.building import Building
-from ropsim.nirox.further_frame import FurtherFrame
-from ropsim.nirox.written_arm import arm_losses, write_arm, write_origins
-from ropsim.nirox.written_bodies import write_bodies
-from ropsim.nirox.written_drives import drive_losses, write_drives
-from ropsim.nirox.written_looks import write_looks
+from ropsim.nirox.building import Building, FurtherFrame
+from ropsim.nirox.writers.arm import arm_losses, write_arm, write_origins
+from ropsim.nirox.writers.bodies import write_bodies, write_looks
+from ropsim.nirox.writers.drives import drive_losses, write_drives
 
 
 @frozen_without_equality

@@ -8,8 +8,8 @@ from ropsim.model import BASE_LINK, Joint, JointType, RobotModel
 from ropsim.nirox.building import DERIVED, UNSET, Building
 from ropsim.nirox.diagnostics import LOST
 from ropsim.nirox.pair_words import PAIRS
-from ropsim.nirox.written_cuts import write_cut
-from ropsim.nirox.written_places import write_placement
+from ropsim.nirox.writers.cuts import write_cut
+from ropsim.nirox.writers.places import write_placement
 from ropsim.part21 import Enumeration, Record, Reference, Value
 from ropsim.spatial import Pose
 

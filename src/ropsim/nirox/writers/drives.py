@@ -22,7 +22,7 @@ from ropsim.model import (
 )
 from ropsim.nirox.building import UNSET, Building, bounded
 from ropsim.nirox.diagnostics import LOST
-from ropsim.nirox.written_hydraulics import write_hydraulic, write_linkage
+from ropsim.nirox.writers.hydraulics import write_hydraulic, write_linkage
 from ropsim.part21 import TRUE, Enumeration, Reference, Value
 
 _JOINED = (

@@ -5,7 +5,7 @@ from types import MappingProxyType
 
 from ropsim.core import Span
 from ropsim.model import Attribute, AuditPlace, PlaceOf
-from ropsim.nirox.seen import Seen
+from ropsim.nirox.readers.seen import Seen
 
 _WORDS: Mapping[Attribute, tuple[str, ...]] = MappingProxyType(
     {

@@ -1,0 +1,1 @@
+"""Instances of an exchange file to the parts of a robot."""

@@ -1,0 +1,1 @@
+"""The parts of a robot to instances of an exchange file."""
