@@ -44,7 +44,7 @@ Joint coordinates have one entry per joint, shape (n,); many of them form the ro
 n). Homogeneous matrices have the shape (4, 4), many of them (k, 4, 4).
 
 ```python
-ropsim.kinematics.forward(robot, [0.0] * robot.n)
+ropsim.kinematics.chain.forward(robot, [0.0] * robot.n)
 ropsim.kinematics.forward_batch(robot, np.zeros((100, robot.n)))
 ```
 """,

@@ -6,19 +6,18 @@ from functools import lru_cache
 import numpy as np
 import numpy.typing as npt
 
-from ropsim.kinematics.arrays import chain_arrays, joint_rows, joint_vector, pose_rows, turning_axes
+from ropsim.kinematics.chain.arrays import chain_arrays, joint_rows, joint_vector, pose_rows, turning_axes
+from ropsim.kinematics.chain.forward import forward_batch
 from ropsim.kinematics.diagnostics import NotFiniteError
-from ropsim.kinematics.forward import forward_batch
-from ropsim.kinematics.held import in_arm_base, of_robot, result_of_robot
-from ropsim.kinematics.limits import limit_violations
-from ropsim.kinematics.polish import polished
-from ropsim.kinematics.posture import Posture
 from ropsim.kinematics.recognition import redundant_solver_of, solver_of
-from ropsim.kinematics.redundancy import nearest_answer
-from ropsim.kinematics.result import Free, IkOptions, IkResult, IkStatus, Limits
-from ropsim.kinematics.selection_kernel import HEAD, SAME
-from ropsim.kinematics.sheet import Sheet, sheet
-from ropsim.kinematics.solver import InverseSolver, RedundantSolver
+from ropsim.kinematics.solutions.held import in_arm_base, of_robot, result_of_robot
+from ropsim.kinematics.solutions.limits import limit_violations
+from ropsim.kinematics.solutions.polish import polished
+from ropsim.kinematics.solutions.redundancy import nearest_answer
+from ropsim.kinematics.solutions.result import Free, IkOptions, IkResult, IkStatus, Limits, Posture
+from ropsim.kinematics.solutions.selection_kernel import HEAD, SAME
+from ropsim.kinematics.solutions.sheet import Sheet, sheet
+from ropsim.kinematics.solutions.solver import InverseSolver, RedundantSolver
 from ropsim.model import CoupledLimits, RobotModel, coupled_limits, held_arm
 from ropsim.spatial import Array, Pose, frozen
 

@@ -3,13 +3,13 @@
 import numpy as np
 import numpy.typing as npt
 
-from ropsim.kinematics.arrays import chain_arrays, joint_vector
-from ropsim.kinematics.configurations import configurations
+from ropsim.kinematics.chain.arrays import chain_arrays, joint_vector
+from ropsim.kinematics.chain.forward import frames_of
 from ropsim.kinematics.diagnostics import NotFiniteError
-from ropsim.kinematics.forward import frames_of
-from ropsim.kinematics.held import in_arm_base, of_robot
-from ropsim.kinematics.limits import limit_violations, turned_to_limits
-from ropsim.kinematics.polish import nearest_to
+from ropsim.kinematics.solutions.configurations import configurations
+from ropsim.kinematics.solutions.held import in_arm_base, of_robot
+from ropsim.kinematics.solutions.limits import limit_violations, turned_to_limits
+from ropsim.kinematics.solutions.polish import nearest_to
 from ropsim.kinematics.solvers.axes import angle_of_turn
 from ropsim.model import RobotModel, held_arm
 from ropsim.spatial import Array, Pose, record

@@ -3,10 +3,10 @@
 import numpy as np
 import numpy.typing as npt
 
-from ropsim.kinematics.arrays import chain_arrays, joint_rows, joint_vector, pose_rows
-from ropsim.kinematics.held import in_arm_base, of_robot
-from ropsim.kinematics.polish import continued, polished
+from ropsim.kinematics.chain.arrays import chain_arrays, joint_rows, joint_vector, pose_rows
 from ropsim.kinematics.recognition import solver_of
+from ropsim.kinematics.solutions.held import in_arm_base, of_robot
+from ropsim.kinematics.solutions.polish import continued, polished
 from ropsim.model import RobotModel, held_arm
 from ropsim.spatial import Array
 

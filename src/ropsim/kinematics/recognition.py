@@ -3,20 +3,14 @@
 from collections.abc import Callable
 from functools import lru_cache
 
-from ropsim.kinematics.solver import InverseSolver, RedundantSolver
-from ropsim.kinematics.solvers import (
-    general_seven_axis,
-    general_six_axis,
-    level_wrist,
-    planar_two_link,
-    scara,
-    sliding_wrist,
-    spherical_wrist,
-    swivel,
-    three_parallel,
-)
+from ropsim.kinematics.solutions.solver import InverseSolver, RedundantSolver
 from ropsim.kinematics.solvers.coupled import coupled, plain_arm
+from ropsim.kinematics.solvers.general import seven_axis as general_seven_axis
+from ropsim.kinematics.solvers.general import six_axis as general_six_axis
 from ropsim.kinematics.solvers.numeric import numeric
+from ropsim.kinematics.solvers.offset import swivel, three_parallel
+from ropsim.kinematics.solvers.planar import level_wrist, planar_two_link, scara
+from ropsim.kinematics.solvers.wrists import sliding_wrist, spherical_wrist
 from ropsim.model import RobotModel, held_arm
 
 CLASSES: tuple[tuple[str, Callable[[RobotModel], InverseSolver | str]], ...] = (

@@ -5,10 +5,10 @@ from math import asin, sin
 import numpy.typing as npt
 
 from ropsim.core import frozen_dataclass
-from ropsim.kinematics.arrays import joint_vector
+from ropsim.kinematics.chain.arrays import joint_vector
 from ropsim.kinematics.recognition import solver_of
 from ropsim.kinematics.solvers.coupled import CoupledSolver
-from ropsim.kinematics.solvers.spherical_wrist import SphericalWristSolver
+from ropsim.kinematics.solvers.wrists.spherical_wrist import SphericalWristSolver
 from ropsim.model import RobotModel, held_arm
 
 

@@ -353,7 +353,7 @@ def test_what_the_class_of_an_array_states_is_not_believed(written: Any) -> None
 def test_kernels_can_be_called_when_modules_are_gone() -> None:
     text = """
 import builtins, numpy as np
-from ropsim.kinematics.steps_kernel import spread_over
+from ropsim.kinematics.chain.steps_kernel import spread_over
 class Late:
     array = np.ones(1), np.ones((1, 1))
     spread = staticmethod(spread_over)

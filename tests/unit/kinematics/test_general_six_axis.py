@@ -20,11 +20,11 @@ from ropsim.kinematics import (
     posture,
     solver_of,
 )
-from ropsim.kinematics.arrays import chain_arrays
-from ropsim.kinematics.jacobian import least_singular_values
-from ropsim.kinematics.solvers.elimination import eliminations, steps_of
-from ropsim.kinematics.solvers.elimination_roots import starts
-from ropsim.kinematics.solvers.general_six_axis import GeneralSixAxisSolver, recognise
+from ropsim.kinematics.chain.arrays import chain_arrays
+from ropsim.kinematics.chain.jacobian import least_singular_values
+from ropsim.kinematics.solvers.general.elimination import eliminations, steps_of
+from ropsim.kinematics.solvers.general.elimination_roots import starts
+from ropsim.kinematics.solvers.general.six_axis import GeneralSixAxisSolver, recognise
 from ropsim.kinematics.solvers.numeric import numeric
 from ropsim.model import DhRow, RobotModel
 from ropsim.spatial import Array, Pose

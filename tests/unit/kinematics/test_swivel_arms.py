@@ -18,9 +18,9 @@ from ropsim.kinematics import (
     joint_frames,
     solver_of,
 )
-from ropsim.kinematics.solvers import swivel
 from ropsim.kinematics.solvers.axes import COUPLED
-from ropsim.kinematics.solvers.swivel import SwivelSolver, closed_form
+from ropsim.kinematics.solvers.offset import swivel
+from ropsim.kinematics.solvers.offset.swivel import SwivelSolver, closed_form
 from ropsim.model import Coupling, RobotModel
 from ropsim.spatial import Array, Pose, quaternion
 from support.published_arms import published_arm, random_joints

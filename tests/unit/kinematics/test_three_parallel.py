@@ -22,7 +22,7 @@ from ropsim.kinematics import (
     solver_of,
 )
 from ropsim.kinematics.solvers.numeric import numeric
-from ropsim.kinematics.solvers.three_parallel import ThreeParallelSolver
+from ropsim.kinematics.solvers.offset.three_parallel import ThreeParallelSolver
 from ropsim.model import DhRow, RobotModel
 from ropsim.spatial import Array, Pose
 from support.published_arms import published_arm

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from ropsim.kinematics.arrays import ChainArrays
-from ropsim.kinematics.solver import Snap
+from ropsim.kinematics.chain.arrays import ChainArrays
+from ropsim.kinematics.solutions.solver import Snap
 from ropsim.spatial import Array, record
 
 ANGLE_SLACK = 1e-3

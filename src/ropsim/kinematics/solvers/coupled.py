@@ -11,10 +11,9 @@ from functools import lru_cache
 
 import numpy as np
 
-from ropsim.kinematics.arrays import ChainArrays, chain_arrays, on_step
-from ropsim.kinematics.posture import Posture
-from ropsim.kinematics.result import Shortfall
-from ropsim.kinematics.solver import InverseSolver, Method, Snap
+from ropsim.kinematics.chain.arrays import ChainArrays, chain_arrays, on_step
+from ropsim.kinematics.solutions.result import Posture, Shortfall
+from ropsim.kinematics.solutions.solver import InverseSolver, Method, Snap
 from ropsim.model import Joint, Link, RobotModel, joint_tree
 from ropsim.spatial import Array, frozen, record
 

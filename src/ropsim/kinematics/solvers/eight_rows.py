@@ -5,10 +5,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from ropsim.codegen import Compiled, bound
-from ropsim.kinematics import chain_kernel
-from ropsim.kinematics.arrays import ChainArrays
-from ropsim.kinematics.polish import polished, refine
-from ropsim.kinematics.solver import Solve
+from ropsim.kinematics.chain import chain_kernel
+from ropsim.kinematics.chain.arrays import ChainArrays
+from ropsim.kinematics.solutions.polish import polished, refine
+from ropsim.kinematics.solutions.solver import Solve
 from ropsim.spatial import Array
 
 ROWS = 8

@@ -4,13 +4,12 @@ from typing import ClassVar
 
 import numpy as np
 
-from ropsim.kinematics.arrays import ChainArrays, chain_arrays
-from ropsim.kinematics.configurations import configurations
-from ropsim.kinematics.forward import frames_of
-from ropsim.kinematics.polish import POSE_SLACK, TASK_SLACK, nearest_to, polished
-from ropsim.kinematics.posture import Posture
-from ropsim.kinematics.result import IkStatus, Miss, Shortfall
-from ropsim.kinematics.solver import Method, Snap
+from ropsim.kinematics.chain.arrays import ChainArrays, chain_arrays
+from ropsim.kinematics.chain.forward import frames_of
+from ropsim.kinematics.solutions.configurations import configurations
+from ropsim.kinematics.solutions.polish import POSE_SLACK, TASK_SLACK, nearest_to, polished
+from ropsim.kinematics.solutions.result import IkStatus, Miss, Posture, Shortfall
+from ropsim.kinematics.solutions.solver import Method, Snap
 from ropsim.kinematics.solvers.axes import angle_of_turn
 from ropsim.model import RobotModel
 from ropsim.spatial import Array, frozen, record

@@ -1,0 +1,1 @@
+"""Solutions of inverse kinematics: their records, selection within limits, and polishing."""

@@ -1,0 +1,119 @@
+"""Joint coordinates improved and checked on the arm itself, whatever its geometry."""
+
+from math import inf
+
+import numpy as np
+import numpy.typing as npt
+
+from ropsim.codegen import Compiled, bound
+from ropsim.kinematics.chain import chain_kernel
+from ropsim.kinematics.chain.arrays import ChainArrays
+from ropsim.kinematics.solutions import polish_kernel
+from ropsim.spatial import Array, frozen
+
+POSE_SLACK = 1e-9
+"""Largest sum of the errors of an accepted row [m, entries of the rotation matrix]: the promised accuracy."""
+TASK_SLACK = 1e-5
+"""The same for arms with fewer than six joints, which cannot choose all coordinates of a pose: those that
+they cannot may be off by what people and files round, 0.01 mm or 0.0002°."""
+SURE = 1e-8
+"""A step whose joints move less [rad] leaves less than 1e-14 [m, rad] on arms of some metres."""
+LEFT = 1e-15
+"""The last step times the snap of the arm is at most this [rad², rad·m]: it is taken for one of its class."""
+STEPS = 60
+"""Largest number of steps from a start to an answer."""
+
+
+def checked(chain: ChainArrays, T: Array, Q: Array, slack: float = POSE_SLACK) -> Array:
+    """Return Q with NaN in the rows that do not reach their pose; arguments as in `polished`."""
+    return _run(chain, T, Q, (0.0, slack, 0.0))
+
+
+def polished(chain: ChainArrays, T: Array, Q: Array, slack: float = POSE_SLACK) -> Array:
+    """Return joint coordinates that reach their poses, near to those given.
+
+    Args:
+        chain: of the arm with n axes.
+        T: poses X_BM, shape (k, 4, 4).
+        Q: starts [rad | m], NaN rows are left alone, shape (k, m, n).
+        slack: largest sum of errors of an answer [m, entries of the rotation matrix].
+
+    Returns:
+        Joint coordinates [rad | m], revolute ones in (-π, π], shape (k, m, n); NaN where no answer was found.
+    """
+    return _run(chain, T, Q, (STEPS, slack, 0.0))
+
+
+def refining(chain: ChainArrays, point: list[float], parallel: int, snap: float) -> Compiled:
+    """Return the kernel for `refine`; arguments as in `shape_of`, and the arm with six turning joints."""
+    return bound(chain_kernel.refine_rows, chain.flat, shape_of(point, parallel, snap))
+
+
+def shape_of(point: list[float], parallel: int, snap: float) -> Array:
+    """Return what the kernel for `refine` takes of an arm beside its chain, shape (5,).
+
+    Args:
+        point: where its last axes meet, in M [m].
+        parallel: how many axes behind the first are parallel, 2 or 3.
+        snap: how far the arm is from its class [rad, m].
+    """
+    return frozen([*point, float(parallel), min(SURE, LEFT / snap)])
+
+
+def refine(kernel: Compiled, chain: ChainArrays, T: Array, Q: Array) -> npt.NDArray[np.bool_] | None:
+    """Change starts into answers as `polished` does, sooner, for six turning joints nearly at answers.
+
+    Args:
+        kernel: of the arm, `refining`.
+        chain: of the arm.
+        T: poses X_BM, shape (k, 4, 4).
+        Q: starts [rad], NaN rows are left alone, shape (k, 8, 6); afterwards answers, NaN for none.
+
+    Returns:
+        Which rows had a start and have no answer, shape (k, m); None where no row does.
+    """
+    k, m, _ = Q.shape
+    room = np.empty(chain_kernel.ROOM + 1 + k * m)
+    kernel(T, Q, room)
+    if not room[chain_kernel.ROOM]:
+        return None
+    tried = room[chain_kernel.ROOM + 1 :].reshape(k, m) > 0.0
+    for row in np.flatnonzero(tried.any(axis=1)):
+        Q[row, tried[row]] = polished(
+            chain, T[row : row + 1], np.ascontiguousarray(Q[row : row + 1, tried[row]])
+        )[0]
+    lost: npt.NDArray[np.bool_] = tried & np.isnan(Q[:, :, 0])
+    return lost if lost.any() else None
+
+
+def nearest_to(chain: ChainArrays, T: Array, Q: Array) -> Array:
+    """Return where the search from Q (k, m, n) for poses T (k, 4, 4) ends, pose reached or not."""
+    return _run(chain, T, Q, (STEPS, inf, 0.0))
+
+
+def continued(chain: ChainArrays, T: Array, q: Array, slack: float = POSE_SLACK) -> Array:
+    """Return joint coordinates along a path, each found from the one before it.
+
+    Args:
+        chain: of the arm with n axes.
+        T: poses X_BM along the path, shape (k, 4, 4).
+        q: joint coordinates one step before the first pose [rad | m], shape (n,).
+        slack: as in `polished`.
+
+    Returns:
+        Joint coordinates [rad | m] without whole turns between them, shape (k, n); NaN from the first pose
+        on that is not reached.
+    """
+    Q = np.empty((len(T), 1, len(q)))
+    Q[:1, 0] = q
+    return _run(chain, T, Q, (STEPS, slack, 1.0))[:, 0]
+
+
+def _run(chain: ChainArrays, T: Array, Q: Array, settings: tuple[float, float, float]) -> Array:
+    m, n = len(chain.slides), chain.n
+    found = np.array(Q)
+    frames, room, lanes = np.empty((m + 1, 12)), np.zeros((n + 10, max(n, 6))), np.empty((7, m))
+    polish_kernel.polish_rows(
+        chain.flat, chain.spread, chain.turning, T, found, np.array(settings), frames, room, lanes
+    )
+    return found

@@ -1,0 +1,1 @@
+"""Arms of six or seven turning joints of any geometry, by elimination."""

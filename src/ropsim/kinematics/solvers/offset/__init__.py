@@ -1,0 +1,1 @@
+"""Arms with three parallel axes, and redundant arms with a swivel angle."""

@@ -1,0 +1,1 @@
+"""Planar arms, SCARA arms, and arms whose wrist stays level."""

@@ -1,0 +1,1 @@
+"""Arms with a spherical wrist, or with a sliding joint before the wrist."""
