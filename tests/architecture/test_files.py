@@ -52,7 +52,6 @@ WIDE = {
     "cli",
     "core",
     "dynamics",
-    "exchange",
     "icr",
     "motion/retiming",
     "prolog",
@@ -60,7 +59,7 @@ WIDE = {
     "workspace",
 }
 LONG = {"curve_kernel.py", "time_law_kernel.py", "documents.py", "jobs.py", "messages.py"}
-SMALL_FILES = 154
+SMALL_FILES = 151
 PACKAGES = ROOT / "src" / "ropsim"
 DATA = {"robots/arms"}
 

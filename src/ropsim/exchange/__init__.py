@@ -1,11 +1,11 @@
 """Robots in formats of others: URDF, xacro, MJCF, SDFormat, AP242; every way tells what does not go over."""
 
-from ropsim.exchange.folder import RobotFolder as RobotFolder
-from ropsim.exchange.loss_diagnostics import losses_refused as losses_refused
+from ropsim.exchange.files.folder import ReadOptions as ReadOptions
+from ropsim.exchange.files.folder import RobotFolder as RobotFolder
+from ropsim.exchange.losses.loss_diagnostics import losses_refused as losses_refused
 from ropsim.exchange.nirox_door import kept_lost as kept_lost
 from ropsim.exchange.nirox_door import read_nirox as read_nirox
 from ropsim.exchange.nirox_door import write_nirox as write_nirox
-from ropsim.exchange.options import ReadOptions as ReadOptions
 from ropsim.exchange.read_mjcf import read_mjcf as read_mjcf
 from ropsim.exchange.read_urdf import read_urdf as read_urdf
 from ropsim.exchange.write_ap242 import write_ap242 as write_ap242

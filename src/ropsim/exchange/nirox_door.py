@@ -3,8 +3,8 @@
 from typing import TYPE_CHECKING
 
 from ropsim.core import Diagnostic, SourceText, plural
-from ropsim.exchange.loss_diagnostics import LOST_DESCRIPTION
-from ropsim.exchange.notes import listed
+from ropsim.exchange.losses.loss_diagnostics import LOST_DESCRIPTION
+from ropsim.exchange.losses.notes import listed
 from ropsim.model import RobotModel, WrittenRobot
 
 if TYPE_CHECKING:

@@ -4,10 +4,14 @@ from collections.abc import Iterable
 from dataclasses import replace
 
 from ropsim.core import SourceText
-from ropsim.exchange.assembly import read_robot
-from ropsim.exchange.description import Connection, Description, Motion
-from ropsim.exchange.diagnostics import ELEMENT_MISSING
-from ropsim.exchange.loss_diagnostics import LOST_DESCRIPTION, LOST_MOTION
+from ropsim.exchange.assembly.description import Connection, Description, Motion
+from ropsim.exchange.assembly.robot import read_robot
+from ropsim.exchange.files.folder import STANDARD, ReadOptions
+from ropsim.exchange.files.values import finite, numbers_of
+from ropsim.exchange.files.xml_tree import Element, read_xml
+from ropsim.exchange.losses.diagnostics import ELEMENT_MISSING
+from ropsim.exchange.losses.loss_diagnostics import LOST_DESCRIPTION, LOST_MOTION
+from ropsim.exchange.losses.notes import Notes, listed, shown
 from ropsim.exchange.mjcf.actuators import axis_names, driven
 from ropsim.exchange.mjcf.bodies import BodyReader
 from ropsim.exchange.mjcf.constraints import coupled
@@ -15,10 +19,6 @@ from ropsim.exchange.mjcf.custom import limited
 from ropsim.exchange.mjcf.geoms import assets_of
 from ropsim.exchange.mjcf.includes import with_included
 from ropsim.exchange.mjcf.settings import settings_of
-from ropsim.exchange.notes import Notes, listed, shown
-from ropsim.exchange.options import STANDARD, ReadOptions
-from ropsim.exchange.values import finite, numbers_of
-from ropsim.exchange.xml_tree import Element, read_xml
 from ropsim.model import ReadRobot
 
 _SILENT = {

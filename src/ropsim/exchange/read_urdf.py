@@ -1,17 +1,17 @@
 """URDF, and xacro that makes it, become a robot."""
 
 from ropsim.core import SourceText
-from ropsim.exchange.assembly import read_robot
-from ropsim.exchange.description import Description
-from ropsim.exchange.diagnostics import ELEMENT_MISSING
-from ropsim.exchange.loss_diagnostics import LOST_DESCRIPTION, LOST_DRIVE
-from ropsim.exchange.notes import Notes, listed, shown
-from ropsim.exchange.options import STANDARD, ReadOptions
+from ropsim.exchange.assembly.description import Description
+from ropsim.exchange.assembly.robot import read_robot
+from ropsim.exchange.files.folder import STANDARD, ReadOptions
+from ropsim.exchange.files.xml_tree import Element, read_xml
+from ropsim.exchange.losses.diagnostics import ELEMENT_MISSING
+from ropsim.exchange.losses.loss_diagnostics import LOST_DESCRIPTION, LOST_DRIVE
+from ropsim.exchange.losses.notes import Notes, listed, shown
 from ropsim.exchange.urdf.joints import connection_of, lost_of
 from ropsim.exchange.urdf.links import body_of
 from ropsim.exchange.urdf.shapes import materials_of
 from ropsim.exchange.xacro.expansion import expanded, uses_xacro
-from ropsim.exchange.xml_tree import Element, read_xml
 from ropsim.model import ReadRobot
 
 _READ = {"link", "joint", "material"}

@@ -4,10 +4,10 @@ from collections.abc import Iterable
 from math import isfinite
 
 from ropsim.core import Diagnostic, Kind
-from ropsim.exchange.loss_diagnostics import LOST_DESCRIPTION, LOST_DRIVE, LOST_MASS, LOST_MOTION
-from ropsim.exchange.names import BASE, link_name
-from ropsim.exchange.notes import listed
-from ropsim.exchange.write_losses import drive_losses, word_losses
+from ropsim.exchange.files.names import BASE, link_name
+from ropsim.exchange.losses.loss_diagnostics import LOST_DESCRIPTION, LOST_DRIVE, LOST_MASS, LOST_MOTION
+from ropsim.exchange.losses.notes import listed
+from ropsim.exchange.writing.write_losses import drive_losses, word_losses
 from ropsim.model import Friction, RobotModel, WrittenRobot
 
 _GRAVITY = [0.0, 0.0, -9.81]

@@ -3,25 +3,24 @@
 from collections.abc import Iterable, Mapping
 
 from ropsim.core import Diagnostic
-from ropsim.exchange.diagnostics import DOUBTFUL_BODY
-from ropsim.exchange.loss_diagnostics import LOST_MOTION
+from ropsim.exchange.files.names import BASE, FLANGE
+from ropsim.exchange.files.xml_text import Tag, number, numbers, tag, xml_text
+from ropsim.exchange.losses.diagnostics import DOUBTFUL_BODY
+from ropsim.exchange.losses.loss_diagnostics import LOST_MOTION
+from ropsim.exchange.losses.notes import listed
 from ropsim.exchange.mjcf.custom import axis_limits
 from ropsim.exchange.mjcf.cuts import HeldPoint, held_points, lost_cuts
 from ropsim.exchange.mjcf.text import assets, geoms, inertial, mesh_names, placed
-from ropsim.exchange.motion_losses import limit_losses
-from ropsim.exchange.names import BASE, FLANGE
-from ropsim.exchange.notes import listed
-from ropsim.exchange.possible_inertia import possible_inertia
 from ropsim.exchange.urdf.text import endless
-from ropsim.exchange.write_losses import (
+from ropsim.exchange.writing.motion_losses import limit_losses
+from ropsim.exchange.writing.write_losses import (
     drive_losses,
     friction_at_joint,
     look_losses,
     rotor_at_joint,
     word_losses,
 )
-from ropsim.exchange.written_tree import WrittenJoint, WrittenTree, written_tree
-from ropsim.exchange.xml_text import Tag, number, numbers, tag, xml_text
+from ropsim.exchange.writing.written_tree import WrittenJoint, WrittenTree, possible_inertia, written_tree
 from ropsim.model import JointType, Mesh, RobotModel, WrittenRobot
 
 _LEAST = "1e-12"

@@ -3,20 +3,20 @@
 from collections.abc import Iterable
 
 from ropsim.core import Diagnostic
-from ropsim.exchange.joint_limits import WITHOUT_END
-from ropsim.exchange.loss_diagnostics import LOST_DRIVE
-from ropsim.exchange.motion_losses import axis_losses, limit_losses
-from ropsim.exchange.names import BASE, FLANGE, unused
+from ropsim.exchange.assembly.joint_limits import WITHOUT_END
+from ropsim.exchange.files.names import BASE, FLANGE, unused
+from ropsim.exchange.files.xml_text import Tag, number, tag, value, xml_text
+from ropsim.exchange.losses.loss_diagnostics import LOST_DRIVE
 from ropsim.exchange.sdf.text import inertial, pose, visuals
 from ropsim.exchange.urdf.text import endless
-from ropsim.exchange.write_losses import (
+from ropsim.exchange.writing.motion_losses import axis_losses, limit_losses
+from ropsim.exchange.writing.write_losses import (
     drive_losses,
     friction_at_joint,
     look_losses,
     word_losses,
 )
-from ropsim.exchange.written_tree import WrittenJoint, WrittenTree, written_tree
-from ropsim.exchange.xml_text import Tag, number, tag, value, xml_text
+from ropsim.exchange.writing.written_tree import WrittenJoint, WrittenTree, written_tree
 from ropsim.model import JointType, RobotModel, WrittenRobot
 
 VERSION = "1.11"

@@ -4,18 +4,18 @@ from collections.abc import Iterable
 from dataclasses import replace
 
 from ropsim.core import Diagnostic
-from ropsim.exchange.joint_limits import WITHOUT_END
-from ropsim.exchange.motion_losses import axis_losses, limit_losses
-from ropsim.exchange.names import BASE, FLANGE, unused
+from ropsim.exchange.assembly.joint_limits import WITHOUT_END
+from ropsim.exchange.files.names import BASE, FLANGE, unused
+from ropsim.exchange.files.xml_text import Tag, number, tag, xml_text
 from ropsim.exchange.urdf.text import endless, inertial, limit, origin, visuals
-from ropsim.exchange.write_losses import (
+from ropsim.exchange.writing.motion_losses import axis_losses, limit_losses
+from ropsim.exchange.writing.write_losses import (
     drive_losses,
     friction_at_joint,
     look_losses,
     word_losses,
 )
-from ropsim.exchange.written_tree import WrittenJoint, WrittenTree, written_tree
-from ropsim.exchange.xml_text import Tag, number, tag, xml_text
+from ropsim.exchange.writing.written_tree import WrittenJoint, WrittenTree, written_tree
 from ropsim.model import JointType, Link, RobotModel, WrittenRobot
 
 

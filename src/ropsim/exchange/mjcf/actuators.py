@@ -3,12 +3,12 @@
 from collections.abc import Iterable
 from dataclasses import replace
 
-from ropsim.exchange.description import Connection, Motion
-from ropsim.exchange.loss_diagnostics import LOST_DRIVE
+from ropsim.exchange.assembly.description import Connection, Motion
+from ropsim.exchange.files.values import numbers_of
+from ropsim.exchange.files.xml_tree import Element
+from ropsim.exchange.losses.loss_diagnostics import LOST_DRIVE
+from ropsim.exchange.losses.notes import Notes, listed
 from ropsim.exchange.mjcf.settings import MAIN, Settings
-from ropsim.exchange.notes import Notes, listed
-from ropsim.exchange.values import numbers_of
-from ropsim.exchange.xml_tree import Element
 
 
 def axis_names(connections: Iterable[Connection], root: Element) -> tuple[str, ...]:

@@ -2,18 +2,18 @@
 
 from dataclasses import replace
 
-from ropsim.exchange.description import Body, Connection, Motion
-from ropsim.exchange.diagnostics import DOUBTFUL_BODY
-from ropsim.exchange.folder import RobotFolder
-from ropsim.exchange.loss_diagnostics import LOST_DESCRIPTION, LOST_MOTION
+from ropsim.exchange.assembly.description import Body, Connection, Motion
+from ropsim.exchange.files.folder import RobotFolder
+from ropsim.exchange.files.names import link_name
+from ropsim.exchange.files.xml_tree import Element
+from ropsim.exchange.losses.diagnostics import DOUBTFUL_BODY
+from ropsim.exchange.losses.loss_diagnostics import LOST_DESCRIPTION, LOST_MOTION
+from ropsim.exchange.losses.notes import Notes, listed
 from ropsim.exchange.mjcf.geoms import Assets, Geometry, drawn, geometry_of
 from ropsim.exchange.mjcf.inertials import inertial_of
 from ropsim.exchange.mjcf.joints import anchor_of, connection_of, is_free
 from ropsim.exchange.mjcf.poses import pose_of
 from ropsim.exchange.mjcf.settings import MAIN, Settings, class_of
-from ropsim.exchange.names import link_name
-from ropsim.exchange.notes import Notes, listed
-from ropsim.exchange.xml_tree import Element
 from ropsim.model import Payload, combine, moved
 from ropsim.spatial import Pose
 

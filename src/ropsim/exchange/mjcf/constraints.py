@@ -3,12 +3,12 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from ropsim.exchange.description import Connection, Following
-from ropsim.exchange.diagnostics import UNKNOWN_ENTITY
-from ropsim.exchange.loss_diagnostics import LOST_MOTION
-from ropsim.exchange.notes import Notes, listed
-from ropsim.exchange.values import name_of, numbers_of
-from ropsim.exchange.xml_tree import Element
+from ropsim.exchange.assembly.description import Connection, Following
+from ropsim.exchange.files.values import name_of, numbers_of
+from ropsim.exchange.files.xml_tree import Element
+from ropsim.exchange.losses.diagnostics import UNKNOWN_ENTITY
+from ropsim.exchange.losses.loss_diagnostics import LOST_MOTION
+from ropsim.exchange.losses.notes import Notes, listed
 
 
 def coupled(connections: Sequence[Connection], root: Element, notes: Notes) -> tuple[Connection, ...]:

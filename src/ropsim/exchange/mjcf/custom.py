@@ -4,11 +4,11 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
-from ropsim.exchange.description import Connection
-from ropsim.exchange.notes import Notes
-from ropsim.exchange.values import numbers_of
-from ropsim.exchange.xml_text import Tag, numbers, tag
-from ropsim.exchange.xml_tree import Element
+from ropsim.exchange.assembly.description import Connection
+from ropsim.exchange.files.values import numbers_of
+from ropsim.exchange.files.xml_text import Tag, numbers, tag
+from ropsim.exchange.files.xml_tree import Element
+from ropsim.exchange.losses.notes import Notes
 from ropsim.model import Joint
 
 FIELDS: Mapping[str, str] = {

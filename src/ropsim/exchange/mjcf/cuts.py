@@ -5,8 +5,8 @@ from collections.abc import Iterable, Sequence
 import numpy as np
 
 from ropsim.core import frozen_dataclass
+from ropsim.exchange.files.xml_text import Tag, tag
 from ropsim.exchange.mjcf.text import placed
-from ropsim.exchange.xml_text import Tag, tag
 from ropsim.model import ALL_DIRECTIONS, BASE_LINK, Direction, LoopCut
 from ropsim.spatial import Pose
 

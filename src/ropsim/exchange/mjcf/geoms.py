@@ -5,16 +5,16 @@ from collections.abc import Mapping
 import numpy as np
 
 from ropsim.core import frozen_dataclass
-from ropsim.exchange.diagnostics import BAD_NUMBER, UNKNOWN_ENTITY
-from ropsim.exchange.folder import RobotFolder
-from ropsim.exchange.loss_diagnostics import LOST_DESCRIPTION
+from ropsim.exchange.files.folder import RobotFolder
+from ropsim.exchange.files.read_mesh import mesh_of
+from ropsim.exchange.files.values import number_of, numbers_of
+from ropsim.exchange.files.xml_tree import Element
+from ropsim.exchange.losses.diagnostics import BAD_NUMBER, UNKNOWN_ENTITY
+from ropsim.exchange.losses.loss_diagnostics import LOST_DESCRIPTION
+from ropsim.exchange.losses.notes import Notes, shown
 from ropsim.exchange.mjcf.poses import from_z, pose_of
 from ropsim.exchange.mjcf.settings import Settings
 from ropsim.exchange.mjcf.weights import weight_of
-from ropsim.exchange.notes import Notes, shown
-from ropsim.exchange.read_mesh import mesh_of
-from ropsim.exchange.values import number_of, numbers_of
-from ropsim.exchange.xml_tree import Element
 from ropsim.model import LIGHT_GREY, Box, Cylinder, Mesh, Payload, Shape, Solid, Sphere
 from ropsim.spatial import Pose
 

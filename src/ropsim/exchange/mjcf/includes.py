@@ -3,10 +3,10 @@
 from dataclasses import replace
 
 from ropsim.core import SourceText, Span
-from ropsim.exchange.diagnostics import ELEMENT_MISSING, XML_REFUSED
-from ropsim.exchange.folder import RobotFolder
-from ropsim.exchange.notes import Notes, shown
-from ropsim.exchange.xml_tree import MOST_DEPTH, MOST_ELEMENTS, Element, read_xml
+from ropsim.exchange.files.folder import RobotFolder
+from ropsim.exchange.files.xml_tree import MOST_DEPTH, MOST_ELEMENTS, Element, read_xml
+from ropsim.exchange.losses.diagnostics import ELEMENT_MISSING, XML_REFUSED
+from ropsim.exchange.losses.notes import Notes, shown
 
 MOST_FILES = 50
 """So many files are included at most, each once, as MuJoCo has it."""

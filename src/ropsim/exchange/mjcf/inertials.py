@@ -2,12 +2,12 @@
 
 import numpy as np
 
-from ropsim.exchange.diagnostics import BAD_NUMBER, ELEMENT_MISSING
+from ropsim.exchange.files.values import number_of, numbers_of
+from ropsim.exchange.files.xml_tree import Element
+from ropsim.exchange.losses.diagnostics import BAD_NUMBER, ELEMENT_MISSING
+from ropsim.exchange.losses.notes import Notes
 from ropsim.exchange.mjcf.poses import pose_of
 from ropsim.exchange.mjcf.settings import Settings
-from ropsim.exchange.notes import Notes
-from ropsim.exchange.values import number_of, numbers_of
-from ropsim.exchange.xml_tree import Element
 from ropsim.model import Payload, moved
 
 

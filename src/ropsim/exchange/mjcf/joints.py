@@ -5,14 +5,14 @@ from math import inf
 
 import numpy as np
 
-from ropsim.exchange.description import Connection, Limits, Motion, Resistance
-from ropsim.exchange.diagnostics import BAD_NUMBER, JOINT_IMPOSSIBLE
-from ropsim.exchange.joint_limits import UNSAID, WITHOUT_END
-from ropsim.exchange.loss_diagnostics import LOST_MOTION
+from ropsim.exchange.assembly.description import Connection, Limits, Motion, Resistance
+from ropsim.exchange.assembly.joint_limits import UNSAID, WITHOUT_END
+from ropsim.exchange.files.values import direction_of, number_of, numbers_of
+from ropsim.exchange.files.xml_tree import Element
+from ropsim.exchange.losses.diagnostics import BAD_NUMBER, JOINT_IMPOSSIBLE
+from ropsim.exchange.losses.loss_diagnostics import LOST_MOTION
+from ropsim.exchange.losses.notes import Notes, shown
 from ropsim.exchange.mjcf.settings import Settings
-from ropsim.exchange.notes import Notes, shown
-from ropsim.exchange.values import direction_of, number_of, numbers_of
-from ropsim.exchange.xml_tree import Element
 from ropsim.spatial import Pose
 
 _FREE = Limits(-WITHOUT_END, WITHOUT_END)

@@ -4,11 +4,11 @@ from math import cos, sin, sqrt
 
 import numpy as np
 
-from ropsim.exchange.diagnostics import BAD_NUMBER
+from ropsim.exchange.files.values import direction_of, numbers_of
+from ropsim.exchange.files.xml_tree import Element
+from ropsim.exchange.losses.diagnostics import BAD_NUMBER
+from ropsim.exchange.losses.notes import Notes
 from ropsim.exchange.mjcf.settings import Settings
-from ropsim.exchange.notes import Notes
-from ropsim.exchange.values import direction_of, numbers_of
-from ropsim.exchange.xml_tree import Element
 from ropsim.spatial import Array, Pose, quaternion, quaternion_from_matrix
 
 _ZERO = (0.0, 0.0, 0.0)

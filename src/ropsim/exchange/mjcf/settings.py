@@ -5,9 +5,9 @@ from math import radians
 from types import MappingProxyType
 
 from ropsim.core import frozen_dataclass
-from ropsim.exchange.diagnostics import SAME_ENTITY, UNKNOWN_ENTITY
-from ropsim.exchange.notes import Notes
-from ropsim.exchange.xml_tree import Element
+from ropsim.exchange.files.xml_tree import Element
+from ropsim.exchange.losses.diagnostics import SAME_ENTITY, UNKNOWN_ENTITY
+from ropsim.exchange.losses.notes import Notes
 
 MAIN = "main"
 """The class of what has none."""

@@ -2,9 +2,9 @@
 
 from collections.abc import Mapping
 
-from ropsim.exchange.possible_inertia import possible_inertia
-from ropsim.exchange.write_losses import can_write
-from ropsim.exchange.xml_text import Tag, number, numbers, tag
+from ropsim.exchange.files.xml_text import Tag, number, numbers, tag
+from ropsim.exchange.writing.write_losses import can_write
+from ropsim.exchange.writing.written_tree import possible_inertia
 from ropsim.model import Box, Cylinder, Link, Mesh, Shape, Sphere
 from ropsim.spatial import Pose
 

@@ -5,10 +5,10 @@ from math import pi
 
 import numpy as np
 
-from ropsim.exchange.diagnostics import BAD_NUMBER
-from ropsim.exchange.notes import Notes
-from ropsim.exchange.values import number_of
-from ropsim.exchange.xml_tree import Element
+from ropsim.exchange.files.values import number_of
+from ropsim.exchange.files.xml_tree import Element
+from ropsim.exchange.losses.diagnostics import BAD_NUMBER
+from ropsim.exchange.losses.notes import Notes
 from ropsim.model import Payload, moved
 from ropsim.spatial import Pose
 

@@ -2,14 +2,14 @@
 
 from dataclasses import replace
 
-from ropsim.exchange.description import Connection, Following, Limits, Motion, Resistance
-from ropsim.exchange.diagnostics import BAD_NUMBER, ELEMENT_MISSING, JOINT_IMPOSSIBLE
-from ropsim.exchange.joint_limits import UNSAID, WITHOUT_END
-from ropsim.exchange.loss_diagnostics import LOST_DRIVE
-from ropsim.exchange.notes import Notes, shown
+from ropsim.exchange.assembly.description import Connection, Following, Limits, Motion, Resistance
+from ropsim.exchange.assembly.joint_limits import UNSAID, WITHOUT_END
+from ropsim.exchange.files.values import direction_of, name_of, number_of
+from ropsim.exchange.files.xml_tree import Element
+from ropsim.exchange.losses.diagnostics import BAD_NUMBER, ELEMENT_MISSING, JOINT_IMPOSSIBLE
+from ropsim.exchange.losses.loss_diagnostics import LOST_DRIVE
+from ropsim.exchange.losses.notes import Notes, shown
 from ropsim.exchange.urdf.poses import origin_of
-from ropsim.exchange.values import direction_of, name_of, number_of
-from ropsim.exchange.xml_tree import Element
 
 MOTIONS = {
     "revolute": Motion.TURN,

@@ -4,14 +4,14 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from ropsim.exchange.description import Body
-from ropsim.exchange.diagnostics import BAD_NUMBER, ELEMENT_MISSING
-from ropsim.exchange.folder import RobotFolder
-from ropsim.exchange.notes import Notes
+from ropsim.exchange.assembly.description import Body
+from ropsim.exchange.files.folder import RobotFolder
+from ropsim.exchange.files.values import name_of, number_of
+from ropsim.exchange.files.xml_tree import Element
+from ropsim.exchange.losses.diagnostics import BAD_NUMBER, ELEMENT_MISSING
+from ropsim.exchange.losses.notes import Notes
 from ropsim.exchange.urdf.poses import origin_of
 from ropsim.exchange.urdf.shapes import Colour, shapes_of
-from ropsim.exchange.values import name_of, number_of
-from ropsim.exchange.xml_tree import Element
 from ropsim.model import Payload, moved
 
 _MOMENTS = ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")

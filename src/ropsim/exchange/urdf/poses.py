@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from ropsim.exchange.notes import Notes
-from ropsim.exchange.values import numbers_of
-from ropsim.exchange.xml_tree import Element
+from ropsim.exchange.files.values import numbers_of
+from ropsim.exchange.files.xml_tree import Element
+from ropsim.exchange.losses.notes import Notes
 from ropsim.spatial import Pose, quaternion
 
 _ZERO = (0.0, 0.0, 0.0)

@@ -2,14 +2,14 @@
 
 from collections.abc import Mapping
 
-from ropsim.exchange.diagnostics import BAD_NUMBER, ELEMENT_MISSING
-from ropsim.exchange.folder import RobotFolder
-from ropsim.exchange.loss_diagnostics import LOST_DESCRIPTION
-from ropsim.exchange.notes import Notes
-from ropsim.exchange.read_mesh import mesh_of
+from ropsim.exchange.files.folder import RobotFolder
+from ropsim.exchange.files.read_mesh import mesh_of
+from ropsim.exchange.files.values import name_of, number_of, numbers_of
+from ropsim.exchange.files.xml_tree import Element
+from ropsim.exchange.losses.diagnostics import BAD_NUMBER, ELEMENT_MISSING
+from ropsim.exchange.losses.loss_diagnostics import LOST_DESCRIPTION
+from ropsim.exchange.losses.notes import Notes
 from ropsim.exchange.urdf.poses import origin_of
-from ropsim.exchange.values import name_of, number_of, numbers_of
-from ropsim.exchange.xml_tree import Element
 from ropsim.model import LIGHT_GREY, Box, Cylinder, Shape, Solid, Sphere
 
 Colour = tuple[str, float]

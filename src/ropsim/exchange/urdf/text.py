@@ -1,8 +1,8 @@
 """Elements of URDF as they are written."""
 
-from ropsim.exchange.joint_limits import WITHOUT_END
-from ropsim.exchange.write_losses import can_write
-from ropsim.exchange.xml_text import Tag, number, numbers, tag
+from ropsim.exchange.assembly.joint_limits import WITHOUT_END
+from ropsim.exchange.files.xml_text import Tag, number, numbers, tag
+from ropsim.exchange.writing.write_losses import can_write
 from ropsim.model import Box, Cylinder, Joint, JointType, Link, Mesh, Shape, Sphere
 from ropsim.spatial import Pose, roll_pitch_yaw
 

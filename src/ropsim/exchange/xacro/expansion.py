@@ -5,14 +5,14 @@ from dataclasses import replace
 from types import MappingProxyType
 
 from ropsim.core import SourceText, Span
-from ropsim.exchange.notes import Notes, shown
-from ropsim.exchange.options import ReadOptions
+from ropsim.exchange.files.folder import ReadOptions
+from ropsim.exchange.files.xml_tree import Element, read_xml
+from ropsim.exchange.losses.diagnostics import XACRO
+from ropsim.exchange.losses.notes import Notes, shown
 from ropsim.exchange.xacro.macros import Macro, Parameter, Sort, macro_of
 from ropsim.exchange.xacro.scope import Scope
 from ropsim.exchange.xacro.texts import Texts
 from ropsim.exchange.xacro.values import XacroError, truth
-from ropsim.exchange.xacro_diagnostics import XACRO
-from ropsim.exchange.xml_tree import Element, read_xml
 
 PREFIX = "xacro:"
 

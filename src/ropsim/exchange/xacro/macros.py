@@ -4,8 +4,8 @@ import re
 from enum import Enum
 
 from ropsim.core import frozen_dataclass
+from ropsim.exchange.files.xml_tree import Element
 from ropsim.exchange.xacro.values import XacroError
-from ropsim.exchange.xml_tree import Element
 
 _PARAMETER = re.compile(
     r"\s*(?P<stars>\*{0,2})(?P<name>[^\s:=*'\"]+)"

@@ -3,9 +3,9 @@
 from collections.abc import Callable
 
 from ropsim.core import near
+from ropsim.exchange.files.xml_tree import Element
 from ropsim.exchange.xacro.operators import CONSTANTS
 from ropsim.exchange.xacro.values import Value, XacroError
-from ropsim.exchange.xml_tree import Element
 
 MOST_ASKED = 30
 """Properties that are defined by each other in a row."""

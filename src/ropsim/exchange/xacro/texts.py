@@ -1,12 +1,12 @@
 """Texts of a file that is expanded: what they stand for, what files they name, what all that may cost."""
 
-from ropsim.exchange.notes import shown
-from ropsim.exchange.options import ReadOptions
+from ropsim.exchange.files.folder import ReadOptions
+from ropsim.exchange.files.xml_tree import MOST_ELEMENTS, Element
+from ropsim.exchange.losses.notes import shown
 from ropsim.exchange.xacro.scope import Scope
 from ropsim.exchange.xacro.substitution import text_of, value_of_text
 from ropsim.exchange.xacro.values import Value, XacroError
 from ropsim.exchange.xacro.yaml_values import yaml_value
-from ropsim.exchange.xml_tree import MOST_ELEMENTS, Element
 
 MOST_CALLS = 40
 """Macros and included files in each other."""

@@ -5,12 +5,12 @@ from dataclasses import replace
 
 import numpy as np
 
-from ropsim.exchange.description import Body, Description, Motion
-from ropsim.exchange.diagnostics import DOUBTFUL_BODY
-from ropsim.exchange.link_tree import LinkTree
-from ropsim.exchange.loss_diagnostics import LOST_DESCRIPTION
-from ropsim.exchange.names import BASE, FLANGE, link_name
-from ropsim.exchange.notes import Notes, listed
+from ropsim.exchange.assembly.description import Body, Description, Motion
+from ropsim.exchange.assembly.link_tree import LinkTree
+from ropsim.exchange.files.names import BASE, FLANGE, link_name
+from ropsim.exchange.losses.diagnostics import DOUBTFUL_BODY
+from ropsim.exchange.losses.loss_diagnostics import LOST_DESCRIPTION
+from ropsim.exchange.losses.notes import Notes, listed
 from ropsim.model import BASE_LINK, Joint, Link, Payload, Shape, combine, moved
 from ropsim.spatial import Pose
 

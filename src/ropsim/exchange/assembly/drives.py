@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from ropsim.exchange.description import Connection
+from ropsim.exchange.assembly.description import Connection
 from ropsim.model import BASE_LINK, Drive, Friction, IdealMotor, Joint, Link, ideal_drive
 
 

@@ -3,9 +3,9 @@
 from collections.abc import Iterable
 
 from ropsim.core import Diagnostic
-from ropsim.exchange.loss_diagnostics import LOST_DRIVE, LOST_MOTION
-from ropsim.exchange.notes import listed
-from ropsim.exchange.written_tree import WrittenTree
+from ropsim.exchange.losses.loss_diagnostics import LOST_DRIVE, LOST_MOTION
+from ropsim.exchange.losses.notes import listed
+from ropsim.exchange.writing.written_tree import WrittenTree
 from ropsim.model import HydraulicCylinder, JointType, RobotModel
 
 _GRAVITY = [0.0, 0.0, -9.81]

@@ -3,9 +3,9 @@
 import pytest
 
 from ropsim.core import Span
-from ropsim.exchange.folder import RobotFolder
-from ropsim.exchange.notes import Notes
-from ropsim.exchange.read_mesh import mesh_of
+from ropsim.exchange.files.folder import RobotFolder
+from ropsim.exchange.files.read_mesh import mesh_of
+from ropsim.exchange.losses.notes import Notes
 from ropsim.model import MESH_ENDINGS, Mesh
 
 PLACE = Span("arm.urdf", 1, 1, 1, 2)

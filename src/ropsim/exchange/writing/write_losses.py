@@ -6,9 +6,9 @@ from math import isfinite
 import numpy as np
 
 from ropsim.core import Diagnostic
-from ropsim.exchange.loss_diagnostics import LOST_DESCRIPTION, LOST_DRIVE
-from ropsim.exchange.names import link_name
-from ropsim.exchange.notes import listed
+from ropsim.exchange.files.names import link_name
+from ropsim.exchange.losses.loss_diagnostics import LOST_DESCRIPTION, LOST_DRIVE
+from ropsim.exchange.losses.notes import listed
 from ropsim.model import (
     Cylinder,
     Drive,

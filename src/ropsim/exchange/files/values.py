@@ -3,9 +3,9 @@
 import re
 from math import sqrt
 
-from ropsim.exchange.diagnostics import BAD_NUMBER, ELEMENT_MISSING
-from ropsim.exchange.notes import Notes, shown
-from ropsim.exchange.xml_tree import Element
+from ropsim.exchange.files.xml_tree import Element
+from ropsim.exchange.losses.diagnostics import BAD_NUMBER, ELEMENT_MISSING
+from ropsim.exchange.losses.notes import Notes, shown
 
 LARGEST = 1e12
 """No number of a robot is larger, in whatever unit; squares and products of such numbers stay finite."""

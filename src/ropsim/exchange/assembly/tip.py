@@ -1,9 +1,9 @@
 """Which body of a tree carries the tool."""
 
-from ropsim.exchange.description import Description, Motion
-from ropsim.exchange.diagnostics import TIP_UNCLEAR, UNKNOWN_ENTITY
-from ropsim.exchange.link_tree import LinkTree
-from ropsim.exchange.notes import Notes, listed
+from ropsim.exchange.assembly.description import Description, Motion
+from ropsim.exchange.assembly.link_tree import LinkTree
+from ropsim.exchange.losses.diagnostics import TIP_UNCLEAR, UNKNOWN_ENTITY
+from ropsim.exchange.losses.notes import Notes, listed
 from ropsim.spatial import Pose
 
 USUAL_TIPS = (

@@ -2,9 +2,9 @@
 
 from math import inf, pi
 
-from ropsim.exchange.description import Connection, Limits, Motion
-from ropsim.exchange.diagnostics import ELEMENT_MISSING, LIMIT_UNKNOWN
-from ropsim.exchange.notes import Notes, listed
+from ropsim.exchange.assembly.description import Connection, Limits, Motion
+from ropsim.exchange.losses.diagnostics import ELEMENT_MISSING, LIMIT_UNKNOWN
+from ropsim.exchange.losses.notes import Notes, listed
 from ropsim.model import JointLimits
 
 WITHOUT_END = 400.0 * 2.0 * pi

@@ -3,11 +3,11 @@
 from collections.abc import Mapping
 
 from ropsim.core import Span, frozen_dataclass
-from ropsim.exchange.description import Connection, Motion
-from ropsim.exchange.diagnostics import BROKEN_TREE, JOINT_IMPOSSIBLE, UNKNOWN_ENTITY
-from ropsim.exchange.link_tree import LinkTree
-from ropsim.exchange.loss_diagnostics import LOST_MOTION
-from ropsim.exchange.notes import Notes, listed
+from ropsim.exchange.assembly.description import Connection, Motion
+from ropsim.exchange.assembly.link_tree import LinkTree
+from ropsim.exchange.losses.diagnostics import BROKEN_TREE, JOINT_IMPOSSIBLE, UNKNOWN_ENTITY
+from ropsim.exchange.losses.loss_diagnostics import LOST_MOTION
+from ropsim.exchange.losses.notes import Notes, listed
 
 
 @frozen_dataclass

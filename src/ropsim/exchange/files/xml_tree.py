@@ -6,8 +6,8 @@ from types import MappingProxyType
 from xml.parsers import expat
 
 from ropsim.core import SourceText, Span, frozen_dataclass
-from ropsim.exchange.diagnostics import NOT_XML, XML_REFUSED
-from ropsim.exchange.notes import Notes, shown
+from ropsim.exchange.losses.diagnostics import NOT_XML, XML_REFUSED
+from ropsim.exchange.losses.notes import Notes, shown
 
 MOST_CHARACTERS = 20_000_000
 """Of one file."""

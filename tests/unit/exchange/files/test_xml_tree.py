@@ -1,10 +1,10 @@
 """XML of strangers: bounded, without entities, every element with its place."""
 
 from ropsim.core import SourceText
-from ropsim.exchange.diagnostics import NOT_XML
-from ropsim.exchange.loss_diagnostics import LOST_DESCRIPTION
-from ropsim.exchange.notes import MOST_NOTES, Notes
-from ropsim.exchange.xml_tree import MOST_ATTRIBUTE, MOST_DEPTH, MOST_ELEMENTS, Element, read_xml
+from ropsim.exchange.files.xml_tree import MOST_ATTRIBUTE, MOST_DEPTH, MOST_ELEMENTS, Element, read_xml
+from ropsim.exchange.losses.diagnostics import NOT_XML
+from ropsim.exchange.losses.loss_diagnostics import LOST_DESCRIPTION
+from ropsim.exchange.losses.notes import MOST_NOTES, Notes
 
 BOMB = """<?xml version="1.0"?>
 <!DOCTYPE lolz [<!ENTITY a "ha"><!ENTITY b "&a;&a;&a;&a;">]>

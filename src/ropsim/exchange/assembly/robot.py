@@ -3,16 +3,15 @@
 from collections.abc import Mapping, Sequence
 
 from ropsim.core import SourceText, Span
-from ropsim.exchange.added_turns import with_added_turns
-from ropsim.exchange.aligned import aligned, displaced
-from ropsim.exchange.bodies import Carried, carried_names, links_of, weight_findings
-from ropsim.exchange.description import Connection, Description, Motion
-from ropsim.exchange.drives import drives_of
-from ropsim.exchange.joint_limits import limits_of, unknown_limits, unknown_names
-from ropsim.exchange.kept_joints import KeptJoints, kept_joints
-from ropsim.exchange.link_tree import LinkTree, link_tree
-from ropsim.exchange.notes import Notes
-from ropsim.exchange.tip import tip_of
+from ropsim.exchange.assembly.aligned import aligned, displaced, with_added_turns
+from ropsim.exchange.assembly.bodies import Carried, carried_names, links_of, weight_findings
+from ropsim.exchange.assembly.description import Connection, Description, Motion
+from ropsim.exchange.assembly.drives import drives_of
+from ropsim.exchange.assembly.joint_limits import limits_of, unknown_limits, unknown_names
+from ropsim.exchange.assembly.kept_joints import KeptJoints, kept_joints
+from ropsim.exchange.assembly.link_tree import LinkTree, link_tree
+from ropsim.exchange.assembly.tip import tip_of
+from ropsim.exchange.losses.notes import Notes
 from ropsim.model import (
     BASE_LINK,
     Attribute,

@@ -6,9 +6,9 @@ from math import cos, sin
 import numpy as np
 
 from ropsim.core import frozen_dataclass
-from ropsim.exchange.names import BASE, link_name, unused
+from ropsim.exchange.files.names import BASE, link_name, unused
 from ropsim.model import Joint, JointTree, JointType, Link, RobotModel, joint_tree
-from ropsim.spatial import Pose
+from ropsim.spatial import Array, Pose
 
 
 @frozen_dataclass
@@ -152,3 +152,23 @@ def moved_along(type_: JointType, value: float) -> Pose:
     if type_ is JointType.PRISMATIC:
         return Pose(np.array([0.0, 0.0, value]))
     return Pose(np.zeros(3), np.array([cos(value / 2.0), 0.0, 0.0, sin(value / 2.0)]))
+
+
+_SLACK = 1e-9
+
+
+def possible_inertia(inertia: Array) -> Array:
+    """Return an inertia itself where a body can have it, else one with smaller moments raised to A + B = C.
+
+    Args:
+        inertia: about the centre of mass [kg·m²], shape (3, 3).
+    """
+    moments, axes = np.linalg.eigh(inertia)
+    raised = np.maximum(moments, 0.0)
+    missing = float(raised[2] - raised[0] - raised[1])
+    if missing <= _SLACK * raised[2] and moments[0] >= 0.0:
+        return inertia
+    if missing > 0.0:
+        raised[:2] += missing / 2.0 * (1.0 + _SLACK)
+    whole = axes @ np.diag(raised) @ axes.T
+    return np.asarray((whole + whole.T) / 2.0)

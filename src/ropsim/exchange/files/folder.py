@@ -1,4 +1,4 @@
-"""The folders in which a robot file finds its meshes and includes; nothing else is looked at."""
+"""The folder of a file, and the options of reading."""
 
 import os
 from collections.abc import Mapping
@@ -93,3 +93,25 @@ def _normal(path: str) -> str | None:
         elif part not in ("", "."):
             parts.append(part)
     return "/".join(parts) or None
+
+
+NO_ARGUMENTS: Mapping[str, str] = MappingProxyType({})
+
+
+@frozen_dataclass
+class ReadOptions:
+    """What a reader is told beside the text.
+
+    Attributes:
+        tip: name of the link that carries the tool; None for the one that is recognised.
+        folder: where meshes and included files are.
+        arguments: of a xacro file, by name.
+    """
+
+    tip: str | None = None
+    folder: RobotFolder = RobotFolder()
+    arguments: Mapping[str, str] = field(default_factory=lambda: NO_ARGUMENTS)
+
+
+STANDARD = ReadOptions()
+"""The recognised tip, meshes as they are named, no arguments."""

@@ -1,10 +1,10 @@
 """Meshes that a robot file names: paths inside of the project folder, in a format that is drawn."""
 
 from ropsim.core import Span
-from ropsim.exchange.diagnostics import MESH_MISSING
-from ropsim.exchange.folder import RobotFolder
-from ropsim.exchange.loss_diagnostics import LOST_DESCRIPTION
-from ropsim.exchange.notes import Notes, shown
+from ropsim.exchange.files.folder import RobotFolder
+from ropsim.exchange.losses.diagnostics import MESH_MISSING
+from ropsim.exchange.losses.loss_diagnostics import LOST_DESCRIPTION
+from ropsim.exchange.losses.notes import Notes, shown
 from ropsim.model import MESH_ENDINGS, Mesh
 
 _SCHEMES = ("package://", "model://")

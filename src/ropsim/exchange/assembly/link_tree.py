@@ -4,15 +4,15 @@ import heapq
 from collections.abc import Mapping
 
 from ropsim.core import frozen_dataclass
-from ropsim.exchange.description import Connection, Description, Motion
-from ropsim.exchange.diagnostics import (
+from ropsim.exchange.assembly.description import Connection, Description, Motion
+from ropsim.exchange.losses.diagnostics import (
     BROKEN_TREE,
     ELEMENT_MISSING,
     JOINT_IMPOSSIBLE,
     SAME_ENTITY,
     UNKNOWN_ENTITY,
 )
-from ropsim.exchange.notes import Notes, listed
+from ropsim.exchange.losses.notes import Notes, listed
 
 MOST_JOINTS = 200
 """So many joints of a robot file move, at most."""

@@ -1,0 +1,1 @@
+"""A description of bodies and connections, and the robot that it becomes."""

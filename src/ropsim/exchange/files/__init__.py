@@ -1,0 +1,1 @@
+"""Files of strangers: bounded folders, XML trees, values, meshes."""
