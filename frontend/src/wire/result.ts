@@ -1,7 +1,7 @@
 /**
  * The result of a run as a strip shows it: verdict, what it leaves open, the worst figure of each kind.
  *
- * Written by `tools/wire_types.py` from `ropsim.views.result`: change the records there.
+ * Written by `tools/wire_types.py` from `ropsim.views.summary.result`: change the records there.
  */
 import type { Destinations } from './facts'
 
