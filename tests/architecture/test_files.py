@@ -52,14 +52,13 @@ WIDE = {
     "cli",
     "core",
     "dynamics",
-    "icr",
     "motion/retiming",
     "prolog",
     "studio",
     "workspace",
 }
 LONG = {"curve_kernel.py", "time_law_kernel.py", "documents.py", "jobs.py", "messages.py"}
-SMALL_FILES = 151
+SMALL_FILES = 150
 PACKAGES = ROOT / "src" / "ropsim"
 DATA = {"robots/arms"}
 

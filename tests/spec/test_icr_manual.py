@@ -10,8 +10,8 @@ import pytest
 from ropsim import icr
 from ropsim.core import Diagnostic
 from ropsim.icr import diagnostics as rules
-from ropsim.icr import trap_kinds
-from ropsim.icr.machine import BUDGET
+from ropsim.icr.machine import trap_kinds
+from ropsim.icr.machine.machine import BUDGET
 from support.manual import DOCS, Block, blocks
 
 PAGE = DOCS / "reference" / "icr.md"

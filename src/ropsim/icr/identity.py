@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from ropsim.icr.opcodes import OPCODES, OperandKind
 from ropsim.icr.program import Procedure, Program, Step, Variable
-from ropsim.icr.writer import disassemble
+from ropsim.icr.text.writer import disassemble
 
 _OF_VARIABLES = frozenset(name for name, one in OPCODES.items() if one.operands == (OperandKind.VARIABLE,))
 

@@ -1,6 +1,6 @@
-"""What the results of the lines of a program hang on: a key for each line, equal where its result must be."""
+"""What each line of a program contains, and which instructions are reached."""
 
-from collections.abc import Callable, Hashable, Iterator, Mapping
+from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping
 from hashlib import sha256
 from typing import Any
 
@@ -16,14 +16,38 @@ from ropsim.flow import (
     WaitInstruction,
 )
 from ropsim.icr.identity import program_id
-from ropsim.icr.machine import Machine, MachineOptions
-from ropsim.icr.opcodes import OPCODES
+from ropsim.icr.machine.machine import Machine, MachineOptions
+from ropsim.icr.machine.state import Finished
+from ropsim.icr.machine.world import PassingWorld, StillWorld
+from ropsim.icr.opcodes import OPCODES, OperandKind
 from ropsim.icr.program import Program
-from ropsim.icr.reached import reached
-from ropsim.icr.state import Finished
-from ropsim.icr.world import PassingWorld, StillWorld
 from ropsim.spatial import bits_without
 from ropsim.version import __version__
+
+Place = tuple[int, int]
+"""Procedure and instruction of a code."""
+
+
+def reached(program: Program, places: Iterable[Place]) -> set[Place]:
+    """Return the instructions that can come from some places on, without those behind a return."""
+    waiting = list(places)
+    seen: set[Place] = set()
+    while waiting:
+        place = waiting.pop()
+        if place in seen:
+            continue
+        seen.add(place)
+        procedure, index = place
+        step = program.procedures[procedure].code[index]
+        opcode = OPCODES[step.mnemonic]
+        if opcode.operands == (OperandKind.LABEL,):
+            waiting.append((procedure, int(str(step.operands[0]))))
+        if opcode.operands == (OperandKind.PROCEDURE,):
+            waiting.append((program.procedure_numbers[str(step.operands[0])], 0))
+        if not opcode.ends_flow and index + 1 < len(program.procedures[procedure].code):
+            waiting.append((procedure, index + 1))
+    return seen
+
 
 MOST = 5_000
 """Robot instructions that are looked at one by one; what comes behind hangs on the whole code."""

@@ -1,7 +1,7 @@
 from ropsim.icr import OPCODES, Type
-from ropsim.icr.geometry import GEOMETRY
-from ropsim.icr.handlers import HANDLERS
-from ropsim.icr.operations import OPERATIONS
+from ropsim.icr.machine.geometry import GEOMETRY
+from ropsim.icr.machine.handlers import HANDLERS
+from ropsim.icr.machine.operations import OPERATIONS
 
 DECIDED_BY_LOADER = {"LOAD", "STORE", "GETC", "SETC", "FMT"}
 

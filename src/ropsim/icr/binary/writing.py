@@ -11,8 +11,8 @@ from ropsim.icr.binary.sink import Sink
 from ropsim.icr.binary.values import put_type
 from ropsim.icr.errors import UnverifiedError
 from ropsim.icr.program import CHANNEL_TYPES, Procedure, Program, Variable
-from ropsim.icr.tokens import shown
-from ropsim.icr.verifier import verify
+from ropsim.icr.rules.verifier import verify
+from ropsim.icr.text.tokens import shown
 
 
 def encoded(program: Program) -> bytes:

@@ -7,7 +7,7 @@ from ropsim.core import Diagnostic
 from ropsim.icr import diagnostics as kinds
 from ropsim.icr.opcodes import ENDS_FLOW, OPCODES
 from ropsim.icr.program import Procedure, Program, Step, text_place
-from ropsim.icr.stack import Fault, Stack, effect
+from ropsim.icr.rules.stack import Fault, Stack, effect
 from ropsim.icr.types import Constant
 
 JUMPS = {"JMP", "JF", "JT"}

@@ -1,13 +1,13 @@
 """Operations of inputs, outputs, time and messages."""
 
 from ropsim.flow import AwaitInstruction, Instruction, MessageInstruction, OutputInstruction, WaitInstruction
-from ropsim.icr import trap_kinds as kinds
+from ropsim.icr.machine import trap_kinds as kinds
+from ropsim.icr.machine.site import Operation, Site, barrier
+from ropsim.icr.machine.state import Registers
+from ropsim.icr.machine.traps import TrapError, out_of_range
+from ropsim.icr.machine.world import World
 from ropsim.icr.rules.operands import setting_fault
-from ropsim.icr.site import Operation, Site, barrier
-from ropsim.icr.state import Registers
-from ropsim.icr.traps import TrapError, out_of_range
 from ropsim.icr.types import Type
-from ropsim.icr.world import World
 
 
 def _input(registers: Registers, world: World, site: Site) -> Instruction | None:

@@ -1,9 +1,9 @@
 """Operations of control and flow: HALT, TRAP, CALL, RET."""
 
-from ropsim.icr.site import Operation, Site
-from ropsim.icr.state import Caller, Finished, Registers
-from ropsim.icr.traps import by_number
-from ropsim.icr.world import World
+from ropsim.icr.machine.site import Operation, Site
+from ropsim.icr.machine.state import Caller, Finished, Registers
+from ropsim.icr.machine.traps import by_number
+from ropsim.icr.machine.world import World
 
 
 def _halt(registers: Registers, _world: World, _site: Site) -> Finished:

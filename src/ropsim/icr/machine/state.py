@@ -5,8 +5,8 @@ from typing import NamedTuple
 
 from ropsim.core import Diagnostic, Span, frozen_dataclass
 from ropsim.flow import Guard, ModalState, Origin, PathTracking, Trigger
-from ropsim.icr.handlers import Datum
-from ropsim.icr.location import Location
+from ropsim.icr.machine.handlers import Datum
+from ropsim.icr.machine.location import Location
 
 _MOST_KNOWN = 1000
 """Changes of the modal state that a program remembers."""

@@ -2,8 +2,8 @@
 
 from typing import NamedTuple
 
-from ropsim.icr.geometry import GEOMETRY, get_component, set_component, shown
-from ropsim.icr.handlers import (
+from ropsim.icr.machine.geometry import GEOMETRY, get_component, set_component, shown
+from ropsim.icr.machine.handlers import (
     HANDLERS,
     Datum,
     Handler,
@@ -12,12 +12,12 @@ from ropsim.icr.handlers import (
     store_global,
     store_local,
 )
-from ropsim.icr.location import FrameTag
-from ropsim.icr.operations import OPERATIONS
+from ropsim.icr.machine.location import FrameTag
+from ropsim.icr.machine.operations import OPERATIONS
+from ropsim.icr.machine.site import Site
 from ropsim.icr.program import Procedure, Program, Step, source_place
 from ropsim.icr.rules.flow import stacks
-from ropsim.icr.site import Site
-from ropsim.icr.stack import Stack
+from ropsim.icr.rules.stack import Stack
 from ropsim.icr.types import Constant, Type, rotation
 from ropsim.spatial import Pose, quaternion
 

@@ -1,10 +1,10 @@
 """Program -> canonical ICR text."""
 
-from ropsim.icr.literals import written
 from ropsim.icr.opcodes import OPCODES, OperandKind
-from ropsim.icr.operands import written_operand
 from ropsim.icr.program import LibraryText, Procedure, Program, Step
-from ropsim.icr.tokens import named, quoted
+from ropsim.icr.text.literals import written
+from ropsim.icr.text.operands import written_operand
+from ropsim.icr.text.tokens import named, quoted
 from ropsim.icr.types import Constant
 
 

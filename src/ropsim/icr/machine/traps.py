@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 from ropsim.core import Diagnostic, Kind, Span
-from ropsim.icr import trap_kinds as kinds
+from ropsim.icr.machine import trap_kinds as kinds
 
 
 class TrapError(Exception):

@@ -4,11 +4,11 @@ from collections.abc import Callable
 
 from ropsim.core import Kind, Span, did_you_mean
 from ropsim.icr import diagnostics as kinds
-from ropsim.icr.literals import read_int
 from ropsim.icr.opcodes import OPCODES, OperandKind
-from ropsim.icr.operands import read_operands
 from ropsim.icr.program import Operand, Procedure, Step, Variable
-from ropsim.icr.tokens import Token, is_name, shown
+from ropsim.icr.text.literals import read_int
+from ropsim.icr.text.operands import read_operands
+from ropsim.icr.text.tokens import Token, is_name, shown
 from ropsim.icr.types import Type
 
 Report = Callable[[Kind, Span, str, str], None]

@@ -1,10 +1,10 @@
 """Operations that change the modal state; every robot instruction carries a snapshot of it."""
 
+from ropsim.icr.machine.site import Operation, Site
+from ropsim.icr.machine.state import Registers
+from ropsim.icr.machine.traps import out_of_range
+from ropsim.icr.machine.world import World
 from ropsim.icr.rules.operands import setting_fault
-from ropsim.icr.site import Operation, Site
-from ropsim.icr.state import Registers
-from ropsim.icr.traps import out_of_range
-from ropsim.icr.world import World
 
 _FIELDS = {
     "SPD.PTP": "ptp_speed",

@@ -1,8 +1,8 @@
 """What an arithmetic instruction makes of given operands, for whoever computes ahead of the machine."""
 
-from ropsim.icr import trap_kinds as kinds
-from ropsim.icr.handlers import HANDLERS
-from ropsim.icr.traps import TrapError
+from ropsim.icr.machine import trap_kinds as kinds
+from ropsim.icr.machine.handlers import HANDLERS
+from ropsim.icr.machine.traps import TrapError
 from ropsim.icr.types import Value
 
 

@@ -1,9 +1,9 @@
 """Operands of instructions in ICR text."""
 
-from ropsim.icr.literals import read_constant, read_int, written
 from ropsim.icr.opcodes import POSTURE, WORDS, Opcode, OperandKind
 from ropsim.icr.program import Operand
-from ropsim.icr.tokens import Token, is_name, named, shown
+from ropsim.icr.text.literals import read_constant, read_int, written
+from ropsim.icr.text.tokens import Token, is_name, named, shown
 from ropsim.icr.types import Constant
 
 _INTEGERS = {OperandKind.COUNT, OperandKind.INDEX, OperandKind.NUMBER, OperandKind.CATEGORY}

@@ -2,12 +2,12 @@
 
 from ropsim.core import Diagnostic, Kind, SourceText, Span, near
 from ropsim.icr import diagnostics as kinds
-from ropsim.icr.body import Body
-from ropsim.icr.declarations import Declarations
 from ropsim.icr.errors import AssemblyError
 from ropsim.icr.opcodes import OPCODES
 from ropsim.icr.program import VERSION, Procedure, Program
-from ropsim.icr.tokens import Token, cut, is_name, shown
+from ropsim.icr.text.body import Body
+from ropsim.icr.text.declarations import Declarations
+from ropsim.icr.text.tokens import Token, cut, is_name, shown
 
 MAX_DIAGNOSTICS = 200
 MAX_LINE = 1_000_000

@@ -4,12 +4,12 @@ import math
 from dataclasses import replace
 
 from ropsim.flow import Instruction
-from ropsim.icr import trap_kinds as kinds
-from ropsim.icr.location import Location, external_part, located, pose_part, posture_of, tag_of
-from ropsim.icr.site import Site, barrier
-from ropsim.icr.state import Commanded, CommandedJoints, Registers
-from ropsim.icr.traps import TrapError, out_of_range
-from ropsim.icr.world import World
+from ropsim.icr.machine import trap_kinds as kinds
+from ropsim.icr.machine.location import Location, external_part, located, pose_part, posture_of, tag_of
+from ropsim.icr.machine.site import Site, barrier
+from ropsim.icr.machine.state import Commanded, CommandedJoints, Registers
+from ropsim.icr.machine.traps import TrapError, out_of_range
+from ropsim.icr.machine.world import World
 from ropsim.spatial import Pose
 
 

@@ -10,13 +10,13 @@ from ropsim.flow import (
     SyncInstruction,
     WaitInstruction,
 )
-from ropsim.icr import trap_kinds as kinds
 from ropsim.icr.errors import UnverifiedError
-from ropsim.icr.machine import BUDGET, Machine, MachineOptions
+from ropsim.icr.machine import trap_kinds as kinds
+from ropsim.icr.machine.machine import BUDGET, Machine, MachineOptions
+from ropsim.icr.machine.state import Finished
+from ropsim.icr.machine.world import StillWorld, World
 from ropsim.icr.program import Program
-from ropsim.icr.state import Finished
-from ropsim.icr.verifier import verify
-from ropsim.icr.world import StillWorld, World
+from ropsim.icr.rules.verifier import verify
 
 MAX_INSTRUCTIONS = 100_000
 """Robot instructions and synchronisations after which a dry run ends (about 100 MB)."""

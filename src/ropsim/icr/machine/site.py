@@ -5,9 +5,9 @@ from typing import NamedTuple
 
 from ropsim.core import Span
 from ropsim.flow import Instruction, SyncInstruction
-from ropsim.icr.handlers import Datum
-from ropsim.icr.state import Finished, Registers
-from ropsim.icr.world import World
+from ropsim.icr.machine.handlers import Datum
+from ropsim.icr.machine.state import Finished, Registers
+from ropsim.icr.machine.world import World
 
 
 class Site(NamedTuple):

@@ -2,7 +2,7 @@
 
 import re
 
-from ropsim.icr.tokens import Token, quoted
+from ropsim.icr.text.tokens import Token, quoted
 from ropsim.icr.types import INT_MAX, INT_MIN, WIDTHS, Constant, Type, Value, has_form
 
 _INT = re.compile(r"[+-]?[0-9]{1,19}\Z")

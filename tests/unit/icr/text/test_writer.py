@@ -16,7 +16,7 @@ from ropsim.icr import (
     verify,
 )
 
-GOLDEN = sorted((Path(__file__).parents[2] / "golden" / "icr").glob("*.icr"))
+GOLDEN = sorted((Path(__file__).parents[3] / "golden" / "icr").glob("*.icr"))
 
 
 @pytest.mark.parametrize("path", GOLDEN, ids=lambda path: path.stem)

@@ -11,8 +11,8 @@ from dataclasses import replace
 from typing import NamedTuple
 
 from ropsim.flow import PostureRequest
-from ropsim.icr.handlers import Datum
-from ropsim.icr.traps import out_of_range
+from ropsim.icr.machine.handlers import Datum
+from ropsim.icr.machine.traps import out_of_range
 from ropsim.spatial import Pose, PoseTuple, quaternion
 
 Location = tuple[Datum, ...]

@@ -1,12 +1,12 @@
 """Operations of moves that a signal ends or corrects, and of the pose that the arm has."""
 
 from ropsim.flow import Comparison, Guard, Instruction, PathTracking, ToolDirection
-from ropsim.icr import trap_kinds as kinds
+from ropsim.icr.machine import trap_kinds as kinds
+from ropsim.icr.machine.site import Operation, Site, barrier
+from ropsim.icr.machine.state import Registers
+from ropsim.icr.machine.traps import TrapError, out_of_range
+from ropsim.icr.machine.world import World
 from ropsim.icr.rules.operands import setting_fault
-from ropsim.icr.site import Operation, Site, barrier
-from ropsim.icr.state import Registers
-from ropsim.icr.traps import TrapError, out_of_range
-from ropsim.icr.world import World
 
 
 def _guard(registers: Registers, _world: World, site: Site) -> None:

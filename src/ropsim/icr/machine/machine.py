@@ -6,15 +6,15 @@ from typing import Protocol, cast
 
 from ropsim.core import Span, frozen_dataclass
 from ropsim.flow import Instruction
-from ropsim.icr import trap_kinds as kinds
 from ropsim.icr.errors import UnverifiedError
-from ropsim.icr.handlers import Datum, Handler
-from ropsim.icr.loader import load
+from ropsim.icr.machine import trap_kinds as kinds
+from ropsim.icr.machine.handlers import Datum, Handler
+from ropsim.icr.machine.loader import load
+from ropsim.icr.machine.state import CodePlace, Finished, MachineState, Registers
+from ropsim.icr.machine.traps import TrapError, diagnostic
+from ropsim.icr.machine.world import World
 from ropsim.icr.program import Program, source_place
-from ropsim.icr.state import CodePlace, Finished, MachineState, Registers
-from ropsim.icr.traps import TrapError, diagnostic
-from ropsim.icr.verifier import verify
-from ropsim.icr.world import World
+from ropsim.icr.rules.verifier import verify
 
 BUDGET = 10_000_000
 

@@ -1,7 +1,6 @@
 """The declarations at the head of an ICR text."""
 
 from ropsim.core import Span
-from ropsim.icr.literals import read_int, read_reals
 from ropsim.icr.program import (
     FrameDefinition,
     IoChannel,
@@ -12,7 +11,8 @@ from ropsim.icr.program import (
     Variable,
     channel_fault,
 )
-from ropsim.icr.tokens import Token, is_name
+from ropsim.icr.text.literals import read_int, read_reals
+from ropsim.icr.text.tokens import Token, is_name
 from ropsim.icr.types import Type
 from ropsim.spatial import PoseTuple
 

@@ -18,16 +18,16 @@ from ropsim.flow import (
     SyncInstruction,
     Trigger,
 )
-from ropsim.icr import trap_kinds as kinds
-from ropsim.icr.geometry import check_same_frame
-from ropsim.icr.handlers import Datum
-from ropsim.icr.location import Location, external_part, pose_part, posture_of, tag_of
-from ropsim.icr.operations.command_pose import command_pose
+from ropsim.icr.machine import trap_kinds as kinds
+from ropsim.icr.machine.geometry import check_same_frame
+from ropsim.icr.machine.handlers import Datum
+from ropsim.icr.machine.location import Location, external_part, pose_part, posture_of, tag_of
+from ropsim.icr.machine.operations.command_pose import command_pose
+from ropsim.icr.machine.site import Operation, Site, barrier
+from ropsim.icr.machine.state import Commanded, CommandedJoints, Finished, Registers
+from ropsim.icr.machine.traps import TrapError, out_of_range
+from ropsim.icr.machine.world import World
 from ropsim.icr.rules.operands import setting_fault
-from ropsim.icr.site import Operation, Site, barrier
-from ropsim.icr.state import Commanded, CommandedJoints, Finished, Registers
-from ropsim.icr.traps import TrapError, out_of_range
-from ropsim.icr.world import World
 from ropsim.spatial import Pose
 
 

@@ -3,9 +3,9 @@
 import math
 from collections.abc import Callable
 
-from ropsim.icr import trap_kinds as kinds
-from ropsim.icr.handlers import Datum, Handler
-from ropsim.icr.location import (
+from ropsim.icr.machine import trap_kinds as kinds
+from ropsim.icr.machine.handlers import Datum, Handler
+from ropsim.icr.machine.location import (
     Location,
     axes_of,
     composed,
@@ -20,7 +20,7 @@ from ropsim.icr.location import (
     with_axes,
     with_turns,
 )
-from ropsim.icr.traps import TrapError, out_of_range
+from ropsim.icr.machine.traps import TrapError, out_of_range
 from ropsim.icr.types import Type
 from ropsim.spatial import quaternion
 

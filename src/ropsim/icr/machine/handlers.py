@@ -10,7 +10,7 @@ import operator
 from collections.abc import Callable
 from typing import Any
 
-from ropsim.icr.traps import division_by_zero, out_of_range
+from ropsim.icr.machine.traps import division_by_zero, out_of_range
 from ropsim.icr.types import INT_MAX, INT_MIN
 
 Datum = Any  # a stack value; rule V4 knows its type, mypy cannot

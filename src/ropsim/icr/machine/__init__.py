@@ -1,0 +1,1 @@
+"""The stack machine: instructions, geometry, its world and its state."""

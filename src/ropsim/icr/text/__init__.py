@@ -1,0 +1,1 @@
+"""The text form: tokens to a program and back."""
