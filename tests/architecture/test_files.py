@@ -48,7 +48,6 @@ def test_every_pinned_version_is_exact() -> None:
 
 WIDE = {
     "calibration",
-    "cellfile",
     "cli",
     "core",
     "dynamics",

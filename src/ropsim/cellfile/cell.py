@@ -3,19 +3,19 @@
 from collections.abc import Collection, Mapping
 
 from ropsim.cellfile import diagnostics as kinds
-from ropsim.cellfile.destinations import Surroundings
-from ropsim.cellfile.devices import read_devices
+from ropsim.cellfile.devices.devices import read_devices
+from ropsim.cellfile.devices.signals import read_signals
 from ropsim.cellfile.external_values import read_external_values
-from ropsim.cellfile.fixed_objects import read_objects
 from ropsim.cellfile.frames import note_moving, read_frames
 from ropsim.cellfile.mounts import Mount, axes_of, mounts_of
-from ropsim.cellfile.objects import read_parts, read_sinks
+from ropsim.cellfile.objects.destinations import Surroundings
+from ropsim.cellfile.objects.fixed_objects import read_objects
+from ropsim.cellfile.objects.objects import read_parts, read_sinks
+from ropsim.cellfile.objects.supports import note_standings, read_supports
 from ropsim.cellfile.poses import read_locations
-from ropsim.cellfile.robot_files import NO_FILES, RobotLibrary
-from ropsim.cellfile.signals import read_signals
-from ropsim.cellfile.stations import read_stations
-from ropsim.cellfile.supports import note_standings, read_supports
-from ropsim.cellfile.tools import read_tools
+from ropsim.cellfile.robots.robot_files import NO_FILES, RobotLibrary
+from ropsim.cellfile.robots.stations import read_stations
+from ropsim.cellfile.robots.tools import read_tools
 from ropsim.core import Diagnostic, SourceText
 from ropsim.model import (
     ROBOT,

@@ -3,8 +3,8 @@
 from collections.abc import Mapping
 
 from ropsim import robots
-from ropsim.cellfile.body_shapes import read_body_shapes
-from ropsim.cellfile.device_signals import check_device_signals
+from ropsim.cellfile.devices.body_shapes import read_body_shapes
+from ropsim.cellfile.devices.device_signals import check_device_signals
 from ropsim.cellfile.poses import read_base
 from ropsim.model import (
     Barrier,

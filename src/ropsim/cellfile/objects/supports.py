@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Sequence
 
 from ropsim.cellfile import diagnostics as kinds
-from ropsim.cellfile.objects import PartGroup
+from ropsim.cellfile.objects.objects import PartGroup
 from ropsim.kinematics import Standing, standings_at_start
 from ropsim.model import Cell, SupportLimits, lying_words, spoken_body
 from ropsim.tomltext import TomlTable, Units, cut

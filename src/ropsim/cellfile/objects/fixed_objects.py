@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from ropsim.cellfile import diagnostics as kinds
 from ropsim.cellfile.mounts import Mount
-from ropsim.cellfile.objects import body_name, report_doubles
+from ropsim.cellfile.objects.objects import body_name, report_doubles
 from ropsim.model import Box, FixedObject, Shape
 from ropsim.spatial import Pose, frozen
 from ropsim.tomltext import CONFLICTING_KEYS, Look, TomlTable, Units, cut, read_look, read_pose, read_shapes

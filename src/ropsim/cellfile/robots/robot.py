@@ -7,7 +7,7 @@ import numpy as np
 
 from ropsim import robots
 from ropsim.cellfile import diagnostics as kinds
-from ropsim.cellfile.external_axes import ExternalAxes, read_external_axes
+from ropsim.cellfile.robots.external_axes import ExternalAxes, read_external_axes
 from ropsim.core import RopsimError
 from ropsim.model import (
     ControllerModel,

@@ -3,10 +3,10 @@
 from collections.abc import Mapping
 
 from ropsim.cellfile import diagnostics as kinds
-from ropsim.cellfile.one_axis import read_mechanism
 from ropsim.cellfile.poses import read_base
-from ropsim.cellfile.robot import RobotSection, read_driven, read_robot
-from ropsim.cellfile.robot_files import RobotLibrary
+from ropsim.cellfile.robots.one_axis import read_mechanism
+from ropsim.cellfile.robots.robot import RobotSection, read_driven, read_robot
+from ropsim.cellfile.robots.robot_files import RobotLibrary
 from ropsim.model import ROBOT, Station, Tool
 from ropsim.spatial import Pose
 from ropsim.tomltext import CONFLICTING_KEYS, UNKNOWN_CELL_NAME, Question, Sort, TomlTable, Units

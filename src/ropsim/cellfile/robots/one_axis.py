@@ -1,7 +1,7 @@
 """Stations of one axis in a cell file: the key `mechanism` of `[stations.NAME]`, in place of `robot`."""
 
 from ropsim import robots
-from ropsim.cellfile.body_shapes import read_body_shapes
+from ropsim.cellfile.devices.body_shapes import read_body_shapes
 from ropsim.model import JointType, RobotModel
 from ropsim.tomltext import MASS, MOMENT, VALUE_OUT_OF_RANGE, TomlTable, Units, read_kind
 

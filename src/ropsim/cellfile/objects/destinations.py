@@ -3,7 +3,7 @@
 from collections.abc import Mapping, Sequence
 
 from ropsim.cellfile.frames import note_moving
-from ropsim.cellfile.grid import read_grid
+from ropsim.cellfile.objects.grid import read_grid
 from ropsim.core import frozen_dataclass
 from ropsim.model import Destination
 from ropsim.spatial import Array, Pose

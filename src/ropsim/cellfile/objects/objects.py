@@ -6,8 +6,8 @@ from types import MappingProxyType
 import numpy as np
 
 from ropsim.cellfile import diagnostics as kinds
-from ropsim.cellfile.destinations import Surroundings, read_destinations
-from ropsim.cellfile.grid import read_grid
+from ropsim.cellfile.objects.destinations import Surroundings, read_destinations
+from ropsim.cellfile.objects.grid import read_grid
 from ropsim.core import frozen_dataclass
 from ropsim.model import PART_COLOUR, Material, Part, Sink
 from ropsim.spatial import Array, Pose, frozen

@@ -1,0 +1,1 @@
+"""Fixed objects, parts and their supports and destinations."""

@@ -1,0 +1,1 @@
+"""Stations with their robots, external axes, controllers and tools."""
