@@ -192,4 +192,6 @@ def test_files_of_users_are_read_by_the_reader_that_is_bounded() -> None:
         )
         and not any(isinstance(one, ast.Name) and one.id == "icr" for one in ast.walk(node.func))
     }
-    assert found - {"cli/lsp.py", "cli/streams.py"} == OWN_READERS  # those open the streams of the process
+    assert (
+        found - {"cli/commands/lsp.py", "cli/terminal/streams.py"} == OWN_READERS
+    )  # those open the streams of the process

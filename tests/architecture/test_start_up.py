@@ -41,7 +41,9 @@ def test_compiling_and_reading_do_not_import_numba(package: str) -> None:
     assert "numba" not in loaded_after(f"import ropsim.{package}")
 
 
-@pytest.mark.parametrize("program", ["ropsim.workbench", "ropsim.cli.run", "ropsim.cli.check"])
+@pytest.mark.parametrize(
+    "program", ["ropsim.workbench", "ropsim.cli.commands.run", "ropsim.cli.commands.check"]
+)
 def test_only_the_studio_and_meshes_import_what_serves_them(program: str) -> None:
     assert loaded_after(f"import {program}").isdisjoint(SERVING)
 

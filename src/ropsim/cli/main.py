@@ -34,7 +34,7 @@ def main(arguments: Sequence[str]) -> int:
         print(f"ropsim {__version__}")
         return 0
     from ropsim.cli.parser import build_parser
-    from ropsim.cli.streams import OutputLostError, prepare_streams
+    from ropsim.cli.terminal.streams import OutputLostError, prepare_streams
 
     prepare_streams()
     parser = build_parser()
@@ -55,7 +55,7 @@ def main(arguments: Sequence[str]) -> int:
 
 
 def _run(options: "argparse.Namespace") -> int:
-    from ropsim.cli.output import Output
+    from ropsim.cli.terminal.output import Output
     from ropsim.core import RopsimError, kept_findings, shortage
 
     output = Output.of(options)

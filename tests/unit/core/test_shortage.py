@@ -27,8 +27,8 @@ def test_a_lack_of_memory_is_a_finding(
     def lacking(*_anything: object) -> None:
         raise error
 
-    monkeypatch.setattr("ropsim.cli.explain.explain", lacking)
-    monkeypatch.setattr("ropsim.cli.output.Output.text", lacking)
+    monkeypatch.setattr("ropsim.cli.commands.explain.explain", lacking)
+    monkeypatch.setattr("ropsim.cli.terminal.output.Output.text", lacking)
     assert command.main(["explain", "X920"]) == 1
     told = capsys.readouterr().err
     assert "error[X920] out-of-memory" in told

@@ -221,7 +221,7 @@ def test_a_cell_without_what_is_to_be_changed_says_so(tmp_path: Path, change: st
 def test_the_command_runs_nothing_for_a_change_that_cannot_be(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("ropsim.cli.run._simulate", lambda *_: pytest.fail("the program was run"))
+    monkeypatch.setattr("ropsim.cli.commands.run._simulate", lambda *_: pytest.fail("the program was run"))
     project(tmp_path, cell='[cell]\nname = "c"\n[robot]\nmodel = "puma560"\n')
     assert main(["run", str(tmp_path), "--what-if", "payload=1kg"]) == 2
     assert "X896" in capsys.readouterr().err

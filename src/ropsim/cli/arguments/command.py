@@ -38,7 +38,7 @@ def command(
     Args:
         commands: to which it is added.
         name: of the command.
-        function: that runs it, `module:name` in `ropsim.cli`.
+        function: that runs it, `module:name` in `ropsim.cli.commands`.
         text: what it does, a sentence without capital and full stop.
         more: further sentences of its own help.
     """
@@ -49,12 +49,12 @@ def command(
 
 
 def lazy(function: str) -> Callable[..., int]:
-    """Return a function that imports one, `module:name` in `ropsim.cli`, when it is called."""
+    """Return a function that imports one, `module:name` in `ropsim.cli.commands`, when it is called."""
     module, name = function.split(":")
 
     def call(*arguments: object) -> int:
         with without_collection():
-            command = getattr(import_module(f"ropsim.cli.{module}"), name)
+            command = getattr(import_module(f"ropsim.cli.commands.{module}"), name)
         gc.freeze()  # modules stay: whoever looks for garbage need not look through them
         code: int = command(*arguments)
         return code

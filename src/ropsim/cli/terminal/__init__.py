@@ -1,0 +1,1 @@
+"""Printing, progress, watched files and words of numbers for the commands."""

@@ -1,0 +1,70 @@
+"""Numbers and joint coordinates as people type and read them."""
+
+import math
+from collections.abc import Iterable, Mapping
+from types import MappingProxyType
+
+from ropsim.core import RopsimError, Severity, define, frozen_dataclass
+from ropsim.model import JointType, RobotModel
+
+FARTHEST: Mapping[JointType, float] = MappingProxyType(
+    {JointType.REVOLUTE: 36_000.0, JointType.PRISMATIC: 100_000.0}
+)
+"""Largest coordinate either way: a hundred turns [deg], what a position of a cell file may be [mm]."""
+
+BEYOND_SENSE = define(
+    "U903",
+    "coordinate-beyond-sense",
+    Severity.ERROR,
+    "a coordinate on the command line that no arm and no place of a cell has",
+    """
+Angles go up to 36,000 degrees (a hundred turns) either way, lengths up to 100,000 mm (100 m), as positions in
+cell files do. A larger number, or none (`nan`, `inf`), comes from a slip of the pen or a failed computation:
+what it leaves behind the full turns would mean nothing.
+""",
+)
+
+
+class CoordinateError(RopsimError):
+    """A coordinate that no arm and no place of a cell has."""
+
+
+@frozen_dataclass
+class Coordinate:
+    """A number of the command line: what it is called, of which kind, and its value [deg | mm]."""
+
+    name: str
+    kind: JointType
+    value: float
+
+
+def joint_coordinates(robot: RobotModel, values: Iterable[float]) -> list[Coordinate]:
+    """Return the coordinates of the joints of a robot; one value each [deg | mm]."""
+    joints = zip(robot.axis_joints, values, strict=True)
+    return [Coordinate(f"joint `{joint.name}`", joint.measure, value) for joint, value in joints]
+
+
+def check_coordinates(given: Iterable[Coordinate]) -> None:
+    """Refuse coordinates beyond sense.
+
+    Raises:
+        CoordinateError: U903, one is.
+    """
+    for one in given:
+        most = FARTHEST[one.kind]
+        if not abs(one.value) <= most:
+            unit = "°" if one.kind is JointType.REVOLUTE else " mm"
+            found = f"{one.value:g}{unit}" if math.isfinite(one.value) else f"{one.value}"
+            message = f"{one.name} is {found}, allowed is up to {most:,.0f}{unit} either way"
+            hint = "angles are in degrees, lengths in mm: check the digits and the exponent"
+            raise CoordinateError(BEYOND_SENSE.at(None, message, hint=hint))
+
+
+def shown(value: float, decimals: int) -> float:
+    """Return a number rounded for printing, without a negative zero."""
+    return round(float(value), decimals) + 0.0
+
+
+def display(kind: JointType) -> tuple[float, str]:
+    """Return the factor from a joint coordinate [rad | m] to what is printed, and its unit."""
+    return (math.degrees(1.0), "°") if kind is JointType.REVOLUTE else (1e3, "mm")

@@ -1,0 +1,51 @@
+"""What the command line says of the inverse kinematics of an arm."""
+
+import math
+
+from ropsim.cli.terminal.coordinates import shown
+from ropsim.kinematics import Free, Method, Snap, classes_missed, solver_of
+from ropsim.model import RobotModel
+
+
+def solver_lines(robot: RobotModel) -> list[str]:
+    """Return class, method and number of branches of an arm, or why none has them all in closed form."""
+    solver = solver_of(robot)
+    if solver.method is Method.NUMERIC:
+        reasons: dict[str, list[str]] = {}
+        for name, reason in classes_missed(robot).items():
+            reasons.setdefault(reason, []).append(name)
+        missed = [f"not {' or '.join(names)}: {reason}" for reason, names in reasons.items()]
+        return ["inverse kinematics: numeric; further branches than those found may exist", *missed]
+    count = len(solver.postures)
+    branches = f"{count} branches" if solver.parts else f"up to {count} branches without names"
+    line = f"inverse kinematics: {solver.name}, {solver.method.value}, {branches}"
+    return [line, *remarks(robot)]
+
+
+def free_line(free: Free) -> str:
+    """Return what a pose leaves free, and where it was held."""
+    return f"with {free.name} {shown(math.degrees(free.value), 1):g}°, which the pose leaves free"
+
+
+def remarks(robot: RobotModel) -> list[str]:
+    """Return what a reader of solutions has to know; nothing for a model exactly of its class."""
+    solver = solver_of(robot)
+    if solver.method is Method.NUMERIC:
+        return ["found numerically; further branches may exist"]
+    by = solver.snapped_by
+    if by == Snap():
+        return []
+    off = f"{math.degrees(by.angle):.2g}° and {by.length * 1e3:.2g} mm"
+    return [f"the model is off the exact class ({solver.name}) by {off}; solutions are polished on the model"]
+
+
+def solver_document(robot: RobotModel) -> dict[str, object]:
+    """Return class, method, names of branches and snap for JSON; rad and m."""
+    solver = solver_of(robot)
+    by = solver.snapped_by
+    return {
+        "class": solver.name,
+        "method": solver.method.value,
+        "postures": [str(one) for one in solver.postures if one.words],
+        "snapped_by": {"angle": by.angle, "length": by.length},
+    }
