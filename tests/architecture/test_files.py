@@ -51,12 +51,11 @@ WIDE = {
     "core",
     "dynamics",
     "motion/retiming",
-    "prolog",
     "studio",
     "workspace",
 }
 LONG = {"curve_kernel.py", "time_law_kernel.py", "documents.py", "jobs.py", "messages.py"}
-SMALL_FILES = 149
+SMALL_FILES = 147
 PACKAGES = ROOT / "src" / "ropsim"
 DATA = {"robots/arms"}
 

@@ -5,7 +5,7 @@ from collections.abc import Generator, Iterator, Mapping
 from ropsim.prolog.diagnostics import WRONG_USE
 from ropsim.prolog.errors import GoalError
 from ropsim.prolog.failures import answer_of, failures_told
-from ropsim.prolog.terms import Term
+from ropsim.prolog.terms.terms import Term
 
 Answer = Mapping[str, Term]
 """What each variable of a goal is, by its name in the goal."""

@@ -4,11 +4,11 @@ from bisect import bisect_right
 from collections.abc import Iterator, Mapping
 
 from ropsim.core import Diagnostic, Label, SourceText, Span, did_you_mean
-from ropsim.prolog.brackets import BracketFault, Brackets
 from ropsim.prolog.diagnostics import CLAUSE_SYNTAX, SCATTERED, SINGLETON, UNKNOWN_PREDICATE
 from ropsim.prolog.failures import failure_of
-from ropsim.prolog.syntax_words import may_be_bracket, syntax_words
-from ropsim.prolog.terms import Atom, Struct, Term
+from ropsim.prolog.terms.brackets import BracketFault, Brackets
+from ropsim.prolog.terms.syntax_words import may_be_bracket, syntax_words
+from ropsim.prolog.terms.terms import Atom, Struct, Term
 
 
 class Places:

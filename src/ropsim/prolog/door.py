@@ -3,10 +3,10 @@
 from collections.abc import Iterator, Sequence
 
 from ropsim.core import RopsimError
-from ropsim.prolog.predicate import Predicate, complaint
-from ropsim.prolog.reading import read_term
-from ropsim.prolog.terms import Atom, Struct, Term, Var
-from ropsim.prolog.writing import write_term
+from ropsim.prolog.terms.predicate import Predicate, complaint
+from ropsim.prolog.terms.reading import read_term
+from ropsim.prolog.terms.terms import Atom, Struct, Term, Var
+from ropsim.prolog.terms.writing import write_term
 
 MOST_OPEN = 1000
 """So many calls may wait for their next solution at a time."""

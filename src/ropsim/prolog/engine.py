@@ -15,14 +15,14 @@ from ropsim.prolog.failures import failure_of, failures_told, taken
 from ropsim.prolog.limits import Limits
 from ropsim.prolog.loading import load_findings, loaded_module
 from ropsim.prolog.native.program import NativeProgram
-from ropsim.prolog.predicate import Predicate
 from ropsim.prolog.preparation import Preparation
 from ropsim.prolog.program import Prolog, Start
 from ropsim.prolog.running import RunningProlog
-from ropsim.prolog.terms import Atom, Struct, Term
-from ropsim.prolog.texts import LoadedText, Trust
+from ropsim.prolog.terms.predicate import Predicate
+from ropsim.prolog.terms.terms import Atom, Struct, Term
+from ropsim.prolog.terms.texts import LoadedText, Trust
+from ropsim.prolog.terms.writing import write_term
 from ropsim.prolog.wasm.program import WasmProgram
-from ropsim.prolog.writing import write_term
 
 DOOR = "/ropsim/door.pl"
 NOTHING = Preparation()

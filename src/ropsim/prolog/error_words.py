@@ -2,8 +2,8 @@
 
 import re
 
-from ropsim.prolog.terms import Atom, Struct, Term
-from ropsim.prolog.writing import write_term
+from ropsim.prolog.terms.terms import Atom, Struct, Term
+from ropsim.prolog.terms.writing import write_term
 
 MOST_CHARACTERS = 500
 """Longer words are cut off."""

@@ -1,7 +1,7 @@
 """What a goal raises that Prolog could not answer."""
 
 from ropsim.core import Diagnostic, RopsimError
-from ropsim.prolog.terms import Term
+from ropsim.prolog.terms.terms import Term
 
 
 class GoalError(RopsimError):

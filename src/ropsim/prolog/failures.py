@@ -18,8 +18,8 @@ from ropsim.prolog.diagnostics import (
 from ropsim.prolog.error_words import error_words, near_words, shown_words, thrown_words
 from ropsim.prolog.errors import GoalError
 from ropsim.prolog.program import CrashError, StoppedError, TooLongError
-from ropsim.prolog.reading import UnreadableError
-from ropsim.prolog.terms import Atom, Struct, Term
+from ropsim.prolog.terms.reading import UnreadableError
+from ropsim.prolog.terms.terms import Atom, Struct, Term
 
 _STOPPED: dict[str, tuple[Kind, str, str]] = {
     "time": (

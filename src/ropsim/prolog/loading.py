@@ -6,7 +6,7 @@ from ropsim.core import Diagnostic, SourceText, Span
 from ropsim.prolog.diagnostics import LOAD_WARNING, NOT_LOADED
 from ropsim.prolog.error_words import shown_words
 from ropsim.prolog.failures import failure_of
-from ropsim.prolog.terms import Atom, Struct, Term
+from ropsim.prolog.terms.terms import Atom, Struct, Term
 
 CHECKED = {"syntax_error", "singletons", "discontiguous", "multitons", "undefined_procedures"}
 """Sorts of messages about what `check` has told with better places."""

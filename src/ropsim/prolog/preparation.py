@@ -6,10 +6,10 @@ from hashlib import sha256
 from pathlib import PurePosixPath
 
 from ropsim.core import SourceText, frozen_dataclass
-from ropsim.prolog.predicate import Predicate
-from ropsim.prolog.terms import Term
-from ropsim.prolog.texts import LoadedText, Trust
-from ropsim.prolog.writing import write_term
+from ropsim.prolog.terms.predicate import Predicate
+from ropsim.prolog.terms.terms import Term
+from ropsim.prolog.terms.texts import LoadedText, Trust
+from ropsim.prolog.terms.writing import write_term
 
 
 @frozen_dataclass

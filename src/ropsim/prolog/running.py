@@ -7,10 +7,10 @@ from time import monotonic
 
 from ropsim.prolog.limits import Limits
 from ropsim.prolog.program import Start, StoppedError, TooLongError
-from ropsim.prolog.reading import read_term
-from ropsim.prolog.terms import Atom, Struct, Term
+from ropsim.prolog.terms.reading import read_term
+from ropsim.prolog.terms.terms import Atom, Struct, Term
+from ropsim.prolog.terms.writing import write_term
 from ropsim.prolog.watchdog import watchdog
-from ropsim.prolog.writing import write_term
 
 TICK = "tick"
 CLOSING = 1.0

@@ -1,5 +1,7 @@
 """Frames on a pipe: a line with a word, a name and a number of characters, then so many characters."""
 
+import contextlib
+import sys
 from collections.abc import Iterator
 from io import TextIOWrapper
 from typing import IO
@@ -33,3 +35,22 @@ class Frames:
             if len(text) < int(digits):
                 return
             yield word, text
+
+
+BESIDE = 256 << 20
+"""Addresses that a Prolog takes beside what it works with: code, libraries, reserved space [bytes]."""
+
+
+def limit_memory(pid: int, memory_bytes: int) -> None:
+    """Let a process have so many bytes beside its code; on Linux only, elsewhere its stacks are bounded.
+
+    Args:
+        pid: the process.
+        memory_bytes: for what it works with.
+    """
+    if sys.platform == "linux":
+        import resource
+
+        most = memory_bytes + BESIDE
+        with contextlib.suppress(OSError, ValueError):  # it has ended, or has less already
+            resource.prlimit(pid, resource.RLIMIT_AS, (most, most))

@@ -11,8 +11,7 @@ from tempfile import mkdtemp
 
 from ropsim.core import RopsimError
 from ropsim.prolog.diagnostics import NO_NATIVE_PROLOG
-from ropsim.prolog.native.frames import Frames
-from ropsim.prolog.native.memory import limit_memory
+from ropsim.prolog.native.frames import Frames, limit_memory
 from ropsim.prolog.program import MOST_BYTES, CrashError, StoppedError, TooLongError, own_sources
 
 COMMAND = "swipl"

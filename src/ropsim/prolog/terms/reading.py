@@ -9,7 +9,7 @@ import sys
 from fractions import Fraction
 from math import inf, nan
 
-from ropsim.prolog.terms import Atom, Struct, Term, Var
+from ropsim.prolog.terms.terms import Atom, Struct, Term, Var
 
 MOST_DIGITS = 4300
 """Digits of an integer: reading takes time with their square."""

@@ -4,7 +4,7 @@ import re
 from fractions import Fraction
 from math import isfinite, isnan
 
-from ropsim.prolog.terms import Atom, Struct, Term, Var
+from ropsim.prolog.terms.terms import Atom, Struct, Term, Var
 
 _PLAIN = re.compile(r"[a-z][a-zA-Z0-9_]*|\[\]|\{\}|!|;")
 _VARIABLE = re.compile(r"[A-Z_][a-zA-Z0-9_]*")

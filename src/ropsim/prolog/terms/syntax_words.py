@@ -1,6 +1,6 @@
 """Words for what the reader of SWI-Prolog finds wrong with a clause."""
 
-from ropsim.prolog.terms import Atom, Struct, Term
+from ropsim.prolog.terms.terms import Atom, Struct, Term
 
 _WORDS: dict[str, tuple[str, str]] = {
     "operator_expected": (

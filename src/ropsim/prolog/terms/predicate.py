@@ -6,7 +6,7 @@ from enum import Enum
 from fractions import Fraction
 
 from ropsim.core import frozen_dataclass
-from ropsim.prolog.terms import Atom, Struct, Term, Var
+from ropsim.prolog.terms.terms import Atom, Struct, Term, Var
 
 _NAME = re.compile(r"[a-z][a-zA-Z0-9_]*")
 

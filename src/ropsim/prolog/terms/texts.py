@@ -3,7 +3,7 @@
 from enum import Enum
 
 from ropsim.core import frozen_dataclass
-from ropsim.prolog.terms import Atom, Struct, Term
+from ropsim.prolog.terms.terms import Atom, Struct, Term
 
 
 class Trust(Enum):

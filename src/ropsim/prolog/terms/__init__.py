@@ -1,0 +1,1 @@
+"""Terms and texts of Prolog: records, reading, writing and predicates."""
