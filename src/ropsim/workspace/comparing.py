@@ -9,11 +9,11 @@ from ropsim.core import frozen_dataclass
 from ropsim.model import RobotModel
 from ropsim.spatial import Pose, frozen
 from ropsim.workspace.checking import Look, PointCheck, Setting, checked
-from ropsim.workspace.extremes import extremes
 from ropsim.workspace.point import PointKind, moved_point
 from ropsim.workspace.ranges import axis_ranges
-from ropsim.workspace.sweep import SweepKind, sweep_of
 from ropsim.workspace.task_point import TaskPoint
+from ropsim.workspace.volume.extremes import extremes
+from ropsim.workspace.volume.sweep import SweepKind, sweep_of
 
 CLOSELY = 8
 """Candidates that are looked at closely, the best ones of many."""

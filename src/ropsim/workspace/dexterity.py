@@ -7,12 +7,11 @@ import numpy as np
 from ropsim.kinematics import Method, inverse_batch, redundant_solver_of, solver_of, turning_axes
 from ropsim.model import RobotModel, coupled_limits
 from ropsim.spatial import Array, Pose, record
-from ropsim.workspace.azimuths import azimuth_shares
 from ropsim.workspace.diagnostics import WorkspaceError, no_dexterity
-from ropsim.workspace.directions import orientations, sphere
+from ropsim.workspace.directions import azimuth_shares, orientations, sphere
 from ropsim.workspace.ranges import TURN
-from ropsim.workspace.reachable import Reachable
-from ropsim.workspace.sweep import SweepKind, whole_turn
+from ropsim.workspace.volume.reachable import Reachable
+from ropsim.workspace.volume.sweep import SweepKind, whole_turn
 
 AT_ONCE = 40_000
 """Poses that are solved in one go."""

@@ -69,7 +69,7 @@ NO_SURFACE = define(
     "the point moves in a plane, or nowhere: its workspace has no surface",
     """
 A surface is written of workspaces that have a volume. A planar arm reaches an area; its border is in the
-report (`--report FILE.html`), and in Python `ropsim.workspace.outline` returns it.
+report (`--report FILE.html`), and in Python `ropsim.workspace.volume.outline` returns it.
 """,
 )
 

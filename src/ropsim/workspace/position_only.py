@@ -4,10 +4,9 @@ import numpy as np
 
 from ropsim.model import RobotModel, coupled_limits
 from ropsim.spatial import Array, frozen, record
-from ropsim.workspace.even import even_rows
 from ropsim.workspace.point import INTERFACE, MovedPoint, PointKind
-from ropsim.workspace.ranges import AxisRanges, axis_ranges
-from ropsim.workspace.sweep import point_jacobian
+from ropsim.workspace.ranges import AxisRanges, axis_ranges, even_rows
+from ropsim.workspace.volume.sweep import point_jacobian
 
 SAMPLES, STARTS, STEPS = 2048, 24, 60
 """Configurations that are looked at, those that steps begin at, and steps, at most."""

@@ -1,4 +1,4 @@
-"""The range of each axis that a workspace is computed for; whole turns beyond one add nothing."""
+"""Ranges of the axes, and even divisions of them."""
 
 import numpy as np
 
@@ -49,3 +49,16 @@ def axis_ranges(robot: RobotModel) -> AxisRanges:
             lower[k] = min(max(lower[k], -np.pi), upper[k] - TURN)
             upper[k] = lower[k] + TURN
     return AxisRanges(lower, upper, tuple(assumed))
+
+
+def even_rows(ranges: AxisRanges, count: int) -> Array:
+    """Return axis vectors that fill ranges, by the rule of `kinematics.configurations`, shape (count, n).
+
+    Other than there the ranges are those of the workspace, which are finite for axes without limits.
+    """
+    n = len(ranges.lower)
+    phi = 2.0
+    for _ in range(64):  # contracts to the root of φⁿ⁺¹ = φ + 1
+        phi = (1.0 + phi) ** (1.0 / (n + 1))
+    shares = np.modf(np.outer(np.arange(1, count + 1), phi ** -np.arange(1.0, n + 1.0)))[0]
+    return np.asarray(ranges.lower + shares * ranges.extent)

@@ -9,8 +9,8 @@ from ropsim.workspace.comparing import Candidate, Standing, compared
 from ropsim.workspace.dexterity import Dexterity, dexterity
 from ropsim.workspace.diagnostics import WorkspaceError
 from ropsim.workspace.point import PointKind, moved_point
-from ropsim.workspace.reachable import Reachable, reachable
 from ropsim.workspace.task_point import TaskPoint
+from ropsim.workspace.volume.reachable import Reachable, reachable
 
 
 @frozen_dataclass

@@ -10,7 +10,7 @@ from ropsim import robots
 from ropsim.model import Joint, JointType, RobotModel
 from ropsim.spatial import Array, Pose
 from ropsim.workspace import PointKind, Reachable, Resolution, WorkspaceError, moved_point, reachable
-from ropsim.workspace.sweep import SweepKind
+from ropsim.workspace.volume.sweep import SweepKind
 
 RELATIVE = 0.01
 """Largest error that may be stated, as a share of the volume."""

@@ -22,7 +22,7 @@ from ropsim.workspace import (
     reachable,
     surface,
 )
-from ropsim.workspace.azimuths import azimuth_shares
+from ropsim.workspace.directions import azimuth_shares
 from ropsim.workspace.ranges import TURN
 
 COARSE = Resolution(100, 10_000)

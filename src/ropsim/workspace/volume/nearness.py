@@ -5,10 +5,10 @@ import numpy.typing as npt
 
 from ropsim.spatial import Array
 from ropsim.workspace.ranges import TURN
-from ropsim.workspace.raster import Section, lattice_coordinates
-from ropsim.workspace.raster_kernel import FULL, MOST
-from ropsim.workspace.reachable import Reachable
-from ropsim.workspace.sweep import Sweep, SweepKind
+from ropsim.workspace.volume.raster import Section, lattice_coordinates
+from ropsim.workspace.volume.raster_kernel import FULL, MOST
+from ropsim.workspace.volume.reachable import Reachable
+from ropsim.workspace.volume.sweep import Sweep, SweepKind
 
 
 def distances(workspace: Reachable, p: Array) -> Array:

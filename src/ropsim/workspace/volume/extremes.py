@@ -7,11 +7,10 @@ import numpy.typing as npt
 
 from ropsim.model import RobotModel, coupled_limits
 from ropsim.spatial import Array, frozen, record
-from ropsim.workspace.even import even_rows
 from ropsim.workspace.point import MovedPoint
-from ropsim.workspace.ranges import AxisRanges
-from ropsim.workspace.sheets import section_coordinates
-from ropsim.workspace.sweep import Sweep
+from ropsim.workspace.ranges import AxisRanges, even_rows
+from ropsim.workspace.volume.sheets import section_coordinates
+from ropsim.workspace.volume.sweep import Sweep
 
 STARTS = 2048
 """Configurations of which the best ones begin a search."""

@@ -4,10 +4,10 @@ import numpy as np
 import numpy.typing as npt
 
 from ropsim.spatial import Array
-from ropsim.workspace.nearness import reached_at
 from ropsim.workspace.ranges import TURN
-from ropsim.workspace.reachable import Reachable
-from ropsim.workspace.sweep import SweepKind
+from ropsim.workspace.volume.nearness import reached_at
+from ropsim.workspace.volume.reachable import Reachable
+from ropsim.workspace.volume.sweep import SweepKind
 
 Faces = npt.NDArray[np.int64]
 CELLS, AROUND = 90, 96

@@ -9,13 +9,12 @@ from ropsim.core import Diagnostic
 from ropsim.model import RobotModel
 from ropsim.spatial import Array, record
 from ropsim.workspace.diagnostics import assumed_turns
-from ropsim.workspace.even import even_rows
-from ropsim.workspace.extremes import Extreme, extremes
 from ropsim.workspace.point import MovedPoint
-from ropsim.workspace.ranges import AxisRanges, axis_ranges
-from ropsim.workspace.raster import Section, rastered
-from ropsim.workspace.sheets import divided, halved
-from ropsim.workspace.sweep import Sweep, SweepKind, sweep_of
+from ropsim.workspace.ranges import AxisRanges, axis_ranges, even_rows
+from ropsim.workspace.volume.extremes import Extreme, extremes
+from ropsim.workspace.volume.raster import Section, rastered
+from ropsim.workspace.volume.sheets import divided, halved
+from ropsim.workspace.volume.sweep import Sweep, SweepKind, sweep_of
 
 
 @record

@@ -6,9 +6,9 @@ from ropsim import robots
 from ropsim.model import RobotModel
 from ropsim.spatial import Array
 from ropsim.workspace import MovedPoint, PointKind, moved_point
-from ropsim.workspace.extremes import extremes
 from ropsim.workspace.ranges import axis_ranges
-from ropsim.workspace.sweep import sweep_of
+from ropsim.workspace.volume.extremes import extremes
+from ropsim.workspace.volume.sweep import sweep_of
 
 LOOKS = 1_000
 """Times that all searches together look where the point is; one that followed the last bits needed 42,000."""

@@ -3,7 +3,7 @@
 import numpy as np
 
 from ropsim.spatial import Array
-from ropsim.workspace.raster import Section
+from ropsim.workspace.volume.raster import Section
 
 _SMOOTH = (0.25, 0.5, 0.25)
 _SIDES = ((0, 0), (1, 0), (1, 1), (0, 1))  # the corners of a square of lattice points, round about

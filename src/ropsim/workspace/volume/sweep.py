@@ -8,9 +8,8 @@ from ropsim.kinematics import frames_batch
 from ropsim.model import JointType, RobotModel
 from ropsim.spatial import Array, frozen, record
 from ropsim.workspace.diagnostics import WorkspaceError, first_axis
-from ropsim.workspace.even import even_rows
 from ropsim.workspace.point import MovedPoint
-from ropsim.workspace.ranges import TURN, AxisRanges
+from ropsim.workspace.ranges import TURN, AxisRanges, even_rows
 
 SAMPLES = 64
 """Configurations in which an arm is looked at."""

@@ -11,7 +11,7 @@ from ropsim.model import JointType, RobotModel
 from ropsim.spatial import Array, record
 from ropsim.workspace.point import MovedPoint, is_serial
 from ropsim.workspace.ranges import AxisRanges
-from ropsim.workspace.sweep import Sweep, SweepKind, point_jacobian
+from ropsim.workspace.volume.sweep import Sweep, SweepKind, point_jacobian
 
 STILL = 1e-9
 """An axis that moves the point by less than this [m/rad] does not move it."""

@@ -13,11 +13,11 @@ import numpy as np
 from ropsim.kinematics import frames_batch
 from ropsim.model import RobotModel, coupled_limits
 from ropsim.spatial import Array, record
-from ropsim.workspace import raster_kernel
 from ropsim.workspace.point import MovedPoint, is_serial
 from ropsim.workspace.ranges import TURN, AxisRanges
-from ropsim.workspace.sheets import Division
-from ropsim.workspace.sweep import Sweep, SweepKind
+from ropsim.workspace.volume import raster_kernel
+from ropsim.workspace.volume.sheets import Division
+from ropsim.workspace.volume.sweep import Sweep, SweepKind
 
 TILT = atan((sqrt(5.0) - 1.0) / 2.0)
 """Angle of the lattice against the section [rad]."""
