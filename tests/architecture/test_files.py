@@ -49,7 +49,6 @@ def test_every_pinned_version_is_exact() -> None:
 WIDE = {
     "calibration",
     "core",
-    "dynamics",
     "motion/retiming",
     "studio",
 }

@@ -37,8 +37,8 @@ from ropsim.dynamics.effort_rows import EffortRows as EffortRows
 from ropsim.dynamics.effort_rows import effort_rows as effort_rows
 from ropsim.dynamics.inertia import barycentric as barycentric
 from ropsim.dynamics.loaded_arm import trace_loaded_inverse as trace_loaded_inverse
-from ropsim.dynamics.long_arm import chain_acceleration_code as chain_acceleration_code
-from ropsim.dynamics.long_arm import chain_numbers as chain_numbers
+from ropsim.dynamics.long_arms.long_arm import chain_acceleration_code as chain_acceleration_code
+from ropsim.dynamics.long_arms.long_arm import chain_numbers as chain_numbers
 from ropsim.dynamics.model_check import check_model as check_model
 from ropsim.dynamics.structure import MOST_JOINTS as MOST_JOINTS
 from ropsim.dynamics.structure import ArmStructure as ArmStructure
@@ -46,6 +46,6 @@ from ropsim.dynamics.structure import arm_numbers as arm_numbers
 from ropsim.dynamics.structure import split_numbers as split_numbers
 from ropsim.dynamics.structure import structure_of as structure_of
 from ropsim.dynamics.structure import traced_numbers as traced_numbers
-from ropsim.dynamics.traced_arm import trace_arm as trace_arm
-from ropsim.dynamics.traced_drives import sides_of as sides_of
-from ropsim.dynamics.traced_drives import trace_drives as trace_drives
+from ropsim.dynamics.traced.traced_arm import trace_arm as trace_arm
+from ropsim.dynamics.traced.traced_drives import sides_of as sides_of
+from ropsim.dynamics.traced.traced_drives import trace_drives as trace_drives

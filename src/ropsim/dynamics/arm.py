@@ -8,7 +8,7 @@ from ropsim.dynamics.diagnostics import WRONG_SHAPE, StateShapeError
 from ropsim.dynamics.mass_check import check_inertias, check_masses, missing_inertia
 from ropsim.dynamics.model_check import check_model
 from ropsim.dynamics.structure import arm_numbers, structure_of
-from ropsim.dynamics.traced_drives import drive_sides
+from ropsim.dynamics.traced.traced_drives import drive_sides
 from ropsim.kinematics import NotFiniteError
 from ropsim.model import Mechanism, Payload
 from ropsim.spatial import Array, real_numbers

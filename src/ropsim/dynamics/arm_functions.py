@@ -4,14 +4,14 @@ from collections.abc import Callable
 from functools import lru_cache
 
 from ropsim.codegen import Compiled, Engine, Formula, GivenCode, Scalar, Tracer, default_engine
-from ropsim.dynamics.forward_dynamics import trace_solve
-from ropsim.dynamics.long_arm import LongArmFunctions
-from ropsim.dynamics.mass_matrix import trace_mass_matrix
+from ropsim.dynamics.long_arms.long_arm import LongArmFunctions
 from ropsim.dynamics.model_check import check_model
-from ropsim.dynamics.newton_euler import Wrench, trace_inverse
 from ropsim.dynamics.structure import ArmStructure, arm_numbers, structure_of, traced_numbers
-from ropsim.dynamics.traced_arm import TracedArm, trace_arm
-from ropsim.dynamics.traced_drives import joint_sides
+from ropsim.dynamics.traced.forward_dynamics import trace_solve
+from ropsim.dynamics.traced.mass_matrix import trace_mass_matrix
+from ropsim.dynamics.traced.newton_euler import Wrench, trace_inverse
+from ropsim.dynamics.traced.traced_arm import TracedArm, trace_arm
+from ropsim.dynamics.traced.traced_drives import joint_sides
 from ropsim.model import Mechanism, Payload
 
 

@@ -20,12 +20,12 @@ from ropsim.codegen import (
 )
 from ropsim.dynamics.arm_functions import identifier
 from ropsim.dynamics.diagnostics import WRONG_SHAPE, StateShapeError
-from ropsim.dynamics.long_arm import chain_numbers, chain_torque_code
+from ropsim.dynamics.long_arms.long_arm import chain_numbers, chain_torque_code
 from ropsim.dynamics.model_check import check_model
-from ropsim.dynamics.newton_euler import trace_inverse
 from ropsim.dynamics.structure import ArmStructure, arm_numbers, structure_of, traced_numbers
-from ropsim.dynamics.traced_arm import trace_arm
-from ropsim.dynamics.traced_drives import joint_sides, sides_code
+from ropsim.dynamics.traced.newton_euler import trace_inverse
+from ropsim.dynamics.traced.traced_arm import trace_arm
+from ropsim.dynamics.traced.traced_drives import joint_sides, sides_code
 from ropsim.model import Mechanism, Payload
 from ropsim.spatial import Array
 

@@ -4,11 +4,11 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from ropsim.codegen import Scalar, Tracer
-from ropsim.dynamics.mass_matrix import joined_bodies, moved_body
-from ropsim.dynamics.newton_euler import trace_inverse
 from ropsim.dynamics.structure import ArmStructure, TracedNumbers
-from ropsim.dynamics.traced_arm import TracedArm, trace_arm, traced_body
-from ropsim.dynamics.traced_drives import joint_sides
+from ropsim.dynamics.traced.mass_matrix import joined_bodies, moved_body
+from ropsim.dynamics.traced.newton_euler import trace_inverse
+from ropsim.dynamics.traced.traced_arm import TracedArm, trace_arm, traced_body
+from ropsim.dynamics.traced.traced_drives import joint_sides
 
 
 def trace_loaded_inverse(

@@ -10,7 +10,7 @@ rotation and origin of the mechanical interface. The functions are compiled from
 
 import numpy as np
 
-from ropsim.dynamics.chain_steps import (
+from ropsim.dynamics.long_arms.chain_steps import (
     carry_force,
     carry_inertia,
     carry_motion,

@@ -8,11 +8,11 @@ from inspect import getsource
 import numpy as np
 
 from ropsim.codegen import Compiled, Engine, SourceFunction, load
-from ropsim.dynamics import chain_steps as steps
-from ropsim.dynamics.chain_loop import chain_accelerations, chain_mass_matrix, chain_torques
+from ropsim.dynamics.long_arms import chain_steps as steps
+from ropsim.dynamics.long_arms.chain_loop import chain_accelerations, chain_mass_matrix, chain_torques
 from ropsim.dynamics.model_check import check_model
 from ropsim.dynamics.structure import BODY, ArmStructure, arm_numbers, structure_of
-from ropsim.dynamics.traced_drives import drive_sides
+from ropsim.dynamics.traced.traced_drives import drive_sides
 from ropsim.model import JointType, Mechanism, Payload
 from ropsim.spatial import Array
 

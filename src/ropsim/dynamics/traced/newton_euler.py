@@ -11,8 +11,8 @@ from collections.abc import Sequence
 
 from ropsim.codegen import Scalar
 from ropsim.core import frozen_dataclass
-from ropsim.dynamics.traced_arm import TracedArm
-from ropsim.dynamics.vectors import Matrix, Vector, add, apply, cross, scale, transpose
+from ropsim.dynamics.traced.traced_arm import TracedArm
+from ropsim.dynamics.traced.vectors import Matrix, Vector, add, apply, cross, scale, transpose
 from ropsim.model import JointType
 
 

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from ropsim.codegen import Scalar, Tracer, cos, sin
 from ropsim.core import frozen_dataclass
 from ropsim.dynamics.structure import ArmStructure, Placement, TracedNumbers
-from ropsim.dynamics.vectors import Matrix, Vector
+from ropsim.dynamics.traced.vectors import Matrix, Vector
 from ropsim.model import JointType
 
 

@@ -5,8 +5,8 @@ Control 104 (1982), 205-211, method 3; with moments about the joint origins.
 """
 
 from ropsim.codegen import Scalar
-from ropsim.dynamics.traced_arm import Body, TracedArm
-from ropsim.dynamics.vectors import Matrix, Vector, add, apply, cross, dot, product, scale, transpose
+from ropsim.dynamics.traced.traced_arm import Body, TracedArm
+from ropsim.dynamics.traced.vectors import Matrix, Vector, add, apply, cross, dot, product, scale, transpose
 from ropsim.model import JointType
 
 

@@ -1,0 +1,1 @@
+"""Equations of motion of long chains, joint by joint in loops."""

@@ -1,0 +1,1 @@
+"""Equations of motion as straight-line formulas of one structure."""
