@@ -47,7 +47,6 @@ def test_every_pinned_version_is_exact() -> None:
 
 
 WIDE = {
-    "calibration",
     "core",
     "motion/retiming",
     "studio",

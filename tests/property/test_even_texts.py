@@ -15,7 +15,7 @@ import pytest
 
 import ropsim
 from ropsim import icr, language, robots
-from ropsim.calibration.trace_reader import read_trace
+from ropsim.calibration.trace.trace_reader import read_trace
 from ropsim.cellfile import read_cell
 from ropsim.core import RopsimError, SourceText
 from ropsim.language.cutting import cuts

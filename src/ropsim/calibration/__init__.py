@@ -7,6 +7,6 @@ from ropsim.calibration.diagnostics import CalibrationError as CalibrationError
 from ropsim.calibration.knowledge import Knowledge as Knowledge
 from ropsim.calibration.limits import MotionSettings as MotionSettings
 from ropsim.calibration.limits import settings_of as settings_of
-from ropsim.calibration.trace import Trace as Trace
-from ropsim.calibration.trace_reader import LARGEST as LARGEST
-from ropsim.calibration.trace_reader import read_trace as read_trace
+from ropsim.calibration.trace.trace import Trace as Trace
+from ropsim.calibration.trace.trace_reader import LARGEST as LARGEST
+from ropsim.calibration.trace.trace_reader import read_trace as read_trace

@@ -16,7 +16,7 @@ from ropsim.calibration.problem import Problem, goes_there
 from ropsim.calibration.refining import spreads
 from ropsim.calibration.replanning import replanner
 from ropsim.calibration.stretch_fit import placed
-from ropsim.calibration.trace import Trace
+from ropsim.calibration.trace.trace import Trace
 from ropsim.core import Diagnostic
 from ropsim.model import Cell, Station
 from ropsim.planning import StretchOrder

@@ -10,12 +10,12 @@ import numpy as np
 from ropsim.calibration.diagnostics import NOT_IN_TRACE, OTHER_TRACE, CalibrationError
 from ropsim.calibration.limits import MotionSettings
 from ropsim.calibration.logged_stretch import LoggedStretch, logged_stretch
-from ropsim.calibration.matching import Passage, match
 from ropsim.calibration.replanning import Replan
-from ropsim.calibration.rests import Rests, rests_of
-from ropsim.calibration.shift import shift_of
-from ropsim.calibration.trace import Trace
-from ropsim.calibration.zeros import zeros_beside
+from ropsim.calibration.trace.matching import Passage, match
+from ropsim.calibration.trace.rests import Rests, rests_of
+from ropsim.calibration.trace.shift import shift_of
+from ropsim.calibration.trace.trace import Trace
+from ropsim.calibration.trace.zeros import zeros_beside
 from ropsim.core import Diagnostic, frozen_dataclass
 from ropsim.model import Joint
 from ropsim.planning import MotionPlan, StretchOrder

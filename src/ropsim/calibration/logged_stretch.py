@@ -4,10 +4,10 @@ import math
 
 import numpy as np
 
-from ropsim.calibration.matching import Passage
 from ropsim.calibration.replanning import coordinates
-from ropsim.calibration.rests import Rests
-from ropsim.calibration.trace import Trace
+from ropsim.calibration.trace.matching import Passage
+from ropsim.calibration.trace.rests import Rests
+from ropsim.calibration.trace.trace import Trace
 from ropsim.planning import MotionPlan
 from ropsim.spatial import Array, frozen, record
 

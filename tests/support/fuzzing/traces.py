@@ -4,7 +4,7 @@ from random import Random
 
 from ropsim import robots
 from ropsim.calibration import read_trace
-from ropsim.calibration.rests import rests_of
+from ropsim.calibration.trace.rests import rests_of
 from support.fuzzing.mutation import BYTES, TEXT, mutated
 from support.fuzzing.target import Target
 

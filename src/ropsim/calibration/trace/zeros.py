@@ -6,8 +6,8 @@ from collections.abc import Sequence
 import numpy as np
 
 from ropsim.calibration.diagnostics import ZERO_BESIDE
-from ropsim.calibration.matching import Passage
-from ropsim.calibration.rests import Rests
+from ropsim.calibration.trace.matching import Passage
+from ropsim.calibration.trace.rests import Rests
 from ropsim.core import Diagnostic
 from ropsim.model import Joint, JointType
 from ropsim.spatial import Array

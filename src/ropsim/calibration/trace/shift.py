@@ -4,8 +4,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from ropsim.calibration.matching import near_of
-from ropsim.calibration.rests import Rests
+from ropsim.calibration.trace.matching import near_of
+from ropsim.calibration.trace.rests import Rests
 from ropsim.model import Joint, JointType
 from ropsim.spatial import Array
 

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from ropsim.calibration.rests import Rests
+from ropsim.calibration.trace.rests import Rests
 from ropsim.core import frozen_dataclass
 from ropsim.model import Joint, JointType
 from ropsim.spatial import Array

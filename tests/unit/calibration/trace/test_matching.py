@@ -5,8 +5,8 @@ import pytest
 
 from ropsim import robots
 from ropsim.calibration import Trace
-from ropsim.calibration.matching import Passage, match
-from ropsim.calibration.rests import Rests, rests_of
+from ropsim.calibration.trace.matching import Passage, match
+from ropsim.calibration.trace.rests import Rests, rests_of
 from ropsim.spatial import Array
 
 ARM = robots.load("two_link").axis_joints

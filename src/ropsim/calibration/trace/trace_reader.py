@@ -5,9 +5,9 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from ropsim.calibration.columns import Column, columns_of, plain_columns
 from ropsim.calibration.diagnostics import BAD_TRACE, GAPS, CalibrationError
-from ropsim.calibration.trace import Trace
+from ropsim.calibration.trace.columns import Column, columns_of, plain_columns
+from ropsim.calibration.trace.trace import Trace
 from ropsim.core import Diagnostic, Span
 from ropsim.model import Joint
 from ropsim.spatial import Array

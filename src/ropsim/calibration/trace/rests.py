@@ -3,7 +3,7 @@
 import numpy as np
 import numpy.typing as npt
 
-from ropsim.calibration.trace import Trace
+from ropsim.calibration.trace.trace import Trace
 from ropsim.spatial import Array, frozen, record
 
 SMOOTHING = 0.016

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from ropsim import robots
-from ropsim.calibration.rests import Rests
-from ropsim.calibration.shift import shift_of
+from ropsim.calibration.trace.rests import Rests
+from ropsim.calibration.trace.shift import shift_of
 from ropsim.spatial import Array
 
 ARM = robots.load("scara").axis_joints
