@@ -44,7 +44,7 @@ def bare_call() -> float:
 def test_inverse_of_one_pose(benchmark: Any) -> None:
     """The rest beside two calls of compiled code is what Python adds: matrix, result, turns."""
     measure = Measure(benchmark)
-    pose = ropsim.kinematics.chain.forward(ROBOT, ROBOT.home)
+    pose = ropsim.kinematics.forward(ROBOT, ROBOT.home)
     found, time = measure(lambda: ropsim.kinematics.inverse(ROBOT, pose), rounds=2000, warmup=100)
     assert len(found.solutions) > 0
     measure.figure("us per pose, from Python", 1e6 * time.median)
@@ -54,7 +54,7 @@ def test_inverse_of_one_pose(benchmark: Any) -> None:
 
 def test_inverse_near_to_where_the_arm_stands(benchmark: Any) -> None:
     measure = Measure(benchmark)
-    pose = ropsim.kinematics.chain.forward(ROBOT, ROBOT.home)
+    pose = ropsim.kinematics.forward(ROBOT, ROBOT.home)
     options = ropsim.kinematics.IkOptions(near=ROBOT.home)
     _, time = measure(lambda: ropsim.kinematics.inverse(ROBOT, pose, options), rounds=2000, warmup=100)
     measure.figure("us per pose, from Python, with `near`", 1e6 * time.median)
@@ -66,7 +66,7 @@ def test_inverse_of_a_chain_without_closed_form(benchmark: Any) -> None:
     beside = replace(ROBOT.joints[5], placement=ROBOT.joints[5].placement @ Pose(np.array([0.05, 0.0, 0.0])))
     robot = replace(ROBOT, joints=(*ROBOT.joints[:5], beside))
     assert ropsim.kinematics.solver_of(robot).name == "general six-axis"
-    pose = ropsim.kinematics.chain.forward(robot, ROBOT.home)
+    pose = ropsim.kinematics.forward(robot, ROBOT.home)
     found, time = measure(lambda: ropsim.kinematics.inverse(robot, pose), rounds=50)
     assert len(found.branches) > 0
     measure.figure("us per pose, algebraic", 1e6 * time.median)
@@ -91,7 +91,7 @@ MOST = dict.fromkeys(EXACT, 10.0) | dict.fromkeys(ROUNDED, 40.0) | dict.fromkeys
 def farthest(robot: RobotModel, Q: Array, own: Array) -> float:
     """Return the largest of distances own (k,) [rad] of configurations Q not next to singular ones."""
     far = np.flatnonzero(own > 1e-9)
-    least = [np.linalg.svd(ropsim.kinematics.chain.jacobian(robot, q), compute_uv=False)[-1] for q in Q[far]]
+    least = [np.linalg.svd(ropsim.kinematics.jacobian(robot, q), compute_uv=False)[-1] for q in Q[far]]
     return float(max([own[own <= 1e-9].max(), *own[far][np.array(least) > 1e-6]]))
 
 
@@ -122,7 +122,7 @@ def test_inverse_of_single_poses(benchmark: Any, name: str) -> None:
     measure = Measure(benchmark)
     robot = ROBOT if name == ROBOT.name else published_arm(name)
     Q = np.random.default_rng(2).uniform(robot.lower_limits, robot.upper_limits, (30, 6))
-    poses = [ropsim.kinematics.chain.forward(robot, q) for q in Q]
+    poses = [ropsim.kinematics.forward(robot, q) for q in Q]
     found, time = measure(
         lambda: [ropsim.kinematics.inverse(robot, one) for one in poses], rounds=200, warmup=2
     )

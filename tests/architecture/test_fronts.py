@@ -73,7 +73,7 @@ def _through(nodes: Sequence[ast.AST], own: str) -> list[str]:
         if isinstance(node, ast.Attribute)
         and isinstance(node.value, ast.Name)
         and (package := called.get(node.value.id)) is not None
-        and (SOURCE / package / f"{node.attr}.py").exists()
+        and any((SOURCE / package / name).exists() for name in (node.attr, f"{node.attr}.py"))
         and node.attr not in offered(package)
     ]
 
