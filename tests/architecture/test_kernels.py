@@ -19,9 +19,9 @@ IN_PYTHON = (
     "simulation/test_contact_rows.py::test_a_contact_lasts_while_bodies_are_deeper_than_they_may_be",
     "simulation/test_contact_rows.py::test_the_depth_of_a_contact_is_the_greatest_of_its_rows_between_balls_on_any_ways",
     "controller/test_motion_clock.py::test_as_many_rows_are_asked_for_as_are_looked_at[700.0-0.4-30.0-30000.0]",
-    "kinematics/test_blocks.py",
+    "kinematics/bodies/test_blocks.py",
     "kinematics/test_external_axes.py",
-    "kinematics/test_forward.py::test_places_of_tools_are_those_of_their_poses",
+    "kinematics/chain/test_forward.py::test_places_of_tools_are_those_of_their_poses",
     "kinematics/test_general_six_axis.py::test_it_has_the_answers_of_the_closed_forms",
     "kinematics/test_wrist_posture.py",
     "motion/paths/test_spline.py::test_poses_alone_are_those_with_derivatives",
@@ -48,7 +48,7 @@ IN_PYTHON = (
     "simulation/records/test_tally.py::test_the_log_of_the_ideal_arm_has_a_row_at_every_so_many_ticks",
     "simulation/records/test_tally.py::test_the_greatest_of_a_span_is_found_beside_what_is_no_number",
     "simulation/records/test_tally.py::test_peaks_are_the_largest_magnitudes_of_columns",
-    "workspace/test_reachable.py::test_wherever_the_arm_goes_it_is_in_its_workspace[scara]",
+    "workspace/volume/test_reachable.py::test_wherever_the_arm_goes_it_is_in_its_workspace[scara]",
 )
 """Tests that call every kernel with arguments of its usual kind."""
 
