@@ -8,13 +8,13 @@ import numpy as np
 import ruckig
 from measuring import Measure, processor_seconds
 
-from ropsim.motion import JointMotionLimits, Stage, SynchronisedJoints, plan_time_law
+from ropsim.motion import Interval, JointMotionLimits, SynchronisedJoints, plan_time_law
 
 RNG = np.random.default_rng(1)
-WAY = [Stage(*row) for row in RNG.uniform((0.05, 0.2, 1.0, 10.0), (0.8, 1.0, 5.0, 90.0), (10, 4)).tolist()]
+WAY = [Interval(*row) for row in RNG.uniform((0.05, 0.2, 1.0, 10.0), (0.8, 1.0, 5.0, 90.0), (10, 4)).tolist()]
 LIMITS = JointMotionLimits(RNG.uniform(1.0, 5.0, 6), RNG.uniform(4.0, 20.0, 6), RNG.uniform(40.0, 400.0, 6))
 BEND = [
-    Stage(length * 1e-6, speed * 1e-3, acceleration, jerk)
+    Interval(length * 1e-6, speed * 1e-3, acceleration, jerk)
     for length, speed, acceleration, jerk in (
         (1000, 100, 1.5, 30.0),
         (98, 54.5, 0.86, 6.52),
@@ -108,8 +108,8 @@ def test_rows_of_a_time_law(benchmark: Any) -> None:
 
 def test_time_law_of_ten_thousand_pieces(benchmark: Any) -> None:
     measure = Measure(benchmark)
-    stages = [Stage(length, 1.0, 5.0, 50.0) for length in RNG.uniform(1e-3, 1.0, 10_000).tolist()]
-    ahead = [Stage(s.length, 1.0, 5.0, 50.0, horizon=i + 20) for i, s in enumerate(stages)]
+    stages = [Interval(length, 1.0, 5.0, 50.0) for length in RNG.uniform(1e-3, 1.0, 10_000).tolist()]
+    ahead = [Interval(s.length, 1.0, 5.0, 50.0, horizon=i + 20) for i, s in enumerate(stages)]
     measure(lambda: plan_time_law(stages), rounds=10)
     tenth, whole, known = processor_seconds(
         lambda: plan_time_law(stages[:1000]),

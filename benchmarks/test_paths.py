@@ -14,9 +14,9 @@ from ropsim.motion import (
     Curve,
     Line,
     OrientationMode,
-    Traced,
+    SampledPath,
     arc,
-    corner,
+    blend_curve,
     leave,
     spline,
 )
@@ -25,7 +25,7 @@ from ropsim.spatial import Pose
 RNG = np.random.default_rng(3)
 PLACES = 50
 ROWS = RNG.normal(size=(60, 6)).cumsum(axis=0)
-TRACED = Traced(1.0, ROWS)
+TRACED = SampledPath(1.0, ROWS)
 
 
 def pose(x: float, y: float) -> Pose:
@@ -38,9 +38,9 @@ FIRST, SECOND = Line(START, MEET, OrientationMode.DRIVE_TRANSFORM), Line(MEET, E
 MAKERS: dict[str, Callable[[], object]] = {
     "line": lambda: Line(START, MEET),
     "arc": lambda: arc(START, MEET, END),
-    "corner": lambda: corner(FIRST, 0.8, SECOND, 0.2),
+    "corner": lambda: blend_curve(FIRST, 0.8, SECOND, 0.2),
     "spline of three points": lambda: spline([START, MEET, END]),
-    "traced path of 60 rows": lambda: Traced(1.0, ROWS),
+    "traced path of 60 rows": lambda: SampledPath(1.0, ROWS),
     "zone on a line": lambda: leave(FIRST.positions, 1.0, 0.2, 0.5),
 }
 

@@ -7,7 +7,16 @@ import pytest
 from measuring import Measure, processor_seconds
 from scipy.interpolate import CubicSpline
 
-from ropsim.motion import Beyond, JointBounds, JointPoints, Kept, Ways, keep_limits, no_ways, time_optimal
+from ropsim.motion import (
+    Infeasible,
+    JointBounds,
+    JointPoints,
+    RetimedTrajectory,
+    Ways,
+    keep_limits,
+    no_ways,
+    time_optimal,
+)
 from ropsim.spatial import Array
 
 N = 6
@@ -36,8 +45,8 @@ def effort(q: Array, qd: Array, qdd: Array) -> Array:
 LIMITS = JointBounds(np.full(N, 2.0), np.full(N, 6.0), np.full(N, 60.0), np.full(N, 25.0))
 
 
-def duration_of(speeds: Array | Beyond, step: float) -> float:
-    assert not isinstance(speeds, Beyond), speeds
+def duration_of(speeds: Array | Infeasible, step: float) -> float:
+    assert not isinstance(speeds, Infeasible), speeds
     return float(np.sum(2.0 * step / (speeds[1:] + speeds[:-1])))
 
 
@@ -72,7 +81,7 @@ def test_time_optimal_beside_toppra(benchmark: Any) -> None:
         instance = toppra.algorithm.TOPPRA(constraints, path, gridpoints=places, solver_wrapper="seidel")
         return np.asarray(instance.compute_parameterization(0.0, 0.0)[1])
 
-    def ours() -> Array | Beyond:
+    def ours() -> Array | Infeasible:
         return time_optimal(points, step, LIMITS, effort)
 
     speeds, _ = measure(ours, rounds=20)
@@ -105,7 +114,7 @@ def test_limits_that_hold_cost_a_look_at_every_tick(benchmark: Any) -> None:
     measure = Measure(benchmark)
     motion, ticks = Warped(60.0), np.asarray(np.arange(60_001) * 1e-3, dtype=np.float64)
     found, _ = measure(lambda: keep_limits(motion, LIMITS, effort, 1e-3), rounds=5)
-    assert isinstance(found, Kept)
+    assert isinstance(found, RetimedTrajectory)
     assert found.slowed == ()
 
     def rows_and_torques() -> Array:
@@ -121,7 +130,7 @@ def test_a_motion_that_is_slowed(benchmark: Any) -> None:
     measure = Measure(benchmark)
     motion = Warped(8.0)
     found, time = measure(lambda: keep_limits(motion, LIMITS, effort, 1e-3), rounds=5)
-    assert isinstance(found, Kept)
+    assert isinstance(found, RetimedTrajectory)
     measure.figure("ms", 1e3 * time.best)
     measure.figure("s of motion", found.clock.duration)
     assert found.slowed != ()

@@ -5,7 +5,7 @@ from functools import cache
 import numpy as np
 import pytest
 
-from ropsim.motion import Beyond, JointBounds, Kept, MotionTime, keep_limits, time_optimal
+from ropsim.motion import Infeasible, JointBounds, NominalTime, RetimedTrajectory, keep_limits, time_optimal
 from ropsim.motion.retiming.joint_bounds import Effort
 from ropsim.spatial import Array
 from support.motions import Waves, body, most_of
@@ -33,14 +33,14 @@ def case(seed: int, wider: float = 1.0) -> tuple[Waves, JointBounds, Effort | No
 
 
 @cache
-def slowed(seed: int, wider: float = 1.0) -> Kept | Beyond:
+def slowed(seed: int, wider: float = 1.0) -> RetimedTrajectory | Infeasible:
     motion, bounds, effort = case(seed, wider)
     return keep_limits(motion, bounds, effort, TICK)
 
 
-def clock_of(seed: int, wider: float = 1.0) -> MotionTime:
+def clock_of(seed: int, wider: float = 1.0) -> NominalTime:
     found = slowed(seed, wider)
-    assert isinstance(found, Kept), found
+    assert isinstance(found, RetimedTrajectory), found
     return found.clock
 
 
@@ -88,7 +88,7 @@ def test_wider_limits_never_cost_more_than_a_little(seed: int) -> None:
 @pytest.mark.parametrize("seed", SEEDS)
 def test_slowed_parts_hold_all_that_is_slowed(seed: int) -> None:
     found = slowed(seed)
-    assert isinstance(found, Kept)
+    assert isinstance(found, RetimedTrajectory)
     phi = np.linspace(0.0, case(seed)[0].duration, 3001)
     inside = np.zeros(len(phi), dtype=bool)
     for part in found.slowed:
@@ -112,7 +112,7 @@ def test_duration_is_near_that_of_the_fastest_motion_without_jerk_limits(seed: i
 def fastest(motion: Waves, bounds: JointBounds, effort: Effort | None, s: Array) -> Array:
     """Return the rates of the fastest motion, from rest to rest in motion time too, shape (m,)."""
     found = time_optimal(motion.at(s), s[1], bounds, effort)
-    assert not isinstance(found, Beyond)
+    assert not isinstance(found, Infeasible)
     return found
 
 
@@ -125,7 +125,7 @@ def test_one_bad_place_does_not_slow_a_long_motion_elsewhere() -> None:
         speed, acceleration, jerk = most_of(motion)
         bounds = JointBounds(speed * 0.9, acceleration * 2.0, jerk * 4.0)
         found = keep_limits(motion, bounds, None, TICK)
-        assert isinstance(found, Kept)
+        assert isinstance(found, RetimedTrajectory)
         costs.append((found.clock.duration - duration, sum(part.end - part.start for part in found.slowed)))
     for delay, length in costs:
         assert 0.0 < delay < 0.15 * length

@@ -10,7 +10,7 @@ from ropsim.motion import (
     Arc,
     ArcFault,
     ArcOrientation,
-    CornerFault,
+    BlendFault,
     Curve,
     Line,
     OrientationMode,
@@ -19,7 +19,7 @@ from ropsim.motion import (
     ToolPoints,
     ToolSection,
     arc,
-    corner,
+    blend_curve,
     enter,
     leave,
     spline,
@@ -105,8 +105,8 @@ def test_corners_go_over_in_curvature_and_turning_or_there_is_a_reason(
     assume(min(before.length, after.length) > 0.05)
     there, back = _Moved(before, meet, before.length), _Moved(after, meet, 0.0)
     s_leave, s_enter = before.length * (1.0 - share_in), after.length * share_out
-    curve = corner(there, s_leave, back, s_enter)
-    if isinstance(curve, CornerFault):
+    curve = blend_curve(there, s_leave, back, s_enter)
+    if isinstance(curve, BlendFault):
         return
     ends = curve.tool(np.array([0.0, curve.length]))
     for row, path, place in ((0, there, s_leave), (1, back, s_enter)):

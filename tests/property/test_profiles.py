@@ -17,7 +17,7 @@ from ropsim.motion import (
     plan_profile,
     plan_time_law,
 )
-from ropsim.planning.path_limits.path_limits import joint_stages, tool_stages
+from ropsim.planning.path_limits.path_limits import joint_path_limits, tool_path_limits
 from ropsim.spatial import Pose
 
 SAME_TIME = 1e-9  # relative; both are closed forms, ruckig states 1e-8 s for its own tests
@@ -84,7 +84,7 @@ def test_ptp_keeps_every_joint_within_its_limits_and_takes_one_of_them_to_its_bo
 ) -> None:
     assume(float(np.abs(q_end - q_start).max()) > 1e-8)
     bounds = JointMotionLimits(v, a, 10.0 * j)
-    law = plan_time_law(joint_stages(JointLine(q_start, q_end), bounds))
+    law = plan_time_law(joint_path_limits(JointLine(q_start, q_end), bounds))
     rows = law.at(np.linspace(0.0, law.duration, 1001))
     way = np.abs(q_end - q_start)
     sizes = rows.speeds.max(), np.abs(rows.accelerations).max(), np.abs(law.jerks).max()
@@ -114,7 +114,7 @@ TOOL_LIMITS = ToolLimits(0.25, 2.0, 20.0, 1.0, 6.0, 60.0)
 def test_line_is_straight_turns_about_one_axis_and_respects_both_limits(X_start: Pose, X_end: Pose) -> None:
     path = Line(X_start, X_end)
     assume(path.length > 0.0)
-    law = plan_time_law(tool_stages(path, TOOL_LIMITS))
+    law = plan_time_law(tool_path_limits(path, TOOL_LIMITS))
     rows = law.at(np.linspace(0.0, law.duration, 201))
     points = path.tool(rows.places)
     way = X_end.position - X_start.position

@@ -8,7 +8,7 @@ import ruckig
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from ropsim.motion import PiecewiseLaw, ProfileLimits, Stage, evaluate, plan_profile, plan_time_law
+from ropsim.motion import Interval, PiecewiseLaw, ProfileLimits, evaluate, plan_profile, plan_time_law
 from ropsim.spatial import Array
 
 BOUNDS = 1e-12  # relative; what bounds may be exceeded by
@@ -21,10 +21,12 @@ SPARE = 1e-6  # relative; a way longer by so much than needed is one that ruckig
 sizes = st.floats(-2.0, 2.0).map(lambda exponent: float(10.0**exponent))
 wide_sizes = st.floats(-4.0, 4.0).map(lambda exponent: float(10.0**exponent))
 ratios = st.one_of(st.just(1.0), st.just(0.0), sizes)
-stages = st.builds(Stage, sizes, sizes, sizes, sizes, ratios)
-plain_stages = st.builds(Stage, sizes, sizes, sizes, sizes)
+stages = st.builds(Interval, sizes, sizes, sizes, sizes, ratios)
+plain_stages = st.builds(Interval, sizes, sizes, sizes, sizes)
 alike = st.floats(-0.5, 0.5).map(lambda exponent: float(10.0**exponent))  # up to a factor of 3
-wide_stages = st.builds(Stage, wide_sizes, wide_sizes, wide_sizes, wide_sizes, st.one_of(ratios, wide_sizes))
+wide_stages = st.builds(
+    Interval, wide_sizes, wide_sizes, wide_sizes, wide_sizes, st.one_of(ratios, wide_sizes)
+)
 ways = st.lists(stages, min_size=1, max_size=10)
 plain_ways = st.lists(plain_stages, min_size=1, max_size=8)
 wide_ways = st.lists(wide_stages, min_size=1, max_size=10)
@@ -38,7 +40,7 @@ def _way(v0: float, v1: float, acceleration: float, jerk: float) -> float:
     return float((v0 + v1) / 2.0 * time)
 
 
-def _speeds(way: list[Stage], law: PiecewiseLaw) -> tuple[list[float], list[float]]:
+def _speeds(way: list[Interval], law: PiecewiseLaw) -> tuple[list[float], list[float]]:
     """Return ds/dt at the starts and at the ends of all pieces [1/s], the ends by the ratios."""
     first = np.searchsorted(law.pieces, np.arange(len(way)))
     starts: list[float] = law.speeds[first].tolist()
@@ -46,7 +48,7 @@ def _speeds(way: list[Stage], law: PiecewiseLaw) -> tuple[list[float], list[floa
     return starts, [*ends, 0.0]
 
 
-def _ruckig_time(v0: float, v1: float, stage: Stage) -> float:
+def _ruckig_time(v0: float, v1: float, stage: Interval) -> float:
     """Return the least time of a piece between two speeds [s], infinite where ruckig finds none."""
     request = ruckig.InputParameter(1)
     request.current_position, request.target_position = [0.0], [stage.length]
@@ -69,7 +71,7 @@ def _inside(law: PiecewiseLaw, each: int) -> Array:
 
 @settings(max_examples=100, derandomize=True)
 @given(st.one_of(ways, wide_ways))
-def test_bounds_hold_everywhere(way: list[Stage]) -> None:
+def test_bounds_hold_everywhere(way: list[Interval]) -> None:
     law = plan_time_law(way)
     joints = np.concatenate([law.times, law.ends])
     inside = np.concatenate([_inside(law, 20), joints, np.nextafter(joints, 0.0)])
@@ -86,7 +88,7 @@ def test_bounds_hold_everywhere(way: list[Stage]) -> None:
 
 @settings(max_examples=100, derandomize=True)
 @given(st.one_of(ways, wide_ways))
-def test_place_speed_and_acceleration_go_on_from_segment_to_segment(way: list[Stage]) -> None:
+def test_place_speed_and_acceleration_go_on_from_segment_to_segment(way: list[Interval]) -> None:
     law = plan_time_law(way)
     _, times, places, speeds, accelerations, jerks, h, ends = law.segments
     bounds = np.array([(one.length, one.speed, one.acceleration, one.ratio) for one in way])[law.pieces]
@@ -115,7 +117,7 @@ def test_place_speed_and_acceleration_go_on_from_segment_to_segment(way: list[St
 
 @settings(max_examples=100, derandomize=True)
 @given(ways)
-def test_the_motion_never_goes_back(way: list[Stage]) -> None:
+def test_the_motion_never_goes_back(way: list[Interval]) -> None:
     law = plan_time_law(way)
     rows = law.at(np.linspace(0.0, law.duration, 2001))
     gone = np.concatenate([[0.0], np.cumsum([one.length for one in way])])[rows.pieces] + rows.places
@@ -126,7 +128,10 @@ def test_the_motion_never_goes_back(way: list[Stage]) -> None:
 @settings(max_examples=100, derandomize=True)
 @given(wide_sizes, wide_sizes, wide_sizes, wide_sizes)
 def test_one_piece_is_the_rest_to_rest_profile(length: float, v: float, a: float, j: float) -> None:
-    profile, law = plan_profile(length, ProfileLimits(v, a, j)), plan_time_law([Stage(length, v, a, j)])
+    profile, law = (
+        plan_profile(length, ProfileLimits(v, a, j)),
+        plan_time_law([Interval(length, v, a, j)]),
+    )
     assert abs(law.duration - profile.duration) <= BOUNDS * profile.duration
     t = np.linspace(0.0, profile.duration, 101)
     assert np.abs(law.at(t).places - evaluate(profile, t)[0]).max() <= BOUNDS * length
@@ -138,9 +143,9 @@ def test_a_piece_between_two_speeds_takes_the_time_that_ruckig_finds(
     v0: float, v1: float, a: float, j: float, faster: float, spare: float
 ) -> None:
     length = (_way(v0, v1, a, j) + max(v0, v1) ** 1.5 / j**0.5 * SPARE) * (1.0 + 10.0**spare)
-    piece = Stage(length, max(v0, v1) * faster, a, j)
-    before = Stage(2.0 * _way(0.0, v0, a, j), v0, a, j)
-    after = Stage(2.0 * _way(0.0, v1, a, j), v1, a, j)
+    piece = Interval(length, max(v0, v1) * faster, a, j)
+    before = Interval(2.0 * _way(0.0, v0, a, j), v0, a, j)
+    after = Interval(2.0 * _way(0.0, v1, a, j), v1, a, j)
     law = plan_time_law([before, piece, after])
     assert _speeds([before, piece, after], law)[0] == [0.0, v0, v1]
     expected = _ruckig_time(v0, v1, piece)
@@ -149,7 +154,7 @@ def test_a_piece_between_two_speeds_takes_the_time_that_ruckig_finds(
 
 @settings(max_examples=100, derandomize=True)
 @given(plain_stages, st.lists(st.floats(0.01, 1.0), min_size=2, max_size=20))
-def test_one_line_cut_into_pieces_takes_the_time_of_the_line(whole: Stage, shares: list[float]) -> None:
+def test_one_line_cut_into_pieces_takes_the_time_of_the_line(whole: Interval, shares: list[float]) -> None:
     lengths = np.array(shares) / sum(shares) * whole.length
     cut = plan_time_law([replace(whole, length=length) for length in lengths.tolist()])
     assert abs(cut.duration - plan_time_law([whole]).duration) <= ROUNDING * cut.duration
@@ -158,7 +163,7 @@ def test_one_line_cut_into_pieces_takes_the_time_of_the_line(whole: Stage, share
 @settings(max_examples=200, derandomize=True)
 @given(plain_stages, plain_stages, alike, alike)
 def test_no_other_speed_where_two_alike_pieces_meet_is_faster(
-    first: Stage, second: Stage, more: float, steeper: float
+    first: Interval, second: Interval, more: float, steeper: float
 ) -> None:
     """Where their accelerations differ more, a lower speed may be; see `plan_time_law`."""
     acceleration, jerk = more * first.acceleration, steeper * first.jerk
@@ -172,17 +177,17 @@ def test_no_other_speed_where_two_alike_pieces_meet_is_faster(
 
 @settings(max_examples=100, derandomize=True)
 @given(plain_ways)
-def test_the_way_back_takes_as_long(way: list[Stage]) -> None:
+def test_the_way_back_takes_as_long(way: list[Interval]) -> None:
     there, back = plan_time_law(way), plan_time_law(way[::-1])
     assert abs(there.duration - back.duration) <= ROUNDING * there.duration
 
 
 @settings(max_examples=100, derandomize=True)
 @given(plain_ways, st.data())
-def test_units_of_the_pieces_do_not_count(way: list[Stage], data: st.DataObject) -> None:
+def test_units_of_the_pieces_do_not_count(way: list[Interval], data: st.DataObject) -> None:
     units = [data.draw(sizes) for _ in way]
     other = [
-        Stage(s.length * u, s.speed * u, s.acceleration * u, s.jerk * u, u / before)
+        Interval(s.length * u, s.speed * u, s.acceleration * u, s.jerk * u, u / before)
         for s, u, before in zip(way, units, [1.0, *units], strict=False)
     ]
     plain, scaled = plan_time_law(way), plan_time_law(other)
@@ -191,14 +196,14 @@ def test_units_of_the_pieces_do_not_count(way: list[Stage], data: st.DataObject)
 
 @settings(max_examples=100, derandomize=True)
 @given(ways, st.floats(1.0, 2.0), st.floats(1.0, 2.0), st.floats(1.0, 2.0))
-def test_wider_bounds_are_never_slower(way: list[Stage], v: float, a: float, j: float) -> None:
+def test_wider_bounds_are_never_slower(way: list[Interval], v: float, a: float, j: float) -> None:
     wider = [replace(s, speed=s.speed * v, acceleration=s.acceleration * a, jerk=s.jerk * j) for s in way]
     assert plan_time_law(wider).duration <= plan_time_law(way).duration * (1.0 + ROUNDING)
 
 
 @settings(max_examples=200, derandomize=True)
 @given(ways, st.data())
-def test_one_wider_bound_is_hardly_ever_slower(way: list[Stage], data: st.DataObject) -> None:
+def test_one_wider_bound_is_hardly_ever_slower(way: list[Interval], data: st.DataObject) -> None:
     name, one = data.draw(st.sampled_from(["speed", "acceleration", "jerk"])), data.draw(st.integers(0, 9))
     place = one % len(way)
     wider = replace(way[place], **{name: getattr(way[place], name) * data.draw(st.floats(1.0, 2.0))})
@@ -206,7 +211,7 @@ def test_one_wider_bound_is_hardly_ever_slower(way: list[Stage], data: st.DataOb
     assert law.duration <= plan_time_law(way).duration * (1.0 + NEAR)
 
 
-def _levelled(v: float, a: float, way: list[Stage]) -> tuple[float, list[Stage]]:
+def _levelled(v: float, a: float, way: list[Interval]) -> tuple[float, list[Interval]]:
     """Return the speed at which a is taken back to 0, by steps, and what is left of the pieces then."""
     left, step = list(way), a / way[0].jerk / 2000.0
     while a > 0.0 and left:
@@ -218,7 +223,7 @@ def _levelled(v: float, a: float, way: list[Stage]) -> tuple[float, list[Stage]]
     return v, left
 
 
-def _can_stop(v: float, way: list[Stage]) -> bool:
+def _can_stop(v: float, way: list[Interval]) -> bool:
     """Return whether the motion can come to rest over pieces in one unit, found by walking over them."""
     for one in way:
         if v > one.speed * (1.0 + ROUNDING):
@@ -238,7 +243,7 @@ def _can_stop(v: float, way: list[Stage]) -> bool:
 
 @settings(max_examples=100, derandomize=True)
 @given(st.lists(plain_stages, min_size=2, max_size=8), st.data())
-def test_the_motion_can_stop_on_what_is_known(way: list[Stage], data: st.DataObject) -> None:
+def test_the_motion_can_stop_on_what_is_known(way: list[Interval], data: st.DataObject) -> None:
     ahead = [data.draw(st.integers(i, len(way) - 1)) for i in range(len(way))]
     short = [replace(one, horizon=horizon) for one, horizon in zip(way, ahead, strict=True)]
     law = plan_time_law(short)
@@ -254,7 +259,7 @@ def test_the_motion_can_stop_on_what_is_known(way: list[Stage], data: st.DataObj
 
 @settings(max_examples=100, derandomize=True)
 @given(st.lists(plain_stages, min_size=2, max_size=8), st.integers(0, 8))
-def test_more_look_ahead_is_never_slower(way: list[Stage], ahead: int) -> None:
+def test_more_look_ahead_is_never_slower(way: list[Interval], ahead: int) -> None:
     less, more = (
         plan_time_law([replace(one, horizon=i + n) for i, one in enumerate(way)]).duration
         for n in (ahead, ahead + 1)
@@ -264,7 +269,7 @@ def test_more_look_ahead_is_never_slower(way: list[Stage], ahead: int) -> None:
 
 @settings(max_examples=100, derandomize=True)
 @given(ways, st.lists(st.floats(0.0, 1.0), min_size=1, max_size=20).map(sorted))
-def test_times_of_places_lead_back_to_the_places(way: list[Stage], shares: list[float]) -> None:
+def test_times_of_places_lead_back_to_the_places(way: list[Interval], shares: list[float]) -> None:
     law = plan_time_law(way)
     for piece, one in enumerate(way):
         places = np.array(shares) * one.length
@@ -279,7 +284,7 @@ def test_times_of_places_lead_back_to_the_places(way: list[Stage], shares: list[
 
 @settings(max_examples=50, derandomize=True)
 @given(plain_ways)
-def test_a_stop_in_the_middle_costs_time(way: list[Stage]) -> None:
+def test_a_stop_in_the_middle_costs_time(way: list[Interval]) -> None:
     assume(len(way) > 1)
     stopped = [replace(one, ratio=0.0) for one in way]
     alone = sum(plan_time_law([one]).duration for one in way)

@@ -14,7 +14,7 @@ from ropsim.cellfile import read_cell
 from ropsim.core import SourceText
 from ropsim.icr import Program
 from ropsim.model import Cell, Station, with_axis_limits
-from ropsim.planning import StretchOrder
+from ropsim.planning import MotionSequence
 from ropsim.simulation import Fidelity, RunOptions, run
 from ropsim.spatial import Array
 from ropsim.workbench import environment_of
@@ -76,7 +76,7 @@ class Site:
 
     cell: Cell
     codes: Mapping[str, Program]
-    orders: tuple[StretchOrder, ...]
+    orders: tuple[MotionSequence, ...]
 
     @property
     def station(self) -> Station:
@@ -91,7 +91,7 @@ def site(program: str = PROGRAM, cell_text: str = CELL) -> Site:
     compiled = language.compile(program, environment_of(cell), "main.task")
     assert compiled.icr is not None, compiled.diagnostics
     codes = {cell.first.name: compiled.icr}
-    orders: list[StretchOrder] = []
+    orders: list[MotionSequence] = []
     options = RunOptions(Fidelity.KINEMATIC, ordered=lambda _, one: orders.append(one))
     recording = run(cell, codes, options)
     assert recording.ok, recording.first_error

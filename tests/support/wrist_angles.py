@@ -8,7 +8,7 @@ import numpy as np
 from ropsim.flow import ModalState, MotionKind, MoveInstruction, Origin
 from ropsim.kinematics import forward_batch
 from ropsim.model import OrientationMode
-from ropsim.planning.moves.planned_move import Leg, leg_of
+from ropsim.planning.moves.planned_move import PlannedMove, planned_move_of
 from ropsim.spatial import Array, Pose
 from support.cells import chain_of, with_station
 from support.motion import CELL, LINE, PASS, PUMA, interface_pose
@@ -52,8 +52,8 @@ def moves_from(
     return {kind: (move_through(kind, points[:count]), points[:count]) for kind, count in counts.items()}
 
 
-def led(move: MoveInstruction, q_start: Array) -> Leg:
+def led(move: MoveInstruction, q_start: Array) -> PlannedMove:
     """Return the leg of a move that the wrist leads; fail where it is refused."""
-    found = leg_of(LEADING, move, q_start)
-    assert isinstance(found, Leg), found
+    found = planned_move_of(LEADING, move, q_start)
+    assert isinstance(found, PlannedMove), found
     return found

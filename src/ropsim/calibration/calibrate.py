@@ -19,7 +19,7 @@ from ropsim.calibration.stretch_fit import placed
 from ropsim.calibration.trace.trace import Trace
 from ropsim.core import Diagnostic
 from ropsim.model import Cell, Station
-from ropsim.planning import StretchOrder
+from ropsim.planning import MotionSequence
 
 _WORTH_SAYING = 0.02
 
@@ -27,7 +27,7 @@ _WORTH_SAYING = 0.02
 def calibrate(
     cell: Cell,
     station: Station,
-    orders: Sequence[StretchOrder],
+    orders: Sequence[MotionSequence],
     trace: Trace,
     planning: Callable[[], None] = lambda: None,
 ) -> tuple[Calibration | None, tuple[Diagnostic, ...]]:

@@ -18,7 +18,7 @@ from ropsim.calibration.trace.trace import Trace
 from ropsim.calibration.trace.zeros import zeros_beside
 from ropsim.core import Diagnostic, frozen_dataclass
 from ropsim.model import Joint
-from ropsim.planning import MotionPlan, StretchOrder
+from ropsim.planning import MotionPlan, MotionSequence
 from ropsim.spatial import Array
 
 _ENOUGH = 0.5
@@ -66,7 +66,7 @@ class Held:
 
 def held(
     replan: Replan,
-    orders: Sequence[StretchOrder],
+    orders: Sequence[MotionSequence],
     known: MotionSettings,
     joints: Sequence[Joint],
     trace: Trace,
@@ -89,7 +89,7 @@ def held(
     return Held(motions, rests, passages)
 
 
-def reasons(found: Held, orders: Sequence[StretchOrder], compared: Collection[int]) -> dict[int, Reason]:
+def reasons(found: Held, orders: Sequence[MotionSequence], compared: Collection[int]) -> dict[int, Reason]:
     """Return why stretches are not compared, by their numbers.
 
     Args:
@@ -103,7 +103,7 @@ def reasons(found: Held, orders: Sequence[StretchOrder], compared: Collection[in
     }
 
 
-def _reason(found: Held, orders: Sequence[StretchOrder], number: int, last: int) -> Reason:
+def _reason(found: Held, orders: Sequence[MotionSequence], number: int, last: int) -> Reason:
     if _hangs_on_sensors(orders, number):
         return Reason.SENSOR
     if number in found.passages:
@@ -119,7 +119,7 @@ def _ends(motions: Mapping[int, MotionPlan]) -> Array:
 
 def compared(
     replan: Replan,
-    orders: Sequence[StretchOrder],
+    orders: Sequence[MotionSequence],
     known: MotionSettings,
     joints: Sequence[Joint],
     trace: Trace,
@@ -168,14 +168,14 @@ def _passages(rests: Rests, ends: Array, joints: Sequence[Joint]) -> tuple[Passa
     return max(passages, match(replace(rests, q=rests.q - shift), ends, joints), key=len)
 
 
-def _hangs_on_sensors(orders: Sequence[StretchOrder], number: int) -> bool:
+def _hangs_on_sensors(orders: Sequence[MotionSequence], number: int) -> bool:
     """Return whether a sensor says where a stretch leads, or where it begins."""
     before = orders[number - 1].moves if number else ()
     return any(move.tracking or move.guard for move in (*before, *orders[number].moves))
 
 
 def not_compared(
-    why: Mapping[int, Reason], orders: Sequence[StretchOrder], count: int
+    why: Mapping[int, Reason], orders: Sequence[MotionSequence], count: int
 ) -> tuple[Diagnostic, ...]:
     """Return X894 where stretches are not compared, at the first one, with the reason of each.
 

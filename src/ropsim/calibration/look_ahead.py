@@ -9,7 +9,7 @@ from ropsim.calibration.logged_stretch import LoggedStretch
 from ropsim.calibration.refining import fits_under, total_error
 from ropsim.calibration.replanning import Replan
 from ropsim.core import frozen_dataclass
-from ropsim.planning import StretchOrder
+from ropsim.planning import MotionSequence
 
 MOST = 40
 """Largest look-ahead that is told from a larger one."""
@@ -37,7 +37,7 @@ def with_look_ahead(settings: MotionSettings, value: int) -> MotionSettings:
     return replace(settings, look_ahead=value)
 
 
-def choices(orders: Sequence[StretchOrder], numbers: Sequence[int]) -> range:
+def choices(orders: Sequence[MotionSequence], numbers: Sequence[int]) -> range:
     """Return the look-aheads that may differ: none beyond the longest stretch does."""
     longest = max((len(orders[number].moves) for number in numbers), default=1)
     return range(min(longest, MOST + 1))

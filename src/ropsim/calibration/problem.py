@@ -22,7 +22,7 @@ from ropsim.calibration.replanning import Replan
 from ropsim.calibration.stretch_fit import StretchFit, fit_stretch
 from ropsim.core import frozen_dataclass
 from ropsim.flow import MotionKind
-from ropsim.planning import StretchOrder
+from ropsim.planning import MotionSequence
 
 _MOST_FITTED = 12
 """Stretches of which limits are fitted at most; the times of all are compared."""
@@ -46,7 +46,7 @@ class Problem:
     """
 
     replan: Replan
-    orders: tuple[StretchOrder, ...]
+    orders: tuple[MotionSequence, ...]
     known: MotionSettings
     logged: tuple[LoggedStretch, ...]
 

@@ -11,8 +11,8 @@ from ropsim.model import Cell, RobotModel, Station, with_axis_limits
 from ropsim.planning import (
     MotionChain,
     MotionPlan,
+    MotionSequence,
     StandardPathPlanner,
-    StretchOrder,
     ordered,
     standard_chain,
 )
@@ -27,7 +27,7 @@ _KEPT = 512
 def replanner(
     cell: Cell,
     station: Station,
-    orders: Sequence[StretchOrder],
+    orders: Sequence[MotionSequence],
     planning: Callable[[], None] = lambda: None,
 ) -> Replan:
     """Return what plans the stretches of a program under any settings, from where they were begun.

@@ -1,11 +1,11 @@
 """Paths and time laws: jerk-limited profiles, ways of tool and joints, what limits make of them; findings."""
 
 from ropsim.model import OrientationMode as OrientationMode
-from ropsim.motion.blends.blend_curve import CORNER_STEPS as CORNER_STEPS
+from ropsim.motion.blends.blend_curve import BLEND_STEPS as BLEND_STEPS
 from ropsim.motion.blends.blend_curve import SWING as SWING
-from ropsim.motion.blends.blend_curve import CornerFault as CornerFault
-from ropsim.motion.blends.blend_curve import corner as corner
-from ropsim.motion.blends.blend_curve_kernel import corner_curve as corner_curve
+from ropsim.motion.blends.blend_curve import BlendFault as BlendFault
+from ropsim.motion.blends.blend_curve import blend_curve as blend_curve
+from ropsim.motion.blends.blend_curve_kernel import blend_curve_rows as blend_curve_rows
 from ropsim.motion.blends.zone import ZONE_NODES as ZONE_NODES
 from ropsim.motion.blends.zone import ZONE_SHARES as ZONE_SHARES
 from ropsim.motion.blends.zone import enter as enter
@@ -22,7 +22,7 @@ from ropsim.motion.curves.curve_kernel import curve_poses as curve_poses
 from ropsim.motion.curves.differences import numeric_points as numeric_points
 from ropsim.motion.curves.differences import pose_derivatives as pose_derivatives
 from ropsim.motion.curves.differences import stencils as stencils
-from ropsim.motion.curves.differences_kernel import rows_with_roughness as rows_with_roughness
+from ropsim.motion.curves.differences_kernel import rows_with_error as rows_with_error
 from ropsim.motion.curves.grid import grid as grid
 from ropsim.motion.curves.path import STANDS as STANDS
 from ropsim.motion.curves.path import STILL as STILL
@@ -70,8 +70,8 @@ from ropsim.motion.joint_paths.quintic_kernel import traced_points as traced_poi
 from ropsim.motion.joint_paths.refined import Refined as Refined
 from ropsim.motion.joint_paths.refined import joins as joins
 from ropsim.motion.joint_paths.refined import rough_parts as rough_parts
-from ropsim.motion.joint_paths.sampled import Traced as Traced
-from ropsim.motion.joint_paths.sampled import traced_with_roughness as traced_with_roughness
+from ropsim.motion.joint_paths.sampled import SampledPath as SampledPath
+from ropsim.motion.joint_paths.sampled import sampled_with_error as sampled_with_error
 from ropsim.motion.line_diagnostics import JOINT_LIMIT_ON_LINE as JOINT_LIMIT_ON_LINE
 from ropsim.motion.line_diagnostics import JUMP_ON_LINE as JUMP_ON_LINE
 from ropsim.motion.line_diagnostics import NO_ARC as NO_ARC
@@ -118,16 +118,16 @@ from ropsim.motion.retiming.joint_bounds import JointBounds as JointBounds
 from ropsim.motion.retiming.joint_bounds import Quantity as Quantity
 from ropsim.motion.retiming.joint_bounds import Ticks as Ticks
 from ropsim.motion.retiming.joint_bounds import torques as torques
-from ropsim.motion.retiming.nominal_time import MotionTime as MotionTime
+from ropsim.motion.retiming.nominal_time import NominalTime as NominalTime
 from ropsim.motion.retiming.reference import Reference as Reference
 from ropsim.motion.retiming.reference import as_planned as as_planned
 from ropsim.motion.retiming.reference import loaded as loaded
 from ropsim.motion.retiming.retime import LONGEST_DELAY as LONGEST_DELAY
 from ropsim.motion.retiming.retime import keep_limits as keep_limits
 from ropsim.motion.retiming.retime import kept_from as kept_from
-from ropsim.motion.retiming.retimed import Beyond as Beyond
-from ropsim.motion.retiming.retimed import Kept as Kept
+from ropsim.motion.retiming.retimed import Infeasible as Infeasible
 from ropsim.motion.retiming.retimed import Motion as Motion
+from ropsim.motion.retiming.retimed import RetimedTrajectory as RetimedTrajectory
 from ropsim.motion.retiming.retimed import Slowed as Slowed
 from ropsim.motion.retiming.retimed import too_heavy as too_heavy
 from ropsim.motion.retiming.tool_paths import Ways as Ways
@@ -136,7 +136,8 @@ from ropsim.motion.retiming.utilisation import ROUNDING as ROUNDING
 from ropsim.motion.time_law.durations import ZERO_LENGTH as ZERO_LENGTH
 from ropsim.motion.time_law.durations import durations as durations
 from ropsim.motion.time_law.durations_kernel import write_duration as write_duration
-from ropsim.motion.time_law.jerk_limited import plan_stages as plan_stages
+from ropsim.motion.time_law.interval import Interval as Interval
+from ropsim.motion.time_law.jerk_limited import jerk_limited as jerk_limited
 from ropsim.motion.time_law.jerk_limited import plan_time_law as plan_time_law
 from ropsim.motion.time_law.law import LawRows as LawRows
 from ropsim.motion.time_law.law import TimeLaw as TimeLaw
@@ -145,14 +146,13 @@ from ropsim.motion.time_law.law import own_law_of as own_law_of
 from ropsim.motion.time_law.law_rows_kernel import rows_at as rows_at
 from ropsim.motion.time_law.law_times_kernel import time_at as time_at
 from ropsim.motion.time_law.law_times_kernel import times_along as times_along
+from ropsim.motion.time_law.path_limits import PathLimits as PathLimits
 from ropsim.motion.time_law.piecewise_law import PiecewiseLaw as PiecewiseLaw
 from ropsim.motion.time_law.profile import Profile as Profile
 from ropsim.motion.time_law.profile import ProfileError as ProfileError
 from ropsim.motion.time_law.profile import ProfileLimits as ProfileLimits
 from ropsim.motion.time_law.profile import evaluate as evaluate
 from ropsim.motion.time_law.profile import plan_profile as plan_profile
-from ropsim.motion.time_law.stage import Stage as Stage
-from ropsim.motion.time_law.stages import Stages as Stages
 from ropsim.motion.time_law.synchronised import SynchronisedJoints as SynchronisedJoints
 from ropsim.motion.time_law.synchronised_kernel import joint_rows as joint_rows
 from ropsim.motion.time_law.synchronised_kernel import joints_in_time as joints_in_time

@@ -10,11 +10,11 @@ from ropsim.planning.entity_checks.entity_faults import is_our_own as is_our_own
 from ropsim.planning.entity_checks.entity_faults import raised as raised
 from ropsim.planning.entity_checks.entity_faults import refused as refused
 from ropsim.planning.joint_limits.arm_limits import arm_bounds as arm_bounds
-from ropsim.planning.joint_limits.binding import critical_limits as critical_limits
+from ropsim.planning.joint_limits.binding import binding_constraints as binding_constraints
 from ropsim.planning.kinds import TOOL_PATHS as TOOL_PATHS
 from ropsim.planning.kinds import PathRequest as PathRequest
 from ropsim.planning.kinds import ToolPathMaker as ToolPathMaker
-from ropsim.planning.motion_sequence import StretchOrder as StretchOrder
+from ropsim.planning.motion_sequence import MotionSequence as MotionSequence
 from ropsim.planning.moves.interpolator import StandardInterpolator as StandardInterpolator
 from ropsim.planning.moves.inverse_transform import StandardInverseTransform as StandardInverseTransform
 from ropsim.planning.moves.joint_interpolator import StandardJointInterpolator as StandardJointInterpolator
@@ -33,7 +33,7 @@ from ropsim.planning.records.entities import SensorInterface as SensorInterface
 from ropsim.planning.records.motion_chain import MotionChain as MotionChain
 from ropsim.planning.records.motion_plan import MotionPlan as MotionPlan
 from ropsim.planning.records.motion_plan import MotionState as MotionState
-from ropsim.planning.records.motion_plan import PlannedMove as PlannedMove
+from ropsim.planning.records.motion_plan import TimedMove as TimedMove
 from ropsim.planning.records.moving_frames import MovingFrame as MovingFrame
 from ropsim.planning.records.path_corrector import StandardPathCorrector as StandardPathCorrector
 from ropsim.planning.records.planned_path import MoveLimits as MoveLimits

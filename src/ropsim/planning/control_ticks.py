@@ -7,22 +7,22 @@ import numpy as np
 
 from ropsim.core import Diagnostic, maker
 from ropsim.flow import JointReference
-from ropsim.motion import JointPoints, Kept, Ticks
-from ropsim.planning.moves.planned_move import Leg
+from ropsim.motion import JointPoints, RetimedTrajectory, Ticks
+from ropsim.planning.moves.planned_move import PlannedMove
 from ropsim.planning.records.motion_chain import MotionChain
-from ropsim.planning.records.motion_plan import MotionPlan, PlannedMove, PlannedPiece
+from ropsim.planning.records.motion_plan import MotionPlan, TimedMove, TimedSegment
 from ropsim.planning.records.trigger_ticks import Flown, PlannedTrigger, trigger_ticks
-from ropsim.planning.trajectory.timing import Course
+from ropsim.planning.trajectory.timing import Timing
 from ropsim.planning.trajectory.timing_kernel import ticks_come
 from ropsim.spatial import Array
 
 _SLACK = 1e-9
 """Share of a control tick by which a motion may be longer than whole ticks, for rounding."""
-_move, _piece = maker(PlannedMove), maker(PlannedPiece)
+_move, _piece = maker(TimedMove), maker(TimedSegment)
 
 
 def standing(
-    legs: Sequence[Leg], q_start: Array, period: float, findings: Sequence[Diagnostic]
+    legs: Sequence[PlannedMove], q_start: Array, period: float, findings: Sequence[Diagnostic]
 ) -> MotionPlan:
     """Return the plan of moves that all end where they begin.
 
@@ -32,17 +32,17 @@ def standing(
         period: time of a control tick [s].
         findings: on the moves.
     """
-    moves = tuple(PlannedMove(leg.move, leg.planned.X_MT, leg.q_end, 0, 0.0) for leg in legs)
+    moves = tuple(TimedMove(leg.move, leg.planned.X_MT, leg.q_end, 0, 0.0) for leg in legs)
     nothing = JointReference(*(np.empty((0, len(q_start))) for _ in range(3)))
     return MotionPlan(moves, (), q_start, nothing, period, tuple(findings))
 
 
 def in_ticks(
     chain: MotionChain,
-    legs: Sequence[Leg],
+    legs: Sequence[PlannedMove],
     zones: Sequence[float],
-    course: Course,
-    kept: Kept,
+    course: Timing,
+    kept: RetimedTrajectory,
     findings: Sequence[Diagnostic],
 ) -> MotionPlan:
     """Return the plan of a motion; it takes over the rows of the motion and writes its end there.
@@ -79,8 +79,8 @@ def in_ticks(
 
 
 def _pieces(
-    course: Course, ticks: Sequence[Sequence[int]]
-) -> tuple[tuple[PlannedPiece, ...], tuple[tuple[int, int], ...]]:
+    course: Timing, ticks: Sequence[Sequence[int]]
+) -> tuple[tuple[TimedSegment, ...], tuple[tuple[int, int], ...]]:
     """Return the pieces, and the ways round corners and the overlaps in order of time.
 
     Args:

@@ -6,7 +6,7 @@ from ropsim.spatial import Array, frozen, record
 
 
 @record
-class StretchOrder:
+class MotionSequence:
     """A stretch before it is planned.
 
     Attributes:

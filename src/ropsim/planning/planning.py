@@ -7,14 +7,14 @@ from itertools import pairwise
 from ropsim.core import Diagnostic
 from ropsim.flow import MoveInstruction
 from ropsim.model import Payload, RobotModel
-from ropsim.motion import TIME_LAWS, Beyond, JointBounds, Ticks, own_law_of
-from ropsim.planning.blends.blend import Corner, Stop, corner_between
+from ropsim.motion import TIME_LAWS, Infeasible, JointBounds, Ticks, own_law_of
+from ropsim.planning.blends.blend import Blend, Stop, blend_between
 from ropsim.planning.control_ticks import in_ticks, standing
 from ropsim.planning.joint_limits.arm_limits import arm_bounds, beyond_refusal, move_at, slowed_findings
-from ropsim.planning.motion_sequence import StretchOrder
+from ropsim.planning.motion_sequence import MotionSequence
 from ropsim.planning.moves.move_check import check_duration
-from ropsim.planning.moves.planned_move import Leg
-from ropsim.planning.path_limits.path_limits import along_with, joint_stages, tool_stages
+from ropsim.planning.moves.planned_move import PlannedMove
+from ropsim.planning.path_limits.path_limits import along_with, joint_path_limits, tool_path_limits
 from ropsim.planning.records.entities import Refusal
 from ropsim.planning.records.motion_chain import MotionChain
 from ropsim.planning.records.motion_plan import MotionPlan, MotionState
@@ -28,10 +28,10 @@ from ropsim.planning.sequence_checks import (
     rest_to_rest_refusal,
     standing_refusal,
 )
-from ropsim.planning.sequence_moves import legs_of
+from ropsim.planning.sequence_moves import sequence_moves
 from ropsim.planning.stops.chosen_stops import by_joints, by_tool
 from ropsim.planning.trajectory.sections import TimingRules
-from ropsim.planning.trajectory.segments import pieces_of
+from ropsim.planning.trajectory.segments import segments_of
 from ropsim.planning.zones import clipped, flown_zones, stopped
 from ropsim.spatial import Array, record
 
@@ -42,7 +42,7 @@ _SMALLEST = 1e-300
 """Bounds below this count as this, so that nothing is divided by 0."""
 
 
-def ordered(chain: MotionChain, order: StretchOrder) -> tuple[MotionPlan | None, Refusal | None]:
+def ordered(chain: MotionChain, order: MotionSequence) -> tuple[MotionPlan | None, Refusal | None]:
     """Return the motion through the moves of a stretch from rest; see `plan`."""
     return plan(chain, order.moves, MotionState.at_rest(order.q_start), order.payload, order.ahead)
 
@@ -73,7 +73,7 @@ def plan(
     wrong = check_start(state, chain.robot, stretch[0])
     if wrong:
         return None, wrong
-    legs, refusal = legs_of(chain, stretch, ahead, state.q)
+    legs, refusal = sequence_moves(chain, stretch, ahead, state.q)
     while legs:
         planned = _planned(chain, legs, state, payload)
         if isinstance(planned, MotionPlan):
@@ -96,7 +96,7 @@ class _Hurdle:
 
 
 def _planned(
-    chain: MotionChain, legs: list[Leg], state: MotionState, payload: Payload
+    chain: MotionChain, legs: list[PlannedMove], state: MotionState, payload: Payload
 ) -> MotionPlan | _Hurdle:
     """Return the motion through moves, or the move that cannot be made."""
     findings = [finding for leg in legs for finding in leg.findings]
@@ -108,7 +108,7 @@ def _planned(
         if refusal := correction_refusal(leg):
             return _Hurdle(number, refusal)
     corners = _corners(chain, legs, findings)
-    walks = pieces_of(legs, corners)
+    walks = segments_of(legs, corners)
     for pieces, _ in walks:
         for piece in pieces:
             if piece.corner is None and (refusal := standing_refusal(legs[piece.leg], piece)):
@@ -130,7 +130,7 @@ def _planned(
     flown = by_joints(legs, chosen, bounds, Ticks(period, rates.interpolation_ticks), rules)
     findings += (hint for one in flown.stops for hint in stopped(legs[one].move, Stop.SLOWED))
     course, kept = flown.keeping.course, flown.keeping.kept
-    if isinstance(kept, Beyond):
+    if isinstance(kept, Infeasible):
         number = move_at(course.ends, kept.phi)
         return _Hurdle(number, beyond_refusal(legs[number], kept, chain.robot))
     if late := _late(legs, kept.clock.times_of(course.ends).tolist()):
@@ -141,8 +141,8 @@ def _planned(
 
 
 def _hopeless(
-    legs: list[Leg],
-    corners: Sequence[Corner | None],
+    legs: list[PlannedMove],
+    corners: Sequence[Blend | None],
     q_start: Array,
     robot: RobotModel,
     bounds: JointBounds,
@@ -169,7 +169,7 @@ def _hopeless(
     return None
 
 
-def _late(legs: list[Leg], ends: Sequence[float]) -> tuple[int, float] | None:
+def _late(legs: list[PlannedMove], ends: Sequence[float]) -> tuple[int, float] | None:
     """Return the first move that lasts too long, and how long [s]; None where all end soon enough.
 
     Args:
@@ -182,14 +182,14 @@ def _late(legs: list[Leg], ends: Sequence[float]) -> tuple[int, float] | None:
     return None
 
 
-def _too_long(legs: list[Leg], number: int, duration: float) -> _Hurdle:
+def _too_long(legs: list[PlannedMove], number: int, duration: float) -> _Hurdle:
     """Return M513 for a move that lasts too long [s], or for the neighbour that makes its corner slow."""
     beside = range(max(number - 1, 0), min(number + 2, len(legs)))
     slowest = max(beside, key=lambda one: (_time_alone(legs[one]), one == number))
     return _Hurdle(slowest, Refusal(check_duration(legs[slowest].move, duration)))
 
 
-def _crawling(legs: Sequence[Leg]) -> set[int]:
+def _crawling(legs: Sequence[PlannedMove]) -> set[int]:
     """Return the moves with a limit so small that their time is no number to plan with."""
     found, last, crawls = set[int](), None, False
     for number, leg in enumerate(legs):
@@ -202,7 +202,7 @@ def _crawling(legs: Sequence[Leg]) -> set[int]:
     return found
 
 
-def _time_alone(leg: Leg) -> float:
+def _time_alone(leg: PlannedMove) -> float:
     """Return the time [s] below which a move cannot be made from rest to rest."""
     limits = leg.planned.limits
     if leg.joints is None:
@@ -210,9 +210,9 @@ def _time_alone(leg: Leg) -> float:
     if own := own_law_of(leg.joints):
         return own.duration
     stages = (
-        along_with(tool_stages(leg.tool, limits.tool), leg.planned.coordination)
+        along_with(tool_path_limits(leg.tool, limits.tool), leg.planned.coordination)
         if leg.tool
-        else joint_stages(leg.joints, limits.joints)
+        else joint_path_limits(leg.joints, limits.joints)
     )
     way = sum(stage.length for stage in stages)
     cruise = sum(stage.length / max(stage.speed, _SMALLEST) for stage in stages)
@@ -221,11 +221,11 @@ def _time_alone(leg: Leg) -> float:
     return max(cruise, math.sqrt(4.0 * way / acceleration), math.cbrt(32.0 * way / jerk))
 
 
-def _corners(chain: MotionChain, legs: list[Leg], findings: list[Diagnostic]) -> list[Corner | None]:
+def _corners(chain: MotionChain, legs: list[PlannedMove], findings: list[Diagnostic]) -> list[Blend | None]:
     """Return the rounded corners between moves, None where the arm stops or where nothing moves."""
-    corners: list[Corner | None] = []
+    corners: list[Blend | None] = []
     for before, behind in pairwise(legs):
-        found = corner_between(chain, before, behind)
+        found = blend_between(chain, before, behind)
         if isinstance(found, Stop):
             findings += stopped(before.move, found)
             corners.append(None)

@@ -14,11 +14,11 @@ from ropsim.model import RobotModel
 from ropsim.motion import NO_SPLINE, PATH_NOT_CORRECTED, SPEED_BEYOND_ARM, JointBounds, constant_derivatives
 from ropsim.planning.joint_limits.arm_limits import ArmBounds
 from ropsim.planning.moves.move_check import MAX_DURATION, check_duration
-from ropsim.planning.moves.planned_move import Leg
+from ropsim.planning.moves.planned_move import PlannedMove
 from ropsim.planning.records.entities import Refusal
 from ropsim.planning.records.motion_plan import MotionState
 from ropsim.planning.records.wording import passes
-from ropsim.planning.trajectory.segments import Piece
+from ropsim.planning.trajectory.segments import PathSegment
 from ropsim.spatial import Array, Pose
 
 NOT_AT_REST = define(
@@ -65,7 +65,7 @@ PLANNED_SPEED, PLANNED_ACCELERATION = 0.8, 0.7
 """Shares of speed and acceleration of the joints for the move itself; the rest is for the correction."""
 
 
-def correction_refusal(leg: Leg) -> Refusal | None:
+def correction_refusal(leg: PlannedMove) -> Refusal | None:
     """Return M587 for a move that a sensor is to correct and cannot."""
     move, planned = leg.move, leg.planned
     if move.tracking is None or leg.joints is None:
@@ -94,7 +94,7 @@ def beside_correction(bounds: ArmBounds) -> ArmBounds:
     return replace(bounds, joints=kept)
 
 
-def beyond_arm(legs: Sequence[Leg], robot: RobotModel) -> tuple[Diagnostic, ...]:
+def beyond_arm(legs: Sequence[PlannedMove], robot: RobotModel) -> tuple[Diagnostic, ...]:
     """Return M588 for each path of the tool with a speed that no motion of the arm has.
 
     Args:
@@ -115,7 +115,7 @@ def _bound(robot: RobotModel, X_MT: Pose) -> float:
     return speed_bound(robot, X_MT.position)
 
 
-def _beyond(leg: Leg, speed: float, bound: float) -> Diagnostic:
+def _beyond(leg: PlannedMove, speed: float, bound: float) -> Diagnostic:
     return SPEED_BEYOND_ARM.at(
         leg.move.origin.span,
         f"the speed of {speed:.4g} m/s is beyond the arm: with this tool none of its motions is faster than "
@@ -133,7 +133,7 @@ _NOTHING = 1e-12
 """A bound of speed, acceleration or jerk that is less stands for a path on which nothing can move."""
 
 
-def standing_refusal(leg: Leg, piece: Piece) -> Refusal | None:
+def standing_refusal(leg: PlannedMove, piece: PathSegment) -> Refusal | None:
     """Return M567 for a curve that turns back in a point, where the tool would have to stand for ever.
 
     Args:
@@ -177,7 +177,7 @@ def may_take_too_long(robot: RobotModel, bounds: JointBounds) -> bool:
     return not bool((longest <= MAX_DURATION).all())
 
 
-def joints_refusal(leg: Leg, speeds: Array) -> Refusal | None:
+def joints_refusal(leg: PlannedMove, speeds: Array) -> Refusal | None:
     """Return M513 for a path of the tool on which a joint needs too long at its greatest speed.
 
     Args:
@@ -192,7 +192,7 @@ def joints_refusal(leg: Leg, speeds: Array) -> Refusal | None:
 
 
 def rest_to_rest_refusal(
-    legs: Sequence[Leg], q_start: Array, bounds: JointBounds
+    legs: Sequence[PlannedMove], q_start: Array, bounds: JointBounds
 ) -> tuple[int, Refusal] | None:
     """Return M513 for moves from one stop to the next for which a joint needs too long by its limits alone.
 

@@ -4,19 +4,19 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from ropsim.flow import MoveInstruction
-from ropsim.planning.moves.planned_move import Leg, legs_in_order
-from ropsim.planning.postures.path_conflicts import trouble_of, trouble_of_refusal
+from ropsim.planning.moves.planned_move import PlannedMove, planned_moves
+from ropsim.planning.postures.path_conflicts import conflict_of, conflict_of_refusal
 from ropsim.planning.postures.posture_search import has_choice, search
 from ropsim.planning.postures.requested_conflict import in_the_way, last_wish, without_wish
-from ropsim.planning.records.conflict import Trouble
+from ropsim.planning.records.conflict import Conflict
 from ropsim.planning.records.entities import Refusal
 from ropsim.planning.records.motion_chain import MotionChain
 from ropsim.spatial import Array
 
 
-def legs_of(
+def sequence_moves(
     chain: MotionChain, stretch: Sequence[MoveInstruction], ahead: Sequence[MoveInstruction], q_start: Array
-) -> tuple[list[Leg], Refusal | None]:
+) -> tuple[list[PlannedMove], Refusal | None]:
     """Return the legs of a stretch up to the first move that cannot be made, and why it cannot.
 
     Every move takes what the planner holds for the nearest posture. Where a path of the tool then meets a
@@ -41,9 +41,9 @@ def _told(
     chain: MotionChain,
     moves: Sequence[MoveInstruction],
     q_start: Array,
-    legs: list[Leg],
+    legs: list[PlannedMove],
     refusal: Refusal,
-) -> list[Leg]:
+) -> list[PlannedMove]:
     """Return legs with a finding on the move that asks for a posture in which a later one is refused.
 
     Args:
@@ -55,7 +55,7 @@ def _told(
     """
     refused = len(legs)
     wish = last_wish(moves[:refused])
-    troubles = trouble_of_refusal(moves[refused], refusal, refused)
+    troubles = conflict_of_refusal(moves[refused], refusal, refused)
     if wish is None or not troubles:
         return legs
     free, _ = _chosen(chain, without_wish(moves[: refused + 1], wish), q_start)
@@ -67,8 +67,8 @@ def _told(
 
 def _chosen(
     chain: MotionChain, stretch: Sequence[MoveInstruction], q_start: Array
-) -> tuple[list[Leg], Refusal | None]:
-    legs, refusal = legs_in_order(chain, stretch, q_start)
+) -> tuple[list[PlannedMove], Refusal | None]:
+    legs, refusal = planned_moves(chain, stretch, q_start)
     troubles = _troubles(chain, stretch, legs, refusal)
     if not troubles:
         return legs, refusal
@@ -77,15 +77,18 @@ def _chosen(
 
 
 def _troubles(
-    chain: MotionChain, stretch: Sequence[MoveInstruction], legs: Sequence[Leg], refusal: Refusal | None
-) -> list[Trouble]:
+    chain: MotionChain,
+    stretch: Sequence[MoveInstruction],
+    legs: Sequence[PlannedMove],
+    refusal: Refusal | None,
+) -> list[Conflict]:
     """Return what another posture might mend, in the order of the moves; nothing where there is no choice."""
     first = next((number for number, leg in enumerate(legs) if has_choice(leg.move)), len(legs))
     troubles = [
         found
         for number, leg in enumerate(legs[first:], first)
-        if leg.tool is not None and (found := trouble_of(chain.robot, leg, number))
+        if leg.tool is not None and (found := conflict_of(chain.robot, leg, number))
     ]
     if refusal and first < len(legs):
-        troubles += trouble_of_refusal(stretch[len(legs)], refusal, len(legs))
+        troubles += conflict_of_refusal(stretch[len(legs)], refusal, len(legs))
     return troubles

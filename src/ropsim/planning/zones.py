@@ -11,10 +11,10 @@ from ropsim.flow import MoveInstruction
 from ropsim.kinematics import tool_places
 from ropsim.model import RobotModel
 from ropsim.motion import ZONE_CLIPPED, ZONE_STOPS
-from ropsim.planning.blends.blend import Corner, Overlap, Stop
-from ropsim.planning.moves.planned_move import Leg
+from ropsim.planning.blends.blend import Blend, JointSpaceBlend, Stop
+from ropsim.planning.moves.planned_move import PlannedMove
 from ropsim.planning.records.wording import passes
-from ropsim.planning.trajectory.trajectory import StretchMotion
+from ropsim.planning.trajectory.trajectory import Trajectory
 
 NEXT_IS_SKIPPED = "the next move is left out"
 """Why the arm stops before a move that cannot be planned."""
@@ -23,7 +23,7 @@ _SAME = 1e-6
 """Share by which the zone that is flown may be smaller than the commanded one without a word."""
 
 
-def clipped(move: MoveInstruction, corner: Corner) -> tuple[Diagnostic, ...]:
+def clipped(move: MoveInstruction, corner: Blend) -> tuple[Diagnostic, ...]:
     """Return M562 where less than the commanded zone is flown.
 
     Args:
@@ -34,7 +34,7 @@ def clipped(move: MoveInstruction, corner: Corner) -> tuple[Diagnostic, ...]:
     if zone >= wanted * (1.0 - _SAME):
         return ()
     shown = f"{zone * 1e3:.3g} mm, half of the shorter way beside it"
-    if isinstance(corner, Overlap):
+    if isinstance(corner, JointSpaceBlend):
         shorter = f" and {corner.shorter * 1e3:.3g} mm" if corner.shorter < zone * (1.0 - _SAME) else ""
         shown = f"at most {zone * 1e3:.3g} mm{shorter}, half of the ways beside it"
     finding = ZONE_CLIPPED.at(
@@ -79,7 +79,7 @@ def _stops(move: MoveInstruction, why: str, hint: str) -> tuple[Diagnostic, ...]
 
 
 def flown_zones(
-    robot: RobotModel, legs: Sequence[Leg], corners: Sequence[Corner | None], motion: StretchMotion
+    robot: RobotModel, legs: Sequence[PlannedMove], corners: Sequence[Blend | None], motion: Trajectory
 ) -> list[float]:
     """Return the distance from the target of each move at which the path leaves it [m]; 0 where it stops.
 

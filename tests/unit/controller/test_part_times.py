@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from ropsim.motion import Traced
+from ropsim.motion import SampledPath
 from ropsim.planning.postures.part_times_kernel import longest_cell, part_times
 from ropsim.spatial import Array
 
@@ -46,7 +46,7 @@ def test_no_joint_is_quicker_between_rows_than_the_longest_cell_tells() -> None:
     random, inside = np.random.default_rng(3), 0
     for _ in range(40):
         rows = np.cumsum(random.normal(size=(int(random.integers(9, 30)), 6)), axis=0)
-        path, most, told = Traced(1.0, rows), random.uniform(0.1, 3.0, 6), np.empty(1)
+        path, most, told = SampledPath(1.0, rows), random.uniform(0.1, 3.0, 6), np.empty(1)
         longest_cell(path.q, path.derivatives, most, told)
         paces = np.abs(path.joints(np.linspace(0.0, 1.0, 3001)).d1) / (len(rows) - 1) / most
         assert paces.max() <= told[0] * (1.0 + ROUNDING)

@@ -11,10 +11,10 @@ from ropsim.flow import ModalState
 from ropsim.model import Synchronisation
 from ropsim.motion import SynchronisedJoints
 from ropsim.planning import MotionChain
-from ropsim.planning.moves.planned_move import Leg, leg_of
-from ropsim.planning.trajectory.sections import parts_of
-from ropsim.planning.trajectory.segments import pieces_of
-from ropsim.planning.trajectory.timing import course_of
+from ropsim.planning.moves.planned_move import PlannedMove, planned_move_of
+from ropsim.planning.trajectory.sections import sections_of
+from ropsim.planning.trajectory.segments import segments_of
+from ropsim.planning.trajectory.timing import timing_of
 from ropsim.spatial import Array
 from support.cells import chain_of, with_station
 from support.motion import (
@@ -50,9 +50,9 @@ def with_controller(**changes: Any) -> MotionChain:
 TIMED = with_controller(ptp=Synchronisation.TIME)
 
 
-def leg(target: Array, q_start: Array, modal: ModalState) -> Leg:
-    found = leg_of(TIMED, ptp(tuple(target.tolist()), modal), q_start)
-    assert isinstance(found, Leg)
+def leg(target: Array, q_start: Array, modal: ModalState) -> PlannedMove:
+    found = planned_move_of(TIMED, ptp(tuple(target.tolist()), modal), q_start)
+    assert isinstance(found, PlannedMove)
     return found
 
 
@@ -70,7 +70,7 @@ def test_a_thousand_moves_through_the_controller_take_the_time_of_ruckig() -> No
         request.max_jerk = (acceleration * PUMA.max_jerks).tolist()
         assert planner.calculate(request, oracle) == ruckig.Result.Working
         modal = ModalState(ptp_speed=speed, ptp_acceleration=acceleration)
-        duration = course_of(parts_of(pieces_of([leg(q_end, q_start, modal)], []), RULES), 1).duration
+        duration = timing_of(sections_of(segments_of([leg(q_end, q_start, modal)], []), RULES), 1).duration
         assert abs(duration - oracle.duration) <= SAME_TIME * oracle.duration
 
 

@@ -9,8 +9,8 @@ import pytest
 
 from ropsim.flow import MotionKind, MoveInstruction
 from ropsim.model import Payload
-from ropsim.planning.blends.blend import Rounding, Stop, corner_between
-from ropsim.planning.moves.planned_move import Leg
+from ropsim.planning.blends.blend import CartesianBlend, Stop, blend_between
+from ropsim.planning.moves.planned_move import PlannedMove
 from ropsim.spatial import Array, Pose
 from support.motion import PUMA, START, planned_stretch, references
 from support.walks import shares
@@ -24,7 +24,7 @@ SEEDS = range(3)
 KINDS = MotionKind.LIN, MotionKind.CIRC, MotionKind.SPLINE
 
 
-def legs_of_two(first: MotionKind, second: MotionKind, seed: int) -> list[Leg]:
+def legs_of_two(first: MotionKind, second: MotionKind, seed: int) -> list[PlannedMove]:
     """Return two legs, one after the other, of random moves of two kinds."""
     random = np.random.default_rng(seed)
     counts = {MotionKind.LIN: 1, MotionKind.CIRC: 2, MotionKind.SPLINE: 3}
@@ -45,10 +45,10 @@ def test_joints_go_over_with_their_first_two_derivatives(
     first: MotionKind, second: MotionKind, seed: int
 ) -> None:
     before, behind = legs_of_two(first, second, seed)
-    found = corner_between(LEADING, before, behind)
+    found = blend_between(LEADING, before, behind)
     if found is Stop.TURNS_BACK:
         return
-    assert isinstance(found, Rounding)
+    assert isinstance(found, CartesianBlend)
     assert before.joints is not None
     assert behind.joints is not None
     one, other = before.joints.joints(np.array([found.leave])), behind.joints.joints(np.array([found.enter]))

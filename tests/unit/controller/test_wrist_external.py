@@ -10,7 +10,7 @@ from ropsim.flow import MotionKind, MoveInstruction
 from ropsim.kinematics import posture
 from ropsim.model import OrientationMode, Payload
 from ropsim.planning import MotionChain, Refusal, plan_move
-from ropsim.planning.moves.planned_move import Leg, leg_of
+from ropsim.planning.moves.planned_move import PlannedMove, planned_move_of
 from ropsim.spatial import Array, Pose
 from support.carried import carried_cell, commanded, from_plate, to_plate, to_room, tool_poses
 from support.cells import chain_of, with_station
@@ -53,8 +53,8 @@ def on_plate(seed: int, kind: MotionKind, start: Array, goal: Array) -> MoveInst
 def test_the_tcp_keeps_its_path_on_the_plate(kind: MotionKind, seed: int) -> None:
     start, goal = ends(seed)
     robot, move = chain(seed).robot, on_plate(seed, kind, start, goal)
-    fixed = leg_of(chain(seed, OrientationMode.FIXED_AXIS), move, start)
-    assert isinstance(fixed, Leg)
+    fixed = planned_move_of(chain(seed, OrientationMode.FIXED_AXIS), move, start)
+    assert isinstance(fixed, PlannedMove)
     assert fixed.tool is not None
     done = planned(move, start, chain(seed))
     Q = commanded(done)
@@ -71,8 +71,8 @@ def test_wrist_and_external_axes_go_evenly_with_the_place_on_a_line(seed: int) -
     start, goal = ends(seed)
     robot = chain(seed).robot
     for move in (to_plate(robot, goal), to_room(robot, goal)):
-        leg = leg_of(chain(seed), move, start)
-        assert isinstance(leg, Leg)
+        leg = planned_move_of(chain(seed), move, start)
+        assert isinstance(leg, PlannedMove)
         assert leg.joints is not None
         r = np.linspace(0.0, 1.0, 201)
         q = leg.joints.joints(r * leg.joints.length).q[:, 3:]
@@ -104,8 +104,8 @@ def test_a_line_on_the_plate_passes_the_singularity_of_the_wrist() -> None:
 def test_the_tool_path_is_that_of_the_tool_on_the_plate(seed: int) -> None:
     start, goal = ends(seed)
     robot = chain(seed).robot
-    leg = leg_of(chain(seed), to_plate(robot, goal), start)
-    assert isinstance(leg, Leg)
+    leg = planned_move_of(chain(seed), to_plate(robot, goal), start)
+    assert isinstance(leg, PlannedMove)
     assert leg.tool is not None
     assert leg.joints is not None
     s = np.linspace(0.0, leg.tool.length, 13)

@@ -10,7 +10,7 @@ from ropsim.flow import MotionKind, MoveInstruction
 from ropsim.kinematics import jacobian_at, posture, singular_distances
 from ropsim.model import OrientationMode, PathDefaults, Payload
 from ropsim.motion import Curve, JointPath
-from ropsim.planning.moves.planned_move import Leg, leg_of
+from ropsim.planning.moves.planned_move import PlannedMove, planned_move_of
 from ropsim.planning.wrist.wrist_path import WristPath
 from ropsim.spatial import Array, Pose
 from support.cells import chain_of, with_station
@@ -46,7 +46,7 @@ def drawn(kind: MotionKind, seed: int) -> tuple[Array, MoveInstruction, list[Arr
     return q_start, *moves_from(q_start, random)[kind]
 
 
-def knots(leg: Leg) -> Array:
+def knots(leg: PlannedMove) -> Array:
     """Return the places of the points of a move, shape (k,)."""
     assert isinstance(leg.tool, WristPath)
     way = leg.tool.way
@@ -67,8 +67,8 @@ def whirls(joints: JointPath, places: Array) -> float:
 @pytest.mark.parametrize("kind", KINDS)
 def test_the_tcp_stays_on_its_path_at_every_control_tick(kind: MotionKind, seed: int) -> None:
     q_start, move, _ = drawn(kind, seed)
-    fixed = leg_of(CHAINS[OrientationMode.FIXED_AXIS], move, q_start)
-    assert isinstance(fixed, Leg)
+    fixed = planned_move_of(CHAINS[OrientationMode.FIXED_AXIS], move, q_start)
+    assert isinstance(fixed, PlannedMove)
     assert fixed.tool is not None
     done = planned(move, q_start, LEADING)
     assert fixed.tool.distance(torch_places(done.reference.q)).max() <= ON_PATH
@@ -157,8 +157,8 @@ def test_the_singularity_of_the_wrist_is_passed_at_full_speed(kind: MotionKind) 
 @pytest.mark.parametrize("kind", [MotionKind.LIN, MotionKind.CIRC])
 def test_with_a_fixed_axis_the_same_way_is_slowed_or_refused(kind: MotionKind) -> None:
     q_start, move = through(kind)
-    found = leg_of(CHAINS[OrientationMode.FIXED_AXIS], move, q_start)
-    if isinstance(found, Leg):
+    found = planned_move_of(CHAINS[OrientationMode.FIXED_AXIS], move, q_start)
+    if isinstance(found, PlannedMove):
         slow = planned(move, q_start, CHAINS[OrientationMode.FIXED_AXIS]).duration
         assert slow > 1.2 * planned(move, q_start, LEADING).duration
     else:

@@ -4,13 +4,13 @@ import numpy as np
 import pytest
 
 from ropsim.motion import (
-    Beyond,
+    Infeasible,
     JointBounds,
     JointPoints,
-    Kept,
     ProfileError,
     ProfileLimits,
     Quantity,
+    RetimedTrajectory,
     Ways,
     evaluate,
     keep_limits,
@@ -43,8 +43,8 @@ def one(speed: float, acceleration: float, jerk: float, effort: float | None = N
     return JointBounds(np.array([speed]), np.array([acceleration]), np.array([jerk]), torque)
 
 
-def kept(found: Kept | Beyond) -> Kept:
-    assert isinstance(found, Kept), found
+def kept(found: RetimedTrajectory | Infeasible) -> RetimedTrajectory:
+    assert isinstance(found, RetimedTrajectory), found
     return found
 
 
@@ -118,7 +118,7 @@ def test_what_gravity_alone_forbids_is_refused_at_the_first_place() -> None:
     found = keep_limits(
         Profiled(np.pi / 2.0, ProfileLimits(2.0, 8.0, 80.0)), one(5.0, 50.0, 1000.0, 9.0), effort, TICK
     )
-    assert isinstance(found, Beyond)
+    assert isinstance(found, Infeasible)
     assert (found.joint, found.quantity, found.limit) == (0, Quantity.TORQUE, 9.0)
     place = Profiled(np.pi / 2.0, ProfileLimits(2.0, 8.0, 80.0)).at(np.array([found.phi])).q[0, 0]
     assert 9.81 * np.sin(place) == pytest.approx(9.0, abs=9.81 * 2.0 * 4e-3)  # first place of the grid behind
@@ -154,7 +154,7 @@ def test_torque_that_only_braking_takes_is_kept_where_another_limit_slows_the_mo
 
 def test_a_motion_that_would_take_minutes_longer_is_refused() -> None:
     found = keep_limits(MOTION, one(0.004, 8.0, 80.0), None, TICK)
-    assert isinstance(found, Beyond)
+    assert isinstance(found, Infeasible)
     assert (found.joint, found.quantity, found.limit) == (0, Quantity.SPEED, 0.004)
 
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from ropsim.motion import (
-    Beyond,
+    Infeasible,
     JointBounds,
     JointPoints,
     ProfileError,
@@ -187,7 +187,7 @@ def test_a_torque_below_minus_the_bound_is_told_by_its_size() -> None:
     motion = Passing(3.0, 0.5)
     bounds = JointBounds(np.full(2, 0.1), np.full(2, 9.0), np.full(2, 99.0), np.full(2, 5.0))
     found = keep_limits(motion, bounds, lambda q, _qd, qdd: qdd - 6.0 + 0.0 * q, 1e-3)
-    assert isinstance(found, Beyond)
+    assert isinstance(found, Infeasible)
     assert (found.joint, found.value, found.limit) == (0, 6.0, 5.0)
 
 
@@ -205,7 +205,7 @@ def test_a_joint_that_turns_back_against_dry_friction_does_not_stand_behind_the_
         return np.asarray(qdd + 0.8 * np.tanh(qd / 5e-3))
 
     speeds = time_optimal(points, s[1], bounds, effort)
-    assert not isinstance(speeds, Beyond)
+    assert not isinstance(speeds, Infeasible)
     assert speeds[10:-10].min() > 0.05
 
 
@@ -217,7 +217,7 @@ def test_demand_is_exact_at_the_speed_that_it_is_asked_for() -> None:
     path = Waves(random, 3, 1.0, 0.5, 1.0).at(s)
     bounds = JointBounds(np.full(3, 50.0), np.full(3, 1e3), np.full(3, np.inf), np.full(3, 25.0))
     speeds = time_optimal(path, s[1], bounds, effort)
-    assert not isinstance(speeds, Beyond)
+    assert not isinstance(speeds, Infeasible)
     along = np.diff(speeds**2) / (2.0 * s[1])
     qd = path.d1[:-1] * speeds[:-1, None]
     qdd = path.d2[:-1] * speeds[:-1, None] ** 2 + path.d1[:-1] * along[:, None]

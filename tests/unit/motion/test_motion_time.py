@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from ropsim.motion import MotionTime
+from ropsim.motion import NominalTime
 from ropsim.motion.retiming.nominal_time import motion_time, unslowed
 from ropsim.motion.retiming.nominal_time_kernel import timed
 from ropsim.motion.retiming.smooth_rates_kernel import WORK, greatest_nearby, rounded
@@ -10,7 +10,7 @@ from ropsim.motion.retiming.smooth_rates_kernel import WORK, greatest_nearby, ro
 SMOOTH = 1e-5  # of steps of 1e-6 s with changes of rate below 10 / s
 
 
-def dip() -> MotionTime:
+def dip() -> NominalTime:
     """Return 2 s of motion with a rate of 1 - 0.9·sin⁴(π·φ/2)."""
     places = np.linspace(0.0, 2.0, 201)
     sine, cosine = np.sin(np.pi * places / 2.0), np.cos(np.pi * places / 2.0)

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.optimize import linprog
 
-from ropsim.motion import Beyond, JointBounds, JointPoints, ProfileError, Quantity, time_optimal
+from ropsim.motion import Infeasible, JointBounds, JointPoints, ProfileError, Quantity, time_optimal
 from ropsim.motion.retiming.fastest_kernel import MOST_FALL, fastest
 from ropsim.spatial import Array
 from support.in_python import in_python
@@ -24,8 +24,8 @@ def bounds(speed: float, acceleration: float, effort: float | None = None) -> Jo
     return JointBounds(np.array([speed]), np.array([acceleration]), np.array([ENDLESS]), torque)
 
 
-def speeds_of(found: Array | Beyond) -> Array:
-    assert not isinstance(found, Beyond), found
+def speeds_of(found: Array | Infeasible) -> Array:
+    assert not isinstance(found, Infeasible), found
     return found
 
 
@@ -104,7 +104,7 @@ def test_duration_is_that_of_a_linear_program(seed: int) -> None:
 
 def test_a_place_that_gravity_alone_forbids_is_told() -> None:
     found = time_optimal(line(101, 1.0), 0.01, bounds(1.0, 1.0, 5.0), lambda q, _qd, qdd: qdd + 10.0 * q)
-    assert isinstance(found, Beyond)
+    assert isinstance(found, Infeasible)
     assert (found.joint, found.quantity, found.limit) == (0, Quantity.TORQUE, 5.0)
     assert found.phi == pytest.approx(0.51, abs=1e-9)
     assert found.value == pytest.approx(5.1, abs=1e-9)

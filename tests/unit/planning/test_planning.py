@@ -14,7 +14,7 @@ from ropsim.model import Rates, RobotModel
 from ropsim.motion import Effort, JointBounds, Reference, Ticks, ToolSection, as_planned
 from ropsim.planning import MotionChain, MotionPlan, MotionState, plan
 from ropsim.planning.moves import move_check
-from ropsim.planning.trajectory.trajectory import StretchMotion
+from ropsim.planning.trajectory.trajectory import Trajectory
 from ropsim.spatial import Array, Pose
 from support.cells import chain_of, with_station
 from support.motion import (
@@ -291,7 +291,7 @@ def test_no_motion_is_looked_at_tick_by_tick_that_would_take_far_too_long(
 ) -> None:
     asked: list[float] = []
 
-    def counted(motion: StretchMotion, bounds: JointBounds, effort: Effort | None, ticks: Ticks) -> Reference:
+    def counted(motion: Trajectory, bounds: JointBounds, effort: Effort | None, ticks: Ticks) -> Reference:
         asked.append(motion.duration)
         return as_planned(motion, bounds, effort, ticks)
 

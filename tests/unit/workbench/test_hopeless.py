@@ -7,7 +7,7 @@ import pytest
 from ropsim.flow import MoveEvent, Recording
 from ropsim.motion import Arc
 from ropsim.planning.joint_limits import fitting
-from ropsim.planning.joint_limits.evaluated import Fit
+from ropsim.planning.joint_limits.evaluated import EvaluatedTrajectory
 from ropsim.simulation import Fidelity, RunOptions
 from ropsim.workbench import open_project
 
@@ -47,7 +47,7 @@ def test_a_line_on_which_a_joint_would_need_too_long_is_refused_at_once(tmp_path
 def test_a_load_that_cannot_be_held_is_told_without_trying_speeds(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def try_it(*_: object) -> Fit:
+    def try_it(*_: object) -> EvaluatedTrajectory:
         pytest.fail("a speed was tried")
 
     monkeypatch.setattr(fitting, "as_bounds_allow", try_it)

@@ -4,14 +4,14 @@ from enum import Enum
 
 import numpy as np
 
-from ropsim.motion.blends.blend_curve_kernel import NO_LENGTH, TURNS_BACK, WHIRLS, corner_curve
+from ropsim.motion.blends.blend_curve_kernel import NO_LENGTH, TURNS_BACK, WHIRLS, blend_curve_rows
 from ropsim.motion.curves.path import STANDS, ToolPath, ToolPoints
 from ropsim.motion.curves.rotation_vector import series
 from ropsim.motion.paths.arc_length import ArcLength, arc_length_in_steps, quadrature
 from ropsim.motion.paths.curve import Curve
 from ropsim.spatial import Array
 
-CORNER_STEPS = 128
+BLEND_STEPS = 128
 """Of the arc length of a corner of even speed."""
 SWING = 2.1
 """ds/du at the ends of a corner as a multiple of the way to its point is this by ((1 + cosine) / 2)^(1/4).
@@ -21,7 +21,7 @@ speed under a bound of the jerk, to 3 %; found for turns from 5° to 150°.
 """
 
 
-class CornerFault(Enum):
+class BlendFault(Enum):
     """Why there is no corner in the space of the tool."""
 
     NO_LENGTH = "the TCP stands on one of the paths"
@@ -29,7 +29,7 @@ class CornerFault(Enum):
     WHIRLS = "the tool would turn by more than a full turn"
 
 
-def corner(before: ToolPath, s_leave: float, after: ToolPath, s_enter: float) -> Curve | CornerFault:
+def blend_curve(before: ToolPath, s_leave: float, after: ToolPath, s_enter: float) -> Curve | BlendFault:
     """Return the corner that leaves one path of the tool and enters the next.
 
     Position and rotation vector are polynomials of degree five in u from 0 to 1, with value, first and second
@@ -50,19 +50,19 @@ def corner(before: ToolPath, s_leave: float, after: ToolPath, s_enter: float) ->
     """
     ways = before.length - s_leave, s_enter
     if not min(ways) > STANDS:
-        return CornerFault.NO_LENGTH
+        return BlendFault.NO_LENGTH
     first, last = before.tool(np.array([s_leave])), after.tool(np.array([s_enter]))
     rows = *_plain(first), *_plain(last)
     coefficients, middles = np.empty((1, 6, 6)), np.empty((1, 3, 3))
-    told, ends, inverse = np.array(ways), np.empty(CORNER_STEPS + 1), np.empty((CORNER_STEPS, 6))
-    rooms = np.empty((2, 4, 4)), np.empty((5, 6)), np.empty((15, 3)), np.empty(3 * CORNER_STEPS + 3)
+    told, ends, inverse = np.array(ways), np.empty(BLEND_STEPS + 1), np.empty((BLEND_STEPS, 6))
+    rooms = np.empty((2, 4, 4)), np.empty((5, 6)), np.empty((15, 3)), np.empty(3 * BLEND_STEPS + 3)
     to = coefficients, middles, ends, inverse, told
-    corner_curve(series(), *quadrature(), *rows, SWING, CORNER_STEPS, *rooms, *to)
+    blend_curve_rows(series(), *quadrature(), *rows, SWING, BLEND_STEPS, *rooms, *to)
     came, steps = (int(number) for number in told.tolist())
     if came:
         return _FAULTS[came]
     coefficients.flags.writeable = middles.flags.writeable = False
-    even = steps == CORNER_STEPS
+    even = steps == BLEND_STEPS
     way = ArcLength(ends, inverse, steps) if even else arc_length_in_steps(coefficients, steps)
     return Curve(coefficients, middles, way)
 
@@ -76,7 +76,7 @@ def _plain(points: ToolPoints) -> tuple[Array, Array, Array]:
 
 
 _FAULTS = {
-    NO_LENGTH: CornerFault.NO_LENGTH,
-    TURNS_BACK: CornerFault.TURNS_BACK,
-    WHIRLS: CornerFault.WHIRLS,
+    NO_LENGTH: BlendFault.NO_LENGTH,
+    TURNS_BACK: BlendFault.TURNS_BACK,
+    WHIRLS: BlendFault.WHIRLS,
 }

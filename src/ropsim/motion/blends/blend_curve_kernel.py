@@ -22,7 +22,7 @@ FULL_TURN = 6.283185307179586
 
 
 @kernel
-def corner_curve(
+def blend_curve_rows(
     series: Array2,
     points: Array1,
     weights: Array1,

@@ -6,7 +6,7 @@ from functools import cache
 
 import numpy as np
 
-from ropsim.motion.curves.differences_kernel import row_differences, rows_with_roughness
+from ropsim.motion.curves.differences_kernel import row_differences, rows_with_error
 from ropsim.motion.curves.path import ToolPoints
 from ropsim.motion.curves.rotation_vector import logarithms
 from ropsim.spatial import Array, frozen
@@ -60,7 +60,7 @@ def derivatives_and_roughness(rows: Array) -> tuple[Array, Array | None]:
     if count % 2 == 0 or half <= _SIDED:
         return row_derivatives(rows, 1.0), None
     out, coarse, rough = np.empty((2, count, n)), np.empty((3, half, n)), np.empty(half - 1)
-    rows_with_roughness(rows, *stencils(), out, coarse[0], coarse[1:], rough)
+    rows_with_error(rows, *stencils(), out, coarse[0], coarse[1:], rough)
     return out, rough
 
 

@@ -23,7 +23,7 @@ def row_differences(rows: Array2, inner: Array2, sided: Array3, out: Array3) -> 
 
 
 @kernel
-def rows_with_roughness(
+def rows_with_error(
     rows: Array2,
     inner: Array2,
     sided: Array3,

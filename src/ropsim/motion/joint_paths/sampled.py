@@ -15,7 +15,7 @@ _UNKNOWN = frozen([])
 
 
 @record
-class Traced:
+class SampledPath:
     """Quintic Hermite polynomials between rows, twice continuously differentiable, through every row.
 
     Derivatives at the rows are differences of order 6 (lower with fewer than seven rows: k rows are the
@@ -59,7 +59,7 @@ class Traced:
         return PathRows(TRACED, begin, self.length, len(self.q), (self.q.reshape(-1),), self.derivatives)
 
 
-def traced_with_roughness(length: float, q: Array) -> tuple[Traced, Array | None]:
+def sampled_with_error(length: float, q: Array) -> tuple[SampledPath, Array | None]:
     """Return the path through rows, and how far that through every second one passes the others [rad | m].
 
     Args:
@@ -72,4 +72,4 @@ def traced_with_roughness(length: float, q: Array) -> tuple[Traced, Array | None
     """
     rows = frozen(q)
     derivatives, rough = derivatives_and_roughness(rows)
-    return Traced(length, rows, derivatives), rough
+    return SampledPath(length, rows, derivatives), rough

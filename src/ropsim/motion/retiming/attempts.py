@@ -3,9 +3,9 @@
 import numpy as np
 
 from ropsim.motion.retiming.binding import rates_needed
-from ropsim.motion.retiming.constraint_rows import Demand
+from ropsim.motion.retiming.constraint_rows import ConstraintRows
 from ropsim.motion.retiming.fastest import Speeds
-from ropsim.motion.retiming.nominal_time import MotionTime, unslowed
+from ropsim.motion.retiming.nominal_time import NominalTime, unslowed
 from ropsim.motion.retiming.point_kernel import ROWS_OF_PLACES, lacks_at
 from ropsim.motion.retiming.smooth_rates import course_below, window_times
 from ropsim.motion.retiming.smooth_rates_kernel import SLACK
@@ -18,7 +18,7 @@ _BETWEEN = 2e-7
 """Share of a rate that is left for what speeds are beyond their limits between two places."""
 
 
-class Courses:
+class Attempts:
     """Courses through m places of a motion, as fast as shares of its limits allow.
 
     Args:
@@ -28,17 +28,17 @@ class Courses:
         period: of the control ticks [s].
     """
 
-    def __init__(self, asked: Demand, planned: Demand, places: Array, period: float) -> None:
+    def __init__(self, asked: ConstraintRows, planned: ConstraintRows, places: Array, period: float) -> None:
         self._asked, self._places, m = asked, places, len(places)
         self._lasting, self._steps = window_times(asked, float(places[-1])), np.diff(places)
         needed = rates_needed(asked, places, period)
         self._caps = np.where(needed < 1.0 - SLACK, needed * (1.0 - _BETWEEN), 1.0)
         self._shares, self._sigma, self._x = np.ones((4, m)), places, self._caps**2
         self._room, self._lacks, self._told = np.empty((2, m)), np.empty((4, m)), np.empty(1)
-        self.clock: MotionTime = unslowed(float(places[-1]))
+        self.clock: NominalTime = unslowed(float(places[-1]))
         self.plan_with(planned)
 
-    def plan_with(self, planned: Demand) -> None:
+    def plan_with(self, planned: ConstraintRows) -> None:
         """Go on to the course that is planned with another demand, such as one in which torque counts."""
         self._speeds = Speeds(planned, self._steps)
         self._go()

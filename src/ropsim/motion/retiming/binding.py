@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ropsim.motion.retiming.constraint_kernel import least_rate, rates_kept
-from ropsim.motion.retiming.constraint_rows import Demand
+from ropsim.motion.retiming.constraint_rows import ConstraintRows
 from ropsim.motion.retiming.joint_bounds import Quantity, torques
 from ropsim.spatial import Array
 
@@ -27,7 +27,7 @@ class Need:
     rate: float
 
 
-def rates_needed(demand: Demand, places: Array, period: float) -> Array:
+def rates_needed(demand: ConstraintRows, places: Array, period: float) -> Array:
     """Return the constant rates, at most 1, that would just keep the limits of speed and jerk, (m,).
 
     Args:
@@ -40,7 +40,7 @@ def rates_needed(demand: Demand, places: Array, period: float) -> Array:
     return rates
 
 
-def neediest(demand: Demand, places: Array, period: float, begin: int, end: int) -> Need:
+def neediest(demand: ConstraintRows, places: Array, period: float, begin: int, end: int) -> Need:
     """Return what needs the lowest rate among some places.
 
     With the rate w, speeds scale by w, accelerations and what motion adds to the torques by w², jerk by w³;
@@ -67,6 +67,6 @@ def neediest(demand: Demand, places: Array, period: float, begin: int, end: int)
     return Need(tuple(Quantity)[kind], place, joint, float(found[3]))
 
 
-def _rows(demand: Demand) -> tuple[Array, Array]:
+def _rows(demand: ConstraintRows) -> tuple[Array, Array]:
     """Return the first and second derivatives of the joints by motion time, shape (m, n)."""
     return np.ascontiguousarray(demand.points.d1), np.ascontiguousarray(demand.points.d2)

@@ -12,7 +12,7 @@ from ropsim.spatial import Array
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Demand:
+class ConstraintRows:
     """What m places of a motion of n joints on r paths ask; u is the change of its rate, x the rate squared.
 
     The acceleration of the joints is q'·u + q''·x, that on a path likewise. Their torque is inertia·u +
@@ -33,9 +33,9 @@ class Demand:
     effort: Effort | None
     still: Array
 
-    def without_torque(self) -> "Demand":
+    def without_torque(self) -> "ConstraintRows":
         """Return the same where torque does not count."""
-        return Demand(self.points, self.bounds, self.ways, None, self.points.q[:, :0])
+        return ConstraintRows(self.points, self.bounds, self.ways, None, self.points.q[:, :0])
 
     def along(self) -> tuple[Array, Array]:
         """Return first and second derivatives of joints and places on paths by motion time, (m, n + r)."""
@@ -65,7 +65,7 @@ class Demand:
 
 def demand(
     points: JointPoints, bounds: JointBounds, effort: Effort | None, ways: Ways | None = None
-) -> Demand:
+) -> ConstraintRows:
     """Return what a path asks of the joints.
 
     Args:
@@ -79,7 +79,7 @@ def demand(
     """
     q, d1, on = points.q, points.d1, ways or no_ways(len(points.q))
     if effort is None or bounds.effort is None:
-        return Demand(points, bounds, on, None, q[:, :0])
+        return ConstraintRows(points, bounds, on, None, q[:, :0])
     creep = np.empty(q.shape)
     creeping(np.ascontiguousarray(d1), bounds.speed, creep)
-    return Demand(points, bounds, on, effort, torques(effort, q, creep, np.zeros_like(q)))
+    return ConstraintRows(points, bounds, on, effort, torques(effort, q, creep, np.zeros_like(q)))

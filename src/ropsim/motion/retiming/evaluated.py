@@ -5,9 +5,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from ropsim.motion.curves.path import JointPoints
-from ropsim.motion.retiming.constraint_rows import Demand
+from ropsim.motion.retiming.constraint_rows import ConstraintRows
 from ropsim.motion.retiming.joint_bounds import Effort, JointBounds, Ticks, no_torques, told_torques
-from ropsim.motion.retiming.nominal_time import MotionTime
+from ropsim.motion.retiming.nominal_time import NominalTime
 from ropsim.motion.retiming.nominal_time_kernel import (
     AT_ONCE,
     ROWS_OF_LOAD,
@@ -16,7 +16,7 @@ from ropsim.motion.retiming.nominal_time_kernel import (
     walk_at,
 )
 from ropsim.motion.retiming.retimed import Motion
-from ropsim.motion.retiming.utilisation import ROUNDING, Going, Strain, strain
+from ropsim.motion.retiming.utilisation import ROUNDING, Going, Utilisation, strain
 from ropsim.spatial import Array
 
 _CLEARLY = (1.0 + ROUNDING) * (1.0 - 1e-12)
@@ -40,7 +40,7 @@ class Walked:
     keeps_motion: bool
 
 
-def walked(motion: Motion, clock: MotionTime, bounds: JointBounds, ticks: Ticks) -> Walked:
+def walked(motion: Motion, clock: NominalTime, bounds: JointBounds, ticks: Ticks) -> Walked:
     """Return a motion in its motion time.
 
     qd = q'·w and qdd = q''·w² + q'·c, with the rate w of motion time and its change c.
@@ -73,8 +73,8 @@ def keeps_torque(rows: JointPoints, bounds: JointBounds, effort: Effort | None) 
 
 
 def strain_of_walk(
-    walk: Walked, motion: Motion, demand: Demand, places: Array, period: float, more: float
-) -> Strain | None:
+    walk: Walked, motion: Motion, demand: ConstraintRows, places: Array, period: float, more: float
+) -> Utilisation | None:
     """Return what a motion in its motion time uses of the limits, None where it clearly keeps all.
 
     Args:

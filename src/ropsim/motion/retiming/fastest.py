@@ -4,10 +4,10 @@ import numpy as np
 
 from ropsim.motion.curves.path import JointPoints
 from ropsim.motion.diagnostics import WRONG_PROFILE_REQUEST
-from ropsim.motion.retiming.constraint_rows import Demand, demand
+from ropsim.motion.retiming.constraint_rows import ConstraintRows, demand
 from ropsim.motion.retiming.fastest_kernel import bound, fastest
 from ropsim.motion.retiming.joint_bounds import Effort, JointBounds, torques
-from ropsim.motion.retiming.retimed import Beyond, too_heavy
+from ropsim.motion.retiming.retimed import Infeasible, too_heavy
 from ropsim.motion.retiming.smooth_rates_kernel import LEAST_RATE, SLACK
 from ropsim.motion.time_law.profile import ProfileError
 from ropsim.spatial import Array
@@ -26,7 +26,7 @@ class Speeds:
         steps: ways from place to place, shape (m - 1,).
     """
 
-    def __init__(self, asked: Demand, steps: Array) -> None:
+    def __init__(self, asked: ConstraintRows, steps: Array) -> None:
         self._asked, self._steps, m = asked, steps, len(asked.points.q)
         A, B = asked.along()
         self._along, self._most = A.shape[1], asked.most()
@@ -83,7 +83,7 @@ _TINY = 1e-12
 
 def time_optimal(
     points: JointPoints, step: float, bounds: JointBounds, effort: Effort | None
-) -> Array | Beyond:
+) -> Array | Infeasible:
     """Return the speeds ds/dt of the fastest motion along a path, from rest to rest, shape (m,).
 
     Args:

@@ -8,7 +8,7 @@ from ropsim.spatial import Array, frozen, record
 
 
 @record
-class MotionTime:
+class NominalTime:
     """Motion time φ over real time t, with rates dφ/dt in ]0, 1] that have no kinks.
 
     Between two knots the rate is the cubic with their rates and changes at both ends, and φ its integral.
@@ -52,17 +52,17 @@ class MotionTime:
         """
         return np.asarray(np.interp(np.asarray(places), self.places, self.times))
 
-    def slower(self, share: float) -> "MotionTime":
+    def slower(self, share: float) -> "NominalTime":
         """Return the same course at a share, in ]0, 1], of all its rates."""
-        return MotionTime(self.times / share, self.places, self.rates * share, self.changes * share**2)
+        return NominalTime(self.times / share, self.places, self.rates * share, self.changes * share**2)
 
 
-def unslowed(duration: float) -> MotionTime:
+def unslowed(duration: float) -> NominalTime:
     """Return the motion time of a motion [s] that goes as it is planned."""
-    return MotionTime(np.array([0.0, duration]), np.array([0.0, duration]), np.ones(2), np.zeros(2))
+    return NominalTime(np.array([0.0, duration]), np.array([0.0, duration]), np.ones(2), np.zeros(2))
 
 
-def motion_time(places: Array, rates: Array, changes: Array) -> MotionTime:
+def motion_time(places: Array, rates: Array, changes: Array) -> NominalTime:
     """Return the motion time with given rates.
 
     The time from knot to knot is that in which the integral of the cubic rate is the way between them: the
@@ -76,4 +76,4 @@ def motion_time(places: Array, rates: Array, changes: Array) -> MotionTime:
     """
     moved, times = np.array(changes, dtype=np.float64), np.empty(len(places))
     timed(places, rates, moved, times)
-    return MotionTime(times, places, rates, moved)
+    return NominalTime(times, places, rates, moved)

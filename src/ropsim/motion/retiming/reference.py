@@ -10,7 +10,7 @@ from ropsim.motion.curves.path import JointPoints
 from ropsim.motion.diagnostics import WRONG_PROFILE_REQUEST
 from ropsim.motion.retiming.joint_bounds import Effort, JointBounds, Ticks, told_torques
 from ropsim.motion.retiming.retimed import Motion
-from ropsim.motion.retiming.utilisation import Strain, strain_as_planned, with_torque
+from ropsim.motion.retiming.utilisation import Utilisation, strain_as_planned, with_torque
 from ropsim.motion.time_law.profile import ProfileError
 from ropsim.spatial import Array
 
@@ -31,7 +31,7 @@ class Reference:
     phi: Array
     rows: JointPoints
     torque: Array | None
-    strain: Strain
+    strain: Utilisation
 
 
 def as_planned(motion: Motion, bounds: JointBounds, effort: Effort | None, ticks: Ticks) -> Reference:

@@ -5,15 +5,15 @@ import math
 import numpy as np
 
 from ropsim.motion.diagnostics import WRONG_PROFILE_REQUEST
-from ropsim.motion.retiming.attempts import Courses
+from ropsim.motion.retiming.attempts import Attempts
 from ropsim.motion.retiming.binding import neediest
-from ropsim.motion.retiming.constraint_rows import Demand, demand
+from ropsim.motion.retiming.constraint_rows import ConstraintRows, demand
 from ropsim.motion.retiming.evaluated import keeps_torque, strain_of_walk, walked
 from ropsim.motion.retiming.grid import places_of
 from ropsim.motion.retiming.joint_bounds import Effort, JointBounds, Ticks
-from ropsim.motion.retiming.nominal_time import MotionTime, unslowed
+from ropsim.motion.retiming.nominal_time import NominalTime, unslowed
 from ropsim.motion.retiming.reference import Reference, as_planned
-from ropsim.motion.retiming.retimed import Beyond, Kept, Motion, Slowed, too_heavy, too_slow
+from ropsim.motion.retiming.retimed import Infeasible, Motion, RetimedTrajectory, Slowed, too_heavy, too_slow
 from ropsim.motion.retiming.smooth_rates_kernel import LEAST_RATE
 from ropsim.motion.retiming.utilisation import ROUNDING
 from ropsim.motion.time_law.profile import ProfileError
@@ -28,7 +28,7 @@ _MORE = 0.005
 
 def keep_limits(
     motion: Motion, bounds: JointBounds, effort: Effort | None, period: float, grid: float = 4e-3
-) -> Kept | Beyond:
+) -> RetimedTrajectory | Infeasible:
     """Return the motion within its limits at every control tick, slowed where it must be.
 
     Motion time φ goes at the rate w = dφ/dt <= 1. Where the plan is within the limits, w is 1 and nothing
@@ -67,7 +67,7 @@ def kept_from(
     effort: Effort | None,
     ticks: Ticks,
     grid: float = 4e-3,
-) -> Kept | Beyond:
+) -> RetimedTrajectory | Infeasible:
     """Return the same as `keep_limits`, where the references of the plan are known.
 
     Args:
@@ -83,14 +83,16 @@ def kept_from(
         raise ProfileError(WRONG_PROFILE_REQUEST.at(None, f"grid {grid:g} s, allowed are numbers above 0"))
     plain = planned.strain
     if plain.is_kept:
-        return Kept(unslowed(motion.duration), (), planned.phi, planned.rows)
+        return RetimedTrajectory(unslowed(motion.duration), (), planned.phi, planned.rows)
     places, points = places_of(motion, bounds, grid, planned.phi, plain.rates)
     asked = demand(points, bounds, effort, motion.ways(places))
     first = asked if plain.peaks[3] > 1.0 else asked.without_torque()
     return too_heavy(asked, places) or _slowed(motion, asked, first, places, ticks)
 
 
-def _slowed(motion: Motion, asked: Demand, planned: Demand, places: Array, ticks: Ticks) -> Kept | Beyond:
+def _slowed(
+    motion: Motion, asked: ConstraintRows, planned: ConstraintRows, places: Array, ticks: Ticks
+) -> RetimedTrajectory | Infeasible:
     """Return the motion slowed.
 
     Args:
@@ -101,7 +103,7 @@ def _slowed(motion: Motion, asked: Demand, planned: Demand, places: Array, ticks
         ticks: of control.
     """
     period = ticks.period
-    courses = Courses(asked, planned, places, period)
+    courses = Attempts(asked, planned, places, period)
     if asked.ways.speeds.shape[1] == 0:  # what changes at once on paths of their own only ticks tell
         courses.keep_at_places(2.0 * _MORE)
     best, attempt = (math.inf, unslowed(motion.duration)), 0
@@ -113,7 +115,7 @@ def _slowed(motion: Motion, asked: Demand, planned: Demand, places: Array, ticks
         found = strain_of_walk(walk, motion, planned, places, period, more)
         if found is None or found.is_kept:
             if planned is asked or keeps_torque(walk.rows, asked.bounds, asked.effort):
-                return Kept(clock, _parts(clock, planned, period), walk.course[0], walk.rows)
+                return RetimedTrajectory(clock, _parts(clock, planned, period), walk.course[0], walk.rows)
             planned = asked
             courses.plan_with(planned)
             continue
@@ -124,20 +126,22 @@ def _slowed(motion: Motion, asked: Demand, planned: Demand, places: Array, ticks
         attempt += 1
 
 
-def _slower(motion: Motion, clock: MotionTime, asked: Demand, places: Array, ticks: Ticks) -> Kept | Beyond:
+def _slower(
+    motion: Motion, clock: NominalTime, asked: ConstraintRows, places: Array, ticks: Ticks
+) -> RetimedTrajectory | Infeasible:
     """Return the motion with all rates brought down by what its worst control tick needs."""
     extra = ROUNDING
     while True:
         walk = walked(motion, clock, asked.bounds, ticks)
         found = strain_of_walk(walk, motion, asked, places, ticks.period, 0.0)
         if found is None or found.is_kept:
-            return Kept(clock, _parts(clock, asked, ticks.period), walk.course[0], walk.rows)
+            return RetimedTrajectory(clock, _parts(clock, asked, ticks.period), walk.course[0], walk.rows)
         clock, extra = clock.slower(1.0 / (min(found.factor, 2.0) * (1.0 + extra))), 2.0 * extra
         if clock.duration - motion.duration > LONGEST_DELAY:
             return too_slow(asked, places, neediest(asked, places, ticks.period, 0, len(places)))
 
 
-def _parts(clock: MotionTime, asked: Demand, period: float) -> tuple[Slowed, ...]:
+def _parts(clock: NominalTime, asked: ConstraintRows, period: float) -> tuple[Slowed, ...]:
     """Return the parts of a motion that are slowed, with what needs it most there."""
     slow = np.concatenate(([False], clock.rates < 1.0, [False]))
     starts, ends = np.flatnonzero(slow[1:] & ~slow[:-1]), np.flatnonzero(slow[:-1] & ~slow[1:])

@@ -6,9 +6,9 @@ import numpy as np
 
 from ropsim.motion.curves.path import JointPoints
 from ropsim.motion.retiming.binding import Need
-from ropsim.motion.retiming.constraint_rows import Demand
+from ropsim.motion.retiming.constraint_rows import ConstraintRows
 from ropsim.motion.retiming.joint_bounds import Quantity
-from ropsim.motion.retiming.nominal_time import MotionTime
+from ropsim.motion.retiming.nominal_time import NominalTime
 from ropsim.motion.retiming.smooth_rates_kernel import LEAST_RATE
 from ropsim.motion.retiming.tool_paths import Ways
 from ropsim.motion.retiming.utilisation import ROUNDING
@@ -52,7 +52,7 @@ class Slowed:
 
 
 @record
-class Kept:
+class RetimedTrajectory:
     """A motion within its limits at every control tick.
 
     Attributes:
@@ -63,14 +63,14 @@ class Kept:
             them exactly at rest.
     """
 
-    clock: MotionTime
+    clock: NominalTime
     slowed: tuple[Slowed, ...]
     phi: Array
     rows: JointPoints
 
 
 @record
-class Beyond:
+class Infeasible:
     """The first place at which no speed keeps the limits.
 
     Attributes:
@@ -93,7 +93,7 @@ _POWERS = (1, 2, 3, 2)
 _TINY = 1e-300
 
 
-def too_heavy(asked: Demand, places: Array) -> Beyond | None:
+def too_heavy(asked: ConstraintRows, places: Array) -> Infeasible | None:
     """Return the first place at which dry friction and gravity take more torque than there is.
 
     Args:
@@ -108,10 +108,10 @@ def too_heavy(asked: Demand, places: Array) -> Beyond | None:
         return None
     where, joints = np.nonzero(beyond)
     i, j = int(where[0]), int(joints[0])
-    return Beyond(float(places[i]), j, Quantity.TORQUE, float(abs(asked.still[i, j])), float(most[j]))
+    return Infeasible(float(places[i]), j, Quantity.TORQUE, float(abs(asked.still[i, j])), float(most[j]))
 
 
-def too_slow(asked: Demand, places: Array, need: Need) -> Beyond:
+def too_slow(asked: ConstraintRows, places: Array, need: Need) -> Infeasible:
     """Return the refusal for a place that would have to be gone at next to no speed.
 
     Args:
@@ -124,4 +124,4 @@ def too_slow(asked: Demand, places: Array, need: Need) -> Beyond:
     limit = float(limits[kind][need.joint])
     over = (LEAST_RATE / max(need.rate, _TINY)) ** _POWERS[kind]
     value = limit * max(over, 1.0)
-    return Beyond(float(places[need.place]), need.joint, need.quantity, value, limit)
+    return Infeasible(float(places[need.place]), need.joint, need.quantity, value, limit)

@@ -2,15 +2,15 @@
 
 import numpy as np
 
-from ropsim.motion.retiming.constraint_rows import Demand
-from ropsim.motion.retiming.nominal_time import MotionTime
+from ropsim.motion.retiming.constraint_rows import ConstraintRows
+from ropsim.motion.retiming.nominal_time import NominalTime
 from ropsim.motion.retiming.smooth_rates_kernel import WORK, smooth_course, windows_last
 from ropsim.spatial import Array
 
 _ENDLESS = 1e100
 
 
-def course_below(places: Array, x: Array, lasting: Array, width: Array) -> tuple[Array, MotionTime]:
+def course_below(places: Array, x: Array, lasting: Array, width: Array) -> tuple[Array, NominalTime]:
     """Return the places in windows, see `smooth_course`, shape (m,), and the motion time.
 
     Args:
@@ -22,10 +22,10 @@ def course_below(places: Array, x: Array, lasting: Array, width: Array) -> tuple
     m = len(places)
     sigma, times, smooth, changes = np.empty((4, m))
     smooth_course(places, x, lasting, width, np.empty((2 + WORK, m + 2)), sigma, times, smooth, changes)
-    return sigma, MotionTime(times, places, smooth, changes)
+    return sigma, NominalTime(times, places, smooth, changes)
 
 
-def window_times(asked: Demand, longest: float) -> Array:
+def window_times(asked: ConstraintRows, longest: float) -> Array:
     """Return how long windows last, so that jerk limits let accelerations swing in them [s], shape (m,).
 
     Args:

@@ -45,7 +45,7 @@ class Going:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Strain:
+class Utilisation:
     """What is used of the limits at k control ticks.
 
     Attributes:
@@ -79,7 +79,7 @@ class Strain:
         return float(max(speed, np.sqrt(acceleration), np.cbrt(jerk), np.sqrt(torque), 1.0))
 
 
-def strain_as_planned(rows: JointPoints, bounds: JointBounds, period: float) -> Strain:
+def strain_as_planned(rows: JointPoints, bounds: JointBounds, period: float) -> Utilisation:
     """Return what rows that are not slowed use of the bounds, torque aside; nothing lacks.
 
     Args:
@@ -98,7 +98,7 @@ def strain_as_planned(rows: JointPoints, bounds: JointBounds, period: float) -> 
     return _told(rows, used, peaks)
 
 
-def with_torque(plain: Strain, rows: JointPoints, torque: Array, bounds: JointBounds) -> Strain:
+def with_torque(plain: Utilisation, rows: JointPoints, torque: Array, bounds: JointBounds) -> Utilisation:
     """Return what the same rows use with their torques.
 
     Args:
@@ -119,10 +119,10 @@ def with_torque(plain: Strain, rows: JointPoints, torque: Array, bounds: JointBo
     return _told(rows, used, peaks)
 
 
-def _told(rows: JointPoints, used: Array, peaks: Array) -> Strain:
+def _told(rows: JointPoints, used: Array, peaks: Array) -> Utilisation:
     if not peaks.max() < np.inf:
         _check(rows, used)
-    return Strain(used, peaks, np.zeros((len(used), 2)))
+    return Utilisation(used, peaks, np.zeros((len(used), 2)))
 
 
 def _check(rows: JointPoints, used: Array) -> None:
@@ -139,7 +139,7 @@ def strain(
     period: float,
     going: Going | None = None,
     more: float = 0.0,
-) -> Strain:
+) -> Utilisation:
     """Return what rows use of the bounds; see `strain_of`.
 
     Args:
@@ -184,7 +184,7 @@ def strain(
         lacks,
     )
     _check(rows, used)
-    return Strain(used, peaks, lacks)
+    return Utilisation(used, peaks, lacks)
 
 
 def _limits(bounds: JointBounds, going: Going, period: float) -> Array:

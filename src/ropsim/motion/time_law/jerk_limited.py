@@ -6,17 +6,17 @@ import numpy as np
 
 from ropsim.motion.diagnostics import WRONG_PROFILE_REQUEST
 from ropsim.motion.time_law import time_law_kernel
+from ropsim.motion.time_law.interval import Interval
 from ropsim.motion.time_law.longer_segments_kernel import plan_longer
 from ropsim.motion.time_law.piecewise_law import PiecewiseLaw
 from ropsim.motion.time_law.profile import ProfileError
-from ropsim.motion.time_law.stage import Stage
 from ropsim.motion.time_law.time_law_kernel import LEAST, MOST
 from ropsim.spatial import Array
 
 _SEGMENTS = 8  # of a piece, at most, up and likewise down
 
 
-def plan_time_law(stages: Iterable[Stage]) -> PiecewiseLaw:
+def plan_time_law(stages: Iterable[Interval]) -> PiecewiseLaw:
     """Return the time law of a way of p pieces, in time proportional to p and the look-ahead.
 
     The motion starts and ends at rest and keeps the bounds of each piece; its acceleration goes on where a
@@ -41,11 +41,12 @@ def plan_time_law(stages: Iterable[Stage]) -> PiecewiseLaw:
     return _planned(np.array(rows, dtype=np.float64))
 
 
-def plan_stages(bounds: Array, counts: Array) -> PiecewiseLaw:
+def jerk_limited(bounds: Array, counts: Array) -> PiecewiseLaw:
     """Return what `plan_time_law` does, of stages that stand in rows, told over pieces of several of them.
 
     Args:
-        bounds: of the stages, in their order: length, speed, acceleration, jerk, ratio, horizon, see `Stage`;
+        bounds: of the stages, in their order: length, speed, acceleration, jerk, ratio, horizon, see
+            `Interval`;
             within a piece the ratio is 1; shape (s, 6), one or more.
         counts: how many stages each piece has, one or more, shape (p,); their sum is s.
 

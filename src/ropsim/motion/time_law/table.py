@@ -2,9 +2,9 @@
 
 from collections.abc import Mapping
 
-from ropsim.motion.time_law.jerk_limited import plan_stages
+from ropsim.motion.time_law.jerk_limited import jerk_limited
 from ropsim.motion.time_law.law import TimeLawPlanner
 
 JERK_LIMITED = "jerk-limited"
-TIME_LAWS: Mapping[str, TimeLawPlanner] = {JERK_LIMITED: plan_stages}
+TIME_LAWS: Mapping[str, TimeLawPlanner] = {JERK_LIMITED: jerk_limited}
 """Name of a law -> what plans it."""

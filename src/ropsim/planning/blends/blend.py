@@ -6,13 +6,13 @@ import numpy as np
 
 from ropsim.core import maker
 from ropsim.flow import MoveInstruction
-from ropsim.motion import CornerFault, JointPath, ToolPath, corner
+from ropsim.motion import BlendFault, JointPath, ToolPath, blend_curve
 from ropsim.planning.blends.joined_ends import joined_to
 from ropsim.planning.blends.meeting import meeting_of
 from ropsim.planning.blends.wrist_blend import are_led, wrist_corner
 from ropsim.planning.blends.zone_search import Crossing, way_of
-from ropsim.planning.moves.path_following import trace
-from ropsim.planning.moves.planned_move import Leg
+from ropsim.planning.moves.path_following import follow_path
+from ropsim.planning.moves.planned_move import PlannedMove
 from ropsim.planning.records.coordination import Coordination, coordination_round
 from ropsim.planning.records.entities import Refusal
 from ropsim.planning.records.motion_chain import MotionChain
@@ -39,7 +39,7 @@ class Stop(Enum):
 
 
 @record
-class Rounding:
+class CartesianBlend:
     """A corner between two paths of the tool, rounded by a third one.
 
     Attributes:
@@ -60,7 +60,7 @@ class Rounding:
 
 
 @record
-class Overlap:
+class JointSpaceBlend:
     """A corner at which the next move begins while the one before still ends: both motions are added.
 
     Attributes:
@@ -76,12 +76,12 @@ class Overlap:
     enter: float
 
 
-_overlap = maker(Overlap)
+_overlap = maker(JointSpaceBlend)
 
-Corner = Rounding | Overlap
+Blend = CartesianBlend | JointSpaceBlend
 
 
-def corner_between(chain: MotionChain, before: Leg, behind: Leg) -> Corner | Stop:
+def blend_between(chain: MotionChain, before: PlannedMove, behind: PlannedMove) -> Blend | Stop:
     """Return the corner between two moves, or why the arm must stop there.
 
     Two paths of one tool are joined by a path of the tool, seen from a frame in which both are given. Where
@@ -115,29 +115,33 @@ def corner_between(chain: MotionChain, before: Leg, behind: Leg) -> Corner | Sto
     (s_leave, leaving), (s_enter, entering) = one.leave(zone, halves[0]), other.enter(zone, halves[1])
     flown = max(leaving, entering)
     if meeting:
-        between = corner(meeting.before, s_leave, meeting.behind, s_enter)
-        if between is CornerFault.TURNS_BACK:
+        between = blend_curve(meeting.before, s_leave, meeting.behind, s_enter)
+        if between is BlendFault.TURNS_BACK:
             return Stop.TURNS_BACK
-        if not isinstance(between, CornerFault):
+        if not isinstance(between, BlendFault):
             axes = meeting.axes
             along = coordination_round(between.length, axes[0], s_leave, axes[1], s_enter) if axes else None
             if are_led(before, behind):
                 led = wrist_corner(chain.robot, (before, s_leave), (behind, s_enter), between, along)
                 return (
-                    Rounding(flown, s_leave, s_enter, led.tool, led.joints, along)
+                    CartesianBlend(flown, s_leave, s_enter, led.tool, led.joints, along)
                     if led
                     else Stop.UNREACHABLE
                 )
             ends = before.joints.joints(np.array([s_leave])), behind.joints.joints(np.array([s_enter]))
-            traced = trace(chain, between, ends[0].q[0], before.move, along)
+            traced = follow_path(chain, between, ends[0].q[0], before.move, along)
             if isinstance(traced, Refusal):
                 return Stop.UNREACHABLE
             joints = joined_to(chain, between, traced[0], ends, before.planned.X_MT, along)
-            return Rounding(flown, s_leave, s_enter, between, joints, along) if joints else Stop.UNREACHABLE
-    return overlap_of((s_leave, leaving), (s_enter, entering))
+            return (
+                CartesianBlend(flown, s_leave, s_enter, between, joints, along)
+                if joints
+                else Stop.UNREACHABLE
+            )
+    return joint_space_blend_of((s_leave, leaving), (s_enter, entering))
 
 
-def overlap_of(leave: Crossing, enter: Crossing) -> Overlap:
+def joint_space_blend_of(leave: Crossing, enter: Crossing) -> JointSpaceBlend:
     """Return the overlap of two moves.
 
     Args:
@@ -156,7 +160,7 @@ def commanded_zone(chain: MotionChain, move: MoveInstruction) -> float:
     return chain.controller.via_zone if modal.passes and modal.zone == 0.0 else modal.zone
 
 
-def _in_base(leg: Leg) -> ToolPath | None:
+def _in_base(leg: PlannedMove) -> ToolPath | None:
     """Return the path of the tool of a move where it has one in the base frame."""
     coordination = leg.planned.coordination
     return None if coordination and coordination.frame else leg.tool

@@ -4,7 +4,7 @@ import numpy as np
 
 from ropsim.flow import JointSamples, PoseSetpoints
 from ropsim.kinematics import inverse_near
-from ropsim.motion import JointPath, JointPoints, ToolPath, end_of, traced_with_roughness
+from ropsim.motion import JointPath, JointPoints, ToolPath, end_of, sampled_with_error
 from ropsim.planning.moves.inverse_transform import has_named_branches
 from ropsim.planning.records.coordination import Coordination
 from ropsim.planning.records.motion_chain import MotionChain
@@ -64,7 +64,7 @@ def joined_to(
         if not np.abs(q - near).max() < _FAR:  # true for NaN
             return None
         q[0], q[-1] = ends[0].q[0], ends[1].q[0]
-        rough = traced_with_roughness(length, q)[1]
+        rough = sampled_with_error(length, q)[1]
         if steps == _STEPS[-1] or (rough is not None and rough.max() <= SMOOTH):
             return chain.joint_interpolator.refine(JointSamples(length, q))
     return None

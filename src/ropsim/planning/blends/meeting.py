@@ -1,7 +1,7 @@
 """Where two paths of one tool meet: both seen from one frame, with the external axes that go along."""
 
 from ropsim.motion import Seen, ToolPath
-from ropsim.planning.moves.planned_move import Leg
+from ropsim.planning.moves.planned_move import PlannedMove
 from ropsim.planning.records.coordination import Coordination, coordination_along
 from ropsim.spatial import Array, record
 
@@ -21,7 +21,7 @@ class Meeting:
     axes: tuple[Coordination, Coordination] | None
 
 
-def meeting_of(before: Leg, behind: Leg) -> Meeting | None:
+def meeting_of(before: PlannedMove, behind: PlannedMove) -> Meeting | None:
     """Return where the paths of two moves meet; None where they have not one tool, or no frame in common.
 
     The frame is that of the path on which external axes move; where they stand, a path is as good in any

@@ -4,11 +4,11 @@ import numpy as np
 
 from ropsim.model import RobotModel
 from ropsim.motion import JointPath, JointPoints, ToolPath, smoothly
-from ropsim.planning.moves.planned_move import Leg
+from ropsim.planning.moves.planned_move import PlannedMove
 from ropsim.planning.records.coordination import Coordination
 from ropsim.planning.records.posture_choice import JointRange
 from ropsim.planning.wrist.wrist_following import SAME_JOINTS, wrist_joints, wrist_lead
-from ropsim.planning.wrist.wrist_motion import WristWay, arm_axes
+from ropsim.planning.wrist.wrist_motion import WristMotion, arm_axes
 from ropsim.planning.wrist.wrist_path import WristPath
 from ropsim.spatial import record
 
@@ -26,15 +26,15 @@ class WristCorner:
     joints: JointPath
 
 
-def are_led(before: Leg, behind: Leg) -> bool:
+def are_led(before: PlannedMove, behind: PlannedMove) -> bool:
     """Return whether the wrist leads both of two moves."""
     return isinstance(before.tool, WristPath) and isinstance(behind.tool, WristPath)
 
 
 def wrist_corner(
     robot: RobotModel,
-    before: tuple[Leg, float],
-    behind: tuple[Leg, float],
+    before: tuple[PlannedMove, float],
+    behind: tuple[PlannedMove, float],
     path: ToolPath,
     along: Coordination | None,
 ) -> WristCorner | None:
@@ -53,7 +53,7 @@ def wrist_corner(
     wrist = list(arm_axes(robot)[3:])
     turned = (JointPoints(one.q[:, wrist], one.d1[:, wrist], one.d2[:, wrist]) for one in (first, last))
     turning = smoothly(path.length, *turned)
-    way = WristWay(robot, before[0].planned.X_MT, path, turning, first.q[0], along)
+    way = WristMotion(robot, before[0].planned.X_MT, path, turning, first.q[0], along)
     lead = wrist_lead(way)
     if lead.share < 1.0 or float(np.abs(lead.q[-1] - last.q[0]).max()) > SAME_JOINTS:
         return None
@@ -63,6 +63,6 @@ def wrist_corner(
     return WristCorner(way.led_by(joints), joints)
 
 
-def _joints(leg: Leg, place: float) -> JointPoints:
+def _joints(leg: PlannedMove, place: float) -> JointPoints:
     assert leg.joints is not None
     return leg.joints.joints(np.array([place]))

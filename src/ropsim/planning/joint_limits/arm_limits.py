@@ -7,8 +7,8 @@ from functools import lru_cache
 from ropsim.core import Diagnostic
 from ropsim.dynamics import effort_limits, effort_rows
 from ropsim.model import Joint, JointType, Payload, RobotModel
-from ropsim.motion import BEYOND_LIMITS, SLOWED, Beyond, Effort, JointBounds, Quantity, Slowed
-from ropsim.planning.moves.planned_move import Leg
+from ropsim.motion import BEYOND_LIMITS, SLOWED, Effort, Infeasible, JointBounds, Quantity, Slowed
+from ropsim.planning.moves.planned_move import PlannedMove
 from ropsim.planning.records.entities import Refusal
 from ropsim.planning.records.wording import passes, rate
 from ropsim.spatial import record
@@ -52,7 +52,7 @@ def arm_bounds(robot: RobotModel, payload: Payload) -> ArmBounds:
 
 
 def slowed_findings(
-    legs: Sequence[Leg], ends: Sequence[float], slowed: Sequence[Slowed], robot: RobotModel
+    legs: Sequence[PlannedMove], ends: Sequence[float], slowed: Sequence[Slowed], robot: RobotModel
 ) -> tuple[Diagnostic, ...]:
     """Return M563 for each move that is slowed, at its slowest place.
 
@@ -74,7 +74,7 @@ def slowed_findings(
     )
 
 
-def beyond_refusal(leg: Leg, beyond: Beyond, robot: RobotModel) -> Refusal:
+def beyond_refusal(leg: PlannedMove, beyond: Infeasible, robot: RobotModel) -> Refusal:
     """Return M564 for a move that asks more of a joint than it can do at any speed."""
     joint, origin = robot.axis_joints[beyond.joint], leg.move.origin
     finding = BEYOND_LIMITS.at(
@@ -99,7 +99,7 @@ def move_at(ends: Sequence[float], phi: float) -> int:
     return min(bisect_right(ends, phi), len(ends) - 1)
 
 
-def _slowed(leg: Leg, part: Slowed, joint: Joint, start: float, end: float) -> Diagnostic:
+def _slowed(leg: PlannedMove, part: Slowed, joint: Joint, start: float, end: float) -> Diagnostic:
     place = (0.5 * (part.start + part.end) - start) / max(end - start, 1e-300)
     place, origin = min(max(place, 0.0), 1.0), leg.move.origin
     return SLOWED.at(

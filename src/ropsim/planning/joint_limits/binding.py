@@ -11,8 +11,8 @@ from ropsim.model import Payload, RobotModel
 from ropsim.motion import JointBounds, JointMotionLimits
 from ropsim.planning.joint_limits.arm_limits import ArmBounds, arm_bounds
 from ropsim.planning.joint_limits.binding_kernel import joints_reached, look_at
-from ropsim.planning.joint_limits.binding_tool import REACHED, Looks, critical_of_tools
-from ropsim.planning.records.motion_plan import MotionPlan, PlannedMove
+from ropsim.planning.joint_limits.binding_tool import REACHED, Looks, binding_of_tools
+from ropsim.planning.records.motion_plan import MotionPlan, TimedMove
 
 MOST_LOOKS = 64
 """Control ticks of a move that are looked at, evenly spaced: one of 64 is 1.6 % of its time."""
@@ -24,7 +24,7 @@ _QUANTITIES = (LimitQuantity.SPEED, LimitQuantity.ACCELERATION, LimitQuantity.TO
 """In the order in which they are named where two limits are reached for equally long."""
 
 
-def critical_limits(
+def binding_constraints(
     plan: MotionPlan, robot: RobotModel, payload: Payload
 ) -> tuple[CriticalLimit | None, ...]:
     """Return for each move of a plan the limit that it is at for longest, None where it reaches none.
@@ -50,7 +50,7 @@ def critical_limits(
         return tuple(found)
     looks, longest = _joints(plan, looked, bounds)
     on_tool = [number for number, one in enumerate(looked) if one.move.on_tool_path]
-    of_tools = critical_of_tools(plan, [looked[one].move for one in on_tool], on_tool, looks, robot)
+    of_tools = binding_of_tools(plan, [looked[one].move for one in on_tool], on_tool, looks, robot)
     of_tool = dict(zip(on_tool, of_tools, strict=True))
     for number, (one, (best, share)) in enumerate(zip(looked, longest, strict=True)):
         if number in of_tool and of_tool[number][1] > share:
@@ -75,7 +75,7 @@ class _Looked:
     """
 
     number: int
-    move: PlannedMove
+    move: TimedMove
     first: int
     limits: JointMotionLimits | JointBounds
 
@@ -93,7 +93,7 @@ def _pressed(plan: MotionPlan, one: _Looked, robot: RobotModel) -> str:
     return robot.axis_joints[int(used.argmax())].name if float(used.max()) >= PRESSED else ""
 
 
-def _going_along(move: PlannedMove, robot: RobotModel, bounds: ArmBounds) -> JointBounds:
+def _going_along(move: TimedMove, robot: RobotModel, bounds: ArmBounds) -> JointBounds:
     """Return the bounds of the joints on a path of the tool: external axes keep the override of the cell."""
     if not robot.external or move.limits is None:
         return bounds.joints

@@ -12,7 +12,7 @@ from ropsim.kinematics import forward_batch
 from ropsim.model import RobotModel
 from ropsim.motion import ToolLimits, ToolPath, constant_derivatives
 from ropsim.planning.joint_limits.binding_kernel import four_in_a_row, tool_on_pieces, tool_reached
-from ropsim.planning.records.motion_plan import MotionPlan, PlannedMove
+from ropsim.planning.records.motion_plan import MotionPlan, TimedMove
 from ropsim.spatial import Array
 
 REACHED = 0.98
@@ -40,8 +40,8 @@ class Looks:
     reached: Array
 
 
-def critical_of_tools(
-    plan: MotionPlan, moves: Sequence[PlannedMove], numbers: Sequence[int], looks: Looks, robot: RobotModel
+def binding_of_tools(
+    plan: MotionPlan, moves: Sequence[TimedMove], numbers: Sequence[int], looks: Looks, robot: RobotModel
 ) -> list[tuple[LimitQuantity, float]]:
     """Return the limit of the tool that each move is at for longest, and for which share of the looks.
 
@@ -71,7 +71,7 @@ def critical_of_tools(
 
 
 def _counts(
-    plan: MotionPlan, moves: Sequence[PlannedMove], numbers: Sequence[int], looks: Looks, robot: RobotModel
+    plan: MotionPlan, moves: Sequence[TimedMove], numbers: Sequence[int], looks: Looks, robot: RobotModel
 ) -> tuple[list[float], list[list[float]], Array]:
     """Return at how many looks limits are reached, and on which piece each look lies at which none is.
 

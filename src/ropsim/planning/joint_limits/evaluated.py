@@ -4,13 +4,13 @@ from dataclasses import replace
 
 from ropsim.motion import Reference, Slowed, Ticks, as_planned, loaded
 from ropsim.planning.joint_limits.arm_limits import ArmBounds
-from ropsim.planning.trajectory.timing import Course
-from ropsim.planning.trajectory.trajectory import StretchMotion
+from ropsim.planning.trajectory.timing import Timing
+from ropsim.planning.trajectory.trajectory import Trajectory
 from ropsim.spatial import record
 
 
 @record
-class Fit:
+class EvaluatedTrajectory:
     """A course, and what it takes of the joints.
 
     Attributes:
@@ -20,23 +20,23 @@ class Fit:
         slowed: where it is slower than its bounds would have it.
     """
 
-    motion: StretchMotion
+    motion: Trajectory
     reference: Reference
     ticks: Ticks
     slowed: tuple[Slowed, ...]
 
     @property
-    def course(self) -> Course:
+    def course(self) -> Timing:
         """Return the course of the stretch."""
         return self.motion.course
 
-    def loaded(self, arm: ArmBounds) -> "Fit":
+    def loaded(self, arm: ArmBounds) -> "EvaluatedTrajectory":
         """Return the same with the torques that it takes, where they count."""
         if arm.effort is None or self.reference.torque is not None:
             return self
         return replace(self, reference=loaded(self.reference, arm.joints, arm.effort))
 
-    def at_each(self, ticks: Ticks, arm: ArmBounds) -> "Fit":
+    def at_each(self, ticks: Ticks, arm: ArmBounds) -> "EvaluatedTrajectory":
         """Return the same looked at at each tick, torques aside where they were so far.
 
         Args:
@@ -49,7 +49,7 @@ class Fit:
         return as_bounds_allow(self.motion, replace(arm, effort=effort), ticks)
 
 
-def as_bounds_allow(motion: StretchMotion, arm: ArmBounds, ticks: Ticks) -> Fit:
+def as_bounds_allow(motion: Trajectory, arm: ArmBounds, ticks: Ticks) -> EvaluatedTrajectory:
     """Return a motion with what it takes of the joints, whatever they say to it.
 
     Args:
@@ -57,4 +57,4 @@ def as_bounds_allow(motion: StretchMotion, arm: ArmBounds, ticks: Ticks) -> Fit:
         arm: limits of the joints.
         ticks: at which it is looked at.
     """
-    return Fit(motion, as_planned(motion, arm.joints, arm.effort, ticks), ticks, ())
+    return EvaluatedTrajectory(motion, as_planned(motion, arm.joints, arm.effort, ticks), ticks, ())

@@ -15,14 +15,14 @@ from ropsim.motion import (
     too_heavy,
 )
 from ropsim.planning.joint_limits.arm_limits import ArmBounds
-from ropsim.planning.joint_limits.evaluated import Fit, as_bounds_allow
+from ropsim.planning.joint_limits.evaluated import EvaluatedTrajectory, as_bounds_allow
 from ropsim.planning.joint_limits.exceeding_kernel import exceeding
 from ropsim.planning.joint_limits.grid_lines_kernel import MOST_PARTS, band_times
-from ropsim.planning.joint_limits.limit_grid import Bands, bands_of
+from ropsim.planning.joint_limits.limit_grid import LimitGrid, limit_grid_of
 from ropsim.planning.joint_limits.slowed_sections import slowed_in
 from ropsim.planning.joint_limits.slowing_step import Aim, slower_run
 from ropsim.planning.trajectory.sections import TimingRules
-from ropsim.planning.trajectory.timing import course_of
+from ropsim.planning.trajectory.timing import timing_of
 from ropsim.spatial import Array
 
 _SPACING = 4e-3
@@ -39,7 +39,9 @@ _LEAST = 1e-3
 """Where joints leave less of the rate than this share, slowing by motion time has its finer means."""
 
 
-def fitted(planned: Fit, arm: ArmBounds, ticks: Ticks, rules: TimingRules) -> Fit:
+def fitted(
+    planned: EvaluatedTrajectory, arm: ArmBounds, ticks: Ticks, rules: TimingRules
+) -> EvaluatedTrajectory:
     """Return the course with its bounds brought down where joints could not follow, with its torques.
 
     The limits that the program gives for the tool stay those of every time law. Where joints leave next to
@@ -67,9 +69,11 @@ def fitted(planned: Fit, arm: ArmBounds, ticks: Ticks, rules: TimingRules) -> Fi
     return _fitted(heavy, arm, arm, ticks, rules)
 
 
-def _fitted(planned: Fit, arm: ArmBounds, looked_at: ArmBounds, ticks: Ticks, rules: TimingRules) -> Fit:
+def _fitted(
+    planned: EvaluatedTrajectory, arm: ArmBounds, looked_at: ArmBounds, ticks: Ticks, rules: TimingRules
+) -> EvaluatedTrajectory:
     """Return the course with its bounds brought down; at first with regard to what is looked at alone."""
-    now, times, bands = planned, _band_times(planned), dict[int, Bands]()
+    now, times, bands = planned, _band_times(planned), dict[int, LimitGrid]()
     for attempt in range(_ATTEMPTS + _ROUNDS):
         exceeded = _exceeding(now)
         if not exceeded and now.ticks != ticks:
@@ -97,7 +101,7 @@ def _fitted(planned: Fit, arm: ArmBounds, looked_at: ArmBounds, ticks: Ticks, ru
                 changed[number] = bands[number].replanned(rules)
             if bands[number].share < _LEAST:
                 return planned.loaded(arm)
-        course = course_of(changed, len(planned.course.ends))
+        course = timing_of(changed, len(planned.course.ends))
         if course.duration - planned.course.duration > LONGEST_DELAY:
             return planned.loaded(arm)
         now = as_bounds_allow(now.motion.timed(course), looked_at, ticks)
@@ -110,7 +114,7 @@ def _is_too_heavy(reference: Reference, arm: ArmBounds) -> bool:
     return too_heavy(asked, reference.phi) is not None
 
 
-def _band_times(fit: Fit) -> Array:
+def _band_times(fit: EvaluatedTrajectory) -> Array:
     """Return motion times between which bands lie [s], rising, shape (m,)."""
     reference, duration = fit.reference, fit.course.duration
     count = max(math.ceil(duration / _SPACING), _FEWEST)
@@ -119,13 +123,13 @@ def _band_times(fit: Fit) -> Array:
     return times[: int(told[0])]
 
 
-def _bands(planned: Fit, number: int, times: Array) -> Bands:
+def _bands(planned: EvaluatedTrajectory, number: int, times: Array) -> LimitGrid:
     """Return the bands of a run as it was planned, between times, see `_band_times`."""
     run = planned.course.runs[number]
-    return bands_of(run.part, times, run.start)
+    return limit_grid_of(run.part, times, run.start)
 
 
-def _exceeding(fit: Fit) -> dict[int, Array]:
+def _exceeding(fit: EvaluatedTrajectory) -> dict[int, Array]:
     """Return the ticks, without 0, at which a limit is exceeded in runs with stages; of those with any."""
     reference, runs = fit.reference, fit.course.runs
     table = fit.motion.table

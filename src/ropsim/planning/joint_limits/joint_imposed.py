@@ -14,7 +14,7 @@ _CREEP = 0.02
 
 
 @record
-class Caps:
+class JointImposedLimits:
     """Bounds along a path that joints set, h of them.
 
     Attributes:
@@ -59,7 +59,7 @@ class Walked:
     torque: Array | None
 
 
-def joint_caps(walked: Walked, arm: ArmBounds, period: float, used: float) -> Caps:
+def joint_caps(walked: Walked, arm: ArmBounds, period: float, used: float) -> JointImposedLimits:
     """Return what joints allow along a path where they are asked for too much.
 
     With the path q(s), its speed v and acceleration a: q̈ = q″·v² + q′·a. What has the greatest part in an
@@ -80,7 +80,7 @@ def joint_caps(walked: Walked, arm: ArmBounds, period: float, used: float) -> Ca
     at_path = walked.speeds.ravel(), walked.accelerations.ravel(), walked.jerks.ravel(), *slopes
     loads, limits = _loads(walked, arm), joint_limits(arm.joints, period)
     caps_of(*at_path, walked.qd, walked.qdd, loads, limits, period, used, 1.0 + ROUNDING, rows, told)
-    return Caps(rows, int(told[0]), walked.places)
+    return JointImposedLimits(rows, int(told[0]), walked.places)
 
 
 @lru_cache(maxsize=16)

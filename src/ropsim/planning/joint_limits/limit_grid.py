@@ -2,11 +2,11 @@
 
 import numpy as np
 
-from ropsim.motion import Quantity, Stages
+from ropsim.motion import PathLimits, Quantity
 from ropsim.planning.joint_limits.grid_lines_kernel import FIRST_BOUND, PIECE, PLACE, TIME, lay_bands
-from ropsim.planning.joint_limits.joint_imposed import Caps
+from ropsim.planning.joint_limits.joint_imposed import JointImposedLimits
 from ropsim.planning.joint_limits.limit_grid_kernel import bring_down, stages_of
-from ropsim.planning.trajectory.sections import Part, TimingRules
+from ropsim.planning.trajectory.sections import Section, TimingRules
 from ropsim.spatial import Array, record
 
 _SAME_PLACE = 1e-7
@@ -15,7 +15,7 @@ _QUANTITIES = tuple(Quantity)
 
 
 @record
-class Bands:
+class LimitGrid:
     """What counts between c + 1 places of a part.
 
     Attributes:
@@ -31,7 +31,7 @@ class Bands:
         share: least share of its planned rate that a band is left, in ]0, 1].
     """
 
-    part: Part
+    part: Section
     begins: Array
     legs: Array
     borders: Array
@@ -42,7 +42,7 @@ class Bands:
     causes: Array
     share: float
 
-    def lowered(self, caps: Caps) -> "Bands":
+    def lowered(self, caps: JointImposedLimits) -> "LimitGrid":
         """Return the same with bounds no higher than caps, and by as many steps lower than planned.
 
         Args:
@@ -54,12 +54,12 @@ class Bands:
         bring_down(*held, bounds, causes, *rooms, told)
         return self.with_bounds(bounds, causes, float(told[0]))
 
-    def slower(self, share: float) -> "Bands":
+    def slower(self, share: float) -> "LimitGrid":
         """Return the same where everything goes at a share, in ]0, 1], of its rate."""
         bounds = self.bounds * np.array([[share], [share**2], [share**3]])
         return self.with_bounds(bounds, self.causes, self.share * share)
 
-    def replanned(self, rules: TimingRules) -> Part:
+    def replanned(self, rules: TimingRules) -> Section:
         """Return the part with these bounds.
 
         Args:
@@ -68,13 +68,13 @@ class Bands:
         rows, counts, told = np.empty((len(self.owners), 6)), np.empty(len(self.legs)), np.empty(1)
         stages_of(self.borders, self.bounds, self.owners, self.legs, rules.look_ahead, rows, counts, told)
         rows = rows[: int(told[0])]
-        stages, law = Stages(rows[:, :4]), rules.law(rows, counts)
-        return Part(self.part.pieces, stages, counts.astype(np.intp), law, self.part.over)
+        stages, law = PathLimits(rows[:, :4]), rules.law(rows, counts)
+        return Section(self.part.pieces, stages, counts.astype(np.intp), law, self.part.over)
 
-    def with_bounds(self, bounds: Array, causes: Array, share: float) -> "Bands":
+    def with_bounds(self, bounds: Array, causes: Array, share: float) -> "LimitGrid":
         """Return the same with other bounds and causes, of which a band has the least share of its rate."""
         fixed = self.part, self.begins, self.legs, self.borders, self.times, self.owners, self.planned
-        return Bands(*fixed, bounds, causes, share)
+        return LimitGrid(*fixed, bounds, causes, share)
 
     def cause(self, band: int) -> tuple[int, Quantity]:
         """Return the joint that has brought a band down, and what it had too little of."""
@@ -82,7 +82,7 @@ class Bands:
         return int(joint), _QUANTITIES[int(quantity)]
 
 
-def bands_of(part: Part, times: Array, start: float) -> Bands:
+def limit_grid_of(part: Section, times: Array, start: float) -> LimitGrid:
     """Return the bands of a part.
 
     Args:
@@ -100,4 +100,4 @@ def bands_of(part: Part, times: Array, start: float) -> Bands:
     c, legs = int(told[0]), np.array([piece.leg for piece in part.pieces], dtype=np.float64)
     borders, reached, owners = bands[PLACE, : c + 1], bands[TIME, : c + 1], bands[PIECE, :c]
     bounds = bands[FIRST_BOUND:PIECE, :c].copy()
-    return Bands(part, begins, legs, borders, reached, owners, bounds, bounds, np.full((2, c), -1.0), 1.0)
+    return LimitGrid(part, begins, legs, borders, reached, owners, bounds, bounds, np.full((2, c), -1.0), 1.0)

@@ -3,13 +3,13 @@
 import math
 from dataclasses import replace
 
-from ropsim.motion import ROUNDING, Beyond, Kept, Quantity, Slowed, Ticks, kept_from
+from ropsim.motion import ROUNDING, Infeasible, Quantity, RetimedTrajectory, Slowed, Ticks, kept_from
 from ropsim.planning.joint_limits.arm_limits import ArmBounds
-from ropsim.planning.joint_limits.evaluated import Fit, as_bounds_allow
+from ropsim.planning.joint_limits.evaluated import EvaluatedTrajectory, as_bounds_allow
 from ropsim.planning.joint_limits.fitting import fitted
 from ropsim.planning.trajectory.sections import TimingRules
-from ropsim.planning.trajectory.timing import Course
-from ropsim.planning.trajectory.trajectory import StretchMotion
+from ropsim.planning.trajectory.timing import Timing
+from ropsim.planning.trajectory.trajectory import Trajectory
 from ropsim.spatial import record
 
 _SPACING = 8e-3
@@ -27,7 +27,7 @@ _LONGER = 1.03
 
 
 @record
-class Keeping:
+class Retiming:
     """A motion, and how it goes within all limits.
 
     Attributes:
@@ -36,30 +36,30 @@ class Keeping:
         slowed: where it is slower than it was planned.
     """
 
-    motion: StretchMotion
-    kept: Kept | Beyond
+    motion: Trajectory
+    kept: RetimedTrajectory | Infeasible
     slowed: tuple[Slowed, ...]
 
     @property
-    def course(self) -> Course:
+    def course(self) -> Timing:
         """Return the course of the stretch."""
         return self.motion.course
 
     @property
     def duration(self) -> float:
         """Return how long the motion lasts [s]; infinity where there is none."""
-        return self.kept.clock.duration if isinstance(self.kept, Kept) else float("inf")
+        return self.kept.clock.duration if isinstance(self.kept, RetimedTrajectory) else float("inf")
 
     @property
     def ends(self) -> tuple[float, ...]:
         """Return the times at which the moves end [s]; infinity where there is no motion."""
         ends = self.course.ends
-        if isinstance(self.kept, Kept):
+        if isinstance(self.kept, RetimedTrajectory):
             return tuple(self.kept.clock.times_of(ends).tolist())
         return (float("inf"),) * len(ends)
 
 
-def keeping_of(course: Course, arm: ArmBounds, ticks: Ticks, rules: TimingRules) -> Keeping:
+def retimed(course: Timing, arm: ArmBounds, ticks: Ticks, rules: TimingRules) -> Retiming:
     """Return the motion on the course of a stretch.
 
     Time laws with lower bounds lose least where joints lack little. Where they lack much, motion time that
@@ -72,7 +72,7 @@ def keeping_of(course: Course, arm: ArmBounds, ticks: Ticks, rules: TimingRules)
         rules: time law and look-ahead.
     """
     first = _first_look(course, ticks)
-    planned = as_bounds_allow(StretchMotion.on(course), replace(arm, effort=None), first)
+    planned = as_bounds_allow(Trajectory.on(course), replace(arm, effort=None), first)
     fit = fitted(planned, arm, ticks, rules)
     quick = _keeping(fit, arm, ticks)
     if fit.motion is planned.motion or quick.duration <= _LONGER * planned.course.duration:
@@ -80,15 +80,17 @@ def keeping_of(course: Course, arm: ArmBounds, ticks: Ticks, rules: TimingRules)
     return min(quick, _keeping(planned.loaded(arm), arm, ticks), key=lambda one: one.duration)
 
 
-def _keeping(fit: Fit, arm: ArmBounds, ticks: Ticks) -> Keeping:
+def _keeping(fit: EvaluatedTrajectory, arm: ArmBounds, ticks: Ticks) -> Retiming:
     is_led = any(run.part.leads_tool for run in fit.course.runs)
     is_heavy = fit.reference.strain.used[_TORQUE].max() > 1.0
     spacing = _NARROW_SPACING if is_led or is_heavy else _SPACING
     kept = kept_from(fit.reference, fit.motion, arm.joints, arm.effort, ticks, spacing)
-    return Keeping(fit.motion, kept, fit.slowed + (kept.slowed if isinstance(kept, Kept) else ()))
+    return Retiming(
+        fit.motion, kept, fit.slowed + (kept.slowed if isinstance(kept, RetimedTrajectory) else ())
+    )
 
 
-def _first_look(course: Course, ticks: Ticks) -> Ticks:
+def _first_look(course: Timing, ticks: Ticks) -> Ticks:
     """Return the ticks at which a motion is looked at first, a few of those of control apart."""
     many = math.floor(_FIRST_LOOK / ticks.period * (1.0 + ROUNDING))
     is_long = course.duration >= _FEWEST_LOOKS * many * ticks.period

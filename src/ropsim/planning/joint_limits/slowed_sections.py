@@ -5,12 +5,12 @@ from collections.abc import Mapping
 import numpy as np
 
 from ropsim.motion import Slowed
-from ropsim.planning.joint_limits.limit_grid import Bands
+from ropsim.planning.joint_limits.limit_grid import LimitGrid
 from ropsim.planning.joint_limits.slowed_sections_kernel import slower_ways
-from ropsim.planning.trajectory.timing import Course
+from ropsim.planning.trajectory.timing import Timing
 
 
-def slowed_in(planned: Course, course: Course, bands: Mapping[int, Bands]) -> tuple[Slowed, ...]:
+def slowed_in(planned: Timing, course: Timing, bands: Mapping[int, LimitGrid]) -> tuple[Slowed, ...]:
     """Return the ways between two places that are slower, in order of time.
 
     What is lost of the speed counts as a share of the greatest speed on the part, so that a start that is

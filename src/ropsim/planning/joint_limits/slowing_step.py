@@ -6,9 +6,9 @@ from ropsim.motion import LawRows, Reference
 from ropsim.planning.joint_limits.arm_limits import ArmBounds
 from ropsim.planning.joint_limits.exceeding_kernel import walk_at
 from ropsim.planning.joint_limits.joint_imposed import Walked, joint_caps
-from ropsim.planning.joint_limits.limit_grid import Bands
-from ropsim.planning.trajectory.sections import Part, TimingRules
-from ropsim.planning.trajectory.trajectory import StretchMotion
+from ropsim.planning.joint_limits.limit_grid import LimitGrid
+from ropsim.planning.trajectory.sections import Section, TimingRules
+from ropsim.planning.trajectory.trajectory import Trajectory
 from ropsim.spatial import Array, record
 
 
@@ -30,8 +30,8 @@ class Aim:
 
 
 def slower_run(
-    motion: StretchMotion, reference: Reference, number: int, bands: Bands, ticks: Array, aim: Aim
-) -> tuple[Bands, Part]:
+    motion: Trajectory, reference: Reference, number: int, bands: LimitGrid, ticks: Array, aim: Aim
+) -> tuple[LimitGrid, Section]:
     """Return the bands of a run as caps at ticks bring them down, and its part with them.
 
     Args:
@@ -47,7 +47,7 @@ def slower_run(
     return lower, lower.replanned(aim.rules)
 
 
-def _walked(motion: StretchMotion, reference: Reference, number: int, begins: Array, ticks: Array) -> Walked:
+def _walked(motion: Trajectory, reference: Reference, number: int, begins: Array, ticks: Array) -> Walked:
     """Return the path of a run at ticks and at those before them."""
     run, b = motion.course.runs[number], len(ticks)
     rows, law, places = reference.rows, np.empty((5, 2 * b)), np.empty((2, b))

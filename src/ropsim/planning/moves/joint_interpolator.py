@@ -2,7 +2,7 @@
 
 from ropsim.core import frozen_dataclass
 from ropsim.flow import JointSamples
-from ropsim.motion import JointPath, Traced, traced_with_roughness
+from ropsim.motion import JointPath, SampledPath, sampled_with_error
 from ropsim.spatial import Array
 
 
@@ -16,7 +16,7 @@ class StandardJointInterpolator:
         Args:
             samples: at equally spaced places, two or more rows.
         """
-        return Traced(samples.length, samples.q)
+        return SampledPath(samples.length, samples.q)
 
     def refine_with_roughness(self, samples: JointSamples) -> tuple[JointPath, Array | None]:
         """Return the same, and how far the path through every second sample passes the others [rad | m].
@@ -28,4 +28,4 @@ class StandardJointInterpolator:
             the path and that distance at each sample between, shape (m,) for 2·m + 1 samples; None for it
             where they are fewer than 17 or of even number.
         """
-        return traced_with_roughness(samples.length, samples.q)
+        return sampled_with_error(samples.length, samples.q)

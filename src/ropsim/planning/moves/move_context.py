@@ -1,4 +1,4 @@
-"""Begun: what moves to poses under one modal state have in common, where nothing is wrong with it."""
+"""Move context: what moves to poses under one modal state have in common, if nothing is wrong with it."""
 
 from ropsim.core import Diagnostic
 from ropsim.flow import ModalState, MotionKind, MoveInstruction, Origin
@@ -12,7 +12,7 @@ from ropsim.spatial import Pose, record
 
 
 @record
-class Begun:
+class MoveContext:
     """What is known of a move to a pose before its target is looked at.
 
     Attributes:
@@ -24,13 +24,13 @@ class Begun:
     X_BK: Pose
 
 
-def begun_of(
+def move_context_of(
     robot: RobotModel,
     joints: JointMotionLimits,
     controller: ControllerModel,
     work: WorkFrames,
     modal: ModalState,
-) -> Begun | None:
+) -> MoveContext | None:
     """Return what moves have in common, None where there is something to say or axes move the task frame.
 
     Args:
@@ -49,4 +49,4 @@ def begun_of(
     if check_values(somewhere) or work.out_of_hand(modal, None) or work.frame_findings(modal, Origin()):
         return None
     plan = PlannedPath(None, None, move_limits(modal, joints, controller), X_MT)
-    return Begun(plan, work.frames.get(modal.frame, modal.X_BK))
+    return MoveContext(plan, work.frames.get(modal.frame, modal.X_BK))

@@ -21,7 +21,7 @@ _BETTER = 0.1
 """Share of its roughness that a part may keep when it is traced by itself; a kink keeps more of it."""
 
 
-def trace(
+def follow_path(
     chain: MotionChain,
     path: ToolPath,
     q_start: Array,

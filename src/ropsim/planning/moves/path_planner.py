@@ -26,7 +26,7 @@ from ropsim.planning.entity_checks.path_truth import misplaced_tool_path
 from ropsim.planning.kinds import TOOL_PATHS, PathRequest, ToolPathMaker
 from ropsim.planning.moves.external_check import check_external, with_external
 from ropsim.planning.moves.move_check import check_joints, check_kind, check_values, is_near
-from ropsim.planning.moves.move_context import Begun, begun_of
+from ropsim.planning.moves.move_context import MoveContext, move_context_of
 from ropsim.planning.moves.requested_posture import no_such_posture, wished
 from ropsim.planning.moves.target_refusals import (
     no_arm,
@@ -38,7 +38,7 @@ from ropsim.planning.moves.target_refusals import (
 from ropsim.planning.moves.wrist_planner import WristPlanner
 from ropsim.planning.records.coordination import coordination_along, moved_axes
 from ropsim.planning.records.entities import Refusal
-from ropsim.planning.records.identity_cache import ByIdentity
+from ropsim.planning.records.identity_cache import IdentityCache
 from ropsim.planning.records.moving_frames import MovingFrame
 from ropsim.planning.records.planned_path import PlannedPath, move_limits
 from ropsim.planning.records.posture_choice import JointRange, choose, nearest_turns
@@ -82,7 +82,7 @@ class StandardPathPlanner:
     _range: JointRange = field(init=False, repr=False)
     _limits: JointMotionLimits = field(init=False, repr=False)
     _work: WorkFrames = field(init=False, repr=False)
-    _known: ByIdentity[ModalState, Begun | None] = field(init=False, repr=False)
+    _known: IdentityCache[ModalState, MoveContext | None] = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
         robot = self.robot
@@ -92,7 +92,7 @@ class StandardPathPlanner:
         object.__setattr__(self, "_limits", limits)
         work = WorkFrames(self.tools, self.frames, self.default_tool, self.moving, self.others)
         object.__setattr__(self, "_work", work)
-        known = ByIdentity(partial(begun_of, robot, limits, self.controller, work))
+        known = IdentityCache(partial(move_context_of, robot, limits, self.controller, work))
         object.__setattr__(self, "_known", known)
 
     def plan(self, move: MoveInstruction, q_start: Array) -> PlannedPath | Refusal:

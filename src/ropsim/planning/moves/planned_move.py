@@ -8,7 +8,7 @@ from ropsim.motion import JointPath, ToolPath, end_of
 from ropsim.planning.entity_checks.entity_faults import guarded
 from ropsim.planning.entity_checks.path_faults import unusable_path, unusable_plan, unusable_tool_path
 from ropsim.planning.moves.move_check import check_duration
-from ropsim.planning.moves.path_following import trace
+from ropsim.planning.moves.path_following import follow_path
 from ropsim.planning.moves.requested_posture import other_posture
 from ropsim.planning.records.entities import Refusal
 from ropsim.planning.records.motion_chain import MotionChain
@@ -17,7 +17,7 @@ from ropsim.spatial import Array, record
 
 
 @record
-class Leg:
+class PlannedMove:
     """A move that can be made.
 
     Attributes:
@@ -40,9 +40,9 @@ class Leg:
         return self.planned.tool
 
 
-def legs_in_order(
+def planned_moves(
     chain: MotionChain, moves: Sequence[MoveInstruction], q_start: Array
-) -> tuple[list[Leg], Refusal | None]:
+) -> tuple[list[PlannedMove], Refusal | None]:
     """Return the legs of moves up to the first one that cannot be made, and why it cannot.
 
     Args:
@@ -50,9 +50,9 @@ def legs_in_order(
         moves: in order.
         q_start: command joint coordinates at their start [rad | m], shape (n,).
     """
-    legs, q = list[Leg](), q_start
+    legs, q = list[PlannedMove](), q_start
     for move in moves:
-        leg = leg_of(chain, move, q)
+        leg = planned_move_of(chain, move, q)
         if isinstance(leg, Refusal):
             return legs, leg
         legs.append(leg)
@@ -60,7 +60,7 @@ def legs_in_order(
     return legs, None
 
 
-def leg_of(chain: MotionChain, move: MoveInstruction, q_start: Array) -> Leg | Refusal:
+def planned_move_of(chain: MotionChain, move: MoveInstruction, q_start: Array) -> PlannedMove | Refusal:
     """Return the leg of a move that begins at `q_start`, or why it cannot be made.
 
     Args:
@@ -84,7 +84,7 @@ def leg_of(chain: MotionChain, move: MoveInstruction, q_start: Array) -> Leg | R
         if late := check_duration(move, planned.least_time):  # before samples of such a way fill the memory
             return Refusal(late)
     if planned.tool is not None and joints is None:
-        traced = trace(chain, planned.tool, q_start, move, planned.coordination)
+        traced = follow_path(chain, planned.tool, q_start, move, planned.coordination)
         if isinstance(traced, Refusal):
             return traced
         joints, found = traced
@@ -93,7 +93,7 @@ def leg_of(chain: MotionChain, move: MoveInstruction, q_start: Array) -> Leg | R
         if wrong:
             return wrong
     if joints is None:
-        return Leg(move, planned, None, q_start, planned.findings)
+        return PlannedMove(move, planned, None, q_start, planned.findings)
     return _ended(chain, move, planned, joints, found)
 
 
@@ -103,8 +103,8 @@ def _ended(
     planned: PlannedPath,
     joints: JointPath,
     found: tuple[Diagnostic, ...],
-) -> Leg:
+) -> PlannedMove:
     """Return the leg of a path of the joints, with what is found on it."""
     q_end = end_of(joints)
     found += other_posture(move, chain.robot, q_end)
-    return Leg(move, planned, joints, q_end, planned.findings + found)
+    return PlannedMove(move, planned, joints, q_end, planned.findings + found)

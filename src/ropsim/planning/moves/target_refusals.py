@@ -24,7 +24,7 @@ from ropsim.motion import (
     POSTURE_FOR_LATER,
 )
 from ropsim.planning.moves.requested_posture import difference
-from ropsim.planning.records.conflict import Trouble
+from ropsim.planning.records.conflict import Conflict
 from ropsim.planning.records.posture_choice import JointRange
 from ropsim.planning.records.wording import coordinate, external_notes, figures, passes, shortfall_words
 from ropsim.spatial import Array, Pose
@@ -157,7 +157,7 @@ def posture_change(
 
 
 def posture_for_later(
-    move: MoveInstruction, robot: RobotModel, q_nearest: Array, q_end: Array, why: Trouble
+    move: MoveInstruction, robot: RobotModel, q_nearest: Array, q_end: Array, why: Conflict
 ) -> tuple[Diagnostic, ...]:
     """Return M585 for a move that takes another posture than the nearest one.
 

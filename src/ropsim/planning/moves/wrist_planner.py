@@ -8,14 +8,14 @@ from ropsim.core import Diagnostic
 from ropsim.flow import MoveInstruction, PoseSetpoints
 from ropsim.kinematics import IkOptions, Limits, inverse, posture, singular_distances, solver_of
 from ropsim.model import RobotModel
-from ropsim.motion import NO_WRIST_ANGLES, ToolPath, Traced, monotone
+from ropsim.motion import NO_WRIST_ANGLES, SampledPath, ToolPath, monotone
 from ropsim.planning.moves.line_check import Line, end_findings, limit_refusals
 from ropsim.planning.records.entities import Refusal
 from ropsim.planning.records.planned_path import PlannedPath
 from ropsim.planning.records.posture_choice import JointRange, nearest_turns
 from ropsim.planning.records.wording import coordinate, passes
 from ropsim.planning.wrist.wrist_following import SAME_JOINTS, wrist_joints, wrist_lead
-from ropsim.planning.wrist.wrist_motion import WristWay, arm_axes
+from ropsim.planning.wrist.wrist_motion import WristMotion, arm_axes
 from ropsim.planning.wrist.wrist_points import WristPoints, points_of
 from ropsim.spatial import Array, Pose, record
 
@@ -52,12 +52,12 @@ class WristPlanner:
         if isinstance(q_points, str):
             return Refusal((no_wrist_angles(move, q_points),))
         wrist = monotone(points.places, q_points[:, list(arm_axes(self.robot)[3:])])
-        way = WristWay(self.robot, so_far.X_MT, path, wrist, q_start, so_far.coordination)
+        way = WristMotion(self.robot, so_far.X_MT, path, wrist, q_start, so_far.coordination)
         lead = wrist_lead(way, points.end)
         if lead.share < 1.0:
             where = f"beyond {lead.share:.0%} of the way the other joints cannot keep the TCP on it"
             return Refusal((no_wrist_angles(move, where),))
-        away = np.abs(Traced(path.length, lead.q).joints(points.places).q - q_points).max(axis=1)
+        away = np.abs(SampledPath(path.length, lead.q).joints(points.places).q - q_points).max(axis=1)
         if away.max() > SAME_JOINTS:
             number = int(np.argmax(away > SAME_JOINTS))
             where = f"on the way to {points.name(number)}"

@@ -19,7 +19,7 @@ _FEWEST = 9
 
 
 @record
-class Bends:
+class DerivativeBounds:
     """Bounds of the derivatives of p parts of a path in k cells, one after the other.
 
     The parts are position and orientation, or each joint. The size of a first derivative that is 1 everywhere
@@ -51,7 +51,7 @@ class Bends:
         return self.table[ACROSS : ACROSS + 2]
 
 
-def bends_of(look: Look, grid: Array, limits: JointMotionLimits) -> Bends:
+def derivative_bounds_of(look: Look, grid: Array, limits: JointMotionLimits) -> DerivativeBounds:
     """Return bounds that are close where the bend counts.
 
     Cells end at places that are looked at. A third derivative differs from its mean in a cell, told by the
@@ -83,10 +83,10 @@ def bends_of(look: Look, grid: Array, limits: JointMotionLimits) -> Bends:
     return _bounds(s, d1, d2, rates)[0]
 
 
-def _bounds(s: Array, d1: Array, d2: Array, rates: Array) -> tuple[Bends, npt.NDArray[np.intp]]:
+def _bounds(s: Array, d1: Array, d2: Array, rates: Array) -> tuple[DerivativeBounds, npt.NDArray[np.intp]]:
     """Return bounds of what lies between places, and the cells in which they are loose."""
     k, (_, parts, size) = len(s) - 1, d1.shape
     table, room, out = np.empty((10, k, parts)), np.empty((k, size + SIZES)), np.empty((2, k))
     rows = np.ascontiguousarray(d1), np.ascontiguousarray(d2)
     bounds_of(s, *rows, rates, np.empty(parts), room, table, out[0], out[1])
-    return Bends(np.diff(s), table[:5]), np.flatnonzero(out[1])
+    return DerivativeBounds(np.diff(s), table[:5]), np.flatnonzero(out[1])

@@ -9,13 +9,13 @@ import numpy as np
 from ropsim.motion import (
     JointMotionLimits,
     JointPath,
-    Stages,
+    PathLimits,
     ToolLimits,
     ToolPath,
     constant_derivatives,
     grid,
 )
-from ropsim.planning.path_limits.derivative_bounds import Bends, bends_of
+from ropsim.planning.path_limits.derivative_bounds import DerivativeBounds, derivative_bounds_of
 from ropsim.planning.path_limits.derivative_bounds_kernel import TINY
 from ropsim.planning.path_limits.path_limits_kernel import bent_stages, straight_stage
 from ropsim.planning.records.coordination import Coordination
@@ -28,7 +28,7 @@ _SAME_PLACE = 1e-9
 """Share of a path below which two ends of stages are one."""
 
 
-def joint_stages(path: JointPath, limits: JointMotionLimits) -> Stages:
+def joint_path_limits(path: JointPath, limits: JointMotionLimits) -> PathLimits:
     """Return the bounds along a path in joint space; for a straight one they are exact.
 
     Args:
@@ -45,20 +45,22 @@ def joint_stages(path: JointPath, limits: JointMotionLimits) -> Stages:
         rows = path.joints(places)
         return rows.d1[:, :, None], rows.d2[:, :, None]
 
-    return _bent(bends_of(look, _PLACES * path.length, limits), limits, 1.0)
+    return _bent(derivative_bounds_of(look, _PLACES * path.length, limits), limits, 1.0)
 
 
-def tool_stages(path: ToolPath, limits: ToolLimits) -> Stages:
+def tool_path_limits(path: ToolPath, limits: ToolLimits) -> PathLimits:
     """Return the bounds along a path of the tool, as fast as its bends allow.
 
     Args:
         path: of the tool.
         limits: of the TCP and of the orientation.
     """
-    return tool_choices(path, limits, (1.0,))[0]
+    return tool_path_limit_choices(path, limits, (1.0,))[0]
 
 
-def tool_choices(path: ToolPath, limits: ToolLimits, shares: Sequence[float]) -> tuple[Stages, ...]:
+def tool_path_limit_choices(
+    path: ToolPath, limits: ToolLimits, shares: Sequence[float]
+) -> tuple[PathLimits, ...]:
     """Return bounds along a path of the tool that go together; of an even bend one choice for each share.
 
     The slower a bend is walked, the more it leaves for changes of speed on it: not the highest speed is the
@@ -81,11 +83,13 @@ def tool_choices(path: ToolPath, limits: ToolLimits, shares: Sequence[float]) ->
     if float((d2 * path.length).max()) <= _STRAIGHT * float(d1.max()):
         return (_straight(path.length, d1, both),)
     with np.errstate(over="ignore", invalid="ignore", divide="ignore"):  # of a point in which it turns back
-        bends = bends_of(look, grid(path), both)
+        bends = derivative_bounds_of(look, grid(path), both)
     return _choices(_bent(bends, both, shares[0]), lambda share: _bent(bends, both, share), shares[1:])
 
 
-def _choices(first: Stages, walked: Callable[[float], Stages], shares: Sequence[float]) -> tuple[Stages, ...]:
+def _choices(
+    first: PathLimits, walked: Callable[[float], PathLimits], shares: Sequence[float]
+) -> tuple[PathLimits, ...]:
     """Return the first choice, and those at lesser shares where these differ."""
     if len(first) > 1:  # a bend that changes: what is left for changes of speed is used up where it changes
         return (first,)
@@ -111,7 +115,7 @@ def lesser_limits(one: ToolLimits, other: ToolLimits) -> ToolLimits:
     return one if one is other or one == other else ToolLimits(*map(min, one.all, other.all))
 
 
-def along_with(stages: Stages, coordination: Coordination | None) -> Stages:
+def along_with(stages: PathLimits, coordination: Coordination | None) -> PathLimits:
     """Return the bounds along a path of the tool on which external axes go along, theirs too.
 
     Args:
@@ -120,7 +124,7 @@ def along_with(stages: Stages, coordination: Coordination | None) -> Stages:
     """
     if coordination is None:
         return stages
-    axes = joint_stages(coordination.axes, coordination.limits)
+    axes = joint_path_limits(coordination.axes, coordination.limits)
     ways = [each.ends for each in (stages, axes)]
     length = float(ways[0][-1])
     ends = np.unique(np.concatenate((ways[0][:-1], ways[1][:-1])))
@@ -129,7 +133,7 @@ def along_with(stages: Stages, coordination: Coordination | None) -> Stages:
     middles = 0.5 * (np.append(0.0, ends) + np.append(ends, length))
     here, there = (np.minimum(np.searchsorted(way, middles), len(way) - 1) for way in ways)
     least = np.minimum(stages.bounds[here], axes.bounds[there])
-    return Stages(np.column_stack((np.diff(ends, prepend=0.0, append=length), least)))
+    return PathLimits(np.column_stack((np.diff(ends, prepend=0.0, append=length), least)))
 
 
 @lru_cache(maxsize=256)
@@ -138,7 +142,7 @@ def _of_parts(limits: ToolLimits) -> JointMotionLimits:
     return JointMotionLimits(*rates_of(limits))
 
 
-def _even(length: float, d1: list[float], limits: ToolLimits) -> Stages:
+def _even(length: float, d1: list[float], limits: ToolLimits) -> PathLimits:
     """Return the bounds along a path with the same first derivatives of the tool everywhere, six numbers."""
     x, y, z, a, b, c = d1
     way, turn = max(sqrt(x * x + y * y + z * z), TINY), max(sqrt(a * a + b * b + c * c), TINY)
@@ -148,18 +152,18 @@ def _even(length: float, d1: list[float], limits: ToolLimits) -> Stages:
         min(limits.acceleration / way, limits.orientation_acceleration / turn),
         min(limits.jerk / way, limits.orientation_jerk / turn),
     )
-    return Stages(np.array((row,)))
+    return PathLimits(np.array((row,)))
 
 
-def _straight(length: float, d1: Array, limits: JointMotionLimits) -> Stages:
+def _straight(length: float, d1: Array, limits: JointMotionLimits) -> PathLimits:
     row = np.empty((1, 4))
     straight_stage(length, d1, limits.speed, limits.acceleration, limits.jerk, row)
-    return Stages(row)
+    return PathLimits(row)
 
 
-def _bent(bends: Bends, limits: JointMotionLimits, share: float) -> Stages:
+def _bent(bends: DerivativeBounds, limits: JointMotionLimits, share: float) -> PathLimits:
     """Return bounds that hold together on a bent path, bends walked at a share of what they allow."""
     rates, k = np.array((limits.speed, limits.acceleration, limits.jerk)), len(bends.lengths)
     out, told = np.empty((k, 7)), np.empty(1)
     bent_stages(bends.table, bends.lengths, rates, share, np.empty(k), np.empty((k, 3)), out, told)
-    return Stages(out[: int(told[0]), :4].copy())
+    return PathLimits(out[: int(told[0]), :4].copy())

@@ -10,15 +10,15 @@ from ropsim.motion import (
     JOINT_LIMIT_ON_LINE,
     JUMP_ON_LINE,
     NO_WRIST_ANGLES,
-    Traced,
+    SampledPath,
     durations,
     has_straight_tcp,
     own_law_of,
 )
 from ropsim.planning.moves.interpolator import places
-from ropsim.planning.moves.planned_move import Leg
+from ropsim.planning.moves.planned_move import PlannedMove
 from ropsim.planning.postures.part_times_kernel import longest_cell, part_times
-from ropsim.planning.records.conflict import Trouble
+from ropsim.planning.records.conflict import Conflict
 from ropsim.planning.records.entities import Refusal
 from ropsim.planning.records.posture_choice import JointRange
 from ropsim.spatial import Array, frozen
@@ -35,7 +35,7 @@ _STEPS = 64
 _TINY = 1e-300
 
 
-def trouble_of(robot: RobotModel, leg: Leg, number: int) -> Trouble | None:
+def conflict_of(robot: RobotModel, leg: PlannedMove, number: int) -> Conflict | None:
     """Return where the joints whirl on the path of a move, None where they do not.
 
     Args:
@@ -55,10 +55,10 @@ def trouble_of(robot: RobotModel, leg: Leg, number: int) -> Trouble | None:
         return None
     joint = robot.axis_joints[int(np.argmax(needs[part]))]
     words = f"joint `{joint.name}` slows the path down to {shares[part]:.0%} after {part / _STEPS:.0%} of it"
-    return Trouble(number, words, leg.move.origin.span)
+    return Conflict(number, words, leg.move.origin.span)
 
 
-def trouble_of_refusal(move: MoveInstruction, refusal: Refusal, number: int) -> list[Trouble]:
+def conflict_of_refusal(move: MoveInstruction, refusal: Refusal, number: int) -> list[Conflict]:
     """Return why a path cannot be followed, nothing where no other posture would help.
 
     Args:
@@ -68,13 +68,13 @@ def trouble_of_refusal(move: MoveInstruction, refusal: Refusal, number: int) -> 
     """
     codes = {JOINT_LIMIT_ON_LINE.code, JUMP_ON_LINE.code, NO_WRIST_ANGLES.code}
     return [
-        Trouble(number, found.message, move.origin.span)
+        Conflict(number, found.message, move.origin.span)
         for found in refusal.diagnostics[:1]
         if found.code in codes
     ]
 
 
-def is_narrow(limits: JointRange, leg: Leg) -> bool:
+def is_narrow(limits: JointRange, leg: PlannedMove) -> bool:
     """Return whether an axis that turns comes near to a limit on the path of a move.
 
     Args:
@@ -88,7 +88,7 @@ def is_narrow(limits: JointRange, leg: Leg) -> bool:
     return bool((room < NARROW).any())
 
 
-def time_of(robot: RobotModel, leg: Leg, q_start: Array) -> float:
+def time_of(robot: RobotModel, leg: PlannedMove, q_start: Array) -> float:
     """Return the time of a move [s], without that for changes of speed on a path of the tool.
 
     Args:
@@ -106,10 +106,10 @@ def time_of(robot: RobotModel, leg: Leg, q_start: Array) -> float:
     return float(np.maximum(needs.max(axis=1), of_tool).sum())
 
 
-def _is_calm(robot: RobotModel, leg: Leg) -> bool:
+def _is_calm(robot: RobotModel, leg: PlannedMove) -> bool:
     """Return whether the joints clearly keep up with a straight line."""
     path, joints = leg.tool, leg.joints
-    if path is None or not has_straight_tcp(path) or type(joints) is not Traced:
+    if path is None or not has_straight_tcp(path) or type(joints) is not SampledPath:
         return False
     longest = np.empty(1)
     longest_cell(joints.q, joints.derivatives, max_speeds_of(robot), longest)
@@ -117,7 +117,7 @@ def _is_calm(robot: RobotModel, leg: Leg) -> bool:
     return bool(longest[0] * WHIRL <= at_tool_speed)
 
 
-def _times(robot: RobotModel, leg: Leg) -> tuple[Array, Array, float]:
+def _times(robot: RobotModel, leg: PlannedMove) -> tuple[Array, Array, float]:
     """Return the times [s] of the parts of a path: of the tool, shape (k,), and of the joints, (k, n).
 
     Behind them stands the least share of the former to the longest of a part.

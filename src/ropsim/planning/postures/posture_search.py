@@ -16,11 +16,11 @@ from ropsim.flow import MotionKind, MoveInstruction
 from ropsim.kinematics import IkOptions, Limits, forward_batch, inverse, posture
 from ropsim.model import RobotModel
 from ropsim.motion import POSTURE_CHANGE
-from ropsim.planning.moves.planned_move import Leg, leg_of, legs_in_order
+from ropsim.planning.moves.planned_move import PlannedMove, planned_move_of, planned_moves
 from ropsim.planning.moves.requested_posture import is_as_wished
 from ropsim.planning.moves.target_refusals import posture_for_later
-from ropsim.planning.postures.path_conflicts import is_narrow, time_of, trouble_of
-from ropsim.planning.records.conflict import Trouble
+from ropsim.planning.postures.path_conflicts import conflict_of, is_narrow, time_of
+from ropsim.planning.records.conflict import Conflict
 from ropsim.planning.records.entities import Refusal
 from ropsim.planning.records.motion_chain import MotionChain
 from ropsim.planning.records.posture_choice import JointRange, nearest_turns, turned_branches
@@ -49,7 +49,7 @@ class Way:
     """
 
     q: Array
-    legs: tuple[Leg, ...] = ()
+    legs: tuple[PlannedMove, ...] = ()
     refusal: Refusal | None = None
     troubles: int = 0
     changes: int = 0
@@ -68,7 +68,7 @@ def has_choice(move: MoveInstruction) -> bool:
 
 
 def search(
-    chain: MotionChain, stretch: Sequence[MoveInstruction], q_start: Array, troubles: Sequence[Trouble]
+    chain: MotionChain, stretch: Sequence[MoveInstruction], q_start: Array, troubles: Sequence[Conflict]
 ) -> Way:
     """Return the best way through a stretch.
 
@@ -87,7 +87,7 @@ def search(
     for number, behind in pairwise(bounds):
         starts = list[_Start]()
         for way in ways:
-            leg = leg_of(chain, stretch[number], way.q)
+            leg = planned_move_of(chain, stretch[number], way.q)
             if isinstance(leg, Refusal):
                 ended.append(replace(way, refusal=leg))
             else:
@@ -109,7 +109,7 @@ class _Start:
     """A way to the start of a PTP move, and the move as the planner makes it."""
 
     way: Way
-    nearest: Leg
+    nearest: PlannedMove
 
 
 def _goals(chain: MotionChain, starts: Sequence[_Start], limits: JointRange) -> list[Array]:
@@ -142,7 +142,7 @@ def _change(robot: RobotModel, q_nearest: Array, q_end: Array) -> int:
     return 1 + sum(one != other for one, other in zip(nearest.words, taken.words, strict=True))
 
 
-def _taken(chain: MotionChain, starts: Sequence[_Start], q_end: Array, why: Trouble) -> Way | None:
+def _taken(chain: MotionChain, starts: Sequence[_Start], q_end: Array, why: Conflict) -> Way | None:
     """Return the best way to joint coordinates; None where the planner makes none.
 
     Args:
@@ -167,11 +167,11 @@ def _taken(chain: MotionChain, starts: Sequence[_Start], q_end: Array, why: Trou
     return best
 
 
-def _to_joints(chain: MotionChain, start: _Start, q_end: Array, why: Trouble) -> Leg | Refusal:
+def _to_joints(chain: MotionChain, start: _Start, q_end: Array, why: Conflict) -> PlannedMove | Refusal:
     """Return the move to other joint coordinates of its target, with a hint instead of M511."""
     move = start.nearest.move
     there = replace(move, target=tuple(q_end.tolist()), external=())
-    leg = leg_of(chain, there, start.way.q)
+    leg = planned_move_of(chain, there, start.way.q)
     if isinstance(leg, Refusal):
         return leg
     said = tuple(one for one in start.nearest.findings if one.code != POSTURE_CHANGE.code)
@@ -179,7 +179,7 @@ def _to_joints(chain: MotionChain, start: _Start, q_end: Array, why: Trouble) ->
     return replace(leg, move=move, findings=said + hint)
 
 
-def _reason(troubles: Sequence[Trouble], number: int) -> Trouble:
+def _reason(troubles: Sequence[Conflict], number: int) -> Conflict:
     """Return the first trouble behind a move, without one the last of all."""
     return next((one for one in troubles if one.number > number), troubles[-1])
 
@@ -187,11 +187,11 @@ def _reason(troubles: Sequence[Trouble], number: int) -> Trouble:
 def _onward(chain: MotionChain, limits: JointRange, way: Way, moves: Sequence[MoveInstruction]) -> Way:
     """Return the way with moves that have no choice, as far as they can be made."""
     q, time, troubles, narrow = way.q, way.time, way.troubles, way.narrow
-    legs, refusal = legs_in_order(chain, moves, q)
+    legs, refusal = planned_moves(chain, moves, q)
     for leg in legs:
         time += time_of(chain.robot, leg, q)
         if leg.tool is not None:
-            troubles += trouble_of(chain.robot, leg, 0) is not None
+            troubles += conflict_of(chain.robot, leg, 0) is not None
             narrow += is_narrow(limits, leg)
         q = leg.q_end
     return Way(q, (*way.legs, *legs), refusal, troubles, way.changes, narrow, time)

@@ -7,9 +7,9 @@ from ropsim.core import Diagnostic
 from ropsim.flow import MotionKind, MoveInstruction
 from ropsim.model import RobotModel
 from ropsim.motion import POSTURE_IN_THE_WAY
-from ropsim.planning.moves.planned_move import Leg
+from ropsim.planning.moves.planned_move import PlannedMove
 from ropsim.planning.moves.requested_posture import asked_of, difference
-from ropsim.planning.records.conflict import Trouble
+from ropsim.planning.records.conflict import Conflict
 from ropsim.planning.records.wording import passes
 from ropsim.spatial import Pose
 
@@ -25,7 +25,9 @@ def without_wish(stretch: Sequence[MoveInstruction], number: int) -> list[MoveIn
     return [*stretch[:number], replace(stretch[number], posture=None), *stretch[number + 1 :]]
 
 
-def in_the_way(robot: RobotModel, leg: Leg, free: Leg, trouble: Trouble) -> tuple[Diagnostic, ...]:
+def in_the_way(
+    robot: RobotModel, leg: PlannedMove, free: PlannedMove, trouble: Conflict
+) -> tuple[Diagnostic, ...]:
     """Return M589 for a move that asks for a posture.
 
     Args:

@@ -1,11 +1,11 @@
-"""Trouble: a path of the tool that cannot be followed well."""
+"""Conflict: a path of the tool that cannot be followed well."""
 
 from ropsim.core import Label, Span
 from ropsim.spatial import record
 
 
 @record
-class Trouble:
+class Conflict:
     """A path that cannot be followed well.
 
     Attributes:

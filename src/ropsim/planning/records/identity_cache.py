@@ -10,7 +10,7 @@ MOST = 256
 """So many objects are known at once; they are few, such as the modal states of a program in a loop."""
 
 
-class ByIdentity(Generic[K, V]):
+class IdentityCache(Generic[K, V]):
     """A function of objects that nobody can change, of which the same ones are asked for again and again.
 
     To compare them by content takes longer than what is found; those that are known are kept alive.

@@ -32,7 +32,7 @@ class MotionState:
 
 
 @record
-class PlannedPiece:
+class TimedSegment:
     """A part of a plan: of the path of a move, or the way round a corner.
 
     Attributes:
@@ -51,7 +51,7 @@ class PlannedPiece:
 
 
 @record
-class PlannedMove:
+class TimedMove:
     """A move within a plan.
 
     Attributes:
@@ -89,8 +89,8 @@ class MotionPlan:
         blends: its corners, each with the last control tick before it begins, and the last one in it.
     """
 
-    moves: tuple[PlannedMove, ...]
-    pieces: tuple[PlannedPiece, ...]
+    moves: tuple[TimedMove, ...]
+    pieces: tuple[TimedSegment, ...]
     q_start: Array
     reference: JointReference
     period: float

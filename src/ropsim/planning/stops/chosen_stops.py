@@ -3,18 +3,18 @@
 from collections.abc import Sequence
 
 from ropsim.motion import Ticks
-from ropsim.planning.blends.blend import Corner
+from ropsim.planning.blends.blend import Blend
 from ropsim.planning.joint_limits.arm_limits import ArmBounds
-from ropsim.planning.joint_limits.retiming import Keeping, keeping_of
-from ropsim.planning.moves.planned_move import Leg
+from ropsim.planning.joint_limits.retiming import Retiming, retimed
+from ropsim.planning.moves.planned_move import PlannedMove
 from ropsim.planning.stops.quicker_stops import Times, quicker_stops, without
 from ropsim.planning.stops.sequence_times import arm_times, times_alone, tool_times
-from ropsim.planning.trajectory.sections import TimingRules, parts_of
-from ropsim.planning.trajectory.segments import Walk, pieces_of
-from ropsim.planning.trajectory.timing import Course, course_of
+from ropsim.planning.trajectory.sections import TimingRules, sections_of
+from ropsim.planning.trajectory.segments import Walk, segments_of
+from ropsim.planning.trajectory.timing import Timing, timing_of
 from ropsim.spatial import record
 
-Corners = Sequence[Corner | None]
+Blends = Sequence[Blend | None]
 
 
 @record
@@ -30,8 +30,8 @@ class ByTool:
     """
 
     stops: tuple[int, ...]
-    corners: Corners
-    course: Course
+    corners: Blends
+    course: Timing
     alone: tuple[float, ...]
     times: Times
 
@@ -47,31 +47,33 @@ class ByJoints:
     """
 
     stops: tuple[int, ...]
-    corners: Corners
-    keeping: Keeping
+    corners: Blends
+    keeping: Retiming
 
 
-def by_tool(legs: Sequence[Leg], corners: Corners, walks: Sequence[Walk], rules: TimingRules) -> ByTool:
+def by_tool(
+    legs: Sequence[PlannedMove], corners: Blends, walks: Sequence[Walk], rules: TimingRules
+) -> ByTool:
     """Return which corners are quicker than stops by the limits of the tool.
 
     Args:
         legs: the moves.
         corners: between each two of them.
-        walks: the pieces of the moves with these corners, as from `pieces_of`.
+        walks: the pieces of the moves with these corners, as from `segments_of`.
         rules: time law and look-ahead.
     """
     stops: tuple[int, ...] = ()
-    parts = parts_of(walks, rules)
+    parts = sections_of(walks, rules)
     alone, times = times_alone(legs, parts, rules), tool_times(legs, corners, rules)
-    course = course_of(parts, len(legs))
+    course = timing_of(parts, len(legs))
     while more := quicker_stops(corners, course.ends, alone, times):
         corners, stops = without(corners, more), (*stops, *more)
-        course = course_of(parts_of(pieces_of(legs, corners), rules), len(legs))
+        course = timing_of(sections_of(segments_of(legs, corners), rules), len(legs))
     return ByTool(stops, corners, course, alone, times)
 
 
 def by_joints(
-    legs: Sequence[Leg], chosen: ByTool, arm: ArmBounds, ticks: Ticks, rules: TimingRules
+    legs: Sequence[PlannedMove], chosen: ByTool, arm: ArmBounds, ticks: Ticks, rules: TimingRules
 ) -> ByJoints:
     """Return which of the corners that are left are quicker than stops within the limits of the joints.
 
@@ -86,13 +88,13 @@ def by_joints(
         rules: time law and look-ahead.
     """
 
-    def kept(corners: Corners) -> Keeping:
-        course = course_of(parts_of(pieces_of(legs, corners), rules), len(legs))
-        return keeping_of(course, arm, ticks, rules)
+    def kept(corners: Blends) -> Retiming:
+        course = timing_of(sections_of(segments_of(legs, corners), rules), len(legs))
+        return retimed(course, arm, ticks, rules)
 
     corners = chosen.corners
     stops: tuple[int, ...] = ()
-    keeping = keeping_of(chosen.course, arm, ticks, rules)
+    keeping = retimed(chosen.course, arm, ticks, rules)
     times = arm_times(legs, corners, rules, chosen.times, arm, ticks)
     while more := quicker_stops(corners, keeping.ends, chosen.alone, times):
         corners, stops = without(corners, more), (*stops, *more)

@@ -3,7 +3,7 @@
 from collections.abc import Callable, Iterator, Sequence
 from itertools import pairwise
 
-from ropsim.planning.blends.blend import Corner
+from ropsim.planning.blends.blend import Blend
 from ropsim.spatial import record
 
 _FURTHEST = 4
@@ -29,7 +29,7 @@ class Times:
 
 
 def quicker_stops(
-    corners: Sequence[Corner | None], ends: Sequence[float], alone: Sequence[float], times: Times
+    corners: Sequence[Blend | None], ends: Sequence[float], alone: Sequence[float], times: Times
 ) -> tuple[int, ...]:
     """Return the numbers of the rounded corners at which to stop, so that the motion takes the least time.
 
@@ -65,7 +65,7 @@ def quicker_stops(
     return tuple(found)
 
 
-def _runs(corners: Sequence[Corner | None]) -> Iterator[Span]:
+def _runs(corners: Sequence[Blend | None]) -> Iterator[Span]:
     """Yield the moves between each two stops that pass a corner."""
     stops = [0, *(number + 1 for number, corner in enumerate(corners) if corner is None), len(corners) + 1]
     yield from ((first, last) for first, last in pairwise(stops) if last - first > 1)
@@ -110,7 +110,7 @@ def _way(nodes: Sequence[int], known: dict[Span, float], times: Times) -> list[S
     return way[::-1]
 
 
-def without(corners: Sequence[Corner | None], stops: Sequence[int]) -> list[Corner | None]:
+def without(corners: Sequence[Blend | None], stops: Sequence[int]) -> list[Blend | None]:
     """Return corners with stops at some of them.
 
     Args:

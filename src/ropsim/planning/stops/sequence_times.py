@@ -4,18 +4,20 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from ropsim.motion import Stages, Ticks, own_law_of
-from ropsim.planning.blends.blend import Corner
+from ropsim.motion import PathLimits, Ticks, own_law_of
+from ropsim.planning.blends.blend import Blend
 from ropsim.planning.joint_limits.arm_limits import ArmBounds
-from ropsim.planning.joint_limits.retiming import keeping_of
-from ropsim.planning.moves.planned_move import Leg
+from ropsim.planning.joint_limits.retiming import retimed
+from ropsim.planning.moves.planned_move import PlannedMove
 from ropsim.planning.stops.quicker_stops import Span, Times
-from ropsim.planning.trajectory.sections import Part, TimingRules, parts_of
-from ropsim.planning.trajectory.segments import pieces_of
-from ropsim.planning.trajectory.timing import Course, course_of
+from ropsim.planning.trajectory.sections import Section, TimingRules, sections_of
+from ropsim.planning.trajectory.segments import segments_of
+from ropsim.planning.trajectory.timing import Timing, timing_of
 
 
-def times_alone(legs: Sequence[Leg], parts: Sequence[Part], rules: TimingRules) -> tuple[float, ...]:
+def times_alone(
+    legs: Sequence[PlannedMove], parts: Sequence[Section], rules: TimingRules
+) -> tuple[float, ...]:
     """Return the times that moves take from rest to rest by the limits of their paths [s].
 
     Args:
@@ -39,13 +41,13 @@ def times_alone(legs: Sequence[Leg], parts: Sequence[Part], rules: TimingRules) 
     return tuple(found[number] for number in range(len(legs)))
 
 
-def _even_time(stages: Stages, length: float, rules: TimingRules) -> float:
+def _even_time(stages: PathLimits, length: float, rules: TimingRules) -> float:
     """Return the time [s] along a path of a length with the same bounds all along it."""
     rows = np.array([[length, *stages.bounds[0].tolist(), 1.0, -1.0]])
     return rules.law(rows, np.ones(1)).duration
 
 
-def tool_times(legs: Sequence[Leg], corners: Sequence[Corner | None], rules: TimingRules) -> Times:
+def tool_times(legs: Sequence[PlannedMove], corners: Sequence[Blend | None], rules: TimingRules) -> Times:
     """Return the times of moves by the limits of their paths alone.
 
     Args:
@@ -64,8 +66,8 @@ def tool_times(legs: Sequence[Leg], corners: Sequence[Corner | None], rules: Tim
 
 
 def arm_times(
-    legs: Sequence[Leg],
-    corners: Sequence[Corner | None],
+    legs: Sequence[PlannedMove],
+    corners: Sequence[Blend | None],
     rules: TimingRules,
     least: Times,
     arm: ArmBounds,
@@ -84,17 +86,17 @@ def arm_times(
 
     def time(span: Span) -> float:
         course = _course(*_part(legs, corners, span), rules)
-        return keeping_of(course, arm, ticks, rules).duration
+        return retimed(course, arm, ticks, rules).duration
 
     return Times(least.exact, time)
 
 
 def _part(
-    legs: Sequence[Leg], corners: Sequence[Corner | None], span: Span
-) -> tuple[Sequence[Leg], Sequence[Corner | None]]:
+    legs: Sequence[PlannedMove], corners: Sequence[Blend | None], span: Span
+) -> tuple[Sequence[PlannedMove], Sequence[Blend | None]]:
     first, last = span
     return legs[first:last], corners[first : last - 1]
 
 
-def _course(legs: Sequence[Leg], corners: Sequence[Corner | None], rules: TimingRules) -> Course:
-    return course_of(parts_of(pieces_of(legs, corners), rules), len(legs))
+def _course(legs: Sequence[PlannedMove], corners: Sequence[Blend | None], rules: TimingRules) -> Timing:
+    return timing_of(sections_of(segments_of(legs, corners), rules), len(legs))

@@ -7,9 +7,9 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from ropsim.motion import Stages, TimeLaw, TimeLawPlanner, own_law_of
-from ropsim.planning.blends.blend import Overlap
-from ropsim.planning.trajectory.segments import Piece, Walk
+from ropsim.motion import PathLimits, TimeLaw, TimeLawPlanner, own_law_of
+from ropsim.planning.blends.blend import JointSpaceBlend
+from ropsim.planning.trajectory.segments import PathSegment, Walk
 from ropsim.planning.trajectory.timing_kernel import lay_horizons
 from ropsim.spatial import Array, record
 
@@ -30,7 +30,7 @@ class TimingRules(NamedTuple):
 
 
 @record
-class Part:
+class Section:
     """Pieces that are walked together from rest to rest, and how.
 
     Attributes:
@@ -41,11 +41,11 @@ class Part:
         over: how it goes over into the next one; None where it stops.
     """
 
-    pieces: tuple[Piece, ...]
-    stages: Stages
+    pieces: tuple[PathSegment, ...]
+    stages: PathLimits
     counts: Counts
     law: TimeLaw
-    over: Overlap | None
+    over: JointSpaceBlend | None
 
     @property
     def has_stages(self) -> bool:
@@ -64,7 +64,7 @@ class Part:
         return np.asarray(ends[np.append(0, np.cumsum(self.counts))])
 
 
-def parts_of(walks: Sequence[Walk], rules: TimingRules) -> tuple[Part, ...]:
+def sections_of(walks: Sequence[Walk], rules: TimingRules) -> tuple[Section, ...]:
     """Return the parts of a stretch between which the arm stops or motions overlap.
 
     Args:
@@ -74,7 +74,7 @@ def parts_of(walks: Sequence[Walk], rules: TimingRules) -> tuple[Part, ...]:
     return tuple(_quickest(pieces, over, rules) for pieces, over in walks)
 
 
-def part_of(pieces: Sequence[Piece], over: Overlap | None, rules: TimingRules) -> Part:
+def section_of(pieces: Sequence[PathSegment], over: JointSpaceBlend | None, rules: TimingRules) -> Section:
     """Return pieces with their time law: planned stage by stage, told piece by piece.
 
     Args:
@@ -83,16 +83,20 @@ def part_of(pieces: Sequence[Piece], over: Overlap | None, rules: TimingRules) -
         rules: time law and look-ahead.
     """
     if own := own_law_of(pieces[0].joints):
-        return Part(tuple(pieces), pieces[0].stages, _NOTHING, own, over)
+        return Section(tuple(pieces), pieces[0].stages, _NOTHING, own, over)
     rows = [piece.stages.rows for piece in pieces]
     counts = np.array([len(each) for each in rows])
-    stages = Stages(np.concatenate(rows)) if len(rows) > 1 else pieces[0].stages
-    return planned_part(pieces, stages, counts, over, rules)
+    stages = PathLimits(np.concatenate(rows)) if len(rows) > 1 else pieces[0].stages
+    return planned_section(pieces, stages, counts, over, rules)
 
 
-def planned_part(
-    pieces: Sequence[Piece], stages: Stages, counts: Counts, over: Overlap | None, rules: TimingRules
-) -> Part:
+def planned_section(
+    pieces: Sequence[PathSegment],
+    stages: PathLimits,
+    counts: Counts,
+    over: JointSpaceBlend | None,
+    rules: TimingRules,
+) -> Section:
     """Return pieces with the time law of stages that count for them instead of their own.
 
     Args:
@@ -106,17 +110,19 @@ def planned_part(
     bounds[:, :4] = stages.rows
     legs, many = np.array([piece.leg for piece in pieces], np.float64), counts.astype(np.float64)
     lay_horizons(legs, many, rules.look_ahead, bounds)
-    return Part(tuple(pieces), stages, counts, rules.law(bounds, many), over)
+    return Section(tuple(pieces), stages, counts, rules.law(bounds, many), over)
 
 
-def _quickest(pieces: Sequence[Piece], over: Overlap | None, rules: TimingRules) -> Part:
+def _quickest(pieces: Sequence[PathSegment], over: JointSpaceBlend | None, rules: TimingRules) -> Section:
     """Return pieces with the bounds of their bends that are walked in the least time."""
-    first = part_of(pieces, over, rules)
+    first = section_of(pieces, over, rules)
     most = max(len(piece.gentler) for piece in pieces)
-    others = (part_of([_gentler(piece, number) for piece in pieces], over, rules) for number in range(most))
+    others = (
+        section_of([_gentler(piece, number) for piece in pieces], over, rules) for number in range(most)
+    )
     return min((first, *others), key=lambda part: part.law.duration)
 
 
-def _gentler(piece: Piece, number: int) -> Piece:
+def _gentler(piece: PathSegment, number: int) -> PathSegment:
     last = len(piece.gentler) - 1
     return piece if last < 0 else replace(piece, stages=piece.gentler[min(number, last)])

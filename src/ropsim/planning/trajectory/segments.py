@@ -6,19 +6,19 @@ from ropsim.core import maker
 from ropsim.motion import (
     JointPath,
     JointSection,
-    Stages,
+    PathLimits,
     ToolPath,
     ToolSection,
     own_law_of,
 )
-from ropsim.planning.blends.blend import Corner, Overlap, Rounding
-from ropsim.planning.moves.planned_move import Leg
+from ropsim.planning.blends.blend import Blend, CartesianBlend, JointSpaceBlend
+from ropsim.planning.moves.planned_move import PlannedMove
 from ropsim.planning.path_limits.path_limits import (
     along_with,
-    joint_stages,
+    joint_path_limits,
     lesser_limits,
-    tool_choices,
-    tool_stages,
+    tool_path_limit_choices,
+    tool_path_limits,
 )
 from ropsim.planning.records.coordination import Coordination
 from ropsim.spatial import Pose, record
@@ -27,11 +27,11 @@ _SHARES = (1.0, 0.9, 0.81, 0.729, 0.656, 0.59, 0.531, 0.478)
 """Of the highest speed that a bend allows: those that are tried on the path of a move."""
 _NOTHING = 1e-9
 """Share of a path below which nothing is left of it between two corners."""
-_NO_STAGES = Stages.of(())
+_NO_STAGES = PathLimits.of(())
 
 
 @record
-class Piece:
+class PathSegment:
     """A part of the course.
 
     Attributes:
@@ -50,11 +50,11 @@ class Piece:
     joints: JointPath
     tool: ToolPath | None
     X_MT: Pose
-    stages: Stages
-    corner: Rounding | None = None
+    stages: PathLimits
+    corner: CartesianBlend | None = None
     coordination: Coordination | None = None
     begin: float = 0.0
-    gentler: tuple[Stages, ...] = ()
+    gentler: tuple[PathLimits, ...] = ()
 
     @property
     def is_even(self) -> bool:
@@ -62,13 +62,13 @@ class Piece:
         return len(self.stages.rows) == 1 and not self.gentler
 
 
-_piece, _section = maker(Piece), maker(JointSection)
+_piece, _section = maker(PathSegment), maker(JointSection)
 
-Walk = tuple[list[Piece], Overlap | None]
+Walk = tuple[list[PathSegment], JointSpaceBlend | None]
 """Pieces that are walked together, and how they go over into the next ones; None for a stop."""
 
 
-def pieces_of(legs: Sequence[Leg], corners: Sequence[Corner | None]) -> list[Walk]:
+def segments_of(legs: Sequence[PlannedMove], corners: Sequence[Blend | None]) -> list[Walk]:
     """Return the pieces of a stretch in order.
 
     Args:
@@ -81,16 +81,16 @@ def pieces_of(legs: Sequence[Leg], corners: Sequence[Corner | None]) -> list[Wal
         if leg.joints is None:
             continue
         length = leg.joints.length
-        leaves = corner.leave if isinstance(corner, Rounding) else length
+        leaves = corner.leave if isinstance(corner, CartesianBlend) else length
         if leaves - enters > _NOTHING * length:
             parts[number] = enters, leaves
-        enters = corner.enter if isinstance(corner, Rounding) else 0.0
+        enters = corner.enter if isinstance(corner, CartesianBlend) else 0.0
     runs: list[Walk] = []
-    pieces: list[Piece] = []
+    pieces: list[PathSegment] = []
     for number, (leg, corner) in enumerate(zip(legs, (*corners, None), strict=True)):
         if number in parts:
             pieces.append(_straight(number, leg, *parts[number]))
-        if isinstance(corner, Rounding):
+        if isinstance(corner, CartesianBlend):
             pieces.append(_round(number, leg, legs[number + 1], corner))
         elif leg.joints is not None:
             runs.append((pieces, corner))
@@ -98,7 +98,7 @@ def pieces_of(legs: Sequence[Leg], corners: Sequence[Corner | None]) -> list[Wal
     return runs
 
 
-def _straight(number: int, leg: Leg, first: float, last: float) -> Piece:
+def _straight(number: int, leg: PlannedMove, first: float, last: float) -> PathSegment:
     """Return a part of the path of a move with the bounds along it."""
     planned, joints = leg.planned, leg.joints
     assert joints is not None
@@ -106,18 +106,18 @@ def _straight(number: int, leg: Leg, first: float, last: float) -> Piece:
     if not whole:
         joints = _section(joints, first, last)
     if tool is None:
-        stages = _NO_STAGES if own_law_of(joints) else joint_stages(joints, planned.limits.joints)
+        stages = _NO_STAGES if own_law_of(joints) else joint_path_limits(joints, planned.limits.joints)
         return _piece(number, joints, None, planned.X_MT, stages, None, None, first, ())
     if not whole:
         tool = ToolSection(tool, first, last)
         coordination = coordination.part(first, last) if coordination else None
-    choices = tool_choices(tool, planned.limits.tool, _SHARES)
+    choices = tool_path_limit_choices(tool, planned.limits.tool, _SHARES)
     stages, *gentler = (along_with(one, coordination) for one in choices)
     return _piece(number, joints, tool, planned.X_MT, stages, None, coordination, first, tuple(gentler))
 
 
-def _round(number: int, before: Leg, behind: Leg, corner: Rounding) -> Piece:
+def _round(number: int, before: PlannedMove, behind: PlannedMove, corner: CartesianBlend) -> PathSegment:
     X_MT = before.planned.X_MT
     least = lesser_limits(before.planned.limits.tool, behind.planned.limits.tool)
-    stages = along_with(tool_stages(corner.tool, least), corner.coordination)
+    stages = along_with(tool_path_limits(corner.tool, least), corner.coordination)
     return _piece(number, corner.joints, corner.tool, X_MT, stages, corner, corner.coordination, 0.0, ())

@@ -8,8 +8,8 @@ import numpy as np
 
 from ropsim.core import maker
 from ropsim.motion import TimeLaw
-from ropsim.planning.trajectory.sections import Part
-from ropsim.planning.trajectory.segments import Piece
+from ropsim.planning.trajectory.sections import Section
+from ropsim.planning.trajectory.segments import PathSegment
 from ropsim.planning.trajectory.timing_kernel import lay_runs
 from ropsim.spatial import Array, record
 
@@ -18,7 +18,7 @@ _STOP = nan, 0.0
 
 
 @record
-class Run:
+class TimedSection:
     """A part of a stretch at its time.
 
     Attributes:
@@ -28,13 +28,13 @@ class Run:
         end: motion time at which it ends [s].
     """
 
-    part: Part
+    part: Section
     start: float
     overlap: float
     end: float
 
     @property
-    def pieces(self) -> tuple[Piece, ...]:
+    def pieces(self) -> tuple[PathSegment, ...]:
         """Return its pieces in order."""
         return self.part.pieces
 
@@ -44,11 +44,11 @@ class Run:
         return self.part.law
 
 
-_run = maker(Run)
+_run = maker(TimedSection)
 
 
 @record
-class Course:
+class Timing:
     """All runs of a stretch.
 
     Attributes:
@@ -60,7 +60,7 @@ class Course:
         piece_ends: times of these laws at which their pieces end [s], shape (p,).
     """
 
-    runs: tuple[Run, ...]
+    runs: tuple[TimedSection, ...]
     ends: tuple[float, ...]
     table: Array
     segments: Array
@@ -81,7 +81,7 @@ class Course:
         return run.start + run.overlap, run.end - (behind[0].overlap if behind else 0.0)
 
 
-def course_of(parts: Sequence[Part], legs: int) -> Course:
+def timing_of(parts: Sequence[Section], legs: int) -> Timing:
     """Return the course through the parts of a stretch.
 
     Args:
@@ -89,7 +89,7 @@ def course_of(parts: Sequence[Part], legs: int) -> Course:
         legs: number of its moves.
     """
     if not parts:
-        return Course((), (0.0,) * legs, np.empty((0, 7)), np.empty((8, 0)), np.empty(0))
+        return Timing((), (0.0,) * legs, np.empty((0, 7)), np.empty((8, 0)), np.empty(0))
     numbers = list[float]()
     for part in parts:
         over = part.over
@@ -101,11 +101,11 @@ def course_of(parts: Sequence[Part], legs: int) -> Course:
     lay_runs(segments, ends, asked.reshape(-1, 4), table, times)
     table.flags.writeable = segments.flags.writeable = ends.flags.writeable = False
     runs = tuple(_run(part, *at) for part, at in zip(parts, times.tolist(), strict=True))
-    return Course(runs, tuple(_ends(runs, legs)), table, segments, ends)
+    return Timing(runs, tuple(_ends(runs, legs)), table, segments, ends)
 
 
-def _ends(runs: Sequence[Run], legs: int) -> list[float]:
-    """Return the motion times at which moves end [s], see `Course`."""
+def _ends(runs: Sequence[TimedSection], legs: int) -> list[float]:
+    """Return the motion times at which moves end [s], see `Timing`."""
     ends = [0.0] * legs
     for run, overlap in zip(runs, (*[run.overlap for run in runs[1:]], 0.0), strict=True):
         pieces = run.part.pieces

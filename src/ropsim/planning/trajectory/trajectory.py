@@ -3,7 +3,7 @@
 import numpy as np
 
 from ropsim.motion import COEFFICIENTS, JointPoints, LawRows, Ways
-from ropsim.planning.trajectory.timing import Course, Run
+from ropsim.planning.trajectory.timing import TimedSection, Timing
 from ropsim.planning.trajectory.trajectory_kernel import (
     AT_ONCE,
     FIRST_PIECE,
@@ -13,12 +13,12 @@ from ropsim.planning.trajectory.trajectory_kernel import (
     points_on,
     walk_runs,
 )
-from ropsim.planning.trajectory.trajectory_table import WalkTable, walk_table
+from ropsim.planning.trajectory.trajectory_table import TrajectoryTable, trajectory_table
 from ropsim.spatial import Array, frozen, record
 
 
 @record
-class StretchMotion:
+class Trajectory:
     """Joint coordinates over motion time.
 
     While a run still ends and the next one has begun, the joints are where the one has them, and as far
@@ -30,20 +30,20 @@ class StretchMotion:
         table: the runs as numbers; None where one has a path that compiled loops do not know.
     """
 
-    course: Course
+    course: Timing
     corners: Array
-    table: WalkTable | None
+    table: TrajectoryTable | None
 
     @classmethod
-    def on(cls, course: Course) -> "StretchMotion":
+    def on(cls, course: Timing) -> "Trajectory":
         """Return the motion on a course."""
-        table = walk_table(course)
+        table = trajectory_table(course)
         corners = _corners(course, table) if table else frozen([_end(run) for run in course.runs[:-1]])
         return cls(course, corners, table)
 
-    def timed(self, course: Course) -> "StretchMotion":
+    def timed(self, course: Timing) -> "Trajectory":
         """Return the motion on a course that has the same pieces and other times."""
-        return StretchMotion(course, self.corners, self.table.timed(course) if self.table else None)
+        return Trajectory(course, self.corners, self.table.timed(course) if self.table else None)
 
     @property
     def duration(self) -> float:
@@ -117,7 +117,7 @@ class StretchMotion:
         return Ways(*walked, *most)
 
 
-def _corners(course: Course, table: WalkTable) -> Array:
+def _corners(course: Timing, table: TrajectoryTable) -> Array:
     """Return the joint coordinates at the ends of all runs but the last [rad | m], shape (r - 1, n)."""
     runs = course.runs[:-1]
     law, out = np.zeros((4, len(runs))), np.empty((3, len(runs), table.rows.shape[1]))
@@ -128,13 +128,13 @@ def _corners(course: Course, table: WalkTable) -> Array:
     return corners
 
 
-def _end(run: Run) -> Array:
+def _end(run: TimedSection) -> Array:
     """Return the joint coordinates at the end of a run [rad | m], shape (n,)."""
     path = run.pieces[-1].joints
     return np.ascontiguousarray(path.joints(np.array([path.length])).q[0])
 
 
-def _walk(run: Run, times: Array, row: int, shared: int, corner: Array, total: Array) -> None:
+def _walk(run: TimedSection, times: Array, row: int, shared: int, corner: Array, total: Array) -> None:
     """Write coordinates and derivatives by time at times since the start of a run, shape (k,).
 
     Args:
@@ -159,7 +159,7 @@ def _walk(run: Run, times: Array, row: int, shared: int, corner: Array, total: A
             add_in_time(q, d1, d2, v, a, row + begin, shared, corner, total)
 
 
-def _most(run: Run, rows: LawRows) -> Array:
+def _most(run: TimedSection, rows: LawRows) -> Array:
     """Return the limits of acceleration and jerk on the path of a run, shape (2, k)."""
     places = run.part.borders[rows.pieces] + rows.places
     here = np.searchsorted(run.part.stages.ends[:-1], places, "right")

@@ -35,7 +35,7 @@ def walk_runs(
     held: Array3,
     total: Array3,
 ) -> None:
-    """Write coordinates and derivatives by time of a whole motion; see `WalkTable`.
+    """Write coordinates and derivatives by time of a whole motion; see `TrajectoryTable`.
 
     Args:
         runs: shape (r, 7).

@@ -3,17 +3,17 @@
 import numpy as np
 
 from ropsim.motion import rows_of_path
-from ropsim.planning.trajectory.timing import Course
+from ropsim.planning.trajectory.timing import Timing
 from ropsim.spatial import Array, record
 
 
 @record
-class WalkTable:
+class TrajectoryTable:
     """Runs with their time laws and paths.
 
     Attributes:
-        runs: see `Course.table`, shape (r, 7).
-        segments: see `Course.segments`, shape (8, m).
+        runs: see `Timing.table`, shape (r, 7).
+        segments: see `Timing.segments`, shape (8, m).
         pieces: kind, place at which it begins, length of the path, first row, rows, and first slope of each
             piece, see `PathRows`, shape (p, 6).
         rows: of all paths, shape (k, n).
@@ -26,12 +26,12 @@ class WalkTable:
     rows: Array
     slopes: Array
 
-    def timed(self, course: Course) -> "WalkTable":
+    def timed(self, course: Timing) -> "TrajectoryTable":
         """Return the table of a course with the same pieces and other times."""
-        return WalkTable(course.table, course.segments, self.pieces, self.rows, self.slopes)
+        return TrajectoryTable(course.table, course.segments, self.pieces, self.rows, self.slopes)
 
 
-def walk_table(course: Course) -> WalkTable | None:
+def trajectory_table(course: Timing) -> TrajectoryTable | None:
     """Return the table of the runs of a course; None where one has a path that compiled loops do not know.
 
     Args:
@@ -52,4 +52,4 @@ def walk_table(course: Course) -> WalkTable | None:
                 slope += size
     pieces, at = np.fromiter(numbers, np.float64).reshape(-1, 6), np.concatenate(rows).reshape(row, -1)
     along = np.concatenate(slopes, axis=1) if slopes else np.empty((2, 0, at.shape[1]))
-    return WalkTable(course.table, course.segments, pieces, at, along)
+    return TrajectoryTable(course.table, course.segments, pieces, at, along)

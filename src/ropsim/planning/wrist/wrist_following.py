@@ -11,9 +11,9 @@ import numpy as np
 
 from ropsim.kinematics import forward_batch, frames_batch, frames_of_steps
 from ropsim.model import BASE_LINK, RobotModel, held_arm
-from ropsim.motion import JointPath, Refined, Traced, joins, rough_parts
+from ropsim.motion import JointPath, Refined, SampledPath, joins, rough_parts
 from ropsim.planning.records.sampling import SMOOTH
-from ropsim.planning.wrist.wrist_motion import WristWay, arm_axes
+from ropsim.planning.wrist.wrist_motion import WristMotion, arm_axes
 from ropsim.spatial import Array, Pose, cross, record
 
 _COARSE = (16, 64, 256)
@@ -40,7 +40,7 @@ class WristLead:
     share: float
 
 
-def wrist_lead(way: WristWay, parts: int = 1) -> WristLead:
+def wrist_lead(way: WristMotion, parts: int = 1) -> WristLead:
     """Return the joint coordinates along a way, as dense as their smooth path needs.
 
     The first three joints are found by Newton's method, from place to place along the way and then between
@@ -62,7 +62,7 @@ def wrist_lead(way: WristWay, parts: int = 1) -> WristLead:
     return _densely(arm, way, lead.q, (0.0, way.path.length), _MOST * fours)
 
 
-def wrist_joints(way: WristWay, q: Array) -> JointPath:
+def wrist_joints(way: WristMotion, q: Array) -> JointPath:
     """Return the smooth path through joint coordinates; where they are too far apart, more are found.
 
     Args:
@@ -70,21 +70,21 @@ def wrist_joints(way: WristWay, q: Array) -> JointPath:
         q: at equidistant places of all of the way [rad | m], an odd number of them, shape (k, n).
     """
     length, arm = way.path.length, _Arm(way.robot, way.X_MT)
-    whole, step = Traced(length, q), length / (len(q) - 1)
+    whole, step = SampledPath(length, q), length / (len(q) - 1)
     places = np.arange(1.0, len(q) - 1.0, 2.0) * step
-    rough = np.abs(Traced(length, q[::2]).joints(places).q - q[1:-1:2]).max(axis=1)
+    rough = np.abs(SampledPath(length, q[::2]).joints(places).q - q[1:-1:2]).max(axis=1)
     begins, parts = [], []
     for first, last in rough_parts(rough > SMOOTH):
         begin, end = first * step, last * step
         lead = _densely(arm, way, q[first : last + 1], (begin, end), _MOST)
-        part = Traced(end - begin, lead.q)
+        part = SampledPath(end - begin, lead.q)
         if lead.share == 1.0 and joins(whole, begin, part, step, SMOOTH):
             begins.append(begin)
             parts.append(part)
     return Refined(whole, np.array(begins), tuple(parts)) if parts else whole
 
 
-def _densely(arm: "_Arm", way: WristWay, q: Array, ends: tuple[float, float], most: int) -> WristLead:
+def _densely(arm: "_Arm", way: WristMotion, q: Array, ends: tuple[float, float], most: int) -> WristLead:
     """Return the joints between two places of a way, as dense as their smooth path needs.
 
     Args:
@@ -103,14 +103,14 @@ def _densely(arm: "_Arm", way: WristWay, q: Array, ends: tuple[float, float], mo
         between, found = arm.solved(guess, way.positions(places))
         if not found.all():
             return WristLead(q, float(shares[int(np.argmin(found))]))
-        is_smooth = float(np.abs(Traced(1.0, q).joints(shares).q - between).max()) <= SMOOTH
+        is_smooth = float(np.abs(SampledPath(1.0, q).joints(shares).q - between).max()) <= SMOOTH
         both = np.empty((2 * len(q) - 1, q.shape[1]))
         both[::2], both[1::2], q = q, between, both
         if is_smooth or len(q) > most:
             return WristLead(q, 1.0)
 
 
-def _walked(arm: "_Arm", way: WristWay, steps: int) -> WristLead:
+def _walked(arm: "_Arm", way: WristMotion, steps: int) -> WristLead:
     """Return the joints at the places of so many steps, each found from those before."""
     places = np.linspace(0.0, way.path.length, steps + 1)
     goals, q = way.positions(places), way.given(places)

@@ -11,7 +11,7 @@ from ropsim.spatial import Array, Pose, record
 
 
 @record
-class WristWay:
+class WristMotion:
     """A way on which the wrist leads the tool.
 
     Attributes:

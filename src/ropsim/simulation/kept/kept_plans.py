@@ -4,7 +4,7 @@ from collections.abc import Hashable
 
 from ropsim.flow import ModalState, MoveInstruction
 from ropsim.model import Cell
-from ropsim.planning import MotionChain, StretchOrder
+from ropsim.planning import MotionChain, MotionSequence
 from ropsim.simulation.kept.replaced_lines import on_lines_of
 from ropsim.simulation.records.kept_results import KeptResults
 from ropsim.simulation.records.planned_sequence import PlannedStretch, planned_anew
@@ -55,7 +55,7 @@ class KeptPlans:
         self._kept.begin()
         self.anew = []
 
-    def plan(self, station: str, chain: MotionChain, order: StretchOrder) -> PlannedStretch:
+    def plan(self, station: str, chain: MotionChain, order: MotionSequence) -> PlannedStretch:
         """Return the plan of a stretch, made now or before.
 
         Args:

@@ -14,10 +14,10 @@ from ropsim.planning import (
     PLANNED_ACCELERATION,
     MotionChain,
     MotionPlan,
+    MotionSequence,
     Refusal,
-    StretchOrder,
     arm_bounds,
-    critical_limits,
+    binding_constraints,
     ordered,
 )
 from ropsim.simulation.records.tally_kernel import peaks
@@ -71,11 +71,11 @@ class PlannedStretch:
     refusal: Refusal | None
 
 
-Planning: TypeAlias = Callable[[str, MotionChain, StretchOrder], PlannedStretch]
+Planning: TypeAlias = Callable[[str, MotionChain, MotionSequence], PlannedStretch]
 """Plans a stretch of the station of a name; see `ropsim.controller.plan`."""
 
 
-def planned_anew(station: str, chain: MotionChain, order: StretchOrder) -> PlannedStretch:
+def planned_anew(station: str, chain: MotionChain, order: MotionSequence) -> PlannedStretch:
     """Plan a stretch, whatever was planned before."""
     del station
     planned, refusal = ordered(chain, order)
@@ -97,7 +97,7 @@ def clock_limits(speeds: Array, accelerations: Array, jerks: Array) -> ClockLimi
 
 
 def _motion(planned: MotionPlan, robot: RobotModel, payload: Payload) -> PlannedMotion:
-    critical = critical_limits(planned, robot, payload)
+    critical = binding_constraints(planned, robot, payload)
     return PlannedMotion(planned, critical, _places(planned, robot), arm_bounds(robot, payload).joints)
 
 

@@ -10,7 +10,7 @@ from ropsim.controller import CellSensors
 from ropsim.core import Diagnostic, Span
 from ropsim.flow import SLOWEST, Event, InputChange, Placement, WaitEvent
 from ropsim.model import Cell, Part, Tool
-from ropsim.planning import NothingSensed, Sample, StretchOrder
+from ropsim.planning import MotionSequence, NothingSensed, Sample
 from ropsim.simulation.devices.device_run import NEVER, DeviceRun
 from ropsim.simulation.parts.moment import Moment
 from ropsim.simulation.parts.parts import payload
@@ -70,7 +70,7 @@ class CellRun:
     parts: Placements
     hz: int
     progress: Callable[[str], None]
-    ordered: Callable[[str, StretchOrder], None]
+    ordered: Callable[[str, MotionSequence], None]
     plan: Planning
     moved: int = 0
     at_work: dict[str, Iterator[None]] = field(default_factory=dict)

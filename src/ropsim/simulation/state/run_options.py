@@ -6,7 +6,7 @@ from dataclasses import field
 from ropsim.controller import CompiledLaw, PythonLaw
 from ropsim.core import frozen_dataclass
 from ropsim.flow import Fidelity, InputChange, OverrideChange
-from ropsim.planning import MotionChain, SensorInterface, StretchOrder
+from ropsim.planning import MotionChain, MotionSequence, SensorInterface
 from ropsim.simulation.records.adapting import Adaptation, as_programmed
 from ropsim.simulation.records.planned_sequence import Planning, planned_anew
 from ropsim.simulation.records.row_log import MOST_ROWS
@@ -14,7 +14,7 @@ from ropsim.simulation.servo.kept_drives import Driving, driven_anew
 from ropsim.simulation.state.watch import NobodyWatches, Watch
 
 
-def unheard(station: str, order: StretchOrder) -> None:
+def unheard(station: str, order: MotionSequence) -> None:
     """Take no notice of what is planned."""
     del station, order
 
@@ -53,7 +53,7 @@ class RunOptions:
     record_hz: int = 250
     longest: float = 3600.0
     progress: Callable[[str], None] = silent
-    ordered: Callable[[str, StretchOrder], None] = unheard
+    ordered: Callable[[str, MotionSequence], None] = unheard
     plan: Planning = planned_anew
     drive: Driving = driven_anew
     chains: Mapping[str, MotionChain] = field(default_factory=dict)

@@ -18,7 +18,7 @@ from ropsim.controller import (
 )
 from ropsim.core import Diagnostic, Kind
 from ropsim.flow import JointReference, PathTracking
-from ropsim.planning import PlannedMove, Refusal, Sample, guarded, refused
+from ropsim.planning import Refusal, Sample, TimedMove, guarded, refused
 from ropsim.simulation.diagnostics.run_diagnostics import (
     CORRECTION_AT_LIMIT,
     CORRECTION_STOPPED_BY_ARM,
@@ -58,7 +58,7 @@ class Correcting:
 
     at: StationRun
     world: SimulatedWorld
-    planned: PlannedMove
+    planned: TimedMove
     tracking: PathTracking
     rows: JointReference
     arm: ShiftedArm = field(init=False)

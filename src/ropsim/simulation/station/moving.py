@@ -14,7 +14,7 @@ from ropsim.flow import (
     SkipEvent,
 )
 from ropsim.kinematics import forward
-from ropsim.planning import NEXT_IS_SKIPPED, MotionPlan, PlannedMove, StretchOrder, stopped_by
+from ropsim.planning import NEXT_IS_SKIPPED, MotionPlan, MotionSequence, TimedMove, stopped_by
 from ropsim.simulation.records.move_span import MoveSpan, PathSpan
 from ropsim.simulation.records.planned_sequence import PlannedMotion
 from ropsim.simulation.state.cell_run import CellRun
@@ -36,7 +36,7 @@ def move(run: CellRun, at: StationRun, stretch: Stretch, world: SimulatedWorld) 
     """
     done, moves = 0, stretch.moves
     while done < len(moves) and not at.is_over:
-        order = StretchOrder(moves[done:], at.q_command, at.payload, stretch.ahead)
+        order = MotionSequence(moves[done:], at.q_command, at.payload, stretch.ahead)
         run.ordered(at.station.name, order)
         planned = run.plan(at.station.name, at.chain, order)
         if motion := planned.motion:
@@ -131,7 +131,7 @@ def _lookout(run: CellRun, at: StationRun, world: SimulatedWorld, guard: Guard) 
     return Lookout(guard, world, at, at.time, signal.sensor if signal is not None else None)
 
 
-def _told_by(lookout: Lookout, follower: Follower, one: PlannedMove, first: float) -> tuple[Diagnostic, ...]:
+def _told_by(lookout: Lookout, follower: Follower, one: TimedMove, first: float) -> tuple[Diagnostic, ...]:
     """Return what is found of the condition of a move that has ended; it began at a place of the plan."""
     if follower.at.cut_short:
         return ()
@@ -154,7 +154,7 @@ def _commanded(at: StationRun, X_MT: Pose) -> tuple[float, ...]:
     return tuple((forward(at.station.robot, at.q_command) @ X_MT).position.tolist())
 
 
-def _to(run: CellRun, at: StationRun, follower: Follower, one: PlannedMove) -> Iterator[None]:
+def _to(run: CellRun, at: StationRun, follower: Follower, one: TimedMove) -> Iterator[None]:
     """Follow the plan to the end of a move; what is to be set on its way is set."""
     for trigger in one.triggers:
         yield from follower.until(trigger.tick)

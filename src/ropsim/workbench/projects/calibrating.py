@@ -17,7 +17,7 @@ from ropsim.core import Diagnostic, SourceText, read_bytes
 from ropsim.flow import Fidelity
 from ropsim.icr import Program
 from ropsim.model import Cell, ReadRobot, Station
-from ropsim.planning import StretchOrder
+from ropsim.planning import MotionSequence
 from ropsim.simulation import RunOptions, run
 from ropsim.userfiles import UNREADABLE, missing_file
 from ropsim.workbench.projects.calibrated_project import CalibratedProject
@@ -61,9 +61,9 @@ def calibrate_project(
     found, findings = read_trace(content, station.robot.axis_joints, str(trace))
     if found is None:
         return None, findings
-    orders: list[StretchOrder] = []
+    orders: list[MotionSequence] = []
 
-    def ordered(name: str, order: StretchOrder) -> None:
+    def ordered(name: str, order: MotionSequence) -> None:
         if name == station.name:
             orders.append(order)
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from scipy.integrate import quad
 
-from ropsim.motion import CornerFault, Curve, Line, OrientationMode, ToolPath, ToolPoints, corner
+from ropsim.motion import BlendFault, Curve, Line, OrientationMode, ToolPath, ToolPoints, blend_curve
 from ropsim.spatial import Array, Pose
 from support.paths import brute_distances, inner_places, random_pose, tool_differences
 
@@ -23,7 +23,7 @@ BEFORE, AFTER = Line(FIRST, MEET, OrientationMode.DRIVE_TRANSFORM), Line(MEET, L
 
 def made(before: ToolPath, s_leave: float, after: ToolPath, s_enter: float) -> Curve:
     """Return a corner that there is."""
-    found = corner(before, s_leave, after, s_enter)
+    found = blend_curve(before, s_leave, after, s_enter)
     assert isinstance(found, Curve)
     return found
 
@@ -148,21 +148,21 @@ def test_a_corner_flown_backwards_is_the_corner_of_the_paths_backwards() -> None
 
 def test_a_way_back_is_no_corner() -> None:
     there, back = Line(Pose(), Pose(np.array([1.0, 0, 0]))), Line(Pose(np.array([1.0, 0, 0])), Pose())
-    assert corner(there, 0.8, back, 0.2) is CornerFault.TURNS_BACK
+    assert blend_curve(there, 0.8, back, 0.2) is BlendFault.TURNS_BACK
     sharp = Line(Pose(np.array([1.0, 0, 0])), Pose(np.array([0.0, 0.16, 0])))  # by 170.9°
-    assert corner(there, 0.8, sharp, 0.2) is CornerFault.TURNS_BACK
+    assert blend_curve(there, 0.8, sharp, 0.2) is BlendFault.TURNS_BACK
 
 
 def test_where_the_tcp_stands_there_is_no_corner() -> None:
     turn = Line(MEET, Pose(MEET.position, np.array([1.0, 2.0, 3.0, 4.0])))
-    assert corner(BEFORE, BEFORE.length - 0.1, turn, 0.1) is CornerFault.NO_LENGTH
-    assert corner(BEFORE, BEFORE.length, AFTER, 0.1) is CornerFault.NO_LENGTH
-    assert corner(BEFORE, BEFORE.length - 0.1, AFTER, 0.0) is CornerFault.NO_LENGTH
+    assert blend_curve(BEFORE, BEFORE.length - 0.1, turn, 0.1) is BlendFault.NO_LENGTH
+    assert blend_curve(BEFORE, BEFORE.length, AFTER, 0.1) is BlendFault.NO_LENGTH
+    assert blend_curve(BEFORE, BEFORE.length - 0.1, AFTER, 0.0) is BlendFault.NO_LENGTH
 
 
 def test_a_corner_in_which_the_tool_would_whirl_is_none() -> None:
-    assert isinstance(corner(BEFORE, BEFORE.length - 0.3, _Turning(AFTER, 20.0), 0.2), Curve)
-    assert corner(BEFORE, BEFORE.length - 0.3, _Turning(AFTER, 400.0), 0.2) is CornerFault.WHIRLS
+    assert isinstance(blend_curve(BEFORE, BEFORE.length - 0.3, _Turning(AFTER, 20.0), 0.2), Curve)
+    assert blend_curve(BEFORE, BEFORE.length - 0.3, _Turning(AFTER, 400.0), 0.2) is BlendFault.WHIRLS
 
 
 def test_the_distance_from_a_corner_agrees_with_a_search() -> None:

@@ -3,13 +3,13 @@
 import numpy as np
 import pytest
 
-from ropsim.motion import JointLine, Refined, Traced, joins, rough_parts
+from ropsim.motion import JointLine, Refined, SampledPath, joins, rough_parts
 
 
 def test_parts_count_where_they_lie_and_the_whole_counts_elsewhere() -> None:
     whole = JointLine(np.zeros(2), np.array([1.0, 2.0]))
     begin, length = 0.25 * whole.length, 0.5 * whole.length
-    part = Traced(length, np.array([[5.0, 5.0], [6.0, 5.0]]))
+    part = SampledPath(length, np.array([[5.0, 5.0], [6.0, 5.0]]))
     path = Refined(whole, np.array([begin]), (part,))
     assert path.length == whole.length
     s = np.array([0.0, 0.2, 0.25, 0.3, 0.5, 0.7, 0.75, 0.8, 1.0]) * whole.length
@@ -24,7 +24,7 @@ def test_parts_count_where_they_lie_and_the_whole_counts_elsewhere() -> None:
 def test_where_a_part_begins_and_ends_values_and_two_derivatives_go_on(place: float) -> None:
     whole = JointLine(np.zeros(2), np.array([1.0, 2.0]))
     rows = whole.joints(np.linspace(0.25, 0.75, 9) * whole.length).q
-    part = Traced(0.5 * whole.length, rows + 1e-8 * np.sin(np.arange(18.0).reshape(9, 2)))
+    part = SampledPath(0.5 * whole.length, rows + 1e-8 * np.sin(np.arange(18.0).reshape(9, 2)))
     path = Refined(whole, np.array([0.25 * whole.length]), (part,))
     aside = 1e-9 * whole.length
     points = path.joints(place * whole.length + np.array([-aside, aside]))
@@ -37,7 +37,7 @@ def test_where_a_part_begins_and_ends_values_and_two_derivatives_go_on(place: fl
 def test_a_part_joins_only_where_values_and_slopes_go_on(aside: float, slope: float) -> None:
     whole = JointLine(np.zeros(2), np.array([1.0, 2.0]))
     middle = whole.joints(np.array([0.25, 0.75]) * whole.length).q
-    part = Traced(0.5 * whole.length, middle + aside + np.array([[0.0], [slope]]))
+    part = SampledPath(0.5 * whole.length, middle + aside + np.array([[0.0], [slope]]))
     fits = joins(whole, 0.25 * whole.length, part, 0.01 * whole.length, 5e-8)
     assert fits == (aside == slope == 0.0)
 

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from ropsim.motion import Traced
+from ropsim.motion import SampledPath
 from ropsim.spatial import Array
 from support.paths import inner_places, joint_differences
 
@@ -19,8 +19,8 @@ def wave_d2(s: Array) -> Array:
     return np.stack((-4.0 * np.sin(2.0 * s), -9.0 * np.cos(3.0 * s), np.exp(-s)), axis=1)
 
 
-def traced(count: int) -> Traced:
-    return Traced(2.0, wave(np.linspace(0.0, 2.0, count)))
+def traced(count: int) -> SampledPath:
+    return SampledPath(2.0, wave(np.linspace(0.0, 2.0, count)))
 
 
 @pytest.mark.parametrize("count", [2, 3, 6, 7, 8, 9, 20])
@@ -49,7 +49,7 @@ def test_second_derivatives_go_over_from_piece_to_piece() -> None:
 def test_polynomials_up_to_degree_five_are_exact(count: int) -> None:
     coefficients = np.random.default_rng(count).normal(size=min(count, 6))
     polynomial = np.polynomial.Polynomial(coefficients)
-    path = Traced(2.0, polynomial(np.linspace(0.0, 2.0, count))[:, None])
+    path = SampledPath(2.0, polynomial(np.linspace(0.0, 2.0, count))[:, None])
     s = np.linspace(0.0, 2.0, 50)
     size = np.abs(coefficients) @ 2.0 ** np.arange(len(coefficients))
     assert np.abs(path.joints(s).q[:, 0] - polynomial(s)).max() < 1e-13 * size

@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from ropsim.motion import Arc, ArcFault, ArcOrientation, Curve, Line, OrientationMode, arc, corner, leave
+from ropsim.motion import Arc, ArcFault, ArcOrientation, Curve, Line, OrientationMode, arc, blend_curve, leave
 from ropsim.spatial import Pose
 from support.paths import brute_distances, inner_places, random_pose, tool_differences
 
@@ -162,7 +162,7 @@ def test_angles_that_are_no_way_are_told(angle: float, fault: ArcFault) -> None:
 def test_a_corner_between_line_and_arc_takes_on_the_bend_of_the_arc() -> None:
     line = Line(random_pose(RNG), START)
     zone = leave(line.positions, line.length, 0.2, line.length / 2.0)
-    curve = corner(line, zone, ARC, 0.15)
+    curve = blend_curve(line, zone, ARC, 0.15)
     assert isinstance(curve, Curve)
     for path, place, end in ((line, zone, 0.0), (ARC, 0.15, curve.length)):
         there, here = path.tool(np.array([place])), curve.tool(np.array([end]))

@@ -11,13 +11,13 @@ import numpy.typing as npt
 import pytest
 
 from ropsim.motion import (
+    Interval,
     PiecewiseLaw,
     ProfileError,
     ProfileLimits,
-    Stage,
     evaluate,
+    jerk_limited,
     plan_profile,
-    plan_stages,
     plan_time_law,
 )
 from ropsim.motion.time_law import law_rows_kernel, law_times_kernel, time_law_kernel
@@ -27,24 +27,24 @@ ROUNDING = 1e-12  # relative; a handful of float64 operations
 POWERS = 1e-14  # relative; a library's power may differ from another's in the last bit
 
 SHAPES = {
-    "all seven segments": Stage(10.0, 1.0, 2.0, 8.0),
-    "speed limit without constant acceleration": Stage(4.0, 1.0, 10.0, 4.0),
-    "acceleration limit without constant speed": Stage(1.5, 10.0, 1.0, 2.0),
-    "jerk limit only": Stage(1.0, 10.0, 10.0, 32.0),
-    "very short": Stage(1e-6, 1e6, 1e6, 1e-6),
-    "very long": Stage(1e6, 1e-6, 1e6, 1e6),
+    "all seven segments": Interval(10.0, 1.0, 2.0, 8.0),
+    "speed limit without constant acceleration": Interval(4.0, 1.0, 10.0, 4.0),
+    "acceleration limit without constant speed": Interval(1.5, 10.0, 1.0, 2.0),
+    "jerk limit only": Interval(1.0, 10.0, 10.0, 32.0),
+    "very short": Interval(1e-6, 1e6, 1e6, 1e-6),
+    "very long": Interval(1e6, 1e-6, 1e6, 1e6),
 }
 WAY = (
-    Stage(0.3, 0.5, 2.0, 20.0),
-    Stage(0.02, 0.2, 2.0, 20.0),
-    Stage(1.0, 2.0, 4.0, 90.0, ratio=3.0),
-    Stage(0.4, 0.7, 1.0, 5.0, ratio=0.25),
-    Stage(2.0, 1.0, 3.0, 30.0, ratio=0.0),
-    Stage(0.1, 0.5, 2.0, 20.0),
+    Interval(0.3, 0.5, 2.0, 20.0),
+    Interval(0.02, 0.2, 2.0, 20.0),
+    Interval(1.0, 2.0, 4.0, 90.0, ratio=3.0),
+    Interval(0.4, 0.7, 1.0, 5.0, ratio=0.25),
+    Interval(2.0, 1.0, 3.0, 30.0, ratio=0.0),
+    Interval(0.1, 0.5, 2.0, 20.0),
 )
 
 
-def _rest_to_rest(stage: Stage) -> float:
+def _rest_to_rest(stage: Interval) -> float:
     limits = ProfileLimits(stage.speed, stage.acceleration, stage.jerk)
     return plan_profile(stage.length, limits).duration
 
@@ -56,7 +56,7 @@ def _speeds_at_ends(law: PiecewiseLaw) -> list[float]:
 
 
 @pytest.mark.parametrize("stage", SHAPES.values(), ids=SHAPES.keys())
-def test_one_piece_alone_has_the_s_curve(stage: Stage) -> None:
+def test_one_piece_alone_has_the_s_curve(stage: Interval) -> None:
     profile = plan_profile(stage.length, ProfileLimits(stage.speed, stage.acceleration, stage.jerk))
     law = plan_time_law([stage])
     assert law.duration == pytest.approx(profile.duration, rel=ROUNDING)
@@ -70,7 +70,7 @@ def test_one_piece_alone_has_the_s_curve(stage: Stage) -> None:
 
 def test_two_pieces_share_the_s_curve_of_both_where_only_jerk_limits() -> None:
     # In its middle a rest-to-rest S-curve has no acceleration; over 2 with unit jerk it takes (32·2)^(1/3) s
-    law = plan_time_law([Stage(1.0, 10.0, 10.0, 1.0)] * 2)
+    law = plan_time_law([Interval(1.0, 10.0, 10.0, 1.0)] * 2)
     assert law.duration == pytest.approx(4.0, rel=ROUNDING)
     assert law.ends.tolist() == pytest.approx([2.0, 4.0], rel=ROUNDING)
     assert _speeds_at_ends(law) == pytest.approx([1.0], rel=ROUNDING)
@@ -78,14 +78,14 @@ def test_two_pieces_share_the_s_curve_of_both_where_only_jerk_limits() -> None:
 
 def test_speed_rises_over_a_piece_as_far_as_a_hand_computation_says() -> None:
     # For a = 1, j = 1: after 1 s speed 1/2 and way 1/6; then 2 s at a = 1 lead over 1/2·2 + 2 = 3
-    law = plan_time_law([Stage(3.0 + 1.0 / 6.0, 10.0, 1.0, 1.0), Stage(1000.0, 10.0, 1.0, 1.0)])
+    law = plan_time_law([Interval(3.0 + 1.0 / 6.0, 10.0, 1.0, 1.0), Interval(1000.0, 10.0, 1.0, 1.0)])
     assert _speeds_at_ends(law) == pytest.approx([2.5], rel=ROUNDING)
     assert law.ends[0] == pytest.approx(3.0, rel=ROUNDING)
     assert law.at(law.ends[:1]).accelerations.tolist() == pytest.approx([1.0], rel=ROUNDING)
 
 
 def test_the_acceleration_is_taken_back_before_a_piece_that_bounds_it() -> None:
-    law = plan_time_law([Stage(x, 100.0, a, 8.0) for x, a in ((20.0, 4.0), (20.0, 0.5), (90.0, 4.0))])
+    law = plan_time_law([Interval(x, 100.0, a, 8.0) for x, a in ((20.0, 4.0), (20.0, 0.5), (90.0, 4.0))])
     first, second = law.at(law.ends[:-1]).accelerations
     assert first == pytest.approx(0.5, rel=ROUNDING)
     assert abs(second) <= 0.5 * (1.0 + ROUNDING)
@@ -93,13 +93,19 @@ def test_the_acceleration_is_taken_back_before_a_piece_that_bounds_it() -> None:
 
 
 def test_the_slower_piece_bounds_the_speed_where_two_meet() -> None:
-    law = plan_time_law([Stage(10.0, 1.0, 2.0, 8.0), Stage(10.0, 0.25, 2.0, 8.0), Stage(10.0, 1.0, 2.0, 8.0)])
+    law = plan_time_law(
+        [
+            Interval(10.0, 1.0, 2.0, 8.0),
+            Interval(10.0, 0.25, 2.0, 8.0),
+            Interval(10.0, 1.0, 2.0, 8.0),
+        ]
+    )
     assert _speeds_at_ends(law) == pytest.approx([0.25, 0.25], rel=ROUNDING)
     assert law.ends[1] - law.ends[0] == pytest.approx(40.0, rel=ROUNDING)
 
 
 def test_a_ratio_carries_the_speed_into_the_unit_of_the_next_piece() -> None:
-    law = plan_time_law([Stage(10.0, 1.0, 2.0, 8.0), Stage(10.0, 9.0, 20.0, 80.0, ratio=3.0)])
+    law = plan_time_law([Interval(10.0, 1.0, 2.0, 8.0), Interval(10.0, 9.0, 20.0, 80.0, ratio=3.0)])
     just_before = law.at([np.nextafter(law.ends[0], 0.0)])
     assert just_before.pieces.tolist() == [0]
     assert just_before.speeds[0] == pytest.approx(1.0, rel=ROUNDING)
@@ -114,7 +120,7 @@ def test_the_motion_stops_at_a_ratio_of_zero() -> None:
 
 
 def test_a_cut_where_the_speed_is_constant_changes_nothing() -> None:
-    whole = Stage(10.0, 1.0, 2.0, 8.0)
+    whole = Interval(10.0, 1.0, 2.0, 8.0)
     parts = [replace(whole, length=length) for length in (4.0, 1.0, 5.0)]
     assert plan_time_law(parts).duration == pytest.approx(plan_time_law([whole]).duration, rel=ROUNDING)
 
@@ -127,7 +133,7 @@ def test_without_look_ahead_every_piece_ends_at_rest() -> None:
 
 def test_a_look_ahead_of_one_piece_lets_the_motion_stop_on_the_next() -> None:
     # v²/(2a) + v·a/(2j) = 3 for a = 1, j = 1 is v² + v = 6: to rest over 3 from 2 1/s, though the way goes on
-    stage = Stage(3.0, 10.0, 1.0, 1.0)
+    stage = Interval(3.0, 10.0, 1.0, 1.0)
     law = plan_time_law([replace(stage, horizon=i + 1) for i in range(6)])
     assert max(_speeds_at_ends(law)[:-1]) <= 2.0 * (1.0 + ROUNDING)
     assert _speeds_at_ends(law)[:4] == pytest.approx([2.0] * 4, rel=ROUNDING)
@@ -184,8 +190,8 @@ def test_a_speed_that_could_rise_by_less_than_its_last_digit_fits_the_way(unit: 
     # A rise by d from 1000 1/s takes the way 2000·√(d/jerk): over 1, d is about 1e-13, the last digit of 1000
     for speed in np.random.default_rng(6).uniform(500.0, 1000.0, 40).tolist():
         for jerk in np.logspace(-9.0, -6.0, 8).tolist():
-            slow = Stage(1e4, speed, 1e6, 1e9, 1.0 / unit)
-            fast, short = replace(slow, speed=2e3), Stage(unit, 2e3 * unit, unit, jerk * unit, unit)
+            slow = Interval(1e4, speed, 1e6, 1e9, 1.0 / unit)
+            fast, short = replace(slow, speed=2e3), Interval(unit, 2e3 * unit, unit, jerk * unit, unit)
             for way in ([slow, short, fast], [fast, short, slow]):
                 law = plan_time_law(way)
                 _, _, places, speeds, accelerations, jerks, h, ends = law.segments
@@ -196,8 +202,8 @@ def test_a_speed_that_could_rise_by_less_than_its_last_digit_fits_the_way(unit: 
 
 def test_bounds_hold_where_a_piece_takes_no_longer_than_the_last_digit_of_the_time() -> None:
     # After 1e9 s the next number is 1.2e-7 s later
-    short = [Stage(10.0**k, 1e3, 1e3, 1e12) for k in range(-12, -3)]
-    law = plan_time_law([Stage(1e6, 1e-3, 1.0, 1.0), *(replace(one, ratio=0.0) for one in short)])
+    short = [Interval(10.0**k, 1e3, 1e3, 1e12) for k in range(-12, -3)]
+    law = plan_time_law([Interval(1e6, 1e-3, 1.0, 1.0), *(replace(one, ratio=0.0) for one in short)])
     assert law.ends[0] > 1e9
     times = law.ends[0] + np.spacing(law.ends[0]) * np.arange(20_000)
     rows = law.at(times)
@@ -223,10 +229,10 @@ def test_times_of_places_are_those_at_which_the_motion_is_there(piece: int) -> N
     assert (np.diff(times) > 0.0).all()
 
 
-def told_over(stages: Sequence[Stage], counts: npt.ArrayLike) -> PiecewiseLaw:
+def told_over(stages: Sequence[Interval], counts: npt.ArrayLike) -> PiecewiseLaw:
     """Return the time law of stages, told over pieces of so many of them."""
     rows = [(one.length, one.speed, one.acceleration, one.jerk, one.ratio, one.horizon) for one in stages]
-    return plan_stages(np.array(rows, np.float64), np.array(counts, np.float64))
+    return jerk_limited(np.array(rows, np.float64), np.array(counts, np.float64))
 
 
 def test_told_in_longer_parts_it_is_the_same_motion() -> None:
@@ -249,7 +255,7 @@ def test_over_longer_pieces_places_are_counted_from_the_first_of_each(seed: int)
     rng = np.random.default_rng(seed)
     many = rng.integers(1, 5, 5)
     rows = rng.uniform((0.02, 0.5, 2.0, 40.0), (0.3, 1.5, 6.0, 200.0), (int(many.sum()), 4))
-    stages = [Stage(*row) for row in rows.tolist()]
+    stages = [Interval(*row) for row in rows.tolist()]
     law, longer = plan_time_law(stages), told_over(stages, many)
     firsts = np.append(0, np.cumsum(many[:-1]))
     ends = np.cumsum(rows[:, 0])
@@ -274,7 +280,7 @@ def test_the_time_of_one_place_is_that_of_it_among_others(piece: int) -> None:
 def test_the_times_of_places_in_order_are_those_of_each_but_for_rounding(seed: int) -> None:
     rng = np.random.default_rng(seed)
     rows = rng.uniform((0.02, 0.5, 2.0, 40.0), (0.3, 1.5, 6.0, 200.0), (6, 4))
-    law = told_over([Stage(*row) for row in rows.tolist()], [1, 3, 2])
+    law = told_over([Interval(*row) for row in rows.tolist()], [1, 3, 2])
     lengths = np.array([rows[0, 0], rows[1:4, 0].sum(), rows[4:, 0].sum()])
     pieces = np.sort(rng.integers(0, 3, 60)).astype(np.float64)
     places = rng.uniform(-0.1, 1.1, 60) * lengths[pieces.astype(int)]
@@ -290,7 +296,7 @@ def test_the_times_of_places_in_order_are_those_of_each_but_for_rounding(seed: i
 
 def test_a_piece_that_no_motion_can_have_is_refused_with_its_bounds() -> None:
     with pytest.raises(ProfileError, match=r"length 0\.7, speed nan"):
-        plan_time_law([Stage(0.7, math.nan, 1.0, 1.0)])
+        plan_time_law([Interval(0.7, math.nan, 1.0, 1.0)])
 
 
 def test_times_of_places_beyond_the_ends_are_those_of_the_ends() -> None:
@@ -301,7 +307,7 @@ def test_times_of_places_beyond_the_ends_are_those_of_the_ends() -> None:
 
 
 def test_times_of_places_near_to_rest_follow_the_cube_root() -> None:
-    law = plan_time_law([Stage(1.0, 10.0, 10.0, 32.0)])  # s = 32/6·t³ at first, at its end mirrored
+    law = plan_time_law([Interval(1.0, 10.0, 10.0, 32.0)])  # s = 32/6·t³ at first, at its end mirrored
     near = np.array([1e-15, 1e-9, 1e-3])
     after = np.cbrt(near * 6.0 / 32.0)
     assert law.times_of(0, near) == pytest.approx(after, rel=ROUNDING)
@@ -326,21 +332,21 @@ def test_there_are_no_places_on_a_piece_that_is_not_there(piece: int) -> None:
 def test_a_bound_that_no_motion_can_have_is_refused_with_its_piece(
     place: int, name: str, value: float
 ) -> None:
-    good = Stage(1.0, 1.0, 1.0, 1.0)
+    good = Interval(1.0, 1.0, 1.0, 1.0)
     length, speed, acceleration, jerk = (value if number == place else 1.0 for number in range(4))
-    bad = Stage(length, speed, acceleration, jerk)
+    bad = Interval(length, speed, acceleration, jerk)
     with pytest.raises(ProfileError, match=f"piece 2 has .*{name} {value:g}"):
         plan_time_law([good, good, bad])
 
 
 @pytest.mark.parametrize(
     "bad",
-    [Stage(1.0, 1.0, 1.0, 1.0, ratio) for ratio in (-1.0, math.nan, math.inf)]
-    + [Stage(1.0, 1.0, 1.0, 1.0, 1.0, horizon) for horizon in (0, -2)],
+    [Interval(1.0, 1.0, 1.0, 1.0, ratio) for ratio in (-1.0, math.nan, math.inf)]
+    + [Interval(1.0, 1.0, 1.0, 1.0, 1.0, horizon) for horizon in (0, -2)],
 )
-def test_a_ratio_or_horizon_that_says_nothing_is_refused(bad: Stage) -> None:
+def test_a_ratio_or_horizon_that_says_nothing_is_refused(bad: Interval) -> None:
     with pytest.raises(ProfileError, match="piece 1 has"):
-        plan_time_law([Stage(1.0, 1.0, 1.0, 1.0), bad])
+        plan_time_law([Interval(1.0, 1.0, 1.0, 1.0), bad])
 
 
 def test_a_way_without_pieces_is_refused() -> None:
@@ -351,20 +357,23 @@ def test_a_way_without_pieces_is_refused() -> None:
 def test_numbers_as_far_apart_as_allowed_give_a_finite_motion() -> None:
     for k in range(16):
         length, speed, acceleration, jerk = ((1e-50, 1e50)[k >> bit & 1] for bit in range(4))
-        stage = Stage(length, speed, acceleration, jerk)
+        stage = Interval(length, speed, acceleration, jerk)
         law = plan_time_law([stage] * 3)
         assert np.isfinite(law.segments).all()
         assert 0.0 < law.duration < math.inf
         assert law.at([law.duration]).places.tolist() == [length]
-    unit = Stage(1.0, 1.0, 1.0, 1.0)
-    for way in ([Stage(1e51, 1.0, 1.0, 1.0)], [unit, Stage(1e50, 1e50, 1e50, 1e50, ratio=1e-50)]):
+    unit = Interval(1.0, 1.0, 1.0, 1.0)
+    for way in (
+        [Interval(1e51, 1.0, 1.0, 1.0)],
+        [unit, Interval(1e50, 1e50, 1e50, 1e50, ratio=1e-50)],
+    ):
         with pytest.raises(ProfileError, match="allowed are numbers from 1e-50 to 1e"):
             plan_time_law(way)
 
 
 def test_ten_thousand_pieces_end_where_they_should() -> None:
     lengths = np.random.default_rng(4).uniform(1e-3, 1.0, 10_000).tolist()
-    stages = [Stage(length, 1.0, 5.0, 50.0, horizon=i + 20) for i, length in enumerate(lengths)]
+    stages = [Interval(length, 1.0, 5.0, 50.0, horizon=i + 20) for i, length in enumerate(lengths)]
     law = plan_time_law(stages)
     rows = law.at(np.nextafter(law.ends, 0.0))
     assert rows.pieces.tolist() == list(range(10_000))

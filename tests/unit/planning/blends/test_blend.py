@@ -8,8 +8,8 @@ import pytest
 from ropsim.flow import ModalState, MoveInstruction, PoseSetpoints
 from ropsim.kinematics import forward_batch
 from ropsim.motion import ToolPath
-from ropsim.planning.blends.blend import Corner, Overlap, Rounding, Stop, corner_between
-from ropsim.planning.moves.planned_move import Leg, leg_of
+from ropsim.planning.blends.blend import Blend, CartesianBlend, JointSpaceBlend, Stop, blend_between
+from ropsim.planning.moves.planned_move import PlannedMove, planned_move_of
 from ropsim.spatial import Array, Pose
 from support.motion import CELL, CHAIN, PUMA, START, interface_pose, lin, ptp, shifted
 
@@ -20,32 +20,32 @@ HERE = interface_pose(START)
 FIRST, SECOND = shifted(HERE, -0.1, 0.1, 0.0), shifted(HERE, -0.1, 0.1, 0.06)
 
 
-def legs(one: MoveInstruction, other: MoveInstruction) -> tuple[Leg, Leg]:
-    before = leg_of(CHAIN, one, START)
-    assert isinstance(before, Leg)
-    behind = leg_of(CHAIN, other, before.q_end)
-    assert isinstance(behind, Leg)
+def legs(one: MoveInstruction, other: MoveInstruction) -> tuple[PlannedMove, PlannedMove]:
+    before = planned_move_of(CHAIN, one, START)
+    assert isinstance(before, PlannedMove)
+    behind = planned_move_of(CHAIN, other, before.q_end)
+    assert isinstance(behind, PlannedMove)
     return before, behind
 
 
-def between(one: MoveInstruction, other: MoveInstruction, zone: float) -> Corner | Stop:
+def between(one: MoveInstruction, other: MoveInstruction, zone: float) -> Blend | Stop:
     one = replace(one, modal=replace(one.modal, zone=zone))
-    return corner_between(CHAIN, *legs(one, other))
+    return blend_between(CHAIN, *legs(one, other))
 
 
-def flown(one: MoveInstruction, other: MoveInstruction, zone: float) -> Corner:
+def flown(one: MoveInstruction, other: MoveInstruction, zone: float) -> Blend:
     found = between(one, other, zone)
     assert not isinstance(found, Stop)
     return found
 
 
-def rounded(one: MoveInstruction, other: MoveInstruction, zone: float) -> Rounding:
+def rounded(one: MoveInstruction, other: MoveInstruction, zone: float) -> CartesianBlend:
     found = between(one, other, zone)
-    assert isinstance(found, Rounding)
+    assert isinstance(found, CartesianBlend)
     return found
 
 
-def place_of(leg: Leg, s: float) -> Array:
+def place_of(leg: PlannedMove, s: float) -> Array:
     assert leg.joints is not None
     return np.asarray(forward_batch(PUMA, leg.joints.joints(np.array([s])).q)[0, :3, 3])
 
@@ -91,13 +91,13 @@ def test_a_corner_of_two_lines_is_one_of_the_tool_and_stays_within_its_zone() ->
 @pytest.mark.parametrize("kinds", ["PTP to PTP", "PTP to LIN", "LIN to PTP"])
 def test_motions_overlap_where_one_of_them_is_pose_to_pose(kinds: str) -> None:
     one, other = (make(goal) for make, goal in zip(KINDS[kinds], (FIRST, SECOND), strict=True))
-    assert isinstance(between(one, other, 0.02), Overlap)
+    assert isinstance(between(one, other, 0.02), JointSpaceBlend)
 
 
 def test_lines_of_two_tools_overlap() -> None:
     X_MT = CELL.first.tools["gripper"].X_MT
     other = lin(shifted(FIRST @ X_MT, 0.0, 0.0, 0.06), ModalState(tool="gripper"))
-    assert isinstance(between(lin(FIRST), other, 0.02), Overlap)
+    assert isinstance(between(lin(FIRST), other, 0.02), JointSpaceBlend)
 
 
 @pytest.mark.parametrize("kinds", KINDS)
@@ -112,7 +112,7 @@ def test_a_zone_takes_at_most_half_of_either_move(kinds: str) -> None:
     ends = (before, found.leave), (behind, found.enter)
     away = [np.linalg.norm(place_of(leg, place) - FIRST.position) for leg, place in ends]
     assert found.zone == pytest.approx(max(away), abs=PLACE)
-    if isinstance(found, Overlap):
+    if isinstance(found, JointSpaceBlend):
         assert found.shorter == pytest.approx(min(away), abs=PLACE)
     if kinds == "LIN to LIN":
         assert away == pytest.approx([0.03, 0.03], abs=PLACE)  # half of the second line
@@ -129,7 +129,7 @@ def test_a_tool_that_only_turns_on_one_side_of_two_lines_is_a_stop() -> None:
     turned = Pose(FIRST.position, (FIRST @ Pose(orientation=np.array([0.99, 0.0, 0.0, 0.1]))).orientation)
     assert between(lin(FIRST), lin(turned), 0.01) is Stop.STANDS
     overlap = between(ptp(FIRST), lin(turned), 0.01)
-    assert isinstance(overlap, Overlap)
+    assert isinstance(overlap, JointSpaceBlend)
     assert overlap.zone == pytest.approx(0.01)  # what only turns has no zone to be cut
 
 
@@ -148,7 +148,7 @@ def test_a_zone_below_a_micrometre_is_a_stop(kinds: str, zone: float) -> None:
 def test_a_controller_that_does_not_look_ahead_stops() -> None:
     short = replace(CHAIN, controller=replace(CHAIN.controller, look_ahead=0))
     move = lin(FIRST, ModalState(zone=0.01))
-    assert corner_between(short, *legs(move, lin(SECOND))) is Stop.NO_LOOK_AHEAD
+    assert blend_between(short, *legs(move, lin(SECOND))) is Stop.NO_LOOK_AHEAD
 
 
 def test_a_corner_that_the_arm_cannot_follow_is_a_stop() -> None:
@@ -161,7 +161,7 @@ def test_a_corner_that_the_arm_cannot_follow_is_a_stop() -> None:
 
     before, behind = legs(lin(FIRST, ModalState(zone=0.02)), lin(SECOND))
     chain = replace(CHAIN, interpolator=Refusing())
-    assert corner_between(chain, before, behind) is Stop.UNREACHABLE
+    assert blend_between(chain, before, behind) is Stop.UNREACHABLE
 
 
 def test_a_line_that_goes_on_straight_is_rounded_on_the_line() -> None:

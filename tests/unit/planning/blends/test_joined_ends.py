@@ -11,7 +11,7 @@ from ropsim.kinematics import forward, forward_batch
 from ropsim.motion import Line, ToolPoints
 from ropsim.planning import MotionState, Refusal, plan
 from ropsim.planning.blends.joined_ends import joined_to
-from ropsim.planning.moves.path_following import trace
+from ropsim.planning.moves.path_following import follow_path
 from ropsim.planning.records.sampling import SMOOTH
 from ropsim.spatial import Array, Pose
 from support.cells import chain_of, one_station
@@ -94,7 +94,7 @@ def test_a_way_round_a_corner_has_as_many_samples_as_it_bends(times: int) -> Non
     first = forward(robot, robot.home)
     last = Pose(first.position + np.array([0.05, 0.1, 0.05]), first.orientation)
     path = Waves(Line(first, last), times)
-    traced = trace(chain, path, robot.home, MoveInstruction(MotionKind.LIN, last, ModalState()))
+    traced = follow_path(chain, path, robot.home, MoveInstruction(MotionKind.LIN, last, ModalState()))
     assert not isinstance(traced, Refusal)
     joints = traced[0]
     ends = joints.joints(np.array([0.0])), joints.joints(np.array([path.length]))

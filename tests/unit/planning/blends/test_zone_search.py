@@ -5,7 +5,14 @@ import pytest
 
 from ropsim import robots
 from ropsim.kinematics import forward_batch
-from ropsim.motion import JointLine, JointMotionLimits, JointPath, JointSection, SynchronisedJoints, Traced
+from ropsim.motion import (
+    JointLine,
+    JointMotionLimits,
+    JointPath,
+    JointSection,
+    SampledPath,
+    SynchronisedJoints,
+)
 from ropsim.planning.blends.zone_search import way_of
 from ropsim.spatial import Array, Pose
 
@@ -28,7 +35,7 @@ def paths(rng: np.random.Generator, n: int, *, far: float) -> list[JointPath]:
     speed = rng.uniform(0.5, 3.0, n)
     s = np.linspace(0.0, 1.0, 41)[:, np.newaxis]
     rows = (1.0 - s) * start + s * end + 0.2 * far * np.sin(2.0 * np.pi * s)
-    traced = Traced(0.7, rows)
+    traced = SampledPath(0.7, rows)
     return [
         JointLine(start, end),
         SynchronisedJoints(start, end, JointMotionLimits(speed, 4.0 * speed, 40.0 * speed)),

@@ -8,7 +8,7 @@ import pytest
 
 from ropsim.flow import MoveInstruction
 from ropsim.planning import MotionChain, PathRequest, PlannedPath, Refusal, StandardPathPlanner
-from ropsim.planning.moves.planned_move import Leg, leg_of
+from ropsim.planning.moves.planned_move import PlannedMove, planned_move_of
 from ropsim.spatial import Array, Pose
 from support.motion import CHAIN, LINE, START, interface_pose, lin, ptp, shifted
 
@@ -70,7 +70,7 @@ def part(**changes: object) -> Callable[[PlannedPath], PlannedPath]:
 def test_a_plan_that_nobody_can_use_is_told_at_the_line(
     move: MoveInstruction, change: Callable[[PlannedPath], PlannedPath | Refusal], told: str
 ) -> None:
-    refusal = leg_of(replace(CHAIN, planner=Theirs(change)), move, START)
+    refusal = planned_move_of(replace(CHAIN, planner=Theirs(change)), move, START)
     assert isinstance(refusal, Refusal)
     found = refusal.diagnostics[0]
     assert (found.code, found.span) == ("C603", LINE)
@@ -81,7 +81,7 @@ def test_a_plan_that_nobody_can_use_is_told_at_the_line(
 def test_a_plan_of_somebody_else_that_is_sound_is_used() -> None:
     chain = replace(CHAIN, planner=Theirs(lambda planned: planned))
     for move in (THERE, JOINTS, ptp(tuple(START.tolist())), lin(interface_pose(START)), ptp(None)):
-        assert isinstance(leg_of(chain, move, START), Leg)
+        assert isinstance(planned_move_of(chain, move, START), PlannedMove)
 
 
 class Silent:
@@ -123,7 +123,7 @@ def with_no_kind() -> MotionChain:
     ],
 )
 def test_a_refusal_without_a_reason_is_told_at_the_line(chain: MotionChain, who: str) -> None:
-    refusal = leg_of(chain, THERE, START)
+    refusal = planned_move_of(chain, THERE, START)
     assert isinstance(refusal, Refusal)
     found = refusal.diagnostics[0]
     assert (found.code, found.span) == ("C603", LINE)

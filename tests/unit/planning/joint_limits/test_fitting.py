@@ -4,16 +4,16 @@ import numpy as np
 import pytest
 
 from ropsim.flow import ModalState
-from ropsim.motion import Effort, JointBounds, Kept, Ticks, keep_limits
+from ropsim.motion import Effort, JointBounds, RetimedTrajectory, Ticks, keep_limits
 from ropsim.planning.joint_limits.arm_limits import ArmBounds
-from ropsim.planning.joint_limits.evaluated import Fit, as_bounds_allow
+from ropsim.planning.joint_limits.evaluated import EvaluatedTrajectory, as_bounds_allow
 from ropsim.planning.joint_limits.fitting import fitted
-from ropsim.planning.joint_limits.retiming import keeping_of
-from ropsim.planning.moves.planned_move import Leg, leg_of
-from ropsim.planning.trajectory.sections import Part, parts_of
-from ropsim.planning.trajectory.segments import pieces_of
-from ropsim.planning.trajectory.timing import course_of
-from ropsim.planning.trajectory.trajectory import StretchMotion
+from ropsim.planning.joint_limits.retiming import retimed
+from ropsim.planning.moves.planned_move import PlannedMove, planned_move_of
+from ropsim.planning.trajectory.sections import Section, sections_of
+from ropsim.planning.trajectory.segments import segments_of
+from ropsim.planning.trajectory.timing import timing_of
+from ropsim.planning.trajectory.trajectory import Trajectory
 from ropsim.spatial import Array
 from support.motion import CHAIN, PUMA, RULES, START, interface_pose, lin, shifted
 
@@ -21,11 +21,11 @@ TICK = 1e-3
 HERE = interface_pose(START)
 
 
-def line(way: tuple[float, float, float], speed: float | None = None) -> tuple[Part, ...]:
+def line(way: tuple[float, float, float], speed: float | None = None) -> tuple[Section, ...]:
     """Return a line as the limits of the tool allow it."""
-    leg = leg_of(CHAIN, lin(shifted(HERE, *way), ModalState(path_speed=speed)), START)
-    assert isinstance(leg, Leg)
-    return parts_of(pieces_of([leg], []), RULES)
+    leg = planned_move_of(CHAIN, lin(shifted(HERE, *way), ModalState(path_speed=speed)), START)
+    assert isinstance(leg, PlannedMove)
+    return sections_of(segments_of([leg], []), RULES)
 
 
 def arm(speed: float, acceleration: float, jerk: float, effort: Effort | None = None) -> ArmBounds:
@@ -35,9 +35,9 @@ def arm(speed: float, acceleration: float, jerk: float, effort: Effort | None = 
     return ArmBounds(JointBounds(*limits, torque), effort)
 
 
-def fit(parts: tuple[Part, ...], bounds: ArmBounds) -> tuple[Fit, Fit]:
+def fit(parts: tuple[Section, ...], bounds: ArmBounds) -> tuple[EvaluatedTrajectory, EvaluatedTrajectory]:
     """Return a course as its bounds allow it, and as joints can follow it."""
-    planned = as_bounds_allow(StretchMotion.on(course_of(parts, 1)), bounds, Ticks(TICK))
+    planned = as_bounds_allow(Trajectory.on(timing_of(parts, 1)), bounds, Ticks(TICK))
     return planned, fitted(planned, bounds, Ticks(TICK), RULES)
 
 
@@ -80,8 +80,8 @@ def test_of_both_ways_to_keep_the_limits_the_quicker_one_counts(
     parts, bounds = line(way, speed), arm(*shares)
     planned, lower = fit(parts, bounds)
     slower = keep_limits(planned.motion, bounds.joints, None, TICK)
-    assert isinstance(slower, Kept)
+    assert isinstance(slower, RetimedTrajectory)
     durations = lower.course.duration, slower.clock.duration
     assert min(durations) < 0.95 * max(durations)
-    found = keeping_of(course_of(parts, 1), bounds, Ticks(TICK), RULES)
+    found = retimed(timing_of(parts, 1), bounds, Ticks(TICK), RULES)
     assert found.duration == pytest.approx(min(durations), rel=0.01)  # it looks at fewer ticks at first

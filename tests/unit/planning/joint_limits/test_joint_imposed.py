@@ -7,7 +7,7 @@ import pytest
 
 from ropsim.motion import JointBounds, Quantity
 from ropsim.planning.joint_limits.arm_limits import ArmBounds
-from ropsim.planning.joint_limits.joint_imposed import Caps, Walked, joint_caps
+from ropsim.planning.joint_limits.joint_imposed import JointImposedLimits, Walked, joint_caps
 from ropsim.planning.joint_limits.joint_imposed_kernel import ACCELERATION, JERK, SPEED
 from ropsim.spatial import Array
 
@@ -55,7 +55,7 @@ def walked(
     )
 
 
-def only(caps: Caps) -> tuple[int, object, Quantity]:
+def only(caps: JointImposedLimits) -> tuple[int, object, Quantity]:
     assert caps.count == 1
     assert caps.places.tolist() == [[0.3], [0.31]]
     kind, value, tick, joint, quantity = caps.rows[:, 0].tolist()

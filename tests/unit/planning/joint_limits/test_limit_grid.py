@@ -5,35 +5,35 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from ropsim.motion import JointSection, Quantity, Stages
-from ropsim.planning.joint_limits.joint_imposed import Caps
+from ropsim.motion import JointSection, PathLimits, Quantity
+from ropsim.planning.joint_limits.joint_imposed import JointImposedLimits
 from ropsim.planning.joint_limits.joint_imposed_kernel import ACCELERATION, SPEED
-from ropsim.planning.joint_limits.limit_grid import Bands, bands_of
-from ropsim.planning.moves.planned_move import Leg, leg_of
-from ropsim.planning.trajectory.sections import Part, part_of, parts_of
-from ropsim.planning.trajectory.segments import pieces_of
+from ropsim.planning.joint_limits.limit_grid import LimitGrid, limit_grid_of
+from ropsim.planning.moves.planned_move import PlannedMove, planned_move_of
+from ropsim.planning.trajectory.sections import Section, section_of, sections_of
+from ropsim.planning.trajectory.segments import segments_of
 from support.motion import CHAIN, RULES, START, interface_pose, lin, shifted
 
 
-def part() -> Part:
-    leg = leg_of(CHAIN, lin(shifted(interface_pose(START), -0.1, 0.1, 0.0)), START)
-    assert isinstance(leg, Leg)
-    return parts_of(pieces_of([leg], []), RULES)[0]
+def part() -> Section:
+    leg = planned_move_of(CHAIN, lin(shifted(interface_pose(START), -0.1, 0.1, 0.0)), START)
+    assert isinstance(leg, PlannedMove)
+    return sections_of(segments_of([leg], []), RULES)[0]
 
 
 PART = part()
 LENGTH = PART.pieces[0].joints.length
-BANDS = bands_of(PART, np.linspace(-0.1, PART.law.duration + 0.1, 60), 0.0)
+BANDS = limit_grid_of(PART, np.linspace(-0.1, PART.law.duration + 0.1, 60), 0.0)
 
 
-def caps(kind: int, value: float, first: float, last: float, joint: int = 2) -> Caps:
+def caps(kind: int, value: float, first: float, last: float, joint: int = 2) -> JointImposedLimits:
     rows = np.array([[kind], [value], [0.0], [joint], [3.0]])
-    return Caps(rows, 1, np.array([[first], [last]]))
+    return JointImposedLimits(rows, 1, np.array([[first], [last]]))
 
 
 def test_cells_lie_between_the_places_at_given_times() -> None:
     times = np.linspace(0.0, PART.law.duration, 8)
-    bands = bands_of(PART, times, 0.0)
+    bands = limit_grid_of(PART, times, 0.0)
     assert bands.borders == pytest.approx(PART.law.at(times).places)
     (stage,) = PART.pieces[0].stages
     assert bands.bounds == pytest.approx(
@@ -46,7 +46,7 @@ def test_times_beside_a_part_neither_count_nor_take_room() -> None:
     own = np.linspace(start, start + duration, 8)
     before, behind = np.linspace(0.0, 99.9, 5000), start + duration + np.linspace(0.1, 90.0, 5000)
     beside = np.concatenate((before, own, behind))
-    found, alone = bands_of(PART, beside, start), bands_of(PART, own, start)
+    found, alone = limit_grid_of(PART, beside, start), limit_grid_of(PART, own, start)
     assert np.array_equal(found.borders, alone.borders)
     assert np.array_equal(found.bounds, alone.bounds)
     room = found.borders.base
@@ -64,13 +64,13 @@ def test_pieces_with_the_same_bounds_keep_stages_of_their_own() -> None:
     piece = PART.pieces[0]
     (stage,) = piece.stages
     half = replace(stage, length=0.5 * stage.length)
-    halves = Stages.of([half])
+    halves = PathLimits.of([half])
     pieces = [
         replace(piece, joints=JointSection(piece.joints, begin * LENGTH, end * LENGTH), stages=halves)
         for begin, end in ((0.0, 0.5), (0.5, 1.0))
     ]
-    two = part_of(pieces, None, RULES)
-    again = bands_of(two, np.linspace(0.0, two.law.duration, 40), 0.0).replanned(RULES)
+    two = section_of(pieces, None, RULES)
+    again = limit_grid_of(two, np.linspace(0.0, two.law.duration, 40), 0.0).replanned(RULES)
     assert again.counts.tolist() == [1, 1]
     assert again.stages.rows[:, 0] == pytest.approx([half.length, half.length])
 
@@ -111,5 +111,5 @@ def test_the_motion_keeps_what_the_cells_allow() -> None:
 
 def test_no_border_lies_next_to_another() -> None:
     times = PART.law.times_of(0, np.array([0.0, 1e-12, 0.5 * LENGTH, LENGTH - 1e-12, LENGTH]))
-    bands: Bands = bands_of(PART, times, 0.0)
+    bands: LimitGrid = limit_grid_of(PART, times, 0.0)
     assert bands.borders == pytest.approx([0.0, 0.5 * LENGTH, LENGTH])

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from ropsim.motion import TimeLaw, plan_stages
+from ropsim.motion import TimeLaw, jerk_limited
 from ropsim.planning.joint_limits.exceeding_kernel import exceeding, walk_at
 from ropsim.planning.joint_limits.grid_lines_kernel import MOST_PARTS, STEEP, band_times, lay_bands
 from ropsim.planning.joint_limits.grid_reach_kernel import BESIDE, MOST_LONGER, reach_of
@@ -29,7 +29,7 @@ def law_of(rng: np.random.Generator, p: int) -> tuple[TimeLaw, Array, Array]:
     bounds = np.ones((int(counts.sum()), 6))
     bounds[:, :4] = rng.uniform((0.02, 0.5, 2.0, 40.0), (0.3, 1.5, 6.0, 200.0), (len(bounds), 4))
     bounds[:, 5] = -1.0
-    return plan_stages(bounds, counts), bounds[:, :4].copy(), counts
+    return jerk_limited(bounds, counts), bounds[:, :4].copy(), counts
 
 
 def begins_of(stages: Array, counts: Array) -> Array:
@@ -198,7 +198,7 @@ def test_ways_that_are_slower_are_told_with_the_band_that_loses_most(seed: int) 
     causes = np.where(lower & (rng.integers(0, 4, c) > 0), rng.integers(0, 4, (2, c)), -1).astype(np.float64)
     legs, rows, many, told = np.zeros(3), np.empty((c, 6)), np.empty(3), np.empty(1)
     stages_of(borders, bounds, owners, legs, 0, rows, many, told)
-    slow = plan_stages(rows[: int(told[0])], many)
+    slow = jerk_limited(rows[: int(told[0])], many)
     ways, most = np.empty((4, c)), float(law.speeds.max())
     pieces = np.searchsorted(begins[1:-1], borders, "right")
     now, then = (each.times_of(pieces, borders - begins[pieces]) for each in (slow, law))

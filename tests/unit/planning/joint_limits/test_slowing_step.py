@@ -6,22 +6,22 @@ import pytest
 from ropsim.motion import ROUNDING, JointBounds, Ticks
 from ropsim.planning.joint_limits.arm_limits import ArmBounds
 from ropsim.planning.joint_limits.evaluated import as_bounds_allow
-from ropsim.planning.joint_limits.limit_grid import bands_of
+from ropsim.planning.joint_limits.limit_grid import limit_grid_of
 from ropsim.planning.joint_limits.slowing_step import Aim, slower_run
-from ropsim.planning.moves.planned_move import Leg, leg_of
-from ropsim.planning.trajectory.sections import Part, parts_of
-from ropsim.planning.trajectory.segments import pieces_of
-from ropsim.planning.trajectory.timing import course_of
-from ropsim.planning.trajectory.trajectory import StretchMotion
+from ropsim.planning.moves.planned_move import PlannedMove, planned_move_of
+from ropsim.planning.trajectory.sections import Section, sections_of
+from ropsim.planning.trajectory.segments import segments_of
+from ropsim.planning.trajectory.timing import timing_of
+from ropsim.planning.trajectory.trajectory import Trajectory
 from support.motion import CHAIN, PUMA, RULES, START, interface_pose, lin, shifted
 
 TICK = 1e-3
 
 
-def line(way: tuple[float, float, float]) -> tuple[Part, ...]:
-    leg = leg_of(CHAIN, lin(shifted(interface_pose(START), *way)), START)
-    assert isinstance(leg, Leg)
-    return parts_of(pieces_of([leg], []), RULES)
+def line(way: tuple[float, float, float]) -> tuple[Section, ...]:
+    leg = planned_move_of(CHAIN, lin(shifted(interface_pose(START), *way)), START)
+    assert isinstance(leg, PlannedMove)
+    return sections_of(segments_of([leg], []), RULES)
 
 
 @pytest.mark.parametrize("way", [(-0.1, 0.1, 0.0), (-0.06, -0.16, 0.15), (-0.19, -0.07, -0.26)])
@@ -31,14 +31,14 @@ def test_a_step_lowers_bounds_where_joints_cannot_follow_and_they_exceed_less_th
 ) -> None:
     (part,) = line(way)
     bounds = JointBounds(PUMA.max_speeds, share * PUMA.max_accelerations, share * PUMA.max_jerks)
-    arm, motion = ArmBounds(bounds, None), StretchMotion.on(course_of([part], 1))
+    arm, motion = ArmBounds(bounds, None), Trajectory.on(timing_of([part], 1))
     before = as_bounds_allow(motion, arm, Ticks(TICK))
     over = np.flatnonzero((before.reference.strain.used > 1.0 + ROUNDING).any(axis=0))
     ticks = over[over > 0].astype(np.float64)
     assert len(ticks) > 0
-    bands = bands_of(part, np.linspace(0.0, part.law.duration, 80), 0.0)
+    bands = limit_grid_of(part, np.linspace(0.0, part.law.duration, 80), 0.0)
     lower, slower = slower_run(motion, before.reference, 0, bands, ticks, Aim(arm, TICK, 0.999, RULES))
-    after = as_bounds_allow(motion.timed(course_of([slower], 1)), arm, Ticks(TICK))
+    after = as_bounds_allow(motion.timed(timing_of([slower], 1)), arm, Ticks(TICK))
     lowered = (lower.bounds < lower.planned).any(axis=0)
     assert (lower.bounds <= lower.planned).all()
     assert ((lower.causes[0] >= 0.0) == lowered).all()

@@ -8,7 +8,7 @@ from ropsim.kinematics import forward, forward_batch
 from ropsim.model import RobotModel
 from ropsim.motion import Arc, Line, OrientationMode, ToolPath, arc
 from ropsim.planning import Refusal
-from ropsim.planning.moves.path_following import trace
+from ropsim.planning.moves.path_following import follow_path
 from ropsim.robots import default_controller
 from ropsim.spatial import Array
 from support.cells import chain_of, one_station
@@ -38,7 +38,7 @@ def test_the_joints_lead_the_tool_along_its_path(name: str) -> None:
     for _ in range(12):
         q_start, found = paths(chain.robot, random)
         for path in found:
-            traced = trace(chain, path, q_start, MOVE)
+            traced = follow_path(chain, path, q_start, MOVE)
             if isinstance(traced, Refusal):
                 continue
             count += 1
@@ -54,6 +54,6 @@ def test_a_joint_limit_and_a_place_out_of_reach_refuse_a_path() -> None:
         (Line(home, shifted(home, -1.1, 0.0, 0.0)), PUMA.home, "M503"),
         (Line(start, shifted(start, 3.0, 0.0, 0.0)), START, "M501"),
     ):
-        found = trace(CHAIN, path, q, MOVE)
+        found = follow_path(CHAIN, path, q, MOVE)
         assert isinstance(found, Refusal)
         assert found.diagnostics[0].code == code

@@ -11,7 +11,7 @@ from ropsim.kinematics import forward_batch, inverse
 from ropsim.model import RobotModel
 from ropsim.motion import JointLine, Refined, ToolPath
 from ropsim.planning import Interpolator, InverseTransform, Refusal
-from ropsim.planning.moves.planned_move import Leg, leg_of
+from ropsim.planning.moves.planned_move import PlannedMove, planned_move_of
 from ropsim.planning.records.sampling import MOST_DENSITY
 from ropsim.spatial import Array, Pose
 from support.motion import CELL, CHAIN, LINE, PUMA, START, interface_pose, lin, ptp, shifted
@@ -45,15 +45,15 @@ def past_singularity(offset: float) -> tuple[Array, MoveInstruction]:
     return start, lin(shifted(interface_pose(near) @ X_MT, 0.0, 0.1, 0.0), GRIPPER)
 
 
-def traced(offset: float) -> tuple[Leg, list[int]]:
+def traced(offset: float) -> tuple[PlannedMove, list[int]]:
     counting = CountingInterpolator()
     start, move = past_singularity(offset)
-    leg = leg_of(replace(CHAIN, interpolator=counting), move, start)
-    assert isinstance(leg, Leg), leg
+    leg = planned_move_of(replace(CHAIN, interpolator=counting), move, start)
+    assert isinstance(leg, PlannedMove), leg
     return leg, counting.densities
 
 
-def error_of(leg: Leg, X: Array, robot: RobotModel = PUMA) -> float:
+def error_of(leg: PlannedMove, X: Array, robot: RobotModel = PUMA) -> float:
     """Return by how much the joints leave the path of the tool, in positions [m] and entries of rotations."""
     assert leg.joints is not None
     assert leg.tool is not None
@@ -62,8 +62,8 @@ def error_of(leg: Leg, X: Array, robot: RobotModel = PUMA) -> float:
 
 
 def test_a_pose_to_pose_move_is_a_line_of_the_joints() -> None:
-    leg = leg_of(CHAIN, ptp((0.5, 1.0, -2.5, 0.5, 0.5, 0.0)), START)
-    assert isinstance(leg, Leg)
+    leg = planned_move_of(CHAIN, ptp((0.5, 1.0, -2.5, 0.5, 0.5, 0.0)), START)
+    assert isinstance(leg, PlannedMove)
     assert isinstance(leg.joints, JointLine)
     assert leg.tool is None
     assert leg.q_end.tolist() == [0.5, 1.0, -2.5, 0.5, 0.5, 0.0]
@@ -71,8 +71,8 @@ def test_a_pose_to_pose_move_is_a_line_of_the_joints() -> None:
 
 def test_a_move_to_where_the_arm_is_has_no_path() -> None:
     for move in (ptp(tuple(START.tolist())), lin(interface_pose(START))):
-        leg = leg_of(CHAIN, move, START)
-        assert isinstance(leg, Leg)
+        leg = planned_move_of(CHAIN, move, START)
+        assert isinstance(leg, PlannedMove)
         assert leg.joints is None
         assert leg.q_end.tolist() == START.tolist()
 
@@ -87,12 +87,12 @@ def test_a_leg_that_is_made_at_once_is_what_the_entities_make_one_by_one(modal: 
         if random.integers(2):
             via = (interface_pose(START + random.normal(scale=0.3, size=6)),)
             move = replace(move, kind=random.choice([MotionKind.CIRC, MotionKind.SPLINE]), via=via)
-        quick, slow = leg_of(CHAIN, move, q), leg_of(asked, move, q)
+        quick, slow = planned_move_of(CHAIN, move, q), planned_move_of(asked, move, q)
         if isinstance(quick, Refusal):
             assert isinstance(slow, Refusal)
             assert quick.diagnostics == slow.diagnostics
             continue
-        assert isinstance(slow, Leg)
+        assert isinstance(slow, PlannedMove)
         assert (quick.move, quick.planned, quick.findings) == (slow.move, slow.planned, slow.findings)
         assert np.abs(quick.q_end - slow.q_end).max() < 1e-9
         made += 1
@@ -101,7 +101,7 @@ def test_a_leg_that_is_made_at_once_is_what_the_entities_make_one_by_one(modal: 
 
 def test_a_target_beyond_a_joint_limit_is_refused_as_the_planner_says_it() -> None:
     far = shifted(interface_pose(START), 2.0, 0.0, 0.0)
-    refusal = leg_of(CHAIN, lin(far), START)
+    refusal = planned_move_of(CHAIN, lin(far), START)
     assert isinstance(refusal, Refusal)
     assert refusal == CHAIN.planner.plan(lin(far), START)
 
@@ -109,8 +109,8 @@ def test_a_target_beyond_a_joint_limit_is_refused_as_the_planner_says_it() -> No
 def test_away_from_singularities_one_sampling_is_enough() -> None:
     counting = CountingInterpolator()
     move = lin(shifted(interface_pose(START), 0.05, 0.1, -0.06))
-    leg = leg_of(replace(CHAIN, interpolator=counting), move, START)
-    assert isinstance(leg, Leg)
+    leg = planned_move_of(replace(CHAIN, interpolator=counting), move, START)
+    assert isinstance(leg, PlannedMove)
     assert counting.densities == [1]
     assert error_of(leg, np.eye(4)) < ON_PATH
 
@@ -128,8 +128,8 @@ def test_where_a_curve_bends_within_a_millimetre_the_joints_lead_the_tool_as_tru
     """Even the densest samples of the whole curve are too far apart there: they miss it by a micrometre."""
     chain = chain_of_walker("palletizer")
     walk = random_walk(chain, np.random.default_rng(130))
-    leg = leg_of(chain, walk.moves[0], walk.q_start)
-    assert isinstance(leg, Leg), leg
+    leg = planned_move_of(chain, walk.moves[0], walk.q_start)
+    assert isinstance(leg, PlannedMove), leg
     assert isinstance(leg.joints, Refined)
     assert error_of(leg, np.eye(4), chain.robot) < ON_PATH
     assert error_of(replace(leg, joints=leg.joints.whole), np.eye(4), chain.robot) > 100 * ON_PATH
@@ -143,7 +143,7 @@ def test_the_nearer_the_singularity_the_denser_the_samples() -> None:
 
 def test_what_even_the_densest_samples_cannot_follow_is_refused_with_its_place() -> None:
     start, move = past_singularity(0.0007)
-    refusal = leg_of(CHAIN, move, start)
+    refusal = planned_move_of(CHAIN, move, start)
     assert isinstance(refusal, Refusal)
     found = refusal.diagnostics[0]
     assert (found.code, found.span) == ("M505", LINE)
@@ -154,7 +154,7 @@ def test_what_even_the_densest_samples_cannot_follow_is_refused_with_its_place()
 def test_a_refusal_for_another_reason_is_not_tried_again() -> None:
     counting = CountingInterpolator()
     goal = shifted(interface_pose(PUMA.home), -1.1, 0.0, 0.0)
-    refusal = leg_of(replace(CHAIN, interpolator=counting), lin(goal), PUMA.home)
+    refusal = planned_move_of(replace(CHAIN, interpolator=counting), lin(goal), PUMA.home)
     assert isinstance(refusal, Refusal)
     assert refusal.diagnostics[0].code == "M503"
     assert counting.densities == [1]
@@ -189,7 +189,7 @@ class Answers:
 )
 def test_samples_that_no_arm_can_follow_are_told_at_the_line(q: Array, told: str) -> None:
     move = lin(shifted(interface_pose(START), 0.05, 0.1, -0.06))
-    refusal = leg_of(replace(CHAIN, inverse=Answers(q)), move, START)
+    refusal = planned_move_of(replace(CHAIN, inverse=Answers(q)), move, START)
     assert isinstance(refusal, Refusal)
     assert refusal.diagnostics[0].code == "C603"
     assert told in refusal.diagnostics[0].message
@@ -217,7 +217,7 @@ class Setpoints:
 )
 def test_setpoints_that_nobody_can_solve_are_told_at_the_line(matrices: Array, told: str) -> None:
     move = lin(shifted(interface_pose(START), 0.05, 0.1, -0.06))
-    refusal = leg_of(replace(CHAIN, interpolator=Setpoints(matrices)), move, START)
+    refusal = planned_move_of(replace(CHAIN, interpolator=Setpoints(matrices)), move, START)
     assert isinstance(refusal, Refusal)
     assert refusal.diagnostics[0].code == "C603"
     assert "`Setpoints` returned" in refusal.diagnostics[0].message
@@ -226,7 +226,7 @@ def test_setpoints_that_nobody_can_solve_are_told_at_the_line(matrices: Array, t
 
 def test_a_path_that_begins_elsewhere_is_told_of_the_entity_that_made_it() -> None:
     move = lin(shifted(interface_pose(START), 0.05, 0.1, -0.06))
-    refusal = leg_of(replace(CHAIN, inverse=Answers(np.tile(START + 0.1, (20, 1)))), move, START)
+    refusal = planned_move_of(replace(CHAIN, inverse=Answers(np.tile(START + 0.1, (20, 1)))), move, START)
     assert isinstance(refusal, Refusal)
     assert refusal.diagnostics[0].message.startswith("`Answers` returned")
 
@@ -288,7 +288,7 @@ def end_turned(matrices: Array) -> Array:
 )
 def test_poses_that_are_not_those_of_the_path_are_told_at_the_line(spoiled: Changed, told: str) -> None:
     move = lin(shifted(interface_pose(START), 0.05, 0.1, -0.06))
-    refusal = leg_of(replace(CHAIN, interpolator=spoiled), move, START)
+    refusal = planned_move_of(replace(CHAIN, interpolator=spoiled), move, START)
     assert isinstance(refusal, Refusal)
     found = refusal.diagnostics[0]
     assert (found.code, found.span) == ("C603", LINE)
@@ -320,10 +320,13 @@ def test_samples_that_lead_the_tool_elsewhere_are_told_at_the_line(spoiled: Chan
     for modal in (ModalState(), GRIPPER):
         there = interface_pose(START) @ (X_MT if modal.tool else Pose())
         move = lin(shifted(there, 0.05, 0.1, -0.06), modal)
-        refusal = leg_of(replace(CHAIN, inverse=spoiled), move, START)
+        refusal = planned_move_of(replace(CHAIN, inverse=spoiled), move, START)
         assert isinstance(refusal, Refusal)
         found = refusal.diagnostics[0]
         assert (found.code, found.span) == ("C603", LINE)
         assert found.message.startswith("`Changed` returned")
         assert told in found.message
-        assert isinstance(leg_of(replace(CHAIN, inverse=Changed(), interpolator=Changed()), move, START), Leg)
+        assert isinstance(
+            planned_move_of(replace(CHAIN, inverse=Changed(), interpolator=Changed()), move, START),
+            PlannedMove,
+        )

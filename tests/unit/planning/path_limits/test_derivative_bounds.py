@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from ropsim.motion import JointMotionLimits
-from ropsim.planning.path_limits.derivative_bounds import bends_of
+from ropsim.planning.path_limits.derivative_bounds import derivative_bounds_of
 from ropsim.planning.path_limits.derivative_bounds_kernel import ALONG, SIZES, bounds_of
 from ropsim.spatial import Array
 
@@ -24,7 +24,7 @@ def test_a_jump_of_the_third_derivative_is_within_the_bounds_on_both_sides(knot:
         second = JUMP * np.maximum(place - knot, 0.0)
         return (1.0 + 0.5 * second * np.maximum(place - knot, 0.0))[:, None, None], second[:, None, None]
 
-    bends = bends_of(look, EVEN, LIMITS)
+    bends = derivative_bounds_of(look, EVEN, LIMITS)
     ends = np.cumsum(bends.lengths)
     begins = np.append(0.0, ends[:-1])
     bent = begins < 1.0 - knot - ROUNDING if turned else ends > knot + ROUNDING
@@ -41,7 +41,7 @@ def test_peaks_between_places_are_within_the_bounds(waves: float) -> None:
     def look(s: Array) -> tuple[Array, Array]:
         return (1.0 + np.sin(w * s))[:, None, None], (w * np.cos(w * s))[:, None, None]
 
-    bends = bends_of(look, EVEN, LIMITS)
+    bends = derivative_bounds_of(look, EVEN, LIMITS)
     begins = np.append(0.0, np.cumsum(bends.lengths)[:-1])
     s = begins[:, None] + np.linspace(0.0, 1.0, 101) * bends.lengths[:, None]
     first, second = (np.abs(rows.reshape(s.shape)).max(axis=1) for rows in look(s.ravel()))
@@ -60,7 +60,7 @@ def test_what_an_even_first_derivative_changes_by_is_at_right_angles_to_it() -> 
         turn = np.column_stack((np.cos(4.0 * s), np.sin(4.0 * s), 0.0 * s))
         return turn[:, None, :], 4.0 * np.column_stack((-turn[:, 1], turn[:, 0], 0.0 * s))[:, None, :]
 
-    bends = bends_of(look, EVEN, LIMITS)
+    bends = derivative_bounds_of(look, EVEN, LIMITS)
     assert bends.across[0] == pytest.approx(np.full((len(bends.lengths), 1), 4.0), rel=0.01)
     assert bends.along[1] == pytest.approx(np.full((len(bends.lengths), 1), 16.0), rel=0.02)
     assert bends.along[0].max() == 0.0
@@ -73,9 +73,9 @@ def test_bounds_of_what_is_no_number_are_none() -> None:
     s = np.linspace(0.0, 1.0, 33)
     d1, d2 = rng.normal(size=(2, 33, 2, 3))
     limits = JointMotionLimits(np.ones(2), np.ones(2), np.ones(2))
-    plain = bends_of(lambda places: rows_at(places, s, d1, d2), s, limits)
+    plain = derivative_bounds_of(lambda places: rows_at(places, s, d1, d2), s, limits)
     d2[16, 1] = np.nan
-    found = bends_of(lambda places: rows_at(places, s, d1, d2), s, limits)
+    found = derivative_bounds_of(lambda places: rows_at(places, s, d1, d2), s, limits)
     assert not np.isnan(plain.table).any()
     assert np.isnan(found.table[:, :, 1]).any()
     assert not np.isnan(found.table[:, :, 0]).any()

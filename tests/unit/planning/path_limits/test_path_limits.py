@@ -11,7 +11,8 @@ from numpy.polynomial import Polynomial
 from ropsim import robots
 from ropsim.motion import (
     ArcFault,
-    CornerFault,
+    BlendFault,
+    Interval,
     JointLine,
     JointMotionLimits,
     JointPath,
@@ -19,22 +20,21 @@ from ropsim.motion import (
     JointSection,
     Line,
     OrientationMode,
+    PathLimits,
     SplineFault,
-    Stage,
-    Stages,
     ToolLimits,
     ToolPath,
     ToolPoints,
     ToolSection,
     arc,
-    corner,
+    blend_curve,
     durations,
-    plan_stages,
+    jerk_limited,
     plan_time_law,
     smoothly,
     spline,
 )
-from ropsim.planning.path_limits.path_limits import along_with, joint_stages, tool_stages
+from ropsim.planning.path_limits.path_limits import along_with, joint_path_limits, tool_path_limits
 from ropsim.planning.records.coordination import Coordination
 from ropsim.spatial import Array, Pose
 
@@ -50,7 +50,7 @@ def turned(angle: float, *, x: float = 0.0) -> Pose:
 
 
 def line_time(end: Pose, mode: OrientationMode = OrientationMode.FIXED_AXIS) -> float:
-    return plan_time_law(tool_stages(Line(Pose(), end, mode), LIMITS)).duration
+    return plan_time_law(tool_path_limits(Line(Pose(), end, mode), LIMITS)).duration
 
 
 def test_a_pure_translation_takes_the_time_of_its_speed_and_ramp() -> None:
@@ -93,7 +93,7 @@ class _Nodding:
 
 
 def test_a_way_that_is_straight_is_not_slowed_where_the_tool_nods_a_little() -> None:
-    slow = plan_time_law(tool_stages(_Nodding(), LIMITS)).duration
+    slow = plan_time_law(tool_path_limits(_Nodding(), LIMITS)).duration
     assert slow == pytest.approx(line_time(turned(0.0, x=1.0)), rel=ROUNDING)
 
 
@@ -101,9 +101,9 @@ def test_a_way_that_is_straight_is_not_slowed_where_the_tool_nods_a_little() -> 
 def test_a_turn_of_the_tool_keeps_to_the_angular_limits(mode: OrientationMode) -> None:
     start = Pose(np.zeros(3), np.array([0.9, 0.1, -0.3, 0.2]))
     path = Line(start, Pose(np.array([0.01, 0.0, 0.0]), np.array([0.2, -0.5, 0.4, 0.7])), mode)
-    stages = tool_stages(path, LIMITS)
+    stages = tool_path_limits(path, LIMITS)
     ones = np.ones(len(stages))
-    law = plan_stages(np.column_stack((stages.rows, ones, -ones)), np.array([float(len(stages))]))
+    law = jerk_limited(np.column_stack((stages.rows, ones, -ones)), np.array([float(len(stages))]))
     rows = law.at(np.linspace(0.0, law.duration, 2001))
     points = path.tool(rows.places)
     v, a = rows.speeds[:, None], rows.accelerations[:, None]
@@ -119,7 +119,7 @@ def test_a_turn_of_the_tool_keeps_to_the_angular_limits(mode: OrientationMode) -
 
 def test_the_bounds_of_a_straight_way_of_the_joints_are_those_of_the_slowest_joint() -> None:
     start, end = np.array([0.1, -0.4]), np.array([1.0, 0.2])
-    law = plan_time_law(joint_stages(JointLine(start, end), JOINTS))
+    law = plan_time_law(joint_path_limits(JointLine(start, end), JOINTS))
     assert law.duration == pytest.approx(durations(start, end[None], JOINTS)[0], rel=ROUNDING)
 
 
@@ -148,23 +148,25 @@ def test_lines_have_the_stage_that_is_found_by_looking_at_them(seed: int) -> Non
     ends = random.uniform(-2.0, 2.0, (2, 2))
     line = JointLine(*ends)
     for path in (line, JointSection(line, 0.2, 0.7)):
-        assert joint_stages(path, JOINTS) == joint_stages(_Unknown(path), JOINTS)
+        assert joint_path_limits(path, JOINTS) == joint_path_limits(_Unknown(path), JOINTS)
     start, end = (Pose(random.normal(size=3), random.normal(size=4)) for _ in range(2))
     for mode in OrientationMode:
         way = Line(start, end, mode)
         for tool in (way, ToolSection(way, 0.2 * way.length, 0.7 * way.length)):
             np.testing.assert_allclose(
-                tool_stages(tool, LIMITS).rows, tool_stages(_UnknownTool(tool), LIMITS).rows, rtol=ROUNDING
+                tool_path_limits(tool, LIMITS).rows,
+                tool_path_limits(_UnknownTool(tool), LIMITS).rows,
+                rtol=ROUNDING,
             )
 
 
 def test_a_limit_that_is_no_number_stays_none() -> None:
     limits = JointMotionLimits(np.array([1.0, np.nan]), JOINTS.acceleration, JOINTS.jerk)
-    row = joint_stages(JointLine(np.zeros(2), np.ones(2)), limits).rows[0]
+    row = joint_path_limits(JointLine(np.zeros(2), np.ones(2)), limits).rows[0]
     assert np.isnan(row).tolist() == [False, True, False, False]
 
 
-def bounds_at(stages: Stages, s: Array) -> tuple[Array, Array, Array]:
+def bounds_at(stages: PathLimits, s: Array) -> tuple[Array, Array, Array]:
     """Return the bounds of speed, acceleration and jerk at places, each of shape (k, 1)."""
     here = np.minimum(np.searchsorted(stages.ends, s), len(stages) - 1)
     rows = stages.bounds[here]
@@ -180,7 +182,7 @@ def shares_of(path: JointPath, limits: JointMotionLimits) -> list[float]:
     points = path.joints(s)
     d1, d2 = np.abs(points.d1), np.abs(points.d2)
     d3 = np.abs(np.gradient(points.d2, s, axis=0))
-    v, a, j = bounds_at(joint_stages(path, limits), s)
+    v, a, j = bounds_at(joint_path_limits(path, limits), s)
     sizes = d1 * v, d2 * v**2 + d1 * a, d3 * v**3 + 3.0 * d2 * v * a + d1 * j
     bounds = limits.speed, limits.acceleration, limits.jerk
     return [float((size / bound).max()) for size, bound in zip(sizes, bounds, strict=True)]
@@ -206,9 +208,11 @@ class _Overlap:
 def test_the_bounds_hold_on_random_blends() -> None:
     random = np.random.default_rng(9)
     for _ in range(200):
-        corner = random.uniform(-1.0, 1.0, 6)
-        before = JointLine(corner + random.uniform(-1.5, 1.5, 6), corner)
-        behind = JointLine(corner, corner + random.uniform(-1.5, 1.5, 6) * 10.0 ** random.uniform(-2.0, 0.0))
+        blend_curve = random.uniform(-1.0, 1.0, 6)
+        before = JointLine(blend_curve + random.uniform(-1.5, 1.5, 6), blend_curve)
+        behind = JointLine(
+            blend_curve, blend_curve + random.uniform(-1.5, 1.5, 6) * 10.0 ** random.uniform(-2.0, 0.0)
+        )
         blend = _Overlap(before, behind, random.uniform(0.02, 0.5))
         speed = random.uniform(0.5, 6.0, 6)
         limits = JointMotionLimits(
@@ -225,8 +229,8 @@ def bow(random: np.random.Generator) -> ToolPath:
     ways = [way / np.linalg.norm(way) for way in random.normal(size=(2, 3))]
     turns = random.normal(size=(3, 4)) * 0.2 + np.array([1.0, 0.0, 0.0, 0.0])
     poses = [Pose(edge - 0.2 * ways[0], turns[0]), Pose(edge, turns[1]), Pose(edge + 0.2 * ways[1], turns[2])]
-    found = corner(Line(poses[0], poses[1]), 0.1, Line(poses[1], poses[2]), 0.1)
-    assert not isinstance(found, CornerFault)
+    found = blend_curve(Line(poses[0], poses[1]), 0.1, Line(poses[1], poses[2]), 0.1)
+    assert not isinstance(found, BlendFault)
     return found
 
 
@@ -261,7 +265,7 @@ def test_the_bounds_of_the_tool_hold_at_every_place(make: Callable[[np.random.Ge
         of_tcp = 10.0 ** random.uniform(-1.5, 0.3), random.uniform(0.5, 9.0), 10.0 ** random.uniform(1.0, 3.0)
         of_turn = random.uniform(0.3, 5.0), random.uniform(2.0, 20.0), 10.0 ** random.uniform(1.0, 3.0)
         s = np.linspace(0.0, path.length, 4001)
-        points, bounds = path.tool(s), bounds_at(tool_stages(path, ToolLimits(*of_tcp, *of_turn)), s)
+        points, bounds = path.tool(s), bounds_at(tool_path_limits(path, ToolLimits(*of_tcp, *of_turn)), s)
         same = (np.diff(np.hstack(bounds), axis=0) == 0.0).all(
             axis=1
         )  # elsewhere one stage ends and one begins
@@ -285,20 +289,23 @@ def test_the_bounds_of_the_tool_hold_at_every_place(make: Callable[[np.random.Ge
 def test_a_line_in_short_parts_with_zones_takes_the_time_of_the_line() -> None:
     points = [turned(0.0, x=x) for x in np.linspace(0.0, 0.5, 11).tolist()]
     lines, zone, start = [Line(*ends) for ends in pairwise(points)], 5e-3, 0.0
-    stages: list[Stage] = []
+    stages: list[Interval] = []
     for before, behind in pairwise(lines):
         leaves = before.length - zone
-        round_it = corner(before, leaves, behind, zone)
-        assert not isinstance(round_it, CornerFault)
-        stages += [*tool_stages(ToolSection(before, start, leaves), LIMITS), *tool_stages(round_it, LIMITS)]
+        round_it = blend_curve(before, leaves, behind, zone)
+        assert not isinstance(round_it, BlendFault)
+        stages += [
+            *tool_path_limits(ToolSection(before, start, leaves), LIMITS),
+            *tool_path_limits(round_it, LIMITS),
+        ]
         start = zone
-    stages += tool_stages(ToolSection(lines[-1], start, lines[-1].length), LIMITS)
+    stages += tool_path_limits(ToolSection(lines[-1], start, lines[-1].length), LIMITS)
     assert plan_time_law(stages).duration == pytest.approx(line_time(points[-1]), rel=1e-9)
 
 
 def test_an_arc_is_one_stage() -> None:
     random = np.random.default_rng(5)
-    assert [len(tool_stages(round_arc(random), LIMITS)) for _ in range(20)] == [1] * 20
+    assert [len(tool_path_limits(round_arc(random), LIMITS)) for _ in range(20)] == [1] * 20
 
 
 def test_a_spline_slows_down_only_where_it_bends() -> None:
@@ -309,8 +316,8 @@ def test_a_spline_slows_down_only_where_it_bends() -> None:
     assert not isinstance(path, SplineFault)
     places = [0.0, 0.38, path.length - 0.38, path.length]
     parts = [ToolSection(path, *ends) for ends in pairwise(places)]
-    alone = [plan_time_law(tool_stages(part, LIMITS)).duration for part in parts]
-    whole = plan_time_law(tool_stages(path, LIMITS)).duration
+    alone = [plan_time_law(tool_path_limits(part, LIMITS)).duration for part in parts]
+    whole = plan_time_law(tool_path_limits(path, LIMITS)).duration
     assert whole < sum(alone)
     assert whole < 2.2 * line_time(turned(0.0, x=0.4))
 
@@ -324,7 +331,7 @@ def test_where_axes_go_along_the_lower_bounds_of_both_hold_at_every_place() -> N
     )
     axes = smoothly(path.length, start, end)
     coordination = Coordination(robots.load("two_link"), axes, None, JOINTS)
-    of_tool, of_axes = tool_stages(path, LIMITS), joint_stages(axes, JOINTS)
+    of_tool, of_axes = tool_path_limits(path, LIMITS), joint_path_limits(axes, JOINTS)
     both = along_with(of_tool, coordination)
     assert sum(stage.length for stage in both) == pytest.approx(path.length, rel=ROUNDING)
     s = np.linspace(0.0, path.length, 1235)[1:-1]
@@ -338,7 +345,7 @@ def test_where_axes_go_along_the_lower_bounds_of_both_hold_at_every_place() -> N
 def test_short_sections_of_a_curve_have_the_bounds_of_the_place(part: float) -> None:
     path = bow(np.random.default_rng(2))
     begin = 0.3 * path.length
-    stages = tool_stages(ToolSection(path, begin, begin + part * path.length), LIMITS)
+    stages = tool_path_limits(ToolSection(path, begin, begin + part * path.length), LIMITS)
     points = path.tool(np.array([begin, begin + 1e-6 * path.length]))
     third = np.linalg.norm(np.diff(points.d2[:, :3], axis=0)) / (1e-6 * path.length)
     most = min(LIMITS.speed, float(np.cbrt(LIMITS.jerk / third)))
@@ -368,11 +375,11 @@ def test_rounding_a_corner_by_as_much_as_the_arm_brakes_in_is_no_slower_than_a_s
     way, turn = 0.3, math.radians(angle)
     points = np.array([[-way, 0.0, 0.0], [0.0, 0.0, 0.0], [way * math.cos(turn), way * math.sin(turn), 0.0]])
     before, behind = (Line(Pose(one), Pose(other)) for one, other in pairwise(points))
-    stop = 2.0 * plan_time_law(tool_stages(before, limits)).duration
+    stop = 2.0 * plan_time_law(tool_path_limits(before, limits)).duration
     ramp = max(speed / acceleration + acceleration / jerk, 2.0 * math.sqrt(speed / jerk))
     for zone in ZONES:
-        round_it = corner(before, way - zone, behind, zone)
-        assert not isinstance(round_it, CornerFault)
+        round_it = blend_curve(before, way - zone, behind, zone)
+        assert not isinstance(round_it, BlendFault)
         parts = ToolSection(before, 0.0, way - zone), round_it, ToolSection(behind, zone, way)
-        time = plan_time_law([stage for part in parts for stage in tool_stages(part, limits)]).duration
+        time = plan_time_law([stage for part in parts for stage in tool_path_limits(part, limits)]).duration
         assert time <= stop * (1.001 if zone >= 0.5 * speed * ramp else 1.1)

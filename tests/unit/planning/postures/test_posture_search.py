@@ -10,11 +10,11 @@ import pytest
 from ropsim.flow import ModalState, MoveInstruction, PostureRequest
 from ropsim.kinematics import forward_batch, inverse, posture
 from ropsim.planning import MotionState, Refusal, plan
-from ropsim.planning.moves.planned_move import Leg, leg_of
+from ropsim.planning.moves.planned_move import PlannedMove, planned_move_of
 from ropsim.planning.postures import posture_search
-from ropsim.planning.postures.path_conflicts import is_narrow, time_of, trouble_of
+from ropsim.planning.postures.path_conflicts import conflict_of, is_narrow, time_of
 from ropsim.planning.records.posture_choice import JointRange, nearest_turns, turned_branches
-from ropsim.planning.sequence_moves import legs_of
+from ropsim.planning.sequence_moves import sequence_moves
 from ropsim.spatial import Array, Pose
 from support.motion import CHAIN, PUMA, START, interface_pose, lin, planned_stretch, ptp, references, shifted
 
@@ -32,11 +32,11 @@ def moves(first: Pose, shifts: Sequence[tuple[float, float, float]]) -> list[Mov
     return [ptp(first, ZONE, 1), *lines[:-1], replace(lines[-1], modal=ModalState())]
 
 
-def in_turn(stretch: Sequence[MoveInstruction], q: Array = START) -> tuple[list[Leg], Refusal | None]:
+def in_turn(stretch: Sequence[MoveInstruction], q: Array = START) -> tuple[list[PlannedMove], Refusal | None]:
     """Return the legs with the nearest postures."""
-    legs: list[Leg] = []
+    legs: list[PlannedMove] = []
     for move in stretch:
-        leg = leg_of(CHAIN, move, q)
+        leg = planned_move_of(CHAIN, move, q)
         if isinstance(leg, Refusal):
             return legs, leg
         legs.append(leg)
@@ -133,7 +133,9 @@ def test_a_posture_is_not_blamed_for_what_cannot_be_followed_in_any() -> None:
     lines = [lin(first @ _about_z(angle), ZONE, 1) for angle in (3.0, 6.0, 9.0)]
     words = posture(PUMA, q).words
     for wish in (None, PostureRequest(words)):
-        legs, refusal = legs_of(CHAIN, [replace(ptp(first, ZONE, 1), posture=wish), *lines], (), q - 0.01)
+        legs, refusal = sequence_moves(
+            CHAIN, [replace(ptp(first, ZONE, 1), posture=wish), *lines], (), q - 0.01
+        )
         assert refusal is not None
         assert refusal.diagnostics[0].code == "M503"
         assert len(legs) == 3
@@ -163,7 +165,7 @@ def test_where_no_other_posture_helps_the_nearest_ones_are_kept_to_the_bit(
 ) -> None:
     stretch = moves(shifted(interface_pose(START), 0.0, 0.1, 0.0), [(0.0, 0.1, 0.1), last])
     legs, refusal = in_turn(stretch)
-    found, why = legs_of(CHAIN, stretch, (), START)
+    found, why = sequence_moves(CHAIN, stretch, (), START)
     assert why == refusal
     assert [leg.q_end.tobytes() for leg in found] == [leg.q_end.tobytes() for leg in legs]
     assert [leg.findings for leg in found] == [leg.findings for leg in legs]
@@ -198,19 +200,19 @@ def test_a_posture_is_taken_in_which_a_line_does_not_pass_close_to_a_singularity
     stretch = moves(first, [(-0.14, -0.01, -0.11)])
     nearest, refusal = in_turn(stretch)
     assert refusal is None
-    assert trouble_of(PUMA, nearest[1], 1) is not None
+    assert conflict_of(PUMA, nearest[1], 1) is not None
     done = planned_stretch(stretch)
     (hint,) = [one for one in done.findings if one.code == "M585"]
     assert "otherwise joint `4` slows the path down to " in hint.notes[0]
-    legs, _ = legs_of(CHAIN, stretch, (), START)
-    assert trouble_of(PUMA, legs[1], 1) is None
+    legs, _ = sequence_moves(CHAIN, stretch, (), START)
+    assert conflict_of(PUMA, legs[1], 1) is None
     assert time_of(PUMA, legs[1], legs[0].q_end) < time_of(PUMA, nearest[1], nearest[0].q_end)
 
 
 def test_a_long_stretch_is_not_searched_without_end(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(posture_search, "MOST_LEGS", 0)
     nearest, refusal = in_turn(STRETCH)
-    found, why = legs_of(CHAIN, STRETCH, (), START)
+    found, why = sequence_moves(CHAIN, STRETCH, (), START)
     assert why == refusal
     assert [leg.q_end.tobytes() for leg in found] == [leg.q_end.tobytes() for leg in nearest]
 
@@ -227,7 +229,7 @@ def test_the_time_of_a_path_is_that_of_the_slower_one_of_tool_and_joints() -> No
 def test_a_path_that_is_too_fast_all_along_is_no_reason_for_another_posture(speed: float) -> None:
     goal = shifted(interface_pose(START), 0.0, 0.1, 0.0)
     (leg,) = in_turn([lin(goal, ModalState(path_speed=speed))])[0]
-    assert trouble_of(PUMA, leg, 0) is None
+    assert conflict_of(PUMA, leg, 0) is None
 
 
 def test_no_other_choice_of_postures_is_better() -> None:
@@ -243,7 +245,7 @@ def test_no_other_choice_of_postures_is_better() -> None:
         if refusal is None or refusal.diagnostics[0].code != "M503":
             continue
         looked += 1
-        here, best = _rank(legs_of(CHAIN, stretch, (), START)[0], stretch), min(_ranks(stretch))
+        here, best = _rank(sequence_moves(CHAIN, stretch, (), START)[0], stretch), min(_ranks(stretch))
         assert here[:-1] == best[:-1]
         assert here[-1] <= best[-1] * WITHIN
 
@@ -252,16 +254,18 @@ def _about_z(angle: float) -> Pose:
     return Pose(np.zeros(3), np.array([np.cos(angle / 2.0), 0.0, 0.0, np.sin(angle / 2.0)]))
 
 
-def _rank(legs: Sequence[Leg], stretch: Sequence[MoveInstruction]) -> tuple[int, int, int, int, float]:
+def _rank(
+    legs: Sequence[PlannedMove], stretch: Sequence[MoveInstruction]
+) -> tuple[int, int, int, int, float]:
     q, troubles, changes, narrow, time = START, 0, 0, 0, 0.0
     for leg, move in zip(legs, stretch, strict=False):
-        nearest = leg_of(CHAIN, move, q)
-        assert isinstance(nearest, Leg)
+        nearest = planned_move_of(CHAIN, move, q)
+        assert isinstance(nearest, PlannedMove)
         if float(np.abs(nearest.q_end - leg.q_end).max()) > SAME:
             words = zip(posture(PUMA, nearest.q_end).words, posture(PUMA, leg.q_end).words, strict=True)
             changes += 1 + sum(one != other for one, other in words)
         if leg.tool is not None:
-            troubles += trouble_of(PUMA, leg, 0) is not None
+            troubles += conflict_of(PUMA, leg, 0) is not None
             narrow += is_narrow(JointRange.of(PUMA), leg)
         time += time_of(PUMA, leg, q)
         q = leg.q_end

@@ -10,7 +10,7 @@ from ropsim.flow import MotionKind, MoveInstruction, Side, Trigger
 from ropsim.kinematics import Method, solver_of
 from ropsim.model import RobotModel
 from ropsim.planning import MotionChain, MotionPlan, Refusal, plan_move
-from ropsim.planning.moves.planned_move import Leg, leg_of
+from ropsim.planning.moves.planned_move import PlannedMove, planned_move_of
 from ropsim.spatial import Array, Pose
 from support.carried import (
     NEST,
@@ -96,8 +96,8 @@ def test_an_arm_without_closed_form_follows_the_plate_as_well(seed: int) -> None
     robot = cell.first.robot
     assert solver_of(robot).method is Method.ALGEBRAIC
     start, goal = ends(seed)
-    leg = leg_of(chain_of(cell), to_plate(robot, goal), start)
-    assert isinstance(leg, Leg)
+    leg = planned_move_of(chain_of(cell), to_plate(robot, goal), start)
+    assert isinstance(leg, PlannedMove)
     assert leg.joints is not None
     Q = leg.joints.joints(np.linspace(0.0, leg.joints.length, 501)).q
     X, whole = from_plate(robot, Q), from_plate(robot, np.stack((start, goal)))

@@ -8,12 +8,12 @@ import pytest
 
 from ropsim.model import Payload
 from ropsim.planning import MotionState, plan
-from ropsim.planning.blends.blend import Corner, Overlap
+from ropsim.planning.blends.blend import Blend, JointSpaceBlend
 from ropsim.planning.stops.quicker_stops import Span, Times, quicker_stops
 from support.walking_arms import chain as chain_of_walker
 from support.walks import cost_of_zones, hairpins, random_walk
 
-ROUND = Overlap(0.01, 0.01, 0.0, 0.0)
+ROUND = JointSpaceBlend(0.01, 0.01, 0.0, 0.0)
 COSTLY = [
     ("puma560", 7019),
     ("puma560 on a track", 7017),
@@ -48,7 +48,7 @@ class Table:
     def __init__(self, moves: int, seed: int, whole: float | None = None) -> None:
         random = np.random.default_rng(seed)
         self.moves = moves
-        self.corners: list[Corner | None] = [ROUND] * (moves - 1)
+        self.corners: list[Blend | None] = [ROUND] * (moves - 1)
         self.asked: list[Span] = []
         self._times = {
             (first, last): (last - first) * float(random.uniform(0.7, 1.1))

@@ -8,11 +8,11 @@ import pytest
 
 from ropsim.flow import ModalState, MoveInstruction
 from ropsim.motion import plan_time_law
-from ropsim.planning.blends.blend import Corner, Overlap, Stop, corner_between
-from ropsim.planning.moves.planned_move import Leg, leg_of
-from ropsim.planning.trajectory.sections import parts_of
-from ropsim.planning.trajectory.segments import pieces_of
-from ropsim.planning.trajectory.timing import Course, course_of
+from ropsim.planning.blends.blend import Blend, JointSpaceBlend, Stop, blend_between
+from ropsim.planning.moves.planned_move import PlannedMove, planned_move_of
+from ropsim.planning.trajectory.sections import sections_of
+from ropsim.planning.trajectory.segments import segments_of
+from ropsim.planning.trajectory.timing import Timing, timing_of
 from support.motion import CHAIN, RULES, START, interface_pose, lin, ptp, shifted
 
 HERE = interface_pose(START)
@@ -21,18 +21,18 @@ ZONE = ModalState(zone=0.02)
 ROUNDING = 1e-12
 
 
-def course(moves: list[MoveInstruction], look_ahead: int = 10) -> tuple[Course, list[Corner | None]]:
-    q, legs, corners = START, [], list[Corner | None]()
+def course(moves: list[MoveInstruction], look_ahead: int = 10) -> tuple[Timing, list[Blend | None]]:
+    q, legs, corners = START, [], list[Blend | None]()
     for move in moves:
-        leg = leg_of(CHAIN, move, q)
-        assert isinstance(leg, Leg)
+        leg = planned_move_of(CHAIN, move, q)
+        assert isinstance(leg, PlannedMove)
         legs.append(leg)
         q = leg.q_end
     for before, behind in pairwise(legs):
-        found = corner_between(CHAIN, before, behind)
+        found = blend_between(CHAIN, before, behind)
         corners.append(None if isinstance(found, Stop) else found)
-    return course_of(
-        parts_of(pieces_of(legs, corners), RULES._replace(look_ahead=look_ahead)), len(legs)
+    return timing_of(
+        sections_of(segments_of(legs, corners), RULES._replace(look_ahead=look_ahead)), len(legs)
     ), corners
 
 
@@ -49,7 +49,7 @@ def test_motions_overlap_no_longer_than_both_of_them_are_within_the_zone(speeds:
     done, corners = course(moves)
     assert len(done.runs) == 3
     for before, behind, corner in zip(done.runs[:-1], done.runs[1:], corners, strict=False):
-        assert isinstance(corner, Overlap)
+        assert isinstance(corner, JointSpaceBlend)
         left = before.law.duration - before.law.times_of(0, np.array([corner.leave]))[0]
         entered = behind.law.times_of(0, np.array([corner.enter]))[0]
         assert behind.overlap == pytest.approx(min(left, entered), rel=ROUNDING)
@@ -62,7 +62,7 @@ def test_a_line_whose_start_is_rounded_goes_over_into_the_next_move_as_one_from_
     moves = [lin(GOALS[0], ZONE), lin(GOALS[1], ZONE), ptp(GOALS[2])]
     rounded, corners = course(moves)
     stopped, _ = course([lin(GOALS[0]), *moves[1:]])
-    assert isinstance(corners[1], Overlap)
+    assert isinstance(corners[1], JointSpaceBlend)
     assert len(rounded.runs[0].pieces) == 3
     assert rounded.runs[1].overlap > 0.05
     assert rounded.runs[1].overlap == pytest.approx(stopped.runs[2].overlap, rel=0.02)

@@ -5,7 +5,7 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from ropsim.motion import PiecewiseLaw, Stage, plan_time_law
+from ropsim.motion import Interval, PiecewiseLaw, plan_time_law
 from ropsim.planning.trajectory.timing_kernel import lay_runs
 
 ROUNDING = 1e-12
@@ -13,7 +13,9 @@ ROUNDING = 1e-12
 
 def laws(random: np.random.Generator, count: int) -> list[PiecewiseLaw]:
     rows = random.uniform(0.2, 2.0, (count, 3, 4))
-    return [plan_time_law([Stage(*row.tolist()) for row in law[: 1 + k % 3]]) for k, law in enumerate(rows)]
+    return [
+        plan_time_law([Interval(*row.tolist()) for row in law[: 1 + k % 3]]) for k, law in enumerate(rows)
+    ]
 
 
 @pytest.mark.parametrize("seed", range(5))

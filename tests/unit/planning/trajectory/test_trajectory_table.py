@@ -10,14 +10,14 @@ from ropsim import robots
 from ropsim.flow import ModalState, MoveInstruction
 from ropsim.model import Synchronisation
 from ropsim.motion import JointPath, JointPoints
-from ropsim.planning.blends.blend import Stop, corner_between
-from ropsim.planning.joint_limits.limit_grid import bands_of
-from ropsim.planning.moves.planned_move import Leg, leg_of
-from ropsim.planning.trajectory.sections import parts_of
-from ropsim.planning.trajectory.segments import pieces_of
-from ropsim.planning.trajectory.timing import Course, course_of
-from ropsim.planning.trajectory.trajectory import StretchMotion
-from ropsim.planning.trajectory.trajectory_table import walk_table
+from ropsim.planning.blends.blend import Stop, blend_between
+from ropsim.planning.joint_limits.limit_grid import limit_grid_of
+from ropsim.planning.moves.planned_move import PlannedMove, planned_move_of
+from ropsim.planning.trajectory.sections import sections_of
+from ropsim.planning.trajectory.segments import segments_of
+from ropsim.planning.trajectory.timing import Timing, timing_of
+from ropsim.planning.trajectory.trajectory import Trajectory
+from ropsim.planning.trajectory.trajectory_table import trajectory_table
 from ropsim.spatial import Array
 from support.cells import chain_of, one_station
 from support.motion import PUMA, RULES, START, interface_pose, lin, ptp, shifted
@@ -37,20 +37,20 @@ class Unknown:
         return self._path.joints(s)
 
 
-def course(moves: list[MoveInstruction], mode: Synchronisation) -> Course:
+def course(moves: list[MoveInstruction], mode: Synchronisation) -> Timing:
     chain = chain_of(one_station("walk", PUMA, replace(robots.default_controller(PUMA), ptp=mode)))
     q, legs = START, []
     for move in moves:
-        leg = leg_of(chain, move, q)
-        assert isinstance(leg, Leg)
+        leg = planned_move_of(chain, move, q)
+        assert isinstance(leg, PlannedMove)
         legs.append(leg)
         q = leg.q_end
-    found = [corner_between(chain, *pair) for pair in pairwise(legs)]
+    found = [blend_between(chain, *pair) for pair in pairwise(legs)]
     corners = [None if isinstance(one, Stop) else one for one in found]
-    return course_of(parts_of(pieces_of(legs, corners), RULES), len(legs))
+    return timing_of(sections_of(segments_of(legs, corners), RULES), len(legs))
 
 
-def one_by_one(whole: Course) -> Course:
+def one_by_one(whole: Timing) -> Timing:
     """Return a course whose paths are walked one by one."""
     return replace(
         whole,
@@ -72,11 +72,11 @@ def test_all_runs_in_one_loop_are_bit_by_bit_what_their_paths_tell(mode: Synchro
     first, second, third = GOALS
     whole = course([lin(first, ZONE), lin(second, ZONE), ptp(third, ZONE), ptp(HERE)], mode)
     assert [len(run.pieces) for run in whole.runs] == [3, 1, 1]
-    assert walk_table(whole) is not None
+    assert trajectory_table(whole) is not None
     apart = one_by_one(whole)
-    assert walk_table(apart) is None
+    assert trajectory_table(apart) is None
     times = np.linspace(0.0, whole.duration, 400)
-    together, each = StretchMotion.on(whole).at(times), StretchMotion.on(apart).at(times)
+    together, each = Trajectory.on(whole).at(times), Trajectory.on(apart).at(times)
     for name in ("q", "d1", "d2"):
         assert getattr(together, name).tolist() == getattr(each, name).tolist()
 
@@ -84,7 +84,7 @@ def test_all_runs_in_one_loop_are_bit_by_bit_what_their_paths_tell(mode: Synchro
 def test_paths_at_places_of_a_run_are_bit_by_bit_what_they_tell_themselves() -> None:
     first, second, third = GOALS
     whole = course([lin(first, ZONE), lin(second, ZONE), ptp(third)], Synchronisation.PHASE)
-    together, each = StretchMotion.on(whole), StretchMotion.on(one_by_one(whole))
+    together, each = Trajectory.on(whole), Trajectory.on(one_by_one(whole))
     for number, run in enumerate(whole.runs):
         rows = run.law.at(np.linspace(0.0, run.law.duration, 50))
         assert len(set(rows.pieces.tolist())) == len(run.pieces)
@@ -98,9 +98,9 @@ def test_a_motion_on_the_same_pieces_at_other_times_is_that_of_the_other_course(
     moves = [lin(first, ZONE), lin(second, ZONE), ptp(third, ZONE), ptp(HERE)]
     whole = course(moves, Synchronisation.PHASE)
     (part, *others) = (run.part for run in whole.runs)
-    bands = bands_of(part, np.linspace(0.0, part.law.duration, 20), 0.0)
-    slower = course_of([bands.slower(0.5).replanned(RULES), *others], len(moves))
+    bands = limit_grid_of(part, np.linspace(0.0, part.law.duration, 20), 0.0)
+    slower = timing_of([bands.slower(0.5).replanned(RULES), *others], len(moves))
     times = np.linspace(0.0, slower.duration, 300)
-    timed, anew = StretchMotion.on(whole).timed(slower), StretchMotion.on(slower)
+    timed, anew = Trajectory.on(whole).timed(slower), Trajectory.on(slower)
     assert slower.duration > 1.2 * whole.duration
     assert timed.at(times).q.tolist() == anew.at(times).q.tolist()

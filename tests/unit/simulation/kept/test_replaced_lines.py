@@ -8,7 +8,7 @@ from ropsim.core import Diagnostic, Label, Span, TextEdit
 from ropsim.flow import MoveInstruction, Origin
 from ropsim.model import Payload
 from ropsim.motion import JOINT_LIMIT_ON_LINE
-from ropsim.planning import Refusal, StretchOrder
+from ropsim.planning import MotionSequence, Refusal
 from ropsim.simulation import KeptPlans
 from ropsim.simulation.kept.replaced_lines import on_lines_of
 from ropsim.simulation.records.planned_sequence import PlannedStretch
@@ -61,7 +61,7 @@ def test_a_move_that_is_only_looked_at_is_no_move_of_the_stretch() -> None:
     plans = KeptPlans(one_station("c", PUMA, CHAIN.controller))
     moves = on(4, 5)
     for made in (2, 1, 2, 1):
-        planned = plans.plan("left", CHAIN, StretchOrder(moves[:made], START, Payload(), moves[made:]))
+        planned = plans.plan("left", CHAIN, MotionSequence(moves[:made], START, Payload(), moves[made:]))
         assert planned.motion is not None
         assert len(planned.motion.plan.moves) == made
     assert len(plans.anew) == 2

@@ -4,16 +4,16 @@ from collections.abc import Iterable, Iterator
 
 import numpy as np
 
-from ropsim.motion.time_law.stage import Stage
+from ropsim.motion.time_law.interval import Interval
 from ropsim.spatial import Array, record
 
 
 @record
-class Stages:
-    """Bounds of stages that go over into each other at one unit; iterating gives each as a `Stage`.
+class PathLimits:
+    """Bounds of stages that go over into each other at one unit; iterating gives each as a `Interval`.
 
     Attributes:
-        rows: length, and bounds of speed, acceleration and jerk of each, see `Stage`, shape (s, 4).
+        rows: length, and bounds of speed, acceleration and jerk of each, see `Interval`, shape (s, 4).
     """
 
     rows: Array
@@ -22,7 +22,7 @@ class Stages:
         self.rows.flags.writeable = False
 
     @classmethod
-    def of(cls, stages: Iterable[Stage]) -> "Stages":
+    def of(cls, stages: Iterable[Interval]) -> "PathLimits":
         """Return the same as rows; ratios and horizons are left out."""
         rows = [(one.length, one.speed, one.acceleration, one.jerk) for one in stages]
         return cls(np.array(rows, dtype=np.float64).reshape(-1, 4))
@@ -31,13 +31,13 @@ class Stages:
         """Return their number."""
         return len(self.rows)
 
-    def __iter__(self) -> Iterator[Stage]:
+    def __iter__(self) -> Iterator[Interval]:
         """Yield them in order."""
-        return (Stage(*row) for row in self.rows.tolist())
+        return (Interval(*row) for row in self.rows.tolist())
 
-    def __getitem__(self, number: int) -> Stage:
+    def __getitem__(self, number: int) -> Interval:
         """Return one of them."""
-        return Stage(*self.rows[number].tolist())
+        return Interval(*self.rows[number].tolist())
 
     @property
     def ends(self) -> Array:

@@ -4,7 +4,7 @@ from ropsim.spatial import record
 
 
 @record
-class Stage:
+class Interval:
     """Bounds of one piece of a way, in the unit of the piece's own parameter s.
 
     Attributes:
