@@ -1,4 +1,4 @@
-"""Write the table of packages in ARCHITECTURE.md, between its markers, from the imports of their modules.
+"""Write the table of packages in docs/explanation/imports.md, between its markers, from the imports of their modules.
 
 python tools/import_table.py           write the table
 python tools/import_table.py --check   compare only; exit 1 where it differs
@@ -10,7 +10,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).parent.parent
 SOURCE = ROOT / "src" / "ropsim"
-PAGE = ROOT / "ARCHITECTURE.md"
+PAGE = ROOT / "docs" / "explanation" / "imports.md"
 BEGIN = "<!-- imports: written by tools/import_table.py -->"
 END = "<!-- end of imports -->"
 

@@ -20,7 +20,7 @@ from support.pages import Step, as_far_as_shown, commands, steps, with_output
 
 PAGES = sorted([*(DOCS / "tutorials").glob("*.md"), *(DOCS / "how-to").glob("*.md")])
 TRIED = [page for page in PAGES if any(step.language == "console" or step.path for step in steps(page))]
-READ = {"add-a-diagnostic", "editors", "install", "studio"}
+READ = {"add-a-diagnostic", "editors", "extend", "install", "studio"}
 """Pages of which no step is carried out; docs/README.md says which these are."""
 SILENCED = " > /dev/null"
 """Behind a command whose findings matter and not its results."""
