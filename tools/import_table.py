@@ -1,4 +1,4 @@
-"""Write the table of packages in docs/explanation/imports.md, between its markers, from the imports of their modules.
+"""Write the table of packages in docs/explanation/imports.md, from the imports of their modules.
 
 python tools/import_table.py           write the table
 python tools/import_table.py --check   compare only; exit 1 where it differs
