@@ -136,7 +136,7 @@ def _block_of(kinds: tuple[Kind, ...]) -> Callable[..., bytes]:
         "array": _Array, "float64": _FLOAT64, "address": _address_of, "at": _at, "place": _place,
         "pack": _packer(kinds),
     } | classes  # fmt: skip
-    exec("\n".join(text), scope)  # our own source
+    exec(compile("\n".join(text), __file__, "exec"), scope)  # our own source, which belongs to this file
     made: Callable[..., bytes] = scope["block"]  # type: ignore[assignment]  # what the text defines
     return made
 
