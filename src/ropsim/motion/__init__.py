@@ -1,11 +1,9 @@
 """Paths and time laws: jerk-limited profiles, ways of tool and joints, what limits make of them; findings."""
 
 from ropsim.model import OrientationMode as OrientationMode
-from ropsim.motion.blends.blend_curve import BLEND_STEPS as BLEND_STEPS
 from ropsim.motion.blends.blend_curve import SWING as SWING
 from ropsim.motion.blends.blend_curve import BlendFault as BlendFault
 from ropsim.motion.blends.blend_curve import blend_curve as blend_curve
-from ropsim.motion.blends.blend_curve_kernel import blend_curve_rows as blend_curve_rows
 from ropsim.motion.blends.zone import ZONE_NODES as ZONE_NODES
 from ropsim.motion.blends.zone import ZONE_SHARES as ZONE_SHARES
 from ropsim.motion.blends.zone import enter as enter
@@ -17,12 +15,8 @@ from ropsim.motion.blends.zone_kernel import LOOK_STATE as LOOK_STATE
 from ropsim.motion.blends.zone_kernel import LOOK_WAYS as LOOK_WAYS
 from ropsim.motion.blends.zone_kernel import MOST_LOOKS as MOST_LOOKS
 from ropsim.motion.blends.zone_kernel import look_further as look_further
-from ropsim.motion.curves.curve_kernel import curve_points as curve_points
-from ropsim.motion.curves.curve_kernel import curve_poses as curve_poses
 from ropsim.motion.curves.differences import numeric_points as numeric_points
 from ropsim.motion.curves.differences import pose_derivatives as pose_derivatives
-from ropsim.motion.curves.differences import stencils as stencils
-from ropsim.motion.curves.differences_kernel import rows_with_error as rows_with_error
 from ropsim.motion.curves.grid import grid as grid
 from ropsim.motion.curves.path import STANDS as STANDS
 from ropsim.motion.curves.path import STILL as STILL
@@ -66,7 +60,6 @@ from ropsim.motion.joint_paths.path_rows import PathRows as PathRows
 from ropsim.motion.joint_paths.path_rows import rows_of_path as rows_of_path
 from ropsim.motion.joint_paths.quintic_kernel import COEFFICIENTS as COEFFICIENTS
 from ropsim.motion.joint_paths.quintic_kernel import traced_in_time as traced_in_time
-from ropsim.motion.joint_paths.quintic_kernel import traced_points as traced_points
 from ropsim.motion.joint_paths.refined import Refined as Refined
 from ropsim.motion.joint_paths.refined import joins as joins
 from ropsim.motion.joint_paths.refined import rough_parts as rough_parts
@@ -95,12 +88,8 @@ from ropsim.motion.paths.curve import Curve as Curve
 from ropsim.motion.paths.line import Line as Line
 from ropsim.motion.paths.line import enter_distances as enter_distances
 from ropsim.motion.paths.line_kernel import LINE_LENGTH as LINE_LENGTH
-from ropsim.motion.paths.line_kernel import LINE_SIZE as LINE_SIZE
 from ropsim.motion.paths.line_kernel import ROLL as ROLL
-from ropsim.motion.paths.line_kernel import VELOCITY as VELOCITY
 from ropsim.motion.paths.line_kernel import WAY as WAY
-from ropsim.motion.paths.line_kernel import line_numbers as line_numbers
-from ropsim.motion.paths.line_kernel import straight_points as straight_points
 from ropsim.motion.paths.orientation import ToolTurn as ToolTurn
 from ropsim.motion.paths.orientation import TurnPoints as TurnPoints
 from ropsim.motion.paths.orientation import tool_turn as tool_turn
@@ -135,7 +124,6 @@ from ropsim.motion.retiming.tool_paths import no_ways as no_ways
 from ropsim.motion.retiming.utilisation import ROUNDING as ROUNDING
 from ropsim.motion.time_law.durations import ZERO_LENGTH as ZERO_LENGTH
 from ropsim.motion.time_law.durations import durations as durations
-from ropsim.motion.time_law.durations_kernel import write_duration as write_duration
 from ropsim.motion.time_law.interval import Interval as Interval
 from ropsim.motion.time_law.jerk_limited import jerk_limited as jerk_limited
 from ropsim.motion.time_law.jerk_limited import plan_time_law as plan_time_law

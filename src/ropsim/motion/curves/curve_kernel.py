@@ -113,52 +113,6 @@ def curve_points(
 
 
 @kernel
-def curve_poses(
-    series: Array2,
-    ends: Array1,
-    inverse: Array2,
-    steps: int,
-    coefficients: Array3,
-    middles: Array3,
-    s: Array1,
-    matrices: Array3,
-) -> None:
-    """Write the poses that `curve_points` writes.
-
-    Args:
-        series: as there, and so is all else.
-        ends: see there.
-        inverse: see there.
-        steps: see there.
-        coefficients: see there.
-        middles: see there.
-        s: see there.
-        matrices: see there.
-    """
-    step, segment, turns = 0, -1, True
-    for k in range(s.shape[0]):
-        step = _step_from(ends, s[k], step)
-        t = _parameter(ends, inverse, step, s[k])
-        if segment < 0 or (coefficients.shape[0] > 1 and step // steps != segment):
-            segment = step // steps
-            turns = _turns(coefficients[segment])
-        C, X = coefficients[segment], matrices[k]
-        x, y, z, v0, v1, v2 = C[5, 0], C[5, 1], C[5, 2], C[5, 3], C[5, 4], C[5, 5]
-        for i in range(4, -1, -1):
-            x, y, z = x * t + C[i, 0], y * t + C[i, 1], z * t + C[i, 2]
-            v0, v1, v2 = v0 * t + C[i, 3], v1 * t + C[i, 4], v2 * t + C[i, 5]
-        X[0, 3], X[1, 3], X[2, 3], v = x, y, z, (v0, v1, v2)
-        if not turns:
-            _stand(middles[segment], X)
-            continue
-        square, c1, c2 = _dot(v, v), 0.0, 0.0
-        for i in range(_terms(series, square) - 1, -1, -1):
-            c1, c2 = c1 * square + series[0, i], c2 * square + series[1, i]
-        _write_rotation(c1, c2, v, X)
-        _turn_by(middles[segment], X)
-
-
-@kernel
 def curve_at(coefficients: Array3, u: Array1, p: Array2, d1: Array2, d2: Array2) -> None:
     """Write positions and their derivatives by t at u, the number of the segment and t in it as one."""
     for k in range(u.shape[0]):

@@ -7,7 +7,7 @@ import pytest
 from scipy.interpolate import CubicSpline
 from scipy.spatial.transform import Rotation
 
-from ropsim.motion import Curve, SplineFault, curve_poses, spline
+from ropsim.motion import Curve, SplineFault, spline
 from ropsim.spatial import Pose
 from support.paths import brute_distances, inner_places, random_pose, tool_differences
 
@@ -47,13 +47,6 @@ def test_every_point_is_passed(count: int) -> None:
     curve = made(points)
     passed = curve.tool(curve.knots).matrices
     assert np.abs(passed - [point.matrix() for point in points]).max() < ROUNDING
-
-
-def test_poses_alone_are_those_with_derivatives() -> None:
-    s = inner_places(CURVE.length, 40)
-    matrices = np.full((40, 4, 4), np.nan)
-    curve_poses(*CURVE.numbers, s, matrices)
-    np.testing.assert_allclose(matrices, CURVE.tool(s).matrices, rtol=0.0, atol=ROUNDING)
 
 
 def test_the_derivatives_of_a_spline_are_those_of_its_poses() -> None:

@@ -208,11 +208,9 @@ class _Overlap:
 def test_the_bounds_hold_on_random_blends() -> None:
     random = np.random.default_rng(9)
     for _ in range(200):
-        blend_curve = random.uniform(-1.0, 1.0, 6)
-        before = JointLine(blend_curve + random.uniform(-1.5, 1.5, 6), blend_curve)
-        behind = JointLine(
-            blend_curve, blend_curve + random.uniform(-1.5, 1.5, 6) * 10.0 ** random.uniform(-2.0, 0.0)
-        )
+        corner = random.uniform(-1.0, 1.0, 6)
+        before = JointLine(corner + random.uniform(-1.5, 1.5, 6), corner)
+        behind = JointLine(corner, corner + random.uniform(-1.5, 1.5, 6) * 10.0 ** random.uniform(-2.0, 0.0))
         blend = _Overlap(before, behind, random.uniform(0.02, 0.5))
         speed = random.uniform(0.5, 6.0, 6)
         limits = JointMotionLimits(
