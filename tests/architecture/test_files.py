@@ -48,7 +48,6 @@ def test_every_pinned_version_is_exact() -> None:
 
 WIDE = {
     "core",
-    "motion/retiming",
     "studio",
 }
 LONG = {"curve_kernel.py", "time_law_kernel.py", "documents.py", "jobs.py", "messages.py"}

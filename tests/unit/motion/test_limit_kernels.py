@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
+from ropsim.motion.retiming.attempts import course_below
 from ropsim.motion.retiming.constraint_kernel import creeping
-from ropsim.motion.retiming.grid_kernel import divide, parts_by_joints, parts_by_rate
+from ropsim.motion.retiming.grid import divide, parts_by_joints, parts_by_rate
 from ropsim.motion.retiming.nominal_time import motion_time
-from ropsim.motion.retiming.smooth_rates import course_below
 from ropsim.motion.retiming.smooth_rates_kernel import LEAST_RATE, greatest_nearby, windows_last
 from ropsim.spatial import Array
 

@@ -7,8 +7,7 @@ from ropsim.motion.retiming.constraint_rows import ConstraintRows
 from ropsim.motion.retiming.fastest import Speeds
 from ropsim.motion.retiming.nominal_time import NominalTime, unslowed
 from ropsim.motion.retiming.point_kernel import ROWS_OF_PLACES, lacks_at
-from ropsim.motion.retiming.smooth_rates import course_below, window_times
-from ropsim.motion.retiming.smooth_rates_kernel import SLACK
+from ropsim.motion.retiming.smooth_rates_kernel import SLACK, WORK, smooth_course, windows_last
 from ropsim.motion.retiming.utilisation import ROUNDING
 from ropsim.motion.retiming.utilisation_kernel import LOAD, RATE, SWING, WINDOW, give_up
 from ropsim.spatial import Array
@@ -16,6 +15,7 @@ from ropsim.spatial import Array
 _AT_PLACES = 6
 _BETWEEN = 2e-7
 """Share of a rate that is left for what speeds are beyond their limits between two places."""
+_ENDLESS = 1e100
 
 
 class Attempts:
@@ -79,3 +79,34 @@ class Attempts:
         caps = (self._caps * shares[RATE]) ** 2
         self._x = self._speeds.under(caps, self._x, shares[SWING], shares[LOAD])
         self._sigma, self.clock = course_below(self._places, self._x, self._lasting, shares[WINDOW])
+
+
+def course_below(places: Array, x: Array, lasting: Array, width: Array) -> tuple[Array, NominalTime]:
+    """Return the places in windows, see `smooth_course`, shape (m,), and the motion time.
+
+    Args:
+        places: motion times [s], rising, shape (m,).
+        x: squares of rates; these are nowhere exceeded, but for the least rate that counts, shape (m,).
+        lasting: real times that windows last at least, see `window_times` [s], shape (m,).
+        width: factor of the windows, shape (m,).
+    """
+    m = len(places)
+    sigma, times, smooth, changes = np.empty((4, m))
+    smooth_course(places, x, lasting, width, np.empty((2 + WORK, m + 2)), sigma, times, smooth, changes)
+    return sigma, NominalTime(times, places, smooth, changes)
+
+
+def window_times(asked: ConstraintRows, longest: float) -> Array:
+    """Return how long windows last, so that jerk limits let accelerations swing in them [s], shape (m,).
+
+    Args:
+        asked: what the plan asks of joints and paths.
+        longest: bound of the result [s].
+    """
+    bounds, ways = asked.bounds, asked.ways
+    fast = np.append(np.minimum(bounds.speed, _ENDLESS) / bounds.jerk, np.abs(ways.speeds) / ways.most_jerks)
+    lasting = np.empty(len(asked.points.q))
+    windows_last(
+        asked.along()[0], asked.most(), asked.most_jerk(), float(np.sqrt(fast.max())), longest, lasting
+    )
+    return lasting

@@ -1,15 +1,26 @@
 """Places of a motion, as dense as it must be slow there."""
 
+import math
+
 import numpy as np
 
+from ropsim.codegen import Array1, Array2, kernel
 from ropsim.motion.curves.path import JointPoints
-from ropsim.motion.retiming.grid_kernel import divide, parts_by_joints, parts_by_rate
 from ropsim.motion.retiming.joint_bounds import JointBounds
 from ropsim.motion.retiming.retimed import Motion
 from ropsim.spatial import Array
 
 _FEWEST = 8
 _ROUNDS = 12
+_LEAST_PART = 1e-4
+"""Ways that are shorter than this share of the grid are not divided further."""
+_LONG = 1.5
+"""Greatest real time between two places, over the time that was asked for."""
+_LITTLE_LONGER = 1.03
+"""The same where motion time is slower: with 1.5, arms with much jerk lose up to 7 % on single motions."""
+_STEEP = 0.4
+"""Greatest change of the logarithm of the speed that a joint allows, from place to place."""
+_MOST_PARTS = 64.0
 
 
 def places_of(
@@ -45,3 +56,73 @@ def _divided(places: Array, parts: Array) -> Array:
     divided = np.empty(int(parts.sum()) + 1)
     divide(places, parts, divided)
     return divided
+
+
+@kernel
+def parts_by_rate(places: Array1, phi: Array1, rates: Array1, parts: Array1) -> None:
+    """Write into how many parts ways are divided, so that these last but a little longer than at full rate.
+
+    Args:
+        places: motion times [s], rising, shape (m,).
+        phi: motion times at which rates are known [s], rising, shape (k,).
+        rates: estimates of dφ/dt there, in ]0, 1]; the lowest on a way and on those beside it counts, (k,).
+        parts: becomes the numbers of parts, shape (m - 1,).
+    """
+    last = places.shape[0] - 2
+    for i in range(last + 1):
+        parts[i] = 1.0
+    way = 0
+    for k in range(phi.shape[0]):
+        while way < last and places[way + 1] <= phi[k]:
+            way += 1
+        for i in range(max(way - 1, 0), min(way + 1, last) + 1):
+            parts[i] = max(parts[i], math.ceil(1.0 / (rates[k] * _LITTLE_LONGER)))
+    for i in range(last + 1):
+        parts[i] = min(parts[i], _MOST_PARTS)
+
+
+@kernel
+def parts_by_joints(
+    places: Array1, q: Array2, d1: Array2, speed: Array1, spacing: float, parts: Array1
+) -> None:
+    """Write into how many parts ways are divided for joints that go far or whose speed bounds change steeply.
+
+    Args:
+        places: motion times [s], rising, shape (m,).
+        q: coordinates of the joints there, shape (m, n).
+        d1: their derivatives by motion time, shape (m, n).
+        speed: limits of the joints, shape (n,).
+        spacing: real time between two places [s].
+        parts: becomes the numbers of parts, shape (m - 1,).
+    """
+    before = 0.0
+    for i in range(places.shape[0]):
+        fast, lasts = 1.0, 0.0
+        for j in range(speed.shape[0]):
+            fast = max(fast, abs(d1[i, j]) / speed[j])
+            if i > 0:
+                lasts = max(lasts, abs(q[i, j] - q[i - 1, j]) / speed[j])
+        allowed = math.log(1.0 / fast) if fast > 1.0 else 0.0
+        if i > 0:
+            needed = math.ceil(max(lasts / (_LONG * spacing), abs(allowed - before) / _STEEP))
+            is_short = places[i] - places[i - 1] < _LEAST_PART * spacing
+            parts[i - 1] = 1.0 if is_short else min(max(needed, 1.0), _MOST_PARTS)
+        before = allowed
+
+
+@kernel
+def divide(places: Array1, parts: Array1, out: Array1) -> None:
+    """Write places with the ways between them in equal parts.
+
+    Args:
+        places: rising, shape (m,).
+        parts: numbers of parts, from 1 on, shape (m - 1,).
+        out: becomes the places, one more than there are parts.
+    """
+    row = 0
+    for i in range(parts.shape[0]):
+        way = places[i + 1] - places[i]
+        for number in range(int(parts[i])):
+            out[row] = places[i] + way * (number / parts[i])
+            row += 1
+    out[row] = places[parts.shape[0]]
