@@ -88,3 +88,28 @@ def test_a_room_says_in_one_sentence_what_is_in_it() -> None:
         for room in rooms
         if not ast.get_docstring(ast.parse((PACKAGES / room).read_text("utf-8")))
     ] == []
+
+
+MOST_BYTES = {"CHANGELOG.md": 15_000, "ARCHITECTURE.md": 12_000}
+DIARIES = ("performance", "studio-performance", "robustness")
+"""Pages of figures: they have room for the latest ones only."""
+
+
+def page_limits() -> dict[Path, int]:
+    """Return the most bytes of each page that would grow with every change."""
+    pages = {ROOT / name: most for name, most in MOST_BYTES.items()}
+    pages |= {ROOT / "docs" / "explanation" / f"{name}.md": 8_000 for name in DIARIES}
+    return pages | {path: 3_000 for path in PACKAGES.rglob("README.md")}
+
+
+def test_pages_that_grow_with_every_change_stay_short() -> None:
+    long = {page for page, most in page_limits().items() if page.stat().st_size > most}
+    assert {page.relative_to(ROOT).as_posix() for page in long} == set()
+
+
+def test_a_row_of_the_code_map_is_one_line() -> None:
+    rows = [
+        line for line in (ROOT / "ARCHITECTURE.md").read_text("utf-8").splitlines() if line.startswith("|")
+    ]
+    assert len(rows) > 25
+    assert [row for row in rows if len(row) > 120] == []
