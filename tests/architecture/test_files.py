@@ -47,7 +47,6 @@ def test_every_pinned_version_is_exact() -> None:
 
 
 WIDE = {
-    "core",
     "studio",
 }
 LONG = {"curve_kernel.py", "time_law_kernel.py", "documents.py", "jobs.py", "messages.py"}

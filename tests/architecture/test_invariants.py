@@ -14,10 +14,10 @@ HIGH = {"cli", "studio", "lsp", "workbench", "cellfile", "records", "userfiles"}
 HIGH |= {"robotfile", "tomltext", "meshes"}
 """Packages that read and write files of users."""
 OWN_FILES = {
-    "core/files.py",
-    "core/inside.py",
-    "core/own_folder.py",
-    "core/temporary_file.py",
+    "core/disk/files.py",
+    "core/disk/inside.py",
+    "core/disk/own_folder.py",
+    "core/disk/temporary_file.py",
     "codegen/machine/kept_code.py",
     "prolog/native/program.py",
 }
@@ -91,8 +91,8 @@ def test_nothing_below_the_readers_of_files_opens_or_prints() -> None:
     assert (calls, paths) == (set(), set())
 
 
-CACHE_DOOR = {"core/kept_files.py", "core/user_folders.py", "core/own_folder.py"}
-"""The one way to what is kept between processes: see `core/kept_files.py`."""
+CACHE_DOOR = {"core/disk/kept_files.py", "core/disk/user_folders.py", "core/disk/own_folder.py"}
+"""The one way to what is kept between processes: see `core/disk/kept_files.py`."""
 CACHE_NAMES = {"cache_folder", "CACHE_OVERRIDE", "OwnFolder", "lock_file"}
 CACHE_TEXTS = ("ROPSIM_CACHE_DIR", "XDG_CACHE_HOME", "XDG_STATE_HOME", "XDG_CONFIG_HOME", "XDG_RUNTIME_DIR")
 
@@ -122,7 +122,7 @@ def docstrings(tree: ast.Module) -> set[ast.AST]:
     [
         ("from ropsim.core import cache_folder", True),
         ("import os\nplace = os.environ['XDG_CACHE_HOME']", True),
-        ("from ropsim.core.own_folder import OwnFolder", True),
+        ("from ropsim.core.disk.own_folder import OwnFolder", True),
         ("from ropsim.core import KeptFiles", False),
     ],
 )
@@ -146,7 +146,7 @@ def test_one_module_takes_locks() -> None:
         if (isinstance(node, ast.ImportFrom) and node.module in LOCKS)
         or (isinstance(node, ast.Import) and LOCKS & {one.name for one in node.names})
     }
-    assert takers == {"core/file_lock.py"}
+    assert takers == {"core/disk/file_lock.py"}
 
 
 def test_nothing_changes_the_mask_of_permissions() -> None:

@@ -1,6 +1,6 @@
 """The system fails at a call to the cache during a run: the run gives the same, and so does the next one.
 
-`tests/unit/core/test_kept_faults.py` goes through all calls for one entry.
+`tests/unit/core/disk/test_kept_faults.py` goes through all calls for one entry.
 """
 
 import json
@@ -13,7 +13,7 @@ from typing import Any, TypeAlias
 
 import pytest
 
-from ropsim.core import user_folders
+from ropsim.core.disk import user_folders
 from support.cached_run import TEXTS, write_project
 from support.counted_system import FAULTS
 from support.nursery import Nursery

@@ -9,7 +9,8 @@ from collections.abc import Callable, Mapping
 from hashlib import sha256
 from pathlib import Path
 
-from ropsim.core import kept_findings, user_folders
+from ropsim.core import kept_findings
+from ropsim.core.disk import user_folders
 from ropsim.flow import Fidelity
 from ropsim.records import recording_bytes
 from ropsim.simulation import RunOptions

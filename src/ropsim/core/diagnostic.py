@@ -79,3 +79,14 @@ class Diagnostic:
     def __str__(self) -> str:
         place = f"{self.span}: " if self.span else ""
         return f"{place}{self.severity.value}[{self.code}] {self.slug}: {self.message}"
+
+
+class RopsimError(Exception):
+    """Wrong use of the API; carries the diagnostic that says what was wrong.
+
+    Mistakes in programs, cells and models are diagnostics (values), not exceptions.
+    """
+
+    def __init__(self, diagnostic: Diagnostic) -> None:
+        super().__init__(str(diagnostic) + (f" ({diagnostic.hint})" if diagnostic.hint else ""))
+        self.diagnostic = diagnostic

@@ -16,8 +16,8 @@ import pytest
 
 from ropsim.codegen import Engine, SourceFunction, load
 from ropsim.codegen.machine.kept_code import GENERATED
-from ropsim.core import kept_files
-from ropsim.core.turns import turn
+from ropsim.core.disk import kept_files
+from ropsim.core.disk.turns import turn
 
 COUNT = 9
 PATIENCE = 120.0

@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from ropsim.core import SourceText
-from ropsim.core.user_folders import cache_folder
+from ropsim.core.disk.user_folders import cache_folder
 from ropsim.prolog import Engine, Preparation, Sort, Struct, Term, question
 from ropsim.prolog.running import RunningProlog
 from ropsim.prolog.wasm.image import Image, unpacked_image

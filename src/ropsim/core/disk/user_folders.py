@@ -22,7 +22,7 @@ _MAC = "~/Library/Application Support"
 
 
 def cache_folder() -> Path:
-    """Return the folder of what can be made again, such as compiled code; see `ropsim.core.kept_files`.
+    """Return the folder of what can be made again, such as compiled code; see `ropsim.core.disk.kept_files`.
 
     Raises:
         OSError: the user has no home folder.

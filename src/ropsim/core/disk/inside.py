@@ -12,9 +12,12 @@ import stat
 from collections.abc import Callable, Iterator
 from pathlib import Path, PurePath, PureWindowsPath
 
-from ropsim.core.files import on_disk, replace_file
-from ropsim.core.handles import closed_on_error, stream_of
-from ropsim.core.temporary_file import temporary_file
+from ropsim.core.catalogue import define
+from ropsim.core.diagnostic import Diagnostic, Severity
+from ropsim.core.disk.files import on_disk, replace_file
+from ropsim.core.disk.handles import closed_on_error, stream_of
+from ropsim.core.disk.temporary_file import temporary_file
+from ropsim.core.span import Span
 
 _BY_HANDLE = os.open in os.supports_dir_fd and os.rename in os.supports_dir_fd
 _NOFOLLOW, _BINARY = getattr(os, "O_NOFOLLOW", 0), getattr(os, "O_BINARY", 0)
@@ -23,6 +26,26 @@ _READ = os.O_RDONLY | _BINARY | _NOFOLLOW | getattr(os, "O_NONBLOCK", 0)  # an e
 _NEW = os.O_WRONLY | os.O_CREAT | os.O_EXCL | _BINARY | _NOFOLLOW
 _NO_LINKS = (errno.EPERM, errno.ENOTSUP, errno.EOPNOTSUPP, errno.ENOSYS, errno.EMLINK)
 """What file systems without hard links say."""
+OUTSIDE_PROJECT = define(
+    "U962",
+    "outside-project",
+    Severity.ERROR,
+    "a file of a project does not lie in the project folder",
+    """
+A project is complete in its folder, and a project from somebody else must not look around on your disk. One
+rule holds for every file of a project, for reading and for writing: `cell.toml`, programs, robot files,
+meshes, lists of points, texts of tasks and their manifest. A path may neither begin with `/` or a drive nor
+contain `..`, and all links on it must stay in the folder. A link from one place of the project to another one
+is fine, and so is a project folder that is reached by a link.
+
+Copy the file into the project, robot files best into `robots/`, meshes into `geometry/`.
+
+```toml
+[robot]
+model = "robots/my_arm.toml"
+```
+""",
+)
 
 
 class LeadsOutError(OSError):
@@ -188,3 +211,15 @@ def _mode(name: str, around: int) -> int | None:
         kind = errno.EISDIR if stat.S_ISDIR(mode) else errno.ELOOP if stat.S_ISLNK(mode) else errno.EINVAL
         raise OSError(kind, os.strerror(kind), name)
     return stat.S_IMODE(mode)
+
+
+def outside_project(name: str, error: LeadsOutError, span: Span | None = None) -> Diagnostic:
+    """Return the finding that a file does not lie in the project folder.
+
+    Args:
+        name: of the file, as messages use it.
+        error: how its path leads out.
+        span: where the path is written.
+    """
+    message = f"`{name[:200]}` {error.strerror}"
+    return OUTSIDE_PROJECT.at(span, message, hint="copy the file into the project")

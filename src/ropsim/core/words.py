@@ -1,4 +1,4 @@
-"""Near names: what the user may have meant."""
+"""Words of messages: names that the user may have meant, and numbers with their nouns."""
 
 import difflib
 from collections.abc import Iterable, Iterator, Mapping
@@ -75,3 +75,8 @@ def did_you_mean(name: str, candidates: Iterable[str]) -> str:
     """Return "did you mean `x`?", or an empty string where nothing but the name itself is near."""
     close = _nearest(name, tuple(candidates), 1, but=name)
     return f"did you mean `{close[0]}`?" if close else ""
+
+
+def plural(count: int, noun: str) -> str:
+    """Return `1 error`, `2 errors`."""
+    return f"{count} {noun}{'' if count == 1 else 's'}"

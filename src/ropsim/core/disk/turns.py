@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from time import sleep
 
-from ropsim.core.file_lock import LockState, lock_handle
+from ropsim.core.disk.file_lock import LockState, lock_handle
 
 PAUSE = 0.02
 """Between two attempts [s]."""

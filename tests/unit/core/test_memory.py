@@ -6,7 +6,7 @@ from collections.abc import Iterator
 import pytest
 
 from ropsim.core import keep_from_collection, kept_from_collection
-from ropsim.core.without_collection import MANY
+from ropsim.core.memory import MANY
 
 
 @pytest.fixture

@@ -15,8 +15,8 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import IO
 
-from ropsim.core.file_lock import LockState, lock_handle
-from ropsim.core.handles import stream_of
+from ropsim.core.disk.file_lock import LockState, lock_handle
+from ropsim.core.disk.handles import stream_of
 
 _PREFIX = ".ropsim-"
 _NAME = re.compile(rf"{re.escape(_PREFIX)}[0-9a-f]{{16}}")

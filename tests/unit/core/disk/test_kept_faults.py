@@ -8,7 +8,8 @@ from pathlib import Path
 
 import pytest
 
-from ropsim.core import KeptFiles, kept_files
+from ropsim.core import KeptFiles
+from ropsim.core.disk import kept_files
 from support.counted_system import FAULTS, counted, number
 
 OLD, ENTRY = b"old entry" * 100, b"new entry" * 300

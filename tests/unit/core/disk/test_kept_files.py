@@ -11,7 +11,8 @@ from pathlib import Path
 
 import pytest
 
-from ropsim.core import KeptFiles, kept_files, kept_findings
+from ropsim.core import KeptFiles, kept_findings
+from ropsim.core.disk import kept_files
 
 NAME = "ab12-translated"
 OTHER = "ab13-translated"
@@ -232,7 +233,7 @@ def test_a_disk_that_is_full_leaves_no_rest(
     def full(_handle: int, *_anything: object) -> None:
         raise OSError(28, "No space left on device")
 
-    monkeypatch.setattr("ropsim.core.handles.os.fdopen", full)
+    monkeypatch.setattr("ropsim.core.disk.handles.os.fdopen", full)
     kept.keep(OTHER, ENTRY)
     monkeypatch.undo()
     assert codes() == ["X919"]

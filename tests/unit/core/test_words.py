@@ -2,8 +2,8 @@ import difflib
 
 import pytest
 
-from ropsim.core import did_you_mean, near, suggest
-from ropsim.core.suggest import MANY
+from ropsim.core import did_you_mean, near, plural, words
+from ropsim.core.words import MANY
 
 
 def test_a_misspelt_name_finds_the_right_one() -> None:
@@ -62,10 +62,14 @@ def test_among_very_many_names_the_nearest_is_found_by_a_bounded_number_of_compa
 def test_many_words_are_looked_for_among_the_same_names_in_time_linear_in_both(compared: list[int]) -> None:
     def comparisons(count: int) -> int:
         compared.clear()
-        suggest._index.cache_clear()
+        words._index.cache_clear()
         names = tuple(f"slot{number}" for number in range(count))
         assert all(did_you_mean(f"sloot{number}", names) for number in range(count))
-        assert suggest._index.cache_info().misses == 1
+        assert words._index.cache_info().misses == 1
         return sum(compared)
 
     assert comparisons(800) <= 2 * comparisons(400)
+
+
+def test_a_noun_is_singular_for_one_alone() -> None:
+    assert [plural(count, "error") for count in (0, 1, 2)] == ["0 errors", "1 error", "2 errors"]

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from ropsim.core import replace_file, retried
-from ropsim.core.sharing import PAUSES
+from ropsim.core.disk.handles import PAUSES
 
 
 class HeldError(PermissionError):
@@ -34,7 +34,7 @@ class Operation:
 def pauses(monkeypatch: pytest.MonkeyPatch) -> list[float]:
     """Return the pauses that are made; nobody waits."""
     made: list[float] = []
-    monkeypatch.setattr("ropsim.core.sharing.sleep", made.append)
+    monkeypatch.setattr("ropsim.core.disk.handles.sleep", made.append)
     return made
 
 

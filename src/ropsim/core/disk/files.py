@@ -7,9 +7,8 @@ from functools import partial
 from pathlib import Path
 from typing import IO
 
-from ropsim.core.handles import stream_of
-from ropsim.core.sharing import retried
-from ropsim.core.temporary_file import temporary_file
+from ropsim.core.disk.handles import retried, stream_of
+from ropsim.core.disk.temporary_file import temporary_file
 
 MOST_BYTES = 64_000_000
 """Bytes that a file may have where its reader names no other bound."""

@@ -17,9 +17,8 @@ from pathlib import Path
 from types import TracebackType
 from typing import NamedTuple
 
-from ropsim.core.handles import closed_on_error, stream_of
-from ropsim.core.sharing import retried
-from ropsim.core.temporary_file import temporary_file
+from ropsim.core.disk.handles import closed_on_error, retried, stream_of
+from ropsim.core.disk.temporary_file import temporary_file
 
 _HAS_OWNERS = hasattr(os, "geteuid")
 _OTHERS_WRITE = stat.S_IWGRP | stat.S_IWOTH

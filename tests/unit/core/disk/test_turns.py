@@ -13,7 +13,7 @@ from time import sleep
 
 import pytest
 
-from ropsim.core.turns import turn
+from ropsim.core.disk.turns import turn
 
 OTHER = """
 import fcntl, os, sys
@@ -26,7 +26,7 @@ for name in sys.argv[1:]:
 """
 HOLDER = """
 import os, sys
-from ropsim.core.turns import turn
+from ropsim.core.disk.turns import turn
 with turn(os.open(sys.argv[1], os.O_RDWR | os.O_CREAT)):
     print("has it", flush=True)
     {}
@@ -78,7 +78,7 @@ def test_a_process_that_was_stopped_in_its_turn_keeps_nobody_for_ever(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     pauses: list[float] = []
-    monkeypatch.setattr("ropsim.core.turns.sleep", pauses.append)
+    monkeypatch.setattr("ropsim.core.disk.turns.sleep", pauses.append)
     file = tmp_path / "turn"
     with stopped_holder(file):
         with turn(opened(file), attempts=3):
@@ -105,7 +105,7 @@ def test_where_files_cannot_be_locked_nobody_waits(
         raise OSError(number, "No locks available")
 
     monkeypatch.setattr(fcntl, "flock", without_locks)
-    monkeypatch.setattr("ropsim.core.turns.sleep", lambda _: pytest.fail("it waits"))
+    monkeypatch.setattr("ropsim.core.disk.turns.sleep", lambda _: pytest.fail("it waits"))
     with turn(opened(tmp_path / "turn")):
         pass
 

@@ -8,8 +8,9 @@ import pytest
 from platformdirs.macos import MacOS
 from platformdirs.windows import Windows, get_win_folder_from_env_vars
 
-from ropsim.core import KeptFiles, configuration_folder, kept_files, state_folder
-from ropsim.core.user_folders import cache_folder
+from ropsim.core import KeptFiles, configuration_folder, state_folder
+from ropsim.core.disk import kept_files
+from ropsim.core.disk.user_folders import cache_folder
 
 FOLDERS = {
     "ROPSIM_CACHE_DIR": (cache_folder, "XDG_CACHE_HOME", ".cache"),

@@ -7,7 +7,7 @@ it makes everything anew.
 
 Two guards keep foreign machine code from being run:
 
-- *Owner and permissions* keep strangers out: see `ropsim.core.own_folder`. A folder in which another user
+- *Owner and permissions* keep strangers out: see `own_folder`. A folder in which another user
   can have written anything is not read at all.
 - *The seal* finds damage and mix-ups: it is a digest of room, name and content, so that a file that was cut
   off, changed, or copied under another name is no entry. It is no signature. A secret key would add nothing:
@@ -21,11 +21,11 @@ from collections.abc import Callable, Iterator
 from hashlib import sha256
 from pathlib import Path
 
-from ropsim.core.diagnostic import Diagnostic
-from ropsim.core.kept_diagnostics import FOREIGN_CACHE, NO_CACHE
-from ropsim.core.own_folder import ForeignFolderError, OwnFolder
-from ropsim.core.turns import turn
-from ropsim.core.user_folders import CACHE_OVERRIDE, cache_folder
+from ropsim.core.catalogue import define
+from ropsim.core.diagnostic import Diagnostic, Severity
+from ropsim.core.disk.own_folder import ForeignFolderError, OwnFolder
+from ropsim.core.disk.turns import turn
+from ropsim.core.disk.user_folders import CACHE_OVERRIDE, cache_folder
 
 _SEAL = 32
 """Bytes of the digest in front of an entry."""
@@ -35,6 +35,32 @@ _TURNS = 64
 """Number of these files: two things of one file wait for each other, which costs time only."""
 _findings: dict[str, Diagnostic] = {}
 """Why folders are not used in this process, by what is wrong."""
+FOREIGN_CACHE = define(
+    "X918",
+    "cache-not-your-own",
+    Severity.WARNING,
+    "others can have written into the cache folder: it is not used",
+    """
+Compiled code is kept in the cache folder and run from there. So it is used only where nobody else can have
+put something into it: the folder and the folders in it belong to you, no other user can write to them, and
+they are no links. Root does not use the cache of another user either.
+
+Nothing is lost: code is compiled anew in each process, which takes longer. Remove the folder, or take the
+permission to write from others (`chmod 700`); `ROPSIM_CACHE_DIR` names another folder by an absolute path.
+""",
+)
+
+NO_CACHE = define(
+    "X919",
+    "cache-not-writable",
+    Severity.HINT,
+    "compiled code cannot be kept for the next start",
+    """
+The cache folder cannot be made or written: it is read only, the disk is full, or the user has no home
+folder. Everything works as usual, but each start compiles its code anew, which takes longer.
+`ROPSIM_CACHE_DIR` names another folder by an absolute path.
+""",
+)
 
 
 class KeptFiles:
@@ -78,7 +104,7 @@ class KeptFiles:
 
     @contextlib.contextmanager
     def turn(self, number: int) -> Iterator[None]:
-        """Have the turn of a number among processes that make an entry; see `ropsim.core.turns`."""
+        """Have the turn of a number among processes that make an entry; see `ropsim.core.disk.turns`."""
         handle = None
         with contextlib.suppress(OSError), self._made() as room:
             handle = room.lock_file(f"{_TURN}{number % _TURNS}")

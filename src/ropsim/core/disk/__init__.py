@@ -1,0 +1,1 @@
+"""Files, locks, folders of the user, and what is kept between processes."""
