@@ -5,7 +5,7 @@
 BIN = .venv/bin
 VENV = PYTHON='$(PYTHON)' VENV_BIN='$(BIN)' sh tools/venv.sh
 DEMO = examples/palletizing
-# One worker more than cores (they wait now and then), at most four; tests of a module stay together, in the order of tests/conftest.py.
+# A worker for each core (tests/conftest.py), at most four; tests of a module stay together, in the order of tests/conftest.py.
 SIDE_BY_SIDE = -n auto --maxprocesses 4 --dist loadfile --no-loadscope-reorder $(PLAIN)
 # Parts of pytest that no test uses and each test would pass through.
 PLAIN = -p no:benchmark -p no:anyio -p no:logging -p no:legacypath
@@ -14,7 +14,9 @@ KEEP_COMPILED = PYTHONDONTWRITEBYTECODE=
 
 help:
 	@echo 'make demo    compile, plan, simulate and report the palletizing cell ($(DEMO))'
-	@echo 'make test    run the whole test suite'
+	@echo 'make test    run the tests, without the slow ones'
+	@echo 'make test-rest  run the slow tests: walks in a browser, kills, damaged caches, hostile input'
+	@echo 'make test-all   run all tests, with ten times as many examples of each law'
 	@echo 'make check   lint, format, types, import contracts, spelling, generated pages; the pages of the studio'
 	@echo 'make bench   run the benchmarks'
 	@echo 'make docs    write the generated pages, tables and types'
@@ -27,15 +29,32 @@ demo:
 
 test:
 	@$(VENV) test
-	$(KEEP_COMPILED) $(BIN)/python -m pytest $(SIDE_BY_SIDE)
+	$(KEEP_COMPILED) $(BIN)/python -m pytest $(SIDE_BY_SIDE) -m 'not slow'
 
-check:
+test-rest:
+	@$(VENV) test
+	$(KEEP_COMPILED) $(BIN)/python -m pytest $(SIDE_BY_SIDE) -m slow tests/e2e
+
+test-all:
+	@$(VENV) test
+	$(KEEP_COMPILED) $(BIN)/python -m pytest $(SIDE_BY_SIDE) --hypothesis-profile long
+
+# `make --jobs=2 check` checks types beside the rest, which takes as long.
+check: types style pages frontend
+
+check-tools:
 	@$(VENV) test check
+
+types: check-tools
+	$(BIN)/mypy
+
+style: check-tools
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
-	$(BIN)/mypy
 	$(BIN)/lint-imports
 	$(BIN)/codespell
+
+pages: check-tools
 	$(BIN)/python tools/diagnostic_pages.py --check
 	$(BIN)/python tools/icr_table.py --check
 	$(BIN)/python tools/import_table.py --check
@@ -44,6 +63,8 @@ check:
 	$(BIN)/python tools/wire_types.py --check
 	$(BIN)/python tools/block_words.py --check
 	$(BIN)/python tools/pack_fixture.py --check
+
+frontend: check-tools
 	$(BIN)/python -m tools.frontend
 
 bench:
@@ -70,4 +91,4 @@ clean:
 	rm -rf .benchmarks examples/*/out frontend/node_modules frontend/dist src/ropsim/static src/ropsim/prolog/data
 	find src tests tools benchmarks -name __pycache__ -type d -prune -exec rm -rf '{}' +
 
-.PHONY: help demo test check bench docs pictures clean
+.PHONY: help demo test test-rest test-all check check-tools types style pages frontend bench docs pictures clean

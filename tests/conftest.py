@@ -7,7 +7,8 @@ from collections.abc import Generator
 from pathlib import Path
 
 import pytest
-from hypothesis import HealthCheck, settings
+
+from support.examples import register_profiles
 
 ORDER = ("architecture", "unit", "packaging", "golden", "reference", "spec", "property", "e2e")
 LONGEST = (
@@ -23,19 +24,22 @@ LONGEST = (
     "test_studio_attacks.py",
 )
 """The longest modules with a browser come first among them: one begun last would keep a worker alone."""
+QUICK = "not slow"
+"""What `make test` selects."""
+SLOW = "e2e"
+"""The only folder with slow tests: `make test-rest` collects no other one."""
 HERE = Path(__file__).parent
 
 pytest_plugins = ("support.browser",)
 
-# Both look at the clock, and the cores are shared.
-settings.register_profile("suite", deadline=None, suppress_health_check=[HealthCheck.too_slow])
-settings.load_profile("suite")
+register_profiles()
 
 
 @pytest.hookimpl(optionalhook=True)
-def pytest_xdist_auto_num_workers() -> int:
-    """Return one worker more than there are cores: some wait for a live run, a page or another process."""
-    return 1 + (len(os.sched_getaffinity(0)) if sys.platform == "linux" else os.cpu_count() or 1)
+def pytest_xdist_auto_num_workers(config: pytest.Config) -> int:
+    """Return one worker for each core; with slow tests one more, for some wait for a page or a process."""
+    cores = len(os.sched_getaffinity(0)) if sys.platform == "linux" else os.cpu_count() or 1
+    return cores if config.option.markexpr == QUICK else cores + 1
 
 
 def pytest_configure(config: pytest.Config) -> None:
@@ -72,13 +76,22 @@ def pytest_collection() -> Generator[None, object, object]:
         gc.enable()
 
 
+@pytest.hookimpl(tryfirst=True)  # before tests are selected by their marks
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Sort by folder and name, modules with a browser behind all others; inside a module the order stays.
+    """Mark walks in a browser as slow, and sort the tests.
+
+    They go by folder and name, modules with a browser behind all others; inside a module the order stays.
 
     From the first of them on, playwright keeps an event loop in the main thread, where others could not start
     their own. Where workers run side by side a module stays together (`--dist loadfile`): its tests share a
     server and a page.
     """
+    for item in items:
+        if _in_browser(item) and item.get_closest_marker("smoke") is None:
+            item.add_marker("slow")
+    stray = [item.nodeid for item in items if item.get_closest_marker("slow") and _first(item.path) != SLOW]
+    if stray:
+        raise pytest.UsageError(f"slow tests outside tests/{SLOW}: {', '.join(stray)}")
     in_browser = {item.path for item in items if _in_browser(item)}
     places = {
         path: (path in in_browser, _folder(path), _rank(path.name), path)
@@ -96,4 +109,9 @@ def _rank(module: str) -> int:
 
 
 def _folder(module: Path) -> int:
-    return ORDER.index(module.relative_to(HERE).parts[0])
+    return ORDER.index(_first(module))
+
+
+def _first(module: Path) -> str:
+    """Return the folder of `tests` that a module belongs to."""
+    return module.relative_to(HERE).parts[0]

@@ -25,7 +25,10 @@ DAMAGING = ("folder removed", "files cut")
 LATE = 20  # calls before the end of a run
 Ran: TypeAlias = Callable[[Path, str, int], dict[str, Any]]
 
-pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="processes are forked as POSIX does")
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.skipif(sys.platform == "win32", reason="processes are forked as POSIX does"),
+]
 
 
 @pytest.fixture(scope="module")

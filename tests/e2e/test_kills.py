@@ -14,9 +14,10 @@ from support.nursery import Nursery
 KILLS = {"save": 5, "journal": 4, "report": 3, "recording": 3, "cache": 2, "trust": 3}
 SEED = 3
 
-pytestmark = pytest.mark.skipif(
-    sys.platform == "win32", reason="processes are forked and killed as POSIX does"
-)
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.skipif(sys.platform == "win32", reason="processes are forked and killed as POSIX does"),
+]
 
 
 @pytest.fixture(scope="module")

@@ -25,7 +25,9 @@ def test_the_workflow_has_each_system(system: str) -> None:
 
 
 @pytest.mark.parametrize("folder", [".venv/bin", ".venv/Scripts"])
-@pytest.mark.parametrize("target", ["demo", "test", "check", "bench", "docs", "pictures"])
+@pytest.mark.parametrize(
+    "target", ["demo", "test", "test-rest", "test-all", "check", "bench", "docs", "pictures"]
+)
 def test_every_command_of_make_comes_from_the_folder_of_the_system(target: str, folder: str) -> None:
     done = subprocess.run(
         ["make", "--dry-run", f"BIN={folder}", target], cwd=ROOT, capture_output=True, text=True, check=True

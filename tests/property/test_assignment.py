@@ -6,6 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from ropsim.icr import Procedure, Program, Step, Type, Variable, unassigned
+from support.examples import examples
 
 GLOBALS = ("a", "b")
 LOCALS = ("p", "x")
@@ -75,7 +76,7 @@ def search(program: Program, procedure: Procedure, name: str) -> tuple[set[int],
     return reads, returns
 
 
-@settings(max_examples=500, derandomize=True)
+@settings(max_examples=examples(500), derandomize=True)
 @given(programs())
 def test_the_variables_that_v7_refuses_are_those_that_a_way_reads_without_a_value(program: Program) -> None:
     wanted = {}

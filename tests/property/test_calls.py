@@ -6,6 +6,7 @@ from hypothesis import strategies as st
 
 from ropsim import icr
 from ropsim.language import Compiled
+from support.examples import examples
 from support.tasks import compiled
 
 HEAD = """program p
@@ -22,7 +23,7 @@ k = 0.5
 """Variables of which one has the name of a parameter."""
 TAIL = "\nprint n, b, i, k"
 """Reads all of them, so that no hint of the compiler tells which were not."""
-EXAMPLES = settings(max_examples=300, derandomize=True)
+EXAMPLES = settings(max_examples=examples(300), derandomize=True)
 WHOLE = st.sampled_from(["i", "3", "4", "i + 1", "-i", "2 * (i + 3)", "i mod 3"])
 LEAVES = st.one_of(
     st.sampled_from(["n", "b", "true", "false", "b is on", "n is not true"]),

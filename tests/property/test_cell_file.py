@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 from ropsim.cellfile import read_cell
 from ropsim.core import SourceText
 from ropsim.tomltext.positions import positions
+from support.examples import examples
 from support.fuzzing.cells import RIGHT
 
 VALUES = ["nan", "-inf", "1e308", "0xffffffffffffffffff", '"text"', "[]", "{}", "true", "[[1]]", "1979-05-27"]
@@ -30,7 +31,7 @@ def test_the_text_that_is_mutated_below_is_right() -> None:
     assert findings == ()
 
 
-@settings(max_examples=200, derandomize=True)
+@settings(max_examples=examples(200), derandomize=True)
 @given(st.binary(max_size=200))
 @example(b"\xef\xbb\xbf[robot]")
 @example(b"a = [[[[[[[[[[[[[[[[[[[[")
@@ -38,7 +39,7 @@ def test_random_bytes(content: bytes) -> None:
     check(content.decode("utf-8", errors="replace"))
 
 
-@settings(max_examples=200, derandomize=True)
+@settings(max_examples=examples(200), derandomize=True)
 @given(st.data())
 def test_mutations_of_a_right_file(data: st.DataObject) -> None:
     text = RIGHT
@@ -49,7 +50,7 @@ def test_mutations_of_a_right_file(data: st.DataObject) -> None:
     check(text)
 
 
-@settings(max_examples=200, derandomize=True)
+@settings(max_examples=examples(200), derandomize=True)
 @given(st.data())
 def test_foreign_values_in_a_right_file(data: st.DataObject) -> None:
     lines = RIGHT.split("\n")
@@ -59,7 +60,7 @@ def test_foreign_values_in_a_right_file(data: st.DataObject) -> None:
     check("\n".join(lines))
 
 
-@settings(max_examples=200, derandomize=True)
+@settings(max_examples=examples(200), derandomize=True)
 @given(st.data())
 def test_every_value_of_a_valid_file_has_a_place_that_holds_it(data: st.DataObject) -> None:
     source = SourceText("t", RIGHT)

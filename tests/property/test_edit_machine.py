@@ -15,6 +15,7 @@ from ropsim.core import KeptFiles, SourceText
 from ropsim.query import is_same
 from ropsim.workbench import Workspace
 from ropsim.workbench.workspace import questions
+from support.examples import examples
 
 CELL = """[cell]
 name = "c"
@@ -154,5 +155,5 @@ class Edited(RuleBasedStateMachine):
             self.folder.cleanup()
 
 
-Edited.TestCase.settings = settings(max_examples=8, stateful_step_count=25, deadline=None)
+Edited.TestCase.settings = settings(max_examples=examples(8), stateful_step_count=25, deadline=None)
 TestEdits = Edited.TestCase

@@ -7,6 +7,7 @@ from hypothesis import strategies as st
 
 from ropsim import icr
 from ropsim.spatial import Pose
+from support.examples import examples
 from support.tasks import compiled
 
 HEAD = f"""units m, deg
@@ -64,7 +65,7 @@ lines = st.one_of(
 )
 
 
-@settings(max_examples=250, derandomize=True)
+@settings(max_examples=examples(250), derandomize=True)
 @given(st.lists(lines, min_size=1, max_size=4))
 def test_a_text_without_findings_is_verified_and_runs_in_finite_numbers(program: list[str]) -> None:
     assert compiled(HEAD).ok

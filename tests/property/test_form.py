@@ -15,6 +15,7 @@ from ropsim.language.syntax.lexer import tokens
 from ropsim.language.syntax.lines import logical_lines
 from ropsim.language.syntax.words import RESERVED
 from support.characters import ANY
+from support.examples import examples
 from support.manual import DOCS, blocks
 from support.programs.making import program
 from support.programs.text import written
@@ -109,13 +110,13 @@ def test_the_form_does_not_tell_how_a_program_was_written(first: int) -> None:
         assert bare(assert_means_the_same(other)) == bare(assert_means_the_same(text))
 
 
-@settings(max_examples=150, derandomize=True, deadline=None)
+@settings(max_examples=examples(150), derandomize=True, deadline=None)
 @given(st.lists(st.sampled_from(WORDS), max_size=60), st.randoms(use_true_random=False))
 def test_any_words_mean_the_same_in_their_form(words: list[str], random: Random) -> None:
     assert_means_the_same("".join(word + random.choice((" ", "", "\n", "  ")) for word in words))
 
 
-@settings(max_examples=150, derandomize=True, deadline=None)
+@settings(max_examples=examples(150), derandomize=True, deadline=None)
 @given(st.text(ANY, max_size=300))
 def test_any_text_has_a_form(text: str) -> None:
     form = formatted(text)
@@ -125,7 +126,7 @@ def test_any_text_has_a_form(text: str) -> None:
     )
 
 
-@settings(max_examples=150, derandomize=True, deadline=None)
+@settings(max_examples=examples(150), derandomize=True, deadline=None)
 @given(st.sampled_from(sorted(TEXTS)), st.data())
 def test_a_damaged_program_means_the_same_in_its_form(name: str, data: st.DataObject) -> None:
     text = TEXTS[name]

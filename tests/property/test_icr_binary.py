@@ -8,6 +8,7 @@ from hypothesis import strategies as st
 
 from ropsim.icr import assemble, disassemble, encoded, program_id, read_binary, run, verify
 from ropsim.icr.binary.layout import CHECKSUM
+from support.examples import examples
 from support.fuzzing.binaries import signed
 from support.programs.making import program
 from support.programs.text import written
@@ -38,14 +39,14 @@ def test_text_and_binary_of_compiled_programs_give_each_other(first: int) -> Non
         assert len(content) < len(text)
 
 
-@settings(max_examples=300, derandomize=True, deadline=None)
+@settings(max_examples=examples(300), derandomize=True, deadline=None)
 @given(st.binary(max_size=200))
 def test_any_bytes_are_answered(content: bytes) -> None:
     assert read_binary(content)[1]
     assert read_binary(signed(b"ICB\x00\x01\x00" + content))[1]
 
 
-@settings(max_examples=300, derandomize=True, deadline=None)
+@settings(max_examples=examples(300), derandomize=True, deadline=None)
 @given(st.sampled_from(range(5)).map(binary), st.data())
 def test_damaged_bytes_with_a_right_checksum_are_refused_or_have_one_form(
     content: bytes, data: st.DataObject

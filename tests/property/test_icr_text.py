@@ -30,6 +30,7 @@ from ropsim.icr import (
     verify,
 )
 from support.characters import ANY
+from support.examples import examples
 
 GOLDEN = sorted((Path(__file__).parent.parent / "golden" / "icr").glob("*.icr"))
 TEXTS = [path.read_text(encoding="ascii") for path in GOLDEN]
@@ -142,7 +143,7 @@ def programs(draw: st.DrawFn) -> Program:
     )
 
 
-@settings(max_examples=150, derandomize=True)
+@settings(max_examples=examples(150), derandomize=True)
 @given(programs())
 def test_parse_is_the_inverse_of_print(program: Program) -> None:
     text = disassemble(program)
@@ -152,13 +153,13 @@ def test_parse_is_the_inverse_of_print(program: Program) -> None:
     assert program_id(assemble(text)) == program_id(program)
 
 
-@settings(max_examples=100, derandomize=True)
+@settings(max_examples=examples(100), derandomize=True)
 @given(programs())
 def test_the_verifier_answers_for_every_program(program: Program) -> None:
     assert all(one.is_error and one.message and one.code.startswith("I4") for one in verify(program))
 
 
-@settings(max_examples=200, derandomize=True)
+@settings(max_examples=examples(200), derandomize=True)
 @given(st.text(ANY, max_size=400))
 def test_no_text_makes_the_reader_fail(text: str) -> None:
     program, found = read_text(text)
@@ -167,7 +168,7 @@ def test_no_text_makes_the_reader_fail(text: str) -> None:
     assert all(one.span and 1 <= one.span.line <= len(lines) for one in found)
 
 
-@settings(max_examples=200, derandomize=True)
+@settings(max_examples=examples(200), derandomize=True)
 @given(st.sampled_from(TEXTS), st.data())
 def test_a_damaged_text_is_refused_or_runs_to_an_end(text: str, data: st.DataObject) -> None:
     at = data.draw(st.integers(0, len(text) - 1))
@@ -204,7 +205,7 @@ def damaged(program: Program, data: st.DataObject) -> Program:
     )
 
 
-@settings(max_examples=200, derandomize=True)
+@settings(max_examples=examples(200), derandomize=True)
 @given(st.sampled_from(PROGRAMS), st.data())
 def test_a_damaged_program_is_refused_or_runs_to_an_end_in_the_same_way_twice(
     program: Program, data: st.DataObject
@@ -216,7 +217,7 @@ def test_a_damaged_program_is_refused_or_runs_to_an_end_in_the_same_way_twice(
         assert first == run(changed, budget=BUDGET)
 
 
-@settings(max_examples=60, derandomize=True)
+@settings(max_examples=examples(60), derandomize=True)
 @given(st.sampled_from(PROGRAMS), st.data())
 def test_dropping_a_push_never_passes_the_verifier(program: Program, data: st.DataObject) -> None:
     procedure = program.procedures[0]

@@ -12,6 +12,7 @@ from ropsim import kinematics
 from ropsim.kinematics import IkOptions, Limits, posture, solver_of
 from ropsim.model import RobotModel
 from ropsim.spatial import Array, Pose
+from support.examples import examples
 from support.wrist_arms import all_arms
 
 POSE_TOLERANCE = 1e-9
@@ -28,7 +29,7 @@ SIGNED_AXES = [
     for matrix in product(*[[sign * row for row in np.eye(3) for sign in (1.0, -1.0)]] * 3)
     if abs(np.linalg.det(np.array(matrix)) - 1.0) < 1e-12
 ]
-MODEST = settings(max_examples=60, derandomize=True)
+MODEST = settings(max_examples=examples(60), derandomize=True)
 
 arms = st.sampled_from(ARMS)
 angles = st.lists(st.floats(-pi, pi), min_size=6, max_size=6).map(np.array)

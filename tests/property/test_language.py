@@ -8,6 +8,7 @@ from hypothesis import strategies as st
 from ropsim.core import Span
 from ropsim.language import Compiled
 from support.characters import ANY
+from support.examples import examples
 from support.tasks import CELL, compiled
 
 FIG5 = (Path(__file__).parents[1] / "golden" / "task" / "fig5.task").read_text(encoding="utf-8")
@@ -34,7 +35,7 @@ task Place(slot: loc)
   open
 endp
 """
-EXAMPLES = settings(max_examples=60, derandomize=True)
+EXAMPLES = settings(max_examples=examples(60), derandomize=True)
 
 
 def assert_answers(text: str) -> Compiled:

@@ -69,6 +69,7 @@ from ropsim.program import (
     lower,
 )
 from ropsim.spatial import Pose
+from support.examples import examples
 
 BOOL, INT, REAL, POSE = ValueType.BOOL, ValueType.INT, ValueType.REAL, ValueType.POSE
 BUDGET = 5_000
@@ -339,7 +340,7 @@ def programs(draw: st.DrawFn) -> Program:
     )
 
 
-@settings(max_examples=80, derandomize=True)
+@settings(max_examples=examples(80), derandomize=True)
 @given(programs())
 def test_the_icr_of_a_sound_program_is_verified_and_runs_the_same_way_twice(program: Program) -> None:
     code = lower(program, "t.task")
@@ -351,13 +352,13 @@ def test_the_icr_of_a_sound_program_is_verified_and_runs_the_same_way_twice(prog
     assert first.steps <= BUDGET
 
 
-@settings(max_examples=10, derandomize=True)
+@settings(max_examples=examples(10), derandomize=True)
 @given(programs())
 def test_lowering_is_a_function_of_the_program(program: Program) -> None:
     assert icr.program_id(lower(program, "a")) == icr.program_id(lower(program, "b"))
 
 
-@settings(max_examples=10, derandomize=True)
+@settings(max_examples=examples(10), derandomize=True)
 @given(programs())
 def test_without_contracts_there_is_nothing_to_warn_of(program: Program) -> None:
     assert check_contracts(program) == ()
@@ -388,7 +389,7 @@ class Timeless:
         return target if isinstance(target, Pose) and then.tool == now.tool else None
 
 
-@settings(max_examples=40, derandomize=True)
+@settings(max_examples=examples(40), derandomize=True)
 @given(programs(), st.integers(0, 30))
 def test_a_run_resumed_from_a_snapshot_ends_as_the_straight_run(program: Program, pause: int) -> None:
     code = lower(program, "t.task")

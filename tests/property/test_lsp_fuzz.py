@@ -15,6 +15,7 @@ from ropsim.lsp.protocol.parameters import ContentChange, Position, Range
 from ropsim.lsp.requests import ASKED
 from support.characters import ANY
 from support.editors import Editor, applied, place
+from support.examples import examples
 
 URI = "file:///nowhere-at-all/x.task"
 METHODS = [
@@ -68,7 +69,7 @@ def answers(stream: bytes) -> tuple[int, list[Any]]:
     return code, [json.loads(one) for one in found if isinstance(one, bytes)]
 
 
-@settings(max_examples=60)
+@settings(max_examples=examples(60))
 @given(pieces)
 def test_any_bytes_are_answered_and_never_by_an_internal_error(stream: list[bytes]) -> None:
     first = framed(b'{"id": 0, "method": "initialize"}')
@@ -78,7 +79,7 @@ def test_any_bytes_are_answered_and_never_by_an_internal_error(stream: list[byte
     assert [one for one in said if one.get("method") == "window/logMessage"] == []
 
 
-@settings(max_examples=60)
+@settings(max_examples=examples(60))
 @given(st.lists(messages, max_size=8))
 def test_every_request_gets_one_answer(sent: list[dict[str, Any]]) -> None:
     stream = b"".join(framed(json.dumps(m).encode()) for m in sent)
@@ -97,7 +98,7 @@ def position(document: Document, offset: int) -> Position:
     return Position(line, len(document.text[document.starts[line] : offset].encode("utf-16-le")) // 2)
 
 
-@settings(max_examples=200)
+@settings(max_examples=examples(200))
 @given(texts, st.integers(0, 20), st.integers(0, 20), texts)
 def test_a_change_in_protocol_positions_is_the_change_in_characters(
     text: str, start: int, end: int, inserted: str
@@ -115,7 +116,7 @@ def test_a_change_in_protocol_positions_is_the_change_in_characters(
     assert after.starts == Document(URI, 2, after.text).starts
 
 
-@settings(max_examples=80)
+@settings(max_examples=examples(80))
 @given(st.lists(st.tuples(texts, st.integers(0, 4), st.integers(0, 9)), max_size=4))
 def test_diagnostics_stand_inside_of_the_text(edits: list[tuple[str, int, int]]) -> None:
     editor = Editor()
@@ -146,7 +147,7 @@ statements = st.builds(
 )  # fmt: skip
 
 
-@settings(max_examples=150)
+@settings(max_examples=examples(150))
 @given(st.lists(statements, max_size=12).map("\n".join), st.data())
 def test_a_name_changed_and_changed_back_is_the_same_text(text: str, data: st.DataObject) -> None:
     editor = Editor()

@@ -11,6 +11,7 @@ from ropsim.kinematics import forward_batch, frames_batch, jacobian
 from ropsim.model import BASE_LINK, Payload, coordinates
 from ropsim.spatial import Array
 from support.arms import drive
+from support.examples import examples
 from support.mujoco_tree import MujocoTree
 from support.trees import Tree, random_tree
 
@@ -20,7 +21,7 @@ STEP = 1e-6  # of difference quotients
 SLOPES = 1e-7  # their error
 
 trees = st.builds(random_tree, st.integers(0, 10_000), st.integers(2, 8))
-LAWS = settings(max_examples=25, derandomize=True)
+LAWS = settings(max_examples=examples(25), derandomize=True)
 
 
 def state(tree: Tree, seed: int = 0) -> Array:

@@ -11,6 +11,7 @@ from ropsim.meshes.glb import glb_bytes
 from ropsim.meshes.reading import MESH_FORMATS, read_mesh
 from ropsim.meshes.triangles import shaded
 from ropsim.model import Mesh
+from support.examples import examples
 from support.meshes import cube_soup, obj, ply, stl, stl_text
 
 ENDINGS = sorted(MESH_FORMATS)
@@ -34,7 +35,7 @@ def read(name: str, content: bytes) -> None:
 
 
 @given(st.sampled_from(ENDINGS), st.binary(max_size=400))
-@settings(max_examples=60)
+@settings(max_examples=examples(60))
 def test_random_bytes_are_answered(ending: str, content: bytes) -> None:
     read(f"a{ending}", content)
 
@@ -44,7 +45,7 @@ def test_random_bytes_are_answered(ending: str, content: bytes) -> None:
     st.lists(st.tuples(st.floats(0.0, 1.0), st.binary(max_size=8)), min_size=1, max_size=6),
     st.floats(0.0, 1.0),
 )
-@settings(max_examples=150)
+@settings(max_examples=examples(150))
 def test_damaged_files_are_answered(
     seed: tuple[str, bytes], patches: list[tuple[float, bytes]], keep: float
 ) -> None:

@@ -7,6 +7,7 @@ from hypothesis import strategies as st
 
 from ropsim.controller import ClockLimits, ClockState, advance
 from ropsim.flow import JointReference
+from support.examples import examples
 from support.walked_rows import ACCELERATION, PERIOD, SPEED, KeptRows, joined, s_curve, same_bits, times, walk
 
 ROUNDING = 1e-9  # relative; sums over some thousand ticks
@@ -24,7 +25,7 @@ def limits_of(rows: KeptRows, change: float, jerk: float) -> ClockLimits:
     return ClockLimits(change, jerk, np.full(rows.reference.q.shape[1], ACCELERATION))
 
 
-@settings(max_examples=60, derandomize=True, deadline=None)
+@settings(max_examples=examples(60), derandomize=True, deadline=None)
 @given(motions, overrides, changes, jerks, st.lists(st.integers(0, 60), min_size=1, max_size=30))
 def test_however_ticks_are_cut_into_calls_the_bits_are_the_same(
     rows: KeptRows, asked_for: list[tuple[int, float]], change: float, jerk: float, cuts: list[int]
@@ -43,7 +44,7 @@ def test_however_ticks_are_cut_into_calls_the_bits_are_the_same(
     assert same_bits(joined(parts), each.reference)
 
 
-@settings(max_examples=100, derandomize=True, deadline=None)
+@settings(max_examples=examples(100), derandomize=True, deadline=None)
 @given(motions, overrides, changes, jerks)
 def test_the_rate_keeps_its_limits_and_stays_between_what_was_asked_for(
     rows: KeptRows, asked_for: list[tuple[int, float]], change: float, jerk: float
@@ -60,7 +61,7 @@ def test_the_rate_keeps_its_limits_and_stays_between_what_was_asked_for(
     )
 
 
-@settings(max_examples=100, derandomize=True, deadline=None)
+@settings(max_examples=examples(100), derandomize=True, deadline=None)
 @given(motions, overrides, changes, jerks)
 def test_the_place_is_the_integral_of_the_rate_and_never_behind_the_end(
     rows: KeptRows, asked_for: list[tuple[int, float]], change: float, jerk: float
@@ -75,7 +76,7 @@ def test_the_place_is_the_integral_of_the_rate_and_never_behind_the_end(
     assert found.places.max() <= last
 
 
-@settings(max_examples=150, derandomize=True, deadline=None)
+@settings(max_examples=examples(150), derandomize=True, deadline=None)
 @given(motions, overrides, changes, jerks)
 def test_no_joint_passes_the_limits_that_the_rows_keep(
     rows: KeptRows, asked_for: list[tuple[int, float]], change: float, jerk: float
@@ -91,7 +92,7 @@ polynomials = st.lists(st.lists(st.floats(-1.0, 1.0), min_size=6, max_size=6), m
 )
 
 
-@settings(max_examples=60, derandomize=True, deadline=None)
+@settings(max_examples=examples(60), derandomize=True, deadline=None)
 @given(polynomials, overrides, changes, jerks)
 def test_references_are_those_of_the_motion_at_its_own_time(
     factors: np.ndarray, asked_for: list[tuple[int, float]], change: float, jerk: float
@@ -117,7 +118,7 @@ def test_references_are_those_of_the_motion_at_its_own_time(
     assert np.abs(found.reference.qdd - wanted)[inside].max(initial=0.0) <= less_a + less_v * change
 
 
-@settings(max_examples=60, derandomize=True, deadline=None)
+@settings(max_examples=examples(60), derandomize=True, deadline=None)
 @given(motions, overrides, changes, jerks)
 def test_a_motion_that_was_disturbed_comes_to_its_end_at_rest(
     rows: KeptRows, asked_for: list[tuple[int, float]], change: float, jerk: float
@@ -133,7 +134,7 @@ def test_a_motion_that_was_disturbed_comes_to_its_end_at_rest(
     assert not part.qdd.any()
 
 
-@settings(max_examples=100, derandomize=True, deadline=None)
+@settings(max_examples=examples(100), derandomize=True, deadline=None)
 @given(st.floats(0.0, 1.0), st.floats(0.0, 1.0), changes, jerks)
 def test_the_override_is_reached_in_the_least_time(
     before: float, override: float, change: float, jerk: float

@@ -14,6 +14,7 @@ from ropsim.model import on_track
 from ropsim.planning import MotionState, Refusal, plan, plan_move
 from ropsim.spatial import Array, Pose
 from support.cells import chain_of, one_station
+from support.examples import examples
 from support.motion import CHAIN, LINE, PUMA, Target, interface_pose, lin, ptp, references, shifted
 
 POSE = 1e-9  # [m] and per entry of the rotation; the promise of the inverse kinematics
@@ -44,7 +45,7 @@ wild_states = st.builds(
 )
 
 
-@settings(max_examples=100, derandomize=True)
+@settings(max_examples=examples(100), derandomize=True)
 @given(configurations, configurations)
 def test_ptp_reaches_every_pose_that_the_arm_can_take_within_all_limits(start: Array, goal: Array) -> None:
     pose = interface_pose(goal)
@@ -61,7 +62,7 @@ def test_ptp_reaches_every_pose_that_the_arm_can_take_within_all_limits(start: A
         assert (jerk / PUMA.max_jerks).max() <= 1.0 + 1e-7  # differences lose digits
 
 
-@settings(max_examples=100, derandomize=True)
+@settings(max_examples=examples(100), derandomize=True)
 @given(configurations, shifts)
 def test_lin_is_straight_and_keeps_its_speed_or_is_refused_on_its_line(
     start: Array, shift: tuple[float, float, float]
@@ -86,7 +87,7 @@ def test_lin_is_straight_and_keeps_its_speed_or_is_refused_on_its_line(
     assert (np.abs(move.reference.qdd) / PUMA.max_accelerations).max() <= WITHIN
 
 
-@settings(max_examples=60, derandomize=True)
+@settings(max_examples=examples(60), derandomize=True)
 @given(configurations, shifts)
 def test_references_run_on_without_steps_of_position_or_speed(
     start: Array, shift: tuple[float, float, float]
@@ -110,7 +111,7 @@ zones = st.one_of(st.just(0.0), st.floats(-7.0, 0.0).map(lambda exponent: float(
 steps = st.lists(st.tuples(st.sampled_from((ptp, lin)), shifts, zones), min_size=2, max_size=5)
 
 
-@settings(max_examples=60, derandomize=True)
+@settings(max_examples=examples(60), derandomize=True)
 @given(configurations, steps)
 def test_stretches_run_on_without_steps_and_end_at_the_last_target_that_can_be_reached(
     start: Array, walk: list[tuple[Callable[..., MoveInstruction], tuple[float, float, float], float]]
@@ -144,7 +145,7 @@ def test_stretches_run_on_without_steps_and_end_at_the_last_target_that_can_be_r
         assert 0.0 <= one.zone <= max(one.move.modal.zone * (1.0 + 1e-6), 0.0) + 1e-12
 
 
-@settings(max_examples=200, derandomize=True)
+@settings(max_examples=examples(200), derandomize=True)
 @given(wild_targets, wild_states)
 def test_no_value_of_a_program_raises_an_exception(target: Target, modal: ModalState) -> None:
     for make in (ptp, lin):
@@ -155,7 +156,7 @@ def test_no_value_of_a_program_raises_an_exception(target: Target, modal: ModalS
             assert np.isfinite(move.reference.q).all()
 
 
-@settings(max_examples=150, derandomize=True)
+@settings(max_examples=examples(150), derandomize=True)
 @given(st.booleans(), configurations, st.lists(wild | st.floats(-3.0, 3.0), max_size=3).map(tuple))
 def test_no_value_of_an_external_axis_raises_an_exception(
     is_line: bool, goal: Array, external: tuple[float, ...]

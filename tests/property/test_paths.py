@@ -25,6 +25,7 @@ from ropsim.motion import (
     spline,
 )
 from ropsim.spatial import Array, Pose
+from support.examples import examples
 from support.paths import inner_places, tool_differences
 
 ROUNDING = 1e-11
@@ -72,13 +73,13 @@ def assert_lawful(path: ToolPath) -> None:
     assert np.abs(points.d2 - d2).max() * path.length**2 < 100.0 * DIFFERENCES
 
 
-@settings(max_examples=60, derandomize=True)
+@settings(max_examples=examples(60), derandomize=True)
 @given(lines)
 def test_lines_are_lawful(line: Line) -> None:
     assert_lawful(line)
 
 
-@settings(max_examples=60, derandomize=True)
+@settings(max_examples=examples(60), derandomize=True)
 @given(arcs)
 def test_arcs_are_lawful_or_there_is_a_reason(path: Arc | ArcFault) -> None:
     if isinstance(path, Arc):
@@ -86,7 +87,7 @@ def test_arcs_are_lawful_or_there_is_a_reason(path: Arc | ArcFault) -> None:
         assert_lawful(path)
 
 
-@settings(max_examples=60, derandomize=True)
+@settings(max_examples=examples(60), derandomize=True)
 @given(splines)
 def test_splines_are_lawful_or_there_is_a_reason(path: Curve | SplineFault) -> None:
     if isinstance(path, Curve):
@@ -94,7 +95,7 @@ def test_splines_are_lawful_or_there_is_a_reason(path: Curve | SplineFault) -> N
         assert_lawful(path)
 
 
-@settings(max_examples=100, derandomize=True)
+@settings(max_examples=examples(100), derandomize=True)
 @given(poses, lines | arcs, lines | arcs, st.floats(0.01, 0.5), st.floats(0.01, 0.5))
 def test_corners_go_over_in_curvature_and_turning_or_there_is_a_reason(
     meet: Pose, before: Line | Arc | ArcFault, after: Line | Arc | ArcFault, share_in: float, share_out: float
@@ -119,7 +120,7 @@ def test_corners_go_over_in_curvature_and_turning_or_there_is_a_reason(
         assert_lawful(curve)
 
 
-@settings(max_examples=100, derandomize=True)
+@settings(max_examples=examples(100), derandomize=True)
 @given(lines | arcs | splines, st.floats(1e-4, 1.0))
 @example(TURNS_BACK, 1.0)
 def test_zones_end_where_the_distance_is_the_zone(
@@ -142,13 +143,13 @@ def test_zones_end_where_the_distance_is_the_zone(
         assert from_centre.max() <= zone + 1e-9
 
 
-@settings(max_examples=60, derandomize=True)
+@settings(max_examples=examples(60), derandomize=True)
 @given(lines, st.floats(0.0, 0.4), st.floats(0.6, 1.0))
 def test_sections_are_lawful(line: Line, begin: float, end: float) -> None:
     assert_lawful(ToolSection(line, begin * line.length, end * line.length))
 
 
-@settings(max_examples=150, derandomize=True)
+@settings(max_examples=examples(150), derandomize=True)
 @given(st.lists(wild_poses, max_size=5), st.none() | wild)
 def test_no_coordinate_raises_an_exception(points: list[Pose], angle: float | None) -> None:
     found = spline(points)

@@ -19,6 +19,7 @@ from ropsim.motion import (
 )
 from ropsim.planning.path_limits.path_limits import joint_path_limits, tool_path_limits
 from ropsim.spatial import Pose
+from support.examples import examples
 
 SAME_TIME = 1e-9  # relative; both are closed forms, ruckig states 1e-8 s for its own tests
 ROUNDING = 1e-9  # relative; evaluated at 1 kHz by polynomials of third degree
@@ -34,7 +35,7 @@ places = st.lists(st.floats(-1.0, 1.0), min_size=3, max_size=3)
 poses = st.builds(lambda p, q: Pose(np.array(p), np.array(q)), places, quaternions)
 
 
-@settings(max_examples=200, derandomize=True)
+@settings(max_examples=examples(200), derandomize=True)
 @given(sizes, limits)
 def test_duration_is_that_of_ruckig(distance: float, bounds: ProfileLimits) -> None:
     request = ruckig.InputParameter(1)
@@ -47,7 +48,7 @@ def test_duration_is_that_of_ruckig(distance: float, bounds: ProfileLimits) -> N
     assert abs(duration - oracle.duration) <= SAME_TIME * oracle.duration
 
 
-@settings(max_examples=100, derandomize=True)
+@settings(max_examples=examples(100), derandomize=True)
 @given(sizes, limits)
 def test_profile_follows_the_trajectory_of_ruckig(distance: float, bounds: ProfileLimits) -> None:
     request = ruckig.InputParameter(1)
@@ -62,7 +63,7 @@ def test_profile_follows_the_trajectory_of_ruckig(distance: float, bounds: Profi
     assert np.abs(evaluate(profile, t)[0] - expected).max() <= 1e-8 * distance
 
 
-@settings(max_examples=100, derandomize=True)
+@settings(max_examples=examples(100), derandomize=True)
 @given(sizes, limits)
 def test_limits_hold_on_the_whole_way(distance: float, bounds: ProfileLimits) -> None:
     profile = plan_profile(distance, bounds)
@@ -77,7 +78,7 @@ def test_limits_hold_on_the_whole_way(distance: float, bounds: ProfileLimits) ->
     assert (np.diff(way) >= -ROUNDING * distance).all()
 
 
-@settings(max_examples=100, derandomize=True)
+@settings(max_examples=examples(100), derandomize=True)
 @given(angles, angles, vectors, vectors, vectors)
 def test_ptp_keeps_every_joint_within_its_limits_and_takes_one_of_them_to_its_bound(
     q_start: np.ndarray, q_end: np.ndarray, v: np.ndarray, a: np.ndarray, j: np.ndarray
@@ -95,7 +96,7 @@ def test_ptp_keeps_every_joint_within_its_limits_and_takes_one_of_them_to_its_bo
     assert abs(durations(q_start, q_end[None], bounds)[0] - law.duration) <= ROUNDING * law.duration
 
 
-@settings(max_examples=50, derandomize=True)
+@settings(max_examples=examples(50), derandomize=True)
 @given(angles, angles, vectors)
 def test_ptp_is_a_straight_line_in_joint_space(q_start: np.ndarray, q_end: np.ndarray, v: np.ndarray) -> None:
     assume((q_start != q_end).any())
@@ -109,7 +110,7 @@ def test_ptp_is_a_straight_line_in_joint_space(q_start: np.ndarray, q_end: np.nd
 TOOL_LIMITS = ToolLimits(0.25, 2.0, 20.0, 1.0, 6.0, 60.0)
 
 
-@settings(max_examples=100, derandomize=True)
+@settings(max_examples=examples(100), derandomize=True)
 @given(poses, poses)
 def test_line_is_straight_turns_about_one_axis_and_respects_both_limits(X_start: Pose, X_end: Pose) -> None:
     path = Line(X_start, X_end)
@@ -133,7 +134,7 @@ def test_line_is_straight_turns_about_one_axis_and_respects_both_limits(X_start:
         assert shares.max() <= 1.0 + ROUNDING
 
 
-@settings(max_examples=100, derandomize=True)
+@settings(max_examples=examples(100), derandomize=True)
 @given(poses, poses, st.sampled_from(OrientationMode))
 def test_line_starts_and_ends_at_its_poses(X_start: Pose, X_end: Pose, mode: OrientationMode) -> None:
     path = Line(X_start, X_end, mode)

@@ -28,6 +28,7 @@ from ropsim.flow import (
 from ropsim.records import RecordingFileError, read_recording, recording_bytes
 from ropsim.records.plain_values import tagged, untagged
 from support.characters import ANY
+from support.examples import examples
 from support.recordings import pick_and_place, two_findings
 
 CONTENT = recording_bytes(pick_and_place(1, 10.0, two_findings()))
@@ -52,7 +53,7 @@ def outcome(path: Path) -> str:
     return "read"
 
 
-@settings(max_examples=300, derandomize=True)
+@settings(max_examples=examples(300), derandomize=True)
 @given(flips=st.lists(st.integers(0, 8 * len(CONTENT) - 1), min_size=1, max_size=6))
 def test_flipped_bits_give_a_diagnostic_or_a_recording(place: Path, flips: list[int]) -> None:
     damaged = bytearray(CONTENT)
@@ -62,7 +63,7 @@ def test_flipped_bits_give_a_diagnostic_or_a_recording(place: Path, flips: list[
     assert outcome(place) in {"read", "X871", "X872", "X873", "X874", "X875"}
 
 
-@settings(max_examples=100, derandomize=True)
+@settings(max_examples=examples(100), derandomize=True)
 @given(directory=st.integers(1, 8 * 2500), flips=st.integers(1, 255))
 def test_damaged_directory_gives_a_diagnostic_or_a_recording(place: Path, directory: int, flips: int) -> None:
     damaged = bytearray(CONTENT)
@@ -71,7 +72,7 @@ def test_damaged_directory_gives_a_diagnostic_or_a_recording(place: Path, direct
     assert outcome(place) in {"read", "X871", "X872", "X873", "X874", "X875"}
 
 
-@settings(max_examples=60, derandomize=True)
+@settings(max_examples=examples(60), derandomize=True)
 @given(content=st.binary(max_size=400))
 def test_arbitrary_bytes_give_a_diagnostic(place: Path, content: bytes) -> None:
     place.write_bytes(content)
@@ -79,7 +80,7 @@ def test_arbitrary_bytes_give_a_diagnostic(place: Path, content: bytes) -> None:
         read_recording(place)
 
 
-@settings(max_examples=100, derandomize=True)
+@settings(max_examples=examples(100), derandomize=True)
 @given(value=PLAIN)
 def test_plain_values_come_back(value: object) -> None:
     assert untagged(tagged(value)) == value
@@ -125,7 +126,7 @@ def events() -> st.SearchStrategy[Event]:
     )
 
 
-@settings(max_examples=60, derandomize=True)
+@settings(max_examples=examples(60), derandomize=True)
 @given(
     values=st.lists(NUMBERS, max_size=20),
     changes=st.lists(NUMBERS, min_size=1, max_size=5),

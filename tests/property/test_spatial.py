@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
 from ropsim.spatial import Pose, PoseTuple, quaternion, quaternions_from_matrices
+from support.examples import examples
 
 #: Rounding of a few dozen operations on numbers of size one.
 ROUNDING = 1e-12
@@ -22,7 +23,7 @@ def poses(draw: st.DrawFn) -> PoseTuple:
     return (draw(LENGTH), draw(LENGTH), draw(LENGTH), *q)
 
 
-@settings(max_examples=200, derandomize=True)
+@settings(max_examples=examples(200), derandomize=True)
 @given(ANGLE, ANGLE, ANGLE)
 def test_zyx_angles_are_the_rotation_that_scipy_makes(c: float, b: float, a: float) -> None:
     expected = Rotation.from_euler("ZYX", [c, b, a]).as_matrix()
@@ -30,7 +31,7 @@ def test_zyx_angles_are_the_rotation_that_scipy_makes(c: float, b: float, a: flo
     np.testing.assert_allclose(pose.rotation(), expected, atol=ROUNDING)
 
 
-@settings(max_examples=200, derandomize=True)
+@settings(max_examples=examples(200), derandomize=True)
 @given(ANGLE, st.sampled_from([-math.pi / 2, -0.3, 0.0, 1.2, math.pi / 2]), ANGLE)
 def test_angles_read_back_make_the_same_rotation_also_at_gimbal_lock(c: float, b: float, a: float) -> None:
     q = quaternion.from_zyx(c, b, a)
@@ -39,7 +40,7 @@ def test_angles_read_back_make_the_same_rotation_also_at_gimbal_lock(c: float, b
     assert abs(sum(x * y for x, y in zip(q, again, strict=True))) > 1 - 1e-7
 
 
-@settings(max_examples=500, derandomize=True)
+@settings(max_examples=examples(500), derandomize=True)
 @given(poses(), st.floats(0.5, 2.0))
 def test_a_unit_quaternion_keeps_its_bits_and_any_other_becomes_one(pose: PoseTuple, scale: float) -> None:
     w, x, y, z = quaternion.normalize(pose[3:])
@@ -49,7 +50,7 @@ def test_a_unit_quaternion_keeps_its_bits_and_any_other_becomes_one(pose: PoseTu
     )
 
 
-@settings(max_examples=100, derandomize=True)
+@settings(max_examples=examples(100), derandomize=True)
 @given(poses(), poses(), poses())
 def test_poses_form_a_group(a: PoseTuple, b: PoseTuple, c: PoseTuple) -> None:
     X, Y, Z = Pose.from_tuple(a), Pose.from_tuple(b), Pose.from_tuple(c)
@@ -58,7 +59,7 @@ def test_poses_form_a_group(a: PoseTuple, b: PoseTuple, c: PoseTuple) -> None:
     np.testing.assert_allclose((X @ Y).matrix(), X.matrix() @ Y.matrix(), atol=1e-10)
 
 
-@settings(max_examples=100, derandomize=True)
+@settings(max_examples=examples(100), derandomize=True)
 @given(st.lists(poses(), min_size=1, max_size=20))
 def test_a_batch_of_matrices_gives_the_quaternions_back(tuples: list[PoseTuple]) -> None:
     matrices = np.array([Pose.from_tuple(one).rotation() for one in tuples])
@@ -68,7 +69,7 @@ def test_a_batch_of_matrices_gives_the_quaternions_back(tuples: list[PoseTuple])
     assert (found[:, 0] >= 0.0).all()
 
 
-@settings(max_examples=100, derandomize=True)
+@settings(max_examples=examples(100), derandomize=True)
 @given(poses())
 def test_an_identity_leaves_every_bit_of_a_pose(values: PoseTuple) -> None:
     pose = Pose.from_tuple(values)

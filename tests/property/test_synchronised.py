@@ -6,6 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from ropsim.motion import JointMotionLimits, SynchronisedJoints
+from support.examples import examples
 
 ROUNDING = 1e-9  # relative; evaluated by polynomials of third degree
 SAME_TIME = 1e-9  # relative; both are closed forms, ruckig states 1e-8 s for its own tests
@@ -31,7 +32,7 @@ def test_a_thousand_moves_take_the_time_of_ruckig() -> None:
         assert abs(move.length - oracle.duration) <= SAME_TIME * oracle.duration
 
 
-@settings(max_examples=100, derandomize=True)
+@settings(max_examples=examples(100), derandomize=True)
 @given(angles, angles, limits)
 def test_every_joint_keeps_its_limits_and_never_turns_back(
     q_start: np.ndarray, q_end: np.ndarray, bounds: JointMotionLimits
@@ -45,7 +46,7 @@ def test_every_joint_keeps_its_limits_and_never_turns_back(
     assert (np.diff(points.q, axis=0) * np.sign(q_end - q_start) >= -1e-14).all()
 
 
-@settings(max_examples=50, derandomize=True)
+@settings(max_examples=examples(50), derandomize=True)
 @given(angles, angles, limits)
 def test_the_way_back_is_the_mirror_of_the_way_there(
     q_start: np.ndarray, q_end: np.ndarray, bounds: JointMotionLimits

@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 
 from ropsim.motion import Interval, PiecewiseLaw, ProfileLimits, evaluate, plan_profile, plan_time_law
 from ropsim.spatial import Array
+from support.examples import examples
 
 BOUNDS = 1e-12  # relative; what bounds may be exceeded by
 ROUNDING = 1e-9  # relative; polynomials of third degree from rounded times
@@ -69,7 +70,7 @@ def _inside(law: PiecewiseLaw, each: int) -> Array:
     return np.ravel(law.times[:, None] + law.segments[6][:, None] * shares)
 
 
-@settings(max_examples=100, derandomize=True)
+@settings(max_examples=examples(100), derandomize=True)
 @given(st.one_of(ways, wide_ways))
 def test_bounds_hold_everywhere(way: list[Interval]) -> None:
     law = plan_time_law(way)
@@ -86,7 +87,7 @@ def test_bounds_hold_everywhere(way: list[Interval]) -> None:
     assert (np.abs(law.jerks) <= np.array(numbers)[law.pieces, 3]).all()
 
 
-@settings(max_examples=100, derandomize=True)
+@settings(max_examples=examples(100), derandomize=True)
 @given(st.one_of(ways, wide_ways))
 def test_place_speed_and_acceleration_go_on_from_segment_to_segment(way: list[Interval]) -> None:
     law = plan_time_law(way)
@@ -115,7 +116,7 @@ def test_place_speed_and_acceleration_go_on_from_segment_to_segment(way: list[In
     assert law.ends.tolist() == np.append(times[1:], law.duration)[last].tolist()
 
 
-@settings(max_examples=100, derandomize=True)
+@settings(max_examples=examples(100), derandomize=True)
 @given(ways)
 def test_the_motion_never_goes_back(way: list[Interval]) -> None:
     law = plan_time_law(way)
@@ -125,7 +126,7 @@ def test_the_motion_never_goes_back(way: list[Interval]) -> None:
     assert (np.diff(gone) >= -BOUNDS * gone[-1]).all()
 
 
-@settings(max_examples=100, derandomize=True)
+@settings(max_examples=examples(100), derandomize=True)
 @given(wide_sizes, wide_sizes, wide_sizes, wide_sizes)
 def test_one_piece_is_the_rest_to_rest_profile(length: float, v: float, a: float, j: float) -> None:
     profile, law = (
@@ -137,7 +138,7 @@ def test_one_piece_is_the_rest_to_rest_profile(length: float, v: float, a: float
     assert np.abs(law.at(t).places - evaluate(profile, t)[0]).max() <= BOUNDS * length
 
 
-@settings(max_examples=100, derandomize=True)
+@settings(max_examples=examples(100), derandomize=True)
 @given(sizes, sizes, sizes, sizes, st.floats(1.0, 3.0), st.floats(-4.0, 2.0))
 def test_a_piece_between_two_speeds_takes_the_time_that_ruckig_finds(
     v0: float, v1: float, a: float, j: float, faster: float, spare: float
@@ -152,7 +153,7 @@ def test_a_piece_between_two_speeds_takes_the_time_that_ruckig_finds(
     assert abs(law.ends[1] - law.ends[0] - expected) <= SAME_TIME * expected + BOUNDS * law.duration
 
 
-@settings(max_examples=100, derandomize=True)
+@settings(max_examples=examples(100), derandomize=True)
 @given(plain_stages, st.lists(st.floats(0.01, 1.0), min_size=2, max_size=20))
 def test_one_line_cut_into_pieces_takes_the_time_of_the_line(whole: Interval, shares: list[float]) -> None:
     lengths = np.array(shares) / sum(shares) * whole.length
@@ -160,7 +161,7 @@ def test_one_line_cut_into_pieces_takes_the_time_of_the_line(whole: Interval, sh
     assert abs(cut.duration - plan_time_law([whole]).duration) <= ROUNDING * cut.duration
 
 
-@settings(max_examples=200, derandomize=True)
+@settings(max_examples=examples(200), derandomize=True)
 @given(plain_stages, plain_stages, alike, alike)
 def test_no_other_speed_where_two_alike_pieces_meet_is_faster(
     first: Interval, second: Interval, more: float, steeper: float
@@ -175,14 +176,14 @@ def test_no_other_speed_where_two_alike_pieces_meet_is_faster(
         assert law.duration <= other * (1.0 + SAME_TIME)
 
 
-@settings(max_examples=100, derandomize=True)
+@settings(max_examples=examples(100), derandomize=True)
 @given(plain_ways)
 def test_the_way_back_takes_as_long(way: list[Interval]) -> None:
     there, back = plan_time_law(way), plan_time_law(way[::-1])
     assert abs(there.duration - back.duration) <= ROUNDING * there.duration
 
 
-@settings(max_examples=100, derandomize=True)
+@settings(max_examples=examples(100), derandomize=True)
 @given(plain_ways, st.data())
 def test_units_of_the_pieces_do_not_count(way: list[Interval], data: st.DataObject) -> None:
     units = [data.draw(sizes) for _ in way]
@@ -194,14 +195,14 @@ def test_units_of_the_pieces_do_not_count(way: list[Interval], data: st.DataObje
     assert np.abs(plain.ends - scaled.ends).max() <= ROUNDING * plain.duration
 
 
-@settings(max_examples=100, derandomize=True)
+@settings(max_examples=examples(100), derandomize=True)
 @given(ways, st.floats(1.0, 2.0), st.floats(1.0, 2.0), st.floats(1.0, 2.0))
 def test_wider_bounds_are_never_slower(way: list[Interval], v: float, a: float, j: float) -> None:
     wider = [replace(s, speed=s.speed * v, acceleration=s.acceleration * a, jerk=s.jerk * j) for s in way]
     assert plan_time_law(wider).duration <= plan_time_law(way).duration * (1.0 + ROUNDING)
 
 
-@settings(max_examples=200, derandomize=True)
+@settings(max_examples=examples(200), derandomize=True)
 @given(ways, st.data())
 def test_one_wider_bound_is_hardly_ever_slower(way: list[Interval], data: st.DataObject) -> None:
     name, one = data.draw(st.sampled_from(["speed", "acceleration", "jerk"])), data.draw(st.integers(0, 9))
@@ -241,7 +242,7 @@ def _can_stop(v: float, way: list[Interval]) -> bool:
     return v == 0.0
 
 
-@settings(max_examples=100, derandomize=True)
+@settings(max_examples=examples(100), derandomize=True)
 @given(st.lists(plain_stages, min_size=2, max_size=8), st.data())
 def test_the_motion_can_stop_on_what_is_known(way: list[Interval], data: st.DataObject) -> None:
     ahead = [data.draw(st.integers(i, len(way) - 1)) for i in range(len(way))]
@@ -257,7 +258,7 @@ def test_the_motion_can_stop_on_what_is_known(way: list[Interval], data: st.Data
     assert law.duration >= plan_time_law(way).duration * (1.0 - NEAR)
 
 
-@settings(max_examples=100, derandomize=True)
+@settings(max_examples=examples(100), derandomize=True)
 @given(st.lists(plain_stages, min_size=2, max_size=8), st.integers(0, 8))
 def test_more_look_ahead_is_never_slower(way: list[Interval], ahead: int) -> None:
     less, more = (
@@ -267,7 +268,7 @@ def test_more_look_ahead_is_never_slower(way: list[Interval], ahead: int) -> Non
     assert more <= less * (1.0 + NEAR)
 
 
-@settings(max_examples=100, derandomize=True)
+@settings(max_examples=examples(100), derandomize=True)
 @given(ways, st.lists(st.floats(0.0, 1.0), min_size=1, max_size=20).map(sorted))
 def test_times_of_places_lead_back_to_the_places(way: list[Interval], shares: list[float]) -> None:
     law = plan_time_law(way)
@@ -282,7 +283,7 @@ def test_times_of_places_lead_back_to_the_places(way: list[Interval], shares: li
         assert (np.abs(found - places) <= slack).all()
 
 
-@settings(max_examples=50, derandomize=True)
+@settings(max_examples=examples(50), derandomize=True)
 @given(plain_ways)
 def test_a_stop_in_the_middle_costs_time(way: list[Interval]) -> None:
     assume(len(way) > 1)

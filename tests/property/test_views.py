@@ -11,6 +11,7 @@ from ropsim.views import Style, diagnostics_text
 from ropsim.views.markup.decimate import min_max
 from ropsim.views.markup.ticks import nice_ticks
 from ropsim.views.words.characters import clean, fit, width
+from support.examples import examples
 
 TEXT = st.text(alphabet=st.characters(), max_size=200)
 PLACES = st.builds(
@@ -20,7 +21,7 @@ GUTTER_AND_WORDS = 130
 """Longest quoted line: 100 columns and the gutter, or marks with a label of at most 15 characters."""
 
 
-@settings(max_examples=200, derandomize=True)
+@settings(max_examples=examples(200), derandomize=True)
 @given(source=TEXT, span=PLACES)
 def test_any_place_in_any_text_can_be_shown(source: str, span: Span) -> None:
     finding = Diagnostic("L101", "x", Severity.ERROR, "message", span, "label")
@@ -31,7 +32,7 @@ def test_any_place_in_any_text_can_be_shown(source: str, span: Span) -> None:
     assert not re.search("[\x00-\x09\x0b-\x1f\x7f-\x9f]", text)
 
 
-@settings(max_examples=200, derandomize=True)
+@settings(max_examples=examples(200), derandomize=True)
 @given(text=TEXT, columns=st.integers(1, 40))
 def test_fitted_text_fits(text: str, columns: int) -> None:
     fitted = fit(clean(text), columns)
@@ -39,7 +40,7 @@ def test_fitted_text_fits(text: str, columns: int) -> None:
     assert fitted == clean(text) or fitted.endswith("…")
 
 
-@settings(max_examples=100, derandomize=True)
+@settings(max_examples=examples(100), derandomize=True)
 @given(
     values=st.lists(st.floats(-1e6, 1e6) | st.just(float("nan")), min_size=1, max_size=600),
     points=st.integers(4, 60),
@@ -55,7 +56,7 @@ def test_decimation_keeps_the_extremes(values: list[float], points: int) -> None
         assert kept.size == 0
 
 
-@settings(max_examples=100, derandomize=True)
+@settings(max_examples=examples(100), derandomize=True)
 @given(low=st.floats(-1e9, 1e9), extent=st.floats(1e-3, 1e9), count=st.integers(2, 12))
 def test_ticks_are_few_and_inside(low: float, extent: float, count: int) -> None:
     ticks = nice_ticks(low, low + extent, count)

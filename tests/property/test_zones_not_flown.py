@@ -14,6 +14,7 @@ from ropsim.simulation import Fidelity, RunOptions, run
 from ropsim.views import summarize
 from ropsim.workbench import environment_of
 from support.cells import one_station
+from support.examples import examples
 
 ROBOT = robots.load("puma560")
 CELL = one_station(
@@ -53,7 +54,7 @@ def recorded(lines: list[str]) -> Recording:
     return run(CELL, {"robot": compiled.icr}, RunOptions(Fidelity.KINEMATIC, record_hz=10))
 
 
-@settings(max_examples=60)
+@settings(max_examples=examples(60))
 @given(PROGRAMS)
 def test_the_verdict_counts_the_lines_that_are_listed(parts: list[tuple[str, ...]]) -> None:
     recording = recorded([line for part in parts for line in part])

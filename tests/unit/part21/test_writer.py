@@ -24,6 +24,7 @@ from ropsim.part21 import (
     write_exchange,
 )
 from support.characters import ANY
+from support.examples import examples
 
 HEADER = (
     Record("FILE_DESCRIPTION", (("",), "2;1")),
@@ -83,7 +84,7 @@ def renamed(record: Record, names: dict[int, int]) -> Record:
 
 
 @given(files())
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=examples(60), deadline=None)
 def test_reading_what_was_written_gives_the_same_text_and_the_same_content(file: ExchangeFile) -> None:
     text = write_exchange(file)
     back, findings = read_exchange(SourceText("a.stp", text))
@@ -93,7 +94,7 @@ def test_reading_what_was_written_gives_the_same_text_and_the_same_content(file:
 
 
 @given(files(), st.integers(1, 10**9))
-@settings(max_examples=20, deadline=None)
+@settings(max_examples=examples(20), deadline=None)
 def test_the_numbers_of_the_instances_do_not_count(file: ExchangeFile, shift: int) -> None:
     names = {one.number: one.number + shift for one in file.instances}
     moved = tuple(

@@ -6,6 +6,7 @@ from hypothesis import strategies as st
 
 from ropsim.core import Diagnostic, SourceText
 from ropsim.prolog import Engine, Sort, question
+from support.examples import examples
 
 SYNTAX = [
     ("a(1). b(2) c.\nd(3).\n", (1, 11), "full stop is missing"),
@@ -140,7 +141,7 @@ def test_operators_of_one_text_do_not_reach_the_next(engine: Engine) -> None:
     assert [one.code for one in found(engine, "a ===> b.\n")] == ["P101"]
 
 
-@settings(max_examples=30)
+@settings(max_examples=examples(30))
 @given(st.text("ab(),[]{}|'\"\\ .:-X_%/*\n0é", max_size=60))
 def test_any_text_is_checked(text: str) -> None:
     for one in found(ANY, text):

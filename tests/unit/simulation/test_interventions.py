@@ -17,6 +17,7 @@ from ropsim.simulation import Fidelity, OptionError, RunOptions, RunView, run
 from ropsim.simulation.state.watch import NobodyWatches
 from ropsim.spatial import Pose
 from ropsim.workbench import environment_of
+from support.examples import examples
 
 ARM = robots.load("puma560")
 CONTROLLER = robots.default_controller("puma560")
@@ -133,7 +134,7 @@ ACTS: st.SearchStrategy[Act] = st.one_of(
 )
 
 
-@settings(max_examples=8, deadline=None, derandomize=True)
+@settings(max_examples=examples(8), deadline=None, derandomize=True)
 @given(
     acts=st.lists(st.tuples(st.floats(0.0, 6.0), ACTS), max_size=6),
     stop=st.one_of(st.none(), st.floats(0.0, 8.0)),

@@ -17,6 +17,7 @@ from ropsim.workbench import Change, Project, Subject, WhatIfError, open_project
 from ropsim.workbench.what_if.change import NOTHING_COMPARED
 from ropsim.workbench.what_if.comparing import content_of
 from support.characters import ANY
+from support.examples import examples
 
 CELL = """\
 [cell]
@@ -101,7 +102,7 @@ def test_what_is_no_change_is_told_with_what_is_allowed(text: str, says: str) ->
     assert says in f"{found.message} {found.hint}"
 
 
-@settings(derandomize=True, max_examples=300)
+@settings(derandomize=True, max_examples=examples(300))
 @given(st.text(ANY) | st.from_regex(r"(speed|tool|zones)=[0-9.e+%kg]{0,12}", alphabet=ANY))
 def test_any_text_is_a_change_or_a_finding(text: str) -> None:
     found: Change | Subject | None = None

@@ -8,6 +8,7 @@ from hypothesis import strategies as st
 from ropsim.kinematics import NO_BLOCKS, Standing, height_above, part_blocks, stacked, standings
 from ropsim.model import Part
 from ropsim.spatial import Array, Pose
+from support.examples import examples
 
 ROUNDING = 1e-12
 """Of a dozen products of numbers about 1 m."""
@@ -24,7 +25,7 @@ def box_of(name: str, pose: Pose) -> tuple[Part, Pose]:
     return Part(name, np.array([0.06, 0.05, 0.04]), 0.1, pose), pose
 
 
-@settings(max_examples=30, derandomize=True, deadline=None)
+@settings(max_examples=examples(30), derandomize=True, deadline=None)
 @given(PLACES, TURNS)
 def test_the_box_of_a_part_hangs_from_the_middle_of_its_top(place: list[float], turn: list[float]) -> None:
     pose = turned(place, turn)
@@ -50,7 +51,7 @@ def span(pose: Pose, x: float, y: float) -> Array | None:
     return np.array([min(within), max(within)]) if within else None
 
 
-@settings(max_examples=60, derandomize=True, deadline=None)
+@settings(max_examples=examples(60), derandomize=True, deadline=None)
 @given(PLACES, TURNS, PLACES, TURNS)
 def test_the_gap_below_a_part_is_the_least_on_its_lines(
     place: list[float], turn: list[float], other: list[float], other_turn: list[float]

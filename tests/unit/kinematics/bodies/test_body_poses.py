@@ -22,6 +22,7 @@ from ropsim.model import (
 )
 from ropsim.spatial import Array, Pose
 from support.cells import one_station
+from support.examples import examples
 
 ARM = robots.load("puma560")
 ROUNDING = 1e-12
@@ -83,7 +84,7 @@ def test_without_coordinates_the_bodies_that_no_joint_moves_are_known() -> None:
     np.testing.assert_allclose(poses["base"], CELL.first.X_WB.matrix()[None], atol=0.0)
 
 
-@settings(max_examples=30, derandomize=True, deadline=None)
+@settings(max_examples=examples(30), derandomize=True, deadline=None)
 @given(st.sampled_from(["table", "cup", "link3", "tool:jaws", "base"]), st.integers(0, 3))
 def test_hanging_a_part_on_another_body_leaves_it_where_it_is(parent: str, row: int) -> None:
     q = {"robot": SOME[row : row + 1]}

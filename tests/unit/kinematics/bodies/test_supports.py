@@ -8,6 +8,7 @@ from hypothesis import strategies as st
 from ropsim.kinematics import Blocks, Standing, height_above, part_blocks, shape_blocks, stacked, standings
 from ropsim.model import WORLD, Box, Cylinder, Mesh, Part, Polyline, Prism, Revolve, Shape, Solid, Sphere
 from ropsim.spatial import Pose
+from support.examples import examples
 
 GAP = 0.005
 ROUNDING = 1e-9
@@ -127,7 +128,7 @@ def test_the_height_above_what_is_next_below() -> None:
 PLACES = st.tuples(st.floats(-0.4, 0.4), st.floats(-0.25, 0.25), st.floats(0.7, 0.9), st.floats(-3.0, 3.0))
 
 
-@settings(max_examples=40, derandomize=True, deadline=None)
+@settings(max_examples=examples(40), derandomize=True, deadline=None)
 @given(st.lists(PLACES, min_size=1, max_size=30))
 def test_many_parts_stand_as_each_one_alone_would(places: list[tuple[float, float, float, float]]) -> None:
     parts = stacked(part(at(x, y, z, yaw=yaw), f"p{k}") for k, (x, y, z, yaw) in enumerate(places))
@@ -137,7 +138,7 @@ def test_many_parts_stand_as_each_one_alone_would(places: list[tuple[float, floa
         assert one(part(at(x, y, z, yaw=yaw), f"p{k}"), everything) == together[k]
 
 
-@settings(max_examples=40, derandomize=True, deadline=None)
+@settings(max_examples=examples(40), derandomize=True, deadline=None)
 @given(st.lists(PLACES, min_size=2, max_size=30))
 def test_nothing_stands_on_itself_in_the_end(places: list[tuple[float, float, float, float]]) -> None:
     parts = stacked(part(at(x, y, z, yaw=yaw), f"p{k}") for k, (x, y, z, yaw) in enumerate(places))
@@ -149,7 +150,7 @@ def test_nothing_stands_on_itself_in_the_end(places: list[tuple[float, float, fl
             way.append(below)
 
 
-@settings(max_examples=20, derandomize=True, deadline=None)
+@settings(max_examples=examples(20), derandomize=True, deadline=None)
 @given(st.lists(PLACES, min_size=1, max_size=20))
 def test_an_object_elsewhere_changes_nothing(places: list[tuple[float, float, float, float]]) -> None:
     parts = stacked(part(at(x, y, z, yaw=yaw), f"p{k}") for k, (x, y, z, yaw) in enumerate(places))

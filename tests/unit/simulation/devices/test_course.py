@@ -9,6 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from ropsim.simulation.devices.course import Course, Piece, to_rest, to_speed
+from support.examples import examples
 
 NUMBERS = st.floats(-5.0, 5.0)
 LIMITS = st.floats(0.05, 5.0)
@@ -24,7 +25,7 @@ def assert_smooth(pieces: list[Piece], most: float) -> None:
     assert max(abs(piece.qdd) for piece in pieces) <= most * (1.0 + ROUNDING)
 
 
-@settings(max_examples=300, derandomize=True)
+@settings(max_examples=examples(300), derandomize=True)
 @given(NUMBERS, NUMBERS, NUMBERS, LIMITS, LIMITS)
 def test_a_course_to_rest_ends_at_its_target_from_any_state(
     q: float, qd: float, target: float, speed: float, acceleration: float
@@ -49,7 +50,7 @@ def test_from_rest_to_rest_takes_the_least_time_of_a_trapezoid(way: float, least
         assert pieces[-1].time == pytest.approx(least, rel=1e-12)
 
 
-@settings(max_examples=100, derandomize=True)
+@settings(max_examples=examples(100), derandomize=True)
 @given(NUMBERS, NUMBERS, NUMBERS, LIMITS)
 def test_a_course_to_a_speed_keeps_it(q: float, qd: float, speed: float, acceleration: float) -> None:
     pieces = to_speed(0.0, q, qd, speed, acceleration)

@@ -14,6 +14,7 @@ from ropsim.studio.desk.clock import PacedClock
 from ropsim.studio.desk.live.watch import LivePace
 from ropsim.studio.jobs import LiveControl, LiveOverride, LiveSpeed, Order, SetSignal
 from ropsim.workbench import Project, open_overlaid
+from support.examples import examples
 from support.live import KEYS, FakeLine, project
 
 TICK, SLICE = 1e-3, 4e-3
@@ -54,7 +55,7 @@ ORDERS: st.SearchStrategy[Order] = st.one_of(
 )
 
 
-@settings(max_examples=10, deadline=None, derandomize=True)
+@settings(max_examples=examples(10), deadline=None, derandomize=True)
 @given(
     plan=st.lists(st.tuples(st.floats(0.0, 2.0), ORDERS), max_size=12),
     speed=st.floats(0.1, 8.0),

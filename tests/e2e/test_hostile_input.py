@@ -24,7 +24,10 @@ WORDS = {
 }
 """What is said of the faulty cases, at its beginning."""
 
-pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="the guard needs limits of POSIX")
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.skipif(sys.platform == "win32", reason="the guard needs limits of POSIX"),
+]
 
 
 @pytest.fixture(scope="module")
