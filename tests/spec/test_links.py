@@ -4,6 +4,7 @@ import re
 from pathlib import Path
 
 from support.manual import DOCS
+from support.pages import steps
 
 ROOT = DOCS.parent
 LINK = re.compile(r"\[[^\]]*\]\(([^)\s]+)\)|(?:src|srcset)=\"([^\"]+)\"")
@@ -51,3 +52,26 @@ def test_the_index_names_every_page() -> None:
     pages = [page for page in DOCS.rglob("*.md") if generated not in page.parents and page.parent != DOCS]
     missing = [page.relative_to(DOCS).as_posix() for page in pages]
     assert [page for page in missing if page not in index] == []
+
+
+PATH = re.compile(r"`((?:[a-z_]+/)+[a-z_]+(?:\.(?:py|pl|ts|toml|md|sh)|/)?)`")
+PLACES = [ROOT / place for place in ("", "src", "src/ropsim", "frontend/src", "tests")]
+"""Folders that paths in pages are relative to, besides that of the page."""
+
+
+def missing_paths(page: Path) -> list[str]:
+    """Return the paths below a known folder that a page names and that neither exist nor are made by it."""
+    made, places = {one.path for one in steps(page)}, [*PLACES, page.parent]
+    return [
+        path
+        for path in PATH.findall(page.read_text("utf-8"))
+        if any((place / path.split("/")[0]).is_dir() for place in places)
+        and not any((place / f"{path}{end}").exists() for place in places for end in ("", ".py"))
+        and not any(path in one for one in made)
+    ]
+
+
+def test_pages_for_engineers_name_files_that_exist() -> None:
+    pages = [*(DOCS / "how-to").glob("*.md"), *(DOCS / "explanation").glob("*.md"), *ROOT.glob("*.md")]
+    pages += (ROOT / "src").rglob("README.md")
+    assert {page.name: missing for page in pages if (missing := missing_paths(page))} == {}

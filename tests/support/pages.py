@@ -4,6 +4,7 @@ The first line of a fenced block says what a step is:
 
 - `toml file=PATH`, `task file=PATH`, `python file=PATH`: the whole of a file; `append=PATH` instead: what
   comes at its end;
+- `diff edit=PATH`: lines of a file, each behind a blank, `-` for a line that goes or `+` for a new one;
 - `console`: commands behind `$ `, each followed by what it prints; a last line `…` stands for the rest;
 - `task` alone: a program that compiles in the cell of the project that the page has made last, with no
   findings but those that its comments name (`# error: T301`);
@@ -15,7 +16,7 @@ import re
 from dataclasses import dataclass
 from pathlib import Path
 
-_FENCE = re.compile(r"^```(\w+)(?: (file|append)=(\S+))?\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+_FENCE = re.compile(r"^```(\w+)(?: (file|append|edit)=(\S+))?\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,8 +27,8 @@ class Step:
         page: file name of the page.
         line: of the page where the text begins.
         language: first word behind the fence.
-        mode: `file`, `append` or empty.
-        path: of the file that it writes or adds to; empty without one.
+        mode: `file`, `append`, `edit` or empty.
+        path: of the file that it writes, adds to or edits; empty without one.
         text: what stands between the fences.
     """
 
@@ -49,6 +50,31 @@ def steps(page: Path) -> list[Step]:
         Step(page.name, text.count("\n", 0, one.start(4)) + 1, one[1], one[2] or "", one[3] or "", one[4])
         for one in _FENCE.finditer(text)
     ]
+
+
+def write(step: Step, folder: Path) -> None:
+    """Write, extend or edit the file of a step below a folder."""
+    path = folder / step.path
+    path.parent.mkdir(parents=True, exist_ok=True)
+    before = "" if step.mode == "file" else path.read_text("utf-8") if path.exists() else ""
+    path.write_text(edited(before, step) if step.mode == "edit" else before + step.text, "utf-8")
+
+
+def edited(before: str, step: Step) -> str:
+    """Return a text after the edit of a `diff` step; each group of lines must occur in it exactly once.
+
+    Groups are separated by a line `@@`.
+    """
+    text = before
+    for group in re.split(r"^@@\n", step.text, flags=re.MULTILINE):
+        lines = group.splitlines(keepends=True)
+        assert all(line[0] in " +-" for line in lines), f"{step}: a line begins with a blank, + or -"
+        old = "".join(line[1:] for line in lines if line[0] != "+")
+        new = "".join(line[1:] for line in lines if line[0] != "-")
+        assert old, f"{step}: a group needs a line of the file"
+        assert text.count(old) == 1, f"{step}: found {text.count(old)} times in {step.path}:\n{old}"
+        text = text.replace(old, new)
+    return text
 
 
 ELLIPSIS = "…"
