@@ -63,6 +63,7 @@ pages: check-tools
 	$(BIN)/python tools/wire_types.py --check
 	$(BIN)/python tools/block_words.py --check
 	$(BIN)/python tools/pack_fixture.py --check
+	$(BIN)/python tools/plain_english.py --check
 
 frontend: check-tools
 	$(BIN)/python -m tools.frontend

@@ -1,4 +1,4 @@
-"""The table of requests: their parameters, and what answers them; one file for each kind."""
+"""The table of requests: their parameters, and their handlers; one file for each kind."""
 
 from collections.abc import Callable, Mapping
 from typing import Any, Protocol, TypeVar
@@ -34,7 +34,7 @@ P = TypeVar("P", bound=_AboutDocument)
 
 @frozen_dataclass
 class Method:
-    """A message: the form of its parameters, and what makes the answer, or the state after it."""
+    """A message: the form of its parameters, and the handler that returns the answer, or the next state."""
 
     params: type[Any]
     run: Callable[[State, Any, Workshop], object]
@@ -45,7 +45,7 @@ def _about(
     run: Callable[[Document, P, Mapping[str, Document], Workshop], object],
     otherwise: Callable[[], object],
 ) -> Method:
-    """Return a request about one document, and what is said of one that is not open."""
+    """Return a request about one document, and the answer for a document that is not open."""
 
     def answered(state: State, given: P, workshop: Workshop) -> object:
         document = state.documents.get(given.text_document.uri)

@@ -1,4 +1,4 @@
-"""The middle of the server: one message and the state before it give the state after it and the answers."""
+"""Core of the server: a pure function from a message and a state to the next state and the answers."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -63,10 +63,10 @@ def answer(state: State, call: Call, workshop: Workshop) -> Answer:
     Args:
         state: before it.
         call: request or notification.
-        workshop: remembers what was made of texts; changes no answer.
+        workshop: remembers results for texts; does not change answers.
 
     Returns:
-        The state after it, and the answer to a request. Findings are told by `settle`.
+        The state after it, and the answer to a request. Findings are published by `settle`.
     """
     if call.method == "exit":
         return replace(state, phase=Phase.OVER, exit_code=0 if state.phase is Phase.SHUT_DOWN else 1), ()
@@ -96,9 +96,10 @@ def answer(state: State, call: Call, workshop: Workshop) -> Answer:
 
 
 def settle(state: State, workshop: Workshop) -> Answer:
-    """Tell the findings of all documents that have changed; called when no message is waiting.
+    """Publish the findings of all changed documents; called when no message is waiting.
 
-    An editor that asks for findings itself is told to ask again where more than the text in hand has changed.
+    An editor that requests findings itself gets a refresh request if other texts than the open one have
+    changed.
     """
     unmarked = state.unmarked | state.stale if state.marks_lines else frozenset()
     settled = replace(state, stale=frozenset(), asks_again=False, unmarked=unmarked)
@@ -111,9 +112,9 @@ def settle(state: State, workshop: Workshop) -> Answer:
 
 
 def first_sight(state: State, workshop: Workshop) -> tuple[Json, ...]:
-    """Tell what is wrong with single lines of long texts that have not been checked yet, before they are.
+    """Publish the findings in single lines of long texts before their first check.
 
-    What `settle` tells behind it, for the same version of the text, takes its place.
+    The findings of `settle` for the same version of the text replace them.
     """
     told = []
     for uri in () if state.pulls else sorted(state.stale):
@@ -125,9 +126,9 @@ def first_sight(state: State, workshop: Workshop) -> tuple[Json, ...]:
 
 
 def mark(state: State, workshop: Workshop) -> Answer:
-    """Tell of one document which results of its lines are those of the text; called when all else is told.
+    """Publish which line results of one document are valid for its text; called when all else is published.
 
-    An editor is told that says at `initialize` that it shows it.
+    Only for an editor that declares this capability at `initialize`.
     """
     uri = min(state.unmarked)
     document = state.documents.get(uri)

@@ -1,4 +1,4 @@
-"""What the server knows between two messages."""
+"""State of the server between two messages."""
 
 from collections.abc import Mapping
 from dataclasses import field, replace
@@ -24,13 +24,14 @@ class State:
     Attributes:
         phase: before `initialize`, between, after `shutdown`, after `exit`.
         documents: open documents by URI.
-        stale: URIs whose findings have not been told since their last change.
+        stale: URIs whose findings have not been published since their last change.
         encoding: in which units the editor counts characters.
-        pulls: whether the editor asks for findings itself, and can be told to ask again.
-        marks_lines: whether the editor shows which results of lines are those of the text.
-        unmarked: URIs of which that has not been told since their last change.
-        asks_again: whether the editor is to be told that findings have changed of which it does not know.
-        asked: how many requests the server has made.
+        pulls: whether the editor requests findings itself, and supports a refresh request.
+        marks_lines: whether the editor shows which results of lines are valid for the text.
+        unmarked: URIs whose line results have not been published since their last change.
+        asks_again: whether the editor is to get a refresh request, since findings have changed of documents
+            that it does not edit.
+        asked: number of requests that the server has sent.
         exit_code: of the process, once it is over.
     """
 
@@ -52,18 +53,18 @@ class State:
         return replace(self, documents=documents, stale=stale, asks_again=self.asks_again or len(stale) > 1)
 
     def closed(self, uri: str) -> "State":
-        """Return the state without a document; what was shown of it is stale."""
+        """Return the state without a document; its published results are stale."""
         documents = {name: one for name, one in self.documents.items() if name != uri}
         gone = self.documents.get(uri)
         stale = self._stale_after(gone, documents) if gone is not None else self.stale
         return replace(self, documents=documents, stale=stale | {uri} if gone is not None else stale)
 
     def all_stale(self) -> "State":
-        """Return the state in which every document has to be looked at again."""
+        """Return the state in which every document is stale."""
         return replace(self, stale=frozenset(self.documents), asks_again=True)
 
     def _stale_after(self, document: Document, documents: Mapping[str, Document]) -> frozenset[str]:
-        """Return what has to be looked at after a change; cells, robots and tasks concern all programs."""
+        """Return the documents that a change makes stale; cells, robots and tasks concern all programs."""
         path = document.path
         if (path is not None and path.name == "cell.toml") or document.is_robot_file or document.is_task_text:
             return frozenset(documents)

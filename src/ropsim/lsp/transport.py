@@ -29,7 +29,7 @@ def serve(source: _Source, sink: BinaryIO) -> int:
     """Serve one editor until it says `exit` or its stream ends, and return the exit code.
 
     Args:
-        source: messages of the editor; `read` returns what is there, so an unbuffered stream.
+        source: messages of the editor; `read` returns the available bytes, so an unbuffered stream.
         sink: takes the answers.
     """
     gc.freeze()
@@ -51,11 +51,11 @@ def serve(source: _Source, sink: BinaryIO) -> int:
             _receive(inbox, waiting)
             workshop.attention.is_called = nobody_calls
             if state.stale and waiting.asks_next and not waiting.changes_wait:
-                state = _tell_findings(state, workshop, sink)  # what is asked for may take longer
+                state = _tell_findings(state, workshop, sink)  # a request may take long
             message, is_cancelled = waiting.next()
             said: tuple[Json, ...] = ()
             is_open = not isinstance(message, Ended)
-            with kept_from_collection():  # the texts of an editor stay, and what is known of them
+            with kept_from_collection():  # the texts of an editor and the results for them stay
                 if is_cancelled and isinstance(message, Call):
                     words = "the request has been cancelled"
                     said = (failure(message.id, ErrorCode.REQUEST_CANCELLED, words),)
@@ -75,7 +75,7 @@ def serve(source: _Source, sink: BinaryIO) -> int:
 
 
 class _GoneError(Exception):
-    """The editor has gone away."""
+    """The editor has closed the connection."""
 
 
 def _write(sink: BinaryIO, said: tuple[Json, ...]) -> None:
@@ -89,7 +89,7 @@ def _write(sink: BinaryIO, said: tuple[Json, ...]) -> None:
 
 
 def _tell_findings(state: State, workshop: Workshop, sink: BinaryIO) -> State:
-    """Tell the findings of texts that have changed; return the state after it."""
+    """Publish the findings of changed texts; return the next state."""
     with kept_from_collection():
         _write(sink, _at_first_sight(state, workshop))
         state, said = _settled(state, workshop)
@@ -98,7 +98,7 @@ def _tell_findings(state: State, workshop: Workshop, sink: BinaryIO) -> State:
 
 
 def _tell_lines(state: State, workshop: Workshop, sink: BinaryIO) -> State:
-    """Tell which results of lines of a text are those of it; return the state after it."""
+    """Publish which line results of a text are valid for it; return the next state."""
     with kept_from_collection():
         state, said = _marked(state, workshop)
     _write(sink, said)
@@ -106,14 +106,14 @@ def _tell_lines(state: State, workshop: Workshop, sink: BinaryIO) -> State:
 
 
 def _receive(source: "queue.SimpleQueue[bytes | FrameFault | None]", waiting: Inbox) -> None:
-    """Take all that has come; wait for a message where there is none."""
+    """Take all messages that have arrived; wait for one if there is none."""
     if waiting.is_empty:
         _put(source.get(), waiting)
     _receive_what_is_there(source, waiting)
 
 
 def _receive_what_is_there(source: "queue.SimpleQueue[bytes | FrameFault | None]", waiting: Inbox) -> None:
-    """Take all that has come."""
+    """Take all messages that have arrived."""
     while not source.empty():
         _put(source.get(), waiting)
 
@@ -152,14 +152,14 @@ def _settled(state: State, workshop: Workshop) -> tuple[State, tuple[Json, ...]]
 def _at_first_sight(state: State, workshop: Workshop) -> tuple[Json, ...]:
     try:
         return first_sight(state, workshop)
-    except Exception:  # what is checked behind it comes to the same fault, and tells it
+    except Exception:  # the check that follows meets the same fault, and reports it
         return ()
 
 
 def _marked(state: State, workshop: Workshop) -> tuple[State, tuple[Json, ...]]:
     try:
         return mark(state, workshop)
-    except SupersededError:  # it stays to be told
+    except SupersededError:  # the document stays stale
         return state, ()
     except Exception as error:  # as above
         return replace(state, unmarked=frozenset()), (_own_fault(error, None),)

@@ -1,4 +1,4 @@
-"""Answers that are kept: inputs, functions of them, and which answer a changed input reaches."""
+"""Incremental computation: inputs, pure functions of them with cached results, and their dependencies."""
 
 from ropsim.query.content import is_same as is_same
 from ropsim.query.database import Database as Database

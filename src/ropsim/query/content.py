@@ -1,4 +1,4 @@
-"""Whether two values are the same to whoever reads them: stricter than `==`."""
+"""Strict comparison of values: stricter than `==`."""
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import fields, is_dataclass
@@ -9,15 +9,14 @@ from typing import Any
 
 _PLAIN = (str, int, bool, bytes, type(None))
 _FEW = 12
-"""Of so many values those that are not one and the same are found one by one: there mostly are some."""
+"""Rows of at most this many values are compared in a loop; most of them contain distinct objects."""
 
 
 def is_same(one: object, other: object) -> bool:
-    """Return whether no reader can tell two values apart.
+    """Return whether two values are indistinguishable.
 
-    `1`, `1.0` and `True` are three values, `0.0` and `-0.0` are two; the order of a mapping counts, since
-    whoever goes through it sees it. Records are compared by all that they are made of, also by what `==`
-    leaves out; not by what they find of that themselves, maybe later.
+    `1`, `1.0` and `True` are three values, `0.0` and `-0.0` are two; the order of a mapping counts. Records
+    are compared by all their init fields, including fields that `==` ignores; cached values are ignored.
     """
     if one is other:
         return True
@@ -26,7 +25,7 @@ def is_same(one: object, other: object) -> bool:
 
 
 class _ByType(dict[type[Any], Callable[[Any, Any], bool]]):
-    """What compares two values of a type: looked for once, since there are thousands of values."""
+    """Comparison function of each type, determined once per type because thousands of values are compared."""
 
     def __missing__(self, kind: type[Any]) -> Callable[[Any, Any], bool]:
         found = self[kind] = _comparison(kind)
@@ -53,7 +52,7 @@ def _comparison(kind: type[Any]) -> Callable[[Any, Any], bool]:
 
 
 def _of_record(names: tuple[str, ...]) -> Callable[[Any, Any], bool]:
-    """Return what compares two records of a type field by field: written for them, as there are so many."""
+    """Return a generated function that compares two records of a type field by field."""
     lines = (
         line
         for name in names

@@ -1,7 +1,7 @@
 """Inputs with revisions, and functions of them whose answers are kept as long as they hold.
 
-Every question that a function asks while it runs is noted, so that later only what depends on a changed input
-is looked at again; a function that gives the answer that it gave before ends the search there.
+The database records every input and answer that a function reads. After a change it verifies only the answers
+that depend on a changed input; the verification stops at a function that returns its previous answer.
 
 References:
     J. Matklad et al., Salsa: a generic framework for on-demand, incrementalized computation, 2018-2024
@@ -21,18 +21,18 @@ P = ParamSpec("P")
 T = TypeVar("T")
 
 MAX_KEPT = 50_000
-"""Answers kept at least before those of no use lately are given up."""
+"""Least number of answers that are kept before unused ones are discarded."""
 KEPT_VERSIONS = 8
-"""An answer that nobody asked for during so many versions of the inputs is of no use lately."""
+"""An answer is unused if it was not requested during this number of versions of the inputs."""
 
 _Function = Callable[..., object]
 _ALWAYS_NEW: set[_Function] = set()
 
 
 def always_new(function: Callable[P, T]) -> Callable[P, T]:
-    """Say of a function that its answer is not worth comparing with its last one.
+    """Mark a function whose results are not compared with earlier ones (no early cut-off).
 
-    Such answers are large, and whoever is made of one is made of the inputs behind it, too.
+    For large results: comparing them costs more than recomputing saves.
     """
     _ALWAYS_NEW.add(function)
     return function
@@ -49,18 +49,18 @@ class _Input:
 
 @dataclass(slots=True, eq=False)
 class _Answer:
-    """What a function gave; one object for all that it gives to a question.
+    """Cached result of a function for one tuple of arguments; one object for all its values.
 
     Attributes:
-        key: the function and what it was given.
+        key: the function and its arguments.
         value: its answer.
-        changed: revision in which it became what it is.
+        changed: revision in which the value last changed.
         verified: revision in which it was last found to hold.
-        asked: version in which somebody wanted to know it.
+        asked: version in which the answer was last requested.
         inputs: that it was made of.
-        answers: that it was made of, in the order in which they were asked for.
+        answers: answers that it was made of, in the order of the requests.
         users: answers that were made of it.
-        is_doubtful: whether an input has changed since on which it depends, maybe through others.
+        is_doubtful: whether an input on which it depends, directly or indirectly, has changed since.
     """
 
     key: Key
@@ -76,7 +76,7 @@ class _Answer:
 
 @dataclass(slots=True)
 class _Running:
-    """What a function that runs now has looked at so far."""
+    """Inputs and answers that a running function has read so far."""
 
     inputs: dict[_Input, None] = field(default_factory=dict)
     answers: dict[_Answer, None] = field(default_factory=dict)
@@ -85,13 +85,13 @@ class _Running:
 class Database:
     """Inputs and kept answers.
 
-    Functions are given the database first and may look at nothing but it and their arguments. No question may
-    need its own answer.
+    Functions take the database as first argument and read only the database and their other arguments. No
+    function may depend on its own answer.
 
     Attributes:
         revision: how often inputs have changed.
-        events: what was asked since they were last cleared, but for answers that nobody had reason to doubt;
-            None, as at first, keeps none.
+        events: requests since the list was last cleared, except those for answers that were not in doubt;
+            None (the default) records nothing.
     """
 
     def __init__(self, limit: int = MAX_KEPT) -> None:
@@ -110,7 +110,7 @@ class Database:
         return len(self._answers)
 
     def give(self, values: Mapping[Hashable, object]) -> None:
-        """Give inputs; those that are what they were change nothing. None stands for one that is gone."""
+        """Set inputs; an equal value changes nothing. None stands for a removed input."""
         inputs = self._inputs
         changed = [
             (name, value)
@@ -128,9 +128,9 @@ class Database:
 
     @contextmanager
     def version(self) -> Iterator[None]:
-        """Let inputs that are given meanwhile be of one version; each by itself would be one of its own.
+        """Let all inputs set inside the block belong to one version; outside, each call makes a version.
 
-        For who gives inputs that are made of answers: no answer is given up before all have been asked for.
+        For callers that set inputs made of answers: no answer is discarded before all have been requested.
         """
         before, self._is_in_version = self.revision, True
         try:
@@ -140,7 +140,7 @@ class Database:
             self._end_version(is_new=self.revision != before)
 
     def read(self, name: Hashable) -> Any:  # noqa: ANN401 - inputs are of any type
-        """Return an input; None where nobody has given it."""
+        """Return an input; None if it was never set."""
         found = self._inputs.get(name)
         if self._running:
             if found is None:
@@ -149,7 +149,7 @@ class Database:
         return found.value if found is not None else None
 
     def beside(self, name: Hashable, make: Callable[[], T]) -> T:
-        """Return what somebody keeps beside all answers, none of which is made of it; made the first time."""
+        """Return an auxiliary object that no answer depends on; made on the first call."""
         found: T | None = self.read(name)
         if found is None:
             found = make()
@@ -157,7 +157,7 @@ class Database:
         return found
 
     def ask(self, function: Callable[Concatenate["Database", P], T], *arguments: P.args, **_: P.kwargs) -> T:
-        """Return what a function gives for its arguments, the same as if it were called now."""
+        """Return the value of a function for its arguments, the same as if it were called now."""
         given: Any = arguments  # nothing is called here that need not be: there are thousands of questions
         key: Key = (function, *given)
         found = self._answers.get(key)
@@ -172,7 +172,7 @@ class Database:
     def known(
         self, function: Callable[Concatenate["Database", P], T], *arguments: P.args, **_: P.kwargs
     ) -> T | None:
-        """Return an answer, without asking for it, as long as no input behind it has changed; else None."""
+        """Return a kept answer if no input behind it has changed, else None; compute nothing."""
         given: Any = arguments
         found = self._answers.get((function, *given))
         if found is None or found.is_doubtful:
@@ -182,7 +182,7 @@ class Database:
         return value
 
     def _doubt(self, users: Users) -> None:
-        """Let all that depends on something be looked at before it is used again."""
+        """Mark everything that depends on the changed item as doubtful."""
         work = [users]
         while work:
             for key in work.pop():
@@ -213,7 +213,7 @@ class Database:
         return known
 
     def _connect(self, found: _Answer, inputs: tuple[_Input, ...], answers: tuple[_Answer, ...]) -> None:
-        """Let what an answer is made of know that it is, and what it is no longer made of that it is not."""
+        """Update the dependencies of an answer, and its entry among the users of each of them."""
         key = found.key
         if found.inputs != inputs:
             for one in found.inputs:
@@ -248,12 +248,12 @@ class Database:
 
     def _end_version(self, *, is_new: bool) -> None:
         self._version += is_new
-        # as long as questions are asked, who asked them is still to keep the answers
+        # nothing is discarded while functions run: their requests are not finished
         if len(self._answers) > self._limit and not self._running:
             self._forget()
 
     def _forget(self) -> None:
-        """Give up answers of no use lately; what those in use are made of stays."""
+        """Discard unused answers; the dependencies of answers in use stay."""
         oldest = self._version - KEPT_VERSIONS
         work = [one for one in self._answers.values() if one.asked >= oldest]
         kept: dict[Key, _Answer] = {}

@@ -1,4 +1,4 @@
-"""What became of a question: whether its function ran."""
+"""Outcome of a request: whether its function ran."""
 
 from enum import Enum
 
@@ -13,7 +13,7 @@ class Outcome(Enum):
     SAME = "same"
     """The function was called and gave the answer that it gave before: no change goes beyond it."""
     REUSED = "reused"
-    """Nothing that the function had looked at has changed: its answer was taken again."""
+    """No dependency of the function has changed: the cached answer was used."""
 
 
 @frozen_dataclass
@@ -22,7 +22,7 @@ class Event:
 
     Attributes:
         function: name of the function.
-        arguments: what it was given.
+        arguments: its arguments.
         outcome: how the answer came to be.
     """
 

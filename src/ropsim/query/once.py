@@ -13,7 +13,7 @@ _MISSING = object()
 
 
 class Once(Database):
-    """A database for one state of the inputs, each given before anybody asks for what is made of it."""
+    """A database for one state of the inputs: all are set before the first request."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -25,15 +25,15 @@ class Once(Database):
         return sum(map(len, self._known.values()))
 
     def give(self, values: Mapping[Hashable, object]) -> None:
-        """Give inputs."""
+        """Set inputs."""
         self._given.update(values)
 
     def read(self, name: Hashable) -> Any:  # noqa: ANN401 - inputs are of any type
-        """Return an input; None where nobody has given it."""
+        """Return an input; None if it was never set."""
         return self._given.get(name)
 
     def ask(self, function: Callable[Concatenate[Database, P], T], *arguments: P.args, **_: P.kwargs) -> T:
-        """Return what a function gives for its arguments."""
+        """Return the value of a function for its arguments."""
         known = self._known[function]
         given: Any = arguments
         found = known.get(given, _MISSING)
@@ -46,7 +46,7 @@ class Once(Database):
     def known(
         self, function: Callable[Concatenate[Database, P], T], *arguments: P.args, **_: P.kwargs
     ) -> T | None:
-        """Return an answer, without asking for it; None where nobody has."""
+        """Return a kept answer without computing one; None if there is none."""
         given: Any = arguments
         value: T | None = self._known[function].get(given)
         return value

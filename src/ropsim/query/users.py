@@ -4,7 +4,7 @@ from collections.abc import Container, Hashable
 
 Key = tuple[Hashable, ...]
 Users = tuple[Key, ...] | set[Key]
-"""A tuple as long as they are few: most of what is kept has few users, and a set takes the room of twenty."""
+"""A tuple while they are few: most answers have few users, and a set takes the memory of twenty keys."""
 
 FEW = 8
 
@@ -22,7 +22,7 @@ def with_user(users: Users, key: Key) -> Users:
 
 
 def without_user(users: Users, key: Key) -> Users:
-    """Return users but for one; a set is changed."""
+    """Return the users without one of them; a set is changed."""
     if isinstance(users, tuple):
         return tuple(one for one in users if one != key)
     users.discard(key)
@@ -30,6 +30,6 @@ def without_user(users: Users, key: Key) -> Users:
 
 
 def kept_users(users: Users, kept: Container[Key]) -> Users:
-    """Return those of the users that are kept."""
+    """Return the users that are kept."""
     found = (one for one in users if one in kept)
     return tuple(found) if isinstance(users, tuple) else set(found)

@@ -1,1 +1,1 @@
-"""What the server knows of documents: compiled texts, names in scope, types, and recorded runs."""
+"""Data of the server about documents: compiled texts, names in scope, types, and recorded runs."""

@@ -1,4 +1,4 @@
-"""Texts of tasks in the editor: what can be written in them, what they define, where a task stands."""
+"""Texts of tasks in the editor: completions, definitions, and the task at a place."""
 
 import re
 from collections.abc import Collection, Iterator, Mapping
@@ -21,7 +21,7 @@ _TOKEN = re.compile(r"(\w*)([(\[])|[)\]]|\"(?:[^\"\\]|\\.)*\"|'(?:[^'\\]|\\.)*'|
 
 
 def proposed_in_tasks(document: Document, position: Position, tasks: TaskTexts) -> list[Json]:
-    """Return what can be written at a place of a text of tasks."""
+    """Return the completions at a place of a text of tasks."""
     before = document.line(position.line)[: document.column(position)]
     word = _WORD.search(before)
     lead = before[: word.start()] if word is not None else before
@@ -32,7 +32,7 @@ def proposed_in_tasks(document: Document, position: Position, tasks: TaskTexts) 
 
 
 def _words_at(around: str, lead: str) -> Iterator[Json]:
-    """Yield the words that fit into what a place stands in."""
+    """Yield the words that fit into the context of a place."""
     from ropsim.tasks import words
 
     if around == "params" and _PARAMETER.search(lead):
@@ -69,7 +69,7 @@ def not_named(tasks: TaskTexts, known: Collection[str]) -> Iterator[ToldTask]:
 
 
 def task_item(told: ToldTask) -> Json:
-    """Return a task as what can be written."""
+    """Return the completion item of a task."""
     return _item(told.name, _TASK, f"({', '.join(told.parameters)})", told.doc)
 
 

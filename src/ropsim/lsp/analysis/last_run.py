@@ -1,4 +1,4 @@
-"""The last recorded run of exactly the program of a document, told by the lines that it has now."""
+"""The last recorded run of exactly the program of a document, by its present lines."""
 
 from collections.abc import Mapping
 from itertools import takewhile
@@ -17,11 +17,11 @@ class LastRun:
     """The last run of the program of a document.
 
     Attributes:
-        program: what was recorded of it.
-        lines: what is told of the lines of the document (from 1) that took time.
+        program: the recorded program.
+        lines: results of the lines of the document (from 1) that took time.
         is_of_this_cell: whether the cell has not changed since, as far as is known.
-        is_of_this_code: whether the program does all that it did; else `lines` are those that do, up to the
-            first one that does not.
+        is_of_this_code: whether the program still has its recorded behaviour; else `lines` holds the lines up
+            to the first one that differs.
     """
 
     program: RecordedProgram
@@ -38,15 +38,15 @@ class LastRun:
 
     @property
     def mark(self) -> str:
-        """Return what stands behind a time that may have become another one since; empty where none has."""
+        """Return the mark behind a time that may be outdated; empty if none is."""
         return "" if self.is_of_this_cell else " (before the cell changed)"
 
 
 def last_run(document: Document, documents: Mapping[str, Document], workshop: Workshop) -> LastRun | None:
     """Return the newest recorded run of the code that a document compiles to.
 
-    Where there is none, it is the newest one of the program in which some lines did what they do now; None
-    where there is no such run.
+    If there is none, it is the newest recording of the program in which some lines have their present
+    behaviour; None if no run qualifies.
     """
     if not is_program(document):
         return None

@@ -1,4 +1,4 @@
-"""Whether what recorded runs say of a line holds for the text as it stands: by what its result hangs on."""
+"""Whether the recorded results of a line hold for the present text, by the content on which they depend."""
 
 from collections.abc import Iterator, Mapping
 from enum import StrEnum
@@ -15,9 +15,9 @@ METHOD = "ropsim/lineStates"
 
 
 class LineState(StrEnum):
-    """Whether the result of a line is that of the text as it stands.
+    """Whether the result of a line belongs to the present text.
 
-    `valid`: it is. `stale`: what was recorded belongs to another text. `none`: nothing was recorded.
+    `valid`: it does. `stale`: the result belongs to another text. `none`: nothing was recorded.
     """
 
     VALID = "valid"
@@ -31,8 +31,8 @@ class ToldLine:
 
     Attributes:
         line: its number, from 1.
-        state: of what was recorded of it.
-        content: key of what its result hangs on; empty while the text has errors.
+        state: of the recorded result.
+        content: key of the content on which the result depends; empty while the text has errors.
     """
 
     line: int
@@ -45,7 +45,7 @@ def line_states(
 ) -> tuple[ToldLine, ...]:
     """Return the lines of a program that have a result, in order; in a text with errors nothing is valid.
 
-    There they are those of the last text without errors, as far as they say the same.
+    In that case they are the contents of the last text without errors, as far as the lines are equal.
     """
     if not is_program(document):
         return ()
@@ -70,7 +70,7 @@ def states_message(document: Document, documents: Mapping[str, Document], worksh
 def contents_of(
     document: Document, documents: Mapping[str, Document], workshop: Workshop
 ) -> Mapping[int, str]:
-    """Return by line what its result hangs on, as `icr.line_contents` has it; nothing with errors."""
+    """Return the keys of lines, see `icr.line_contents`; empty for a text with errors."""
     around = workshop.surroundings(document, documents)
     if around.is_broken:
         return {}
@@ -83,7 +83,7 @@ def contents_of(
 def recorded_of(
     document: Document, documents: Mapping[str, Document], workshop: Workshop
 ) -> Iterator[RecordedProgram]:
-    """Yield what was recorded of the program of a document, whatever its text was, the newest run first."""
+    """Yield the recordings of the program of a document, of any version of its text, newest first."""
     around, path = workshop.surroundings(document, documents), document.path
     stamps = recordings_in(around.folder) if around.folder is not None else ()
     programs = workshop.recorded.programs(stamps)

@@ -1,4 +1,4 @@
-"""What a recorded run says of each line of its program: how long it took, and how near to limits it came."""
+"""Results of a recorded run for each line of its program: duration, and margin to limits."""
 
 import math
 from collections.abc import Mapping, Sequence
@@ -51,7 +51,7 @@ class LineTimes:
 
 
 def line_times(recording: Recording, station: StationFacts) -> Mapping[int, LineTimes]:
-    """Return the lines of the program of a station (from 1) that took time; calls tell it by their tasks."""
+    """Return the times of the lines of a station's program (from 1); a call has the time of its task."""
     spent: dict[int, dict[tuple[int, int], float]] = {}
     moves: dict[int, list[MoveEvent]] = {}
     for event in recording.events:
@@ -107,7 +107,7 @@ def seconds(durations: Sequence[float]) -> str:
 
 
 def hint_words(times: LineTimes) -> str:
-    """Return what stands at the end of a line: its time, and a joint that is near to an end of its range."""
+    """Return the words at the end of a line: its time, and a joint that is near an end of its range."""
     each = _each(min(times.durations), max(times.durations))
     many = f" x {len(times.durations)}" if len(times.durations) > 1 else ""
     margin = times.margin
@@ -116,7 +116,7 @@ def hint_words(times: LineTimes) -> str:
 
 
 def line_words(times: LineTimes, remark: str) -> str:
-    """Return all that is told of a line; `remark` says of which run."""
+    """Return all results of a line; `remark` names the run."""
     parts = [f"took {seconds(times.durations)} {remark}"]
     if times.settling >= 0.005:
         parts.append(f"{times.settling:.2f} s of it settling")

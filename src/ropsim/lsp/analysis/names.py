@@ -1,4 +1,4 @@
-"""The names that a place of a text can use, with what is shown of them."""
+"""The names that a place of a text can use, with their descriptions."""
 
 import math
 import re
@@ -23,12 +23,12 @@ class Known:
 
     Attributes:
         name: as written.
-        role: what it stands for.
+        role: its kind of value.
         text: the most important about it on one line.
         origin: `cell` or `text`.
-        where: in which frame its pose is given, empty for what has none.
-        note: what else there is to say; may be empty.
-        type: in a word of the language, where the compiler knows it; else empty.
+        where: frame of its pose, empty if it has no frame.
+        note: further remark; may be empty.
+        type: in a word of the language if the compiler has determined it; else empty.
     """
 
     name: str
@@ -50,7 +50,7 @@ def word_at(document: Document, position: Position) -> tuple[str, int] | None:
 
 
 def of_cell(around: Surroundings) -> Iterator[Known]:
-    """Yield what the cell gives names to."""
+    """Yield the names that the cell defines."""
     cell, station = around.cell, around.station
     if cell is None or station is None:
         return
@@ -72,7 +72,7 @@ def of_cell(around: Surroundings) -> Iterator[Known]:
 
 
 def of_text(uses: Uses, line: int, checked: CheckedText) -> Iterator[Known]:
-    """Yield what the text defines and a statement in line `line` (from 0) can name, tasks left out."""
+    """Yield the names that the text defines and a statement in line `line` (from 0) can use, except tasks."""
     types = variable_types(uses, checked)
     for one in uses.seen_at(line + 1).values():
         if one.role is not None and one.space is not Space.TASK:

@@ -1,4 +1,4 @@
-"""The programs beside a document: those that are open, and those of its project on the disk."""
+"""The other programs of the project of a document: open ones, and files on the disk."""
 
 from collections.abc import Iterator, Mapping
 from pathlib import Path
@@ -19,7 +19,7 @@ def is_program(document: Document) -> bool:
 def programs_of(
     document: Document, documents: Mapping[str, Document], workshop: Workshop
 ) -> Iterator[Document]:
-    """Yield the programs of the project of a document, open ones as they stand in the editor."""
+    """Yield the programs of the project of a document, open ones with their text in the editor."""
     folder = workshop.surroundings(document, documents).folder
     if folder is None:
         yield from (document,) if is_program(document) else ()

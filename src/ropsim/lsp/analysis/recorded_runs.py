@@ -1,4 +1,4 @@
-"""What the recordings in the `out` folder of a project say of the times of tasks and lines."""
+"""Times of tasks and lines in the recordings in the `out` folder of a project."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import field
@@ -8,10 +8,10 @@ from ropsim.core import RopsimError, frozen_dataclass
 from ropsim.flow import TaskEvent
 from ropsim.lsp.analysis.line_times import LineTimes, line_times
 
-#: Older recordings than so many are not looked at.
+# Number of newest recordings that are read.
 MOST = 8
 
-#: A file, and what tells that it has not changed: time of its last change, size.
+# A file and its identity: time of its last change, size.
 Stamp = tuple[Path, int, int]
 
 
@@ -23,10 +23,10 @@ class RecordedProgram:
         icr_id: identity of the code that ran.
         durations: of each call of a task, in order of time [s], by the name of the task.
         code_lines: the source line of each instruction, as `icr.code_lines` has them; empty where unknown.
-        lines: what is told of the lines that took time, by their numbers then.
+        lines: results of the lines that took time, by their numbers in the run.
         cell: content of the cell in which it ran; empty where unknown.
         source: name of its text.
-        results: what the result of each line hangs on, as `icr.line_contents` has it; empty where unknown.
+        results: content on which the result of each line depends, see `icr.line_contents`; empty if unknown.
     """
 
     icr_id: str
@@ -51,7 +51,7 @@ def recordings_in(folder: Path) -> tuple[Stamp, ...]:
 
 
 class RecordedRuns:
-    """Reads recordings once, and keeps of each project those that were asked for last and no others.
+    """Reads recordings once, and keeps the last requested ones of each project.
 
     Attributes:
         kept: the programs of recordings, by the folder that they are in.

@@ -1,4 +1,4 @@
-"""Whether a changed text does what it did: by its code, or by all that a dry run hands out."""
+"""Whether a changed text has the same behaviour: the same code, or the same instructions in a dry run."""
 
 from dataclasses import fields, replace
 
@@ -14,13 +14,13 @@ BUDGET = 100_000
 
 
 def has_same_code(document: Document, after: str, around: Surroundings, workshop: Workshop) -> bool:
-    """Return whether a document and a text in its place compile to the same code, whatever its lines."""
+    """Return whether a document and another text compile to the same code; line numbers may differ."""
     old, new = _codes(document, after, around, workshop)
     return old is not None and new is not None and old == new and is_same(_steps(old), _steps(new))
 
 
 def does_the_same(document: Document, after: str, around: Surroundings, workshop: Workshop) -> bool:
-    """Return whether dry runs of both hand out the same instructions, whoever calls for them."""
+    """Return whether dry runs of both return the same instructions."""
     old, new = _codes(document, after, around, workshop)
     if old is None or new is None:
         return False

@@ -7,7 +7,7 @@ from ropsim.workbench import CheckedText
 
 
 def type_of_meaning(meaning: Meaning, uses: Uses, checked: CheckedText) -> str:
-    """Return the type of what a name stands for, empty where nobody knows it."""
+    """Return the type of the value of a name, empty if unknown."""
     if meaning.space is not Space.SYMBOL:
         return ""
     if meaning.role is Role.PARAMETER:
@@ -19,7 +19,7 @@ def type_of_meaning(meaning: Meaning, uses: Uses, checked: CheckedText) -> str:
 
 
 def type_of_parameter(meaning: Meaning, checked: CheckedText) -> str:
-    """Return the type of a parameter of a task, empty where nobody knows it and for other names."""
+    """Return the type of a parameter of a task, empty if unknown and for other names."""
     form = checked.tasks.get(meaning.task) if meaning.role is Role.PARAMETER else None
     parameters = form.parameters if form is not None else ()
     return next((one.type for one in parameters if one.name == meaning.name), "")

@@ -1,4 +1,4 @@
-"""What is made of documents: asked of the workspace, and remembered where newer texts cannot be read."""
+"""Results for documents: queried from the workspace, and remembered for texts that cannot be read later."""
 
 from collections.abc import Mapping
 from dataclasses import field, replace
@@ -39,16 +39,16 @@ CELL_FILE, KNOWLEDGE = "cell.toml", "kb"
 #: Where a program runs that no station runs.
 NO_STATION: Mapping[str, AtStation] = MappingProxyType({"": NOWHERE})
 
-#: Lines from which on the first check of a program takes longer than a look at its lines one by one.
+# Number of lines from which the first check of a program takes longer than parsing its lines one by one.
 LONG = 1000
 
-#: Texts outside of a project end their search for a cell file after so many folders.
+# The search for a cell file of a text outside a project ends after this number of folders.
 _MAX_DEPTH = 40
 
 
 @frozen_dataclass
 class Surroundings:
-    """What a program text can name beyond itself.
+    """Names that a program text can use and does not define.
 
     Attributes:
         folder: of the project, None outside of one.
@@ -92,14 +92,13 @@ class Surroundings:
 
 
 class Workshop:
-    """Asks for findings and outlines of documents.
+    """Returns findings and outlines of documents.
 
-    What is said depends on the open texts alone; where nothing can be made of one, on the last one of it that
-    was better.
+    Results depend on the open texts alone; if a text cannot be compiled, on its last version that could.
 
     Attributes:
-        workspace: keeps what is made of texts.
-        recorded: what recordings say.
+        workspace: keeps results for texts.
+        recorded: recorded runs.
         attention: ends long work for a text where a newer one waits.
         told_tokens: name and numbers of the last answer about the words of each document.
     """
@@ -116,7 +115,7 @@ class Workshop:
 
     @property
     def lines(self) -> language.LineCache:
-        """Return what lines were parsed to, of all documents."""
+        """Return the parsed lines of all documents."""
         return self.workspace.lines
 
     def surroundings(self, document: Document, documents: Mapping[str, Document]) -> Surroundings:
@@ -139,7 +138,7 @@ class Workshop:
         return Surroundings()
 
     def named(self, document: Document, documents: Mapping[str, Document]) -> Surroundings:
-        """Return the project whose names a document can use: those of the last cell file that was right."""
+        """Return the project whose names a document can use: names of the last correct cell file."""
         around = self.surroundings(document, documents)
         return around.before or around
 
@@ -159,7 +158,7 @@ class Workshop:
             checked = self.workspace.checked(source, around.stations)
         known = self._called.get(document.uri)
         if known is not None and not checked.tasks and known.tasks and self.outline(document).tasks:
-            # too wrong to be compiled: requests are answered by what was known before
+            # the errors prevent compilation: requests are answered from the last good text
             return replace(checked, tasks=known.tasks, variables=known.variables)
         self._called[document.uri] = checked
         return checked
@@ -169,7 +168,7 @@ class Workshop:
         return tuple(language.each_place(self.checked(document, documents).diagnostics))
 
     def at_first_sight(self, document: Document) -> tuple[Diagnostic, ...] | None:
-        """Return what is wrong with single lines of a long program that has never been checked.
+        """Return the findings in single lines of a long program that has never been checked.
 
         None for other documents: they are checked as quickly.
         """
@@ -180,7 +179,7 @@ class Workshop:
     def _around_programs(
         self, folder: Path, source: SourceText, documents: Mapping[str, Document]
     ) -> tuple[Diagnostic, ...]:
-        """Return what is told at a cell file: all of its project that stands in no other text."""
+        """Return the findings of a cell file: all findings of its project that belong to no other text."""
         opened = {one.path: one for one in documents.values()}
         try:
             findings = around_programs(folder, source, partial(_text_of, folder, opened), self.workspace)
@@ -189,7 +188,7 @@ class Workshop:
         return tuple(one for one in findings if one.span is None or one.span.source == source.name)
 
     def outline(self, document: Document) -> language.Outline:
-        """Return what a document defines."""
+        """Return the definitions of a document."""
         return self.workspace.outline(_source(document))
 
     def uses(self, document: Document, documents: Mapping[str, Document]) -> language.Uses:
@@ -205,7 +204,7 @@ class Workshop:
         return language.motion_places(_source(document), line + 1, self.lines)
 
     def moves(self, document: Document, documents: Mapping[str, Document], line: int) -> LineMoves | None:
-        """Return what a line (from 0) moves first, by the last text without errors.
+        """Return the first motion of a line (from 0), by the last text without errors.
 
         None for a line without a move, and for one that has changed since then.
         """
@@ -234,7 +233,7 @@ class Workshop:
     def line_contents(
         self, document: Document, documents: Mapping[str, Document], around: tuple[str, ...], channels: str
     ) -> Mapping[int, str]:
-        """Return what results of lines hang on, see `icr.line_contents`; nothing for a text with errors."""
+        """Return the keys of lines, see `icr.line_contents`; empty for a text with errors."""
         code = self.workspace.code(_source(document), self.surroundings(document, documents).at)
         if code is None:
             return {}
@@ -251,7 +250,7 @@ class Workshop:
         return tuple(line for line in contents if good.line(line - 1) == document.line(line - 1))
 
     def forget(self, uri: str) -> None:
-        """Forget what was made of a document."""
+        """Forget the results for a document."""
         self._called.pop(uri, None)
         self._moves.pop(uri, None)
         self._contents.pop(uri, None)
@@ -295,7 +294,7 @@ class Workshop:
         return Surroundings(folder, text, robots, cell, stations, environment, tasks=tasks)
 
     def _as_it_was(self, known: Surroundings) -> Surroundings:
-        """Return surroundings that hold beside the newer text of the same cell file."""
+        """Return surroundings that stay valid with the newer text of the same cell file."""
         assert known.cell_text is not None
         text = replace(known.cell_text, name=f"{known.cell_text.name}, as it was")
         read = robots_read(known.robots)
@@ -307,7 +306,7 @@ class Workshop:
 
 
 def _are_same(known: tuple[object, object], made_of: tuple[object, object]) -> bool:
-    """Return whether an answer was made of the very same code, and of equal things beside it."""
+    """Return whether an answer was made of the identical code object and of equal other inputs."""
     return known[0] is made_of[0] and bool(known[1] == made_of[1])
 
 
@@ -321,7 +320,7 @@ def _is_cell_file(document: Document) -> bool:
 
 
 def _text_of(folder: Path, opened: Mapping[Path | None, Document], name: str) -> Reading:
-    """Return the text of a file of a project, as it is open in the editor or else on the disk."""
+    """Return the text of a file of a project, from the editor if it is open there, else from the disk."""
     path = folder / name
     if path in opened:
         return SourceText(str(path), opened[path].text), ()
@@ -329,7 +328,7 @@ def _text_of(folder: Path, opened: Mapping[Path | None, Document], name: str) ->
 
 
 def _tasks(folder: Path, opened: Mapping[Path | None, Document]) -> TaskTexts:
-    """Return the texts of tasks of a project, as they are open in the editor or else on the disk."""
+    """Return the texts of tasks of a project, from the editor if they are open there, else from the disk."""
     own = {
         path: one for path, one in opened.items() if path is not None and path.parent == folder / KNOWLEDGE
     }

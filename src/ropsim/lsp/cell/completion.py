@@ -1,4 +1,4 @@
-"""What can be written at a place of the cell file: keys that its reader knows there, and their values."""
+"""Completions at a place of the cell file: keys that its reader accepts there, and their values."""
 
 import re
 from collections.abc import Iterator
@@ -20,13 +20,13 @@ _SECTIONS = {Sort.SECTION: "[", Sort.NAMED: "[", Sort.SECTIONS: "[["}
 def proposed_in_cell(
     document: Document, position: Position, around: Surroundings, trigger: str
 ) -> list[Json]:
-    """Return what can be written at a place; what is being typed is left out of what is read.
+    """Return the completions at a place; the incomplete word at the place is not read.
 
     Args:
         document: the cell file.
         position: in it.
         around: its project.
-        trigger: the sign that has just been typed, where it is what asks: then no keys are offered.
+        trigger: the character just typed if it triggered the request: then no keys are offered.
     """
     place = unfinished_at(document.lines(), position.line, document.column(position))
     asked = asked_in(place.rest, around)
@@ -44,7 +44,7 @@ def proposed_in_cell(
 
 
 def _sections(asked: Asked, bracket: str) -> Iterator[Json]:
-    """Yield the sections of the file that begin with so many brackets."""
+    """Yield the sections of the file that begin with a number of brackets."""
     for key, question in asked.keys_of(()).items():
         if _SECTIONS.get(question.sort) == bracket:
             label = f"{key}." if question.sort is Sort.NAMED else key
@@ -52,7 +52,7 @@ def _sections(asked: Asked, bracket: str) -> Iterator[Json]:
 
 
 def _keys(asked: Asked, section: Path, there: frozenset[str]) -> Iterator[Json]:
-    """Yield the keys of a section that are not there yet, those that must be there first."""
+    """Yield the keys of a section that are not there yet, required keys first."""
     for key, question in asked.keys_of(section).items():
         path = (*section, key)
         if key in there or (not section and question.sort in _SECTIONS):

@@ -1,4 +1,4 @@
-"""What is said about a place of the cell file: meaning, form and default of a key, and where a thing is."""
+"""Hover text for a place of the cell file: meaning, form and default of a key, and pose of an entity."""
 
 from collections.abc import Iterator, Mapping
 
@@ -19,7 +19,7 @@ _LISTED = ("parts", "supplies", "objects", "sinks")
 def cell_hover(
     document: Document, position: Position, documents: Mapping[str, Document], workshop: Workshop
 ) -> tuple[str, ...]:
-    """Return what is known about a place of the cell file, nothing where it is no TOML."""
+    """Return the hover text for a place of the cell file, empty if the text is no TOML."""
     places = places_in(document)
     path = path_at(document, position, places) if places is not None else None
     if path is None:

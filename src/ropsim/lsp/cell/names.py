@@ -1,4 +1,4 @@
-"""Names that the cell file gives: which there are, where they stand in it, which one stands at a place."""
+"""Names that the cell file defines: all of them, their places in it, and the name at a place."""
 
 from collections.abc import Iterator, Mapping
 from pathlib import Path
@@ -88,7 +88,7 @@ def uses_in_cell(
 def cell_document(
     around: Surroundings, document: Document, documents: Mapping[str, Document]
 ) -> Document | None:
-    """Return the cell file around a document, as it is open or on the disk; None outside of a project."""
+    """Return the cell file around a document, from the editor or the disk; None outside a project."""
     text = around.cell_text
     if text is None:
         return None

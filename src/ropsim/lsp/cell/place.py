@@ -1,4 +1,4 @@
-"""Where a place of a cell file is: in which section, at which key, and what its reader asks for there."""
+"""Position in a cell file: section, key, and the question of its reader there."""
 
 import re
 from collections.abc import Mapping
@@ -14,18 +14,18 @@ from ropsim.workbench import robots_read
 
 @frozen_dataclass
 class Asked:
-    """What the reader of a cell file asks for.
+    """Questions of the reader of a cell file.
 
     Attributes:
         questions: by path.
-        needed: paths of what must be there.
+        needed: paths of required entries.
     """
 
     questions: Mapping[Path, Question]
     needed: frozenset[Path]
 
     def keys_of(self, section: Path) -> Mapping[str, Question]:
-        """Return what is asked for in a section, by key."""
+        """Return the questions in a section, by key."""
         found = {path[-1]: one for path, one in self.questions.items() if path[:-1] == section}
         return {key: one for key, one in found.items() if isinstance(key, str)}
 
@@ -37,7 +37,7 @@ def is_cell_file(document: Document) -> bool:
 
 
 def asked_in(text: str, around: Surroundings) -> Asked:
-    """Return what is asked for in a text of the cell file around which a project lies."""
+    """Return the questions in a text of the cell file of a project."""
     return Asked(*asked_in_cell_file(SourceText(CELL_FILE, text), robots_read(around.robots)))
 
 

@@ -1,4 +1,4 @@
-"""The sections of a cell file: as a list of what it describes, and to be folded away."""
+"""The sections of a cell file: as a list of its entities, and as folding ranges."""
 
 from collections.abc import Iterator
 from itertools import pairwise
@@ -66,7 +66,7 @@ def _sections(document: Document, places: Positions) -> Iterator[tuple[int, int,
 
 
 def _name(document: Document, places: Positions, path: Path) -> str:
-    """Return what a section is called: by the name that it has, or the one that it gives."""
+    """Return the name of a section: of its entity, or the name that it defines."""
     given = places.values.get((*path, "name"))
     if given is not None and path[0] not in NAMED:
         line = document.line(given.line - 1)

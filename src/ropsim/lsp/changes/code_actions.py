@@ -1,4 +1,4 @@
-"""What can be done about lines: mend findings, write types, name locations, change moves, make tasks."""
+"""Code actions for lines: mend findings, write types, name locations, change moves, make tasks."""
 
 import re
 from collections.abc import Iterator, Mapping
@@ -21,7 +21,7 @@ _OTHER = {"mov": ("lin", "a line"), "lin": ("mov", "a joint move")}
 def way_of_move(
     document: Document, params: InRange, documents: Mapping[str, Document], workshop: Workshop
 ) -> Iterator[Json]:
-    """Yield the change of the word of the move on a line, where it is right with the other one, too."""
+    """Yield the change of the motion word of a line if the line stays correct with it."""
     number = params.range.start.line
     found = _MOVE.match(document.line(number))
     if number != params.range.end.line or found is None:
@@ -35,7 +35,7 @@ def way_of_move(
         yield action(f"make it {way} (`{word}`)", "refactor.rewrite", document, [change])
 
 
-#: The kinds of what is offered.
+# The kinds of actions offered.
 KINDS = ("quickfix", "refactor.rewrite", "refactor.extract")
 
 _MADE = (write_types, name_location, way_of_move, extract_task)
@@ -44,7 +44,7 @@ _MADE = (write_types, name_location, way_of_move, extract_task)
 def actions(
     document: Document, params: ActionsIn, documents: Mapping[str, Document], workshop: Workshop
 ) -> list[Json]:
-    """Return what can be done, fixes of findings first; of the kinds that are asked for, where some are."""
+    """Return the code actions, fixes of findings first; only requested kinds if the request names some."""
     first, last = params.range.start.line, params.range.end.line
     found = workshop.findings(document, documents)
     near = (one for one in found if findings.touches(one.span, first, last))

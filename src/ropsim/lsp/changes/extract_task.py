@@ -1,4 +1,4 @@
-"""Makes a task of some whole lines: what they read becomes its parameters, what they give its result."""
+"""Extracts whole lines as a task: names that they read become parameters, names that they set results."""
 
 import re
 from collections.abc import Iterator, Mapping
@@ -92,7 +92,7 @@ def _taken(uses: Uses, first: int, last: int) -> list[Meaning]:
 
 
 def _given(uses: Uses, first: int, last: int) -> list[Meaning]:
-    """Return the names of the task to which lines (from 1) give a value that lines outside read."""
+    """Return the names of the task to which lines (from 1) assign a value that lines outside read."""
     written = dict.fromkeys(
         use.meaning
         for use in uses.found
@@ -103,14 +103,14 @@ def _given(uses: Uses, first: int, last: int) -> list[Meaning]:
 
 
 def _types(names: tuple[Meaning, ...], uses: Uses, checked: CheckedText) -> dict[Meaning, str] | str:
-    """Return the type of each name, or which one has none."""
+    """Return the type of each name, or the name that has no type."""
     found = {one: type_of_meaning(one, uses, checked) for one in names}
     unknown = next((one.name for one, type_ in found.items() if not type_), None)
     return f"the type of `{unknown}` is not known" if unknown is not None else found
 
 
 def _place(document: Document, uses: Uses, first: int) -> int:
-    """Return the line (from 0) above what stands outside of all blocks around a line."""
+    """Return the line (from 0) above the outermost block around a line."""
     around = [begun - 1 for begun, ended in uses.blocks if begun - 1 <= first <= ended - 1]
     place = min((*around, first))
     while place > 0 and _COMMENT.match(document.line(place - 1)):
@@ -131,14 +131,14 @@ def carried(
 ) -> Meaning | None:
     """Return a name whose value lines need from the pass before, None for none.
 
-    Such a name is written in the lines, and they do not begin by giving it a value in every pass.
+    The name is assigned in the lines, and not every pass assigns it before reading it.
 
     Args:
         document: the text.
         uses: of its names.
         first: first of the lines, from 1.
         last: last of them.
-        handed: names that a task of the lines would get and give back, so that nothing is lost.
+        handed: names that a task of the lines would receive and return, so that nothing is lost.
     """
     around = (begun for begun, ended in uses.blocks if begun < first and last <= ended)
     if all(_NO_LOOP.match(document.line(begun - 1)) for begun in around):
@@ -155,7 +155,7 @@ def carried(
 
 
 def _begins_anew(document: Document, uses: Uses, first: int, own: list[Use]) -> bool:
-    """Return whether the first use of a name gives it a value, in every pass and from nothing of its own."""
+    """Return whether the first use of a name assigns it, in every pass and from no value of its own."""
     line = own[0].span.line
     is_inner = any(first <= begun < line <= ended for begun, ended in uses.blocks)
     is_given = own[0].act is not Act.READS and _GIVES_ALWAYS.match(document.line(line - 1)) is not None

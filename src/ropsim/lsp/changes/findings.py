@@ -58,7 +58,7 @@ def fix_of(found: Diagnostic, document: Document) -> TextEdit | None:
 
 
 def fix_title(edit: TextEdit) -> str:
-    """Return what a fix does, in a few words."""
+    """Return the title of a fix, in a few words."""
     return f"replace by `{edit.replacement}`" if edit.replacement else "remove"
 
 

@@ -13,13 +13,13 @@ from ropsim.lsp.protocol.parameters import OfDocument
 _LINE = re.compile(r"[^\r\n]*(?:\r\n|\r|\n)|[^\r\n]+\Z")
 
 _Change = tuple[int, int, str]
-"""First line, line behind the last one, both from 0, and what stands there instead."""
+"""First line, line behind the last one, both from 0, and the new text."""
 
 
 def formatting(
     document: Document, _: OfDocument, _documents: Mapping[str, Document], _workshop: Workshop
 ) -> list[Json]:
-    """Return an edit for each line that has another form, in order; what has its form stays untouched."""
+    """Return an edit for each line that has another form, in order; formatted lines stay untouched."""
     if not is_program(document):
         return []
     after = formatted(document.text)

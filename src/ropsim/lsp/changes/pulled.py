@@ -1,4 +1,4 @@
-"""Findings of a document for an editor that asks for them."""
+"""Findings of a document for an editor that requests them."""
 
 from collections.abc import Mapping
 from hashlib import sha256

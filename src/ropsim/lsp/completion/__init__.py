@@ -1,1 +1,1 @@
-"""Completion and signature help: what can be written at a place of a program."""
+"""Completion and signature help: words and values at a place of a program."""

@@ -1,4 +1,4 @@
-"""Which completions are worth a list: those that change the text, and none inside a number or its unit.
+"""Completions worth a list: items that change the text, and none inside a number or its unit.
 
 Editors open a list at every letter, and many let Enter accept from it. A list that only repeats the word at
 the cursor costs the writer that Enter.
@@ -43,14 +43,14 @@ def in_number(before: str, numbers: Numbers) -> bool:
 
 
 def continues(before: str, behind: str, items: Sequence[Json]) -> bool:
-    """Return whether a list has an item that is not what stands at the place already.
+    """Return whether a list has an item that differs from the text at the place.
 
     A word that is written in full leaves only longer words that begin with it.
 
     Args:
         before: the line up to the place.
         behind: the line from the place on.
-        items: what can be written there.
+        items: completions at the place.
     """
     labels = [str(one["label"]).lower() for one in items]
     rest = re.match(r"\w*", behind, re.ASCII)

@@ -1,4 +1,4 @@
-"""Words that go on behind a whole value, by the statement in which it stands, and those of a guard."""
+"""Words that follow a whole value, by the statement around it, and words of a guard."""
 
 import re
 from collections.abc import Iterable, Iterator
@@ -27,7 +27,7 @@ _ONLY_WITH = {
     "gain": re.compile(r"\btrack\b", re.IGNORECASE),
     "timeout": re.compile(r"\buntil\b(?!.*\btimeout\b)", re.IGNORECASE),
 }
-"""What a line must have said for a word behind its target."""
+"""The line must contain this expression for a word behind its target."""
 _STATES = ("on", "off")
 _PLACED = ("above", "offset", "rel", "in")
 _LOGIC = ("and", "or", "is", "mod")
@@ -53,7 +53,7 @@ _GRID = re.compile(r"^\s*pattern\b.*\bfrom\b(?!.*\bstep\b)", re.IGNORECASE)
 
 
 def behind_value(line: str) -> Iterator[Json]:
-    """Yield what may follow a value at the end of a statement that is being typed."""
+    """Yield the words that may follow a value at the end of an incomplete statement."""
     if line.count("(") > line.count(")"):
         is_call = not MOTION.match(line)
         yield from some_words(words.INNER, (*(_PLACED if is_call else ()), "mod"), "3")
@@ -97,7 +97,7 @@ def _in_motion(line: str) -> Iterator[Json]:
 
 
 def _in_guard(condition: str) -> Iterator[Json]:
-    """Yield what follows a condition that ends a motion, or goes on with it."""
+    """Yield the words that follow a condition that ends a motion, or continue the condition."""
     more = ("is",) if _BARE.match(condition) else ("mod",) if _NUMBERS.match(condition) else ()
     yield from some_words(words.INNER, more, "1")
     yield from some_words(words.MOTIONS, ("timeout", "store"), "2")
@@ -132,7 +132,7 @@ _ORDER = {">": "until SIGNAL > value", "<": "until SIGNAL < value"}
 
 
 def begun_guard(lead: str, known: Iterable[Known]) -> list[Json] | None:
-    """Return what a motion can look at, or what an analog signal is compared by; None at other places.
+    """Return the signals that a motion can monitor, or the operators of an analog signal; else None.
 
     Args:
         lead: the statement up to the word that is being typed.

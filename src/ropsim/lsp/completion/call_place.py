@@ -28,7 +28,7 @@ class CallPlace:
     Attributes:
         form: how the task is called.
         index: of the parameter, from 0; beyond the last one where there are too many arguments.
-        typed: what stands of the argument before the place, without the name of its parameter.
+        typed: text of the argument before the place, without the name of its parameter.
         is_inner: whether the place lies in a parenthesis of the argument.
     """
 
@@ -105,7 +105,7 @@ def _place(form: TaskForm, arguments: str) -> CallPlace:
 
 
 def _outer_parts(arguments: str) -> list[str]:
-    """Return what stands between the commas outside of parentheses."""
+    """Return the texts between the commas outside parentheses."""
     parts, depth, begun = [], 0, 0
     for place, sign in enumerate(arguments):
         depth += (sign == "(") - (sign == ")")

@@ -1,4 +1,4 @@
-"""Which type of value a place of a line asks for, and which type a name of the text has."""
+"""Expected type of value at a place of a line, and type of a name of the text."""
 
 import re
 from collections.abc import Mapping
@@ -35,7 +35,7 @@ _JOINT_VERB = r"^\s*(?:\d+\.\s*)?movj?"
 _VERB = r"(?:mov[jlc]?|lin|circ|spline)"
 _GUARDED = rf"^\s*(?:\d+\.\s*)?{_VERB}\b.*\buntil\s+(?:not\s+)?\w+\s*"
 
-#: What the word before a place asks for; a `target` is a location or joint coordinates.
+# Type that the word before a place expects; a `target` is a location or joint coordinates.
 _AFTER = tuple(
     (re.compile(pattern, re.IGNORECASE), type_)
     for pattern, type_ in (
@@ -83,7 +83,7 @@ def in_call(lead: str, tasks: Mapping[str, TaskForm]) -> str:
 
 
 def expected(lead: str, tasks: Mapping[str, TaskForm]) -> str:
-    """Return the type that the end of a line asks for, empty where any may stand."""
+    """Return the type that is expected at the end of a line, empty if any is allowed."""
     typed = _TYPED.match(lead)
     if typed is not None:
         return typed[1].lower()
@@ -91,7 +91,7 @@ def expected(lead: str, tasks: Mapping[str, TaskForm]) -> str:
 
 
 def type_of(known: Known) -> str:
-    """Return the type of a name, empty where the text does not tell."""
+    """Return the type of a name, empty if the text does not determine it."""
     if known.type:
         return known.type
     if known.role is Role.LOCATION and _JOINTS.search(known.text):
@@ -108,7 +108,7 @@ def type_of(known: Known) -> str:
 
 
 def may_give(wanted: str, type_: str) -> bool:
-    """Return whether an expression with a name of a type can be of the type that is wanted; empty: any.
+    """Return whether an expression with a name of a type can have the expected type; empty: any.
 
     Locations and joint coordinates are made of nothing else, truth values of comparisons, quantities of each
     other by arithmetic, counts (`count`) of plain numbers.

@@ -1,4 +1,4 @@
-"""What completion offers in the protocol's form: values of the expected type, and components behind a dot."""
+"""Completion items in the protocol's form: values of the expected type, and components behind a dot."""
 
 import re
 from collections.abc import Iterable, Iterator, Mapping
@@ -24,11 +24,11 @@ KINDS = {
 KEYWORD, FUNCTION, UNIT, TYPE, FIELD, LITERAL, OPERATOR = 14, 3, 11, 25, 5, 12, 24
 
 NO_VALUES = (Role.FRAME, Role.TOOL, Role.PATTERN)
-"""What names of the cell and of the text stand for no value."""
+"""Roles of names of the cell and of the text that denote no value."""
 
 
 def item(label: str, kind: int, detail: str, documentation: str, group: str = "1") -> Json:
-    """Return one thing that can be written; those of a lesser group come first."""
+    """Return one completion item; items of a lesser group come first."""
     made: Json = {"label": label, "kind": kind, "detail": detail, "sortText": f"{group}{label.lower()}"}
     if documentation:
         made["documentation"] = {"kind": "plaintext", "value": documentation}
@@ -36,7 +36,7 @@ def item(label: str, kind: int, detail: str, documentation: str, group: str = "1
 
 
 def word_items(table: Mapping[str, Word], kind: int, group: str) -> Iterator[Json]:
-    """Yield words of the language with what they mean."""
+    """Yield words of the language with their meanings."""
     for name, word in table.items():
         yield item(name, kind, word.form, word.meaning, group)
 
@@ -61,12 +61,12 @@ _JOINTS = words.Word("joints(a1, …)", "Joint coordinates, that of the first ax
 
 
 def values(lead: str, known: list[Known], wanted: str) -> Iterator[Json]:
-    """Yield what can stand where a value is asked for.
+    """Yield the items for a place that expects a value.
 
     Args:
         lead: the line up to the word that is being typed.
         known: all names.
-        wanted: the type that the place asks for, empty where any may stand.
+        wanted: the expected type, empty if any is allowed.
     """
     unfit = (*NO_VALUES, *_RUNNING) if _KNOWN_BEFORE.match(lead) else NO_VALUES
     for one in known:
@@ -87,7 +87,7 @@ def values(lead: str, known: list[Known], wanted: str) -> Iterator[Json]:
 
 
 def _places(lead: str, wanted: str) -> Iterator[Json]:
-    """Yield places that have no name of their own, and the word before those on the way."""
+    """Yield places without a name, and the word before via points."""
     is_run = _KNOWN_BEFORE.match(lead) is None
     if wanted in ("", "loc", "target") and is_run:
         yield from some_words(words.INNER, ("here",), "1" if wanted else "3")
@@ -106,7 +106,7 @@ _INDICES = ("col", "row", "layer")
 
 
 def members(lead: str, known: Iterable[Known]) -> Iterator[Json]:
-    """Yield the components of the name that a line ends with; those of a location where nobody knows it.
+    """Yield the components of the name that a line ends with; of a location if the type is unknown.
 
     Args:
         lead: the line up to the word that is being typed, with the dot.

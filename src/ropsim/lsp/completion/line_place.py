@@ -1,4 +1,4 @@
-"""What may stand where a line ends that is being typed."""
+"""Completions at the end of an incomplete line."""
 
 import re
 from collections.abc import Mapping
@@ -10,7 +10,7 @@ from ropsim.lsp.completion.call_place import call_place
 
 
 class Place(Enum):
-    """What is offered at the end of a line."""
+    """Completions at the end of a line."""
 
     NOTHING = "nothing"
     UNITS = "units of bare numbers"
@@ -80,7 +80,7 @@ def statement_of(line: str) -> str:
 
 
 def place_of(lead: str, tasks: Mapping[str, TaskForm]) -> Place:
-    """Return what may stand at the end of a line.
+    """Return the completions at the end of a line.
 
     Args:
         lead: the statement up to the word that is being typed.

@@ -1,4 +1,4 @@
-"""Words of which one has to follow at a place of a statement, whatever names there are."""
+"""Words of which one must follow at a place of a statement, independent of the names in scope."""
 
 import re
 from collections.abc import Iterator
@@ -17,7 +17,7 @@ class _Next:
         line: which lines they follow.
         words: the likeliest first.
         form: how it is written.
-        meaning: what is said of them.
+        meaning: description of the words.
     """
 
     line: re.Pattern[str]

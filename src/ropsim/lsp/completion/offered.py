@@ -1,4 +1,4 @@
-"""What can stand where a line ends that is typed behind a text, for command lines without an editor."""
+"""Completions at the end of a line behind a text, for command lines without an editor."""
 
 from collections.abc import Mapping
 from pathlib import Path
@@ -12,7 +12,7 @@ _WORD = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_"
 
 
 def begun_word(line: str) -> str:
-    """Return the word at the end of a line, as far as it stands there."""
+    """Return the incomplete word at the end of a line."""
     return line[len(line.rstrip(_WORD)) :]
 
 
@@ -22,10 +22,10 @@ def offered(
     """Return the words that can end a line, as far as they begin like the word there, in their order.
 
     Args:
-        text: what the line continues.
+        text: text before the line.
         line: up to the place where one types.
-        place: file that the text would have; the project around it gives names.
-        workshop: knows what was made of the texts there.
+        place: file that the text would have; the project around it supplies names.
+        workshop: results for the texts there.
         unsaved: texts that count instead of files.
     """
     whole = f"{text}\n{line}"

@@ -1,4 +1,4 @@
-"""What can be written at a place: words of the language, tasks, and names of cell and text."""
+"""Completions at a place: words of the language, tasks, and names of cell and text."""
 
 import re
 import string
@@ -62,10 +62,10 @@ _ROLES = {
 def completions(
     document: Document, params: CompletionAt, documents: Mapping[str, Document], workshop: Workshop
 ) -> Json:
-    """Return what can be written at a place, the likeliest first.
+    """Return the completions at a place, the likeliest first.
 
-    The list is whole, unless there is none for now: in a number or unit, and where all that fits stands there
-    already. What is typed next may then have one.
+    The list is complete, except if it is empty: in a number or unit, or if the text at the place already is
+    the only completion. The next character may then change it.
     """
     trigger = params.context.trigger_character if params.context is not None else None
     line, column = document.line(params.position.line), document.column(params.position)
@@ -84,14 +84,15 @@ def proposed(
     workshop: Workshop,
     trigger: str = "",
 ) -> list[Json]:
-    """Return what can be written at a place, the likeliest first.
+    """Return the completions at a place, the likeliest first.
 
     Args:
         document: where.
         position: in it.
-        documents: all that are open.
-        workshop: knows what was made of them.
-        trigger: the sign that has just been typed, where it is what asks; empty for a word or by wish.
+        documents: all open documents.
+        workshop: results for the documents.
+        trigger: the character just typed if it triggered the request; empty for a word or an explicit
+            request.
     """
     if document.is_task_text:
         return proposed_in_tasks(document, position, workshop.surroundings(document, documents).tasks)
@@ -132,7 +133,7 @@ def proposed(
 
 
 def _table_of(role: Role) -> Role | None:
-    """Return where names of a role are looked for: frames and tools apart from all others."""
+    """Return the table that contains the names of a role: frames and tools have their own."""
     return role if role in (Role.FRAME, Role.TOOL) else None
 
 

@@ -15,19 +15,19 @@ _LIMITS = {"speed": ("speed", "angular speed"), "accel": ("accel",)}
 
 
 def own_units(text: str) -> frozenset[str]:
-    """Return the units that a text gives to bare numbers; without any millimetres, degrees and seconds."""
+    """Return the units that a text assigns to bare numbers; by default millimetres, degrees and seconds."""
     found = _OWN.search(text)
     named = re.findall(r"[A-Za-z][\w/]*", found[1], re.ASCII) if found is not None else ()
     return frozenset(named) or frozenset(("mm", "deg", "s"))
 
 
 def ordered_units(lead: str, tasks: Mapping[str, TaskForm], own: Iterable[str]) -> list[str]:
-    """Return all units: those that fit the place first, and of these those of the text.
+    """Return all units: units that fit the place first, and among these the units of the text.
 
     Args:
         lead: the line up to the unit.
         tasks: how each task is called.
-        own: units that the text gives to bare numbers.
+        own: units that the text assigns to bare numbers.
     """
     fitting = [unit for group in _wanted(lead, tasks) for unit in UNITS_OF[group]]
     known = frozenset(own)
@@ -41,7 +41,7 @@ def is_counted(lead: str) -> bool:
 
 
 def _own_first(units: list[str], own: frozenset[str]) -> list[str]:
-    """Return units in their order, but those of the text, and quotients of them, first."""
+    """Return units in their order, but units of the text, and their quotients, first."""
     return sorted(units, key=lambda unit: unit not in own and unit.partition("/")[0] not in own)
 
 

@@ -5,7 +5,7 @@ from ropsim.core import frozen_dataclass
 
 @frozen_dataclass
 class Word:
-    """A word, how it is written, and what it means."""
+    """A word, its spelling, and its meaning."""
 
     form: str
     meaning: str
@@ -164,7 +164,7 @@ TYPES: dict[str, Word] = {
 
 
 def meaning_of(name: str) -> Word | None:
-    """Return what a word of the language means, in any case of its letters; None for other words."""
+    """Return the meaning of a word of the language, in any case of its letters; None for other words."""
     word = name.lower()
     for table in (STATEMENTS, INNER, LOCATIONS, MOTIONS, MODIFIERS, FUNCTIONS, TURNS, TYPES):
         if word in table:

@@ -1,4 +1,4 @@
-"""What can be folded away: tasks, blocks of statements, and comments of several lines."""
+"""Folding ranges: tasks, blocks of statements, and comments of several lines."""
 
 import re
 from collections.abc import Iterator, Mapping

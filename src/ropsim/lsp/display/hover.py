@@ -1,4 +1,4 @@
-"""What is said about the word or the move under the pointer, as Markdown."""
+"""Hover text for the word or the move under the pointer, as Markdown."""
 
 import re
 from collections.abc import Iterator, Mapping
@@ -36,7 +36,7 @@ _ROLES = {
 def hover(
     document: Document, params: AtPosition, documents: Mapping[str, Document], workshop: Workshop
 ) -> Json | None:
-    """Return what is known about a place, None for nothing."""
+    """Return the hover text for a place, None if there is none."""
     position = params.position
     found = names.word_at(document, position)
     parts = [*_finding(document, position, documents, workshop)]
@@ -84,7 +84,7 @@ def _about(
 def _of_run(
     document: Document, position: Position, documents: Mapping[str, Document], workshop: Workshop
 ) -> Iterator[str]:
-    """Yield what the line took in the last recorded run of the program."""
+    """Yield the duration of the line in the last recorded run of the program."""
     run = last_run(document, documents, workshop)
     times = run.lines.get(position.line + 1) if run is not None else None
     if run is not None and times is not None:
@@ -94,7 +94,7 @@ def _of_run(
 def _of_text(
     meaning: Meaning, document: Document, documents: Mapping[str, Document], workshop: Workshop
 ) -> Iterator[str]:
-    """Yield what is known of a name that the text defines."""
+    """Yield the hover text of a name that the text defines."""
     checked = workshop.checked(document, documents)
     outline = workshop.outline(document)
     if meaning.space is Space.TASK:
@@ -119,7 +119,7 @@ def _of_text(
 def _of_cell(
     found: FoundName, document: Document, documents: Mapping[str, Document], workshop: Workshop
 ) -> Iterator[str]:
-    """Yield what is known of a name that the cell gives, or a task that lies elsewhere."""
+    """Yield the hover text of a name that the cell defines, or of a task in another file."""
     form = workshop.checked(document, documents).tasks.get(found.name) if found.space is Space.TASK else None
     if form is not None:
         yield code(names.task_words(form))
@@ -141,7 +141,7 @@ def _stands_in_world(station: Station | None) -> bool:
 
 
 def _of_task(name: str, tasks: TaskTexts) -> Iterator[str]:
-    """Yield what is known of a task of a knowledge base: how it is called, what it is for, where it is."""
+    """Yield the hover text of a task of a knowledge base: call, purpose, place."""
     told = tasks.told.get(name)
     if told is not None:
         yield code(f"task {told}")
@@ -153,7 +153,7 @@ def _of_task(name: str, tasks: TaskTexts) -> Iterator[str]:
 def _finding(
     document: Document, position: Position, documents: Mapping[str, Document], workshop: Workshop
 ) -> list[str]:
-    """Return what kind of finding marks a place."""
+    """Return the kinds of the findings at a place."""
     column = document.column(position)
     for one in workshop.findings(document, documents):
         span = one.span
@@ -173,7 +173,7 @@ _MARKS = re.compile(r"([\\`*_{}\[\]<>#|&])")
 
 
 def plain(text: str) -> str:
-    """Return text of a user so that Markdown shows it as it stands."""
+    """Return text of a user, escaped so that Markdown shows it literally."""
     return _MARKS.sub(r"\\\1", text)
 
 

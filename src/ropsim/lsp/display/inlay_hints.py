@@ -1,4 +1,4 @@
-"""What a program does not write: types of its names, times of its lines and of its tasks in the last run."""
+"""Inlay hints of a program: types of its names, times of its lines and tasks in the last run."""
 
 from collections.abc import Iterator, Mapping
 
@@ -18,7 +18,7 @@ _TYPE = 1
 def inlay_hints(
     document: Document, params: InRange, documents: Mapping[str, Document], workshop: Workshop
 ) -> list[Json]:
-    """Return the types of the names that some lines define without one, and what these lines took."""
+    """Return the types of the names that some lines define without one, and the durations of these lines."""
     if not is_program(document):
         return []
     first, last = params.range.start.line, params.range.end.line

@@ -19,7 +19,7 @@ _ONE_PATH = ("circ", "spline")
 def motion_hover(
     document: Document, position: Position, documents: Mapping[str, Document], workshop: Workshop
 ) -> str:
-    """Return where a motion goes, or what it passes where the pointer is on that; empty for nothing."""
+    """Return the destination of a motion, or the via point under the pointer; empty if there is none."""
     motion = workshop.motion(document, position.line)
     line = motion.line - 1 if motion is not None else position.line
     moves = workshop.moves(document, documents, line)

@@ -1,4 +1,4 @@
-"""What each word of a program is, for colours by meaning: in numbers relative to the word before."""
+"""Kind of each word of a program, for colours by meaning: in numbers relative to the word before."""
 
 from collections.abc import Iterator, Mapping
 from hashlib import sha256
@@ -75,7 +75,7 @@ def tokens_in(
 def tokens_since(
     document: Document, params: TokensSince, documents: Mapping[str, Document], workshop: Workshop
 ) -> Json:
-    """Return what has changed since an earlier answer, or all where that is not the last one."""
+    """Return the changes since an earlier answer, or all tokens if that is not the last one."""
     before = workshop.told_tokens.get(document.uri)
     name, data = _kept(document, documents, workshop)
     if before is None or before[0] != params.previous_result_id:
@@ -99,7 +99,7 @@ def tokens_since(
 def _kept(
     document: Document, documents: Mapping[str, Document], workshop: Workshop
 ) -> tuple[str, tuple[int, ...]]:
-    """Return name and numbers of the present answer, which is remembered for what changes since."""
+    """Return name and numbers of the present answer, which is remembered to compute later changes."""
     data = tuple(_data(_tokens(document, documents, workshop), document))
     name = sha256(repr(data).encode()).hexdigest()[:16]
     workshop.told_tokens[document.uri] = (name, data)
@@ -123,7 +123,7 @@ def _tokens(document: Document, documents: Mapping[str, Document], workshop: Wor
 
 
 def _type(meaning: Meaning, of_cell: set[tuple[Space, str]], signals: frozenset[str]) -> str:
-    """Return what a name is to an editor, empty for one that nobody defines."""
+    """Return the kind of a name for the editor, empty for an undefined name."""
     if meaning.role is not None:
         return _ROLES[meaning.role]
     if (meaning.space, meaning.name) not in of_cell:

@@ -12,7 +12,7 @@ from ropsim.lsp.protocol.document import Document
 from ropsim.lsp.protocol.messages import Json
 from ropsim.lsp.protocol.parameters import OfDocument, SymbolQuery
 
-#: Numbers of the protocol for what a name stands for.
+# Numbers of the protocol for the kinds of names.
 KINDS = {
     Role.TASK: 12,
     Role.PARAMETER: 13,
@@ -65,7 +65,7 @@ MOST = 1000
 def workspace_symbols(
     params: SymbolQuery, documents: Mapping[str, Document], workshop: Workshop
 ) -> list[Json]:
-    """Return what is defined in the projects of the open documents and has the letters asked for."""
+    """Return the definitions in the projects of the open documents that match the query."""
     programs = {
         program.uri: program
         for document in documents.values()

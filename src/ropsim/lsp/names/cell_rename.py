@@ -31,7 +31,7 @@ def span_of_cell(
 def renamed_in_project(
     document: Document, found: FoundName, new: str, documents: Mapping[str, Document], workshop: Workshop
 ) -> Json | Refusal:
-    """Return the edits that give a name of the cell another one, or why that cannot be.
+    """Return the edits that rename a name of the cell, or why that cannot be.
 
     Every program that names it is read once more with the new name: it must use all names as before.
     """
@@ -77,7 +77,7 @@ def _edit(document: Document, span: Span, new: str) -> Json:
 
 
 def _in_tasks(name: str, around: Surroundings) -> Refusal | None:
-    """Return which text of tasks may name it: what that means cannot be told from its words."""
+    """Return a text of tasks that may use the name: its meaning there cannot be determined from the words."""
     word = re.compile(rf"\b{re.escape(name)}\b")
     for text in around.tasks.own:
         for number, line in enumerate(text.lines, 1):

@@ -1,4 +1,4 @@
-"""What the name at a place stands for: in a program by its uses, in a cell file by its tables."""
+"""Meaning of the name at a place: in a program by its uses, in a cell file by its tables."""
 
 from collections.abc import Iterator, Mapping
 
@@ -17,7 +17,7 @@ class FoundName:
     """A name at a place.
 
     Attributes:
-        space: among which names it is looked for.
+        space: name space of the name.
         name: as written.
         meaning: in the program; None in a cell file.
         use: the place in the program; None in a cell file.
@@ -34,7 +34,7 @@ class FoundName:
 def found_name(
     document: Document, position: Position, documents: Mapping[str, Document], workshop: Workshop
 ) -> FoundName | None:
-    """Return what name stands at a place, None for none."""
+    """Return the name at a place, None if there is none."""
     around = workshop.named(document, documents)
     if not is_program(document):
         named = name_at(document, position, around)

@@ -25,7 +25,7 @@ def unread(document: Document, found: FoundName, uses: Uses) -> Refusal | None:
 
 
 def wrong(new: str, found: FoundName) -> Refusal | None:
-    """Return what is wrong with a new name by itself."""
+    """Return the error in a new name, regardless of other names."""
     if not _NAME.fullmatch(new):
         return Refusal(f"`{new}` is no name: letters, digits and `_`, and no digit first")
     if len(new) > LONGEST:
@@ -40,7 +40,7 @@ def wrong(new: str, found: FoundName) -> Refusal | None:
 
 
 def clash(new: str, uses: Uses, of_cell: frozenset[tuple[Space, str]]) -> Refusal | None:
-    """Return what else has the new name already."""
+    """Return the other entity that already has the new name."""
     if any(name == new for _, name in of_cell):
         return Refusal(f"the cell has the name `{new}`")
     for one in uses.meanings():
@@ -72,7 +72,7 @@ def keeps(uses: Uses, after: Uses, found: FoundName, new: str) -> bool:
 
 
 def _shape(uses: Uses, renamed: Meaning | None = None, new: str = "") -> list[tuple[int, str, str, int]]:
-    """Return what stands where: line, name, act, and the number of its meaning."""
+    """Return the uses of names: line, name, act, and the number of the meaning."""
     numbers = {meaning: number for number, meaning in enumerate(uses.meanings())}
     return [
         (

@@ -17,7 +17,7 @@ from ropsim.lsp.protocol.parameters import AtPosition, ReferencesAt
 def definition(
     document: Document, params: AtPosition, documents: Mapping[str, Document], workshop: Workshop
 ) -> Json | None:
-    """Return the place where the name at a place is defined, None where nobody knows."""
+    """Return the place where the name at a place is defined, None if unknown."""
     if document.is_task_text:
         tasks = workshop.surroundings(document, documents).tasks
         word = word_at(document, params.position)
@@ -36,7 +36,7 @@ def definition(
 def references(
     document: Document, params: ReferencesAt, documents: Mapping[str, Document], workshop: Workshop
 ) -> list[Json]:
-    """Return the places of a name, without those that define it where they are not asked for."""
+    """Return the places of a name; its definitions only if they are requested."""
     found = found_name(document, params.position, documents, workshop)
     if found is None:
         return []
@@ -51,7 +51,7 @@ _READ, _WRITE = 2, 3
 def highlights(
     document: Document, params: AtPosition, documents: Mapping[str, Document], workshop: Workshop
 ) -> list[Json]:
-    """Return the places, told apart by whether they read or give a value."""
+    """Return the places, distinguished by reading and writing access."""
     found = found_name(document, params.position, documents, workshop)
     if found is None:
         return []

@@ -33,7 +33,7 @@ def prepare_rename(
 def rename(
     document: Document, params: RenameAt, documents: Mapping[str, Document], workshop: Workshop
 ) -> Json | Refusal:
-    """Return the edits that give a name another one at all its places, or why that cannot be.
+    """Return the edits that rename a name at all its places, or why that cannot be.
 
     The new text is read once more: where one of its places would mean something else than before, the name is
     refused.

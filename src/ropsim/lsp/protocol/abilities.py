@@ -1,4 +1,4 @@
-"""What an editor says of itself when it begins, as far as the server heeds it."""
+"""Capabilities that an editor declares at the start, as far as the server uses them."""
 
 from collections.abc import Sequence
 
@@ -13,16 +13,16 @@ def encoding_of(params: object) -> str:
 
 
 def pulls_of(params: object) -> bool:
-    """Return whether the editor asks for findings itself and can be told to ask again.
+    """Return whether the editor requests findings itself and supports a refresh request.
 
-    One that cannot be told would not know of what a change of the cell means for its programs.
+    An editor without refresh would not notice findings of programs that a change of the cell causes.
     """
     asks = isinstance(_at(params, ("capabilities", "textDocument", "diagnostic")), dict)
     return asks and _at(params, ("capabilities", "workspace", "diagnostics", "refreshSupport")) is True
 
 
 def marks_lines_of(params: object) -> bool:
-    """Return whether the editor shows which results of lines are those of the text: it says so itself."""
+    """Return whether the editor shows which results of lines are valid for the text: it declares so."""
     return _at(params, ("capabilities", "experimental", "ropsimLineStates")) is True
 
 

@@ -1,4 +1,4 @@
-"""Long work gives way: what is worked out for a text ends where the editor has sent a newer one meanwhile."""
+"""Cancellation of long work: the computation for a text ends when the editor has sent a newer one."""
 
 from collections.abc import Callable, Mapping
 
@@ -7,7 +7,7 @@ from ropsim.icr import Arm, PassingWorld
 
 
 class SupersededError(Exception):
-    """A newer text waits to be looked at."""
+    """A newer text waits to be processed."""
 
 
 def nobody_calls() -> bool:
@@ -16,10 +16,10 @@ def nobody_calls() -> bool:
 
 
 class Attention:
-    """Looks whether something waits that is more urgent than what is being done.
+    """Checks whether a more urgent message waits.
 
     Attributes:
-        is_called: tells whether it does.
+        is_called: returns whether a message waits.
     """
 
     __slots__ = ("is_called",)
@@ -28,7 +28,7 @@ class Attention:
         self.is_called: Callable[[], bool] = nobody_calls
 
     def look(self) -> None:
-        """Look up from the work.
+        """Check for a waiting message.
 
         Raises:
             SupersededError: a newer text waits.
@@ -39,12 +39,12 @@ class Attention:
     def world(
         self, inputs: Mapping[str, bool | int | float] | None = None, arm: Arm | None = None
     ) -> "AttentiveWorld":
-        """Return a world for a dry run that gives way; see `PassingWorld`."""
+        """Return a world for a dry run that can be cancelled; see `PassingWorld`."""
         return AttentiveWorld(self, inputs, arm)
 
 
 class AttentiveWorld(PassingWorld):
-    """A world in which a dry run looks up at each of its robot instructions.
+    """A world in which a dry run checks for messages at each of its robot instructions.
 
     Args:
         attention: looks.
@@ -62,7 +62,7 @@ class AttentiveWorld(PassingWorld):
         self._attention = attention
 
     def carry_out(self, instruction: Instruction) -> None:
-        """Look up, then do what a still world does.
+        """Check for messages, then act as a world at rest.
 
         Raises:
             SupersededError: a newer text waits.

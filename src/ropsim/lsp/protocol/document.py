@@ -33,7 +33,7 @@ class Document:
         version: as the editor counts.
         text: all characters, line ends included.
         encoding: in which units positions of the protocol count, one of `ENCODINGS`.
-        starts: offset of the first character of each line; found where nobody gives it.
+        starts: offset of the first character of each line; computed if not passed.
     """
 
     uri: str
@@ -56,7 +56,7 @@ class Document:
             from urllib.request import url2pathname
 
             return Path(url2pathname(parts.path))
-        return Path(unquote(parts.path))  # what that does elsewhere, without its clients of HTTP and TLS
+        return Path(unquote(parts.path))  # other systems, without importing HTTP and TLS
 
     @property
     def name(self) -> str:

@@ -30,7 +30,7 @@ class FrameReader:
         self._skip = 0
 
     def feed(self, data: bytes) -> list[bytes | FrameFault]:
-        """Take the next bytes and return what they complete."""
+        """Take the next bytes and return the messages that they complete."""
         self._buffer += data
         found: list[bytes | FrameFault] = []
         while (one := self._next()) is not None:

@@ -1,4 +1,4 @@
-"""Messages that wait, with the requests among them that the editor does not want any more."""
+"""Messages that wait, with the requests among them that the editor has cancelled."""
 
 from collections import deque
 
@@ -11,7 +11,7 @@ class Ended:
     """The end of the stream."""
 
 
-#: What may wait; None for an answer, on which nothing depends.
+# A waiting message; None for a response, on which nothing depends.
 Message = Call | Fault | Ended | None
 
 CANCEL, CHANGE = "$/cancelRequest", "textDocument/didChange"
@@ -33,7 +33,7 @@ class Inbox:
 
     @property
     def asks_next(self) -> bool:
-        """Return whether the message that has waited longest asks for something about texts."""
+        """Return whether the message that has waited longest is a request about texts."""
         first = self._waiting[0] if self._waiting else None
         return isinstance(first, Call) and first.is_request and first.method != "shutdown"
 

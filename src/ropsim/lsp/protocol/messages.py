@@ -1,4 +1,4 @@
-"""JSON-RPC: what comes in told apart, what goes out put into form."""
+"""JSON-RPC: incoming messages are classified, outgoing ones formatted."""
 
 from enum import IntEnum
 
@@ -58,7 +58,7 @@ class Refusal:
 
 
 def read_message(body: bytes) -> Call | Fault | None:
-    """Return what a message body says; None for answers, on which nothing depends."""
+    """Return the content of a message body; None for responses, on which nothing depends."""
     try:
         message = msgspec.json.decode(body)
     except (msgspec.DecodeError, RecursionError, UnicodeDecodeError) as error:

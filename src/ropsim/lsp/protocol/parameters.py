@@ -1,4 +1,4 @@
-"""Parameters of the methods that the server knows; names as in the protocol, unknown members are ignored."""
+"""Parameters of the supported methods; names as in the protocol, unknown members are ignored."""
 
 import msgspec
 
@@ -25,7 +25,7 @@ class Range(msgspec.Struct, frozen=True):
 
 
 class TextDocumentItem(msgspec.Struct, frozen=True, rename="camel"):
-    """A document as it is opened."""
+    """A document at its opening."""
 
     uri: str
     text: str
@@ -61,20 +61,20 @@ class DidChange(msgspec.Struct, frozen=True, rename="camel"):
 
 
 class OfDocument(msgspec.Struct, frozen=True, rename="camel"):
-    """Methods that ask about a whole document."""
+    """Methods about a whole document."""
 
     text_document: VersionedDocument
 
 
 class AtPosition(msgspec.Struct, frozen=True, rename="camel"):
-    """Methods that ask about a place."""
+    """Methods about a place."""
 
     text_document: VersionedDocument
     position: Position
 
 
 class CompletionContext(msgspec.Struct, frozen=True, rename="camel"):
-    """Why completion is asked for."""
+    """Reason of a completion request."""
 
     trigger_character: str | None = None
 
@@ -86,14 +86,14 @@ class CompletionAt(AtPosition, frozen=True, rename="camel"):
 
 
 class InRange(msgspec.Struct, frozen=True, rename="camel"):
-    """Methods that ask about a stretch."""
+    """Methods about a range of lines."""
 
     text_document: VersionedDocument
     range: Range
 
 
 class ReferenceContext(msgspec.Struct, frozen=True, rename="camel"):
-    """What is asked for beside the uses."""
+    """Requested places in addition to the uses."""
 
     include_declaration: bool = True
 
@@ -117,7 +117,7 @@ class SymbolQuery(msgspec.Struct, frozen=True):
 
 
 class ActionContext(msgspec.Struct, frozen=True):
-    """Which kinds of actions are asked for; None for all."""
+    """Requested kinds of actions; None for all."""
 
     only: list[str] | None = None
 
