@@ -15,8 +15,8 @@ if TYPE_CHECKING:
     import argparse
 
 
-#: New objects between two searches for garbage: what a command loads stays, and to look through it again and
-#: again is a tenth of its start.
+# New objects between two searches for garbage: modules of a command stay, and traversing them repeatedly
+# takes a tenth of its start.
 _GARBAGE_AFTER = 100_000
 
 
@@ -24,7 +24,7 @@ def entry() -> None:
     """Run the command line of this process and exit."""
     gc.set_threshold(_GARBAGE_AFTER, 10, 10)
     code = main(sys.argv[1:])
-    gc.freeze()  # the end of the process looks for garbage twice more: a tenth of a short run
+    gc.freeze()  # the end of the process collects garbage twice more: a tenth of a short run
     sys.exit(code)
 
 

@@ -1,4 +1,4 @@
-"""Robots in formats of others: URDF, xacro, MJCF, SDFormat, AP242; every way tells what does not go over."""
+"""Robots in other formats: URDF, xacro, MJCF, SDFormat, AP242; every conversion reports its losses."""
 
 from ropsim.exchange.files.folder import ReadOptions as ReadOptions
 from ropsim.exchange.files.folder import RobotFolder as RobotFolder

@@ -1,4 +1,4 @@
-"""The own format beside those of others; what reads and writes it is loaded when it is first used."""
+"""Access to the own format in addition to other formats; its reader and writer are loaded on first use."""
 
 from typing import TYPE_CHECKING
 
@@ -27,7 +27,7 @@ def write_nirox(robot: RobotModel, beside: "Beside | None" = None) -> WrittenRob
 
     Args:
         robot: to be written.
-        beside: what the file that it comes from said besides; None for nothing.
+        beside: other data of the file that it comes from; None for none.
 
     Raises:
         MechanismError: the robot cannot be.
@@ -38,10 +38,10 @@ def write_nirox(robot: RobotModel, beside: "Beside | None" = None) -> WrittenRob
 
 
 def kept_lost(beside: "Beside") -> tuple[Diagnostic, ...]:
-    """Return what is lost where a robot leaves the format that keeps what its file said besides.
+    """Return the losses of a robot that leaves the format that keeps the other data of its file.
 
     Args:
-        beside: what a NIROX file, or one of AP242, said beside its robot.
+        beside: other data of a NIROX file, or one of AP242.
     """
     if not beside.numbers:
         return ()

@@ -92,7 +92,7 @@ def _gravity(root: Element, notes: Notes) -> tuple[float, float, float]:
 
 
 def _home(root: Element, connections: tuple[Connection, ...]) -> Iterable[tuple[str, float]]:
-    """Yield the coordinates of the first key frame, if it has one for each joint."""
+    """Yield the coordinates of the first key frame, if complete."""
     keys = [key for frame in root.all("keyframe") for key in frame.all("key") if "qpos" in key.attributes]
     moving = [one.name for one in connections if one.motion is not Motion.NONE]
     if keys:

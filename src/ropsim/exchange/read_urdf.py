@@ -22,7 +22,7 @@ def read_urdf(source: SourceText, options: ReadOptions = STANDARD) -> ReadRobot:
     """Return the robot of a URDF or xacro file.
 
     The file is read as version 1.2 of the format defines it. Links that are fixed to each other become one;
-    the chain to the tip and what is coupled to it become joints of the model; see X993 for the others.
+    the chain to the tip and joints coupled to it become joints of the model; see X993 for the others.
 
     Args:
         source: the file.

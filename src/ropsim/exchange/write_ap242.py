@@ -1,4 +1,4 @@
-"""A robot becomes a plain mechanism of AP242 (ISO 10303-242), and what that cannot say is told."""
+"""Writer of a robot as a plain mechanism of AP242 (ISO 10303-242); losses are reported."""
 
 from collections.abc import Iterable
 from math import isfinite
@@ -14,7 +14,7 @@ _GRAVITY = [0.0, 0.0, -9.81]
 
 
 def write_ap242(robot: RobotModel) -> WrittenRobot:
-    """Return the mechanism of a robot as a file of AP242, without what only NIROX has, and what is lost so.
+    """Return the mechanism of a robot as a file of AP242, without data that only NIROX has, and the losses.
 
     Raises:
         MechanismError: the robot cannot be.
@@ -45,7 +45,7 @@ def _losses(robot: RobotModel) -> Iterable[Diagnostic]:
 
 
 def _motion_losses(robot: RobotModel) -> Iterable[Diagnostic]:
-    """Yield what moves differently on the other side."""
+    """Yield the losses that change the motion."""
     followers = _coupled(robot)
     for name, words in followers.items():
         told = f"joint `{name}` is an axis of its own on the other side; here {words}"
@@ -79,7 +79,7 @@ def _coupled(robot: RobotModel) -> dict[str, str]:
 
 
 def _axis_losses(robot: RobotModel) -> Iterable[Diagnostic]:
-    """Yield what is known of the axes beside their ranges."""
+    """Yield the losses of data of axes other than their ranges."""
     joints, drives = robot.axis_joints, robot.drives
     hint = "give them to the controller on the other side"
     limits = f"greatest speeds, accelerations and jerks of axes {listed(one.name for one in joints)}"

@@ -1,4 +1,4 @@
-"""A robot becomes MJCF, and what MJCF cannot say is told."""
+"""Writer of MJCF; losses are reported."""
 
 from collections.abc import Iterable, Mapping
 
@@ -28,7 +28,7 @@ _LEAST = "1e-12"
 
 
 class _Writer:
-    """What the bodies of one robot are written with."""
+    """Context for writing the bodies of one robot."""
 
     def __init__(self, robot: RobotModel) -> None:
         self.robot = robot
@@ -79,7 +79,7 @@ class _Writer:
 
 
 def write_mjcf(robot: RobotModel) -> WrittenRobot:
-    """Return the MJCF of a robot, and what of it that does not hold.
+    """Return the MJCF of a robot, and its losses.
 
     Links are called after the joints that move them, the body `base_link` stands still, and the site `flange`
     is the mechanical interface. Coordinates that follow axes are held by equality constraints, which are

@@ -1,4 +1,4 @@
-"""A robot becomes SDFormat, and what that cannot say is told."""
+"""Writer of SDFormat; losses are reported."""
 
 from collections.abc import Iterable
 
@@ -24,7 +24,7 @@ VERSION = "1.11"
 
 
 def write_sdf(robot: RobotModel) -> WrittenRobot:
-    """Return the SDFormat model of a robot that stands on the world, and what of it that does not hold.
+    """Return the SDFormat model of a robot that stands on the world, and its losses.
 
     Links are called after the joints that move them, `base_link` is fixed to the world, and the frame
     `flange` is the mechanical interface. A joint with several freedoms becomes several joints.

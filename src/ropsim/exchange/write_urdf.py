@@ -1,4 +1,4 @@
-"""A robot becomes URDF, and what URDF cannot say is told."""
+"""Writer of URDF; losses are reported."""
 
 from collections.abc import Iterable
 from dataclasses import replace
@@ -20,7 +20,7 @@ from ropsim.model import JointType, Link, RobotModel, WrittenRobot
 
 
 def write_urdf(robot: RobotModel) -> WrittenRobot:
-    """Return the URDF of a robot, and what of it that does not hold.
+    """Return the URDF of a robot, and its losses.
 
     Links are called after the joints that move them, `base_link` stands still, and `flange` is the mechanical
     interface. A joint with several freedoms becomes several joints. The same robot has the same text.

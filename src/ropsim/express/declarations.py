@@ -19,7 +19,7 @@ class WhereRule:
 
     @property
     def is_doubt(self) -> bool:
-        """Return whether what breaks it is only doubtful: its label begins with `doubt`."""
+        """Return whether a violation is only a doubt: its label begins with `doubt`."""
         return self.label.startswith("doubt")
 
 
@@ -30,7 +30,7 @@ class Attribute:
     Attributes:
         name: in lower case.
         type: of its value.
-        optional: whether it may have none.
+        optional: whether it may be unset.
         redeclares: the supertype whose attribute of this name it narrows; empty for an attribute of its own.
     """
 
@@ -46,7 +46,7 @@ class DerivedAttribute:
 
     Attributes:
         name: in lower case.
-        expression: gives its value.
+        expression: its value.
         redeclares: the supertype whose explicit attribute it replaces, which is `*` in a file; or empty.
     """
 
@@ -82,7 +82,7 @@ class UniqueRule:
 
     Attributes:
         label: its name, such as `ur1`.
-        attributes: what differs.
+        attributes: attributes that differ.
     """
 
     label: str
@@ -101,8 +101,8 @@ class Entity:
         attributes: its own explicit ones, in order.
         derived: attributes that follow from others.
         inverses: attributes that lead back.
-        uniques: what differs from instance to instance.
-        rules: what holds for each instance.
+        uniques: attributes that differ from instance to instance.
+        rules: conditions of each instance.
     """
 
     name: str
@@ -122,8 +122,8 @@ class TypeDeclaration:
 
     Attributes:
         name: in lower case.
-        underlying: what it is made of.
-        rules: what holds for each value.
+        underlying: its underlying type.
+        rules: conditions of each value.
     """
 
     name: str
@@ -133,7 +133,7 @@ class TypeDeclaration:
 
 @frozen_dataclass
 class GlobalRule:
-    """What holds for all instances of some entities together.
+    """Condition on all instances of some entities together.
 
     Attributes:
         name: in lower case.

@@ -1,7 +1,7 @@
 """The value of an expression for the instances of a file, with three logical values.
 
-None stands for UNKNOWN and for what is missing. An operation on what is missing, or on values that it has no
-meaning for, gives None and never raises: a rule that comes out as None is undecided.
+None stands for UNKNOWN and for missing values. An operation on missing values, or on values of wrong types,
+returns None and never raises: a rule with the result None is undecided.
 """
 
 import operator
@@ -32,7 +32,7 @@ MAX_DEPTH = 60
 """Derived attributes and expressions in each other that are followed."""
 
 Scope = Mapping[str, object]
-"""What names stand for; `self` is the instance or the value that a rule is about."""
+"""Values of names; `self` is the instance or the value of the rule."""
 
 
 class TooMuchWorkError(Exception):
@@ -58,7 +58,7 @@ class Evaluation:
         return value if isinstance(value, bool) else None
 
     def value(self, expression: Expression, scope: Scope) -> object:
-        """Return the value of an expression, None where it has none.
+        """Return the value of an expression, None if it is unknown.
 
         Raises:
             TooMuchWorkError: more than `MAX_STEPS` in all.
@@ -188,7 +188,7 @@ def _unary(sign: Operator, value: object) -> object:
 
 
 def _joined(sign: Operator, left: object, right: object) -> object:
-    """Return what an operator makes of two operands."""
+    """Return the result of an operator on two operands."""
     match sign:
         case Operator.AND:
             return _all_true(left, right)

@@ -145,7 +145,7 @@ def _query(scanner: Scanner, depth: int) -> Expression:
 
 
 def _bracketed(scanner: Scanner, depth: int) -> Expression:
-    """Return what stands in parentheses, an aggregate, an interval, or `?`."""
+    """Return an expression in parentheses, an aggregate, an interval, or `?`."""
     if scanner.took("?"):
         return Literal(None)
     if scanner.took("("):

@@ -1,4 +1,4 @@
-"""Expressions of ISO 10303-11 as they stand in rules and derived attributes."""
+"""Expressions of ISO 10303-11 in rules and derived attributes."""
 
 from enum import StrEnum
 
@@ -6,7 +6,7 @@ from ropsim.core import frozen_dataclass
 
 
 class Operator(StrEnum):
-    """What joins two operands, or stands before one."""
+    """Operator between two operands, or before one."""
 
     ADD = "+"
     SUBTRACT = "-"
@@ -52,9 +52,9 @@ class Member:
     """An attribute of an instance.
 
     Attributes:
-        source: gives the instance.
+        source: the instance.
         name: of the attribute.
-        owner: entity in which the attribute is looked for; empty for that of the instance.
+        owner: entity that declares the attribute; empty for that of the instance.
     """
 
     source: "Expression"
@@ -72,7 +72,7 @@ class Index:
 
 @frozen_dataclass
 class Unary:
-    """An operator and what stands behind it."""
+    """An operator and its operand."""
 
     operator: Operator
     operand: "Expression"
@@ -101,7 +101,7 @@ class Query:
 
     Attributes:
         variable: name of an element in the condition.
-        source: gives the aggregate.
+        source: the aggregate.
         condition: about the variable.
     """
 

@@ -8,13 +8,13 @@ from ropsim.express.expressions import Binary, Call, Collection, Expression, Ind
 from ropsim.express.types import AggregateType, EnumerationType, NamedType, SelectType, Underlying
 
 Found = tuple[str, str]
-"""The declaration in which something is wrong, and what."""
+"""The declaration with an error, and the error."""
 
 
 def unknown_names(
     types: Mapping[str, TypeDeclaration], entities: Mapping[str, Entity], rules: Sequence[GlobalRule]
 ) -> tuple[Found, ...]:
-    """Return what is wrong with names that declarations use; names in rules are looked at last."""
+    """Return the errors in names of declarations; names in rules are checked last."""
     missing = tuple(_missing(types, entities, rules)) or tuple(_circles(types, entities))
     return missing or tuple(_unknown_in_rules(types, entities, rules))
 

@@ -21,7 +21,7 @@ Lineage = tuple[str, ...]
 
 
 class Population:
-    """Instances with their attributes; those that the schema cannot lay out are left out of it.
+    """Instances with their attributes; instances that do not fit the schema are omitted.
 
     Attributes:
         schema: in whose terms.
@@ -57,11 +57,11 @@ class Population:
             self._extents[entity].append(instance.number)
 
     def lineage(self, number: int) -> Lineage:
-        """Return the entities that an instance is of, supertypes first; none where the schema has none."""
+        """Return the entities of an instance, supertypes first; empty if the schema lacks them."""
         return self._lineages.get(number, ())
 
     def derivations(self, number: int) -> Mapping[tuple[str, str], DerivedAttribute]:
-        """Return what derives attributes of an instance, by declaring entity and name."""
+        """Return the derived attributes of an instance, by declaring entity and name."""
         lineage = self._lineages[number]
         if self.schema.lineages[lineage[-1]] == lineage:
             return self.schema.derivations[lineage[-1]]
@@ -125,8 +125,8 @@ def lineage_of(schema: Schema, instance: Instance) -> Lineage | None:
 def layout(schema: Schema, instance: Instance) -> tuple[tuple[Record, tuple[Parameter, ...]], ...] | None:
     """Return the records of an instance with the parameters that each of them has to have.
 
-    A simple instance has all parameters in one record, a complex one those of each entity in its own.
-    None where the schema lacks one of its entities.
+    A simple instance has all parameters in one record, a complex one the parameters of each entity in a
+    separate record. None where the schema lacks one of its entities.
     """
     lineage = lineage_of(schema, instance)
     if lineage is None:
@@ -140,10 +140,10 @@ def layout(schema: Schema, instance: Instance) -> tuple[tuple[Record, tuple[Para
 
 
 def plain(value: Value | None) -> object:
-    """Return what a parameter is in an expression: without its type's name, logical values as such.
+    """Return the value of a parameter in an expression: without its type's name, logical values as such.
 
     Args:
-        value: None and parameters without a value give None, as UNKNOWN does.
+        value: None and parameters without a value are None, as UNKNOWN is.
     """
     while isinstance(value, Typed):
         value = value.value

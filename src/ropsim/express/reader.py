@@ -11,7 +11,7 @@ from ropsim.express.type_reader import read_underlying
 
 
 def read_schema(source: SourceText) -> tuple[Schema | None, tuple[Diagnostic, ...]]:
-    """Return the schema of a text, and what is wrong with it; nothing where something is.
+    """Return the schema of a text, and its errors; None if there are any.
 
     Args:
         source: the text.

@@ -17,7 +17,7 @@ _TOKEN = pattern(
 
 
 class TokenKind(Enum):
-    """What a token is."""
+    """Kind of a token."""
 
     WORD = "a word"
     TEXT = "a text"
@@ -28,7 +28,7 @@ class TokenKind(Enum):
 
 
 _KINDS = (TokenKind.END, TokenKind.WORD, TokenKind.SIGN, TokenKind.REAL, TokenKind.INTEGER, TokenKind.TEXT)
-"""What the groups of the pattern of a token are."""
+"""Kinds of tokens by group of the pattern."""
 
 
 class Token(NamedTuple):
@@ -40,7 +40,7 @@ class Token(NamedTuple):
 
 
 class SchemaProblemError(Exception):
-    """The text goes on in another way than it may; carries what is said of it."""
+    """Syntax error; carries its message."""
 
     def __init__(self, finding: Diagnostic) -> None:
         super().__init__(finding.message)
@@ -91,7 +91,7 @@ class Scanner:
         """Go on behind a word and return it in lower case.
 
         Raises:
-            SchemaProblemError: something else comes next, where `what` is allowed.
+            SchemaProblemError: the next token is not the allowed `what`.
         """
         if self.token.kind is not TokenKind.WORD:
             raise self.problem(what)
@@ -111,7 +111,7 @@ class Scanner:
         return tuple(found)
 
     def problem(self, allowed: str) -> SchemaProblemError:
-        """Return what to raise where something else than what is allowed comes next."""
+        """Return the exception for a token that is not allowed."""
         token = self.token
         found = f"found `{token.text[:24]}`" if token.text else "the text ends"
         place = self._places.span(token.offset, max(len(token.text), 1))

@@ -1,4 +1,4 @@
-"""A schema of ISO 10303-11 and what follows from its declarations."""
+"""A schema of ISO 10303-11 and its derived tables."""
 
 from collections.abc import Mapping
 from dataclasses import field
@@ -27,9 +27,9 @@ class Schema:
         entities: by name; supertypes go in no circle.
         rules: global ones.
         lineages: of each entity its supertypes, each once and before its subtypes, and itself at the end.
-        parameters: of each entity, those of an instance in an exchange file, in order.
-        derivations: of each entity, what replaces or adds attributes, by the entity that declares the
-            attribute, and its name.
+        parameters: parameters of an instance in an exchange file, by entity, in order.
+        derivations: derived attributes of each entity, by the entity that declares the attribute, and its
+            name.
     """
 
     name: str
@@ -65,7 +65,7 @@ class Schema:
         )
 
     def derivations_of(self, lineage: tuple[str, ...]) -> dict[tuple[str, str], DerivedAttribute]:
-        """Return what derives attributes of instances that are of some entities; later ones go first."""
+        """Return the derived attributes of instances of some entities; later ones go first."""
         return {
             (derived.redeclares or entity, derived.name): derived
             for entity in lineage
@@ -73,7 +73,7 @@ class Schema:
         }
 
     def own_parameters(self, entity: str, lineage: tuple[str, ...]) -> list[Parameter]:
-        """Return the parameters that an entity declares itself, as they are in instances of some entities."""
+        """Return the parameters that an entity declares itself, for instances of some entities."""
         derivations = self.derivations_of(lineage)
         narrowed = {
             (attribute.redeclares, attribute.name): attribute

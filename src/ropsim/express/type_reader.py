@@ -1,4 +1,4 @@
-"""Read the type of an attribute or what a declared type is made of."""
+"""Read the type of an attribute or the underlying type of a declared type."""
 
 from ropsim.express.scanner import Scanner, TokenKind
 from ropsim.express.types import (
@@ -18,7 +18,7 @@ _AGGREGATES = {one.value: one for one in AggregateKind}
 
 
 def read_underlying(scanner: Scanner) -> Underlying:
-    """Return what a declared type is made of.
+    """Return the underlying type of a declared type.
 
     Raises:
         SchemaProblemError: something else comes next.

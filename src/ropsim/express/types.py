@@ -18,7 +18,7 @@ class SimpleType(StrEnum):
 
 
 class AggregateKind(StrEnum):
-    """What sort of collection an aggregate is."""
+    """Kind of an aggregate."""
 
     LIST = "list"
     SET = "set"
@@ -78,4 +78,4 @@ ValueType = SimpleType | NamedType | AggregateType
 """The type of an attribute."""
 
 Underlying = ValueType | EnumerationType | SelectType
-"""What a declared type is made of."""
+"""Underlying type of a declared type."""

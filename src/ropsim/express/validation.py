@@ -15,11 +15,11 @@ from ropsim.express.value_check import ValueCheck
 from ropsim.part21 import Absent, Instance, Record, Reference, Value
 
 MAX_FINDINGS = 50
-"""Findings of one file that are told."""
+"""Maximum number of findings of one file."""
 
 
 def validate(population: Population) -> tuple[Diagnostic, ...]:
-    """Return what is wrong with the instances of a file: up to `MAX_FINDINGS`.
+    """Return the errors in the instances of a file: up to `MAX_FINDINGS`.
 
     Rules are evaluated where all instances are complete and all parameters of their types.
 
@@ -52,7 +52,7 @@ class _Checking:
         self._undecided: set[str] = set()
 
     def shapes(self) -> Iterator[Diagnostic]:
-        """Yield what is wrong with the entities and the parameters of the instances, one by one."""
+        """Yield the errors in entities and parameters of instances, one by one."""
         for instance in self._population.file.instances:
             laid_out = layout(self._schema, instance)
             if laid_out is None:
@@ -65,7 +65,7 @@ class _Checking:
                 yield from self._parameters(instance, number, record, parameters)
 
     def rules(self) -> Iterator[Diagnostic]:
-        """Yield the rules that do not hold: those of the instances, what is not unique, the global ones."""
+        """Yield the rules that do not hold: rules of instances, uniqueness, global rules."""
         for instance in self._population.file.instances:
             for entity in self._population.lineage(instance.number):
                 scope = {"self": Reference(instance.number)}
@@ -91,7 +91,7 @@ class _Checking:
         return self._at(kinds.UNKNOWN_ENTITY, instance, message)
 
     def _impossible(self, instance: Instance) -> str:
-        """Return why there cannot be such an instance; an empty text where there can."""
+        """Return why an instance is impossible; empty if it is possible."""
         names = [record.keyword.lower() for record in instance.records]
         lineage = lineage_of(self._schema, instance) or ()
         number = f"#{instance.number}"

@@ -28,7 +28,7 @@ _WORDS = {
 }
 
 Broken = tuple[str, str]
-"""A rule of a type that a value breaks, as `type.label`, and the value; or nothing and what is wrong."""
+"""A rule of a type that a value breaks, as `type.label`, and the value; or None and the error."""
 
 
 class ValueCheck:
@@ -39,7 +39,7 @@ class ValueCheck:
         self._evaluation = evaluation
 
     def wrong(self, value: Value, type_: Underlying) -> Iterator[Broken]:
-        """Yield what is wrong with a value: the first mismatch of it, or all rules of types that it breaks.
+        """Yield the errors of a value: the first mismatch of it, or all rules of types that it breaks.
 
         Args:
             value: a parameter that is not absent.
@@ -121,7 +121,7 @@ class ValueCheck:
 
 
 def _leaves(choices: tuple[str, ...], types: object) -> Iterator[str]:
-    """Yield the choices of a select, those of selects in it one by one."""
+    """Yield the choices of a select, including choices of nested selects."""
     for name in choices:
         declared = types.get(name) if isinstance(types, dict) else None
         if declared is not None and isinstance(declared.underlying, SelectType):

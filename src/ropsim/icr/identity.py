@@ -1,4 +1,4 @@
-"""What makes two programs the same: not the names of variables, not in which order things are declared."""
+"""Identity of programs: independent of names of variables and of the order of declarations."""
 
 import hashlib
 from collections.abc import Iterable, Iterator
@@ -12,7 +12,7 @@ _OF_VARIABLES = frozenset(name for name, one in OPCODES.items() if one.operands 
 
 
 def program_id(program: Program) -> str:
-    """Return the SHA-256 of what a program means: of the canonical text of its plain form."""
+    """Return the SHA-256 of the meaning of a program: of the canonical text of its plain form."""
     return program.identity(lambda: hashlib.sha256(_canonical(program)).hexdigest())
 
 
@@ -31,8 +31,8 @@ def code_lines(program: Program) -> tuple[int, ...]:
 def _plain(program: Program) -> Program:
     """Return a program without source lines, in the order of use, its variables named by their place in it.
 
-    Procedures stand in the order in which `main` and what it calls name them first, those that nobody calls
-    behind them by name; channels, frames and tools by name; variables as they are used first.
+    Procedures stand in the order in which `main` and its callees first name them, uncalled ones behind them
+    by name; channels, frames and tools by name; variables in order of first use.
     """
     procedures = tuple(_in_order_of_calls(program))
     used = (step.operands[0] for one in procedures for step in one.code if _is_shared(step, one))
@@ -91,7 +91,7 @@ def _is_shared(step: Step, procedure: Procedure) -> bool:
 
 
 def _by_use(variables: Iterable[Variable], used: Iterable[object]) -> tuple[Variable, ...]:
-    """Return variables in the order of their first use, those that are not used behind them by type."""
+    """Return variables in the order of their first use, unused ones behind them by type."""
     place = {name: -number for number, name in enumerate(reversed(list(used)))}
     unused = 1
     return tuple(sorted(variables, key=lambda one: (place.get(one.name, unused), one.type.value)))

@@ -1,4 +1,4 @@
-"""What each line of a program contains, and which instructions are reached."""
+"""Content on which the result of each line of a program depends, and reached instructions."""
 
 from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping
 from hashlib import sha256
@@ -29,7 +29,7 @@ Place = tuple[int, int]
 
 
 def reached(program: Program, places: Iterable[Place]) -> set[Place]:
-    """Return the instructions that can come from some places on, without those behind a return."""
+    """Return the instructions that can come from some places on, without instructions behind a return."""
     waiting = list(places)
     seen: set[Place] = set()
     while waiting:
@@ -50,7 +50,7 @@ def reached(program: Program, places: Iterable[Place]) -> set[Place]:
 
 
 MOST = 5_000
-"""Robot instructions that are looked at one by one; what comes behind hangs on the whole code."""
+"""Robot instructions that are compared one by one; later ones depend on the whole code."""
 
 _BUDGET = 200_000
 _DIGITS = 16
@@ -63,12 +63,12 @@ _UNSEEN = frozenset({"", "HALT", "STOP"})  # the robot stands before these, and 
 def line_contents_of_all(
     programs: Mapping[str, Program], *around: str, channels: str = ""
 ) -> Mapping[str, Mapping[int, str]]:
-    """Return what the lines of programs that run side by side hang on, also on each other as a whole.
+    """Return the keys of lines of concurrent programs, each including the other programs as a whole.
 
     Args:
         programs: by station, in the order of the cell.
-        around: what else they hang on.
-        channels: what inputs say in the run.
+        around: other dependencies.
+        channels: values of inputs in the run.
     """
     ids = {station: program_id(program) for station, program in programs.items()}
     return {
@@ -84,24 +84,24 @@ def _others(ids: Mapping[str, str], station: str) -> Iterator[str]:
 def line_contents(
     program: Program, *around: str, channels: str = "", world: StillWorld | None = None
 ) -> Mapping[int, str]:
-    """Return for each line on which the robot moves, grips or waits what its result hangs on.
+    """Return the content on which the result of each line with a move, grip or wait depends.
 
-    Two programs in which a line has one key do the same up to the end of the stretch of the last pass of that
-    line, and on to the next move of the joints, whose posture may look ahead. Up to the first look at an
-    input, at the time or at the pose of the arm that is known without a run; what can come behind it hangs on
-    the whole code, and so does what a program does after `MOST` instructions, each line with a key of its
-    own. From the first instruction on that reads a channel, what that says counts, too. Another version of
-    ropsim has other results.
+    Two programs in which a line has the same key act identically up to the end of the motion sequence of the
+    last pass of that line, and on to the next move of the joints, whose posture may look ahead. This is known
+    without a run up to the first read of an input, of the time or of the pose of the arm; later instructions
+    depend on the whole code, and so do instructions after the first `MOST`, each line with a separate key.
+    From the first instruction on that reads a channel, the values of the channel also count. Another version
+    of ropsim has other results.
 
     Args:
         program: in which the verifier finds nothing.
-        around: what else the results hang on, such as the cell and the programs of other stations.
-        channels: what inputs say in the run, as far as that is known.
+        around: other dependencies, such as the cell and the programs of other stations.
+        channels: known values of inputs in the run.
         world: of the dry run; a `PassingWorld` where it is None.
 
     Returns:
-        By line (from 1) of the source, in the order in which they are passed first; those behind the first
-        look, and those that are never passed, follow in the order of the text.
+        By line (from 1) of the source, in the order in which they are passed first; lines behind the first
+        read, and lines that are never passed, follow in the order of the text.
     """
     around = (__version__, *around)
     run = _Run(program, around, channels, world or PassingWorld())
@@ -119,7 +119,7 @@ class _Run:
     """A dry run up to the first look of the program.
 
     Attributes:
-        steps: what was handed out.
+        steps: instructions handed out.
         later: instructions of the code (procedure, index) that can come behind the look.
     """
 
@@ -152,16 +152,16 @@ class _Run:
             self._keys.append(key)
 
     def is_known(self, number: int) -> bool:
-        """Return whether nothing but what is known can follow upon the steps up to this one."""
+        """Return whether the continuation after the steps up to this one is known."""
         return not self._is_cut or number + 1 < len(self.steps)
 
     def key_behind(self, number: int) -> str:
-        """Return what the steps up to this one hang on, and what is seen of the one behind it."""
+        """Return the key of the steps up to this one and of the known effect of the next one."""
         behind = self.steps[number + 1] if number + 1 < len(self.steps) else None
         return _key((self._keys[number], type(behind).__name__, getattr(behind, "before", "")))
 
     def ends(self) -> Mapping[int, int]:
-        """Return by line the last step that is known when what it does last is planned."""
+        """Return by line the last step that is known when the last instruction of the line is planned."""
         found: dict[int, int] = {}
         end = horizon = -1
         for number, step in enumerate(self.steps):
@@ -183,7 +183,7 @@ class _Run:
         return number
 
     def _horizon(self, first: int, end: int) -> int:
-        """Return the last path of the tool behind the stop of a stretch that is looked at for its posture."""
+        """Return the last tool path behind the stop of a sequence that affects the choice of posture."""
         if not any(isinstance(one, MoveInstruction) and _is_ptp(one) for one in self.steps[first : end + 1]):
             return end
         while end + 1 < len(self.steps) and isinstance(self.steps[end], MoveInstruction | MessageInstruction):
@@ -196,21 +196,21 @@ class _Run:
 
 
 def _is_look(step: Instruction) -> bool:
-    """Return whether the program may go on otherwise by what it learns at a step."""
+    """Return whether the program may branch on a value read at a step."""
     if isinstance(step, AwaitInstruction):
         return step.timeout is not None
     return isinstance(step, SyncInstruction) and step.before not in _UNSEEN
 
 
 def _reads(step: Instruction) -> bool:
-    """Return whether what a channel says has a say in how a step goes."""
+    """Return whether the value of a channel affects a step."""
     if isinstance(step, MoveInstruction):
         return step.guard is not None or step.tracking is not None
     return isinstance(step, AwaitInstruction)
 
 
 def _flows(step: Instruction) -> bool:
-    """Return whether more may be known of what comes behind before the arm begins with a step."""
+    """Return whether more may be known of later steps before the arm begins with a step."""
     if isinstance(step, MessageInstruction):
         return True
     return isinstance(step, MoveInstruction) and (step.modal.zone > 0.0 or step.modal.passes)
@@ -232,7 +232,7 @@ def _acting_lines(program: Program) -> set[int]:
 
 
 def _libraries_that_act(program: Program) -> frozenset[str]:
-    """Return the procedures without lines of the source that act, themselves or by what they call."""
+    """Return the procedures without lines of the source that act, themselves or through callees."""
     callers: dict[str, list[str]] = {}
     waiting = []
     for one in program.procedures:

@@ -13,7 +13,7 @@ from ropsim.icr.types import Type
 
 
 class OperandKind(Enum):
-    """What an operand names."""
+    """Kind of entity that an operand names."""
 
     CONSTANT = "constant"
     VARIABLE = "variable"
@@ -57,9 +57,9 @@ class Opcode:
         mnemonic: word of the text form.
         operands: kinds of the operands.
         pops: types taken from the stack, the top last; None = depends on the operand or on the stack.
-        pushes: types left there; None likewise.
+        pushes: types left there; None also if it depends on the operand.
         meaning: one line.
-        capability: what a robot must offer for it, or empty.
+        capability: required capability of a robot, or empty.
     """
 
     code: int
@@ -77,7 +77,7 @@ class Opcode:
 
     @property
     def is_move(self) -> bool:
-        """Return whether the robot is told to move."""
+        """Return whether the robot is commanded to move."""
         return self.mnemonic.startswith("MOVE.") or self.mnemonic == "HOME"
 
 

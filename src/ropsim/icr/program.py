@@ -55,7 +55,7 @@ class IoChannel:
 
 
 def channel_fault(channel: IoChannel) -> str:
-    """Return what is wrong with kind and type of a channel, or an empty string."""
+    """Return the fault in kind and type of a channel, or an empty string."""
     allowed = CHANNEL_TYPES.get(channel.kind)
     if allowed is None:
         return f"`{channel.kind}` is no kind of channel, allowed are {', '.join(CHANNEL_TYPES)}"
@@ -83,7 +83,7 @@ class ToolDefinition:
 
 @frozen_dataclass
 class LibraryText:
-    """Of what a procedure was made that is not in the source text.
+    """Source of a procedure that is not in the source text.
 
     Attributes:
         procedure: its name.
@@ -106,7 +106,7 @@ class Procedure:
         locals: other variables of one activation.
         results: types left on the stack by RET.
         code: instructions.
-        lines: source line of each instruction, 0 where unknown; no part of what the procedure is.
+        lines: source line of each instruction, 0 where unknown; not part of the identity of the procedure.
         places: where each instruction stands in the ICR text; empty where there was none.
     """
 
@@ -125,7 +125,7 @@ class Procedure:
 
     @property
     def numbers(self) -> dict[str, int]:
-        """Return the place of each variable, parameters first, by its name; found when first asked for."""
+        """Return the place of each variable, parameters first, by its name; computed on the first request."""
         return _known_places(self, "_numbers", self.variables)
 
     @property
@@ -142,15 +142,15 @@ class Program:
         name: of the program.
         procedures: `main` among them.
         version: of the language.
-        capabilities: what a robot must offer, sorted.
+        capabilities: required capabilities of a robot, sorted.
         axes: how many joint coordinates every JOINTS value has; None where no JOINTS occurs.
         variables: global ones.
         channels: inputs and outputs.
         frames: task frames.
         tools: tools.
         source: name of the text that the source lines refer to; empty where there is none. Like the lines it
-            is no part of what the program is.
-        libraries: texts of the procedures that come from elsewhere; no part of what the program is, either.
+            is not part of the identity of the program.
+        libraries: texts of the procedures that come from elsewhere; also not part of the identity.
         declared_at: record (`PROC main`, `FRAMEDEF st1`) -> place in the ICR text.
     """
 
@@ -173,16 +173,16 @@ class Program:
 
     @property
     def numbers(self) -> dict[str, int]:
-        """Return the place of each global variable, by its name; found when first asked for."""
+        """Return the place of each global variable, by its name; computed on the first request."""
         return _known_places(self, "_numbers", self.variables)
 
     @property
     def procedure_numbers(self) -> dict[str, int]:
-        """Return the place of each procedure, by its name; found when first asked for."""
+        """Return the place of each procedure, by its name; computed on the first request."""
         return _known_places(self, "_procedure_numbers", self.procedures)
 
     def identity(self, find: Callable[[], str]) -> str:
-        """Return the identity of what the program means, see `program_id`; found when first asked for."""
+        """Return the identity of the program, see `program_id`; computed on the first request."""
         if not self._identity:
             object.__setattr__(self, "_identity", find())
         return self._identity

@@ -27,7 +27,7 @@ class Type(Enum):
     JOINTS = "JOINTS"
 
     __hash__ = object.__hash__
-    """Each type is one object; that of `Enum` is a call of Python at every look into a table."""
+    """Each type is one object; that of `Enum` is a call of Python at every access to a table."""
 
 
 WIDTHS = {Type.VEC: 3, Type.ORI: 4, Type.POSE: 7}
@@ -39,14 +39,14 @@ MAX_EXTERNAL = 12
 
 @frozen_dataclass
 class Constant:
-    """A typed value: what PUSH puts on the stack."""
+    """A typed value: the operand of PUSH."""
 
     type: Type
     value: Value
 
 
 def has_form(constant: Constant) -> bool:
-    """Return whether the Python value has the form that the type asks for (finite or not)."""
+    """Return whether the Python value has the form that the type requires (finite or not)."""
     value = constant.value
     if constant.type is Type.BOOL:
         return isinstance(value, bool)
@@ -71,7 +71,7 @@ def reals(constant: Constant) -> tuple[float, ...]:
 
 
 def rotation(constant: Constant) -> tuple[float, ...]:
-    """Return the quaternion (w, x, y, z) inside a constant; empty where the type has none."""
+    """Return the quaternion (w, x, y, z) inside a constant; empty if the type has no quaternion."""
     if not isinstance(constant.value, tuple):
         return ()
     if constant.type is Type.POSE:

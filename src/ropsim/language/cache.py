@@ -1,4 +1,4 @@
-"""What the compiler keeps between the versions of texts that are being edited."""
+"""Cache of the compiler for the versions of texts that are being edited."""
 
 from ropsim.language.cutting.reading import PARSER
 from ropsim.language.environment import Environment
@@ -37,7 +37,7 @@ class LineCache:
         return found
 
     def database(self, environment: Environment, name: str = "") -> Database:
-        """Return what is known of the text of that name in these surroundings."""
+        """Return the database of the text of that name in this environment."""
         for k, (known, text, db) in enumerate(self._databases):
             if known is environment and text == name:
                 self._databases.append(self._databases.pop(k))
@@ -49,7 +49,7 @@ class LineCache:
 
 
 def once(environment: Environment) -> Database:
-    """Return what takes answers about one text in these surroundings that is compiled one time only."""
+    """Return a database for one compilation of a text in this environment."""
     db = Once()
     db.give({PARSER: LineCache(), ENVIRONMENT: environment})
     return db

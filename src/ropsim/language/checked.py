@@ -1,4 +1,4 @@
-"""The whole text: what is told of each body, put together."""
+"""The whole text: results of the bodies, combined."""
 
 from collections.abc import Hashable, Iterable, Mapping
 
@@ -26,9 +26,9 @@ class Checked:
     Attributes:
         program: places in it count lines in their unit.
         tasks: how its tasks are called.
-        bodies: what was told of the tasks of the text, group by group, those called first.
-        control: what was told of the control statements.
-        variables: type of each variable in a word, by its task (empty for what all tasks see) and name.
+        bodies: results of the tasks of the text, group by group, callees first.
+        control: result of the control statements.
+        variables: type of each variable in a word, by its task (empty for variables of all tasks) and name.
     """
 
     program: Program
@@ -44,7 +44,7 @@ def check(units: Units, report: Report, db: Database) -> Checked:
     Args:
         units: of the text.
         report: takes findings.
-        db: holds them, and what is known of them.
+        db: holds them, and further results.
 
     Raises:
         TooManyFindingsError: the list is full.
@@ -122,7 +122,7 @@ def _globals(world: World, db: Database) -> tuple[Local, ...]:
 
 
 def _give_variables(db: Database, variables: tuple[Local, ...]) -> None:
-    """Give the types of the variables of the control statements, name by name."""
+    """Set the types of the variables of the control statements as inputs, name by name."""
     before: tuple[Local, ...] = db.read(questions.CONTROL_LOCALS) or ()
     if before == variables:
         return

@@ -32,7 +32,7 @@ OF_UNITS = (*questions.OF_PARTS, HIDDEN)
 
 @frozen_dataclass
 class Compiled:
-    """What the compiler answers.
+    """Result of the compiler.
 
     Attributes:
         program: the structured program of all lines that are right; None where the text was given up.
@@ -42,7 +42,7 @@ class Compiled:
         tasks: how each task that can be called is called, also where other lines are wrong.
         places: where the statements of the structured program lie in the text.
         variables: type of each variable in a word of the language, by the name of its task (empty for the
-            control statements and for what all tasks see) and its own name in the structured program.
+            control statements and for variables of all tasks) and its own name in the structured program.
     """
 
     program: Program | None
@@ -55,7 +55,7 @@ class Compiled:
 
     @property
     def icr(self) -> IcrProgram | None:
-        """Return the program of the executable form, which is put together when first asked for."""
+        """Return the program of the executable form, assembled on the first request."""
         return self.code.program if self.code is not None else None
 
     @property
@@ -74,25 +74,25 @@ def compile(
 
     Args:
         text: the program.
-        signatures: what the cell and the library give names to.
+        signatures: names that the cell and the library define.
         name: of the text, for messages.
-        cache: what earlier versions of the text have left; it saves time and changes no result.
+        cache: results of earlier versions of the text; they save time and do not change the result.
 
     Returns:
         Program, ICR and findings. A wrong line is reported and left out; all others are compiled.
     """
-    with without_collection():  # at its end what was known without a cache is gone, and nobody looks at it
+    with without_collection():  # temporary results are freed at its end without a search by the collector
         return _compiled(SourceText(name, text), signatures, cache)
 
 
 def compile_library(
     text: str, environment: Environment = NO_SIGNATURES, name: str = "<text>"
 ) -> tuple[Compiled, Mapping[str, TaskSignature]]:
-    """Return what the compiler answers to a text of tasks, and each of them as other texts call it.
+    """Return the result for a text of tasks, and the signature of each of them for other texts.
 
     Args:
         text: the tasks.
-        environment: what the cell gives names to.
+        environment: names that the cell defines.
         name: of the text, for messages.
     """
     db = once(environment)
@@ -152,13 +152,13 @@ def _lowered(
 def _circles(program: Program, db: Database) -> tuple[Diagnostic, ...]:
     """Return a finding for each call that closes a circle."""
     own, library = db.ask(questions.circles_of), program.tasks[len(db.ask(questions.own_tasks)) :]
-    return (*own, *recursion(library)) if library else own  # those of a library call each other only
+    return (*own, *recursion(library)) if library else own  # tasks of a library call each other only
 
 
 def _checked(
     source: SourceText, environment: Environment, report: Report, db: Database
 ) -> tuple[checker.Checked | None, SourceMap]:
-    """Run the phases; None where the text holds more wrong lines than are worth looking at."""
+    """Run the phases; None where the text holds more wrong lines than the limit."""
     nowhere = SourceMap(source.name)
     size = source.with_line_feeds().count("\n") + 1
     if size > texts.MAX_LINES:

@@ -1,4 +1,4 @@
-"""A text divided into units, chunk by chunk; what is known of the chunks on both sides of an edit stays."""
+"""A text divided into units, chunk by chunk; results of the chunks on both sides of an edit are reused."""
 
 from collections.abc import Mapping, Sequence
 from functools import partial
@@ -20,7 +20,7 @@ from ropsim.query import Database
 T = TypeVar("T")
 
 _TRAIL = "trail of the division"
-"""Input: what the last division has passed."""
+"""Input: records of the last division."""
 
 
 @frozen_dataclass
@@ -29,12 +29,12 @@ class Units:
 
     Attributes:
         tasks: names of its tasks, in order.
-        parts: names of the units of what stands outside of them, in order.
+        parts: names of the units of the statements outside them, in order.
         map: where all units lie.
         opener: where the first line with a statement lies, None where there is none.
-        new_tasks: tasks that may be others than before, by name; None for one that is gone.
+        new_tasks: tasks that may have changed, by name; None for a removed one.
         new_parts: the same of the parts, by unit: their lines and blocks.
-        new_places: where units lie that may lie elsewhere than before, by name; None for one that is gone.
+        new_places: places of units that may have moved, by name; None for a removed one.
     """
 
     tasks: tuple[str, ...]
@@ -47,7 +47,7 @@ class Units:
 
 
 def divided(source: SourceText, environment: Environment, report: Report, db: Database) -> Units:
-    """Return the units of a text; what cannot be read is reported.
+    """Return the units of a text; unreadable lines are reported.
 
     Raises:
         TooManyFindingsError: the list is full.

@@ -1,4 +1,4 @@
-"""What a program can name beyond its own text: frames, tools, locations, signals, library tasks."""
+"""Names that a program can use beyond its own text: frames, tools, locations, signals, library tasks."""
 
 import math
 from collections.abc import Mapping
@@ -16,11 +16,11 @@ class TaskSignature:
 
     Attributes:
         task: its structured program; names, types and order of the parameters stand there.
-        dimensions: for each REAL parameter, what a bare number means: `length`, `angle`, `time`, `speed`,
-            `accel`, `force` or `num`; parameters not named here are plain numbers.
+        dimensions: for each REAL parameter, the dimension of a bare number: `length`, `angle`, `time`,
+            `speed`, `accel`, `force` or `num`; parameters not named here are plain numbers.
         defaults: value of each parameter that a call may leave out.
         source: name of the text that it was made of.
-        version: of what it does there; empty where nobody tells.
+        version: of its effect; empty if unknown.
     """
 
     task: Task
@@ -32,7 +32,7 @@ class TaskSignature:
 
 @frozen_dataclass
 class Environment:
-    """The names that a cell and a library give to programs.
+    """The names that a cell and a library define for programs.
 
     Attributes:
         frames: pose of each frame in the base frame [m, unit quaternion w x y z]; of one that moves where it
@@ -43,8 +43,9 @@ class Environment:
         locations: poses in the base frame, or in the frame that `located` names, with values of external axes
             behind them where they have some.
         others_tools: names of the tools of the cell that the station has not.
-        measured: what analog inputs measure by the sensors of the cell, `length` or `force`, by name.
-        told: names of the devices by those of the inputs that they set.
+        measured: quantity measured by analog inputs, by the sensors of the cell: `length` or `force`, by
+            name.
+        told: names of the devices by names of the inputs that they set.
         located: names of the frames that move in which locations are given, by the name of the location.
         given: frames that stand still in which locations are given, X_BF, by the name of the location; the
             base frame where none is named.
@@ -54,13 +55,13 @@ class Environment:
         listed: names of all tasks of the library, those too that `tasks` leaves out because the text does
             not name them; a misspelt call is near to one of these.
         length: metres per bare unit where a text has no `units` line for lengths.
-        angle: radians per bare unit, likewise.
-        frame: name of the frame in which texts give their locations, empty for the base frame.
-        axes: what each axis of the robot is measured as, `angle` or `length`; empty where nobody knows, then
-            a bare joint coordinate is an angle.
+        angle: radians per bare unit.
+        frame: name of the frame of the locations in texts, empty for the base frame.
+        axes: measure of each axis of the robot, `angle` or `length`; empty if unknown, then a bare joint
+            coordinate is an angle.
         external: the same for each external axis of the robot.
-        postures: the words that a posture of the arm may have, for each of its parts; empty where they have
-            no names, None where nobody knows the arm.
+        postures: the words that a posture of the arm may have, for each of its parts; empty if they have no
+            names, None if the arm is unknown.
         up: z of the world in the base frame [unit vector].
     """
 

@@ -1,4 +1,4 @@
-"""Collects the diagnostics of one compilation; knows how to turn offsets into spans."""
+"""Collects the diagnostics of one compilation, and converts offsets to spans."""
 
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
@@ -26,7 +26,7 @@ _OF_NAMES = frozenset(
         names.UNKNOWN_PATTERN,
     )
 )
-"""What is told once for each name: mostly it is declared wrongly, not used wrongly again and again."""
+"""Findings reported once for each name: usually its declaration is wrong, not each use."""
 
 
 @frozen_dataclass
@@ -60,7 +60,7 @@ class Report:
 
     Attributes:
         source: name of the text.
-        found: what has been reported so far.
+        found: findings so far.
         log: the same before further places of one name were put together, to be reported once more elsewhere.
         muted: while true nothing is kept (first pass of the checker).
     """
@@ -147,7 +147,7 @@ class Report:
 
 
 MAX_PLACES = 200
-"""Further places that one finding knows."""
+"""Further places of one finding."""
 
 FIRST_LINE = "first_line"
 """Key of the line of its first place, in the data of a finding at a further one."""
@@ -156,7 +156,7 @@ _ALSO = "here, too"
 
 
 def with_place(first: Diagnostic, place: Span | None) -> Diagnostic:
-    """Return a finding that holds at a further place, too; of very many places the first ones are known."""
+    """Return a finding that holds at a further place, also; of many places the first ones are kept."""
     if place is None or len(first.secondary) >= MAX_PLACES:
         return first if first.notes else replace(first, notes=("It stands in more places.",))
     return replace(first, secondary=(*first.secondary, Label(place, _ALSO)))
@@ -183,7 +183,7 @@ def finding_of(line: Line, fault: Fault, source: str) -> Diagnostic:
 
     Args:
         line: that has it.
-        fault: what is wrong with it.
+        fault: its fault.
         source: name of the text.
     """
     span = line.logical.span(source, fault.start, fault.end)

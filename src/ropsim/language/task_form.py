@@ -11,7 +11,7 @@ class ParameterForm:
         name: as the text writes it.
         type: word of the language, such as `loc` or `length`.
         unit: unit of a bare number in its place, empty where there is none.
-        default: what it is where a call leaves it out, as the text writes it; empty where none may.
+        default: value if a call omits it, as written in the text; empty if it is required.
     """
 
     name: str
@@ -32,7 +32,8 @@ class TaskForm:
         name: of the task.
         parameters: in the order of a call.
         result: type of the value it returns, empty for none.
-        is_known: false where its header, or a line that tells its implicit parameters, could not be read.
+        is_known: false where its header, or a line that determines its implicit parameters, could not be
+            read.
     """
 
     name: str

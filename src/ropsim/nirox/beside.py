@@ -1,4 +1,4 @@
-"""What a file says beside what the model holds: kept, so that writing the robot again says it again."""
+"""Data of a file that the model does not hold: kept, so that writing the robot writes them again."""
 
 from collections.abc import Mapping
 from dataclasses import field
@@ -21,24 +21,24 @@ _OWN: Mapping[str, tuple[int, ...]] = MappingProxyType(
         "PARAMETER_ORIGIN": (2,),
     }
 )
-"""Parameters that the model does not hold, beside all texts."""
+"""Parameters that the model does not hold, in addition to all texts."""
 _REPLACED = frozenset(
     ("STRIBECK_FRICTION", "LUGRE_FRICTION", "LOAD_DEPENDENT_FRICTION", "SCREW_TRANSMISSION")
 )
-"""Entities that the model holds in a part only, and that are written again as they were."""
+"""Entities that the model holds in a part only, and that are written again unchanged."""
 
 
 @frozen_dataclass
 class Beside:
-    """What a file says beside its robot.
+    """Data of a file in addition to its robot.
 
     Attributes:
         instances: all of the file, by their numbers.
-        keys: what those that the model holds stand for.
+        keys: keys of the instances that the model holds.
         numbers: of the instances that it does not hold, in the order of the file.
         changes: of instances that it holds: parameters as they would be written, and as the file has them.
-        further: of lists in such instances: what else the file has in them, by key and parameter.
-        replaced: of instances that it holds in part: what would be written, and the number of the original.
+        further: further elements of lists in these instances, by key and parameter.
+        replaced: of partially held instances: the written instance, and the number of the original.
         frames: other frames than the mechanical interface.
     """
 
@@ -55,12 +55,12 @@ NOTHING = Beside()
 
 
 def beside_of(seen: Seen, robot: RobotModel, frames: tuple[FurtherFrame, ...]) -> Beside:
-    """Return what a file says beside the robot that was read from it.
+    """Return the data of a file in addition to its robot.
 
     Args:
         seen: the file after reading.
         robot: that was read.
-        frames: of the file, but for the mechanical interface.
+        frames: of the file, except the mechanical interface.
     """
     records = built(robot, frames).building.records
     changes: dict[tuple[Key, int], tuple[Value, Value]] = {}

@@ -7,7 +7,7 @@ from ropsim.part21 import Absent, Instance, Record, Reference, Value
 from ropsim.spatial import Pose, record
 
 Key = tuple[str | int | float, ...]
-"""What an instance stands for, such as `("pair", 2)`: that of the third joint; the base is link -1."""
+"""Key of an instance, such as `("pair", 2)`: the third joint; the base is link -1."""
 
 UNSET, DERIVED = Absent.UNSET, Absent.DERIVED
 
@@ -71,7 +71,7 @@ class FurtherFrame:
 
     Attributes:
         name: of the frame.
-        role: what it is for, an item of the enumeration `frame_role` in small letters.
+        role: an item of the enumeration `frame_role` in small letters.
         link: number of the link that carries it, from 0; -1 for the base.
         X_LF: its pose in the frame of the joint that moves that link.
     """

@@ -1,4 +1,4 @@
-"""What can be said of NIROX files (codes X950 to X957)."""
+"""Findings in NIROX files (codes X950 to X957)."""
 
 from ropsim.core import Severity, define
 

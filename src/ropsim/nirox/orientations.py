@@ -57,7 +57,7 @@ def quaternion_of(columns: Columns) -> quaternion.Quaternion:
 
 
 def columns_of_pose(pose: Pose) -> Columns:
-    """Return the axes of the frame of a pose; what is 0 or ±1 but for rounding is so."""
+    """Return the axes of the frame of a pose; components are rounded to 0 or ±1 within the rounding error."""
     R = pose.rotation().tolist()
     x, y, z = (tuple(_snapped(R[row][column]) for row in range(3)) for column in range(3))
     return _vector(x), _vector(y), _vector(z)
@@ -86,7 +86,7 @@ def _snapped(value: float) -> float:
 
 
 def _unit(vector: Sequence[float]) -> Vector:
-    """Return a vector of length 1; one that has it but for rounding keeps its bits."""
+    """Return a vector of length 1; a vector with length 1 within rounding keeps its bits."""
     largest = max(map(abs, vector))
     scaled = [one / largest for one in vector] if largest > 1e100 or largest < 1e-100 else list(vector)
     square = _dot(scaled, scaled)

@@ -1,4 +1,4 @@
-"""The names that pairs have in files, by the types of joints, and what they leave free."""
+"""The names that pairs have in files, by the types of joints, and their freedoms."""
 
 from collections.abc import Mapping
 from types import MappingProxyType
@@ -17,7 +17,7 @@ PAIRS: Mapping[JointType, str] = MappingProxyType(
         JointType.FIXED: "fully_constrained_pair",
     }
 )
-"""The entity of each type of joint; those of one freedom can end with `_with_range`."""
+"""The entity of each type of joint; entities of one freedom can end with `_with_range`."""
 
 FREE: Mapping[str, frozenset[Direction]] = MappingProxyType(
     {

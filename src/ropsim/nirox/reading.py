@@ -20,23 +20,23 @@ from ropsim.part21 import ExchangeFile, read_exchange
 _OF_PLAIN = (
     "`robot_arm.doubt1`",
     "`moving_links_have_mass.doubt1`",
-)  # X957 says it in other words, or nobody need
+)  # X957 reports it in other words, or it is never needed
 _NAMED = 6  # entities that a message names
 _WITHOUT_EFFECT = (
     "joint_friction", "drive_train", "motor_select", "transmission", "servo_valve", "hydraulic_supply",
     "hydraulic_cylinder", "hydraulic_rotary_motor", "motion_coupling", "joint_sensor", "payload",
     "joint_elasticity", "gear_pair", "dc_servo_motor", "ideal_effort_source", "electric_amplifier",
 )  # fmt: skip
-"""Entities that would change a simulation; that they are kept is told as a loss."""
+"""Entities that would change a simulation; keeping them is reported as a loss."""
 
 
 @frozen_dataclass
 class ReadNirox(ReadRobot):
-    """A robot read from a NIROX file, and what the file says beside it.
+    """A robot read from a NIROX file, and the other data of the file.
 
     Attributes:
         conformance: the class of the file; nothing where there is no robot.
-        beside: what the model does not hold; give it to `write_nirox` to write it again.
+        beside: data that the model does not hold; pass it to `write_nirox` to write them again.
     """
 
     conformance: ConformanceClass | None = None
@@ -47,7 +47,7 @@ def read_nirox(source: SourceText) -> ReadNirox:
     """Return the robot that a NIROX file describes, everything in SI units.
 
     The file is checked against the schema first. Lengths and angles of the mechanism are converted from the
-    units that its contexts declare. Entities that the model does not hold are kept beside the robot.
+    units that its contexts declare. Entities that the model does not hold are kept with the robot.
 
     Args:
         source: content of the file; any text is allowed.
@@ -101,7 +101,7 @@ def nirox_places(source: SourceText) -> PlaceOf:
 def _with_arm(file: ExchangeFile) -> tuple[ExchangeFile, tuple[Diagnostic, ...]] | None:
     """Return a NIROX file, or one of AP242 with the arm and the masses that follow from it; else nothing.
 
-    With it comes what AP242 does not say of masses.
+    Masses missing in AP242 are reported.
     """
     if NAME in file.schemas:
         return file, ()
@@ -131,7 +131,7 @@ def _robot(seen: Seen, name: str) -> tuple[RobotModel, tuple[FurtherFrame, ...]]
 
 
 def _kept(seen: Seen, beside: Beside) -> Iterator[Diagnostic]:
-    """Yield what is kept beside the robot: entities that nobody knows, and those without an effect."""
+    """Yield findings on kept entities: unknown ones, and entities without an effect."""
     if seen.unknown:
         shown = ", ".join(f"`{one[:60]}`" for one in seen.unknown[:_NAMED])
         more = f" and {len(seen.unknown) - _NAMED} more" if len(seen.unknown) > _NAMED else ""

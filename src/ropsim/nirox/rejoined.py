@@ -1,4 +1,4 @@
-"""The instances of a robot, joined with what its file said beside it."""
+"""The instances of a robot, joined with the other data of its file."""
 
 from ropsim.nirox.beside import Beside
 from ropsim.nirox.building import Building
@@ -6,11 +6,11 @@ from ropsim.part21 import Instance, Record, Reference, Typed, Value, references
 
 
 def rejoined(building: Building, beside: Beside) -> tuple[tuple[Instance, ...], tuple[Instance, ...]]:
-    """Return all instances to be written, and those that were kept and have lost what they refer to.
+    """Return all instances to be written, and the kept ones whose references are lost.
 
     Args:
         building: the instances of the robot.
-        beside: what its file said besides; numbers of its instances are those of that file.
+        beside: other data of its file; its instances have the numbers of that file.
     """
     joining = _Joining(building, beside)
     own = tuple(joining.own(instance) for instance in building.instances())
@@ -34,7 +34,7 @@ class _Joining:
         self._numbers = {number: first + place for place, number in enumerate(order)}
 
     def own(self, instance: Instance) -> Instance:
-        """Return an instance of the robot with what its file said of it besides."""
+        """Return an instance of the robot with its other data from the file."""
         key, beside = self._keys[instance.number], self._beside
         if key in beside.replaced:
             written, number = beside.replaced[key]
@@ -60,18 +60,18 @@ class _Joining:
         return Instance(instance.number, (Record(record.keyword, tuple(values)),))
 
     def kept(self) -> tuple[Instance, ...]:
-        """Return what was kept, with new numbers."""
+        """Return the kept instances, with new numbers."""
         return tuple(
             Instance(number, tuple(map(self._mapped, self._beside.instances[original].records)))
             for original, number in self._numbers.items()
         )
 
     def lost(self) -> tuple[Instance, ...]:
-        """Return what was kept and refers to what the robot no longer has."""
+        """Return the kept instances that refer to instances the robot no longer has."""
         return tuple(self._beside.instances[one] for one in self._beside.numbers if one in self._bad)
 
     def _others(self, number: int) -> list[int]:
-        """Return what an instance of the file refers to and the robot does not say itself."""
+        """Return the references of an instance of the file that the robot does not write itself."""
         found = []
         for record in self._beside.instances[number].records:
             found += [one for one in references(record.values) if not self._is_own(one)]
@@ -84,7 +84,7 @@ class _Joining:
         return all(one in self._numbers for one in self._others(number))
 
     def _closed(self, waiting: list[int]) -> set[int]:
-        """Return the instances with all that they refer to; those that refer to what is gone are bad."""
+        """Return the instances with all that they refer to; instances with lost references are excluded."""
         found: set[int] = set()
         users: dict[int, list[int]] = {}
         while waiting:

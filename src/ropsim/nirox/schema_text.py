@@ -1,4 +1,4 @@
-"""The text of the schema, and what conforms to it."""
+"""The text of the schema, and its conformance classes."""
 
 from enum import StrEnum
 from functools import lru_cache
@@ -28,10 +28,10 @@ def nirox_schema() -> Schema:
 
 
 class ConformanceClass(StrEnum):
-    """The classes of NIROX files; each asks for what those before it ask for.
+    """The classes of NIROX files; each includes the requirements of the ones before.
 
-    Masses and geometry are those of all moving links, drives those of all axes; an arm without closed chains
-    needs no cuts.
+    Masses and geometry must be complete for all moving links, drives for all axes; an arm without closed
+    chains needs no cuts.
     """
 
     CC1 = "kinematics"

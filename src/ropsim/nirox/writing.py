@@ -17,12 +17,12 @@ _HINT = "`ropsim robot audit` says more of the numbers of a robot"
 def write_nirox(robot: RobotModel, beside: Beside = NOTHING) -> WrittenRobot:
     """Return the NIROX file of a robot in its one canonical form.
 
-    Read again it is the same robot, to the last bit, but for what is told as lost. What is written keeps to
-    the schema; where the robot does not, the text is empty and the losses name the rule.
+    Read again it is the same robot, to the last bit, except for reported losses. The text conforms to the
+    schema; if the robot does not, the text is empty and the losses name the rule.
 
     Args:
         robot: to be written.
-        beside: what the file that it comes from said besides, which is written again.
+        beside: other data of the file that it comes from, written again.
 
     Raises:
         MechanismError: the robot cannot be.

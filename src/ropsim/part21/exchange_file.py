@@ -12,7 +12,7 @@ class Record:
     """A keyword with its parameters.
 
     Attributes:
-        keyword: name of the entity in capitals; those that users define begin with `!`.
+        keyword: name of the entity in capitals; user-defined ones begin with `!`.
         values: the parameters.
         offsets: where the parameters stand in the text, of the first `NOTED` of them.
     """
@@ -42,18 +42,18 @@ class Instance:
 
     @property
     def keyword(self) -> str:
-        """Return the keyword of a simple instance, and those of a complex one joined by `+`."""
+        """Return the keyword of a simple instance, and the keywords of a complex one joined by `+`."""
         return "+".join(record.keyword for record in self.records)
 
 
 @frozen_dataclass
 class ExchangeFile:
-    """What stands in an exchange file.
+    """Content of an exchange file.
 
     Attributes:
         header: its records, such as FILE_SCHEMA.
         instances: in the order of the text.
-        places: what tells where in the text something stands; nothing where no text was read.
+        places: function for places in the text; None without a text.
     """
 
     header: tuple[Record, ...]
@@ -87,7 +87,7 @@ class ExchangeFile:
 
 
 def references(values: tuple[Value, ...]) -> Iterator[int]:
-    """Yield the numbers of the instances that parameters refer to, in order, each as often as it stands."""
+    """Yield the numbers of the instances that parameters refer to, in order, with repetitions."""
     waiting: list[Value] = list(reversed(values))
     while waiting:
         value = waiting.pop()

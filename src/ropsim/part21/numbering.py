@@ -1,4 +1,4 @@
-"""The canonical numbers of instances: depth first, each before those that nothing before it refers to."""
+"""The canonical numbers of instances: depth first, each before unreferenced later ones."""
 
 from dataclasses import replace
 
@@ -9,9 +9,9 @@ from ropsim.part21.values import Reference, Typed, Value
 def canonical(file: ExchangeFile) -> ExchangeFile:
     """Return the same file with its instances numbered from 1 in their canonical order.
 
-    Instances that nobody refers to are gone through in the order of the file, and from each of them depth
-    first along its parameters; whatever is met gets the next number. Of instances that refer to each other in
-    a circle the first of the file is met first. What has been brought to this order keeps it.
+    The traversal starts at each unreferenced instance, in the order of the file, and follows its parameters
+    depth first; every visited instance gets the next number. A circle of references is entered at its first
+    instance in the file. A file in this order keeps its numbers.
 
     Args:
         file: without references to nothing.
@@ -32,7 +32,7 @@ def canonical(file: ExchangeFile) -> ExchangeFile:
 
 
 def _visit(root: int, known: dict[int, Instance], order: dict[int, int]) -> None:
-    """Give numbers to an instance and to all that it leads to, without recursion."""
+    """Assign numbers to an instance and to all instances reachable from it, without recursion."""
     waiting = [root]
     while waiting:
         number = waiting.pop()
@@ -42,7 +42,7 @@ def _visit(root: int, known: dict[int, Instance], order: dict[int, int]) -> None
 
 
 def _others(instance: Instance) -> list[int]:
-    """Return what an instance refers to, the last one first."""
+    """Return the references of an instance, the last one first."""
     found = [number for record in instance.records for number in references(record.values)]
     return list(reversed(found))
 

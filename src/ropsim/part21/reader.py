@@ -11,13 +11,13 @@ from ropsim.part21.scanner import Scanner, SyntaxProblemError, TokenKind
 MAX_CHARACTERS = 4_000_000
 MAX_INSTANCES = 100_000
 MAX_FINDINGS = 20
-"""Mistakes of one text that are told; more of them have one cause."""
+"""Maximum number of mistakes of one text that are reported; more of them have a common cause."""
 _HEADER = ("FILE_DESCRIPTION", "FILE_NAME", "FILE_SCHEMA")
 _OTHER_SECTIONS = frozenset(("ANCHOR", "REFERENCE", "SIGNATURE", "DATA"))
 
 
 def read_exchange(source: SourceText) -> tuple[ExchangeFile, tuple[Diagnostic, ...]]:
-    """Return what stands in an exchange file, and every mistake of it.
+    """Return the content of an exchange file, and all its mistakes.
 
     A damaged instance is left out and reading goes on behind it.
 

@@ -25,7 +25,7 @@ SHOWN = 24
 
 
 class TokenKind(Enum):
-    """What a token is."""
+    """Kind of a token."""
 
     STRING = "a string"
     REFERENCE = "a reference"
@@ -49,7 +49,7 @@ _KINDS = (
     TokenKind.INTEGER,
     TokenKind.BINARY,
 )
-"""What the groups of the pattern of a token are; most tokens are of the first ones."""
+"""Kinds of tokens by group of the pattern; frequent ones first."""
 
 
 class Token(NamedTuple):
@@ -65,7 +65,7 @@ _made = tuple.__new__
 
 
 class SyntaxProblemError(Exception):
-    """The text goes on in another way than it may; carries what is said of it."""
+    """Syntax error; carries its message."""
 
     def __init__(self, finding: Diagnostic) -> None:
         super().__init__(finding.message)
@@ -139,10 +139,10 @@ class Scanner:
         self.token = self._scanned()
 
     def problem(self, allowed: str, at: Token | None = None) -> SyntaxProblemError:
-        """Return what to raise where something else than what is allowed comes next.
+        """Return the exception for a token that is not allowed.
 
         Args:
-            allowed: what is allowed there, in words.
+            allowed: the allowed tokens, in words.
             at: the token in question; None for the next one.
         """
         token = at or self.token

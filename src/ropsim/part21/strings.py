@@ -24,10 +24,10 @@ def decoded(text: str) -> str:
     """Return the characters that a string stands for.
 
     Args:
-        text: what stands between the apostrophes; line ends in it do not count.
+        text: text between the apostrophes; line ends in it do not count.
 
     Raises:
-        BadStringError: a directive is not one of ISO 10303-21, or gives no character.
+        BadStringError: a directive is not in ISO 10303-21, or encodes no character.
     """
     if "\\" not in text and "'" not in text and "\n" not in text and "\r" not in text:
         return text
@@ -51,7 +51,7 @@ def decoded(text: str) -> str:
 
 
 def encoded(text: str) -> str:
-    """Return a string as it stands between apostrophes, in basic characters only."""
+    """Return a string as encoded between apostrophes, in basic characters only."""
     basic = text.replace("\\", "\\\\").replace("'", "''")
     return _BEYOND.sub(lambda match: _directive(match[0]), basic)
 
@@ -67,7 +67,7 @@ def _characters(digits: str, width: int, offset: int) -> str:
 
 
 def _directive(text: str) -> str:
-    """Return what stands for characters beyond the basic ones; lone surrogates have no place in a string."""
+    """Return the encoding of characters beyond the basic ones; lone surrogates cannot be encoded."""
     if any(0xD800 <= ord(one) < 0xE000 for one in text):
         raise BadStringError(0)
     if all(ord(one) < 0x10000 for one in text):

@@ -28,7 +28,7 @@ class Enumeration:
 
 @frozen_dataclass
 class Binary:
-    """A row of bits as it stands between quotation marks.
+    """A row of bits as encoded between quotation marks.
 
     Attributes:
         digits: first how many bits of the next digit do not count, 0 to 3, then hexadecimal digits.
@@ -43,7 +43,7 @@ class Typed:
 
     Attributes:
         keyword: name of the type in capitals.
-        value: what stands in the parentheses.
+        value: value in the parentheses.
     """
 
     keyword: str

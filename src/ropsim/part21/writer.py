@@ -9,11 +9,11 @@ from ropsim.part21.values import Absent, Binary, Enumeration, Reference, Typed, 
 
 
 def write_exchange(file: ExchangeFile) -> str:
-    """Return the canonical text of an exchange file, the same whatever numbers its instances have.
+    """Return the canonical text of an exchange file, independent of the numbers of its instances.
 
-    Each record of the header and each instance stands on a line of its own, numbered as `canonical` does it;
-    real numbers have the fewest digits that give the same number again. Reading the text and writing it once
-    more gives the same bytes.
+    Each record of the header and each instance has a separate line, numbered by `canonical`; real numbers
+    have the fewest digits that represent the same number. Reading the text and writing it again yields the
+    same bytes.
 
     Args:
         file: its references lead to instances of it.
@@ -40,7 +40,7 @@ def _record(record: Record) -> str:
 
 
 def value_text(value: Value) -> str:
-    """Return a parameter as it stands in a file.
+    """Return a parameter in the form of a file.
 
     Raises:
         ValueError: a number is not finite, or a character has no place in a string.

@@ -15,7 +15,7 @@ def recursion(tasks: Iterable[Task]) -> tuple[Diagnostic, ...]:
 
 
 def circles(calls: Mapping[str, Iterable[tuple[str, Span]]]) -> tuple[Diagnostic, ...]:
-    """Return the same of what each task calls and where, by the name of the task."""
+    """Return the same for the calls of each task and their places, by the name of the task."""
     return tuple(_cycles(calls))
 
 

@@ -22,7 +22,7 @@ from ropsim.program.walk import walk
 
 
 class Gripper(Enum):
-    """What is known of the gripper at a place of a program."""
+    """Known state of the gripper at a place of a program."""
 
     OPEN = "open"
     CLOSED = "closed"
@@ -45,7 +45,7 @@ class GripperPassage:
     Attributes:
         now: state behind its last statement.
         end: state behind it, also where it returns.
-        found: what is wrong in it, by the place of the call.
+        found: findings, by the place of the call.
         entered: tasks that it calls, with the states in which they begin.
     """
 
@@ -57,7 +57,7 @@ class GripperPassage:
 
 @frozen_dataclass
 class GripperCalls:
-    """What a block needs to know of tasks.
+    """Data of tasks that a block needs.
 
     Attributes:
         contracts: of a task, by its name; None for no task.
@@ -92,7 +92,7 @@ def check_contracts(program: Program, places: SourceMap | None = None) -> tuple[
     """Return a warning for each call of a task whose gripper contract the state at the call contradicts.
 
     The state is that of the tool in force; where a program uses several tools, changing the tool makes it
-    unknown. Each task is followed once from each state, callees first; of that counts what control reaches.
+    unknown. Each task is followed once from each state, callees first; only reachable code counts.
     """
     tasks = {task.name: task for task in program.tasks}
     if not any(has_gripper_contract(task) for task in tasks.values()):
@@ -119,7 +119,7 @@ def has_gripper_contract(task: Task) -> bool:
 def contract_findings(
     main: GripperPassage, passage: Callable[[str, Gripper], GripperPassage]
 ) -> tuple[Diagnostic, ...]:
-    """Return what is wrong where control comes, places as in the statements.
+    """Return the findings in reachable code, places as in the statements.
 
     Args:
         main: the control statements, followed.
@@ -167,7 +167,7 @@ class _Walk:
     loops: dict[tuple[int, State], _Flow] = field(default_factory=dict)
 
     def block(self, block: st.Block, flow: _Flow) -> None:
-        """Carry the state through a block; what follows a way out is not looked at."""
+        """Carry the state through a block; statements behind an exit are skipped."""
         for statement in block:
             if flow.now is None:
                 return
@@ -213,7 +213,7 @@ class _Walk:
         flow.now = end
 
     def loop(self, statement: st.While | st.For | st.Repeat, flow: _Flow) -> None:
-        # The first round with the state at the entry is exactly the first pass, so what it finds is true.
+        # The first round with the state at the entry is exactly the first pass, so its findings are valid.
         key = (id(statement), flow.now)
         if key not in self.loops:
             head = flow.now

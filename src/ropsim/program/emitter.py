@@ -23,8 +23,8 @@ class Emitter:
     """The code of one procedure.
 
     Attributes:
-        line: source line of what is emitted next, 0 where unknown.
-        is_live: whether control can reach what is emitted next; otherwise it is dropped.
+        line: source line of the next instruction, 0 if unknown.
+        is_live: whether control can reach the next instruction; otherwise it is dropped.
     """
 
     line: int = 0

@@ -46,9 +46,9 @@ class Unary:
 class Binary:
     """Two operands of one type.
 
-    `op` is `add sub mul div mod min max pow atan2` (INT, REAL; `add sub` also VEC), `eq ne lt le gt ge`
-    (INT or REAL operands, for `eq ne` BOOL ones, too; BOOL result), `and or` (BOOL), `compose` (POSE) or
-    `distance` (two POSE to REAL).
+    `op` is `add sub mul div mod min max pow atan2` (INT, REAL; `add sub` also VEC), `eq ne lt le gt ge` (INT
+    or REAL operands, for `eq ne` also BOOL; BOOL result), `and or` (BOOL), `compose` (POSE) or `distance`
+    (two POSE to REAL).
     """
 
     op: str
@@ -97,7 +97,7 @@ class MakePose:
 
 @frozen_dataclass
 class MakeExternal:
-    """A POSE with REAL values of external axes [rad | m] in place of those that it may have."""
+    """A POSE with REAL values of external axes [rad | m] in place of its present ones."""
 
     pose: "Expression"
     values: tuple["Expression", ...]
@@ -130,10 +130,10 @@ class InPosture:
 
 @frozen_dataclass
 class InFrame:
-    """A POSE whose numbers are given in a frame of its own, in whatever frame the program works.
+    """A POSE whose numbers are expressed in a specific frame, independent of the frame in force.
 
     Where a frame moves, as on a positioner, its place is known only when the move is planned. Without a name
-    the numbers are those of the frame in force.
+    the numbers are expressed in the frame in force.
     """
 
     operand: "Expression"
@@ -164,7 +164,7 @@ class Offset:
 
 @frozen_dataclass
 class Keeping:
-    """`result`, in which `Kept` stands for `value`: what is needed more than once is computed once."""
+    """`result`, in which `Kept` stands for `value`: a value needed more than once is computed once."""
 
     value: "Expression"
     result: "Expression"

@@ -7,7 +7,7 @@ from ropsim.program.expressions import Expression
 
 @frozen_dataclass
 class Settings:
-    """Modal values to set; None leaves a value as it is.
+    """Modal values to set; None leaves a value unchanged.
 
     Attributes:
         tool: name of a tool.
@@ -47,7 +47,7 @@ class Trigger:
 
     Attributes:
         signal: the output.
-        value: what it is set to.
+        value: new value.
         side: end of the motion from which is counted.
         distance: REAL, way of the TCP from there [m]; None where a time is given.
         time: REAL, time from there [s]; None where a distance is given.
@@ -65,7 +65,7 @@ class Guard:
     """The condition on one signal that ends a motion before its target.
 
     Attributes:
-        signal: what is looked at.
+        signal: monitored signal.
         comparison: how it is compared.
         value: BOOL or REAL with which it is compared; computed when the motion begins.
         timeout: REAL, time after which the motion ends all the same [s]; None for none.
@@ -82,7 +82,7 @@ class Tracking:
     """The signal by which a path is corrected while it is made.
 
     Attributes:
-        signal: what is measured, an analog signal.
+        signal: measured analog signal.
         value: REAL that it is to have; computed when the motion begins.
         gain: REAL > 0, speed of the correction [m/s] for each unit of the difference.
         direction: of the tool, in which it goes where the signal reads too much.
@@ -107,8 +107,8 @@ class Move:
             arc, any number a curve.
         angle: REAL [rad], how far an arc goes on its circle instead of ending at the target.
         triggers: outputs that are set on the way.
-        guard: what ends the motion before its target.
-        tracking: what corrects the path; None where it is made as it is planned.
+        guard: condition that ends the motion before its target.
+        tracking: correction of the path; None for the planned path.
         store: variable for the pose that the arm has at the end; empty for none.
     """
 

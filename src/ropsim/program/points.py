@@ -1,4 +1,4 @@
-"""Points of arcs and curves that make none, where constants tell where they are."""
+"""Points of arcs and curves that define no path, if they are constants."""
 
 import math
 from dataclasses import dataclass, field
@@ -33,7 +33,7 @@ _STILL = frozenset({st.Assign, st.AssignComponent, st.Message, st.Output, st.Wai
 
 
 def check_points(program: Program) -> tuple[Diagnostic, ...]:
-    """Return an error for each arc and each curve whose points, as far as they are constants, make none."""
+    """Return an error for each arc and each curve whose constant points define no path."""
     blocks = (program.main, *(task.body for task in program.tasks))
     return tuple(found for block in blocks for found in points_of(block))
 
@@ -64,7 +64,7 @@ class _Check:
         return place
 
     def statement(self, statement: st.Statement, place: KnownPlace | None) -> KnownPlace | None:
-        """Return the place after a statement; what steers the flow leaves none that is known for certain."""
+        """Return the place after a statement; unknown after control flow."""
         if type(statement) in _STILL:
             return place
         match statement:
@@ -95,7 +95,7 @@ class _Check:
         return _place(move.target) if ends_there and not is_other else None
 
     def through(self, move: Move, start: KnownPlace | None) -> None:
-        """Note what is wrong with the points of an arc or a curve."""
+        """Note the fault of the points of an arc or a curve."""
         places = [start, *map(_place, (*move.via, move.target))]
         if move.kind == MotionKind.CIRC and len(places) == 3:
             fault = _arc_fault(places)
@@ -108,7 +108,7 @@ class _Check:
 
 
 def _place(location: Expression) -> KnownPlace | None:
-    """Return where a location is, None where only a run tells."""
+    """Return a constant location, None if only a run determines it."""
     frame = location.frame if isinstance(location, InFrame) else ""
     inner = location.operand if isinstance(location, InFrame) else location
     if isinstance(inner, InPosture):
@@ -120,7 +120,7 @@ def _place(location: Expression) -> KnownPlace | None:
 
 
 def _arc_fault(places: list[KnownPlace | None]) -> tuple[str, str] | None:
-    """Return what is wrong with the points of an arc, and what to do."""
+    """Return the fault of the points of an arc, and the hint."""
     start, via, target = places
     if _is_one(via, target):
         return "the via point of the arc is its target", "choose a point between start and target"

@@ -20,7 +20,7 @@ class Local:
 
 @frozen_dataclass
 class Contract:
-    """What a task needs before it starts.
+    """Preconditions of a task.
 
     Attributes:
         gripper: state that the gripper must be in, or None.
@@ -43,7 +43,7 @@ class Task:
         locals: all other variables.
         result: type of the returned value, or None.
         body: statements.
-        contracts: what it needs.
+        contracts: preconditions.
         span: the header.
     """
 

@@ -1,4 +1,4 @@
-"""What the lowering of a procedure knows: names in sight, loops around, and what it has used so far."""
+"""State of the lowering of a procedure: names in sight, loops around, and usage so far."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
@@ -14,14 +14,14 @@ from ropsim.spatial import PoseTuple
 
 @frozen_dataclass
 class Known:
-    """What a program defines, by name: all that a procedure can look at besides its own statements.
+    """Definitions of a program, by name: the only data of a procedure besides its own statements.
 
     Attributes:
         tasks: of which only parameters and result count here.
         signals: channels.
         globals: types of the global variables.
         frames: in which locations can be given.
-        axes: how many joint coordinates there are, None as long as no statement has told.
+        axes: number of joint coordinates, None until a statement determines it.
     """
 
     tasks: Mapping[str, Task]
@@ -40,14 +40,14 @@ class Known:
 
 @dataclass(slots=True)
 class Used:
-    """What a procedure uses of the program; only that is declared in ICR.
+    """Entities of the program used by a procedure; only these are declared in ICR.
 
     Attributes:
         channels: inputs and outputs by name.
         tools: by name.
         frames: by name.
         axes: how many joint coordinates its values have.
-        has_guessed_axes: whether a value was needed before anything told.
+        has_guessed_axes: whether a value was needed before the number was determined.
     """
 
     channels: dict[str, IoChannel] = field(default_factory=dict)
@@ -91,11 +91,11 @@ class Scope:
     """The lowering of one procedure.
 
     Attributes:
-        known: what the program defines.
+        known: definitions of the program.
         task: the task, or None for the control statements.
-        unit: what the spans name whose lines are recorded.
+        unit: name of the unit of recorded lines in spans.
         lower_block: lowers a block in this scope.
-        used: what it uses of the program.
+        used: its usage of the program.
         emitter: the code so far.
         hidden: counters and limits of loops, by name.
         callees: tasks called, in the order of the calls.
@@ -103,7 +103,7 @@ class Scope:
         depth: modal states saved here.
         kept: names of the values that expressions around keep, innermost last.
         numbers: of the newest hidden name, by its purpose.
-        first: tells the number of the newest one that stands before this scope, 0 for none.
+        first: returns the number of the newest one before this scope, 0 for none.
         types: of the variables in sight, by name; locals hide globals.
     """
 
@@ -134,7 +134,7 @@ class Scope:
         """Return the type of a variable in sight.
 
         Raises:
-            LoweringError: there is no such variable.
+            LoweringError: the variable is unknown.
         """
         kind = self.types.find(name)
         if kind is None:
@@ -156,7 +156,7 @@ class Scope:
         """Return a channel and note its use.
 
         Raises:
-            LoweringError: there is no such signal.
+            LoweringError: the signal is unknown.
         """
         signal = self.known.signals.get(name)
         if signal is None:
@@ -168,7 +168,7 @@ class Scope:
         """Return the name of a frame in which locations are given, and note its use.
 
         Raises:
-            LoweringError: there is no such frame.
+            LoweringError: the frame is unknown.
         """
         if name not in self.known.frames:
             raise unsound(f"frame `{name}` is not declared")
@@ -179,7 +179,7 @@ class Scope:
         """Return a task and note the call.
 
         Raises:
-            LoweringError: there is no such task.
+            LoweringError: the task is unknown.
         """
         task = self.known.tasks.get(name)
         if task is None:

@@ -27,8 +27,8 @@ class Places:
 class SourceMap:
     """Where the units of a text lie: its tasks and its control statements.
 
-    Spans of the structured program name their unit where others name a text. So they, and all that is made of
-    them, stay what they are while the unit is moved about.
+    Spans of the structured program name their unit where others name a text. So they, and results that
+    contain them, stay unchanged when the unit moves.
 
     Attributes:
         source: name of the text.
@@ -39,7 +39,7 @@ class SourceMap:
     units: Mapping[str, Places] = field(default_factory=dict)
 
     def span(self, span: Span) -> Span:
-        """Return where a span lies in the text; one of no unit is what it is."""
+        """Return where a span lies in the text; a span without a unit is unchanged."""
         places = self.units.get(span.source)
         if places is None:
             return span
@@ -68,7 +68,7 @@ class SourceMap:
 
 
 def placed(finding: Diagnostic, place: Callable[[Span], Span]) -> Diagnostic:
-    """Return a finding whose spans are what `place` makes of them."""
+    """Return a finding with its spans converted by `place`."""
     return replace(
         finding,
         span=place(finding.span) if finding.span is not None else None,

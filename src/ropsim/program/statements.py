@@ -1,4 +1,4 @@
-"""Typed statements of the structured program (SIR): what front ends produce and posts print."""
+"""Typed statements of the structured program (SIR): output of front ends and input of posts."""
 
 from ropsim.core import Span, frozen_dataclass
 from ropsim.flow import GripAction
@@ -46,7 +46,7 @@ class WaitUntil:
 
 @frozen_dataclass
 class Assign:
-    """Give a variable a value."""
+    """Assign a value to a variable."""
 
     name: str
     value: Expression
@@ -55,7 +55,7 @@ class Assign:
 
 @frozen_dataclass
 class AssignComponent:
-    """Give component `index` of a POSE, VEC or JOINTS variable a REAL."""
+    """Assign a REAL to component `index` of a POSE, VEC or JOINTS variable."""
 
     name: str
     index: int
@@ -120,7 +120,7 @@ class For:
 
 @frozen_dataclass
 class With:
-    """Run `body` under `settings`, then restore what held before; tasks called inside inherit them."""
+    """Run `body` under `settings`, then restore the earlier settings; tasks called inside inherit them."""
 
     settings: Settings
     body: Block

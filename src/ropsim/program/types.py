@@ -1,4 +1,4 @@
-"""The value types of the structured program: those of ICR."""
+"""The value types of the structured program: the types of ICR."""
 
 from ropsim.icr import Type as ValueType
 

@@ -1,4 +1,4 @@
-"""SWI-Prolog inside the Python process: knowledge bases are checked, loaded and asked, and call Python."""
+"""SWI-Prolog inside the Python process: knowledge bases are checked, loaded and queried, and call Python."""
 
 from ropsim.prolog.answers import Answer as Answer
 from ropsim.prolog.answers import Answers as Answers

@@ -8,11 +8,11 @@ from ropsim.prolog.failures import answer_of, failures_told
 from ropsim.prolog.terms.terms import Term
 
 Answer = Mapping[str, Term]
-"""What each variable of a goal is, by its name in the goal."""
+"""Value of each variable of a goal, by its name in the goal."""
 
 
 class _Goal:
-    """A goal that has begun: its replies, and whether anybody wants more of them."""
+    """A goal that has begun: its replies, and whether more of them may be requested."""
 
     __slots__ = ("has_begun", "is_running", "is_wanted", "replies")
 
@@ -54,19 +54,19 @@ class GoalStack:
             goal.is_running = False
 
     def sweep(self) -> None:
-        """End the uppermost goals that nobody wants."""
+        """End the uppermost goals whose answers are not needed any more."""
         while self._goals and not self._goals[-1].is_wanted and not self._goals[-1].is_running:
             self._goals.pop().replies.close()
 
     def give_up(self) -> None:
-        """Give up all goals: their Prolog is gone."""
+        """Abandon all goals: their Prolog has ended."""
         for goal in self._goals:
             goal.is_wanted = False
         self._goals.clear()
 
 
 class Answers(Iterator[Answer]):
-    """The answers of one goal; Prolog looks for the next one when it is asked for."""
+    """The answers of one goal; Prolog computes the next one on request."""
 
     def __init__(self, replies: Generator[Term], stack: GoalStack) -> None:
         self._goal = _Goal(replies)
@@ -96,7 +96,7 @@ class Answers(Iterator[Answer]):
         return answer
 
     def close(self) -> None:
-        """Want no more answers."""
+        """Request no more answers."""
         self._ended = True
         self._goal.is_wanted = False
         with failures_told():

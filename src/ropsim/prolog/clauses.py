@@ -1,4 +1,4 @@
-"""What is wrong with the clauses of a text, from what Prolog read of it."""
+"""Findings in the clauses of a text, from the terms that Prolog read."""
 
 from bisect import bisect_right
 from collections.abc import Iterator, Mapping
@@ -40,7 +40,7 @@ class Places:
 
 
 def findings_of(text: SourceText, reply: Term) -> tuple[Diagnostic, ...]:
-    """Return what is wrong with a text, in the order of the text.
+    """Return the findings in a text, in the order of the text.
 
     Raises:
         GoalError: reading was stopped, or ended with an error.
@@ -133,7 +133,7 @@ def _unknown(
 
 
 def _meant(name: str, names: Mapping[str, list[str]]) -> str:
-    """Return what may have been meant: the same name with other arguments, or another name."""
+    """Return the likely intended predicate: the same name with other arguments, or another name."""
     if name in names:
         return f"there is {' and '.join(f'`{one}`' for one in names[name][:3])}"
     return did_you_mean(name, names)

@@ -9,12 +9,12 @@ from ropsim.prolog.terms.terms import Atom, Struct, Term, Var
 from ropsim.prolog.terms.writing import write_term
 
 MOST_OPEN = 1000
-"""So many calls may wait for their next solution at a time."""
+"""Number of calls that may wait for their next solution at a time."""
 MODULE = "ropsim_door"
 
 
 class Door:
-    """Registered predicates by name, and the calls of them that Prolog may ask for another solution."""
+    """Registered predicates by name, and the calls of them that Prolog may request another solution."""
 
     def __init__(self) -> None:
         self._predicates: dict[tuple[str, int], Predicate] = {}
@@ -54,7 +54,7 @@ class Door:
         return "\n".join([*begin, *sorted(lines, key=lambda line: line.startswith("sandbox")), ""])
 
     def answer(self, request: str) -> str:
-        """Return the canonical text of the reply to a call; what goes wrong becomes an error of Prolog."""
+        """Return the canonical text of the reply to a call; an exception becomes an error of Prolog."""
         try:
             return write_term(self._answer(read_term(request)))
         except Exception as error:
@@ -109,7 +109,7 @@ def _failure(error: Exception) -> tuple[Term, Term]:
 
 
 def _found(term: object) -> str:
-    """Return what a function has found, as Prolog writes it."""
+    """Return the result of a function in Prolog syntax."""
     if isinstance(term, Atom | Struct | Var | int | float | str | tuple):
         return f"`{write_term(term)}`"
     return "a value that is no term"

@@ -37,7 +37,7 @@ class Engine:
     """A Prolog with knowledge bases; it starts when it is first needed, and comes again after a crash.
 
     One thread uses it; only `cancel` may be called by others. What goals assert lives until the next crash:
-    what has to stay is given with `put_facts`.
+    permanent facts are set with `put_facts`.
     """
 
     def __init__(
@@ -51,7 +51,7 @@ class Engine:
         Args:
             limits: of the engine, and of goals for which no others are given.
             prolog: which one it uses.
-            preparation: what it has from its start on.
+            preparation: its contents from the start on.
         """
         self.limits = limits or Limits()
         self.prolog = prolog
@@ -66,7 +66,7 @@ class Engine:
         self._stack = GoalStack()
 
     def check(self, text: SourceText) -> tuple[Diagnostic, ...]:
-        """Return what is wrong with a text, clause by clause, without loading it; its directives are not run.
+        """Return the findings in a text, clause by clause, without loading it; its directives are not run.
 
         Raises:
             GoalError: reading took too long or too much.
@@ -75,10 +75,10 @@ class Engine:
         return findings_of(text, self._once("check", request))
 
     def consult(self, text: SourceText, trust: Trust = Trust.STRANGER) -> tuple[Diagnostic, ...]:
-        """Load a text, in place of the one that had its name; return what is wrong with it.
+        """Load a text in place of the one with its name; return its findings.
 
         It is loaded into the module that it declares, else into one with the name of its file, without folder
-        and ending. A text with errors is not loaded, nor is it there as it was before.
+        and ending. A text with errors is not loaded, and its earlier version is removed.
 
         Raises:
             GoalError: loading took too long or too much; or P123, a stranger's text for the native Prolog.
@@ -110,13 +110,13 @@ class Engine:
         return findings
 
     def forget(self, name: str) -> None:
-        """Take the text of a name out of the engine, and all that it defined."""
+        """Take the text of a name out of the engine, and all its definitions."""
         loaded = self._texts.pop(name, None)
         if loaded is not None:
             self._once("forget", Atom(self._prolog().place(loaded.path)))
 
     def put_facts(self, module: str, facts: Iterable[Term]) -> None:
-        """Let a module hold these facts and no others, such as what is true in the cell.
+        """Let a module hold these facts and no others, such as the state of the cell.
 
         Raises:
             GoalError: a fact is no callable term, or the module is one of a text.
@@ -143,12 +143,12 @@ class Engine:
     def query(
         self, goal: str | Struct | Atom, *, module: str = "user", limits: Limits | None = None
     ) -> Answers:
-        """Yield the answers of a goal, one by one; Prolog looks for the next when it is asked for.
+        """Yield the answers of a goal, one by one; Prolog computes the next on request.
 
         Args:
             goal: a term, or its text without a full stop.
             module: the module in which the goal is meant.
-            limits: for this goal; those of the engine where nothing is said.
+            limits: for this goal; by default the limits of the engine.
 
         Raises:
             GoalError: the goal cannot be read, is not allowed, ended with an error or was stopped.
@@ -164,7 +164,7 @@ class Engine:
     def once(
         self, goal: str | Struct | Atom, *, module: str = "user", limits: Limits | None = None
     ) -> Answer | None:
-        """Return the first answer of a goal, None where it has none; all else is as with `query`."""
+        """Return the first answer of a goal, None if it has no answer; see `query`."""
         answers = self.query(goal, module=module, limits=limits)
         try:
             return next(answers, None)
@@ -172,12 +172,12 @@ class Engine:
             answers.close()
 
     def module_of(self, name: str) -> str | None:
-        """Return the module of the text of a name, or None where there is no such text."""
+        """Return the module of the text of a name, or None for an unknown text."""
         loaded = self._texts.get(name)
         return loaded.module if loaded else None
 
     def printed(self) -> str:
-        """Return what goals and texts have printed since the last time, up to 64 KiB."""
+        """Return the output of goals and texts since the last call, up to 64 KiB."""
         return self._running.printed() if self._running else ""
 
     def cancel(self) -> None:
@@ -207,7 +207,7 @@ class Engine:
         return reply
 
     def _prolog(self) -> RunningProlog:
-        """Return the Prolog that runs; where there is none, start one and give it what the last one had.
+        """Return the running Prolog; if there is none, start one with the contents of the last one.
 
         Raises:
             GoalError: the engine belongs to another thread.
@@ -229,7 +229,7 @@ class Engine:
             try:
                 with failures_told():
                     self._replay(running)
-            except BaseException:  # what it was not given it would never have
+            except BaseException:  # contents not transferred now would never be
                 self.close()
                 raise
         return running
@@ -242,7 +242,7 @@ class Engine:
             self._load(running, loaded)
 
     def _prepare(self, running: RunningProlog) -> None:
-        """Open the door and give what the engine has from the start on, or go on from where that was done."""
+        """Open the door and transfer the initial contents of the engine, or restore them from an image."""
         own, loads, door = self._preparation, self._preparation.loads(), self._door.text()
         mark = own.mark(door)
         if own.sources and running.go_on(mark):

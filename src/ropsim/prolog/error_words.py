@@ -8,7 +8,7 @@ from ropsim.prolog.terms.writing import write_term
 MOST_CHARACTERS = 500
 """Longer words are cut off."""
 SHOWN_FAILURES = frozenset(("ValueError", "ZeroDivisionError", "OverflowError", "OSError", "RopsimError"))
-"""Errors of functions whose words are written for users; those of others name parts of Python."""
+"""Errors of functions whose words are written for users; messages of other errors name parts of Python."""
 INTO_ROPSIM = "this reaches into ropsim itself, which is not allowed"
 INTO_PROLOG = "this reaches into Prolog itself, which is not allowed"
 
@@ -34,8 +34,8 @@ def error_words(formal: Term, words: str) -> str:
     """Return the message for an error.
 
     Args:
-        formal: what Prolog's standard calls the formal term of the error.
-        words: Prolog's own, for errors that have none here.
+        formal: formal term of the error in Prolog's standard.
+        words: Prolog's own, for errors without own words.
     """
     match formal:
         case Struct("existence_error", (Atom("procedure"), called)):
@@ -59,7 +59,7 @@ def near_words(words: str) -> str:
 
 
 def thrown_words(ball: Term) -> str:
-    """Return the message for what a goal threw."""
+    """Return the message for the thrown term of a goal."""
     thrown = shown_words(f"`{_written(ball)}`")
     return INTO_ROPSIM if thrown == INTO_ROPSIM else f"the goal threw {thrown}, which nothing caught"
 
@@ -89,7 +89,7 @@ def quoted(words: str) -> str:
 
 
 def _without_modules(words: str, module: str = "user") -> str:
-    """Return words without the modules in front of names: that of a text, and those of Prolog's libraries."""
+    """Return words without modules in front of names: the text's own, and those in Prolog's libraries."""
     return re.sub(rf"(?<![\w'])(?:user|system|{re.escape(module)}):(?=[\w'(\[])", "", words)
 
 

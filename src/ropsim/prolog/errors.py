@@ -1,4 +1,4 @@
-"""What a goal raises that Prolog could not answer."""
+"""Error of a goal that Prolog could not answer."""
 
 from ropsim.core import Diagnostic, RopsimError
 from ropsim.prolog.terms.terms import Term

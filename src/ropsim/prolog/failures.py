@@ -1,4 +1,4 @@
-"""What Prolog replied or how it ended, as answers and as errors that say what to do."""
+"""Replies and terminations of Prolog, as answers and as errors with hints."""
 
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
@@ -59,7 +59,7 @@ def taken(reply: Term) -> None:
 
 
 def failure_of(reply: Term) -> GoalError:
-    """Return the error that a reply tells."""
+    """Return the error in a reply."""
     match reply:
         case Struct("stopped", (Atom(why),)) if why in _STOPPED:
             kind, message, hint = _STOPPED[why]
@@ -80,7 +80,7 @@ def failure_of(reply: Term) -> GoalError:
 
 @contextmanager
 def failures_told() -> Iterator[None]:
-    """Turn what ends an engine or a reply into errors with words.
+    """Turn terminations of an engine and error replies into exceptions with words.
 
     Raises:
         GoalError: Prolog has crashed or was stopped, or a reply cannot be taken over.

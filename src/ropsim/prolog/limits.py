@@ -5,15 +5,15 @@ from ropsim.core import frozen_dataclass
 
 @frozen_dataclass
 class Limits:
-    """What an engine and each of its goals may take.
+    """Limits of an engine and each of its goals.
 
     Attributes:
         seconds: time inside Prolog, of a goal with all its solutions, or of loading a text [s].
-        inferences: steps of a goal up to its next solution, or None for no such limit. The same goal takes
-            the same number everywhere, so unlike time this limit gives the same result on every machine; in
-            the native Prolog calls of the host count some dozens.
-        memory_bytes: memory of the whole engine, between 64 MiB and 2 GiB; of the native Prolog that of its
-            stacks, and on Linux of all else beside its code.
+        inferences: steps of a goal up to its next solution, or None for no limit. The same goal takes the
+            same number everywhere, so unlike time this limit has the same result on every machine; in the
+            native Prolog calls of the host count some dozens.
+        memory_bytes: memory of the whole engine, between 64 MiB and 2 GiB; of the native Prolog the memory of
+            its stacks, and on Linux of all data except its code.
     """
 
     seconds: float = 10.0

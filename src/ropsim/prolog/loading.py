@@ -1,4 +1,4 @@
-"""What Prolog says while it loads a text, as findings."""
+"""Messages of Prolog during loading of a text, as findings."""
 
 from collections.abc import Iterator
 
@@ -9,7 +9,7 @@ from ropsim.prolog.failures import failure_of
 from ropsim.prolog.terms.terms import Atom, Struct, Term
 
 CHECKED = {"syntax_error", "singletons", "discontiguous", "multitons", "undefined_procedures"}
-"""Sorts of messages about what `check` has told with better places."""
+"""Sorts of messages that `check` reports with better places."""
 
 
 def loaded_module(reply: Term) -> str:

@@ -1,4 +1,4 @@
-"""What an engine has from its first start on, before any text of others."""
+"""Contents of an engine from its first start on, before any text of users."""
 
 from collections.abc import Mapping
 from dataclasses import field
@@ -28,14 +28,14 @@ class Preparation:
     sources: tuple[SourceText, ...] = ()
 
     def loads(self) -> tuple[LoadedText, ...]:
-        """Return the sources as they are loaded."""
+        """Return the sources in loading order."""
         return tuple(
             LoadedText(f"/kb/{one.name}", one.text.encode(), PurePosixPath(one.name).stem, Trust.OWN)
             for one in self.sources
         )
 
     def mark(self, door: str) -> str:
-        """Return what tells a Prolog that was given all this from others.
+        """Return a key of these contents.
 
         Args:
             door: the text of the module of all predicates.

@@ -1,4 +1,4 @@
-"""What a Prolog that runs has to do, whatever it runs on."""
+"""Interface of a running Prolog, independent of its platform."""
 
 from collections.abc import Callable, Generator, Mapping
 from enum import Enum
@@ -9,7 +9,7 @@ from typing import Protocol
 from ropsim.core import read_bytes
 
 MOST_BYTES = 8 << 20
-"""Bytes of a text that is taken over; where the other side counts characters, so many of these."""
+"""Bytes of a text that is taken over; where the other side counts characters, this number of them."""
 
 
 class Prolog(Enum):
@@ -29,7 +29,7 @@ class StoppedError(CrashError):
     """The program was ended from outside.
 
     Attributes:
-        why: `time` or `cancelled`, a key of what is said about it.
+        why: `time` or `cancelled`, a key of its message.
     """
 
     why = "time"
@@ -44,23 +44,23 @@ class Program(Protocol):
 
     @property
     def grace(self) -> float:
-        """After so much time over its limit it is stopped from outside, where it did not stop itself [s]."""
+        """Time beyond the limit after which a program that did not stop is ended from outside [s]."""
 
     @property
     def has_ended(self) -> bool:
         """Return whether it is of no use any more."""
 
     def write(self, path: str, content: bytes) -> None:
-        """Put a file among those that Prolog sees."""
+        """Write a file into the file system of Prolog."""
 
     def place(self, path: str) -> str:
-        """Return by what name Prolog sees a file that was written."""
+        """Return the path under which Prolog sees a written file."""
 
     def printed(self) -> str:
-        """Return what Prolog has printed since the last time."""
+        """Return the output of Prolog since the last call."""
 
     def replies(self, name: str, request: str) -> Generator[tuple[str, bool]]:
-        """Ask one of our predicates; yield the text of each reply, and whether it is the last.
+        """Call one of our predicates; yield the text of each reply, and whether it is the last.
 
         Closing the generator ends the question. Questions end in the reverse order in which they began.
 
@@ -73,35 +73,35 @@ class Program(Protocol):
         """Go on from where another one was kept under a mark, with the same files.
 
         Returns:
-            whether there is such a one; else nothing has changed.
+            whether there is another reply; else nothing has changed.
         """
 
     def keep(self, mark: str) -> None:
-        """Keep the program as it is now, where that can be, for others of this machine.
+        """Save an image of the program, if possible, for other processes on this machine.
 
         Args:
-            mark: tells what it was given and asked since it has started.
+            mark: key of its contents and of all requests since its start.
         """
 
     def limit(self) -> None:
-        """Let the next `stop` end what runs from now on."""
+        """Let the next `stop` end anything that runs from now on."""
 
     def stop(self) -> None:
-        """End what Prolog does now; any thread may call this."""
+        """End the present work of Prolog; any thread may call this."""
 
     def close(self) -> None:
         """End Prolog."""
 
 
 Start = Callable[[int, Callable[[str], str]], Program]
-"""Starts a program with so many bytes of memory; what Prolog asks of its host is answered by the function."""
+"""Starts a program with a memory limit in bytes; the function answers calls of Prolog to its host."""
 
 
 def own_sources(host: str) -> Mapping[str, bytes]:
-    """Return what of Prolog is ours, by file name; `engine.pl` loads the others.
+    """Return our Prolog sources, by file name; `engine.pl` loads the others.
 
     Args:
-        host: file by which Prolog asks its host.
+        host: file with Prolog's calls to its host.
     """
     folder = files("ropsim.prolog").joinpath("pl")
     names = {"engine.pl": "engine.pl", "reader.pl": "reader.pl", "host.pl": host}

@@ -1,4 +1,4 @@
-"""One Prolog that runs: started, asked, held to its time; after a crash a new one takes its place."""
+"""A running Prolog: started, queried, stopped at its time limit; after a crash a new one replaces it."""
 
 from collections.abc import Callable, Generator
 from itertools import count
@@ -14,16 +14,16 @@ from ropsim.prolog.watchdog import watchdog
 
 TICK = "tick"
 CLOSING = 1.0
-"""For taking back what a request has left, next to nothing: the process may have to wait for its turn [s]."""
+"""Time limit for undoing the effects of a request; long, since the process may wait for the CPU [s]."""
 _numbers = count()
 
 
 class RunningProlog:
     """Answers requests; it belongs to one thread, except for `cancel`.
 
-    That time is over is told in two ways. Prolog asks its host after so many inferences (`tick`) and stops by
-    an error of its own, after which it can go on. Where it does not ask, or catches that error, the watchdog
-    stops the program, which is of no use any more.
+    The end of the time is signalled in two ways. Prolog calls its host after a number of inferences (`tick`)
+    and stops by an error of its own, after which it can go on. If it does not call, or catches that error,
+    the watchdog stops the program, which is of no use any more.
     """
 
     def __init__(self, limits: Limits, dispatch: Callable[[str], str], start: Start) -> None:
@@ -32,7 +32,7 @@ class RunningProlog:
         Args:
             limits: of its memory.
             dispatch: answers calls of registered predicates.
-            start: what it runs on.
+            start: starts the program.
         """
         self._dispatch = dispatch
         self._number = next(_numbers)
@@ -52,11 +52,11 @@ class RunningProlog:
         return self._program.has_ended
 
     def write(self, path: str, content: bytes) -> None:
-        """Put a file among those that Prolog sees."""
+        """Write a file into the file system of Prolog."""
         self._program.write(path, content)
 
     def place(self, path: str) -> str:
-        """Return by what name Prolog sees a file that was written."""
+        """Return the path under which Prolog sees a written file."""
         return self._program.place(path)
 
     def go_on(self, mark: str) -> bool:
@@ -64,7 +64,7 @@ class RunningProlog:
         return self._program.go_on(mark)
 
     def keep(self, mark: str) -> None:
-        """Keep it as it is now; see `Program.keep`."""
+        """Save an image of it; see `Program.keep`."""
         self._program.keep(mark)
 
     def close(self) -> None:
@@ -72,11 +72,11 @@ class RunningProlog:
         self._program.close()
 
     def printed(self) -> str:
-        """Return what Prolog has printed since the last time."""
+        """Return the output of Prolog since the last call."""
         return self._program.printed()
 
     def cancel(self) -> None:
-        """Stop what runs; any thread may call this."""
+        """Stop the running query; any thread may call this."""
         with self._lock:
             if self._ends:
                 self._cancelled = True
@@ -87,7 +87,7 @@ class RunningProlog:
 
         Args:
             name: the predicate.
-            request: what it is asked.
+            request: the request.
             seconds: how long Prolog may work at it [s]; the time between replies does not count.
 
         Raises:
@@ -112,7 +112,7 @@ class RunningProlog:
                 self._limited(replies.close, monotonic() + CLOSING)
 
     def once(self, name: str, request: Term, seconds: float) -> Term:
-        """Return the only reply to a request; errors are those of `ask`."""
+        """Return the only reply to a request; errors as with `ask`."""
         replies = self.ask(name, request, seconds)
         try:
             return next(replies, Atom("fail"))
@@ -123,7 +123,7 @@ class RunningProlog:
         return self._limited(lambda: next(replies, None), end)
 
     def _limited(self, work: Callable[[], tuple[str, bool] | None], end: float) -> tuple[str, bool] | None:
-        """Let Prolog work until a time; inside of a call of the host the outer time holds, too."""
+        """Let Prolog work until a time; inside of a call of the host the outer limit also applies."""
         outer = self._ends[-1] if self._ends else float("inf")
         with self._lock:
             self._ends.append(min(end, outer))
@@ -150,5 +150,5 @@ class RunningProlog:
             return "cancelled" if self._cancelled else "time" if over else "go"
         try:
             return self._dispatch(text)
-        except TooLongError as error:  # what a function of the host was asked about
+        except TooLongError as error:  # called with the question to a function of the host
             return write_term(Struct("throw", (str(error),)))

@@ -7,7 +7,7 @@ from time import monotonic
 
 
 class Watchdog:
-    """Keeps for each owner one time and what is done then; it is done while nobody can call it off."""
+    """Holds one deadline and one action per owner; `call_off` waits for an action that is running."""
 
     def __init__(self) -> None:
         self._changed = Condition()

@@ -1,4 +1,4 @@
-"""Knowledge bases of tasks: what a robot can do, whether it can now, and what it has to do for a goal."""
+"""Knowledge bases of tasks: the tasks of a robot, whether each is possible now, and plans for a goal."""
 
 from ropsim.tasks.answers.call_reading import call_of as call_of
 from ropsim.tasks.answers.call_report import CallReport as CallReport

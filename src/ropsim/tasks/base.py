@@ -1,4 +1,4 @@
-"""A knowledge base: what tasks there are, whether a call is possible, which tasks reach a goal."""
+"""A knowledge base: its tasks, whether a call is possible, and plans for a goal."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
@@ -26,14 +26,14 @@ NOWHERE = Anywhere()
 
 
 class KnowledgeBase:
-    """The tasks of some texts, with those of the library that comes with ropsim.
+    """The tasks of some texts, with the tasks of the library that comes with ropsim.
 
-    A text is read clause by clause; whatever is wrong with one is a finding, and all others are there.
-    One thread uses a knowledge base, only `cancel` may be called by others.
+    A text is read clause by clause; an error in one is a finding, and all other clauses are usable. One
+    thread uses a knowledge base, only `cancel` may be called by others.
 
     Attributes:
         texts: of the project and of the user, by their names.
-        findings: what is wrong with the folder and the texts, in their order.
+        findings: errors in the folder and the texts, in their order.
     """
 
     def __init__(
@@ -54,11 +54,11 @@ class KnowledgeBase:
         findings: Iterable[Diagnostic] = (),
         users: Iterable[SourceText] = (),
     ) -> None:
-        """Read other texts in place of those that there are, in the same Prolog.
+        """Read other texts in place of the present ones, in the same Prolog.
 
         Args:
             texts: of the project, in their order.
-            findings: what is wrong with the folders.
+            findings: errors in the folders.
             users: texts of the user's own folder; tasks of the project take the place of theirs.
         """
         layers = {Layer.LIBRARY: library_texts(), Layer.USER: tuple(users), Layer.PROJECT: tuple(texts)}
@@ -83,13 +83,13 @@ class KnowledgeBase:
         """Return the knowledge base of a project, of a folder of texts or of one text.
 
         Args:
-            path: a project with a folder `kb`, such a folder, or a .pl file.
-            geometry: what knows where the arm can go; without it geometry refuses nothing.
+            path: a project with a folder `kb`, this folder itself, or a.pl file.
+            geometry: reach and obstacles of the arm; without it geometry refuses nothing.
             users: folder of the user's own texts; None, or one that is not there, for none.
             prolog: which SWI-Prolog reads the texts and answers.
 
         Raises:
-            TaskError: there is no such path.
+            TaskError: the path does not exist.
         """
         texts, findings = read_folder(Path(path))
         own, more = read_folder(users) if users is not None and users.is_dir() else ((), ())
@@ -97,21 +97,21 @@ class KnowledgeBase:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """Return the names of all tasks, those of the library first."""
+        """Return the names of all tasks, tasks of the library first."""
         return tuple(self._spans)
 
     @property
     def asked(self) -> int:
-        """Return how many questions geometry has been asked."""
+        """Return the number of geometry queries so far."""
         return self._geometry.asked
 
     @property
     def unchecked(self) -> tuple[str, ...]:
-        """Return what conditions may name and nothing looks at, such as `collisions`."""
+        """Return the conditions that nothing checks, such as `collisions`."""
         return self._geometry.unchecked
 
     def tasks(self) -> tuple[KnownTask, ...]:
-        """Return all tasks, those of the library first."""
+        """Return all tasks, tasks of the library first."""
         self._fetch([name for name in self._spans if name not in self._tasks])
         return tuple(self._tasks[name] for name in self._spans)
 
@@ -122,7 +122,7 @@ class KnowledgeBase:
         return self._tasks.get(name)
 
     def clause(self, name: str) -> ClausePlaces | None:
-        """Return where the parts of the clause of a task stand, None where there is no such task."""
+        """Return where the parts of the clause of a task stand, None for an unknown task."""
         if name not in self._spans:
             return None
         found = self._host.ask("ropsim_kb", Struct("clause_places", (Atom(name), Var("Found"))))
@@ -130,7 +130,7 @@ class KnowledgeBase:
 
     @property
     def always(self) -> frozenset[tuple[str, int]]:
-        """Return names and arities of what rules give, and of facts that hold in every state."""
+        """Return names and arities of facts derived by rules, and of facts that hold in every state."""
         found = self._host.ask("ropsim_kb", Struct("always", (Var("Found"),)))
         pairs = (
             [one.arguments for one in found if isinstance(one, Struct)] if isinstance(found, tuple) else []
@@ -145,7 +145,8 @@ class KnowledgeBase:
         Args:
             name: of the task.
             part: a property, or the sign `+` or `-` of effects.
-            path: numbers of elements of lists and of arguments in turn, from 0; of effects those of the sign.
+            path: numbers of elements of lists and of arguments in turn, from 0; for effects, numbers within
+                the sign.
         """
         if name not in self._spans:
             return None
@@ -161,11 +162,11 @@ class KnowledgeBase:
         goal = Struct("clause_at", (text, begin, Var("Found")))
         try:
             return places_of(self._host.ask("ropsim_kb", goal), "")
-        except GoalError:  # a syntax error: its place is told by who reads the text
+        except GoalError:  # the reader of the text reports the place of a syntax error
             return None
 
     def term_faults(self, texts: Sequence[str]) -> tuple[str, ...]:
-        """Return what is wrong with each text as a term of a knowledge base; empty where nothing is."""
+        """Return the error of each text as a term of a knowledge base; empty if correct."""
         found = self._host.ask("ropsim_kb", Struct("terms_read", (tuple(texts), Var("Found"))))
         return tuple(map(str, found)) if isinstance(found, tuple) else ()
 
@@ -174,7 +175,7 @@ class KnowledgeBase:
 
         Args:
             call: a task with its points and parameters, or its task text.
-            state: what is true before it.
+            state: facts before it.
             seconds: so long it may take [s].
 
         Raises:
@@ -191,7 +192,7 @@ class KnowledgeBase:
     ) -> tuple[CallReport, ...]:
         """Return the same for calls in a row, each in the state that the one before it has made.
 
-        A call that is not possible changes nothing, and those behind it are checked all the same.
+        A call that is not possible changes nothing, and the calls behind it are checked nevertheless.
 
         Raises:
             GoalError: as with `check`.
@@ -214,9 +215,9 @@ class KnowledgeBase:
 
         Args:
             goal: facts such as `at(bolt, s1)`.
-            state: what is true before.
-            seconds: after so much time planning is stopped [s].
-            progress: told now and then how many states have been looked at.
+            state: facts before it.
+            seconds: time limit of planning [s].
+            progress: called now and then with the number of states searched.
 
         Raises:
             TaskError: the goal is no list of facts.
@@ -226,7 +227,7 @@ class KnowledgeBase:
         return replace(plan, unchecked=self.unchecked)
 
     def cancel(self) -> None:
-        """Stop what is asked now; every thread may call this."""
+        """Stop the running query; any thread may call this."""
         self._host.cancel()
 
     def close(self) -> None:

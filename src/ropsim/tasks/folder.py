@@ -20,12 +20,12 @@ MOST_FILES, MOST_BYTES = 5000, 8_000_000
 
 
 def read_folder(path: Path) -> tuple[tuple[SourceText, ...], tuple[Diagnostic, ...]]:
-    """Return the texts of a project, a folder or one file in their order, and what is wrong with the folder.
+    """Return the texts of a project, a folder or one file in their order, and the errors of the folder.
 
-    A project without a folder `kb` has none.
+    A project without a folder `kb` has no texts.
 
     Raises:
-        TaskError: there is no such path.
+        TaskError: the path does not exist.
     """
     if path.is_file() and path.suffix == ".pl":
         return _read(_root(path.parent), [path])
@@ -79,7 +79,7 @@ def _read(root: Path, files: list[Path]) -> tuple[tuple[SourceText, ...], tuple[
 
 
 def _manifest(root: Path, path: Path, files: list[str]) -> tuple[list[str], list[Diagnostic]]:
-    """Return the order that a manifest tells; none where there is none."""
+    """Return the order in a manifest; empty without one."""
     if not path.is_file():
         return [], []
     name = path.as_posix()

@@ -30,18 +30,18 @@ LIMITS = Limits(seconds=10.0)
 ALONE = Limits(seconds=2.0)
 """For one text, where all together could not be read."""
 MOST_GIVEN_UP = 10
-"""Where so many texts cannot be read those behind them are not tried."""
+"""After this number of unreadable texts further ones are not tried."""
 CHECK_SECONDS = 2.0
-"""So long one call may be checked where nothing is said, whatever rules a text has [s]."""
+"""Default time limit of the check of one call, for all rules of a text [s]."""
 
 _SPLIT = "split terms that are nested deep into facts"
 
 Progress = Callable[[int], None]
-"""Told now and then how many states a planner has looked at."""
+"""Called now and then with the number of states that a planner has searched."""
 
 
 class Host:
-    """Asks Prolog; texts are given to it as strings and never loaded, so nothing of them is ever run."""
+    """Queries Prolog; texts are passed as strings and never loaded, so nothing in them is executed."""
 
     def __init__(self, predicates: Iterable[Predicate], prolog: Prolog) -> None:
         self._texts: Mapping[int, SourceText] = {}
@@ -52,7 +52,7 @@ class Host:
         self._engine = Engine(LIMITS, prolog, own)
 
     def read(self, texts: Mapping[int, SourceText]) -> tuple[Diagnostic, ...]:
-        """Read these texts only; return what is wrong with them. One that ends Prolog is left out."""
+        """Read these texts only; return their errors. One that ends Prolog is left out."""
         self._texts = texts
         try:
             self._give(self._texts)
@@ -111,19 +111,19 @@ class Host:
         return places
 
     def ask(self, module: str, goal: Struct, seconds: float = LIMITS.seconds) -> Term:
-        """Return what a goal says of its variable `Found`.
+        """Return the value of the variable `Found` of a goal.
 
         Raises:
-            GoalError: it takes longer than it may, was cancelled, or a function that it asks failed.
+            GoalError: the time limit is exceeded, it was cancelled, or a function called by it failed.
         """
         ready = Struct(":", (Atom("ropsim_kb"), Atom("ready")))
         return self._asked(module, Struct(",", (ready, goal)), Limits(seconds))["Found"]
 
     def ask_told(self, module: str, goal: Struct, seconds: float, progress: Progress | None) -> Term:
-        """Return the same, telling how it goes on.
+        """Return the same, reporting progress.
 
         Raises:
-            GoalError: as with `ask`.
+            GoalError: see `ask`.
         """
         self._progress = progress
         try:
@@ -132,11 +132,11 @@ class Host:
             self._progress = None
 
     def cancel(self) -> None:
-        """Stop what is asked now; every thread may call this."""
+        """Stop the running query; any thread may call this."""
         self._engine.cancel()
 
     def close(self) -> None:
-        """End Prolog; it starts again when it is asked."""
+        """End Prolog; it starts again with the next query."""
         self._engine.close()
 
     def _asked(self, module: str, goal: Struct, limits: Limits) -> Mapping[str, Term]:
@@ -161,5 +161,5 @@ def _sources() -> tuple[SourceText, ...]:
 
 
 def _readable(text: str) -> str:
-    """Return a text without characters that Prolog has none for; places stay where they are."""
+    """Return a text without characters that Prolog cannot represent; places stay where they are."""
     return text.encode(errors="replace").decode()

@@ -6,7 +6,7 @@ from enum import Enum
 from ropsim.core import RopsimError
 
 SYMBOLIC = frozenset(("part", "tool", "device", "thing"))
-"""Kinds that task text never passes: preconditions tell which one it is."""
+"""Kinds that task text never passes: preconditions determine the value."""
 
 LOCATION = "location"
 
@@ -28,7 +28,7 @@ UNITS: Mapping[str, frozenset[str]] = {
     "accel": frozenset(("mm/s2", "cm/s2", "m/s2", "deg/s2", "%")),
     "force": frozenset(("N",)),
 }
-"""Units that a parameter of each kind may have; kinds that are not named have none."""
+"""Units that a parameter of each kind may have; kinds without an entry have no units."""
 
 
 def kind_of_type(word: str) -> str | None:
@@ -37,13 +37,13 @@ def kind_of_type(word: str) -> str | None:
 
 
 class TaskError(RopsimError):
-    """A folder, a fact, a goal or a task text cannot be taken as what it should be."""
+    """A folder, a fact, a goal or a task text is invalid."""
 
 
 class Layer(Enum):
     """Where the text of a task lies, the layer that counts first at the top; the value is its first number.
 
-    Prolog knows texts by their numbers (`layer/2` of kb.pl).
+    Prolog identifies texts by their numbers (`layer/2` of kb.pl).
     """
 
     PROJECT = 0

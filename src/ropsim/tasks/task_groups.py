@@ -1,4 +1,4 @@
-"""Tasks in the order of lists: of the project, of the user, then of the library by what they are for."""
+"""Tasks in the order of lists: of the project, of the user, then of the library by purpose."""
 
 from collections.abc import Iterable, Mapping
 from pathlib import PurePosixPath
@@ -19,14 +19,14 @@ GROUPS: Mapping[str, str] = {
     "grip": "Grip and release, straight to the part",
     "palletize": "Patterns as printed in the paper, straight to the parts",
 }
-"""Titles of groups in their order; those of the library have the names of its files.
+"""Titles of groups in their order; groups of the library have the names of its files.
 
 A file of the library that is not named here has its name for a title, and comes last.
 """
 
 
 def title_of(group: str) -> str:
-    """Return what stands above the tasks of a group."""
+    """Return the title above the tasks of a group."""
     return GROUPS.get(group, group)
 
 

@@ -1,4 +1,4 @@
-"""TOML text: values, where they stand, whether they are what is allowed; quantities, poses, shapes in it."""
+"""TOML text: values, their places, their checks; quantities, poses, shapes in it."""
 
 from ropsim.tomltext.checks import Findings as Findings
 from ropsim.tomltext.checks import TomlTable as TomlTable

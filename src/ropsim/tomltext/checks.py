@@ -1,4 +1,4 @@
-"""A section of a TOML file, read with care: every getter returns a usable value and notes what is wrong."""
+"""A section of a TOML file, read with care: every getter returns a usable value and notes errors."""
 
 import math
 import re
@@ -21,9 +21,9 @@ class Findings:
 
     Attributes:
         places: where keys and values stand.
-        items: what was found.
-        questions: the keys that were asked for, there or not, by their paths.
-        needed: paths of those that must be there.
+        items: findings.
+        questions: the keys that were read, present or not, by their paths.
+        needed: paths of required keys.
     """
 
     places: Positions
@@ -36,7 +36,7 @@ class Findings:
         self.items.append(kind.at(span, message, hint=hint, label=label))
 
     def ordered(self) -> tuple[Diagnostic, ...]:
-        """Return what was found in the order of the text."""
+        """Return the findings in the order of the text."""
         start = self.places.start
         return tuple(sorted(self.items, key=lambda found: (found.span or start, found.code)))
 
@@ -50,7 +50,7 @@ class TomlTable:
         path: where it stands in the file.
         findings: where mistakes are noted.
         present: False for the stand-in of a table that is missing or of a wrong type.
-        asked: keys that were asked for, in order.
+        asked: keys that were read, in order.
         missing: required keys that are not there.
     """
 
@@ -67,7 +67,7 @@ class TomlTable:
         return key in self.values
 
     def ask(self, key: str, question: Question) -> None:
-        """Note what is asked for under a key."""
+        """Note the question for a key."""
         self.findings.questions[*self.path, key] = question
 
     def name_of(self, key: str) -> str:
@@ -83,12 +83,12 @@ class TomlTable:
         return self.findings.places.value((*self.path, *steps))
 
     def require(self, *keys: str) -> None:
-        """Ask for keys that must be there; `finish` notes the missing ones."""
+        """Require keys; `finish` notes the missing ones."""
         self.missing.extend(key for key in keys if key not in self and self.present)
         self.findings.needed.update((*self.path, key) for key in keys)
 
     def finish(self) -> None:
-        """Note every key that is missing and every key that nobody asked for."""
+        """Note every key that is missing and every unknown key."""
         unknown = [key for key in self.values if key not in self.asked]
         for key in self.missing:
             if near(key, unknown):

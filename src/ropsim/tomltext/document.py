@@ -16,7 +16,7 @@ _PLACE = re.compile(r" \(at (?:line (\d+), column (\d+)|end of document)\)$")
 
 @lru_cache(maxsize=4)
 def document_values(text: SourceText) -> Mapping[str, object]:
-    """Return what a text says; several look at one, so nobody changes it.
+    """Return the values of a text; the mapping is shared, do not change it.
 
     Raises:
         tomllib.TOMLDecodeError: it is no TOML.

@@ -1,4 +1,4 @@
-"""The key `kind` of a TOML file, which says what the other keys of its table are."""
+"""The key `kind` of a TOML file, which determines the other keys of its table."""
 
 from collections.abc import Sequence
 
@@ -10,7 +10,7 @@ from ropsim.tomltext.question import Question, Sort
 def read_kind(table: TomlTable, known: Sequence[str]) -> str:
     """Return the kind that a table describes; empty where it is missing or unknown, which is noted.
 
-    Nothing else of such a table is to be looked at.
+    Nothing else in that table is to be read.
     """
     kind = table.text("kind", "")
     if kind:

@@ -1,4 +1,4 @@
-"""What is open at a place of a text that need be no TOML: its section, its lists, its inline tables."""
+"""Open constructs at a place of a text that need not be TOML: its section, lists, inline tables."""
 
 import re
 from dataclasses import dataclass, field, replace
@@ -64,14 +64,14 @@ class OpenPlaces:
     """One pass over the lines, each given once.
 
     Attributes:
-        stop: the place that is looked for.
-        found: what is open there, the section first; empty as long as it has not been passed.
-        typed: what stands before it since the last sign.
+        stop: the requested place.
+        found: open constructs there, the section first; empty until the place has been passed.
+        typed: text before it since the last sign.
         is_quiet: whether it is in a remark or in a text over several lines.
         section: the path of the section where the pass is.
         section_found: that of the place.
-        opened: what is open where the pass is.
-        goes_on: whether the line goes on with what a line above has opened.
+        opened: open constructs at the present place.
+        goes_on: whether the line goes on with a construct of a line above.
         long: quotation marks of the text over several lines that is open, empty for none.
         lists: how many sections of one name there are, by path.
         seen: keys of sections by path.
@@ -95,8 +95,8 @@ class OpenPlaces:
     def pass_line(self, row: int, line: str) -> None:
         """Pass over a line.
 
-        What is left open swallows nothing below it: an inline table ends with its line, and a list before a
-        line that can be no part of it, a header or a key.
+        An unclosed construct includes nothing below it: an inline table ends with its line, and a list before
+        a line that cannot be part of it, a header or a key.
         """
         if row == self.stop[0]:
             self.stop = row, min(self.stop[1], len(line))
@@ -162,7 +162,7 @@ class OpenPlaces:
         self._find(row, line, since, len(line), len(line))
 
     def _pass_sign(self, sign: str, behind: Place, before: str, since: int) -> int:
-        """Take one sign in; return where what is written behind it begins."""
+        """Take one sign in; return the start of the text behind it."""
         here = self.opened[-1]
         if sign == "=" and here.sign != "[" and not here.key:
             here.key = names_of(before)
@@ -181,7 +181,7 @@ class OpenPlaces:
         return behind[1]
 
     def _find(self, row: int, line: str, since: int, end: int, quiet_from: int) -> None:
-        """Keep what is open at the place, if it lies on this line before an end."""
+        """Store the open constructs at the place, if it lies on this line before an end."""
         if self.found or row != self.stop[0] or self.stop[1] > end:
             return
         self.found = [replace(one) for one in self.opened]

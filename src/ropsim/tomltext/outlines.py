@@ -69,7 +69,7 @@ def _row(
     table: TomlTable, steps: tuple[str | int, ...], value: object, columns: tuple[Quantity, ...]
 ) -> tuple[float, ...]:
     if not isinstance(value, list) or len(value) != len(columns):
-        table.numbers_at(steps, value, len(columns), columns[-1], ORIGIN)  # notes what is wrong
+        table.numbers_at(steps, value, len(columns), columns[-1], ORIGIN)  # notes errors
         return (0.0,) * len(columns)
     cells = zip(value, columns, strict=True)
     return tuple(table.number_at((*steps, k), cell, column, 0.0) for k, (cell, column) in enumerate(cells))

@@ -15,7 +15,7 @@ _UNIT_LENGTH_TOLERANCE = 0.01  # lets three written decimals pass, refuses a mis
 
 
 def read_pose(table: TomlTable, units: Units) -> Pose:
-    """Return the pose that `position` and `rpy` or `quaternion` give; each is optional.
+    """Return the pose of `position` and `rpy` or `quaternion`; each is optional.
 
     A position that seems to be in metres is noted.
     """
@@ -32,13 +32,13 @@ def pose_of(table: TomlTable, units: Units, orientation: quaternion.Quaternion) 
 def read_orientation(
     table: TomlTable, units: Units, default: quaternion.Quaternion, keys: tuple[str, ...]
 ) -> quaternion.Quaternion:
-    """Return the rotation that one of `keys` gives, `default` where none does.
+    """Return the rotation of one of `keys`, `default` if none is present.
 
     Args:
         table: with the keys.
         units: of the file.
-        default: where there is none of them; also what a key means that neither turns nor is a quaternion.
-        keys: that give an orientation here, of which one may be there.
+        default: if none of them is present; also the value of a key that is neither a turn nor a quaternion.
+        keys: for an orientation, of which one may be present.
     """
     given = [key for key in keys if key in table]
     if "rpy" in keys:

@@ -1,6 +1,6 @@
-"""Where keys and values stand in a TOML text; the standard reader does not tell.
+"""Where keys and values stand in a TOML text; the standard reader has no places.
 
-The text must be valid TOML: what `tomllib` accepts is walked through once more, for the places only.
+The text must be valid TOML: it is parsed a second time after `tomllib`, for the places only.
 """
 
 import re
@@ -61,7 +61,7 @@ class Positions:
 def positions(source: SourceText) -> Positions:
     """Return the places of all keys and values of a valid TOML text.
 
-    Most files are right and nothing points into them: the text is walked through when a place is asked for.
+    Most files are right and nothing points into them: the text is parsed when a place is requested.
     """
     places = _Places(source)
     keys, values = _Spans(places, lambda walk: walk.keys), _Spans(places, lambda walk: walk.values)
@@ -92,11 +92,11 @@ class _Places:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Spans(Mapping[Path, Span]):
-    """Spans by path, made when they are asked for: most of a file is never pointed to.
+    """Spans by path, made on request: most of a file is never pointed to.
 
     Attributes:
         places: where things stand.
-        chosen: what of them, offsets of start and end by path.
+        chosen: selected part of them, offsets of start and end by path.
     """
 
     places: _Places
@@ -200,7 +200,7 @@ class _Walk:
             self.at += 1
 
     def _value(self, path: Path) -> None:
-        """Pass over a value and all that is in it; without recursion, however deep it is nested."""
+        """Pass over a value and its contents; without recursion, however deep it is nested."""
         around: list[_Open] = []
         while True:
             start = self.at
@@ -237,7 +237,7 @@ class _Walk:
         self._skip(_STRINGS[mark])
 
     def _skip(self, pattern: re.Pattern[str]) -> int:
-        """Pass over what a pattern, which may be empty, meets here; return the new place."""
+        """Pass over the match of a pattern, which may be empty; return the new place."""
         found = pattern.match(self.text, self.at)
         self.at = found.end() if found else self.at
         return self.at

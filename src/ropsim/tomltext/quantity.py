@@ -79,7 +79,7 @@ class Units:
         return Quantity(self.length, metres(self.length), 1e-6, 100.0)
 
     def rate(self, type_: JointType, order: int) -> Quantity:
-        """Return the speed, acceleration or jerk (order 1, 2, 3) of one axis, up to what none exceeds."""
+        """Return the speed, acceleration or jerk (order 1, 2, 3) of one axis, up to the common bound."""
         most = _MOST[type_][order - 1]
         return (self.path if type_ is JointType.PRISMATIC else self.orientation)(order, most)
 

@@ -1,4 +1,4 @@
-"""What a reader asks a section for: the form of each key, noted while it is read and written nowhere else."""
+"""Questions of a reader to a section: the form of each key, recorded only during reading."""
 
 from enum import StrEnum
 
@@ -7,7 +7,7 @@ from ropsim.tomltext.quantity import Quantity
 
 
 class Sort(StrEnum):
-    """What a value is, in the words that the user reads."""
+    """Kind of a value, in words for users."""
 
     VALUE = "value"
     NUMBER = "number"
@@ -23,15 +23,15 @@ class Sort(StrEnum):
 
 @frozen_dataclass
 class Question:
-    """A key that a reader asks for.
+    """A key that a reader queries.
 
     Attributes:
         sort: of its value.
         quantity: of its numbers, None for other values and where they differ.
-        default: what holds without it, in SI units; None where nobody says.
+        default: default value, in SI units; None if unspecified.
         choices: words that are allowed; empty for any.
         likely: some of the words that are allowed.
-        names: what sort of thing of the file it names, such as `frame`; empty for none.
+        names: kind of entity of the file that it names, such as `frame`; empty for none.
         count: how many items a list has; None for any.
     """
 
@@ -53,7 +53,7 @@ class Question:
 
     @property
     def default_words(self) -> str:
-        """Return what holds without the key, in units of the file; empty where nobody says."""
+        """Return the default value, in units of the file; empty if unspecified."""
         if self.default is None or self.default in ("", ()):
             return ""
         if isinstance(self.default, bool):

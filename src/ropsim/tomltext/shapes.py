@@ -53,7 +53,7 @@ class Look:
 
 
 def read_look(table: TomlTable, default: Look) -> Look:
-    """Return what the keys `colour`, `opacity` and `material` say."""
+    """Return the look of the keys `colour`, `opacity` and `material`."""
     colour = read_colour(table, default.colour)
     return Look(
         colour, table.number("opacity", _OPACITY, default.opacity), read_material(table, default.material)

@@ -1,4 +1,4 @@
-"""What is being written at a place of a TOML text: in which table, at which key, and the text without it."""
+"""Incomplete input at a place of a TOML text: its table and key, and the text without it."""
 
 from collections.abc import Iterable
 
@@ -16,9 +16,9 @@ class Unfinished:
     Attributes:
         table: path of the section or inline table around it; None in a list, a remark, a long text.
         key: path of the key whose value, or an item of it, is being written; None for none.
-        typed: what of the key, the value or the item stands before the place.
+        typed: part of the key, the value or the item before the place.
         others: keys of the table that stand elsewhere.
-        rest: the text without what is being written; all that is open around it is closed.
+        rest: the text without the incomplete input; open constructs around it are closed.
     """
 
     table: Path | None
@@ -29,7 +29,7 @@ class Unfinished:
 
 
 def unfinished_at(lines: Iterable[str], row: int, column: int) -> Unfinished:
-    """Return what is being written at a place; the text need be no TOML, and each line is looked at once.
+    """Return the incomplete input at a place; the text need not be TOML, and each line is read once.
 
     Args:
         lines: of the text, without their ends.

@@ -12,7 +12,7 @@ def float_of(value: float) -> float:
 
 
 def sort_of(value: object) -> str:
-    """Return what a TOML value is."""
+    """Return the kind of a TOML value."""
     for sort, words in (
         (bool, "true or false"),
         (int, "a whole number"),

@@ -1,4 +1,4 @@
-"""Giving keys of a section other values, all else of a TOML text left as it is."""
+"""Changing values of keys of a section, the rest of a TOML text unchanged."""
 
 from collections.abc import Mapping
 

@@ -64,7 +64,7 @@ class Setting:
         cell: that was simulated.
         folder: of the project, in which the meshes of the cell are.
         texts: `cell.toml` and files of robots, for the places of findings.
-        meshes: as they were read; None before that.
+        meshes: as read; None before reading.
     """
 
     cell: Cell
@@ -82,7 +82,7 @@ class Report:
         summary: its key figures.
         sources: program texts for quoting, by the names that spans use.
         setting: where the run took place, for the replay; None where that is not known.
-        before: findings of reading and compiling, and of what cannot be drawn.
+        before: findings of reading and compiling, and of meshes that cannot be drawn.
         comparison: with runs in which something is changed; None for none.
     """
 
@@ -112,7 +112,7 @@ class Report:
         return f"{told}\n{compared}" if compared else told
 
     def drawn(self) -> "Report":
-        """Return the report with the meshes of its cell read: what cannot be drawn is among its findings."""
+        """Return the report with the meshes of its cell; its findings name meshes that cannot be drawn."""
         if self.setting is None or self.setting.meshes is not None:
             return self
         meshes = load_meshes(

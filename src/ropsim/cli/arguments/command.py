@@ -1,4 +1,4 @@
-"""How a command is written: a name, what it is for, and the function that is imported when it runs."""
+"""How a command is written: a name, a purpose, and the function that is imported when it runs."""
 
 import argparse
 import gc
@@ -17,14 +17,14 @@ _NEGATIVE = re.compile(r"-(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?$")
 
 
 class Parser(argparse.ArgumentParser):
-    """Names the words that are near to one it does not know, and takes `-1e-3` for a number."""
+    """Suggests known words near to an unknown one, and accepts `-1e-3` as a number."""
 
-    def __init__(self, **options: Any) -> None:  # noqa: ANN401 - those of argparse
+    def __init__(self, **options: Any) -> None:  # noqa: ANN401 - options of argparse
         super().__init__(**options)
-        self._negative_number_matcher = _NEGATIVE  # that of argparse knows no exponents before Python 3.14
+        self._negative_number_matcher = _NEGATIVE  # argparse accepts no exponents before Python 3.14
 
     def error(self, message: str) -> NoReturn:
-        """Say what is wrong, with the word that is near, and exit with 2."""
+        """Report the error, with a similar word, and exit with 2."""
         choice = _CHOICE.search(message)
         hint = did_you_mean(choice[1], re.findall(r"'([^']+)'", choice[2])) if choice else ""
         super().error(f"{message}\n  = {hint}" if hint else message)
@@ -39,7 +39,7 @@ def command(
         commands: to which it is added.
         name: of the command.
         function: that runs it, `module:name` in `ropsim.cli.commands`.
-        text: what it does, a sentence without capital and full stop.
+        text: its effect, a sentence without capital and full stop.
         more: further sentences of its own help.
     """
     parser = commands.add_parser(name, help=text, description=f"{text[0].upper()}{text[1:]}. {more}".strip())
@@ -55,7 +55,7 @@ def lazy(function: str) -> Callable[..., int]:
     def call(*arguments: object) -> int:
         with without_collection():
             command = getattr(import_module(f"ropsim.cli.commands.{module}"), name)
-        gc.freeze()  # modules stay: whoever looks for garbage need not look through them
+        gc.freeze()  # modules stay: later collections need not traverse them
         code: int = command(*arguments)
         return code
 

@@ -118,7 +118,7 @@ def _limit_entry(calibration: Calibration, number: int) -> dict[str, object]:
 
 
 def _write(found: CalibratedProject) -> list[str]:
-    """Write the cell file where that can be done; return what was written.
+    """Write the cell file if possible; return lines on the written data.
 
     Raises:
         ProjectError: X847, it cannot be written.
@@ -134,7 +134,7 @@ def _write(found: CalibratedProject) -> list[str]:
 
 
 def _ending(found: CalibratedProject, written: Sequence[str]) -> str:
-    """Return what was written, or which lines are to be."""
+    """Return the written changes, or the lines to be changed."""
     if not found.values:
         return "the limits of the cell are those of the trace: nothing to write"
     if written:

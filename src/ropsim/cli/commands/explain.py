@@ -16,7 +16,7 @@ NO_SUCH_CODE = define(
 
 
 class UnknownCodeError(RopsimError):
-    """The code that was asked for is not in the catalogue."""
+    """The requested code is not in the catalogue."""
 
 
 def explain(options: argparse.Namespace, output: Output) -> int:

@@ -46,12 +46,12 @@ class _Text:
     """A text and its form.
 
     Attributes:
-        name: what is said of it.
+        name: its name in messages.
         path: of its file; None for standard input.
         folder: of the project, out of which no link leads; None for a file on its own.
-        before: as it is.
+        before: present text.
         form: as it should be.
-        mark: byte order mark, where it has one.
+        mark: byte order mark, if present.
     """
 
     name: str
@@ -94,7 +94,7 @@ def fmt(options: argparse.Namespace, output: Output) -> int:
 
 
 def _read(given: str, found: list[Diagnostic]) -> Iterator[_Text]:
-    """Yield the task texts of a path; what cannot be read is added to `found`."""
+    """Yield the task texts of a path; unreadable paths are added to `found`."""
     if given == _STANDARD_INPUT:
         yield from _piped(found)
         return

@@ -1,4 +1,4 @@
-"""`ropsim generate`: a control program of tasks, points and parameters that are asked for one by one."""
+"""`ropsim generate`: a control program of tasks, points and parameters entered one by one."""
 
 import argparse
 import sys
@@ -43,12 +43,12 @@ HEAD = (
 
 
 class _LeftOutError(Exception):
-    """A task is not wanted after all."""
+    """A task is cancelled by the user."""
 
 
 @dataclass(slots=True)
 class _Desk:
-    """What the dialogue is about: the tasks, lists of points by name, what is chosen, its patience [s]."""
+    """Context of the dialogue: the tasks, lists of points by name, chosen tasks, time limit [s]."""
 
     base: KnowledgeBase
     lists: Mapping[str, PointList]
@@ -58,7 +58,7 @@ class _Desk:
 
 
 def generate(options: argparse.Namespace, output: Output) -> int:
-    """Ask for tasks until `end`, then print or write the program; return the exit code."""
+    """Read tasks until `end`, then print or write the program; return the exit code."""
     known = open_knowledge(options.path, Prolog(options.prolog))
     folder = Path(options.path)
     output.findings((one for one in known.findings if one.is_error), known.texts)
@@ -81,7 +81,7 @@ def generate(options: argparse.Namespace, output: Output) -> int:
 
 
 def _choose(desk: _Desk, name: str) -> None:
-    """Ask for points and parameters of one task and say at once whether it is possible."""
+    """Read points and parameters of one task and report at once whether it is possible."""
     task = desk.base.task(name)
     if task is None:
         desk.output.failure(not_defined(name, desk.base.names))
@@ -137,10 +137,10 @@ def _parameters(desk: _Desk, task: KnownTask) -> tuple[Value, ...]:
 
 
 def _answer(prompt: str) -> str | None:
-    """Return what is typed for a task.
+    """Return the input for a task.
 
     Raises:
-        _LeftOutError: the task is not wanted after all.
+        _LeftOutError: the task is cancelled.
     """
     line = _asked(prompt)
     if line in (BACK, END):
@@ -149,7 +149,7 @@ def _answer(prompt: str) -> str | None:
 
 
 def _words(parameter: Parameter) -> str:
-    """Return what is asked for: word and unit, what is known of it, and what stands for an empty line."""
+    """Return the words of a prompt: word and unit, known bounds, and the meaning of an empty line."""
     unit = f" [{parameter.unit}]" if parameter.unit else ""
     default = f"{default_text(parameter)} if left blank" if parameter.default is not None else ""
     more = ", ".join(filter(None, (parameter.sentence, *map(str, parameter.bounds), default)))
@@ -167,7 +167,7 @@ def _show(desk: _Desk) -> None:
 
 
 def _asked(prompt: str) -> str | None:
-    """Return what is typed behind a prompt, None at the end of the input."""
+    """Return the input behind a prompt, None at the end of the input."""
     print(f"{prompt}: ", end="", flush=True)
     line = sys.stdin.readline(1000)
     return line.strip() if line else None

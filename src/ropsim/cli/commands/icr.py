@@ -93,9 +93,9 @@ def run(options: argparse.Namespace, output: Output) -> int:
 
 
 def instruction_text(one: Instruction) -> str:
-    """Return one line for an instruction: source line, pass, what; millimetres and degrees.
+    """Return one line for an instruction: source line, pass, operation; millimetres and degrees.
 
-    Joint coordinates and values of external axes are in rad and m: only a robot knows which.
+    Joint coordinates and values of external axes are in rad and m: only a robot determines which.
     """
     place = f"{one.origin.span.line if one.origin.span else 0:>5} #{one.origin.visit:<4}"
     match one:
@@ -127,7 +127,7 @@ def _target_text(move: MoveInstruction) -> str:
 
 
 def _path_words(move: MoveInstruction) -> Iterator[str]:
-    """Yield what a move says about its way."""
+    """Yield the words on the path of a move."""
     if move.modal.passes:
         yield "passing by"
     if move.via:
@@ -155,7 +155,7 @@ def _place_text(pose: Pose) -> str:
 
 
 def _open(path: str) -> tuple[Mapping[str, SourceText], CompiledProgram]:
-    """Return the texts of a project and its program; a binary program has none."""
+    """Return the texts of a project and its program; a binary program has no texts."""
     if path.endswith(_BINARY) and Path(path).exists():
         return {}, _read_binary(path)
     project = open_project(path, Workspace(KEPT_ANSWERS))

@@ -1,4 +1,4 @@
-"""`ropsim robot ik`: every posture that reaches a pose, and what the ones beyond the limits exceed."""
+"""`ropsim robot ik`: every posture that reaches a pose, and the limits that the others exceed."""
 
 import argparse
 import math

@@ -27,7 +27,7 @@ _PROMPT, _MORE = "> ", ". "
 
 
 class _Talk:
-    """What has been said so far.
+    """Dialogue so far.
 
     Attributes:
         session: the commands and their run.
@@ -43,7 +43,7 @@ class _Talk:
         self._output = output
 
     def say(self, line: str) -> None:
-        """Have a line carried out and print what is answered."""
+        """Execute a line and print the answer."""
         reply = reply_to(self.session, line, self._options)
         texts = (reply.asked or reply.session).texts
         self._output.findings(reply.diagnostics, texts)
@@ -99,7 +99,7 @@ def repl(options: argparse.Namespace, output: Output) -> int:
 
 
 def _lines(editor: LineEditor) -> Iterator[str]:
-    """Yield what is typed, several lines together where a block or a statement goes on."""
+    """Yield the typed lines, several together if a block or a statement continues."""
     lines: list[str] = []
     while True:
         try:

@@ -34,7 +34,7 @@ COLUMNS = 80
 
 
 class JointCountError(RopsimError):
-    """The command line gives too many or too few joint coordinates."""
+    """The command line has too many or too few joint coordinates."""
 
 
 def list_(options: argparse.Namespace, output: Output) -> int:
@@ -55,7 +55,7 @@ def list_(options: argparse.Namespace, output: Output) -> int:
 
 
 def _choice(one: robots.CatalogueEntry) -> str:
-    """Return what helps to choose a robot: axes, reach, payload, maker and model."""
+    """Return data for choosing a robot: axes, reach, payload, maker and model."""
     payload = f"{one.rated_payload:g} kg" if math.isfinite(one.rated_payload) else "–"
     return f"{one.axes} axes  {1e3 * one.reach:5.0f} mm  {payload:>8}  {one.title}"
 
@@ -115,7 +115,7 @@ def _draw(robot: RobotModel, file: str, output: Output) -> None:
 
 
 def audit(options: argparse.Namespace, output: Output) -> int:
-    """Say what is doubtful in a model."""
+    """Report doubts about a model."""
     asked = find_robot(options.name)
     doubts = _doubts(asked.robot, asked.place_of) if asked.robot else ()
     found = (*asked.findings, *doubts)
@@ -125,7 +125,7 @@ def audit(options: argparse.Namespace, output: Output) -> int:
 
 
 def _doubts(robot: RobotModel, place_of: PlaceOf) -> tuple[Diagnostic, ...]:
-    """Return what is doubtful; closed chains are looked at where the mechanism has no contradictions."""
+    """Return the doubts; closed chains are checked if the mechanism has no contradictions."""
     doubts = audit_model(robot, place_of)
     return doubts if any(one.is_error for one in doubts) else (*doubts, *kinematics.loop_freedom(robot))
 
@@ -149,7 +149,7 @@ def fk(options: argparse.Namespace, output: Output) -> int:
 
 
 def _following(robot: RobotModel) -> list[str]:
-    """Return lines for each joint that follows axes and has limits of its own: them, and what they leave."""
+    """Return lines for each coupled joint with its own limits: the limits, and the range that they leave."""
     found, coupled = [""], coupled_limits(robot)
     for joint, factors, constant in zip(coupled.joints, coupled.T, coupled.c.tolist(), strict=True):
         found.append(f"joint {joint.name}, which follows the axes: {_range(joint, joint.lower, joint.upper)}")

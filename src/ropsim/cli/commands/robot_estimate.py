@@ -13,7 +13,7 @@ from ropsim.workbench import RobotFileError, written_robot
 
 
 def estimate(options: argparse.Namespace, output: Output) -> int:
-    """Write a robot with what is missing of its masses and drives estimated."""
+    """Write a robot with missing masses and drives estimated."""
     robot = named_robot(options, output)
     if robot is None:
         return 1

@@ -1,4 +1,4 @@
-"""`ropsim robot workspace`: what arms reach, whether that is where the points of a task are."""
+"""`ropsim robot workspace`: reach of arms, and whether the points of a task are in it."""
 
 import argparse
 import math
@@ -39,7 +39,7 @@ several times. Put the names of the robots before these options.
 """,
 )
 _PROJECTS = (".toml", ".task", ".icr")
-"""Endings of what stands for a project."""
+"""Endings of files that contain a project."""
 ACROSS = 11
 """Places along a side of the grid of `--place`."""
 
@@ -49,7 +49,7 @@ class FrameError(RopsimError):
 
 
 def workspace(options: argparse.Namespace, output: Output) -> int:
-    """Print the workspaces of robots, and what they make of the points of a task."""
+    """Print the workspaces of robots, and their results for the points of a task."""
     tool, bases = _tool(options.tool), [_base(one) for one in options.base or [[0.0, 0.0, 0.0]]]
     points, found = _points(options.points, tool, output)
     robots = [_robot(name, output) for name in options.names]
@@ -82,7 +82,7 @@ def _robot(name: str, output: Output) -> RobotModel | None:
 def _points(
     name: str | None, tool: Pose, output: Output
 ) -> tuple[tuple[TaskPoint, ...], tuple[Diagnostic, ...]]:
-    """Return the points of a file or of a program, and what was found in it, which is said."""
+    """Return the points of a file or of a program, and its findings, which are reported."""
     if not name:
         return (), ()
     if Path(name).is_dir() or Path(name).suffix.lower() in _PROJECTS:
@@ -100,7 +100,7 @@ def _points(
 def _points_of_program(
     name: str, tool: Pose, output: Output
 ) -> tuple[tuple[TaskPoint, ...], tuple[Diagnostic, ...]]:
-    """Return the points to which the program of a project moves, and what is said of it."""
+    """Return the points to which the program of a project moves, and its findings."""
     from ropsim.workbench import open_project, program_points
 
     project = open_project(name)
@@ -112,7 +112,7 @@ def _points_of_program(
 def _candidates(
     robots: Sequence[RobotModel], bases: Sequence[Pose], around: Sequence[TaskPoint], tool: Pose
 ) -> list[Candidate]:
-    """Return each robot at each base; where points are to be placed around, on a grid of bases, too."""
+    """Return each robot at each base; with points to be placed around, also on a grid of bases."""
     made = []
     for robot in dict.fromkeys(robots):
         places = list(bases)
@@ -150,7 +150,7 @@ def _base(numbers: Sequence[float]) -> Pose:
 
 
 def _write(options: argparse.Namespace, study: Study, output: Output) -> None:
-    """Write the files that were asked for."""
+    """Write the requested files."""
     if options.report:
         from ropsim.views import workspace_page
 
@@ -164,7 +164,7 @@ def _write(options: argparse.Namespace, study: Study, output: Output) -> None:
 
 
 def _without_surface(study: Study) -> list[Diagnostic]:
-    """Return why the workspace of the first robot has no surface; nothing where it has one."""
+    """Return why the workspace of the first robot has no surface; empty if it has a surface."""
     space = study.arms[0].workspace
     if space is None or (space.volume > 0.0 and space.sweep.kind is not SweepKind.FLAT):
         return []

@@ -35,7 +35,7 @@ def run(options: argparse.Namespace, output: Output) -> int:
     project = open_project(options.path, Workspace(KEPT_ANSWERS))
     sources = project.texts
     _check_places(options, project)
-    project.changes(options.what_if)  # what cannot be is told before anything runs
+    project.changes(options.what_if)  # impossible changes are reported before anything runs
     programs = {} if project.is_broken else project.programs(options.program)
     before = (*project.diagnostics, *found_in(programs))
     if not programs or any(one.is_error for one in before):
@@ -100,7 +100,7 @@ def message_entry(message: Message) -> dict[str, object]:
 
 
 def _check_places(options: argparse.Namespace, project: Project) -> None:
-    """Make sure that a recording is called one, and that results replace neither what is read nor each other.
+    """Require that a recording has its ending, and that results replace neither inputs nor each other.
 
     Raises:
         ProjectError: X847, they would, or the recording has another ending than `.npz`.
@@ -157,8 +157,8 @@ def _run_options(options: argparse.Namespace, progress: Callable[[str], None]) -
 
 
 def _counted(traces: Collection[icr.DryRun], progress: Callable[[float, str], None]) -> Callable[[str], None]:
-    """Return a progress that knows how many moves there will be, from runs without robots."""
-    # a trace that ends early, at an input that nobody sets there, does not know how many moves there will be
+    """Return a progress with the total number of moves, from runs without robots."""
+    # a trace that ends early, at an input without a value there, has no total number of moves
     total = 0 if any(trace.trap for trace in traces) else sum(len(trace.moves) for trace in traces)
     done = 0
 

@@ -138,13 +138,13 @@ def _state(options: argparse.Namespace, known: Knowledge) -> WorldState:
 
 
 def _head(task: KnownTask) -> str:
-    """Return name and parameters that a call gives, by their words, with defaults."""
+    """Return name and parameters of a call, by their words, with defaults."""
     inside = (f"{one.label}{'' if one.default is None else f' = {default_text(one)}'}" for one in task.passed)
     return f"{task.name}({', '.join(inside)})"
 
 
 def _parameters(task: KnownTask) -> list[str]:
-    """Return a line for each parameter that has a word: its name in the text, what it is, and its bounds."""
+    """Return a line for each parameter that has a word: its name in the text, its kind, and its bounds."""
     told = [one for one in task.parameters if one.word]
     width = max((len(one.word) for one in told), default=0)
     lines = [f"{one.word:{width}}  {_sentence(one)} ({one.name})" for one in told]
@@ -152,7 +152,7 @@ def _parameters(task: KnownTask) -> list[str]:
 
 
 def _sentence(parameter: Parameter) -> str:
-    """Return what people should know of a parameter, its bounds, and whether no call gives it."""
+    """Return remarks on a parameter for users, its bounds, and whether no call passes it."""
     told = "told by the state of the cell" if parameter.is_symbolic else ""
     return ", ".join(filter(None, (parameter.sentence, *map(str, parameter.bounds), told)))
 
@@ -171,7 +171,7 @@ def _objects(call: TaskCall) -> str:
 
 
 def _answer(report: CallReport, width: int) -> Iterator[str]:
-    """Yield the lines of one call: what was asked, what is said, and what to do."""
+    """Yield the lines of one call: question, answer, and remedy."""
     words = ", ".join(filter(None, (report.message, _objects(report.call)))) if report.ok else ""
     first: Sequence[Diagnostic] = report.findings
     yield f"{report.call!s:{width}}  {words or first[0].message}"

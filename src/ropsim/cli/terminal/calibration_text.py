@@ -19,10 +19,10 @@ _OF_TOOL = (("path", _SLIDE), ("orientation", _TURN))
 
 
 def calibration_text(calibration: Calibration, axes: Sequence[JointType], style: Style) -> str:
-    """Return times by line, what is left, and the limits, for a terminal of 80 columns; ends in a line feed.
+    """Return times by line, residuals, and the limits, for a terminal of 80 columns; ends in a line feed.
 
     Args:
-        calibration: what was found.
+        calibration: the result.
         axes: whether each axis turns or slides, n of them.
         style: whether it has colours.
     """

@@ -10,7 +10,7 @@ from ropsim.model import JointType, RobotModel
 FARTHEST: Mapping[JointType, float] = MappingProxyType(
     {JointType.REVOLUTE: 36_000.0, JointType.PRISMATIC: 100_000.0}
 )
-"""Largest coordinate either way: a hundred turns [deg], what a position of a cell file may be [mm]."""
+"""Largest coordinate either way: a hundred turns [deg], the bound of positions in a cell file [mm]."""
 
 BEYOND_SENSE = define(
     "U903",
@@ -31,7 +31,7 @@ class CoordinateError(RopsimError):
 
 @frozen_dataclass
 class Coordinate:
-    """A number of the command line: what it is called, of which kind, and its value [deg | mm]."""
+    """A number of the command line: its name, kind, and value [deg | mm]."""
 
     name: str
     kind: JointType
@@ -66,5 +66,5 @@ def shown(value: float, decimals: int) -> float:
 
 
 def display(kind: JointType) -> tuple[float, str]:
-    """Return the factor from a joint coordinate [rad | m] to what is printed, and its unit."""
+    """Return the factor from a joint coordinate [rad | m] to its printed number, and the unit."""
     return (math.degrees(1.0), "°") if kind is JointType.REVOLUTE else (1e3, "mm")

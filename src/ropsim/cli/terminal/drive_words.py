@@ -1,4 +1,4 @@
-"""What the command line says of the drives of an arm."""
+"""Words of the command line on the drives of an arm."""
 
 from ropsim.cli.terminal.coordinates import shown
 from ropsim.core import plural
@@ -16,7 +16,7 @@ NO_DRIVES = "drives: none known, the arm is exactly where it is told to be"
 
 
 def drive_lines(robot: RobotModel) -> list[str]:
-    """Return what moves the axes: a line for each kind of drive, with its axes where there are several."""
+    """Return a line for each kind of drive, with its axes if there are several."""
     if not robot.drives:
         return [NO_DRIVES]
     kinds: dict[str, list[int]] = {}
@@ -31,7 +31,7 @@ def drive_lines(robot: RobotModel) -> list[str]:
 
 
 def _kind(drive: Drive) -> str:
-    """Return what a drive is, in the plural."""
+    """Return the kind of a drive, in the plural."""
     gear = drive.transmission
     gears = "elastic gears" if isinstance(gear, ElasticGear) else "gears"
     if not isinstance(gear, ElasticGear | Linkage) and abs(gear.ratio) == 1.0:

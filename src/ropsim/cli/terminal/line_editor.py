@@ -1,4 +1,4 @@
-"""Lines as they are typed: with history and completion where the terminal has them, plain from a pipe."""
+"""Line input: with history and completion on a capable terminal, plain from a pipe."""
 
 import contextlib
 import sys
@@ -19,10 +19,10 @@ class LineEditor:
 
     Args:
         text: returns the text that the next line continues, for completion.
-        place: file that such a text would have; the project around it gives names.
+        place: file that the text would have; the project around it supplies names.
 
     Attributes:
-        is_typed: whether somebody types, on a terminal.
+        is_typed: whether a user types, on a terminal.
     """
 
     def __init__(self, text: Callable[[], str], place: Path) -> None:
@@ -40,7 +40,7 @@ class LineEditor:
 
         Args:
             prompt: stands before it.
-            words: returns those with which it can go on beside what the text tells, as far as it is typed.
+            words: returns further completions of the present input, in addition to those of the text.
         """
         self._words = words or _no_words
         try:
@@ -52,7 +52,7 @@ class LineEditor:
         return line.rstrip("\r\n") if line else None
 
     def keep_history(self) -> None:
-        """Keep what was typed for the next session, where that can be done."""
+        """Keep the input for the next session, if possible."""
         if self.is_typed:
             with contextlib.suppress(ImportError, OSError):
                 import readline
@@ -63,14 +63,14 @@ class LineEditor:
                 readline.write_history_file(path)
 
     def offered(self, line: str) -> tuple[str, ...]:
-        """Return what can stand where a line ends, as far as it begins like the word there."""
+        """Return the completions at the end of a line that begin like its last word."""
         found = offered(self._text(), line, self._place, self._workshop)
         return tuple(sorted({*self._words(line), *found}))
 
     def _prepare(self) -> None:
         try:
             import readline
-        except ImportError:  # Windows has none; lines can be typed all the same
+        except ImportError:  # Windows has no `readline`; input works without it
             return
         readline.set_completer(self._complete)
         readline.parse_and_bind("tab: complete")

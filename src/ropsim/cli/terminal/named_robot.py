@@ -19,7 +19,7 @@ def named_robot(options: argparse.Namespace, output: Output) -> RobotModel | Non
 
 
 def asked_robot(options: argparse.Namespace, output: Output) -> NamedRobot:
-    """Return the robot of the argument `name` with what was read beside it; raises as `named_robot` does."""
+    """Return the robot of the argument `name` with its other data; raises as `named_robot` does."""
     found = find_robot(options.name)
     output.findings(found.findings, {found.text.name: found.text} if found.text else {})
     if found.robot is None:

@@ -34,7 +34,7 @@ class Output:
 
     @classmethod
     def of(cls, options: argparse.Namespace) -> "Output":
-        """Return the output that the arguments and the terminal ask for (`NO_COLOR` is honoured)."""
+        """Return the output for the arguments and the terminal (`NO_COLOR` is honoured)."""
         colour = sys.stdout.isatty() and sys.stderr.isatty() and not os.environ.get("NO_COLOR")
         return cls(bool(options.json), colour)
 
@@ -46,12 +46,12 @@ class Output:
         return Style.COLOR if self.is_coloured else Style.PLAIN
 
     def text(self, text: str) -> None:
-        """Print a text result, unless JSON was asked for."""
+        """Print a text result, unless JSON is requested."""
         if not self.json:
             say(text, sys.stdout)
 
     def document(self, document: Mapping[str, object]) -> None:
-        """Print a JSON document, if that was asked for."""
+        """Print a JSON document, if JSON is requested."""
         if self.json:
             say(json.dumps(document, indent=2, allow_nan=False), sys.stdout)
 
@@ -65,7 +65,7 @@ class Output:
         return 1 if any(one.severity is Severity.ERROR for one in diagnostics) else 0
 
     def remarks(self, found: Iterable[Diagnostic]) -> None:
-        """Print what is said of the machine and not of the work: as text on stderr, never in a document."""
+        """Print remarks on the machine, not on the work: as text on stderr, never in a document."""
         diagnostics = tuple(found)
         if diagnostics:
             from ropsim.views import diagnostics_text

@@ -31,7 +31,7 @@ class Progress:
     stand on clean lines.
 
     Args:
-        title: what is being done, a few words.
+        title: activity, a few words.
         stream: where to write; None for standard error.
         clock: returns a time that only grows [s].
     """
@@ -66,7 +66,7 @@ class Progress:
             self._put("\r\x1b[K")
 
     def __call__(self, done: float, text: str) -> None:
-        """Tell how much is done (0 to 1, else clipped; NaN where nobody knows) and what is being done now."""
+        """Report the progress (0 to 1, else clipped; NaN if unknown) and the present activity."""
         now = self._clock()
         if now < self._next:
             return
@@ -97,7 +97,7 @@ class Progress:
         try:
             self._stream.write(text.encode(encoding, "replace").decode(encoding))
             self._stream.flush()
-        except OSError:  # whoever read the progress has gone away: the work goes on
+        except OSError:  # the reader of the progress is closed: the work continues
             drop(self._stream)
 
 

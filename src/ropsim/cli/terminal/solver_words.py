@@ -1,4 +1,4 @@
-"""What the command line says of the inverse kinematics of an arm."""
+"""Words of the command line on the inverse kinematics of an arm."""
 
 import math
 
@@ -23,12 +23,12 @@ def solver_lines(robot: RobotModel) -> list[str]:
 
 
 def free_line(free: Free) -> str:
-    """Return what a pose leaves free, and where it was held."""
+    """Return the words on the freedom that a pose leaves, and its held value."""
     return f"with {free.name} {shown(math.degrees(free.value), 1):g}°, which the pose leaves free"
 
 
 def remarks(robot: RobotModel) -> list[str]:
-    """Return what a reader of solutions has to know; nothing for a model exactly of its class."""
+    """Return remarks on the solutions; none for a model exactly of its class."""
     solver = solver_of(robot)
     if solver.method is Method.NUMERIC:
         return ["found numerically; further branches may exist"]

@@ -12,14 +12,14 @@ SETTLED = 2_000_000_000
 """A file that is older than this when it is read changes its time with its content [ns]."""
 
 MOST_FILES = 2000
-"""More files of a folder are not looked at."""
+"""Further files of a folder are not watched."""
 
 _LEFT_OUT = frozenset(("out", "node_modules", "__pycache__"))
 
 
 @frozen_dataclass
 class Stamp:
-    """What is known of a file.
+    """Identity of a file's content.
 
     Attributes:
         time: of its last change [ns].
@@ -43,7 +43,7 @@ def stamps(path: Path, now: int, before: Stamps) -> Stamps:
     Args:
         path: of a project or a file.
         now: time of the clock that files are stamped by [ns].
-        before: earlier stamps; files that are as they were are not read again.
+        before: earlier stamps; files that are unchanged are not read again.
     """
     found = {}
     for one in _files(path):
@@ -62,7 +62,7 @@ def stamps(path: Path, now: int, before: Stamps) -> Stamps:
 
 
 def contents(of: Stamps) -> Mapping[Path, str]:
-    """Return what tells whether anything has changed: the content of each file."""
+    """Return the content of each file, to be compared for changes."""
     return {path: stamp.digest for path, stamp in of.items()}
 
 

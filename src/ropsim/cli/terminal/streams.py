@@ -1,4 +1,4 @@
-"""Standard output and error may be closed, full, gone, or unable to show a character: work goes on."""
+"""Output to standard streams that may be closed, full, or unable to show a character: work goes on."""
 
 import contextlib
 import os
@@ -13,15 +13,15 @@ class OutputLostError(OSError):
 def prepare_streams() -> None:
     """Make sure that both streams exist and can show any text.
 
-    A process may be started without them (`>&-`), and a terminal or locale may know fewer characters than a
-    report has (`°`, `²`); those are shown as `?`.
+    A process may be started without them (`>&-`), and a terminal or locale may support fewer characters than
+    a report has (`°`, `²`); those are shown as `?`.
     """
     sys.stdout = _prepared(sys.stdout)
     sys.stderr = _prepared(sys.stderr)
 
 
 def say(text: str, stream: TextIO) -> None:
-    """Print a line at once; where the reader has gone away, as `| head` does, drop it and all that follow.
+    """Print a line at once; where the reader is closed, as by `| head`, drop it and all later lines.
 
     Nothing is raised for a standard error that takes no more: there is nowhere left to say so.
 

@@ -1,4 +1,4 @@
-"""`ropsim check --watch`: check again whenever a file changes, and say what is new."""
+"""`ropsim check --watch`: check again whenever a file changes, and report new findings."""
 
 import argparse
 import time
@@ -14,17 +14,17 @@ from ropsim.views import count_text
 from ropsim.workbench import Workspace, open_project, task_findings
 
 PERIOD = 0.3
-"""Time between two looks at the files [s]."""
+"""Time between two checks of the files [s]."""
 
 
 @frozen_dataclass
 class Checked:
-    """What one check has found.
+    """Result of one check.
 
     Attributes:
         programs: names of the programs.
         diagnostics: all findings.
-        texts: what they point into.
+        texts: sources of the findings.
         code: exit code that they mean.
     """
 
@@ -39,7 +39,7 @@ def watch(options: argparse.Namespace, output: Output, wait: Callable[[float], N
 
     Args:
         options: with the `path` of a project or a program.
-        output: takes the whole of the first check, then what is new and what is gone.
+        output: takes the whole of the first check, then new and solved findings.
         wait: lets a time pass [s].
     """
     place = _place(Path(options.path))
@@ -60,7 +60,7 @@ def watch(options: argparse.Namespace, output: Output, wait: Callable[[float], N
 
 
 def _place(path: Path) -> Path:
-    """Return the folder or file to look at; a program of a project is compiled with its cell."""
+    """Return the folder or file to watch; a program of a project is compiled with its cell."""
     if path.is_file() and (path.name == "cell.toml" or path.parent.name == "programs"):
         return path.parent if path.name == "cell.toml" else path.parent.parent
     return path
@@ -85,7 +85,7 @@ def _checked(path: str, workspace: Workspace) -> Checked:
 
 
 def _tell(before: Checked | None, checked: Checked, output: Output) -> None:
-    """Say what a check has found that the one before had not, and what has gone."""
+    """Report findings that are new since the last check, and the solved ones."""
     known = Counter(_key(one, before.texts) for one in before.diagnostics) if before else Counter[object]()
     new = []
     for one in checked.diagnostics:
@@ -108,7 +108,7 @@ def _tell(before: Checked | None, checked: Checked, output: Output) -> None:
 
 
 def _key(one: Diagnostic, texts: Mapping[str, SourceText]) -> object:
-    """Return what makes a finding the same as an earlier one, though its line may have moved."""
+    """Return a key that identifies a finding although its line may have moved."""
     text = texts.get(one.span.source) if one.span else None
     line = text.line(one.span.line).strip() if text and one.span else ""
     return one.code, one.message, one.span.source if one.span else "", line

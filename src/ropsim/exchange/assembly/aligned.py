@@ -16,7 +16,7 @@ _NO_WAY = np.zeros(3)
 def aligned(axis: tuple[float, float, float]) -> Pose:
     """Return a frame with its z along a unit vector, shape (3,), in the frame of that; the identity for z.
 
-    Axes along coordinate axes give frames along coordinate axes, so that right angles stay right.
+    Axes along coordinate axes lead to frames along coordinate axes, so that right angles stay right.
     """
     z = np.array(axis)
     if z[2] == 1.0:
@@ -43,8 +43,8 @@ def displaced(one: Connection, value: float) -> Pose:
 def with_added_turns(description: Description) -> Description:
     """Return a description in which followers behind each other, about one line, are one that follows all.
 
-    The turns of two joints add up where the frame of the second is that of the first and nothing but the
-    second hangs on the body between them, which has no weight and no shape. Slides along one line do so too.
+    The turns of two joints add up where the frame of the second is that of the first and the body between
+    them carries only the second and has neither mass nor shape. Slides along one line also add up.
     """
     empty = {one.name for one in description.bodies if not one.shapes and not weighs(one.weight)}
     carried = Counter(one.parent for one in description.connections)

@@ -1,4 +1,4 @@
-"""Bodies of a file become links of the robot: what is fixed to each other becomes one."""
+"""Bodies of a file become links of the robot: bodies fixed to each other become one."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
@@ -20,7 +20,7 @@ Carried = tuple[int, Pose]
 DENSEST = 100.0
 """No robot weighs more [kg] for each cubic metre of the cube over its length, that between all axes added up:
 thirty published arms have 3 to 76, one whose file adds up to 4.9 t instead of 1.1 t has 108."""
-_ALIKE = 4  # so many links with one mass are placeholders
+_ALIKE = 4  # this number of links with one mass are placeholders
 _SLACK = 1e-3  # relative, of A + B >= C: files round their moments
 _SHORTEST = 0.05  # m, of a reach that says something
 
@@ -109,7 +109,7 @@ def _doubt(weight: Payload, reach: float) -> str:
 def carried_names(
     description: Description, tree: LinkTree, placed: Mapping[str, Carried], tip: str, notes: Notes
 ) -> None:
-    """Note links that become part of others, those whose names go, and the weight of what stands still."""
+    """Note links that become part of others, lost names, and the mass of fixed bodies."""
     fixed = [
         one.child
         for one in tree.order

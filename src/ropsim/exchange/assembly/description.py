@@ -1,4 +1,4 @@
-"""A robot as its file describes it: bodies by name and what joins them; each format is read to this."""
+"""A robot as its file describes it: bodies by name and connections; every format is read to this."""
 
 from collections.abc import Mapping
 from dataclasses import field
@@ -11,7 +11,7 @@ from ropsim.spatial import Pose
 
 
 class Motion(Enum):
-    """What a connection lets its child do."""
+    """Motion that a connection allows its child."""
 
     TURN = "turn"
     SLIDE = "slide"
@@ -25,7 +25,7 @@ class Body:
     Attributes:
         name: of the link.
         weight: mass, centre of mass and inertia about that, in the frame of the body.
-        shapes: what it looks like, in the frame of the body.
+        shapes: geometry, in the frame of the body.
         span: where it stands.
     """
 
@@ -37,7 +37,7 @@ class Body:
 
 @frozen_dataclass
 class Limits:
-    """Limits of a connection; None for what the file does not say.
+    """Limits of a connection; None if missing in the file.
 
     Attributes:
         lower: of the coordinate [rad | m].
@@ -58,12 +58,12 @@ class Limits:
 
 @frozen_dataclass
 class Resistance:
-    """What a joint does against its motion.
+    """Resistance of a joint to its motion.
 
     Attributes:
         viscous: [N·m·s/rad | N·s/m].
         dry: [N·m | N].
-        rotor: inertia of what turns with the joint alone [kg·m² | kg].
+        rotor: inertia that moves with the joint alone [kg·m² | kg].
     """
 
     viscous: float = 0.0
@@ -90,7 +90,7 @@ class Connection:
 
     Attributes:
         name: of the joint.
-        motion: what it lets its child do.
+        motion: motion that it allows its child.
         parent: name of the body that carries it.
         child: name of the body that it moves.
         X_PC: frame of the child in that of its parent where the joint has not moved it.
@@ -98,7 +98,7 @@ class Connection:
         zero: coordinate at which the joint has not moved its child [rad | m].
         limits: of the coordinate.
         resistance: friction and rotor.
-        following: what determines the coordinate, where it is not driven.
+        following: coupling that determines the coordinate, if it is not driven.
         span: where it stands.
     """
 

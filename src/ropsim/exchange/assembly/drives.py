@@ -1,4 +1,4 @@
-"""Drives of a robot whose file knows joints only: sources of torque with friction and rotors."""
+"""Drives of a robot whose file has joints only: sources of torque with friction and rotors."""
 
 from collections.abc import Sequence
 from dataclasses import replace

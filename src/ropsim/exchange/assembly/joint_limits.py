@@ -1,4 +1,4 @@
-"""Limits of the joints of a robot; what its file does not say is estimated, and told."""
+"""Limits of the joints of a robot; missing limits are estimated, and reported."""
 
 from math import inf, pi
 
@@ -19,7 +19,7 @@ _TO_ACCELERATION = 0.1  # [s] until that is reached with the greatest jerk
 
 
 def limits_of(one: Connection) -> JointLimits:
-    """Return the limits of a joint, with estimates for what is not known."""
+    """Return the limits of a joint, with estimates for missing ones."""
     speed = one.limits.speed or _SPEEDS[one.motion]
     acceleration = one.limits.acceleration or speed / _TO_SPEED
     jerk = one.limits.jerk or acceleration / _TO_ACCELERATION
@@ -28,7 +28,7 @@ def limits_of(one: Connection) -> JointLimits:
 
 
 def unknown_names(joints: list[Connection]) -> dict[str, tuple[str, ...]]:
-    """Return the joints of which a file does not say a limit, by what it does not say."""
+    """Return the joints that lack a limit in a file, by the missing limit."""
     rows = (
         ("greatest speed", [one.name for one in joints if not one.limits.speed]),
         ("greatest acceleration and jerk", [one.name for one in joints if not _has_rise(one)]),
@@ -37,7 +37,7 @@ def unknown_names(joints: list[Connection]) -> dict[str, tuple[str, ...]]:
 
 
 def unknown_limits(joints: list[Connection], notes: Notes) -> None:
-    """Note the limits that are estimated, the efforts that are not known, and ends that nobody can guess."""
+    """Note estimated limits, unknown efforts, and range ends that cannot be estimated."""
     for one in joints:
         if one.limits.lower == -inf:
             words = f"joint `{one.name}` has no limits"

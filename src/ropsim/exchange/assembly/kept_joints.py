@@ -1,4 +1,4 @@
-"""Which joints of a tree the robot keeps: those on the way to its tip, and what is coupled to them."""
+"""Which joints of a tree the robot keeps: joints on the path to its tip, and joints coupled to them."""
 
 from collections.abc import Mapping
 
@@ -12,7 +12,7 @@ from ropsim.exchange.losses.notes import Notes, listed
 
 @frozen_dataclass
 class KeptJoints:
-    """What becomes of the joints that move.
+    """Roles of the moving joints.
 
     Attributes:
         numbers: number of each joint of the robot, from 0, by the name of its connection.
@@ -24,7 +24,7 @@ class KeptJoints:
 
 
 def kept_joints(tree: LinkTree, tip: str, span: Span, notes: Notes) -> KeptJoints | None:
-    """Return what becomes of the joints of a tree; nothing where no robot can be made of them (noted).
+    """Return the roles of the joints of a tree; None if no robot can be made of them (noted).
 
     Kept are the joints on the way to the tip, the joints that these follow, and joints elsewhere that follow
     kept ones alone, as the rods of a palletizer do. All others rest at zero, or as near to it as they can.
@@ -32,8 +32,8 @@ def kept_joints(tree: LinkTree, tip: str, span: Span, notes: Notes) -> KeptJoint
     Args:
         tree: of the file.
         tip: name of the body that carries the interface.
-        span: of the file, for what concerns all of it.
-        notes: for what is wrong or lost.
+        span: span of the file, for findings about all of it.
+        notes: for errors and losses.
     """
     moving = {one.name: one for one in tree.order if one.motion is not Motion.NONE}
     if not _couplings_hold(moving, notes):
@@ -85,9 +85,9 @@ def _couplings_hold(moving: Mapping[str, Connection], notes: Notes) -> bool:
 
 
 def _followers_last(moving: Mapping[str, Connection]) -> list[Connection]:
-    """Return the joints, each behind those that it follows; those of a circle are missing."""
+    """Return the joints, each behind the joints that it follows; joints of a circle are missing."""
     done: dict[str, Connection] = {name: one for name, one in moving.items() if one.following is None}
-    for _ in range(len(moving)):  # each round takes in what follows what is there
+    for _ in range(len(moving)):  # each round adds the followers of present joints
         new = {
             name: one
             for name, one in moving.items()

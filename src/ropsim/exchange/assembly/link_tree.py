@@ -15,7 +15,7 @@ from ropsim.exchange.losses.diagnostics import (
 from ropsim.exchange.losses.notes import Notes, listed
 
 MOST_JOINTS = 200
-"""So many joints of a robot file move, at most."""
+"""Maximum number of moving joints of a robot file."""
 
 
 @frozen_dataclass
@@ -25,7 +25,7 @@ class LinkTree:
     Attributes:
         root: name of the body that stands still.
         order: connections, each behind the one that moves its parent, otherwise as in the file.
-        above: the connection that moves a body, by the name of the body; the root has none.
+        above: the connection that moves a body, by the name of the body; the root has no entry.
     """
 
     root: str
@@ -42,7 +42,7 @@ class LinkTree:
 
 
 def link_tree(description: Description, notes: Notes) -> LinkTree | None:
-    """Return the tree of a description; nothing where its links are not one (noted)."""
+    """Return the tree of a description; None if its links do not form a single tree (noted)."""
     bodies = {one.name: one for one in description.bodies}
     if not bodies:
         notes.add(ELEMENT_MISSING, description.span, "the file has no links", "describe at least two")

@@ -1,4 +1,4 @@
-"""A description becomes a robot: what is fixed together becomes one, axes the z of joint frames."""
+"""A description becomes a robot: bodies fixed together become one, axes become the z axes of joint frames."""
 
 from collections.abc import Mapping, Sequence
 
@@ -102,7 +102,7 @@ def _places(description: Description, moved: Sequence[Connection], driven: Seque
 
 
 def _in_order(driven: list[Connection], names: tuple[str, ...]) -> list[Connection]:
-    """Return the connections that are driven in the order of their names; those without one come last."""
+    """Return the driven connections in the order of `names`; joints without an entry come last."""
     places = {name: place for place, name in enumerate(names)}
     return sorted(driven, key=lambda one: places.get(one.name, len(places)))
 
@@ -150,7 +150,7 @@ def _coupling(one: Connection, kept: KeptJoints) -> Coupling:
 
 
 def _origins(source: SourceText, driven: list[Connection]) -> tuple[ParameterOrigin, ...]:
-    """Return where the numbers come from: the file, and what it does not say from estimates."""
+    """Return the origins of the numbers: the file, and estimates for missing ones."""
     found = [ParameterOrigin("geometry, masses and limits", "derived", f"read from {source.name}")]
     for what, names in unknown_names(driven).items():
         found.append(ParameterOrigin(what, "estimated", f"not in {source.name}: joints {', '.join(names)}"))

@@ -25,8 +25,8 @@ def tip_of(
 ) -> tuple[str, Pose] | None:
     """Return the body that is the tip, and the interface in its frame; nothing where that is unclear (noted).
 
-    It is the body or frame that is wanted, else the only one with a usual name, else the end behind the most
-    joints; where several ends are fixed to the last of these, the body that it moves.
+    It is the body or frame that is requested, else the only one with a usual name, else the end behind the
+    most joints; where several ends are fixed to the last of these, the body that it moves.
     """
     known = dict(description.frames) | {one.name: (one.name, Pose()) for one in description.bodies}
     if wanted is not None:

@@ -17,9 +17,9 @@ class RobotFolder:
     """A project folder, and where in it the packages are that robot files speak of.
 
     Attributes:
-        root: the project folder; None where no file may be looked at: then meshes are taken as named.
+        root: the project folder; None if no file may be read: then meshes are taken as named.
         packages: folder of each package, from the project folder on, with `/`.
-        beside: folder of the robot file, from the project folder on, with `/`.
+        beside: folder of the robot file, relative to the project folder, with `/`.
     """
 
     root: Path | None = None
@@ -30,7 +30,7 @@ class RobotFolder:
         """Return the path of a named file from the project folder on; nothing where it is outside of it.
 
         Args:
-            name: `package://package/path`, `file://path`, or a path beside the file that names it.
+            name: `package://package/path`, `file://path`, or a path relative to the file that names it.
             beside: folder of the file that names it; None for that of the robot file.
         """
         start = self.beside if beside is None else beside
@@ -62,7 +62,7 @@ class RobotFolder:
         return self.root is None or self._file(path) is not None
 
     def text(self, path: str) -> str | None:
-        """Return the text of a file in the folder; nothing where it is not there, too large or not UTF-8."""
+        """Return the text of a file in the folder; None if it is missing, too large or not UTF-8."""
         place = self._file(path)
         try:
             if place is None or place.stat().st_size > _LARGEST:
@@ -100,7 +100,7 @@ NO_ARGUMENTS: Mapping[str, str] = MappingProxyType({})
 
 @frozen_dataclass
 class ReadOptions:
-    """What a reader is told beside the text.
+    """Options of a reader.
 
     Attributes:
         tip: name of the link that carries the tool; None for the one that is recognised.
@@ -114,4 +114,4 @@ class ReadOptions:
 
 
 STANDARD = ReadOptions()
-"""The recognised tip, meshes as they are named, no arguments."""
+"""The recognised tip, mesh paths unchanged, no arguments."""

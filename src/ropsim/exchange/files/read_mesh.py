@@ -28,7 +28,7 @@ def mesh_of(
         scale: of the three axes [m per unit of the mesh file].
         folder: where meshes are.
         span: of the element that names it.
-        notes: for what is wrong.
+        notes: for errors.
     """
     path = folder.path(name)
     if path is None:

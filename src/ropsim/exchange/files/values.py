@@ -1,4 +1,4 @@
-"""Numbers and names out of the attributes of an element; what is wrong with them is noted."""
+"""Numbers and names out of the attributes of an element; errors in them are noted."""
 
 import re
 from math import sqrt
@@ -8,7 +8,7 @@ from ropsim.exchange.losses.diagnostics import BAD_NUMBER, ELEMENT_MISSING
 from ropsim.exchange.losses.notes import Notes, shown
 
 LARGEST = 1e12
-"""No number of a robot is larger, in whatever unit; squares and products of such numbers stay finite."""
+"""Greatest number of a robot, in any unit; squares and products of numbers up to it stay finite."""
 
 _NUMBER = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?", re.ASCII)
 
@@ -39,7 +39,7 @@ def number_of(element: Element, key: str, notes: Notes, default: float = 0.0) ->
         element: with the attribute `key`, or without it.
         key: of the attribute.
         notes: for a number that is none; the default stands in its place.
-        default: where there is no such attribute.
+        default: if the attribute is missing.
     """
     return numbers_of(element, key, notes, (default,))[0]
 
@@ -52,9 +52,9 @@ def numbers_of(
     Args:
         element: with the attribute `key`, or without it.
         key: of the attribute.
-        notes: for what is no number, or for another count; the default stands in its place.
-        default: where there is no such attribute.
-        least: how many there have to be; those behind them have the default.
+        notes: for values that are no number, and for a wrong count; the default replaces them.
+        default: if the attribute is missing.
+        least: minimum count; further ones have the default.
     """
     text = element.attributes.get(key)
     if text is None:

@@ -1,4 +1,4 @@
-"""XML as it is written: one canonical text for the same elements."""
+"""XML as written: one canonical text for the same elements."""
 
 import re
 from collections.abc import Iterable
@@ -56,7 +56,7 @@ def xml_text(root: Tag) -> str:
 
 
 def escaped(text: str) -> str:
-    """Return a text as it stands in an attribute; characters that XML cannot hold become underscores."""
+    """Return a text in the form of an attribute; characters that XML cannot hold become underscores."""
     return "".join(_ESCAPES.get(letter, letter) for letter in _ILLEGAL.sub("_", text))
 
 

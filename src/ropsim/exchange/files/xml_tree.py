@@ -12,7 +12,7 @@ from ropsim.exchange.losses.notes import Notes, shown
 MOST_CHARACTERS = 20_000_000
 """Of one file."""
 MOST_ELEMENTS = 30_000
-"""Of one file, and of all that macros make of it."""
+"""Characters of one file, including the results of its macros."""
 MOST_DEPTH = 200
 """Elements in each other; a body of MJCF stands in the one that carries it."""
 MOST_ATTRIBUTE = 20_000
@@ -64,7 +64,7 @@ class _Open:
 
 
 class _Builder:
-    """What the parser calls."""
+    """Callbacks of the parser."""
 
     def __init__(self, source: SourceText, notes: Notes) -> None:
         self._source, self._notes = source, notes

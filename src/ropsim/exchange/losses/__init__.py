@@ -1,1 +1,1 @@
-"""Kinds of findings, and notes of what a file or a format does not hold."""
+"""Kinds of findings, and notes on losses of a file or a format."""

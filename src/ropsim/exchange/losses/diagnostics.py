@@ -1,4 +1,4 @@
-"""What can be wrong with a robot in URDF or MJCF (codes X980 to X991)."""
+"""Errors of a robot in URDF or MJCF (codes X980 to X991)."""
 
 from ropsim.core import Severity, define
 

@@ -1,4 +1,4 @@
-"""What does not go over from one format of robots to another (codes X993 to X997)."""
+"""Losses from one format of robots to another (codes X993 to X997)."""
 
 from collections.abc import Iterable
 
@@ -70,7 +70,7 @@ lost stands above this error. NIROX (`.stp`) holds everything that the model has
 )
 
 LOSSES = frozenset(kind.code for kind in (LOST_MOTION, LOST_DRIVE, LOST_MASS, LOST_DESCRIPTION))
-"""Codes of what does not go over where a file is read."""
+"""Codes of losses in reading."""
 
 
 def losses_refused(read: Iterable[Diagnostic], written: Iterable[Diagnostic]) -> Diagnostic | None:

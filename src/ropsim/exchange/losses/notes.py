@@ -1,13 +1,13 @@
-"""What a reader has found so far, in the order of the file."""
+"""Findings of a reader so far, in the order of the file."""
 
 from collections.abc import Iterable, Mapping
 
 from ropsim.core import Diagnostic, Kind, Severity, Span, frozen_dataclass, near
 
 MOST_NOTES = 100
-"""So many errors are kept, and so many others: a file with more is not mended one by one."""
+"""Numbers of errors and of other findings that are kept: files with more are not mended one by one."""
 _LONGEST = 400  # characters of a message: names are as long as their file has them
-_NAMED = 6  # so many entities are named in a message
+_NAMED = 6  # number of entities named in a message
 
 
 @frozen_dataclass
@@ -30,7 +30,7 @@ class Notes:
 
     @property
     def found(self) -> tuple[Diagnostic, ...]:
-        """Return the findings, errors first, in the order of the file; those without a place are last."""
+        """Return the findings, errors first, in the order of the file; findings without a place are last."""
         found = [
             *self._found,
             *(_absence(kind, folder, absent) for (kind, folder), absent in self._absent.items()),
@@ -57,21 +57,21 @@ class Notes:
         self.take(kind.at(span, line, hint=hint, data=data))
 
     def take(self, finding: Diagnostic) -> None:
-        """Note a finding that somebody else has made, as long as there is room."""
+        """Note a finding of another module, up to the maximum number."""
         self._counts[finding.severity] += 1
         if self._counts[finding.severity] <= MOST_NOTES:
             self._found.append(finding)
 
     def absent(self, kind: Kind, folder: str, span: Span, mesh: str, why: str, hint: str) -> None:
-        """Note a mesh that is missing; those of one folder become one finding with their number.
+        """Note a mesh that is missing; missing meshes of one folder become one finding with their number.
 
         Args:
             kind: of the finding.
             folder: that the mesh is of, such as a package.
             span: of the element that names it.
             mesh: its name.
-            why: what follows `is` or `are`, such as `not there`.
-            hint: what to do.
+            why: words behind `is` or `are`, such as `not there`.
+            hint: next action.
         """
         one = self._absent.setdefault((kind, folder), _Absent(span, why, hint, {}))
         one.names.setdefault(mesh)
@@ -84,7 +84,7 @@ class Notes:
 
 
 def shown(text: str) -> str:
-    """Return a text of the file as it is quoted in a message: on one line, and not too long."""
+    """Return a text of the file in the form quoted in a message: on one line, and not too long."""
     line = " ".join(text.split())
     return line if len(line) <= 60 else line[:57] + "..."
 

@@ -1,4 +1,4 @@
-"""Actuators of MJCF: how much they can do at the joints; what they are made of is told as lost."""
+"""Actuators of MJCF: their limits at the joints; their structure is reported as lost."""
 
 from collections.abc import Iterable
 from dataclasses import replace
@@ -12,7 +12,7 @@ from ropsim.exchange.mjcf.settings import MAIN, Settings
 
 
 def axis_names(connections: Iterable[Connection], root: Element) -> tuple[str, ...]:
-    """Return the joints that are driven: those with actuators in the order of these, then the others."""
+    """Return the joints that are driven: joints with actuators in the order of these, then the others."""
     free = [one.name for one in connections if one.motion is not Motion.NONE and one.following is None]
     parts = [one for actuator in root.all("actuator") for one in actuator.children]
     named = [one.attributes.get("joint", "").strip() for one in parts]

@@ -23,7 +23,7 @@ _SILENT = {"light", "camera"}
 
 
 class BodyReader:
-    """Bodies, connections and frames of one file, as they are found."""
+    """Bodies, connections and frames of one file, in order of the file."""
 
     def __init__(self, settings: Settings, assets: Assets, folder: RobotFolder, notes: Notes) -> None:
         self.bodies: list[Body] = []
@@ -89,7 +89,7 @@ class BodyReader:
         return settings.whole(element, name)
 
     def _parts(self, element: Element, inherited: str) -> list[tuple[Element, Pose, str]]:
-        """Return the elements of a body with their frames and classes; those of its `frame` elements too."""
+        """Return the elements of a body with their frames and classes, including `frame` contents."""
         found: list[tuple[Element, Pose, str]] = []
         waiting = [(one, Pose(), inherited) for one in reversed(element.children)]
         while waiting:

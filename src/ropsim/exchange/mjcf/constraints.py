@@ -1,4 +1,4 @@
-"""Equality constraints of MJCF: joints that follow others; the rest is told as lost."""
+"""Equality constraints of MJCF: joints that follow others; the rest is reported as lost."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -12,10 +12,10 @@ from ropsim.exchange.losses.notes import Notes, listed
 
 
 def coupled(connections: Sequence[Connection], root: Element, notes: Notes) -> tuple[Connection, ...]:
-    """Return connections with what determines their coordinates.
+    """Return connections with the couplings of their coordinates.
 
     A constraint of two joints says y - y0 = a0 + a1·(x - x0) + a2·(x - x0)² + …, with the coordinates y0, x0
-    at which the joints have not moved their bodies; what is not linear in it is left out (noted).
+    at which the joints have not moved their bodies; a constraint that is not linear is left out (noted).
     """
     found = {one.name: one for one in connections}
     held: dict[str, Following | None] = {}

@@ -43,7 +43,7 @@ class HeldPoint:
 
 
 def held_points(cuts: Sequence[LoopCut]) -> tuple[HeldPoint, ...]:
-    """Return what holds closed chains together, of those that MJCF has constraints for."""
+    """Return the constraints of closed chains of the kinds that MJCF has."""
     return tuple(point for number, cut in enumerate(cuts, start=1) for point in _points(f"cut_{number}", cut))
 
 

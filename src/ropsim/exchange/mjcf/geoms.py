@@ -1,4 +1,4 @@
-"""Geometry of MJCF: what a body looks like, and what it weighs where nothing else says so."""
+"""Geometry of MJCF: shapes of a body, and its mass if not given otherwise."""
 
 from collections.abc import Mapping
 
@@ -25,7 +25,7 @@ _COLLIDING = 3  # from this group on geometry is not drawn where there is other,
 
 @frozen_dataclass
 class Assets:
-    """What geometry refers to.
+    """Assets that geometry refers to.
 
     Attributes:
         meshes: elements by name.
@@ -80,7 +80,7 @@ def geometry_of(
         settings: of the file.
         assets: of the file.
         folder: where meshes are.
-        notes: for what is wrong or not drawn.
+        notes: for errors and shapes that are not drawn.
     """
     kind = geom.attributes.get("type", "mesh" if "mesh" in geom.attributes else "sphere")
     X = pose_of(geom, settings, notes)
@@ -106,7 +106,7 @@ def geometry_of(
 
 
 def _sized(geom: Element, kind: str, X: Pose, notes: Notes) -> tuple[tuple[float, ...], Pose]:
-    """Return the measures of a solid and its pose, for those from a point to another, too."""
+    """Return the measures of a solid and its pose, including solids from a point to another."""
     count = _COUNTS[kind]
     if "fromto" in geom.attributes and kind != "sphere":
         values = np.array(numbers_of(geom, "fromto", notes, (0.0, 0.0, 0.0, 0.0, 0.0, 1.0)))

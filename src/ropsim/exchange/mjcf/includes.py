@@ -9,11 +9,11 @@ from ropsim.exchange.losses.diagnostics import ELEMENT_MISSING, XML_REFUSED
 from ropsim.exchange.losses.notes import Notes, shown
 
 MOST_FILES = 50
-"""So many files are included at most, each once, as MuJoCo has it."""
+"""Maximum number of included files, each once, as in MuJoCo."""
 
 
 def with_included(root: Element, folder: RobotFolder, notes: Notes) -> Element | None:
-    """Return a file with what the files that it includes hold; nothing where one cannot be had (noted)."""
+    """Return a file with the contents of its included files; None if one cannot be read (noted)."""
     return _Includer(folder, notes).expanded(root, 1)
 
 

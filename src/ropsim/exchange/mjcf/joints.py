@@ -37,7 +37,7 @@ def connection_of(
         ends: names of the bodies that it joins.
         X: frame of the moved body in that of the body that carries it, where the joint has not moved it.
         settings: of the file.
-        notes: for what is wrong.
+        notes: for errors.
     """
     kind = joint.attributes.get("type", "hinge")
     if kind not in _MOTIONS:

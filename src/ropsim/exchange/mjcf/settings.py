@@ -10,7 +10,7 @@ from ropsim.exchange.losses.diagnostics import SAME_ENTITY, UNKNOWN_ENTITY
 from ropsim.exchange.losses.notes import Notes
 
 MAIN = "main"
-"""The class of what has none."""
+"""The default class."""
 _TURNS = ("quat", "axisangle", "xyaxes", "zaxis", "euler")
 """Attributes that say an orientation, each another way: one's own replaces that of the defaults."""
 _OTHER_WAYS = (_TURNS, ("diaginertia", "fullinertia"), ("mass", "density"))
@@ -21,15 +21,15 @@ Defaults = Mapping[str, Mapping[str, Mapping[str, str]]]
 
 @frozen_dataclass
 class Settings:
-    """What holds for a whole file.
+    """Settings of a whole file.
 
     Attributes:
         angle: radians in one unit of angles of the file.
         order: of Euler angles, such as `xyz`; capitals turn about fixed axes.
         limits: whether a range alone limits a joint (`autolimits`).
-        from_geometry: which bodies weigh what their geometry does: `auto` for those without `inertial`,
+        from_geometry: which bodies have the mass of their geometry: `auto` for bodies without `inertial`,
             `true` for all, `false` for none.
-        meshes: folder of meshes beside the file.
+        meshes: folder of meshes relative to the file.
         defaults: attributes by class and element.
     """
 
@@ -57,7 +57,7 @@ class Settings:
 
 
 def settings_of(root: Element, notes: Notes) -> Settings:
-    """Return the settings of a file; later elements of a name add to those before."""
+    """Return the settings of a file; later elements of a name extend earlier ones."""
     compiler: dict[str, str] = {}
     for one in root.all("compiler"):
         compiler |= one.attributes

@@ -1,4 +1,4 @@
-"""Elements of MJCF as they are written."""
+"""Elements of MJCF in text form."""
 
 from collections.abc import Mapping
 
@@ -46,7 +46,7 @@ def assets(meshes: Mapping[Mesh, str]) -> tuple[Tag, ...]:
 
 
 def geoms(shapes: tuple[Shape, ...], meshes: Mapping[Mesh, str]) -> tuple[Tag, ...]:
-    """Return the geometry of shapes, of those that MJCF has: drawn, without contact."""
+    """Return the geometry of shapes, of the kinds that MJCF has: drawn, without contact."""
     return tuple(
         tag("geom", [*_solid(one, meshes), *placed(one.pose), ("rgba", _colour(one)), *_DRAWN_ONLY])
         for one in shapes

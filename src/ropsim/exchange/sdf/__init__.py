@@ -1,1 +1,1 @@
-"""SDFormat 1.11, the format of Gazebo: its elements as they are written."""
+"""SDFormat 1.11, the format of Gazebo: its elements in text form."""

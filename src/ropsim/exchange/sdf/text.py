@@ -1,4 +1,4 @@
-"""Elements of SDFormat as they are written: values stand between tags, not in attributes."""
+"""Elements of SDFormat in text form: values stand between tags, not in attributes."""
 
 import numpy as np
 
@@ -33,7 +33,7 @@ def inertial(link: Link | None) -> Tag:
 
 
 def visuals(shapes: tuple[Shape, ...]) -> tuple[Tag, ...]:
-    """Return the `visual` elements of shapes, of those that SDFormat has."""
+    """Return the `visual` elements of shapes, of the kinds that SDFormat has."""
     seen = [one for one in shapes if can_write(one)]
     return tuple(
         tag(

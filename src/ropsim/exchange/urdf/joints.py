@@ -1,4 +1,4 @@
-"""Joints of URDF: types, axes, limits, friction and what follows other joints."""
+"""Joints of URDF: types, axes, limits, friction and couplings."""
 
 from dataclasses import replace
 
@@ -104,7 +104,7 @@ def _following(joint: Element, notes: Notes) -> Following | None:
 
 
 def lost_of(joint: Element, notes: Notes) -> None:
-    """Note what of a joint does not go over."""
+    """Note the losses of a joint."""
     for key in ("calibration", "safety_controller"):
         element = joint.first(key)
         if element is not None:

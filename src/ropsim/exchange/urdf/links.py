@@ -28,8 +28,8 @@ def body_of(link: Element, materials: Mapping[str, Colour], folder: RobotFolder,
 def _weight(link: Element, notes: Notes) -> Payload:
     """Return mass, centre of mass, and inertia about it in the axes of the link.
 
-    URDF gives the inertia in a frame of its own, whose origin is the centre of mass; products of inertia
-    are entries of the tensor (Ixy = -∫xy dm).
+    URDF has the inertia in a separate frame, whose origin is the centre of mass; products of inertia are
+    entries of the tensor (Ixy = -∫xy dm).
     """
     inertial = link.first("inertial")
     if inertial is None:

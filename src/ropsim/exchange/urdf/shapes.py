@@ -17,7 +17,7 @@ Colour = tuple[str, float]
 
 
 def materials_of(robot: Element, notes: Notes) -> Mapping[str, Colour]:
-    """Return the colours that a file defines, by the name of the material; links may define some too."""
+    """Return the colours that a file defines, by the name of the material; links may also define some."""
     everywhere = [
         *robot.all("material"),
         *(
@@ -38,7 +38,7 @@ def materials_of(robot: Element, notes: Notes) -> Mapping[str, Colour]:
 def shapes_of(
     link: Element, materials: Mapping[str, Colour], folder: RobotFolder, notes: Notes
 ) -> tuple[Shape, ...]:
-    """Return what a link looks like, in its frame; where nothing of that is drawn, its collision geometry.
+    """Return the visual geometry of a link, in its frame; if none can be drawn, its collision geometry.
 
     Many files show meshes in formats that are not drawn, and collide by simpler ones that are.
     """

@@ -1,4 +1,4 @@
-"""Elements of URDF as they are written."""
+"""Elements of URDF in text form."""
 
 from ropsim.exchange.assembly.joint_limits import WITHOUT_END
 from ropsim.exchange.files.xml_text import Tag, number, numbers, tag
@@ -34,7 +34,7 @@ def inertial(link: Link) -> tuple[Tag, ...]:
 
 
 def visuals(shapes: tuple[Shape, ...]) -> tuple[Tag, ...]:
-    """Return the `visual` elements of shapes, of those that URDF has."""
+    """Return the `visual` elements of shapes, of the kinds that URDF has."""
     return tuple(
         tag("visual", (), *origin(one.pose), tag("geometry", (), _solid(one)), _material(one))
         for one in shapes

@@ -1,1 +1,1 @@
-"""A robot as joints of one freedom, and what the formats lose of it."""
+"""A robot as joints of one freedom, and losses of the formats."""

@@ -1,4 +1,4 @@
-"""What of the axes of a robot does not go into a file: their order, their limits, gravity, closed chains."""
+"""Losses of the axes of a robot in a file: their order, their limits, gravity, closed chains."""
 
 from collections.abc import Iterable
 
@@ -22,7 +22,7 @@ def limit_losses(robot: RobotModel, tree: WrittenTree) -> Iterable[Diagnostic]:
 
 
 def axis_losses(robot: RobotModel) -> Iterable[Diagnostic]:
-    """Yield what formats do not hold in which axes come in the order of the file and gravity points down."""
+    """Yield the losses of formats in which axes have the order of the file and gravity points down."""
     if list(robot.axes) != sorted(robot.axes):
         words = f"the axes of `{robot.name}` are counted in another order, that of its joints"
         yield LOST_MOTION.at(None, words, hint="name the axes by their joints on the other side")

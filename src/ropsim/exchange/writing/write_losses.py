@@ -1,4 +1,4 @@
-"""What of a robot does not go into a file, in whatever format: drives, looks, and what is said about it."""
+"""Losses of a robot in a file of any format: drives, looks, and remarks."""
 
 from collections.abc import Callable, Iterable
 from math import isfinite
@@ -61,7 +61,7 @@ def rotor_at_joint(drive: Drive, q: float) -> float:
 
 
 def drive_losses(robot: RobotModel) -> Iterable[Diagnostic]:
-    """Yield what of the drives goes into no format."""
+    """Yield the losses of drives in all formats."""
     axes = [joint.name for joint in robot.axis_joints]
     for what, lost in _TESTS:
         names = [name for name, drive in zip(axes, robot.drives, strict=False) if lost(drive)]
@@ -103,7 +103,7 @@ def look_losses(robot: RobotModel) -> Iterable[Diagnostic]:
 
 
 def word_losses(robot: RobotModel, home: str = "the home position") -> Iterable[Diagnostic]:
-    """Yield what is said about a robot and goes into no format.
+    """Yield the losses of remarks on a robot in all formats.
 
     Args:
         robot: to be written.

@@ -13,15 +13,15 @@ from ropsim.spatial import Array, Pose
 
 @frozen_dataclass
 class WrittenJoint:
-    """A joint as it is written; it turns about or slides along the z axis of its frame, or is fixed.
+    """A written joint; it turns about or slides along the z axis of its frame, or is fixed.
 
     Attributes:
         name: of the joint.
         type: REVOLUTE, PRISMATIC or FIXED.
-        parent: number of the written joint that moves what carries it; -1 for the base.
+        parent: number of the written joint that moves its carrier; -1 for the base.
         child: name of the link that it moves.
         placement: of its frame at coordinate 0 in the frame of the link that carries it.
-        joint: of the model, with its limits; limits are those of the coordinate where `own`.
+        joint: of the model, with its limits; limits apply to the coordinate if `own`.
         own: whether its coordinate is that of the joint in the model.
         axis: number of the axis that drives it; None for others.
         follows: number of the axis that its coordinate follows otherwise, with a factor.
@@ -44,7 +44,7 @@ class WrittenJoint:
 
 @frozen_dataclass
 class WrittenTree:
-    """A robot as it is written.
+    """A robot in the structure of a file.
 
     Attributes:
         joints: each behind the one that carries it.
@@ -131,7 +131,7 @@ def _joint(
     parent: int,
     joint: Joint,
 ) -> WrittenJoint:
-    """Return the joint that makes what a step follows in one of its terms; the first stands in its place."""
+    """Return the joint for one term of the coupling of a step; the first stands in its place."""
     type_, free = tree.types[step], bool(tree.P[step].any())
     if place:
         return WrittenJoint(name, type_, parent, "", Pose(), joint, follows=term)

@@ -23,7 +23,7 @@ def uses_xacro(root: Element) -> bool:
 
 
 def expanded(root: Element, options: ReadOptions, notes: Notes) -> Element | None:
-    """Return a file as it is when all macros are carried out; nothing where one cannot be (noted)."""
+    """Return a file with all macros expanded; None if one cannot be (noted)."""
     expansion = _Expansion(options, notes)
     try:
         return expansion.file(root)
@@ -65,7 +65,7 @@ class _Expansion(Texts):
         return replace(self._elements((bare,), scope, 0)[0], children=children)
 
     def _elements(self, elements: tuple[Element, ...], scope: Scope, depth: int) -> list[Element]:
-        """Return what elements become."""
+        """Return the expansion of elements."""
         found: list[Element] = []
         for one in elements:
             try:
@@ -190,7 +190,7 @@ class _Expansion(Texts):
     def _block(
         self, parameter: Parameter, blocks: list[Element], scope: Scope, depth: int
     ) -> tuple[Element, ...]:
-        """Return the elements that a call gives for a block: its next one, or what that of the name holds."""
+        """Return the elements passed for a block: the next one, or the contents of the one with its name."""
         for place, one in enumerate(blocks):
             if parameter.sort is Sort.ELEMENT or one.name == parameter.name:
                 del blocks[place]

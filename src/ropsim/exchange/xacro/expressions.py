@@ -1,7 +1,7 @@
 """Expressions of `${...}`: a parser of our own, so that a file can compute numbers and do nothing else.
 
-The grammar is that of Python's expressions, without assignments, lambdas, comprehensions and calls of all
-but the functions of `operators.py`; texts and numbers have no methods.
+The grammar is that of Python's expressions, without assignments, lambdas, comprehensions and calls except of
+the functions of `operators.py`; texts and numbers have no methods.
 """
 
 from functools import lru_cache
@@ -15,7 +15,7 @@ def value_of(text: str, names: Names) -> Value:
     """Return the value of an expression.
 
     Raises:
-        XacroError: it has none.
+        XacroError: it has no value.
     """
     return _meaning(text)(names)
 

@@ -14,7 +14,7 @@ _PARAMETER = re.compile(
 
 
 class Sort(Enum):
-    """What is given for a parameter."""
+    """Kind of argument of a parameter."""
 
     VALUE = "value"
     ELEMENT = "element"
@@ -27,9 +27,9 @@ class Parameter:
 
     Attributes:
         name: of it.
-        sort: what is given for it: an attribute, an element of the call, or what stands in one of that name.
+        sort: kind of argument: an attribute, an element of the call, or the contents of one with that name.
         default: text; None where there is none.
-        inherits: whether it has the value that can be seen at the call, where that gives none.
+        inherits: whether it takes the value visible at the call if the call passes none.
     """
 
     name: str

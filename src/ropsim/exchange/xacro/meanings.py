@@ -1,4 +1,4 @@
-"""What the parts of an expression stand for, once the values of names are known."""
+"""Values of the parts of an expression, for given values of names."""
 
 from collections.abc import Callable, Mapping
 from typing import Protocol
@@ -14,7 +14,7 @@ class Names(Protocol):
         """Return the value of a name.
 
         Raises:
-            XacroError: nobody has given it one.
+            XacroError: it is undefined.
         """
         ...
 
@@ -28,7 +28,7 @@ class Names(Protocol):
 
 
 Meaning = Callable[[Names], Value]
-"""What an expression stands for, given the values of names."""
+"""Value of an expression, for given values of names."""
 
 
 def true(value: Value) -> bool:
@@ -42,7 +42,7 @@ def false(value: Value) -> bool:
 
 
 def first_of(parts: list[Meaning], names: Names, wanted: Callable[[Value], bool]) -> Value:
-    """Return the first value that decides `or` or `and`; those behind it are not looked at."""
+    """Return the first value that decides `or` or `and`; later ones are not evaluated."""
     value: Value = None
     for part in parts:
         value = part(names)
@@ -52,7 +52,7 @@ def first_of(parts: list[Meaning], names: Names, wanted: Callable[[Value], bool]
 
 
 def folded(left: Meaning, rest: list[tuple[str, Meaning]], names: Names) -> Value:
-    """Return what operators make of values, from left to right."""
+    """Return the result of operators on values, from left to right."""
     value = left(names)
     for name, part in rest:
         value = applied(name, BINARY[name], [value, part(names)])
@@ -86,7 +86,7 @@ def listed_values(parts: list[Meaning]) -> Meaning:
 
 
 def indexed(of: Meaning, index: Meaning, default: Meaning | None = None) -> Meaning:
-    """Return what stands at an index; where nothing does, the default, if there is one, as `get` has it."""
+    """Return the value at an index; if there is none, the default, if given, as `get` does."""
 
     def found(names: Names) -> Value:
         holder, key = of(names), index(names)

@@ -1,4 +1,4 @@
-"""Operators and functions of expressions, with bounds on what they make."""
+"""Operators and functions of expressions, with bounds on their results."""
 
 import math
 from collections.abc import Callable, Mapping, Sequence
@@ -92,7 +92,7 @@ FUNCTIONS: Mapping[str, Callable[..., Any]] = MappingProxyType(
     }
     | {"int": int, "float": float, "bool": bool, "range": _range, "sorted": sorted}
 )
-"""All that can be called."""
+"""All callable functions."""
 
 CONSTANTS: Mapping[str, Value] = MappingProxyType(
     {"pi": math.pi, "e": math.e, "tau": math.tau, "True": True, "False": False, "None": None}
@@ -102,7 +102,7 @@ CONSTANTS: Mapping[str, Value] = MappingProxyType(
 
 
 def applied(name: str, function: Callable[..., Any], values: Sequence[Value]) -> Value:
-    """Return what a function or operator makes of values.
+    """Return the result of a function or operator.
 
     Raises:
         XacroError: it makes nothing of them.

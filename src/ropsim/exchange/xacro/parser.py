@@ -1,4 +1,4 @@
-"""The grammar of expressions, from what binds loosely to what binds tightly."""
+"""The grammar of expressions, from the loosest to the tightest binding."""
 
 from ropsim.exchange.xacro.meanings import (
     Meaning,
@@ -21,10 +21,10 @@ _LEVELS = (("==", "!=", "<", ">", "<=", ">=", "in", "not in"), ("+", "-"), ("*",
 
 
 class Parser(TokenReader):
-    """An expression that is read to what it means."""
+    """Parser of an expression to its meaning."""
 
     def meaning(self) -> Meaning:
-        """Return what the whole text means."""
+        """Return the meaning of the whole text."""
         found = self._choice()
         if self._place < len(self._tokens):
             raise XacroError(f"`{self._tokens[self._place].text}` does not go on with an expression")
@@ -64,7 +64,7 @@ class Parser(TokenReader):
         return inner if not count else lambda names: bool(inner(names)) == (count % 2 == 0)
 
     def _binary(self, level: int) -> Meaning:
-        """Return operators of a level and those that bind more tightly, from left to right."""
+        """Return operators of a level and of tighter ones, from left to right."""
         if level == len(_LEVELS):
             return self._signed()
         left = self._binary(level + 1)
@@ -104,7 +104,7 @@ class Parser(TokenReader):
         return lambda names: applied("**", BINARY["**"], [base(names), exponent(names)])
 
     def _behind(self) -> Meaning:
-        """Return an atom with what stands behind it: indices, and names of dictionaries."""
+        """Return an atom with its suffixes: indices, and names of dictionaries."""
         found = self._atom()
         while sign := self._take("[", "."):
             if sign == "[":

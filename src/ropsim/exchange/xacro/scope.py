@@ -42,12 +42,12 @@ class Scope:
         return self._above or self
 
     def define(self, name: str, text: str) -> None:
-        """Give a property a text, which is evaluated when somebody asks for it."""
+        """Set the text of a property, which is evaluated on request."""
         self._values.pop(name, None)
         self._texts[name] = text
 
     def give(self, name: str, value: Value) -> None:
-        """Give a property a value."""
+        """Set the value of a property."""
         self._texts.pop(name, None)
         self._values[name] = value
 
@@ -70,7 +70,7 @@ class Scope:
         """Return the value of a property.
 
         Raises:
-            XacroError: it has none, or is defined by itself.
+            XacroError: it has no value, or depends on itself.
         """
         for scope in self._all():
             if name in scope._values:

@@ -16,7 +16,7 @@ def value_of_text(text: str, scope: Scope, arguments: Mapping[str, str]) -> Valu
     """Return the value of a text: of its one expression, or the text with everything put in.
 
     Args:
-        text: with substitutions in it, or without; then what it stands for.
+        text: text with or without substitutions; then its value.
         scope: of the place.
         arguments: of the file.
 

@@ -1,4 +1,4 @@
-"""Texts of a file that is expanded: what they stand for, what files they name, what all that may cost."""
+"""Texts of an expanded file: their values, the files that they name, limits of their cost."""
 
 from ropsim.exchange.files.folder import ReadOptions
 from ropsim.exchange.files.xml_tree import MOST_ELEMENTS, Element
@@ -11,11 +11,11 @@ from ropsim.exchange.xacro.yaml_values import yaml_value
 MOST_CALLS = 40
 """Macros and included files in each other."""
 MOST_DEPTH = 100
-"""Elements in each other, with those of the macros that they call."""
+"""Elements in each other, including the macros that they call."""
 MOST_CHARACTERS = 1_000_000
-"""Of all texts that are looked at or made."""
+"""Characters of all texts that are read or made."""
 MOST_STEPS = 5 * MOST_ELEMENTS
-"""Elements that are looked at, over and over as macros are called."""
+"""Elements that are expanded, repeatedly as macros are called."""
 
 
 class Texts:
@@ -30,13 +30,13 @@ class Texts:
         self._steps = self._made = self._characters = self._calls = 0
 
     def _step(self, depth: int) -> None:
-        """Count an element that is looked at."""
+        """Count an expanded element."""
         self._steps += 1
         if self._steps > MOST_STEPS or depth > MOST_DEPTH:
             raise XacroError("the file becomes too much, or too deep", "look for a macro that calls itself")
 
     def _spend(self, characters: int) -> None:
-        """Count characters that are looked at or made."""
+        """Count characters that are read or made."""
         self._characters += characters
         if self._characters > MOST_CHARACTERS:
             raise XacroError("the file becomes too much", "look for a macro that calls itself")

@@ -8,7 +8,7 @@ MOST_DEPTH = 20
 
 
 class TokenReader:
-    """Words of an expression; a parser is one that knows what they mean."""
+    """Words of an expression; the base class of parsers."""
 
     def __init__(self, text: str) -> None:
         self._tokens = list(tokens(text))

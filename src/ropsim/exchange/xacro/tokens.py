@@ -20,7 +20,7 @@ _PATTERN = re.compile(
 
 
 class Sort(Enum):
-    """What a word is."""
+    """Kind of a word."""
 
     NUMBER = "number"
     NAME = "name"
@@ -30,7 +30,7 @@ class Sort(Enum):
 
 @frozen_dataclass
 class Token:
-    """A word of an expression, as it is written."""
+    """A word of an expression, in its spelling."""
 
     sort: Sort
     text: str

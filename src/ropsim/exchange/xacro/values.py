@@ -8,7 +8,7 @@ Value: TypeAlias = "bool | int | float | str | list[Value] | dict[str, Value] | 
 LONGEST = 20_000
 """Characters of a text."""
 LONGEST_LIST = 2_000
-"""Elements of a list or dictionary, with those of the lists in it."""
+"""Elements of a list or dictionary, including nested lists."""
 _LARGEST_INTEGER = 10**18
 
 
@@ -54,7 +54,7 @@ def _count(value: Value) -> None:
 
 
 def literal(text: str) -> Value:
-    """Return what a text stands for: a number, a truth value, a text in quotation marks, else itself."""
+    """Return the value of a text: a number, a truth value, a text in quotation marks, else itself."""
     word = text.strip()
     if len(word) >= 2 and word[0] == word[-1] and word[0] in "'\"":
         return word[1:-1]
@@ -68,7 +68,7 @@ def literal(text: str) -> Value:
 
 
 def words(value: Value) -> str:
-    """Return a value as it stands in a text.
+    """Return a value in text form.
 
     Raises:
         XacroError: it is too long.
@@ -83,7 +83,7 @@ def truth(value: Value) -> bool:
     """Return the truth value of an `if` or `unless`.
 
     Raises:
-        XacroError: it has none: allowed are true, false, and numbers.
+        XacroError: it has no text form: allowed are true, false, and numbers.
     """
     found = literal(value) if isinstance(value, str) else value
     if isinstance(found, bool | int | float):

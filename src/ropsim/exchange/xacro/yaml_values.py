@@ -15,14 +15,14 @@ MOST_LINES = 5_000
 MOST_DEPTH = 20
 _REFUSED = ("&", "*", "|", ">", "%", "@", "`", "!")
 _Line = tuple[int, str]
-"""Indentation, and what stands behind it."""
+"""Indentation, and the text behind it."""
 
 
 def yaml_value(text: str) -> Value:
     """Return the value that a YAML text describes.
 
     Raises:
-        XacroError: it uses what is not read, or is longer than is read.
+        XacroError: it uses unsupported syntax, or is too long.
     """
     lines = _lines(text)
     if not lines:

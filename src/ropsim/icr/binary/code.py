@@ -58,7 +58,7 @@ class Numbers:
         self._shared = _numbered(names.shared)
 
     def within(self, procedure: Procedure) -> "Numbers":
-        """Return the numbers in a procedure, with those of its variables."""
+        """Return the numbers in a procedure, including its variables."""
         own = copy(self)
         own._locals = procedure.numbers
         return own

@@ -1,15 +1,15 @@
-"""What stands where in the binary form: magic, version, sections, checksum."""
+"""Layout of the binary form: magic, version, sections, checksum."""
 
 from enum import IntEnum
 
 MAGIC = b"ICB\x00"
 """The first four bytes."""
 VERSION = (1, 0)
-"""Major and minor version, those of the text form; a reader refuses others."""
+"""Major and minor version, as in the text form; a reader refuses others."""
 CHECKSUM = 32
 """Bytes of the SHA-256 of all bytes before it, at the end."""
 LONGEST_NAME = 255
-"""Bytes of a name: what refers to it by its number stays near to its size when it is printed."""
+"""Maximum bytes of a name: bounds the size of the printed form, in which numbers of names become names."""
 
 
 class Section(IntEnum):

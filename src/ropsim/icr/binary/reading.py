@@ -1,4 +1,4 @@
-"""Binary form -> program. No bytes make the reader raise; what is damaged is told by its place."""
+"""Binary form -> program. No bytes make the reader raise; damage is reported with its place."""
 
 import hashlib
 from collections.abc import Iterator, Mapping
@@ -30,14 +30,14 @@ _POSE = 56
 
 
 def read_binary(content: bytes, name: str = "<icb>") -> tuple[Program | None, tuple[Diagnostic, ...]]:
-    """Return the program and what is wrong with the bytes; the program is None where anything is.
+    """Return the program and the errors in the bytes; the program is None if there are any.
 
-    There is one binary form of a program: bytes that say it in another way are refused. `verify` tells
-    whether the program may run. Memory and time are in proportion to the bytes.
+    There is one binary form of a program: other encodings are refused. `verify` checks whether the program
+    may run. Memory and time are in proportion to the bytes.
 
     Args:
         content: any bytes.
-        name: what the diagnostic calls them.
+        name: name of the bytes in diagnostics.
     """
     if content[: len(MAGIC)] != MAGIC:
         return None, (kinds.BINARY_DAMAGED.at(None, f"`{name}` does not begin as binary ICR does"),)

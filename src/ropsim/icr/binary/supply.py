@@ -1,4 +1,4 @@
-"""Bytes to numbers and texts; what is not there, or written in another way, is damage."""
+"""Bytes to numbers and texts; missing or non-canonical data are damage."""
 
 import math
 import struct
@@ -75,7 +75,7 @@ class Supply:
         """Yield the numbers of as many things as a count says, each of at least `smallest` bytes.
 
         Raises:
-            DamageError: so many cannot be there.
+            DamageError: there are not enough bytes for them.
         """
         start = self.at
         count = self.number(f"the number of {what}")

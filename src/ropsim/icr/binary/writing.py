@@ -16,7 +16,7 @@ from ropsim.icr.text.tokens import shown
 
 
 def encoded(program: Program) -> bytes:
-    """Return the binary form of a program that may run; `read_binary` gives the program back.
+    """Return the binary form of a program that may run; `read_binary` is the inverse.
 
     Raises:
         UnverifiedError: the verifier refuses the program, or a name is too long; carries all diagnostics.
@@ -96,7 +96,7 @@ def _procedures(sink: Sink, program: Program) -> None:
 
 
 def _variable_names(program: Program) -> bytes:
-    """Return the names of all variables: the global ones, then those of each procedure."""
+    """Return the names of all variables: the global ones, then the local ones of each procedure."""
     sink = Sink()
     for variables in (program.variables, *(one.variables for one in program.procedures)):
         for variable in variables:

@@ -1,4 +1,4 @@
-"""What an arithmetic instruction makes of given operands, for whoever computes ahead of the machine."""
+"""Result of an arithmetic instruction for given operands, for constant folding."""
 
 from ropsim.icr.machine import trap_kinds as kinds
 from ropsim.icr.machine.handlers import HANDLERS
@@ -7,15 +7,15 @@ from ropsim.icr.types import Value
 
 
 def computed(mnemonic: str, *operands: Value) -> Value:
-    """Return what the instruction leaves on the stack: the machine's own answer, bit for bit.
+    """Return the value that the instruction pushes: the result of the machine, bit for bit.
 
     Args:
-        mnemonic: of an instruction that touches nothing but the stack, such as `ADD.R`.
+        mnemonic: of an instruction that uses only the stack, such as `ADD.R`.
         operands: as they lie on the stack, the uppermost last, of the types that it takes.
 
     Raises:
         ZeroDivisionError: the machine would end the program by the trap DIV0.
-        ArithmeticError: it would end it by another trap, which the message tells.
+        ArithmeticError: the instruction would trap, as the message says.
     """
     stack = list(operands)
     try:

@@ -1,4 +1,4 @@
-"""A dry run: without a robot, everything that a program would tell one."""
+"""A dry run: without a robot, all instructions that a program would hand to one."""
 
 from ropsim.core import Diagnostic, Span, frozen_dataclass
 from ropsim.flow import (
@@ -24,7 +24,7 @@ MAX_INSTRUCTIONS = 100_000
 
 @frozen_dataclass
 class DryRun:
-    """What a run without a robot hands out.
+    """Result of a run without a robot.
 
     Attributes:
         instructions: robot instructions in program order, without synchronisations.
@@ -78,7 +78,7 @@ def run(program: Program, world: World | None = None, budget: int = BUDGET) -> D
 
 
 def run_verified(program: Program, world: World | None = None, budget: int = BUDGET) -> DryRun:
-    """Run a program in which the verifier finds nothing, as in all that the compiler makes; see `run`."""
+    """Run a program without findings of the verifier, such as a compiled one; see `run`."""
     world = world or StillWorld()
     machine = Machine(program, world, MachineOptions(budget))
     instructions: list[Instruction] = []

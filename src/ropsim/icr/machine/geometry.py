@@ -152,7 +152,7 @@ def shown(stack: list[Datum], _values: list[Datum], kind: Datum) -> None:
 
 
 _SI_DECIMALS = 9
-"""Of lengths [m] and angles [rad] in lists: what is less is the rounding of the computation."""
+"""Of lengths [m] and angles [rad] in lists: smaller ones are rounding errors."""
 _DECIMALS = {Type.VEC: 6}
 """The numbers of a vector may be mm and degrees: `print` shows a location as two of them."""
 

@@ -1,7 +1,7 @@
 """Instructions that only touch the stack, the variables and the program counter.
 
 A handler takes the stack, the variables of the activation and its prepared operand; it returns None, or the
-index of the next instruction. The types of the values are proved by the verifier, so they are not looked at
+index of the next instruction. The types of the values are proved by the verifier, so they are not checked
 again.
 """
 
@@ -13,7 +13,7 @@ from typing import Any
 from ropsim.icr.machine.traps import division_by_zero, out_of_range
 from ropsim.icr.types import INT_MAX, INT_MIN
 
-Datum = Any  # a stack value; rule V4 knows its type, mypy cannot
+Datum = Any  # a stack value; rule V4 proves its type, mypy cannot
 Handler = Callable[[list[Datum], list[Datum], Datum], int | None]
 
 MAX_TEXT = 65536
@@ -63,7 +63,7 @@ def _swap(stack: list[Datum], _values: list[Datum], _operand: Datum) -> None:
 
 
 def _jump(_stack: list[Datum], _values: list[Datum], way: Datum) -> int:
-    """JMP; the operand of jumps is where they lead, and what stands behind them."""
+    """JMP; the operand of jumps is the target, and the next instruction."""
     target: int = way[0]
     return target
 

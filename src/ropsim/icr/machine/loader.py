@@ -22,10 +22,10 @@ from ropsim.icr.types import Constant, Type, rotation
 from ropsim.spatial import Pose, quaternion
 
 _TYPED = frozenset(("GETC", "SETC", "FMT"))
-"""What they do depends on the types of the values that they find."""
+"""Operations that depend on the types of their operands."""
 _JUMPS = frozenset(("JMP", "JF", "JT"))
 LEAVE = -1
-"""What the handler of an operation returns: no index of an instruction."""
+"""Return value of the handler of an operation: no index of an instruction."""
 
 
 class LoadedProcedure(NamedTuple):
@@ -58,7 +58,7 @@ def _code(
         elif step.mnemonic in OPERATIONS:
             place = source_place(program, procedure, index)
             operand = _operand(program, step)
-            if step.mnemonic == "SYNC":  # it tells what it is for
+            if step.mnemonic == "SYNC":  # it has its purpose as operand
                 operand = procedure.code[index + 1].mnemonic
             site = Site(OPERATIONS[step.mnemonic], step.mnemonic, operand, (number, index), place)
             code.append((_leave, site))

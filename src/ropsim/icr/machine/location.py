@@ -1,9 +1,8 @@
-"""POSE values as locations: a pose, and what goes along wherever the location is passed and kept.
+"""POSE values as locations: a pose, and attributes that are passed and stored with it.
 
-A POSE on the stack is a tuple of seven numbers, in the task frame in force when it is moved to. Behind them
-stand values of external axes, where it has some, what it asks of the posture of the arm, where it asks for
-one, and the tag of a task frame of its own, where it has one, else the axes along which it is shifted, where
-they are not those of the task frame.
+A POSE on the stack is a tuple of seven numbers, in the task frame in force when it is moved to. They are
+followed by values of external axes, if any, the posture request, if any, and the tag of its task frame, if
+any, else by the axes along which it is shifted, if they differ from the axes of the task frame.
 """
 
 import math
@@ -48,7 +47,7 @@ def pose_part(location: Location) -> PoseTuple:
 
 
 def external_part(location: Location) -> tuple[float, ...]:
-    """Return the values of external axes that a location carries [rad | m]; empty where it has none."""
+    """Return the values of external axes that a location carries [rad | m]; empty without any."""
     end = len(location)
     while isinstance(location[end - 1], FrameTag | PostureRequest | Axes):
         end -= 1
@@ -56,12 +55,12 @@ def external_part(location: Location) -> tuple[float, ...]:
 
 
 def posture_of(location: Location) -> PostureRequest | None:
-    """Return what a location asks of the posture of the arm, None where it leaves that open."""
+    """Return the posture request of a location, None if it leaves the posture open."""
     return next((part for part in location[-2:] if isinstance(part, PostureRequest)), None)
 
 
 def axes_of(location: Location) -> Axes | None:
-    """Return the axes along which a location is shifted, None where they are those of its task frame."""
+    """Return the axes along which a location is shifted, None if they equal those of its task frame."""
     last = location[-1]
     return last if isinstance(last, Axes) else None
 
@@ -87,9 +86,9 @@ def located(
 def composed(left: Location, right: Location) -> Location:
     """Return X_AC of X_AB and X_BC.
 
-    It carries the values of external axes of `left`, where that has none those of `right`, and so with the
-    posture, the axes and the task frame: a location keeps its own whether it is moved in its tool frame (it
-    is `left`) or brought into another frame (`right`).
+    It carries the values of external axes of `left`, else of `right`, and in the same way the posture, the
+    axes and the task frame: a location keeps its own whether it is moved in its tool frame (it is `left`) or
+    brought into another frame (`right`).
     """
     pose = quaternion.compose(pose_part(left), pose_part(right))
     if len(left) == len(right) == 7:

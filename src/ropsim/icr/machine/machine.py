@@ -86,9 +86,9 @@ class Machine:
     def _run(self, registers: Registers) -> Instruction | Finished:
         """Carry out instructions to the next one that the robot or the world has to do with.
 
-        Between two jumps instructions are counted by their indices: whether there were too many is looked at
-        behind the last of them. None of these has been told to anybody. A jump sets the iterator of the code
-        to its target, which takes half the time of counting the index of every instruction.
+        Between two jumps instructions are counted by their indices: their number is checked behind the last
+        of them. None of these has an effect outside. A jump sets the iterator of the code to its target,
+        which takes half the time of counting the index of every instruction.
         """
         procedures, world, budget = self._procedures, self._world, self._options.budget
         code, values, stack = procedures[registers.procedure].code, registers.values, registers.stack

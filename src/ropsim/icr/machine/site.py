@@ -29,7 +29,7 @@ class Site(NamedTuple):
 
 
 Operation = Callable[[Registers, World, Site], Instruction | Finished | None]
-"""Returns what the machine hands to its consumer, or None where the machine goes on."""
+"""Returns the instruction that the machine hands to its consumer, or None if the machine continues."""
 
 
 def barrier(registers: Registers, site: Site) -> SyncInstruction | None:

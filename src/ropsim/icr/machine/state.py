@@ -48,7 +48,7 @@ class Caller(NamedTuple):
         procedure: index of its procedure.
         pc: its next instruction.
         values: its parameters and locals.
-        place: source line of the call; where that has none, of the nearest call below that has one.
+        place: source line of the call; if it lacks a line, that of the nearest call below with a line.
     """
 
     procedure: int
@@ -86,8 +86,8 @@ class MachineState:
         call_serials: ordinal of each of them in the run.
         modal: modal state in force.
         saved: modal states saved, the last one on top.
-        commanded: target of the last move; None at the start, and where the target does not tell the end.
-        triggers: those of the next move.
+        commanded: target of the last move; None at the start, and if the target does not determine the end.
+        triggers: triggers of the next move.
         guard: that of the next move, or None.
         tracking: that of the next move, or None.
         visits: (procedure, instruction) and how often it was carried out.
@@ -142,13 +142,13 @@ class Registers:
     is_synced: bool = False
     finished: Finished | None = None
     known: dict[tuple[int, str, Datum], tuple[ModalState, ModalState]] = field(default_factory=dict)
-    """Modal states that others have become, by the identity of these and by what was said."""
+    """Cache of derived modal states, by the identity of the old state and the change."""
 
     def changed(self, said: tuple[str, Datum], **fields: Datum) -> ModalState:
         """Return the modal state in force with other fields: in loops the same object in each pass.
 
         Args:
-            said: instruction and value, which tell the fields.
+            said: instruction and value, which determine the fields.
             fields: by their names.
         """
         key = (id(self.modal), *said)

@@ -1,4 +1,4 @@
-"""How an instruction tells the machine that the program cannot go on."""
+"""How an instruction signals the machine that the program cannot go on."""
 
 from collections.abc import Sequence
 
@@ -40,7 +40,7 @@ def by_number(number: int) -> TrapError:
 def diagnostic(
     trap: TrapError, place: Span | None, calls: Sequence[str], serials: Sequence[int]
 ) -> Diagnostic:
-    """Return what the user is told of a trap: place in the source and chain of active procedures."""
+    """Return the diagnostic of a trap: place in the source and chain of active procedures."""
     notes = (f"active procedures: {' -> '.join(calls)}",) if len(calls) > 1 else ()
     data = {"calls": tuple(calls), "call_serials": tuple(serials)}
     return trap.kind.at(place, trap.message, hint=trap.hint, notes=notes, data=data)

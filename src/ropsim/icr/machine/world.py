@@ -1,4 +1,4 @@
-"""What lies outside the machine: inputs and time."""
+"""Surroundings of the machine: inputs and time."""
 
 from collections.abc import Mapping
 from typing import Protocol, TypeAlias
@@ -11,7 +11,7 @@ Target: TypeAlias = Pose | tuple[float, ...] | None
 
 
 class World(Protocol):
-    """What the machine asks after the consumer has carried out everything before."""
+    """Queries of the machine, answered after the consumer has executed everything before."""
 
     def read(self, channel: str) -> bool | int | float:
         """Return the present value of a channel."""
@@ -20,8 +20,8 @@ class World(Protocol):
     def wait(self, channel: str, value: bool, timeout: float | None) -> bool:  # noqa: FBT001 - a signal level
         """Return whether a channel came to have a value; False where `timeout` [s] came first.
 
-        Whoever carries out the instructions has carried out the `AwaitInstruction` before. With timeout None,
-        False means that the value will never come.
+        The consumer has executed the preceding `AwaitInstruction`. With timeout None, False means that the
+        value will never come.
         """
         ...
 
@@ -78,7 +78,7 @@ class Arm(Protocol):
 
 
 class UnknownArm:
-    """An arm of which nothing is known: only targets that are poses tell where it stands.
+    """An arm of which nothing is known: only pose targets determine its pose.
 
     Args:
         last: the last move; None at the start.
@@ -92,7 +92,7 @@ class UnknownArm:
         return UnknownArm(move)
 
     def standing(self, modal: ModalState) -> Pose | None:
-        """Return the target of the last move; None for one that does not tell the pose at its end."""
+        """Return the target of the last move; None for a target that is no pose."""
         last = self._last
         if last is None or last.angle is not None:
             return None
@@ -101,7 +101,7 @@ class UnknownArm:
     def reached(self, target: Target, then: ModalState, now: ModalState) -> Pose | None:
         """Return a pose by the frames and tools of the program; None for joint coordinates and home.
 
-        None also for another tool of which only the cell knows the pose.
+        None also for another tool whose pose only the cell has.
         """
         if not isinstance(target, Pose):
             return None
@@ -131,7 +131,7 @@ class StillWorld:
         self._met = False
 
     def read(self, channel: str) -> bool | int | float:
-        """Return the value given for a channel, or what the program has set it to."""
+        """Return the value given for a channel, or the value set by the program."""
         return self._channels.get(channel, 0)
 
     def wait(self, channel: str, value: bool, timeout: float | None) -> bool:  # noqa: FBT001 - a signal level
@@ -158,7 +158,7 @@ class StillWorld:
         return self._arm.standing(modal)
 
     def reached(self, target: Target, then: ModalState, now: ModalState) -> Pose | None:
-        """Return where a move leads, as far as the arm knows."""
+        """Return the target pose of a move, if the arm determines it."""
         return self._arm.reached(target, then, now)
 
     def carry_out(self, instruction: Instruction) -> None:
@@ -176,7 +176,7 @@ class StillWorld:
 
 
 class PassingWorld(StillWorld):
-    """A still world in which what is waited for comes."""
+    """A still world in which every wait ends."""
 
     def wait(self, channel: str, value: bool, timeout: float | None) -> bool:  # noqa: FBT001 - a signal level
         """Return True."""

@@ -23,8 +23,8 @@ class _Block(NamedTuple):
     """Instructions that are carried out one after the other from the first one on.
 
     Attributes:
-        reads: variables that it reads before it gives them a value, and where it does so first.
-        gives: variables that have a value behind it.
+        reads: variables that it reads before assigning them, with the first place.
+        gives: variables that are assigned behind it.
         following: the first instructions of the blocks to which it leads.
         is_return: whether its last instruction returns.
     """
@@ -43,7 +43,7 @@ class Need(NamedTuple):
 
 
 class Summary(NamedTuple):
-    """What a procedure does with variables.
+    """Effect of a procedure on variables.
 
     Attributes:
         needs: its own variables, and global ones, that are read before a value was given in it; global ones
@@ -68,7 +68,7 @@ def check_assignment(program: Program) -> Iterator[Diagnostic]:
 
 
 def unassigned(program: Program) -> Mapping[str, tuple[Need, ...]]:
-    """Return, by procedure, the variables that rule V7 refuses: locals, and in `main` globals too."""
+    """Return, by procedure, the variables that rule V7 refuses: locals, and in `main` also globals."""
     summaries: dict[str, Summary] = {}
     main = program.procedure("main")
     given = given_at_once(main.code, main.numbers) if main is not None else _NONE
@@ -80,12 +80,12 @@ def unassigned(program: Program) -> Mapping[str, tuple[Need, ...]]:
 
 
 def refused_needs(procedure: str, found: Summary) -> tuple[Need, ...]:
-    """Return what rule V7 refuses of a procedure: locals, and in `main` globals too."""
+    """Return the reads that rule V7 refuses in a procedure: of locals, and in `main` also of globals."""
     return tuple(need for need in found.needs if procedure == "main" or not need.slot.is_global)
 
 
 def given_at_once(code: Iterable[Step], own: Container[str]) -> Slots:
-    """Return what `main` gives a value before its first jump or call; all others find it there.
+    """Return the variables that `main` assigns before its first jump or call; all procedures can read them.
 
     Args:
         code: of `main`.
@@ -101,11 +101,11 @@ def given_at_once(code: Iterable[Step], own: Container[str]) -> Slots:
 
 
 class Passage(NamedTuple):
-    """What a part of a procedure does with variables; control enters it at its first instruction only.
+    """Effect of a part of a procedure on variables; control enters it at its first instruction only.
 
     Attributes:
         needs: variables that are read before a value was given in it.
-        gives: variables that have a value whenever its end is reached; None where it never is.
+        gives: variables that are assigned whenever its end is reached; None if it never is.
     """
 
     needs: tuple[Need, ...]
@@ -113,11 +113,11 @@ class Passage(NamedTuple):
 
 
 def passage(part: Procedure, known: Mapping[str, Summary]) -> Passage:
-    """Return what a part of a procedure does with variables.
+    """Return the effect of a part of a procedure on variables.
 
     Args:
         part: its code, with the variables of the procedure that it uses; a jump behind its end leaves it.
-        known: what the procedures do that it calls, by name.
+        known: effects of its callees, by name.
     """
     end = len(part.code)
     if not end:
@@ -130,7 +130,7 @@ def needs_of_passages(passages: Iterable[tuple[Passage, int]]) -> tuple[Need, ..
     """Return the variables that may be read without a value in parts that follow each other.
 
     Args:
-        passages: what each does, and the number of its instructions.
+        passages: effect of each, and the number of its instructions.
     """
     given: list[Slots] = []
     held: set[Slot] = set()
@@ -152,10 +152,10 @@ def needs_of_passages(passages: Iterable[tuple[Passage, int]]) -> tuple[Need, ..
 
 
 def joint_passage(passages: Iterable[tuple[Passage, int]]) -> Passage:
-    """Return what parts do together that follow each other.
+    """Return the combined effect of consecutive parts.
 
     Args:
-        passages: what each does, and the number of its instructions.
+        passages: effect of each, and the number of its instructions.
     """
     held: set[Slot] = set()
     needs: dict[Slot, Need] = {}
@@ -172,11 +172,11 @@ def joint_passage(passages: Iterable[tuple[Passage, int]]) -> Passage:
 
 
 def summary(procedure: Procedure, known: Mapping[str, Summary], given: Slots) -> Summary:
-    """Return what a procedure does with variables.
+    """Return the effect of a procedure on variables.
 
     Args:
         procedure: that passes the rules before.
-        known: the same of all that it calls, by name.
+        known: effects of its callees, by name.
         given: global variables that have a value before it is called.
     """
     start = frozenset(Slot(variable.name, is_global=False) for variable in procedure.parameters)
@@ -190,12 +190,12 @@ def summary(procedure: Procedure, known: Mapping[str, Summary], given: Slots) ->
 def _followed(
     procedure: Procedure, known: Mapping[str, Summary], start: Slots, end: int
 ) -> tuple[dict[int, _Block], dict[int, Held], dict[Slot, Need]]:
-    """Return the blocks of code, what holds a value before each that is reached, and what is missing.
+    """Return the blocks of code, the assigned variables before each reached one, and the missing ones.
 
     Args:
         procedure: the code.
-        known: what the procedures do that it calls, by name.
-        start: what holds a value at its start.
+        known: effects of its callees, by name.
+        start: assigned variables at its start.
         end: the instruction behind which nothing follows, -1 where the code says so itself.
     """
     blocks = _blocks(procedure, known)

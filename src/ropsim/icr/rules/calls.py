@@ -36,7 +36,7 @@ def calls(procedure: Procedure) -> Iterator[tuple[int, str]]:
 
 
 def callees_first(program: Program) -> list[Procedure]:
-    """Return all procedures, those called before those that call them."""
+    """Return all procedures, callees before callers."""
     procedures = {one.name: one for one in program.procedures}
     order: list[Procedure] = []
     done: set[str] = set()

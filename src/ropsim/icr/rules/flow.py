@@ -15,11 +15,11 @@ _PREFIXES = {"TRIG.DIST", "TRIG.TIME", "GUARD", "TRACK"}
 _ONCE = {"GUARD": "a move ends by one condition", "TRACK": "a move is corrected by one sensor"}
 _JOINT_MOVES = {"MOVE.PTP", "MOVE.PTP.J", "HOME"}
 _LOSING = {"HALT", "RET", "CALL", "STOP", "SYNC", "OUT", "WAIT.T", "WAIT.IN", "MSG", "GRIP"}
-"""What cannot stand between a prefix and its move: they end the procedure, or go to the robot before it."""
+"""Instructions not allowed between a prefix and its move: procedure ends, and robot instructions."""
 
 
 class _State(NamedTuple):
-    """What is known before an instruction.
+    """Known state before an instruction.
 
     Attributes:
         stack: types on the stack.
@@ -103,7 +103,7 @@ def _flow(program: Program, procedure: Procedure) -> tuple[dict[int, _State], li
 
 
 def _without_value(step: Step) -> object:
-    """Return what an instruction is for the types on the stack: constants of one type are alike."""
+    """Return the key of an instruction for the types on the stack: constants of one type are equal."""
     operand = step.operands[0] if step.operands else None
     return (step.mnemonic, operand.type) if isinstance(operand, Constant) else step
 

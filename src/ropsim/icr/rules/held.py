@@ -1,9 +1,9 @@
 """Which variables hold a value at each instruction: sets that only grow along a way, kept as chains.
 
 A set is a chain: the variables that came last, and the set before them. So all sets of a procedure together
-take room in proportion to its code. Where ways join, what both have beyond the end of their common chain
-goes on. Instructions are gone through in reverse postorder until nothing changes, which is at once where each
-loop has one entry (G. A. Kildall, "A unified approach to global program optimization", POPL 1973; J. B. Kam
+take memory in proportion to its code. At joins the variables of both chains beyond their common end are kept.
+Instructions are processed in reverse postorder until nothing changes, which takes a single pass if each loop
+has a single entry (G. A. Kildall, "A unified approach to global program optimization", POPL 1973; J. B. Kam
 and J. D. Ullman, "Global data flow analysis and iterative algorithms", J. ACM 1976).
 """
 
@@ -29,7 +29,7 @@ class Held:
     """A set of variables.
 
     Attributes:
-        last: what came last.
+        last: variables added last.
         before: the set before that, None for none.
         depth: number of links before this one.
     """
@@ -39,7 +39,7 @@ class Held:
     depth: int = 0
 
     def with_also(self, slots: Slots) -> "Held":
-        """Return a set that has these variables, too."""
+        """Return a set that also has these variables."""
         return _held(slots, self, self.depth + 1) if slots else self
 
     def all(self) -> Slots:
@@ -60,7 +60,7 @@ class Ways:
     """The ways through the instructions of a procedure.
 
     Attributes:
-        order: instructions that are reached, those that come before others on ways without loops first.
+        order: instructions that are reached, in topological order of the paths without loops.
         sources: from where each of them is reached.
     """
 
@@ -69,7 +69,7 @@ class Ways:
 
 
 def ways(following: Callable[[int], Iterable[int]]) -> Ways:
-    """Return the ways that lead from instruction 0 to those that follow it, and so on."""
+    """Return the ways that lead from instruction 0 to its successors, and so on."""
     left: list[int] = []
     sources: dict[int, list[int]] = {0: []}
     path: list[tuple[int, Iterator[int]]] = [(0, iter(following(0)))]
@@ -88,12 +88,12 @@ def ways(following: Callable[[int], Iterable[int]]) -> Ways:
 
 
 def held_before(way: Ways, start: Slots, given: Callable[[int], Slots]) -> dict[int, Held]:
-    """Return what holds a value before each instruction, on every way to it.
+    """Return the variables assigned before each instruction, on every path to it.
 
     Args:
         way: through the procedure.
-        start: what holds a value at its start.
-        given: what an instruction gives a value.
+        start: assigned variables at its start.
+        given: variables assigned by an instruction.
     """
     place = {index: number for number, index in enumerate(way.order)}
     back: dict[int, list[int]] = {}
@@ -105,7 +105,7 @@ def held_before(way: Ways, start: Slots, given: Callable[[int], Slots]) -> dict[
     bounds: dict[int, Held] = {}
     while True:
         before, after = _passed(way, root, given, bounds)
-        # What a loop brings back has all that its entry has, unless the loop is entered in its middle, too.
+        # The set at the end of a loop includes the set at its entry, unless the loop has a second entry.
         held = {index: common([before[index], *(after[one] for one in back[index])]) for index in back}
         smaller = {index: one for index, one in held.items() if _lacks(one, before[index])}
         if not smaller:
@@ -114,7 +114,7 @@ def held_before(way: Ways, start: Slots, given: Callable[[int], Slots]) -> dict[
 
 
 def common(sets: list[Held]) -> Held:
-    """Return what all sets have, at least one; the first one itself where it has no more than that."""
+    """Return the intersection of one or more sets; the first one itself if equal."""
     if len(sets) == 1:
         return sets[0]
     deepest_first = sorted(sets[1:], key=lambda one: -one.depth)
@@ -162,14 +162,14 @@ def _union(parts: Iterable[Slots]) -> Slots:
 
 
 def _lacks(one: Held, other: Held) -> bool:
-    """Return whether a set, which has no more than another one, has less."""
+    """Return whether a set, which is a subset of another one, is smaller."""
     return one is not other and one.all() != other.all()
 
 
 def _passed(
     way: Ways, start: Held, given: Callable[[int], Slots], bounds: Mapping[int, Held]
 ) -> tuple[dict[int, Held], dict[int, Held]]:
-    """Go through all instructions once; return what is held before and after each."""
+    """Go through all instructions once; return the assigned variables before and after each."""
     before: dict[int, Held] = {}
     after: dict[int, Held] = {}
     for index in way.order:
@@ -188,7 +188,7 @@ def _passed(
 
 
 def _both(one: Held, other: Held) -> Held:
-    """Return what two sets have, `one` itself where it has no more than that."""
+    """Return the intersection of two sets, `one` itself if equal."""
     beyond: list[Slots] = []
     others: list[Slots] = []
     here, there = one, other

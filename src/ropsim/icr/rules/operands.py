@@ -15,7 +15,7 @@ UNIT_TOLERANCE = 1e-6
 MAX_AXES = 32
 MAX_NUMBER = 65535
 MAX_POINTS = 1000
-"""Poses that one curve may lead through: more do not fit on a stack that every rule can look at."""
+"""Poses that one curve may lead through: more do not fit on a stack that every rule can check."""
 _MAX_INDEX = {OperandKind.INDEX: MAX_AXES - 1, OperandKind.CATEGORY: 2}
 _MAX_COUNT = {"MKJ": MAX_AXES, "MKEXT": MAX_EXTERNAL, "MOVE.SPL": MAX_POINTS, "TURNS": MAX_AXES}
 _SHARES = {"SPD.PTP", "ACC.PTP"}
@@ -31,7 +31,7 @@ _PLAIN = {
 
 
 def setting_fault(mnemonic: str, value: float) -> str:
-    """Return what is wrong with a modal value, or an empty string; shared by verifier and machine."""
+    """Return the fault of a modal value, or an empty string; shared by verifier and machine."""
     if mnemonic in _SHARES and not 0.0 < value <= 1.0:
         return f"`{mnemonic}` is given {value!r}, allowed are shares above 0 up to 1"
     if mnemonic in _POSITIVE and value <= 0.0:
@@ -47,7 +47,7 @@ def check_operands(program: Program, procedure: Procedure) -> Iterator[Diagnosti
     for index, step in enumerate(procedure.code):
         if _is_sound(step):
             continue
-        if next(_faults(program, procedure, names, index, None), None):  # nobody asks where right ones stand
+        if next(_faults(program, procedure, names, index, None), None):  # unneeded if there are no faults
             yield from _faults(program, procedure, names, index, text_place(program, procedure, index))
 
 
@@ -71,7 +71,7 @@ def _faults(
     index: int,
     place: Span | None,
 ) -> Iterator[Diagnostic]:
-    """Yield the faults of an instruction, told at a place."""
+    """Yield the faults of an instruction, reported at a place."""
     step = procedure.code[index]
     opcode = OPCODES.get(step.mnemonic)
     if opcode is None:
@@ -157,7 +157,7 @@ def _check_number(
 def _check_use(
     program: Program, procedure: Procedure, index: int, place: Span | None
 ) -> Iterator[Diagnostic]:
-    """Check what needs more than one operand: kinds of channels, constants given to modal instructions."""
+    """Check properties of several operands: kinds of channels, constants given to modal instructions."""
     step = procedure.code[index]
     names_one = step.mnemonic in _OF_CHANNELS and step.operands
     channel = program.channel(str(step.operands[-1])) if names_one else None

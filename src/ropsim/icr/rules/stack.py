@@ -1,4 +1,4 @@
-"""Stack effects: what each instruction does to the types on the stack (rule V4)."""
+"""Stack effects: the effect of each instruction on the types on the stack (rule V4)."""
 
 from typing import NamedTuple
 

@@ -1,4 +1,4 @@
-"""The static verifier: rules V1 to V9. What passes it can end only by HALT, RET, STOP or a typed trap."""
+"""The static verifier: rules V1 to V9. A verified program ends only by HALT, RET, STOP or a typed trap."""
 
 from collections import Counter
 from collections.abc import Iterable, Iterator
@@ -17,7 +17,7 @@ from ropsim.icr.types import WIDTHS, Constant, Type
 def verify(program: Program) -> tuple[Diagnostic, ...]:
     """Return the diagnostics of all rules; empty where the program may run.
 
-    A rule is checked only where the rules that it builds on hold, so one fault gives one diagnostic.
+    A rule is checked only where the rules that it builds on hold, so one fault causes one diagnostic.
     """
     found = [*_header(program), *_declarations(program), *_requirements(program)]
     sound = []
@@ -37,7 +37,7 @@ def verify(program: Program) -> tuple[Diagnostic, ...]:
 
 
 def capabilities(procedures: Iterable[Procedure]) -> tuple[str, ...]:
-    """Return what a robot must offer for these procedures, sorted."""
+    """Return the required capabilities of a robot for these procedures, sorted."""
     pose, used = Type.POSE, set[str]()
     for procedure in procedures:
         used.update([mnemonic for mnemonic, _ in procedure.code])

@@ -17,7 +17,7 @@ Report = Callable[[Kind, Span, str, str], None]
 class Body:
     """Collects the records of one procedure.
 
-    The methods for declarations return what is wrong with the form of the record, or an empty string.
+    The methods for declarations return the fault in the form of the record, or an empty string.
 
     Args:
         name: of the procedure.

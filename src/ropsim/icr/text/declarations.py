@@ -52,7 +52,7 @@ class Declarations:
         """Take one record in.
 
         Returns:
-            What is wrong with its form, and what it declares a second time; both empty where it is right.
+            The fault in its form, and the name that it declares a second time; both empty if correct.
         """
         head, rest = words[0].text, words[1:]
         if head == "SOURCE":

@@ -11,7 +11,7 @@ _OPTIONAL = {OperandKind.FRAME, OperandKind.TOOL}
 
 
 def read_operands(opcode: Opcode, words: tuple[Token, ...]) -> tuple[Operand, ...] | str:
-    """Return the operands, or what is wrong with them; the target of a jump is resolved later."""
+    """Return the operands, or their fault; the target of a jump is resolved later."""
     if opcode.operands == (OperandKind.CONSTANT,):
         constant = read_constant(words)
         return "a type and a value of this type are needed" if constant is None else (constant,)
@@ -38,7 +38,7 @@ def _read(kind: OperandKind, word: Token) -> Operand | None:
 
 
 def written_operand(kind: OperandKind, operand: Operand, labels: dict[int, str]) -> str:
-    """Return an operand as it stands in a text; `labels` gives the names of jump targets."""
+    """Return an operand in text form; `labels` has the names of jump targets."""
     if isinstance(operand, Constant):
         return written(operand)
     if isinstance(operand, int):

@@ -35,7 +35,7 @@ def read_text(text: str, name: str = "<icr>") -> tuple[Program | None, tuple[Dia
 
     Args:
         text: any text.
-        name: what diagnostics call it.
+        name: name in diagnostics.
     """
     reader = _Reader(SourceText(name, text))
     program = reader.read()
@@ -43,7 +43,7 @@ def read_text(text: str, name: str = "<icr>") -> tuple[Program | None, tuple[Dia
 
 
 def assemble(text: str, name: str = "<icr>") -> Program:
-    """Return the program of an ICR text; `verify` tells whether it may run.
+    """Return the program of an ICR text; `verify` checks whether it may run.
 
     Raises:
         AssemblyError: the text is no ICR program; carries all diagnostics.
@@ -116,7 +116,7 @@ class _Reader:
             self.body.instruction(words, place.to(self._span(words[-1])))
 
     def _declaration(self, words: tuple[Token, ...]) -> str:
-        """Take in a record that is no instruction; return what is wrong with its form."""
+        """Take in a record that is no instruction; return the fault in its form."""
         head = words[0].text
         if head in _IN_BODY:
             return "stands outside a procedure" if self.body is None else self._body_record(self.body, words)

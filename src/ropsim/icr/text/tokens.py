@@ -45,7 +45,7 @@ def cut(line: str) -> tuple[Token, ...] | int:
 
 
 def unquoted(text: str) -> str | None:
-    """Return what a word in double quotes stands for, or None where an escape is unknown."""
+    """Return the text of a word in double quotes, or None where an escape is unknown."""
     wrong: list[str] = []
 
     def replace(match: re.Match[str]) -> str:
@@ -74,7 +74,7 @@ def quoted(text: str) -> str:
 
 
 def named(name: str) -> str:
-    """Return a name as it stands in a text: in quotes where it is not a plain word."""
+    """Return a name in text form: in quotes where it is not a plain word."""
     return name if _PLAIN.match(name) else quoted(name)
 
 

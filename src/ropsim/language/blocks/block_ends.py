@@ -1,4 +1,4 @@
-"""What a line opens, closes or divides, and how deep each line stands in blocks."""
+"""Blocks: the words of a line that open, close or divide one, and the depth of each line."""
 
 import re
 from collections.abc import Iterable, Iterator
@@ -21,7 +21,7 @@ from ropsim.language.syntax.text import Line
 from ropsim.language.syntax.words import END, OPENERS
 
 ANY = "block"
-"""What `end` closes: the innermost block, whichever it is."""
+"""`end` closes the innermost block of any kind."""
 
 _CLOSES: dict[str, str] = {word: opener for opener, words in OPENERS.items() for word in words}
 _OPENS: dict[type, str] = {

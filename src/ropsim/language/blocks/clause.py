@@ -1,4 +1,4 @@
-"""What is understood of a contract clause: the gripper, the numbers of locations and parameters."""
+"""Meaning of a contract clause: the gripper, the numbers of locations and parameters."""
 
 import re
 
@@ -19,7 +19,7 @@ _GRIPPER = re.compile(r"\bgripper\s+(?:is\s+|to\s+be\s+)?(open|close)d?\b", re.I
 
 @frozen_dataclass
 class Clause:
-    """What is understood of a contract clause.
+    """Parsed contract clause.
 
     Attributes:
         text: all its words on one line.
@@ -35,7 +35,7 @@ class Clause:
 
 
 def understand(text: str) -> Clause:
-    """Return what a contract clause says; words that are not understood are documentation."""
+    """Return the meaning of a contract clause; words without a meaning are documentation."""
     words = " ".join(text.split())
     gripper = _GRIPPER.search(words)
     action = GripAction(gripper.group(1).lower()) if gripper else None

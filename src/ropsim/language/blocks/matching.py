@@ -19,7 +19,7 @@ _LOOPS = frozenset(("repeat", "while", "for"))
 
 @frozen_dataclass
 class Section:
-    """A header line (opener, `elseif` or `else`) and what stands under it."""
+    """A header line (opener, `elseif` or `else`) and the statements under it."""
 
     header: Line
     body: "tuple[Line | Block, ...]"
@@ -46,7 +46,7 @@ class _Open:
     body: list[Line | Block] = field(default_factory=list)
     cut: list[str] = field(default_factory=list)
     looked_at: bool = False
-    """Whether anybody asked what was cut in it."""
+    """Whether the statements cut off in it were read."""
     ended: list[tuple[Line, Line]] = field(default_factory=list)
     """Openers of the blocks inside that an `end` has closed, each with the line of that `end`."""
 
@@ -70,7 +70,7 @@ class Tree:
     Attributes:
         items: lines and blocks.
         cut: openers that were reported as not closed; their closers, also further on, are not reported.
-        looked_above: whether what was cut before may have changed anything.
+        looked_above: whether statements cut off above may have effects.
     """
 
     items: tuple[Line | Block, ...]
@@ -220,7 +220,7 @@ def _pop(stack: list[_Open], closer: Line | None) -> None:
         firsts = [one if isinstance(one, Line) else one.opener for one in frame.body]
         size = reach(frame.header, firsts)
         frame.body, behind = frame.body[:size], frame.body[size:]
-    if len(stack) <= MAX_DEPTH:  # what lies deeper was reported where it begins
+    if len(stack) <= MAX_DEPTH:  # a deeper block was reported at its start
         stack[-1].body += [frame.close(closer), *behind]
 
 

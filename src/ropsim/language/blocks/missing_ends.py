@@ -1,4 +1,4 @@
-"""Fixes that put a statement below the header of its loop end the loop, too, where nothing else does."""
+"""Fixes that put a statement below the header of its loop end the loop, if no other line does."""
 
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
@@ -17,7 +17,7 @@ from ropsim.language.syntax.words import OPENERS
 def with_ends(found: Iterable[Diagnostic], items: Iterable[Line | Block]) -> Iterator[Diagnostic]:
     """Yield findings of a text; fixes of headers whose block has no end of its own write one.
 
-    Where more lines are indented below the header, nobody knows which of them were meant: there is no fix.
+    If more lines are indented below the header, the intended body is unknown: there is no fix.
 
     Args:
         found: all findings of the text.

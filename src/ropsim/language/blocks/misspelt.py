@@ -1,4 +1,4 @@
-"""First words that are misspelt, where the text tells what was meant: the line keeps its part in it."""
+"""First words that are misspelt, where the intended word is certain: the line keeps its role."""
 
 import re
 from collections import Counter
@@ -16,7 +16,7 @@ from ropsim.language.syntax.text import Line
 from ropsim.language.syntax.words import END, HEADS, OPENERS
 
 _DOUBTFUL = frozenset({Call, Broken})
-"""Statements whose first word may be one that nobody knows."""
+"""Statements whose first word may be a misspelt one."""
 _CLOSES = {word: opener for opener, words in OPENERS.items() for word in words}
 _DECLARATIONS = ("frame", "loc", "tool", "signal", "const", "var", "pattern")
 _DECLARED = re.compile(r"\s*\w+\s+([A-Za-z_]\w*)\s*(?::\s*\w+\s*)?:?=(?!=)", re.ASCII)
@@ -45,13 +45,13 @@ def foreign(lines: Iterable[Line], task_names: Container[str]) -> bool:
 def mended(lines: Sequence[Line], task_names: Container[str], ends: Counter[str]) -> Iterator[Line]:
     """Yield the lines; one whose first word is misspelt is a broken statement of the word that was meant.
 
-    A word near to an opener is one where the text has more ends than beginnings of such blocks, a word near
-    to an end the other way round, and one near to a declaration where a name and `=` follow.
+    A word near to an opener is one where the text has more ends than beginnings of blocks of this kind, a
+    word near to an end the other way round, and one near to a declaration where a name and `=` follow.
 
     Args:
         lines: of the text.
         task_names: of all tasks that can be called.
-        ends: `ends_of` the whole text; what is mended is counted in.
+        ends: `ends_of` the whole text; mended words are included.
     """
     for line in lines:
         word = _foreign(line, task_names)
@@ -83,7 +83,7 @@ def _foreign(line: Line, task_names: Container[str]) -> str:
 
 
 def _meant(line: Line, word: str, ends: Counter[str]) -> str:
-    """Return the word that was meant, empty where the text does not tell."""
+    """Return the intended word, empty if the text does not determine it."""
     if word in ENDS and line.logical.text[line.start : line.end].strip().lower() == word:
         return ENDS[word]
     spare = ends[ANY] + sum(min(ends[one], 0) for one in OPENERS)  # of the `end`s that close any block
@@ -103,7 +103,7 @@ def _is_near(word: str, other: str) -> bool:
 
 
 def _name(line: Line, meant: str) -> str:
-    """Return the name that such a statement makes."""
+    """Return the name that the statement defines."""
     text = line.logical.text
     found = (LOOP_NAME if meant == "for" else _SECOND).match(text)
     return next(filter(None, found.groups()), "") if found else ""

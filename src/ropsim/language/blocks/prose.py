@@ -25,7 +25,7 @@ from ropsim.language.syntax.text import Line
 from ropsim.language.syntax.words import END, HEADS, VERBS
 
 _DOUBTFUL = frozenset({ContractClause, Broken, NoneType})
-"""What a line that is prose, goes on in prose or is told to be none has for its statement."""
+"""Statement of a line that is prose, continues prose or is marked as a statement."""
 _COMMENT = re.compile(r"#|//")
 _INSIDE = re.compile(r"\b(speed|acc|blend|fine|above|offset|rel|external|until|via|to|then)\b|[(=]")
 """Words and signs inside of statements."""
@@ -38,7 +38,7 @@ class Manner:
     """How contracts are read where a part of a text begins.
 
     Attributes:
-        is_classic: whether the text is a classic one, as far as its lines tell.
+        is_classic: whether the text is a classic one, as far as its lines show.
         runs_on: whether a clause may go on in the next lines.
     """
 
@@ -70,8 +70,8 @@ def _absorbed(
     In a task of a classic text without parameter list a clause runs on until a full stop at the end of a
     line, a line that starts with a statement word, an assignment, a header in listing style, or the call of a
     known task. Everywhere else it ends with its line, so that no statement below can be taken for prose. A
-    prose line that looks like a misspelt statement is kept as a broken one as well, so that nobody draws
-    conclusions from its absence.
+    prose line that looks like a misspelt statement is kept as a broken one as well, so that no finding
+    follows from its absence.
     """
     runs_on = manner.runs_on
     clause: Line | None = None
@@ -144,10 +144,10 @@ def _check_behind(line: Line, task_names: Collection[str], report: Report) -> No
 
 
 def _hint(line: Line, fault: Fault, task_names: Collection[str]) -> str:
-    """Return the hint of a fault; for a word of another language, what to write here."""
+    """Return the hint of a fault; for a word of another language, its equivalent here."""
     head = line.head
     is_own = _ASSIGNED.match(line.logical.text) or head in map(str.lower, task_names)
-    is_told = fault.fix or (head == END and fault.hint)  # what stands behind it tells more
+    is_told = fault.fix or (head == END and fault.hint)  # the words behind it lead to a better hint
     is_foreign = fault.kind is kinds.UNEXPECTED and head in HINTS and not is_own
     return HINTS[head] if is_foreign and not is_told else fault.hint
 

@@ -20,7 +20,7 @@ def taken(lines: Sequence[Line]) -> tuple[Line, ...]:
 
 
 def task_names(lines: Iterable[Line]) -> frozenset[str]:
-    """Return the names of the tasks of some lines, also of those whose header is wrong."""
+    """Return the names of the tasks of some lines, including tasks with a wrong header."""
     found = set()
     for line in lines:
         match line.statement:

@@ -11,7 +11,7 @@ from ropsim.language.syntax.text import Line
 _MISSING = "then "
 """How the fix of a line without it begins."""
 _BLOCK = "then\n"
-"""How the fix begins where lines below belong to the condition, too."""
+"""Start of the fix if lines below belong to the condition."""
 _BELOW = "write `then`, and `{0} …` on a line of its own"
 _UNSURE = (
     "`then` stands behind the condition; where lines below belong to it, each statement has its own line, "
@@ -35,7 +35,7 @@ class _Open:
 
 
 def placed(lines: Iterable[Line]) -> tuple[Line, ...]:
-    """Return lines whose faults propose of `then` what is certain: with an end below it begins a block."""
+    """Return the lines with final faults about `then`: with an end below, `then` begins a block."""
     read = tuple(lines)
     if not any(map(_lacks_then, read)):
         return read
@@ -57,7 +57,7 @@ def placed(lines: Iterable[Line]) -> tuple[Line, ...]:
 
 
 def begins_block(line: Line) -> bool:
-    """Return whether lines below belong to a condition with a statement on its line, as `placed` has told."""
+    """Return whether lines below belong to a condition with a statement on its line (see `placed`)."""
     return line.fault is not None and line.fault.fix.startswith(_BLOCK)
 
 

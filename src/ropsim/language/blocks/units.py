@@ -11,10 +11,10 @@ from ropsim.language.syntax.lines import LogicalLine
 from ropsim.language.syntax.text import Line
 
 CONTROL = "control statements"
-"""Name of the unit of all that stands outside of tasks."""
+"""Name of the unit of all statements outside tasks."""
 
 LINES_OF_NAME = 3
-"""Lines that tell the name of a part: few enough that it keeps its name while it is being written."""
+"""Lines that determine the name of a part: few, so that it keeps its name during edits."""
 
 Items = tuple[Line | Block, ...]
 
@@ -38,13 +38,13 @@ def of_task(name: str) -> str:
 
 
 def name_of(items: Items) -> str:
-    """Return the name of a part: it tells how the part begins, so that it keeps it wherever it stands."""
+    """Return the name of a part: it depends on its first lines, so that a moved part keeps it."""
     start = "\n".join(line.logical.text.strip() for line in islice(lines_of(items), LINES_OF_NAME))
     return f"{CONTROL} {crc32(start.encode(errors='surrogatepass')):08x}"
 
 
 def lines_of(items: Items) -> Iterator[Line]:
-    """Yield all lines, also those in blocks."""
+    """Yield all lines, including lines in blocks."""
     for item in items:
         if isinstance(item, Line):
             yield item
@@ -62,7 +62,7 @@ class _Numbering:
 
     Attributes:
         first: number of the line before the first one.
-        offsets: where each line lies in what is renumbered, from 0.
+        offsets: position of each line in the renumbered text, from 0.
     """
 
     first: int
@@ -87,7 +87,7 @@ class _Numbering:
 def renumbered(items: Items, before: int = 0) -> tuple[Items, tuple[int, ...]]:
     """Return lines and blocks whose lines are counted on from `before`, and where each of those lies, from 0.
 
-    Blank lines, comments and what stands between do not count, so that they change nothing.
+    Blank lines, comments and lines between do not count and change nothing.
     """
     numbering = _Numbering(before, [])
     return numbering.items(items), tuple(numbering.offsets)

@@ -32,7 +32,7 @@ from ropsim.spatial import PoseTuple, quaternion
 
 @frozen_dataclass
 class Declared:
-    """What a text declares outside of its tasks, what is wrong with it, and the name that it has."""
+    """Declarations of a text outside its tasks, their errors, and the name of the text."""
 
     world: World
     found: tuple[Diagnostic, ...]
@@ -41,12 +41,12 @@ class Declared:
 
 _TABLES = ("frame", "tool")
 _SYMBOLS = ("loc", "signal", "const", "var", "pattern")
-"""Words with which declarations begin, by what they enter something into."""
+"""Words with which declarations begin, by the tables that they extend."""
 
 
 @frozen_dataclass
 class _Tables:
-    """What becomes symbols and tools of the world while it is read, and the names that are taken."""
+    """Tables of symbols and tools during reading, and the names that are taken."""
 
     symbols: dict[str, Symbol]
     tools: dict[str, PoseTuple]
@@ -60,15 +60,15 @@ def world(
     tasks: Container[str],
     own: Container[str],
 ) -> Declared:
-    """Return what a text and its environment declare; wrong declarations are reported.
+    """Return the declarations of a text and its environment; wrong declarations are reported.
 
     Args:
-        parts: of the control statements; what may declare something is enough, and all up to the first item
-            of the text that does not.
+        parts: of the control statements; at least all possible declarations, and all items up to the first
+            one that is none.
         environment: cell and library.
         report: takes findings.
-        tasks: names of those that can be called.
-        own: names of those of the text.
+        tasks: names of callable tasks.
+        own: names of the tasks of the text.
     """
     names = TakenNames(environment, own)
     top = [
@@ -245,7 +245,7 @@ def _declare_all(
 
 
 def _agree(body: Body, node: syntax.Units, units: dict[Dimension, str]) -> None:
-    """Report units of one dimension that are not the same: a bare number can have one of them only.
+    """Report units of one dimension that differ: a bare number can have only one unit.
 
     Raises:
         RejectedError: there are such.
@@ -258,7 +258,7 @@ def _agree(body: Body, node: syntax.Units, units: dict[Dimension, str]) -> None:
 
 
 def _declare(symbols: dict[str, Symbol], body: Body, node: "_SymbolNode") -> None:
-    """Enter a symbol; where the cell has it, what the cell knows of it holds.
+    """Enter a symbol; if the cell has it, the data of the cell hold.
 
     Raises:
         RejectedError: the declaration is wrong.
@@ -276,7 +276,7 @@ def _declare(symbols: dict[str, Symbol], body: Body, node: "_SymbolNode") -> Non
 
 
 def _check_signal(body: Body, name: nodes.Name, said: SignalUse, of_cell: SignalUse) -> None:
-    """Report a signal that is not what the cell has under its name.
+    """Report a signal that differs from the signal of the cell under its name.
 
     Raises:
         RejectedError: it is another kind of signal.
@@ -297,7 +297,7 @@ def _poison(tables: _Tables, node: syntax.Broken) -> None:
 
 
 WITHOUT_CODE = frozenset(syntax.DECLARATIONS) - {syntax.VariableDeclaration}
-"""Statements that tell something and do nothing."""
+"""Statements without effect at run time."""
 _ABOVE = frozenset({*syntax.DECLARATIONS, syntax.SetMode, NoneType})
 _DECLARATIONS = frozenset(syntax.DECLARATIONS)
 _DECLARING = frozenset({*_TABLES, *_SYMBOLS})
@@ -383,7 +383,7 @@ def _constant_pose(body: Body, node: nodes.Node, what: str, X_BC: PoseTuple = fo
 
 
 def _is_given(body: Body, name: nodes.Name, given: Container[str], what: str) -> bool:
-    """Return whether the cell gives a frame, tool or location of that name; its calibrated pose holds."""
+    """Return whether the cell defines a frame, tool or location of that name; its calibrated pose holds."""
     if name.text not in given:
         return False
     body.warn(

@@ -46,5 +46,5 @@ def pattern(body: Body, node: syntax.PatternDeclaration) -> Pattern:
 
 
 def _snapped(length: float) -> float:
-    """Return 0 for what rounding leaves of a turned zero; a step of less than 1 pm is none."""
+    """Return 0 for the rounding error of a rotated zero; a step of less than 1 pm is none."""
     return 0.0 if abs(length) < 1e-12 else length

@@ -1,4 +1,4 @@
-"""One body by itself: the walk that finds types, and the one that finds what is wrong."""
+"""One body: the inference pass that finds types, and the checking pass that reports errors."""
 
 from collections.abc import Iterator, Mapping
 from contextlib import suppress
@@ -26,21 +26,21 @@ from ropsim.program import Call, Contract, If, Local, Return, Statement, Task, p
 
 
 def walked_task(world: World, task: TaskText, signature: Signature) -> Body:
-    """Return a body after the silent walk that lets use tell its types."""
+    """Return a body after the inference pass, which infers types from use."""
     body = _enter(world, task, signature, None, _muted(of_task(task.name)))
     structures.walk(body, task.block.sections[0].body)
     return body
 
 
 def walked_control(world: World, items: Items) -> Body:
-    """Return the control statements after the silent walk."""
+    """Return the control statements after the inference pass."""
     body = Body(world, _muted(CONTROL), EXPRESSIONS, None)
     structures.walk(body, items)
     return body
 
 
 def checked_task(world: World, task: TaskText, signature: Signature, types: Mapping[str, Type]) -> Outcome:
-    """Return a task; `types` is what the walk before has found."""
+    """Return a checked task; `types` are the results of the inference pass."""
     report = Report(of_task(task.name))
     body = _enter(world, task, signature, types.get, report)
     made: Task | None = None
@@ -136,7 +136,7 @@ def _check_hidden(body: Body, task: TaskText, signature: Signature) -> None:
 def _check_counts(body: Body, task: TaskText, signature: Signature, clause: Clause) -> None:
     first = task.block.sections[0].body[:1]
     has_prose = bool(first) and isinstance(first[0], Line) and isinstance(first[0].statement, syntax.Broken)
-    if has_prose or not signature.is_known:  # what the line would have used is not known
+    if has_prose or not signature.is_known:  # the variables that the line would have used are unknown
         return
     locations = sum(settled(f.type) == POSE for f in signature.formals)
     scalars = len(signature.formals) - locations

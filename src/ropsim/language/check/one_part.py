@@ -1,4 +1,4 @@
-"""A part of the control statements by itself: what is wrong in it, and what it leaves to those behind it."""
+"""A part of the control statements alone: its findings, and its effect on the parts behind it."""
 
 from collections.abc import Iterator, Mapping
 from contextlib import suppress
@@ -20,7 +20,7 @@ from ropsim.spatial import PoseTuple
 
 @frozen_dataclass
 class Open:
-    """A type that only use will tell.
+    """A type that only use determines.
 
     Attributes:
         name: of the first variable that has it.
@@ -34,7 +34,7 @@ class Open:
 
     @property
     def settled(self) -> Type:
-        """Return what the type falls back to."""
+        """Return the default of the type."""
         return Unknown(has_number=self.has_number, has_fraction=self.has_fraction).settle()
 
 
@@ -44,10 +44,10 @@ _seen = maker(Seen)
 
 @frozen_dataclass
 class Left:
-    """What a part leaves to the parts behind it.
+    """Effect of a part on the parts behind it.
 
     Attributes:
-        names: what is known of names where that has changed.
+        names: changed meanings of names.
         X_KC: frame of literals, in the work frame; the identity where that frame moves.
         moving: name of the frame of literals where it moves, empty where it stands still.
         joint_count: how many coordinates `joints(…)` has, 0 as long as there is none.
@@ -63,12 +63,12 @@ class Left:
 
 @frozen_dataclass
 class WalkedPart:
-    """What the silent walk through a part tells of types.
+    """Result of the inference pass for a part.
 
     Attributes:
         left: to the parts behind it.
         types: of the variables that it makes.
-        told: what it tells of open types of variables made before, by the names of those.
+        told: evidence for open types of variables made before, by their names.
     """
 
     left: Left
@@ -82,19 +82,19 @@ class CheckedPart:
 
     Attributes:
         left: to the parts behind it.
-        block: its statements, as far as they are right.
+        block: its statements, as far as they are correct.
         locals: variables that it makes.
         found: findings, in the order in which they were made.
         made: variables that an assignment made, and where.
         declared: variables of all tasks that it declares by their first values, and where.
-        unfit: values among what was found that do not fit first values.
-        quantities: variables with whole numbers that stand where a quantity is wanted, with its unit.
+        unfit: values among the findings that do not fit first values.
+        quantities: variables with whole numbers that stand in place of a quantity, with its unit.
         read: names of the variables that are read.
         signals: that it names.
         calls: tasks that it calls, and where.
-        late: what no way leads to, and what stands before that.
+        late: unreachable statements, and the statements before them.
         end: number of the first statement that does not go on, None where all do.
-        looked_around: whether the names of all variables before it would be worth telling to it.
+        looked_around: whether the names of all variables before it may be needed for it.
     """
 
     left: Left
@@ -115,23 +115,23 @@ class CheckedPart:
 
 @frozen_dataclass
 class PartAlone:
-    """A part that depends on no type that is told elsewhere: one walk finds its types and what is wrong."""
+    """A part that depends on no type inferred elsewhere: one pass finds its types and its errors."""
 
     walked: WalkedPart
     checked: CheckedPart
 
 
 class ToldElsewhereError(Exception):
-    """A part has a type that it does not tell where it makes the variable."""
+    """The type of a variable is not determined where the part makes it."""
 
 
 def walked_part(world: World, part: Part, sight: Sight, states: Mapping[str, AnyState]) -> WalkedPart:
-    """Return what a part tells of types.
+    """Return the inference results of a part.
 
     Args:
-        world: what the text declares.
+        world: declarations of the text.
         part: of the control statements.
-        sight: what stands before it; all its types that were open are `OPEN`.
+        sight: context before it; all its open types are `OPEN`.
         states: of those variables.
     """
     report = Report(part.unit)
@@ -150,17 +150,17 @@ def walked_part(world: World, part: Part, sight: Sight, states: Mapping[str, Any
 
 
 def checked_part(world: World, part: Part, sight: Sight, types: Mapping[str, Type]) -> CheckedPart:
-    """Return a part, checked; `types` are those of the variables that it makes."""
+    """Return a part, checked; `types` are the types of the variables that it makes."""
     return _checked(Body(world, Report(part.unit), EXPRESSIONS, types.get, sight=sight), part)
 
 
 def part_alone(world: World, part: Part, sight: Sight) -> PartAlone | None:
-    """Return a part that tells all its types where it makes its variables; None for any other.
+    """Return a part whose variables have their types at their first assignment; None for any other.
 
     Args:
-        world: what the text declares; it raises `ToldElsewhereError` where that depends on other bodies.
+        world: declarations of the text; it raises `ToldElsewhereError` if a type depends on other bodies.
         part: of the control statements.
-        sight: what stands before it, without open types.
+        sight: context before it, without open types.
     """
     body = Body(world, Report(part.unit), EXPRESSIONS, _at_once, sight=sight)
     try:
@@ -175,7 +175,7 @@ def _at_once(_: str, kind: AnyType | None) -> Type:
     """Return the type with which a variable is made.
 
     Raises:
-        ToldElsewhereError: only its use will tell it.
+        ToldElsewhereError: only later use determines the type.
     """
     if isinstance(kind, Type):
         return kind
@@ -208,7 +208,7 @@ def _checked(body: Body, part: Part) -> CheckedPart:
 def _opened(
     symbol: Symbol | None, states: Mapping[str, AnyState], cells: dict[str, Unknown]
 ) -> Symbol | None:
-    """Return what a name means, its open type in a cell of its own that variables of one type share."""
+    """Return the meaning of a name, its open type in a cell of its own that variables of one type share."""
     if not isinstance(symbol, Variable) or symbol.type is not OPEN:
         return symbol
     state = states[symbol.name]
@@ -219,7 +219,7 @@ def _opened(
 
 
 def _state(name: str, variable: Variable, firsts: dict[int, str]) -> AnyState:
-    """Return the type of a variable, or what is known of it."""
+    """Return the type of a variable, or the evidence for it."""
     found = known(variable.type)
     if isinstance(found, Type):
         return found
@@ -233,7 +233,7 @@ def _left(body: Body, sight: Sight) -> Left:
 
 
 def _changed(body: Body, sight: Sight) -> Iterator[tuple[str, Seen]]:
-    """Yield what is known of each name, where it is not what was known before."""
+    """Yield the names with changed meaning."""
     for name in dict.fromkeys((*body.names, *body.numbers, *body.past)):
         symbol, number, is_past = body.names.get(name), body.numbers.get(name, 0), name in body.past
         before = sight.names.get(name)

@@ -36,8 +36,8 @@ def uncalled(calls: Mapping[str, Iterable[str]], control: Iterable[str]) -> Iter
     """Return the tasks that the control statements do not reach.
 
     Args:
-        calls: names of the tasks that each task of the text calls; those of a library may be of no use in it.
-        control: of those that the control statements call.
+        calls: names of the tasks that each task of the text calls; calls of library tasks may be unknown.
+        control: tasks that the control statements call.
     """
     work = list(control)
     called: set[str] = set()
@@ -92,11 +92,11 @@ def _blocks(statement: Statement) -> tuple[Block, ...]:
 _PLAIN = frozenset({Move, Assign, AssignComponent, Call, Set, Grip, Output, Wait, Message})
 """Statements without blocks, none of which is a way out."""
 _GOING_ON = _PLAIN | {WaitUntil, For}
-"""Statements behind which control goes on, whatever stands in them."""
+"""Statements behind which control goes on, regardless of their content."""
 
 
 def goes_on(statement: Statement) -> bool:
-    """Return whether what stands behind a statement may be reached."""
+    """Return whether the code behind a statement may be reached."""
     return not _ends(statement)
 
 

@@ -1,4 +1,4 @@
-"""Names that declarations of a text take: cell and text have one space of names."""
+"""Names that declarations of a text take: cell and text share one name space."""
 
 from collections.abc import Container
 from dataclasses import dataclass, field
@@ -17,7 +17,7 @@ _SAME = {
     syntax.LocationDeclaration: ("a location",),
     syntax.SignalDeclaration: ("an input", "an output", "an analog input", "an analog output"),
 }
-"""What the cell may have under the name of a declaration: its pose holds then, or its kind of signal."""
+"""Kinds of entities that the cell may have under the name of a declaration: its pose or signal kind holds."""
 
 
 @dataclass(slots=True)
@@ -27,7 +27,7 @@ class TakenNames:
     Attributes:
         environment: the cell.
         own: names of the tasks of the text.
-        declared: what declarations above have taken.
+        declared: names taken by declarations above.
     """
 
     environment: Environment

@@ -1,4 +1,4 @@
-"""The executable form of a checked text, each procedure by itself, and what only its instructions tell."""
+"""Executable form of a checked text, each procedure separately, and findings in its instructions."""
 
 from collections.abc import Iterable, Iterator
 from functools import partial
@@ -45,13 +45,13 @@ from ropsim.query import Database
 Groups = tuple[Group, ...]
 
 VARIABLES = "global variables"
-"""Input: those of the whole text and of the control statements."""
+"""Input: spans of the whole text and of the control statements."""
 _PLACED = "placed code"
-"""Input: what was placed last."""
+"""Input: result of the last placing."""
 
 
 def code_of(checked: Checked, places: SourceMap, db: Database) -> tuple[Code, tuple[Diagnostic, ...]]:
-    """Return the ICR of a checked text without errors and without circles of calls, and what is found in it.
+    """Return the ICR of a checked text without errors and without circles of calls, and the findings in it.
 
     It is that of `ropsim.program.lower_with_findings`.
     """
@@ -93,7 +93,7 @@ def declared_variables(db: Database) -> tuple[icr.Variable, ...]:
 
 
 def _lowered_all(db: Database, guess: int | None) -> tuple[dict[Group, LoweredParts], Groups, Usage]:
-    """Return the control statements and the tasks that are reached, in groups, and what all use."""
+    """Return the control statements and the tasks that are reached, in groups, and the combined usage."""
     parts = lowered_groups(db, guess)
     wholes = [one.whole for one in parts.values()]
     db.give({(FIRST, guess): tuple(dict.fromkeys(name for one in wholes for name in one.callees))})

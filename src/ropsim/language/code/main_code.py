@@ -29,14 +29,14 @@ from ropsim.query import Database, always_new
 HIDDEN = "hidden names before a part"
 """Input with the unit of a part: number of the newest hidden name of each purpose that stands before it."""
 _TRAIL = "trail of the code of the control statements"
-"""Input: what the last lowering has passed."""
+"""Input: records of the last lowering."""
 START, END = "start of the control statements", "end of the control statements"
-"""Stand for the unit of a part in what comes before and behind all of them."""
+"""Names of the units before and behind all parts."""
 
 
 @dataclass(slots=True)
 class _Trail:
-    """What hidden names stand before the groups of parts, as the inputs of their parts tell."""
+    """Records of the lowering: hidden names before the groups of parts, as set as inputs of the parts."""
 
     numbers: dict[Group, dict[str, int]] = field(default_factory=dict)
 
@@ -47,7 +47,7 @@ class LoweredParts:
 
     Attributes:
         whole: all of them lowered as one, without lines.
-        parts: those that are reached, each lowered alone.
+        parts: reachable parts, each lowered alone.
         jumps: which instructions of `whole` are jumps.
     """
 
@@ -76,7 +76,7 @@ def lowered_groups(db: Database, guess: int | None) -> dict[Group, LoweredParts]
 
 
 def _give_numbers(db: Database, group: Group, guess: int | None, before: Mapping[str, int]) -> None:
-    """Let the parts of a group be told which hidden names stand before them."""
+    """Set the numbers of hidden names before the parts of a group as inputs."""
     numbers = dict(before)
     for unit in group:
         if unit != END and db.read((HIDDEN, unit)) != numbers:
@@ -97,20 +97,20 @@ def given_at_once(groups: Iterable[Lowered]) -> frozenset[icr.Slot]:
 def started_by(
     needs: Sequence[Need], groups: Iterable[Lowered], variables: Mapping[str, Type], axes: int | None
 ) -> tuple[icr.Step, ...]:
-    """Return what gives values to variables that would have none, at the start of the control statements."""
+    """Return the steps that initialise variables without a value, at the start of the control statements."""
     hidden = {one.name: one.type for part in groups for one in part.hidden} if needs else {}
     return prologue(needs, {**variables, **hidden}, axes)
 
 
 def begun(main: Lowered, start: tuple[icr.Step, ...]) -> icr.Procedure:
-    """Return the control statements behind what gives values, for which they have room, as a procedure."""
+    """Return the control statements behind the initialising steps as a procedure."""
     variables = main.locals + main.hidden
     code, lines = start + main.code if start else main.code, (0,) * len(start) + main.lines
     return icr.Procedure(main.name, main.parameters, variables, main.results, code, lines)
 
 
 def lowered_start(db: Database, axes: int | None) -> Lowered:
-    """Return what stands before the control statements."""
+    """Return the steps before the control statements."""
     environment: Environment = db.read(questions.ENVIRONMENT)
     return lower_start(known_names(db, axes), db.ask(questions.basics).frame, environment.default_tool)
 
@@ -156,14 +156,14 @@ def jumps_of(db: Database, unit: str, axes: int | None) -> tuple[int, ...]:
 
 
 def passage(db: Database, unit: str, axes: int | None) -> icr.Passage:
-    """Return what a part does with variables."""
+    """Return the effect of a part on variables."""
     one = db.ask(lowered_part, unit, axes)
     called = {db.ask(procedure_name, task, axes): db.ask(summary, task, axes) for task in one.callees}
     return icr.passage(draft_of(one), called)
 
 
 def passage_in(db: Database, group: Group, axes: int | None) -> icr.Passage:
-    """Return what a group of parts does with variables."""
+    """Return the effect of a group of parts on variables."""
     reached = reached_parts(db, group, axes)
     return icr.joint_passage((db.ask(passage, unit, axes), len(one.code)) for unit, one in reached)
 

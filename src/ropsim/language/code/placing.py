@@ -1,8 +1,8 @@
 """Code where it stands and lies: jumps with the addresses of their targets, and lines of the text.
 
-Neither is a question. An instruction more moves all code below it, a line more moves the lines of all units
-below: each group is placed again where its code, its address or its places are others than the last time, and
-is taken as it was where they are not.
+Neither is a query. An additional instruction moves all code below it, an additional line moves the lines of
+all units below: a group is placed again if its code, address or lines differ from the last time, else the
+last result is used.
 """
 
 from collections.abc import Collection, Iterable, Mapping
@@ -21,17 +21,17 @@ T = TypeVar("T")
 
 
 Lying = tuple[Places | None, ...]
-"""Where units lie, None for those that stand for no lines."""
+"""Where units lie, None for units without lines."""
 
 
 @dataclass(slots=True)
 class _Memory(Generic[P, T]):
-    """What was made for each group, with the object that it was made of, and for which place."""
+    """Results by group, with the object from which each was made, and its place."""
 
     known: dict[Group, tuple[object, P, T]] = field(default_factory=dict)
 
     def find(self, group: Group, code: object, place: P) -> T | None:
-        """Return what was made of the same object for this place, None for nothing."""
+        """Return the result for the same object and place, None if there is none."""
         found = self.known.get(group)
         return found[2] if found is not None and found[0] is code and found[1] == place else None
 
@@ -41,7 +41,7 @@ class _Memory(Generic[P, T]):
         return found[1] if found is not None else None
 
     def keep(self, group: Group, code: object, place: P, made: T) -> None:
-        """Remember what was made."""
+        """Remember a result."""
         self.known[group] = code, place, made
 
     def forget_others(self, groups: Collection[Group]) -> None:
@@ -52,7 +52,7 @@ class _Memory(Generic[P, T]):
 
 @dataclass(slots=True)
 class PlacedCode:
-    """What was placed last: code and lines of parts, those of all, procedures of tasks; where units lay."""
+    """Result of the last placing: code and lines of each part and in total, procedures, lines of units."""
 
     codes: _Memory[int, tuple[icr.Step, ...]] = field(default_factory=_Memory)
     lines: _Memory[Lying, tuple[int, ...]] = field(default_factory=_Memory)

@@ -1,4 +1,4 @@
-"""The executable form of a text, put together when somebody asks for it: findings do not wait for that."""
+"""The executable form of a text, assembled on request: findings do not wait for it."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import replace
@@ -16,14 +16,14 @@ from ropsim.query import is_same
 
 @frozen_dataclass
 class CodeParts:
-    """All that code is put together of; nothing in it changes when the text does.
+    """Components of the code; independent of later changes of the text.
 
     Attributes:
-        start: gives values to variables of the control statements that would have none.
+        start: steps that initialise variables of the control statements without a value.
         control: the control statements behind that, in groups.
         tasks: procedures of the tasks that they reach, in groups.
         places: where units lie in the text.
-        placed: what was put together before; it saves time and changes no result.
+        placed: results of an earlier assembly; they save time and do not change the result.
     """
 
     start: tuple[icr.Step, ...]
@@ -37,7 +37,7 @@ class Code:
     """The executable form of a text; two are equal if their programs are, with all their lines.
 
     Attributes:
-        header: all that it declares: the program without its procedures.
+        header: its declarations: the program without its procedures.
     """
 
     __slots__ = ("_made", "_make", "header")
@@ -58,7 +58,7 @@ class Code:
         if self._make is not None:
             with without_collection():
                 self._made = self._make()
-            self._make = None  # what it was made of is of no use any more
+            self._make = None  # the components are not needed any more
         return self._made
 
     def __eq__(self, other: object) -> bool:
@@ -66,7 +66,7 @@ class Code:
         return is_same(self.program, other.program) if isinstance(other, Code) else NotImplemented
 
     def __hash__(self) -> int:
-        """Return the hash of what is declared."""
+        """Return the hash of the declarations."""
         return hash(self.header)
 
 

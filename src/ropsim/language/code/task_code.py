@@ -1,4 +1,4 @@
-"""The executable form of each task of a text by itself."""
+"""The executable form of each task of a text separately."""
 
 from dataclasses import replace
 
@@ -18,7 +18,7 @@ GIVEN = "given at once"
 
 
 def interface(db: Database, name: str) -> Task | None:
-    """Return a task of text or library without what is inside of it."""
+    """Return a task of text or library without its body."""
     if db.ask(questions.is_own, name):
         task = db.ask(questions.checked, name).task
     else:
@@ -50,7 +50,7 @@ def lowered(db: Database, name: str, axes: int | None) -> Lowered:
     Args:
         db: holds the text.
         name: of the task.
-        axes: how many joint coordinates there are, where the procedures have told.
+        axes: number of joint coordinates, if the procedures determine it.
     """
     environment: Environment = db.read(questions.ENVIRONMENT)
     own = db.ask(questions.checked, name).task if db.ask(questions.is_own, name) else None
@@ -58,7 +58,7 @@ def lowered(db: Database, name: str, axes: int | None) -> Lowered:
 
 
 def known_names(db: Database, axes: int | None) -> Known:
-    """Return what the text defines, name by name."""
+    """Return the definitions of the text, name by name."""
     environment: Environment = db.read(questions.ENVIRONMENT)
     return Known(
         Table(lambda one: db.ask(interface, one), lambda: (*db.read(questions.TASKS), *environment.tasks)),
@@ -80,7 +80,7 @@ def draft(db: Database, name: str, axes: int | None) -> icr.Procedure:
 
 
 def summary(db: Database, name: str, axes: int | None) -> icr.Summary:
-    """Return what a procedure, and all that it calls, does with variables."""
+    """Return the effect of a procedure and all its callees on variables."""
     one = db.ask(lowered, name, axes)
     called = {db.ask(procedure_name, task, axes): db.ask(summary, task, axes) for task in one.callees}
     given: frozenset[icr.Slot] = db.read((GIVEN, axes))

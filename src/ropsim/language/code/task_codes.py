@@ -10,7 +10,7 @@ from ropsim.program import Usage, joint_usage, reached
 from ropsim.query import Database, always_new
 
 FIRST = "tasks that are called first"
-"""Input with what `lowered` is told of axes: the tasks that the control statements call."""
+"""Input: the part of `lowered` that is known about axes: the tasks that the control statements call."""
 
 
 def callees_of(db: Database, name: str, axes: int | None) -> tuple[str, ...]:
@@ -29,18 +29,18 @@ def reached_groups(db: Database, axes: int | None) -> tuple[Group, ...]:
 
 
 def summary_groups(db: Database, axes: int | None) -> tuple[Group, ...]:
-    """Return these tasks in groups, those called before those that call them."""
+    """Return these tasks in groups, callees before callers."""
     calls = {name: db.ask(callees_of, name, axes) for name in db.ask(reached_tasks, axes)}
     return grouped(callee_first(calls))
 
 
 def usage_in(db: Database, group: Group, axes: int | None) -> Usage:
-    """Return what the procedures of a group use."""
+    """Return the usage of the procedures of a group."""
     return joint_usage(db.ask(lowered, name, axes) for name in group)
 
 
 def find_summaries(db: Database, group: Group, axes: int | None) -> None:
-    """Let it be found what the procedures of a group do with variables, see `summary_groups`."""
+    """Compute the effects of the procedures of a group on variables, see `summary_groups`."""
     for name in group:  # so that no chain of calls, of text or library, is one of questions
         db.ask(summary, name, axes)
 
@@ -57,8 +57,8 @@ class Made:
 
     Attributes:
         procedure: without source lines.
-        unit: what spans name whose lines these are.
-        lines: of the instructions behind those that give values, as lines of that unit.
+        unit: name of the unit of the lines in spans.
+        lines: lines of the instructions behind the initialising ones, relative to that unit.
     """
 
     procedure: icr.Procedure

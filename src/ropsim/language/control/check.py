@@ -1,6 +1,6 @@
-"""The control statements, part by part: each is looked at again only where it sees something new above.
+"""Check of the control statements, part by part: a part is checked again only if its context has changed.
 
-What was given to a part and what it told stands in a trail, as on the silent walk (`control_walk`).
+Inputs and result of each part are kept in a record, as in the inference pass (`control_walk`).
 """
 
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
@@ -23,7 +23,7 @@ from ropsim.program import KnownPlace
 from ropsim.query import Database, is_same
 
 _TRAIL = "trail of the control statements"
-"""Input: what the last check has passed."""
+"""Input: records of the last check."""
 
 
 @frozen_dataclass
@@ -33,13 +33,13 @@ class _Step:
     Attributes:
         unit: its name.
         mentions: words of it.
-        makes: variables that it makes, or the words again where use elsewhere tells types.
-        before: what it sees of the parts before it.
-        found: what was told of it.
+        makes: variables that it makes, or the words again if use elsewhere determines types.
+        before: its context of earlier parts.
+        found: its result.
         impossible: arcs and curves of it whose points make none.
         start: where the arm is before it, if that is known.
         end: the same behind it.
-        looked_around: whether it was told the names of all variables before it.
+        looked_around: whether it read the names of all variables before it.
     """
 
     unit: str
@@ -54,7 +54,7 @@ class _Step:
 
     @property
     def left(self) -> Left:
-        """Return what it leaves to those behind it."""
+        """Return its effect on later parts."""
         return self.found.left
 
 
@@ -67,11 +67,11 @@ class _Stage:
         steps: the parts.
         mentions: words of them.
         makes: variables that they make, or the words again.
-        left: what they leave to those behind them.
+        left: their effect on later parts.
         start: where the arm is before them, if that is known.
         end: the same behind them.
-        looked_around: whether one was told the names of all variables before it.
-        found: what was told of them.
+        looked_around: whether one read the names of all variables before it.
+        found: their result.
     """
 
     group: questions.Group
@@ -87,7 +87,7 @@ class _Stage:
 
 @dataclass(slots=True)
 class _Trail:
-    """Stages of a check, the types with which it was made, and what all stages told together."""
+    """Stages of a check, the types with which it was made, and the combined result."""
 
     stages: list[_Stage] = field(default_factory=list)
     types: Mapping[str, Type] | None = None
@@ -106,7 +106,7 @@ class _Check(Stages[_Step, _Stage]):
         self._place: KnownPlace | None = None
 
     def is_as_before(self, stage: _Stage) -> bool:
-        """Return whether all parts of a group that sees what it saw told what they would tell now."""
+        """Return whether all parts of a group with unchanged context would have unchanged results."""
         return (
             stage.start == self._place
             and not stage.looked_around
@@ -115,7 +115,7 @@ class _Check(Stages[_Step, _Stage]):
         )
 
     def is_step_as_before(self, step: _Step) -> bool:
-        """Return whether a part that sees what it saw told what it would tell now."""
+        """Return whether a part with unchanged context would have an unchanged result."""
         db = self._db
         if step.start != self._place or not self._new_types.isdisjoint(step.makes):
             return False
@@ -125,7 +125,7 @@ class _Check(Stages[_Step, _Stage]):
         )
 
     def step(self, unit: str, known: _Step | None) -> _Step:
-        """Look at a part; `known` is what became of it the last time, where it sees what it saw."""
+        """Process a part; `known` is its last result if its context is unchanged."""
         db, start = self._db, self._place
         mentions = db.ask(questions.mentions, unit)
         makes = mentions if self._is_inferred else db.ask(questions.variables_of, unit)
@@ -147,12 +147,12 @@ class _Check(Stages[_Step, _Stage]):
         return _Step(unit, mentions, makes, before, found, impossible, start, end, looked_around)
 
     def pass_by(self, one: _Step | _Stage) -> None:
-        """Take a part, or a group of them, as it was."""
+        """Skip an unchanged part, or a group of them."""
         super().pass_by(one)
         self._place = one.end
 
     def leaves_as_before(self, before: _Step, step: _Step) -> bool:
-        """Return whether a part leaves to those behind it what it left the last time."""
+        """Return whether the effect of a part on later parts is unchanged."""
         return is_same(before.left, step.left)
 
     def stage(self, group: questions.Group, steps: tuple[_Step, ...]) -> _Stage:
@@ -172,7 +172,7 @@ class _Check(Stages[_Step, _Stage]):
 
 
 def check_control(db: Database, types: Mapping[str, Type]) -> Outcome:
-    """Return the control statements, checked; `types` are those of all their variables."""
+    """Return the control statements, checked; `types` are the types of all their variables."""
     trail = db.beside(_TRAIL, _Trail)
     is_inferred = questions.inferred(db) is not None
     is_known = trail.types is types or (trail.types is not None and not is_inferred)
@@ -185,22 +185,22 @@ def check_control(db: Database, types: Mapping[str, Type]) -> Outcome:
 
 
 def _other(before: Mapping[str, Type], now: Mapping[str, Type]) -> set[str]:
-    """Return the variables whose types are not what they were."""
+    """Return the variables whose types have changed."""
     changed = {name for name, kind in now.items() if before.get(name) is not kind}
     return changed | (before.keys() - now.keys())
 
 
 _TypesOf = Callable[[tuple[str, ...]], tuple[tuple[str, Type | None], ...]]
-"""Tells the types of variables that a part makes."""
+"""Returns the types of variables that a part makes."""
 
 
 def _types_of(types: Mapping[str, Type]) -> _TypesOf:
-    """Return what tells them by the variables that the part makes."""
+    """Return the function for types by the variables that the part makes."""
     return lambda made: tuple(zip(made, map(types.get, made), strict=True))
 
 
 def _types_by_name(types: Mapping[str, Type]) -> _TypesOf:
-    """Return what tells them by all names that the part mentions."""
+    """Return the function for types by all names in the part."""
     by_name: dict[str, list[tuple[str, Type | None]]] = {}
     for name, kind in types.items():
         by_name.setdefault(name.partition(".")[0], []).append((name, kind))

@@ -1,4 +1,4 @@
-"""What was told of parts of the control statements that follow each other, put together."""
+"""Combined results of consecutive parts of the control statements."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import chain
@@ -17,13 +17,13 @@ class CheckedParts:
     """Some checked parts.
 
     Attributes:
-        block: their statements, as far as they are right.
+        block: their statements, as far as they are correct.
         locals: variables that they make, by name.
         found: findings, in the order in which they were made.
         made: variables that an assignment made first, and where.
         declared: variables of all tasks that they declare by their first values, and where.
-        unfit: values among what was found that do not fit first values.
-        quantities: variables with whole numbers that stand where a quantity is wanted, with its unit.
+        unfit: values among the findings that do not fit first values.
+        quantities: variables with whole numbers that stand in place of a quantity, with its unit.
         read: names of the variables that are read.
         signals: that they name, by name.
         calls: tasks that they call, and where.
@@ -46,7 +46,7 @@ class CheckedParts:
 
 
 def joined(parts: Sequence[CheckedPart], impossible: Iterable[tuple[Diagnostic, ...]]) -> CheckedParts:
-    """Return what was told of parts that follow each other."""
+    """Return the combined results of consecutive parts."""
     return CheckedParts(
         tuple(chain.from_iterable(one.block for one in parts)),
         first_of({local.name: local for local in one.locals} for one in parts),
@@ -65,7 +65,7 @@ def joined(parts: Sequence[CheckedPart], impossible: Iterable[tuple[Diagnostic, 
 
 @frozen_dataclass
 class Together:
-    """What all groups of parts tell of variables.
+    """Combined evidence of all groups of parts for variables.
 
     Attributes:
         locals: variables that they make.
@@ -81,7 +81,7 @@ class Together:
 def together(
     groups: Sequence[CheckedParts], before: Sequence[CheckedParts], known: Together | None
 ) -> Together:
-    """Return what groups tell of variables; `known` is what those before told, which saves time."""
+    """Return the combined evidence of groups; `known` is that of the groups `before`, which saves time."""
     if known is not None and len(groups) == len(before) and all(map(_are_alike, groups, before)):
         return known
     read: frozenset[str] = frozenset().union(*(one.read for one in groups))
@@ -90,10 +90,10 @@ def together(
 
 
 def _are_alike(one: CheckedParts, other: CheckedParts) -> bool:
-    """Return whether two groups tell the same of variables."""
+    """Return whether two groups have the same evidence for variables."""
     if one is other:
         return True
-    are_locals = [*one.locals.values()] == [*other.locals.values()]  # in their order, too
+    are_locals = [*one.locals.values()] == [*other.locals.values()]  # the order counts
     return are_locals and one.read == other.read and one.made.keys() == other.made.keys()
 
 
@@ -114,7 +114,7 @@ def late(parts: Iterable[CheckedPart]) -> Iterator[tuple[Span, Span]]:
 
 
 def first_of(tables: Iterable[Mapping[str, T]]) -> dict[str, T]:
-    """Return what stands first under each name, in the order in which names come."""
+    """Return the first value of each name, in the order of the names."""
     found: dict[str, T] = {}
     for one in tables:
         if found.keys().isdisjoint(one):

@@ -1,4 +1,4 @@
-"""Parts of the control statements gone through in groups; one that sees what it saw is passed by whole."""
+"""Parts of the control statements processed in groups; a group with unchanged context is skipped."""
 
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
@@ -26,7 +26,7 @@ class _Step(Protocol):
 
     @property
     def left(self) -> Left:
-        """Return what it leaves to those behind it."""
+        """Return its effect on later parts."""
         ...
 
 
@@ -54,7 +54,7 @@ class _Stage(Protocol[S_co]):
 
     @property
     def left(self) -> Left:
-        """Return what they leave to those behind them."""
+        """Return their effect on later parts."""
         ...
 
 
@@ -70,26 +70,26 @@ class Stages(ABC, Generic[S, G]):
 
     @abstractmethod
     def is_as_before(self, stage: G) -> bool:
-        """Return whether all parts of a group that sees what it saw told what they would tell now."""
+        """Return whether all parts of a group with unchanged context would have unchanged results."""
 
     @abstractmethod
     def is_step_as_before(self, step: S) -> bool:
-        """Return whether a part that sees what it saw told what it would tell now."""
+        """Return whether a part with unchanged context would have an unchanged result."""
 
     @abstractmethod
     def step(self, unit: str, known: S | None) -> S:
-        """Look at a part; `known` is what became of it the last time, where it sees what it saw."""
+        """Process a part; `known` is its last result if its context is unchanged."""
 
     @abstractmethod
     def leaves_as_before(self, before: S, step: S) -> bool:
-        """Return whether a part leaves to those behind it what it left the last time."""
+        """Return whether the effect of a part on later parts is unchanged."""
 
     @abstractmethod
     def stage(self, group: Group, steps: tuple[S, ...]) -> G:
         """Put parts together."""
 
     def go_through(self, groups: Sequence[Group], past: Sequence[G]) -> list[G]:
-        """Return the stages of all groups; `past` are those of the last time."""
+        """Return the stages of all groups; `past` are the last ones."""
         above, below = ends_alike(groups, [one.group for one in past])
         found = [self._pass(one) for one in past[:above]]
         end = len(past) - below
@@ -98,22 +98,22 @@ class Stages(ABC, Generic[S, G]):
         return found
 
     def catch_up(self) -> Way:
-        """Return what is known where the parts so far end."""
+        """Return the state behind the parts so far."""
         for one in self._passed:
             self.go_behind(one)
         self._passed.clear()
         return self._way
 
     def pass_by(self, one: S | G) -> None:
-        """Take a part, or a group of them, as it was; it is gone behind when somebody asks for the way."""
+        """Skip an unchanged part or group; the state behind it is computed when it is requested."""
         self._passed.append(one)
 
     def go_behind(self, one: S | G) -> None:
-        """Go on behind what was passed by."""
+        """Continue the state behind a skipped part or group."""
         self._way.pass_by(one.left)
 
     def went(self, before: S | None, step: S | None) -> None:
-        """Go on behind a part: what it was and what it is, None where there was none or is none any more."""
+        """Continue the state behind a part, from its last and its present result; None if there is none."""
         way = self.catch_up()
         if before is not None:
             way.would_go_on(before.left)
@@ -127,7 +127,7 @@ class Stages(ABC, Generic[S, G]):
         return self.stage(stage.group, tuple(self._pass_step(one.unit, one) for one in stage.steps))
 
     def _between(self, groups: Sequence[Group], past: Sequence[G]) -> list[G]:
-        """Return the stages of groups that are others than those that were there."""
+        """Return the stages of groups that differ from the last ones."""
         units = [unit for group in groups for unit in group]
         steps = [step for stage in past for step in stage.steps]
         above, below = ends_alike(units, [one.unit for one in steps])
@@ -157,7 +157,7 @@ class Stages(ABC, Generic[S, G]):
         return step
 
     def _catch_up_if_new(self) -> Way:
-        """Return the way, on which what was passed by last counts only where something is new."""
+        """Return the state; the last skipped part counts only if something changed before it."""
         if self._way.drift:
             return self.catch_up()
         if self._passed:

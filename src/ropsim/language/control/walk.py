@@ -1,7 +1,7 @@
 """The silent walk through the control statements, part by part.
 
-What was given to a part and what it told stands in a trail. A part that sees what it saw the last time is
-given what it was given, and nothing of that is put together again.
+Inputs and result of each part are kept in a record. A part with unchanged context keeps its inputs; nothing
+of them is assembled again.
 """
 
 from collections.abc import Iterator, Mapping, Sequence
@@ -21,7 +21,7 @@ from ropsim.language.questions.told import Walked
 from ropsim.query import Database
 
 _TRAIL = "trail of the walk through the control statements"
-"""Input: stages and result of the last walk."""
+"""Input: stages and result of the last inference pass."""
 
 
 @frozen_dataclass
@@ -35,7 +35,7 @@ class _Step:
 
     @property
     def left(self) -> Left:
-        """Return what it leaves to those behind it."""
+        """Return its effect on later parts."""
         return self.found.left
 
     @property
@@ -45,12 +45,12 @@ class _Step:
 
     @property
     def told(self) -> Mapping[str, AnyState]:
-        """Return what it tells of open types of variables made before."""
+        """Return its evidence for open types of variables made before."""
         return self.found.told
 
     @property
     def has_open(self) -> bool:
-        """Return whether it makes a variable of open type, or tells something of one."""
+        """Return whether it makes a variable of open type, or has evidence for one."""
         return bool(self.told) or any(isinstance(one, Open) for one in self.types.values())
 
 
@@ -69,7 +69,7 @@ class _Stage:
 
 @dataclass(slots=True)
 class _Trail:
-    """Stages of a walk, and what it told."""
+    """Stages of an inference pass, and their evidence."""
 
     stages: list[_Stage] = field(default_factory=list)
     result: Walked | None = None
@@ -90,11 +90,11 @@ class _Passed(Protocol):
 
 @dataclass(slots=True)
 class _Telling:
-    """What the parts so far tell of types.
+    """Evidence of the parts so far for types.
 
     Attributes:
-        types: of variables, by their names; of open types what is known where their variable is made.
-        told: what parts tell of open types of variables made before them.
+        types: of variables, by their names; of open types the evidence where their variable is made.
+        told: evidence of parts for open types of variables made before them.
         open_names: names that may stand for a variable of open type.
         has_open: whether some type is open.
     """
@@ -105,7 +105,7 @@ class _Telling:
     has_open: bool = False
 
     def states(self, way: Way, mentions: tuple[str, ...]) -> Iterator[tuple[str, AnyState]]:
-        """Yield what is known of open types among the names that a part mentions."""
+        """Yield the evidence for open types among the names in a part."""
         if not self.open_names:
             return
         named = (way.names[name].symbol for name in mentions if name in self.open_names)
@@ -125,7 +125,7 @@ class _Telling:
             self.open_names.update(name for name, seen in one.left.names.items() if _is_open(seen))
 
     def walked(self, left: Left | None) -> Walked:
-        """Return what all parts tell, of which the last one leaves something."""
+        """Return the combined evidence of all parts, the last of which has effects."""
         joint_count = left.joint_count if left is not None else 0
         return Walked((), {**self._settled()}, joint_count, lacks_result=False)
 
@@ -146,15 +146,15 @@ class _Walk(Stages[_Step, _Stage]):
         self._is_other = False
 
     def is_as_before(self, stage: _Stage) -> bool:
-        """Return whether all parts of a group that sees what it saw told what they would tell now."""
+        """Return whether all parts of a group with unchanged context would have unchanged results."""
         return not self._is_other and self._db.known(questions.walked_in, stage.group) is not None
 
     def is_step_as_before(self, step: _Step) -> bool:
-        """Return whether a part that sees what it saw told what it would tell now."""
+        """Return whether a part with unchanged context would have an unchanged result."""
         return not self._is_other and self._db.known(questions.walked_part, step.unit) is step.found
 
     def step(self, unit: str, known: _Step | None) -> _Step:
-        """Look at a part; `known` is what became of it the last time, where it sees what it saw."""
+        """Process a part; `known` is its last result if its context is unchanged."""
         db = self._db
         mentions = db.ask(questions.mentions, unit)
         key = (questions.BEFORE_WALK, unit)
@@ -169,19 +169,19 @@ class _Walk(Stages[_Step, _Stage]):
         return _Step(unit, mentions, db.read(key), db.ask(questions.walked_part, unit))
 
     def leaves_as_before(self, before: _Step, step: _Step) -> bool:
-        """Return whether a part leaves to those behind it what it left the last time."""
+        """Return whether the effect of a part on later parts is unchanged."""
         return before.found is step.found
 
     def went(self, before: _Step | None, step: _Step | None) -> None:
-        """Go on behind a part: what it was and what it is, None where there was none or is none any more."""
+        """Continue the state behind a part, from its last and its present result; None if there is none."""
         super().went(before, step)
-        # what is known of open types may be something else from there on, whatever names say
+        # evidence for open types may differ from there on, even if names do not
         self._is_other = self._is_other or any(one is not None and one.has_open for one in (before, step))
         if step is not None:
             self._telling.pass_by(step)
 
     def go_behind(self, one: _Step | _Stage) -> None:
-        """Go on behind what was passed by."""
+        """Continue the state behind a skipped part or group."""
         super().go_behind(one)
         self._telling.pass_by(one)
 
@@ -197,7 +197,7 @@ class _Walk(Stages[_Step, _Stage]):
 
 
 def walk_control(db: Database) -> Walked:
-    """Return what the control statements tell of their own types."""
+    """Return the types of the variables of the control statements."""
     trail = db.beside(_TRAIL, _Trail)
     stages = _Walk(db).go_through(db.ask(questions.part_groups), trail.stages)
     if trail.result is None or not _is_same(stages, trail.stages):
@@ -211,7 +211,7 @@ def walk_control(db: Database) -> Walked:
 
 
 def _is_same(stages: Sequence[_Stage], before: Sequence[_Stage]) -> bool:
-    """Return whether all parts told what they told the last time."""
+    """Return whether all parts have the evidence of the last time."""
     if len(stages) != len(before):
         return False
     return all(
@@ -225,7 +225,7 @@ def _is_open(seen: Seen) -> bool:
 
 
 def _last(state: AnyState, told: Mapping[str, AnyState]) -> AnyState:
-    """Return what is known of a type by now."""
+    """Return the present evidence for a type."""
     while isinstance(state, Open):
         following = told.get(state.name, state)
         if isinstance(following, Open) and following.name == state.name:

@@ -1,4 +1,4 @@
-"""What is known of the control statements where each of their parts begins, and where that is new."""
+"""State of names before each part of the control statements, and its changes since the last time."""
 
 from collections.abc import Collection, Hashable, Iterable
 from dataclasses import dataclass, field
@@ -12,13 +12,13 @@ from ropsim.spatial import PoseTuple
 
 @dataclass(slots=True)
 class Way:
-    """What is known where the parts so far end, and what was known there the last time.
+    """State behind the parts so far, now and the last time.
 
     Attributes:
-        names: what is known of names.
-        left: what the last part has left.
-        drift: what was known the last time of names of which something else is known now; None for nothing.
-        left_before: what the last part had left the last time.
+        names: meanings of names.
+        left: effect of the last part.
+        drift: last meanings of names whose meaning has changed; None for no meaning.
+        left_before: last effect of the last part.
     """
 
     names: dict[str, Seen] = field(default_factory=dict)
@@ -27,7 +27,7 @@ class Way:
     left_before: Left | None = None
 
     def before(self, mentions: tuple[str, ...], states: tuple[tuple[str, AnyState], ...] = ()) -> Before:
-        """Return what a part sees that mentions these names."""
+        """Return the context of a part with these names."""
         if self.left is None:
             return AT_FIRST
         seen = tuple(map(self.names.get, mentions))
@@ -46,7 +46,7 @@ class Way:
         return not is_same(_without_names(one), _without_names(other))
 
     def pass_by(self, left: Left) -> None:
-        """Go on behind what leaves what it left the last time."""
+        """Continue behind an unchanged effect."""
         self.left = self.left_before = left
         self.names.update(left.names)
         if self.drift:
@@ -54,7 +54,7 @@ class Way:
                 del self.drift[name]
 
     def go_on(self, left: Left) -> None:
-        """Go on behind what was not there the last time."""
+        """Continue behind an effect that is new."""
         for name, seen in left.names.items():
             before = self.drift[name] if name in self.drift else self.names.get(name)
             self.names[name] = seen
@@ -62,7 +62,7 @@ class Way:
         self.left = left
 
     def would_go_on(self, left: Left) -> None:
-        """Note what was left the last time by what is not there any more."""
+        """Record the last effect of a part that does not exist any more."""
         for name, seen in left.names.items():
             self._compare(name, seen)
         self.left_before = left
@@ -75,7 +75,7 @@ class Way:
 
 
 def left_by(parts: Iterable[Left]) -> Left:
-    """Return what parts leave together that follow each other, one at least."""
+    """Return the combined effect of one or more consecutive parts."""
     names: dict[str, Seen] = {}
     last: Left | None = None
     for last in parts:
@@ -89,6 +89,6 @@ def _without_names(left: Left) -> tuple[PoseTuple, str, int, str]:
 
 
 def give_equal(db: Database, name: Hashable, value: object) -> None:
-    """Give an input that is made anew each time; where it is equal to what it was nothing has changed."""
+    """Set an input that is made anew each time; if it is equal to its last value nothing has changed."""
     if db.read(name) != value:
         db.give({name: value})

@@ -1,7 +1,7 @@
 """The chunks of a text, read one after the other.
 
-What was read stands in a trail. As long as the names of tasks are what they were, and the chunks above leave
-to a chunk what they left, nobody asks for it again.
+Results of reading are kept in a record. A chunk is not queried again as long as the names of tasks and the
+effects of the chunks above are unchanged.
 """
 
 from collections import Counter
@@ -37,13 +37,13 @@ MOST_FAULTS = 2 * MAX_FINDINGS
 """Wrong lines; a text that has more of them is not read to its end."""
 
 _TRAIL = "trail of the chunks"
-"""Input: what the last reading has passed."""
+"""Input: records of the last reading."""
 _FAULTS, _TASKS, _MODES = attrgetter("faults"), attrgetter("tasks"), attrgetter("modes")
 
 
 @frozen_dataclass
 class Left:
-    """What the chunks above leave to a chunk.
+    """Effect of the chunks above on a chunk.
 
     Attributes:
         manner: how contracts are read.
@@ -60,10 +60,10 @@ class Step:
 
     Attributes:
         chunk: its lines.
-        left: what was left to it.
-        key: what it was read with.
+        left: effect of the chunks above.
+        key: arguments of its reading.
         read: its blocks.
-        found: what is wrong in it.
+        found: findings in it.
     """
 
     chunk: Chunk
@@ -75,13 +75,13 @@ class Step:
 
 @dataclass(slots=True)
 class _Trail:
-    """What was read.
+    """Record of the reading.
 
     Attributes:
         cut: the text in chunks.
         found: each chunk line by line.
         names: of all tasks.
-        foreign: whether a chunk has words that nobody knows.
+        foreign: whether a chunk has words that are unknown.
         steps: of all chunks; none where one was mended.
     """
 
@@ -94,13 +94,13 @@ class _Trail:
 
 @frozen_dataclass
 class _Remains:
-    """How many chunks are what they were: those above an edit, and those below it."""
+    """How many chunks are unchanged: those above an edit, and those below it."""
 
     above: int
     below: int
 
     def joined(self, known: Sequence[T], size: int, made: Callable[[int], T]) -> list[T]:
-        """Return what was known of chunks, of which there are so many now, and what is made of the others.
+        """Return a list of `size` values: the known values of unchanged chunks, and made ones of the others.
 
         Args:
             known: of all chunks that there were; empty where nothing is known.
@@ -114,9 +114,9 @@ class _Remains:
 
 
 def walk_chunks(source: SourceText, environment: Environment, db: Database) -> list[Step]:
-    """Return the chunks of a text in blocks, up to where more lines are wrong than are worth looking at.
+    """Return the chunks of a text in blocks, up to the limit of wrong lines.
 
-    Those that are read as they were the last time, on both sides of an edit, are the same objects.
+    Chunks with an unchanged reading, on both sides of an edit, are the same objects.
     """
     trail = db.beside(_TRAIL, _Trail)
     cut = recut(source.with_line_feeds(), trail.cut)
@@ -145,7 +145,7 @@ def walk_chunks(source: SourceText, environment: Environment, db: Database) -> l
 def _parsed(
     chunks: Sequence[Chunk], remains: _Remains, known: Sequence[Parsed], db: Database
 ) -> list[Parsed]:
-    """Return the chunks line by line, up to where more lines are wrong than are worth looking at."""
+    """Return the chunks line by line, up to the limit of wrong lines."""
     if known:
         found = remains.joined(known, len(chunks), lambda k: db.ask(parsed, chunks[k].lines))
         if sum(map(_FAULTS, found)) <= MOST_FAULTS:
@@ -161,7 +161,7 @@ def _parsed(
 
 
 def _names(environment: Environment, found: Sequence[Parsed], before: frozenset[str]) -> frozenset[str]:
-    """Return the names of all tasks, the same object as before where they are what they were."""
+    """Return the names of all tasks, the same object as before if they are unchanged."""
     names = frozenset(environment.tasks).union(environment.refused, *map(_TASKS, found))
     return before if names == before else names
 
@@ -169,7 +169,7 @@ def _names(environment: Environment, found: Sequence[Parsed], before: frozenset[
 def _mended(
     chunks: Sequence[Chunk], found: Sequence[Parsed], foreign: Sequence[bool], db: Database
 ) -> Sequence[Ends | None]:
-    """Return for each chunk with a word that nobody knows the ends with which it is to be mended."""
+    """Return for each chunk with an unknown word the ends that are used to mend it."""
     if not any(foreign):
         return ()
     keys: list[Ends | None] = [None] * len(found)
@@ -185,7 +185,7 @@ def _mended(
 
 
 def _first_left(found: Sequence[Parsed]) -> Left:
-    """Return what is left to the first chunk."""
+    """Return the effects before the first chunk."""
     is_classic = prose.is_classic(frozenset().union(*map(_MODES, found)))
     return Left(prose.Manner(is_classic, is_classic))
 
@@ -221,7 +221,7 @@ def _read(
 
 
 def _behind(step: Step) -> Left:
-    """Return what is left to the chunk behind one."""
+    """Return the effects before the next chunk."""
     left, read = step.left, step.read
     cut = read.cut if step.key[-1] else (*left.cut, *read.cut)
     if cut == left.cut and read.manner == left.manner:

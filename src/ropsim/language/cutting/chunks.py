@@ -1,8 +1,8 @@
-"""A text cut where no statement and no block goes on: each task by itself, and what stands between in pieces.
+"""A text cut where no statement and no block goes on: each task, and the lines between tasks in pieces.
 
-Where a piece ends is told by the lines there alone, whatever stands elsewhere, so that an edit changes the
-pieces around it and no others (A. Muthitacharoen, B. Chen, D. Mazieres, "A low-bandwidth network file
-system", SOSP 2001: chunks that their content defines).
+Where a piece ends depends on the lines there alone, so that an edit changes the pieces around it and no
+others (A. Muthitacharoen, B. Chen, D. Mazieres, "A low-bandwidth network file system", SOSP 2001: chunks that
+their content defines).
 """
 
 import re
@@ -19,7 +19,7 @@ _OF_TASKS = those_with(TASK | CLOSES)
 
 @frozen_dataclass
 class Chunk:
-    """Lines that are read by themselves.
+    """Lines that are read together, independent of others.
 
     Attributes:
         lines: as in the text.
@@ -32,7 +32,7 @@ class Chunk:
 
 @frozen_dataclass
 class Bounds:
-    """Where a task lies, or what stands between two of them.
+    """Where a task lies, or the lines between two of them.
 
     Attributes:
         start: its first line, from 0.
@@ -49,7 +49,7 @@ class Bounds:
 
 @frozen_dataclass
 class Stretch:
-    """A task, or what stands between two of them.
+    """A task, or the lines between two of them.
 
     Attributes:
         in_task: whether its first line is the header of a task.
@@ -70,7 +70,7 @@ def chunks(lines: Sequence[str]) -> Iterator[Chunk]:
 
 
 def bounds(lines: Sequence[str], kinds: bytes, start: int = 0, *, in_task: bool = False) -> Iterator[Bounds]:
-    """Yield the stretches of a text from a line on with which one begins; `kinds` says what lines mean."""
+    """Yield the stretches of a text from the first line of one on; `kinds` has the kind of each line."""
     for match in _OF_TASKS.finditer(kinds, start):
         number = match.start()
         if number and lines[number - 1].endswith("\\"):
@@ -93,7 +93,7 @@ def stretch(lines: Sequence[str], kinds: bytes, one: Bounds) -> Stretch:
     found, is_plain = cuts(lines, kinds, one.start, one.end)
     if not one.in_task:
         return Stretch(one.in_task, pieces(lines, (one.start, *found, one.end), one.end), is_plain)
-    first = found[0] if found else one.end  # a task that no line ends, and what is none of it as far as known
+    first = found[0] if found else one.end  # a task without a closing line
     rest, _ = cuts(lines, kinds, first, one.end)
     inner = pieces(lines, (first, *rest, one.end), one.end) if first < one.end else ()
     return Stretch(one.in_task, (Chunk(tuple(lines[one.start : first])), *inner), is_plain=False)

@@ -1,7 +1,7 @@
-"""Where lines may be cut: before those in which no statement and no block of the lines above goes on.
+"""Lines before which a text may be cut: no statement or block from above continues there.
 
 A block that nothing closes ends where its lines stop being indented, or soon after where they are not, so
-that one that is being written does not take all that stands below into its piece.
+that an incomplete block does not take all lines below into its piece.
 """
 
 from bisect import bisect_right
@@ -29,8 +29,7 @@ MOST_LINES = 256
 ENOUGH = 40
 """Lines of another piece, where some place in it is one to cut at: an edit costs the piece in which it is."""
 REACH = 48
-"""So many lines at least are of a block without end, where they are not indented, and stand in one piece
-above what closes nothing: the other end may be misspelt, and is mended where both stand in one piece."""
+"""Least number of unindented lines of an unclosed block kept in one piece above a stray end."""
 
 _NOTABLE = those_with(~BEGINS)
 _STATING = those_with(STATES)
@@ -44,7 +43,7 @@ def cuts(lines: Sequence[str], kinds: bytes, start: int, end: int) -> tuple[list
 
     Args:
         lines: of the text.
-        kinds: what each line means.
+        kinds: kind of each line.
         start: first line, from 0.
         end: line behind the last one.
     """
@@ -64,7 +63,7 @@ def has_blocks(kinds: bytes) -> bool:
 def _matched(lines: Sequence[str], kinds: bytes, start: int, end: int) -> tuple[dict[int, int], list[int]]:
     """Return which line closes each one that opens a block, where one does, and lines that close nothing."""
     stack: list[tuple[str, int]] = []
-    depths: dict[str, list[int]] = defaultdict(list)  # of each word in the stack, so that nobody searches it
+    depths: dict[str, list[int]] = defaultdict(list)  # positions of each word in the stack, to avoid searches
     closed: dict[int, int] = {}
     strays: list[int] = []
     for match in _OF_BLOCKS.finditer(kinds, start, end):
@@ -87,12 +86,12 @@ def _matched(lines: Sequence[str], kinds: bytes, start: int, end: int) -> tuple[
 
 @frozen_dataclass
 class _Unended:
-    """A block without end, with those around it that have none either.
+    """A block without end, with the unclosed blocks around it.
 
     Attributes:
         indent: of the line furthest left that opens one.
         until: number of the first line that may be none of theirs where they are not indented.
-        is_indented: whether their lines stand further right than what opens them.
+        is_indented: whether their lines are indented relative to the opener.
     """
 
     indent: int
@@ -168,7 +167,7 @@ def _cuts(lines: Sequence[str], kinds: bytes, start: int, end: int, closed: dict
 
 
 def _above(lines: Sequence[str], kinds: bytes, start: int, stray: int) -> int:
-    """Return the line that may have been meant to open what a line closes, or one above it."""
+    """Return the line that may be the intended opener of the block that a line closes, or one above it."""
     indent = indent_of(lines[stray])
     least = max(start, stray - MOST_LINES)
     above = (one for one in range(stray - 1, least - 1, -1) if lines[one].strip())

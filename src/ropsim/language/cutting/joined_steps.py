@@ -1,4 +1,4 @@
-"""Steps put together to units: all of them, or those around an edit while the others stay as they were."""
+"""Steps put together to units: all of them, or those around an edit while the others stay unchanged."""
 
 from collections import Counter
 from collections.abc import Container, Iterable, Mapping, Sequence
@@ -15,18 +15,18 @@ from ropsim.query import Database
 
 @dataclass(slots=True)
 class Trail:
-    """What was divided.
+    """Record of the division.
 
     Attributes:
         steps: chunks of the text.
         firsts: line at which each begins, from 1, and the one behind the text.
-        found: what is wrong in each.
+        found: findings in each.
         task_counts: how many tasks each has.
         part_counts: how many parts end with each.
         free: of each, whether no part goes on behind it.
         tasks: names of all tasks.
         parts: units of all parts.
-        begins: how each of them begins, which gives it its name.
+        begins: how each of them begins, which determines its name.
         places: where all units lie.
         is_simple: whether each task has a name of its own and some part is not empty.
     """
@@ -46,7 +46,7 @@ class Trail:
 
 @frozen_dataclass
 class Made:
-    """What becomes of the steps, see `Trail` and `Units`, and the tasks whose name another one has."""
+    """Units made of the steps, see `Trail` and `Units`, and the tasks with a duplicate name."""
 
     tasks: tuple[str, ...]
     parts: tuple[str, ...]
@@ -190,7 +190,7 @@ def _items(parts: tuple[str, ...], joining: Joining) -> dict[str, units.Items]:
 def _lying(
     tasks: tuple[str, ...], parts: tuple[str, ...], joining: Joining, known: Mapping[str, Places]
 ) -> dict[str, Places]:
-    """Return where units lie: what is known of one where it lies as it did."""
+    """Return where units lie: the known places of units that have not moved."""
     found = {units.of_task(name): one for name, (_, one) in zip(tasks, joining.tasks, strict=True)}
     found |= {unit: one for unit, (_, _, one) in zip(parts, joining.parts, strict=True)}
     return {unit: known[unit] if known.get(unit) == one else one for unit, one in found.items()}

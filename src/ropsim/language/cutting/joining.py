@@ -15,10 +15,10 @@ MOST_ITEMS = 40
 
 @dataclass(slots=True)
 class Joining:
-    """What has become of some chunks that follow each other.
+    """Result for some consecutive chunks.
 
     Attributes:
-        db: what else is known.
+        db: database of other results.
         tasks: of them, and where they lie.
         parts: of them that have ended: name of each by how it begins, its lines and blocks, where they lie.
         task_counts: how many tasks each chunk had.

@@ -1,4 +1,4 @@
-"""What a line by itself means for where a text may be cut."""
+"""Kinds of single lines, for cutting a text."""
 
 import re
 from collections.abc import Sequence
@@ -9,7 +9,7 @@ from ropsim.language.syntax.lines import bracket_depth
 from ropsim.language.syntax.words import END, HEADS, OPENERS
 
 ONE_OF = 20
-"""So many lines have one among them, on average, before which a piece ends."""
+"""A piece ends on average once in this number of lines."""
 
 BEGINS, MARKED, OPENS, CLOSES, RUNS_ON, STATES, DIVIDES, TASK = 1, 2, 4, 8, 16, 32, 64, 128
 """Bits of one number, since there are many lines: it never goes on with the statement of the line before it,
@@ -27,7 +27,7 @@ _DIVIDERS = ("else", "elseif", "catch")
 
 @lru_cache(maxsize=65_536)
 def kind_of(line: str) -> int:
-    """Return what a line means, as bits."""
+    """Return the kind of a line, as bits."""
     word = head_of(line)
     kind = MARKED if word and is_marked(_COMMENT.split(line)[0]) else 0
     if word in HEADS or word == END:
@@ -48,12 +48,12 @@ def kind_of(line: str) -> int:
 
 
 def kinds_of(lines: Sequence[str]) -> bytes:
-    """Return what each of some lines means."""
+    """Return the kind of each line."""
     return bytes(map(kind_of, lines))
 
 
 def those_with(bits: int) -> re.Pattern[bytes]:
-    """Return what finds the lines with one of these bits among what lines mean."""
+    """Return a pattern that finds the lines with one of these bits in their kinds."""
     kinds = bytes(kind for kind in range(256) if kind & bits)
     return re.compile(b"[" + re.escape(kinds) + b"]")
 
@@ -71,5 +71,5 @@ def indent_of(line: str) -> int:
 
 
 def is_marked(text: str) -> bool:
-    """Return whether a text is one of those, one of so many, at which parts end; its form is one as well."""
+    """Return whether pieces end at a text (one of many); its formatted text behaves the same."""
     return crc32("".join(text.split()).lower().encode(errors="surrogatepass")) % ONE_OF == 0

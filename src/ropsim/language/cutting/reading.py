@@ -1,4 +1,4 @@
-"""A chunk of a text, read line by line and in blocks; again only where it, or what it depends on, changes."""
+"""A chunk of a text, read line by line and in blocks; again only after a change of it or its inputs."""
 
 from collections import Counter
 from collections.abc import Iterator
@@ -22,13 +22,13 @@ TASK_NAMES = "names of tasks"
 CALLABLE = "names of tasks, with those whose header is misspelt"
 """Input: the same after misspelt lines were mended."""
 PARSER = "parser"
-"""Input: gives the statement of a line and what is wrong with it, and may remember it."""
+"""Input: parser of a line, which returns the statement and the fault, and may remember them."""
 
 Ends = tuple[tuple[str, int], ...]
 """How many more ends than beginnings of blocks there are, by the word that opens them."""
 
 Key = tuple[tuple[str, ...], Ends | None, prose.Manner, tuple[str, ...]]
-"""What `read_chunk` is given."""
+"""Arguments of `read_chunk`."""
 
 
 @frozen_dataclass
@@ -36,7 +36,7 @@ class Parsed:
     """A chunk line by line.
 
     Attributes:
-        lines: those that are not empty, and what may be prose; numbers count from the chunk's first line.
+        lines: lines that are not empty, and possible prose; numbers count from the chunk's first line.
         tasks: names of the tasks that it has.
         ends: how many more ends than beginnings of blocks it has, by the word that opens them.
         faults: how many of its lines are wrong.
@@ -69,8 +69,8 @@ class Read:
 
     Attributes:
         tasks: of the chunk, in order.
-        control: what stands outside of them, lines counted as in the chunk.
-        found: what is wrong; places count from the chunk's first line.
+        control: statements outside tasks, lines counted as in the chunk.
+        found: findings; places count from the chunk's first line.
         manner: how contracts are read behind it.
         cut: openers that were reported as not closed.
         looked_above: whether that of the lines before it may have changed anything.
@@ -112,7 +112,7 @@ def mended(db: Database, lines: tuple[str, ...], ends: Ends) -> tuple[tuple[Line
 
 
 def mended_names(db: Database, lines: tuple[str, ...], ends: Ends) -> frozenset[str]:
-    """Return the tasks of a chunk, also those whose header is misspelt."""
+    """Return the tasks of a chunk, including tasks with a misspelt header."""
     return task_names(db.ask(mended, lines, ends)[0])
 
 
@@ -126,7 +126,7 @@ def read_chunk(
     """Return a chunk in blocks.
 
     Args:
-        db: what else is known.
+        db: database of other results.
         lines: of the chunk.
         ends: of the text, where some line of the chunk may be misspelt.
         manner: how contracts are read at its beginning.
@@ -154,14 +154,14 @@ def control_of(db: Database, key: Key, before: int) -> tuple[units.Items, tuple[
 
 @frozen_dataclass
 class Alone:
-    """The control statements of a chunk where they are a part by themselves.
+    """The control statements of a chunk if they form a complete part.
 
     Attributes:
         items: lines and blocks, counted from the first one.
         name: of the part.
         first: where its first line lies in the chunk, from 0.
         offsets: where each of its lines lies, from the first one.
-        ends: whether a part ends with the chunk, whatever the chunk says.
+        ends: whether a part ends with the chunk, regardless of the content of the chunk.
     """
 
     items: units.Items
@@ -172,7 +172,7 @@ class Alone:
 
 
 def alone_of(db: Database, key: Key) -> Alone:
-    """Return the control statements of a chunk, of which there are some, as a part by themselves."""
+    """Return the control statements of a chunk, which exist, as a complete part."""
     items, offsets = units.renumbered(db.ask(read_chunk, *key).control)
     first = offsets[0]
     lying = tuple(offset - first for offset in offsets)
@@ -191,7 +191,7 @@ def _task(item: Block) -> Task:
 
 
 class Names:
-    """Names of tasks of which is noted which ones are looked up."""
+    """Names of tasks that record which ones are looked up."""
 
     def __init__(self, db: Database, table: str) -> None:
         self._db = db

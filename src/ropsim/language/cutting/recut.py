@@ -1,4 +1,4 @@
-"""A text in chunks, which is cut anew around what has changed and remains what it was elsewhere."""
+"""A text in chunks, which is cut again around an edit and unchanged elsewhere."""
 
 from bisect import bisect_left, bisect_right
 from collections.abc import Sequence
@@ -11,7 +11,7 @@ from ropsim.language.cutting.cuts import REACH, cuts, has_blocks
 from ropsim.language.cutting.line_kinds import kinds_of
 
 FURTHER = 8
-"""Of so many pieces below an edit one begins where one began before, or all are cut anew."""
+"""Within this number of pieces below an edit one must begin at an old begin, else all are cut again."""
 
 
 @dataclass(slots=True)
@@ -20,13 +20,13 @@ class Cut:
 
     Attributes:
         text: its characters; lines end with a line feed alone.
-        lines: of the text; those that stood in the text before are the same objects.
-        kinds: what each line means.
+        lines: of the text; unchanged lines are the same objects.
+        kinds: kind of each line.
         stretches: of the text.
         starts: first line of each stretch, from 0.
         sizes: number of chunks of each stretch.
         chunks: of the text.
-        above: how many of them, from the first one on, are those of the text before.
+        above: how many of them, from the first one on, are lines of the text before.
         below: the same from the last one up.
     """
 
@@ -46,7 +46,7 @@ def recut(text: str, before: Cut) -> Cut:
 
     Args:
         text: its lines end with a line feed alone.
-        before: the text as it was before, or an empty one; it saves time and changes no chunk.
+        before: the text before the edit, or an empty one; it saves time and changes no chunk.
     """
     if not before.lines:
         return _cut(text)
@@ -61,7 +61,7 @@ def recut(text: str, before: Cut) -> Cut:
     found: list[Bounds] = []
     for one in bounds(lines, kinds, start, in_task=in_task):
         place = _place(before.starts, one.start - shift) if one.start > here else None
-        if place is not None:  # the line before it and all below are what they were
+        if place is not None:  # the line before it and all below are unchanged
             until = place
             break
         found.append(one)
@@ -98,9 +98,9 @@ def _cut(text: str) -> Cut:
 
 
 def _again(one: Bounds, lines: Sequence[str], kinds: bytes, before: Cut, edit: EditedLines) -> Stretch | None:
-    """Return a stretch whose pieces are known but for those around an edit; None where all may be others.
+    """Return a stretch whose pieces are known except around an edit; None if all may have changed.
 
-    Where a piece ends is told by the lines up to there, from the end of the piece above on, as long as each
+    Where a piece ends depends on the lines up to there, from the end of the piece above on, as long as each
     block has both of its ends and no line that has changed begins or ends one.
     """
     place = _place(before.starts, one.start)
@@ -140,7 +140,7 @@ def _place(numbers: Sequence[int], number: int) -> int | None:
 def _kept_above(starts: Sequence[int], above: int) -> int:
     """Return how many stretches remain, as they lie far enough within the lines that remain.
 
-    Where a stretch ends is told by the line behind it, and a block without end looks a few lines further.
+    Where a stretch ends depends on the line behind it, and for a block without end on a few more lines.
     """
     return max(bisect_right(starts, above - REACH) - 1, 0)
 

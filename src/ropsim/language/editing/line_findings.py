@@ -1,4 +1,4 @@
-"""What is wrong with single lines of a text, without a look at the others; that takes little time."""
+"""Findings in single lines of a text, without regard to other lines; fast."""
 
 from collections.abc import Iterator
 from itertools import islice
@@ -12,18 +12,17 @@ from ropsim.language.syntax.statements import ContractClause
 from ropsim.language.syntax.text import Parser
 
 MOST = 100
-"""Findings that are told at most."""
+"""Maximum number of findings."""
 
 
 def line_findings(source: SourceText, cache: Parser) -> tuple[Diagnostic, ...]:
-    """Return the first findings that lines have by themselves, in order; the whole text has them, too.
+    """Return the first findings of single lines, in order; the whole text has them also.
 
-    Their hints may be more exact there. In a classic text nothing is told: what is prose in it, and no
-    statement, depends on its tasks.
+    Their hints may be more exact there. A classic text has none: its tasks determine which lines are prose.
 
     Args:
         source: any text.
-        cache: may keep what lines were parsed to.
+        cache: may keep parsed lines.
     """
     lines = placed(texts.read(source, cache))
     return () if is_classic(modes(lines)) else tuple(islice(_found(source, lines), MOST))

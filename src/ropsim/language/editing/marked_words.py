@@ -1,4 +1,4 @@
-"""What the characters of a text are, for colours: words of the language, numbers, texts, comments."""
+"""Kinds of the characters of a text, for colours: words of the language, numbers, texts, comments."""
 
 import re
 from collections.abc import Iterator
@@ -19,7 +19,7 @@ _COMMENT = re.compile(r'"(?:[^"\\]++|\\.)*+(?:"|\\?$)|((?:#|//).*)')
 
 
 class Mark(Enum):
-    """What a stretch of characters is that is no name."""
+    """Kind of a range of characters that is no name."""
 
     KEYWORD = "word of the language"
     TYPE = "type"
@@ -39,11 +39,11 @@ class Marked:
 
 
 def marked_words(source: SourceText, cache: LineCache, uses: Uses) -> tuple[Marked, ...]:
-    """Return all that has a mark and is no use of a name, in order of place.
+    """Return all marked ranges except uses of names, in order of place.
 
     Args:
         source: the text.
-        cache: what lines were parsed to.
+        cache: parsed lines.
         uses: of its names.
     """
     taken = {(one.span.line, one.span.column) for one in uses.found}

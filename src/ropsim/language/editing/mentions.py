@@ -1,4 +1,4 @@
-"""Every name that one statement mentions, and as what; it knows nothing of other lines."""
+"""Every name that one statement mentions, and its role there; independent of other lines."""
 
 from collections.abc import Callable, Iterator
 from enum import Enum
@@ -12,7 +12,7 @@ from ropsim.language.syntax.nodes import Name, Node
 
 
 class Part(Enum):
-    """As what a statement mentions a name."""
+    """Role of a name in a statement."""
 
     TASK = "task of a header"
     PARAMETER = "parameter of a header"
@@ -34,7 +34,7 @@ class Mention:
 
     Attributes:
         name: with its place in the logical line.
-        part: as what it stands there.
+        part: its role there.
         callee: name of the task that is called, for arguments.
     """
 
@@ -44,7 +44,7 @@ class Mention:
 
 
 def mentions(statement: syntax.Statement | None) -> tuple[Mention, ...]:
-    """Return the names of a statement, what is read before what is given a value; components are none."""
+    """Return the names of a statement, names read before names assigned; components are none."""
     return tuple(_mentioned(statement))
 
 

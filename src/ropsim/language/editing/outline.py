@@ -1,4 +1,4 @@
-"""What a text defines and where: tasks, declarations and variables, for editors; it knows no types."""
+"""Definitions of a text and their places: tasks, declarations and variables, for editors; without types."""
 
 import re
 from collections.abc import Iterator
@@ -14,7 +14,7 @@ _COMMENT = re.compile(r"\s*(?:#|//)+\s?(.*)")
 
 
 class Role(Enum):
-    """What a name stands for."""
+    """Kind of entity behind a name."""
 
     TASK = "task"
     PARAMETER = "parameter"
@@ -33,9 +33,9 @@ class Definition:
 
     Attributes:
         name: as written.
-        role: what it stands for.
+        role: kind of entity.
         span: of the name.
-        task: name of the task that alone knows it, empty for the whole text or the control statements.
+        task: name of the task in which it is visible, empty for the whole text or the control statements.
         line: the statement that defines it, as written.
     """
 
@@ -70,7 +70,7 @@ class Outline:
 
 
 def outline(source: SourceText, cache: Parser) -> Outline:
-    """Return what a text defines; any text has an outline."""
+    """Return the definitions of a text; any text has an outline."""
     definitions: list[Definition] = []
     tasks: list[TaskOutline] = []
     notes: list[str] = []

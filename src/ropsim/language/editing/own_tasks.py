@@ -35,7 +35,7 @@ class OwnTasks:
     """Remembers texts by their names; it saves time and changes no answer.
 
     Args:
-        parser: gives the statement of a line, and may remember it.
+        parser: returns the statement of a line, and may remember it.
     """
 
     def __init__(self, parser: Parser) -> None:
@@ -43,7 +43,7 @@ class OwnTasks:
         self._known: dict[str, _Known] = {}
 
     def names(self, source: SourceText) -> frozenset[str]:
-        """Return the names of the tasks of a text: the same object as long as they are the same."""
+        """Return the names of the tasks of a text: the same object while they are unchanged."""
         return self._read(source).names
 
     def spans(self, source: SourceText, names: frozenset[str]) -> dict[str, Span]:

@@ -1,4 +1,4 @@
-"""What a text defines, without what it does; and whether more lines must follow."""
+"""What a text defines, without its actions; and whether more lines must follow."""
 
 from ropsim.core import SourceText
 from ropsim.language.blocks.block_ends import indented
@@ -26,7 +26,7 @@ def prelude(text: str) -> str:
 
 def goes_on(text: str) -> bool:
     """Return whether a text ends within a block, or within a statement that the next line would continue."""
-    source = SourceText("", text + "\n0")  # what continues takes this line in
+    source = SourceText("", text + "\n0")  # an incomplete last line takes this line in
     lines = list(read(source, LineCache()))
     if lines[-1].logical.number < len(source.lines):
         return True

@@ -1,4 +1,4 @@
-"""Every place where a text uses a name, and what the name means there; it knows no types."""
+"""All uses of names in a text, and the meaning of each name there; without types."""
 
 from collections.abc import Iterable, Iterator
 from enum import Enum
@@ -17,7 +17,7 @@ class Space(Enum):
 
 
 class Act(Enum):
-    """What a place does with the meaning of its name."""
+    """Access of a place to the meaning of its name."""
 
     DEFINES = "defines"
     WRITES = "writes"
@@ -26,18 +26,18 @@ class Act(Enum):
 
 @frozen_dataclass
 class Meaning:
-    """What a name stands for, in the part of a text that knows it.
+    """Meaning of a name, in the part of a text where it is visible.
 
     Attributes:
         name: as written.
-        space: among which names it is looked for.
-        role: what it stands for; None where the text does not define it: the cell does, or nobody.
-        task: the task that alone knows it, empty for the control statements and for the whole text.
-        is_global: whether all tasks know it.
-        definition: place that defines it; None for a name of the cell, of nobody, and for an implicit
+        space: name space.
+        role: kind of entity; None if the text does not define it: it belongs to the cell, or is undefined.
+        task: the task in which it is visible, empty for the control statements and for the whole text.
+        is_global: whether it is visible in all tasks.
+        definition: place that defines it; None for a name of the cell, an undefined one, and for an implicit
             parameter.
         line: the statement that defines it, as written.
-        number: tells meanings of one name apart, in order of their place.
+        number: distinguishes meanings of one name, in order of their place.
     """
 
     name: str
@@ -61,7 +61,7 @@ class Use:
 
     Attributes:
         span: of the name.
-        act: what the place does.
+        act: access of the place.
         meaning: of the name there.
         task: name of the task in which it stands, empty for none.
     """
@@ -80,7 +80,7 @@ class Sight:
         meaning: that is known there.
         first: line from which on it is known (from 1).
         end: the line from which on it is known no more.
-        is_outside: whether only control statements know it, of the lines from `first` to `end`.
+        is_outside: whether only control statements see it, of the lines from `first` to `end`.
     """
 
     meaning: Meaning
@@ -95,8 +95,8 @@ class Uses:
 
     Attributes:
         found: the uses.
-        sights: in which lines each meaning is known, those that hide others after them.
-        broken: places of the statements that could not be read, whose names nobody knows.
+        sights: lines in which each meaning is visible, hiding ones after hidden ones.
+        broken: places of the statements that could not be read, whose names are unknown.
         tasks: first and last line of each task, in order, with its name.
         rooms: first line of each task and the one that ends it; without an end the one of the next statement.
         blocks: first and last line of each part of a block that has a header of its own; the line that closes
@@ -130,7 +130,7 @@ class Uses:
         return tuple(dict.fromkeys(one.meaning for one in self.found))
 
     def seen_at(self, line: int) -> dict[tuple[Space, str], Meaning]:
-        """Return what names of the text mean at the begin of a statement in a line (from 1)."""
+        """Return the meanings of names at the begin of a statement in a line (from 1)."""
         is_outside = not any(first <= line < end for first, end in self.rooms)
         return {
             (one.meaning.space, one.meaning.name): one.meaning

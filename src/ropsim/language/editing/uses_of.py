@@ -18,9 +18,9 @@ def uses_of(source: SourceText, cache: LineCache, outside: frozenset[str] = froz
 
     Args:
         source: the text.
-        cache: what lines were parsed to.
-        outside: names that the cell knows; in a classic task every other one that is read first is an
-            implicit parameter.
+        cache: parsed lines.
+        outside: names of the cell; in a classic task every other one that is read first is an implicit
+            parameter.
     """
     if len(source.lines) > MAX_LINES:
         return Uses()

@@ -43,8 +43,8 @@ class Scope:
 
     Attributes:
         task: its name, empty for the control statements.
-        names: what they mean at the place in hand.
-        is_classic: whether what it reads first may be an implicit parameter.
+        names: their meanings at the present place.
+        is_classic: whether a name that it reads first may be an implicit parameter.
         around: meanings of the variables of the loops around that place.
         open: uses of names that had no meaning at their place.
         end: the line from which on nothing of it is known.
@@ -61,12 +61,12 @@ class Scope:
 
 
 class Walk:
-    """The walk through one text; what it finds so far, in any order.
+    """Traversal of one text; its results so far, in any order.
 
     Attributes:
         found: the uses.
         broken: places of the statements that could not be read.
-        sights: which lines know each meaning; what hides another one stands behind it.
+        sights: lines in which each meaning is visible; hiding ones come after hidden ones.
         tasks: name, first and last line of each task.
         rooms: first line of each task, and the one that ends it.
         blocks: first and last line of each part of a block with a header of its own.
@@ -89,7 +89,7 @@ class Walk:
         self._number = 0
 
     def declare(self, top: Iterable[Line]) -> None:
-        """Note what stands outside of all tasks; the first declaration of a name counts."""
+        """Record the declarations outside tasks; the first declaration of a name counts."""
         for line in top:
             statement = line.statement
             if isinstance(statement, syntax.Broken):
@@ -136,7 +136,7 @@ class Walk:
         self.close(scope)
 
     def items(self, items: Sequence[Line | Block], scope: Scope, end: float) -> None:
-        """Walk through lines and blocks up to the line `end`, which closes what has no end of its own."""
+        """Traverse lines and blocks up to the line `end`, which closes blocks without an end of their own."""
         for item, behind in with_ends(items, end):
             if isinstance(item, Line):
                 self._line(item, scope)
@@ -155,7 +155,7 @@ class Walk:
                 self._line(item.closer, scope)
 
     def close(self, scope: Scope) -> None:
-        """Say what the names mean that had no meaning where they stood."""
+        """Set the meanings of names that had none at their place."""
         for line, name in scope.open:
             meaning = scope.names.get(name.text) or self._nobodys(Space.SYMBOL, name.text)
             self._use(line, name, Act.READS, meaning, scope)
@@ -198,7 +198,7 @@ class Walk:
             self._symbol(line, name, scope)
 
     def _symbol(self, line: Line, name: Name, scope: Scope, act: Act = Act.READS) -> None:
-        """Note that a name is read; what a classic task reads first is a parameter of it."""
+        """Record that a name is read; a name that a classic task reads first is its parameter."""
         meaning = self._find(name.text, scope)
         if meaning is None and scope.is_classic and name.text not in self._outside:
             meaning = Meaning(name.text, Space.SYMBOL, Role.PARAMETER, scope.task, is_global=False)

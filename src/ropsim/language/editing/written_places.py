@@ -25,7 +25,7 @@ _NAMED = (
 
 
 def literals_on(source: SourceText, number: int, cache: LineCache) -> Iterator[Span]:
-    """Yield the places on a line (from 1) of parentheses that may be locations, with what belongs to them.
+    """Yield the places on a line (from 1) of parentheses that may be locations, with their terms.
 
     Outer ones come first; one that fills several lines is left out.
     """

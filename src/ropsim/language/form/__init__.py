@@ -1,3 +1,3 @@
-"""The form of a text: the one way in which a program is written, without a change of what it means."""
+"""The form of a text: the one way in which a program is written, with the same meaning."""
 
 from ropsim.language.form.layout import formatted as formatted

@@ -1,4 +1,4 @@
-"""A text in its form: indentation, blanks, lower-case words; lines that are wrong stay as they are."""
+"""A text in its form: indentation, blanks, lower-case words; wrong lines stay unchanged."""
 
 from collections.abc import Iterable
 
@@ -20,11 +20,11 @@ _MARK = "\ufeff"
 def formatted(text: str) -> str:
     """Return a text in its form: it means the same, and the form of it is itself.
 
-    Blocks are indented by two blanks, statements have one blank between words and around operators, words of
-    the language are written in lower case, and no more than one empty line stands between others. Comments
-    and line breaks are kept, a comment behind a statement in its column where there is room. Lines that
-    cannot be read keep their characters, and so does the prose of contracts. Where a block has no end or an
-    end no block, indentation says how far it reaches: those lines stay as they are, empty ones too.
+    Blocks are indented by two blanks, statements have a single blank between words and around operators,
+    words of the language are written in lower case, and no more than one empty line stands between others.
+    Comments and line breaks are kept, a comment behind a statement in its column where there is room. Lines
+    that cannot be read keep their characters, and so does the prose of contracts. Where a block has no end or
+    an end no block, indentation says how far it reaches: those lines stay unchanged, including empty ones.
     """
     if _MARK in text[1:]:
         return text
@@ -76,7 +76,7 @@ def _laid(line: Line, depth: int, physical: tuple[str, ...]) -> list[str]:
 
 
 def _means(own: list[str], line: Line) -> bool:
-    """Return whether physical lines are one logical line that says what `line` says."""
+    """Return whether physical lines are one logical line with the statement of `line`."""
     found = list(logical_lines(SourceText("", "\n".join(own))))
     statement, fault = parse_line(found[0].text)
     return len(found) == 1 and fault is None and shape(statement) == shape(line.statement)

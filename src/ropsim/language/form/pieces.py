@@ -17,7 +17,7 @@ class Piece:
     """Some lines that follow each other.
 
     Attributes:
-        lines: with what they say, each with its physical lines.
+        lines: logical lines, each with its physical lines.
         is_sound: whether every block in it has its end, and every end its block.
     """
 
@@ -53,7 +53,7 @@ def _with_physical(
 def _is_sound(lines: Iterable[Line]) -> bool:
     report, lines = Report(""), tuple(lines)
     if any(line.fault is not None and isinstance(line.statement, If) for line in lines):
-        return False  # what is in which block was meant, not written
+        return False  # the intended block is unknown
     try:
         tree = build((line for line in lines if line.statement is not None), report)
     except TooManyFindingsError:

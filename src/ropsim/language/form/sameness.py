@@ -34,7 +34,7 @@ _parts_of: dict[type[Any], tuple[str, ...] | None] = {}
 
 
 def _parts(kind: type[Any]) -> tuple[str, ...] | None:
-    """Return the fields of a node that are no places; None for what is no node."""
+    """Return the fields of a node that are no places; None for other types."""
     if kind not in _parts_of:
         _parts_of[kind] = (
             tuple(one.name for one in fields(kind) if one.name not in _PLACES) if is_dataclass(kind) else None

@@ -13,7 +13,7 @@ _CONTEXTUAL = MOTION_MODIFIERS | frozenset(
         "rz", "like", "config", "turns", "after", "before",
     ]
 )  # fmt: skip
-"""Words that are names or not, as their place tells; blanks behind them are kept as they are written."""
+"""Words that are names or not, depending on their place; blanks behind them are kept."""
 
 _VALUES = frozenset(("true", "false", "here", "home"))
 """Reserved words that are values."""
@@ -25,7 +25,7 @@ _BEFORE_SIGN = frozenset("([,;:=<>+-*/@") | {":=", "==", "<>", "!=", "<=", ">=",
 
 
 def spaced(line: Sequence[Token], written: str) -> list[str]:
-    """Return for each token what stands before it: a blank or nothing.
+    """Return for each token the separator before it: a blank or nothing.
 
     Args:
         line: the tokens of a statement, in order.
@@ -58,7 +58,7 @@ def _has_arguments(line: Sequence[Token], number: int, written: str) -> bool:
     """Return whether the parenthesis behind a word is its list of arguments.
 
     Behind the name of a task that is called both forms exist, and both are kept: `Pick(q, n)` lists
-    arguments, `Pick (1, 2, 3)` may give one location.
+    arguments, `Pick (1, 2, 3)` may pass one location.
     """
     word = line[number - 1].word
     if word in RESERVED:
@@ -75,7 +75,7 @@ def _has_arguments(line: Sequence[Token], number: int, written: str) -> bool:
 
 
 def _is_sign(line: Sequence[Token], number: int, written: str) -> bool:
-    """Return whether a minus is the sign of what follows it, rather than between two values."""
+    """Return whether a minus is the sign of the following value, rather than between two values."""
     before = line[number - 1] if number else None
     if before is None or before.word in _BEFORE_SIGN | (RESERVED - _VALUES):
         return True

@@ -1,4 +1,4 @@
-"""A statement in its form, on as many physical lines as it was written."""
+"""A statement in its form, on as many physical lines as before."""
 
 from collections.abc import Container, Sequence
 
@@ -16,7 +16,7 @@ _BEFORE_COMMENT = 2
 
 @frozen_dataclass
 class _Open:
-    """An open parenthesis: in which columns what it holds and its end stand on further lines."""
+    """An open parenthesis: columns of its content and its end on further lines."""
 
     inside: int
     end: int
@@ -71,7 +71,7 @@ def _ended(text: str, row: Row) -> str:
 
 
 def _cased(line: Sequence[Token], number: int, names: Container[tuple[int, str]]) -> str:
-    """Return a word in lower case where the language does not tell cases apart, else as it is written.
+    """Return a word in lower case where the language ignores case, else as written.
 
     The axes of `euler` are one word in any case, and are kept.
     """

@@ -1,9 +1,9 @@
-"""What is asked of a text in units: declarations, how tasks are called, and what is found in each body.
+"""Queries about a text in units: declarations, signatures of tasks, and results of each body.
 
-Each function is pure: the database notes what it looks at, so that a change reaches only what depends on
-it. A task depends on its own text, on the declarations that it names and on how the tasks that it calls are
-called; never on its callers, unless the text is a classic one, whose use of a task may tell types of its
-parameters.
+Each function is pure: the database records its dependencies, so that a change reaches only dependent results.
+A task depends on its own text, on the declarations that it names and on the signatures of the tasks that it
+calls; never on its callers, unless the text is a classic one, where calls of a task may determine types of
+its parameters.
 """
 
 from ropsim.language.questions.bodies import calls_of as calls_of

@@ -1,4 +1,4 @@
-"""What is found in each body."""
+"""Results of each body."""
 
 from dataclasses import replace
 
@@ -33,7 +33,7 @@ def calls_of(db: Database, name: str) -> tuple[tuple[str, Span], ...]:
 
 
 def origins_of(db: Database, name: str) -> TaskOrigins:
-    """Return what a task of the text tells of plain numbers."""
+    """Return the origins of plain numbers in a task of the text."""
     return db.ask(checked, name).origins
 
 

@@ -1,4 +1,4 @@
-"""What is told of a group of tasks, put together; each is asked for callees first, see `groups`."""
+"""Combined results of a group of tasks; each is queried for callees first, see `groups`."""
 
 from collections.abc import Mapping
 from itertools import chain
@@ -22,7 +22,7 @@ class Bodies:
         found: findings, in the order in which they were made.
         unread: hints at variables that nothing reads.
         signals: that they name, by name.
-        late: what no way leads to, and what stands before that.
+        late: unreachable statements, and the statements before them.
         impossible: arcs and curves whose points make none.
         has_contracts: whether one of them says in which state the gripper must be.
     """
@@ -47,7 +47,7 @@ def find_types(db: Database, group: Group) -> None:
 
 
 def found_in_signatures(db: Database, group: Group) -> tuple[Diagnostic, ...]:
-    """Return the findings of defaults and of types that nothing tells."""
+    """Return the findings of defaults and of types that nothing determines."""
     called = (db.ask(signature, name) for name in group)
     return tuple(chain.from_iterable(one.found for one in called if one is not None))
 
@@ -69,7 +69,7 @@ def bodies_in(db: Database, group: Group) -> Bodies:
 
 @always_new
 def tasks_in(db: Database, group: Group) -> tuple[Task, ...]:
-    """Return those of the tasks that can be called."""
+    """Return the callable tasks of a group."""
     found = (db.ask(checked, name).task for name in group)
     return tuple(one for one in found if one is not None)
 

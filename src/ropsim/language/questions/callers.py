@@ -40,7 +40,7 @@ def _by_small_letters(names: Iterable[str]) -> Mapping[str, tuple[str, ...]]:
 
 
 def alike(db: Database, lower: str) -> tuple[str, ...]:
-    """Return the tasks that have a name in small letters, those of the text first."""
+    """Return the tasks that have a name in small letters, tasks of the text first."""
     return (*db.ask(spellings).get(lower, ()), *db.ask(library_spellings).get(lower, ()))
 
 
@@ -51,7 +51,7 @@ def callees_of(db: Database, name: str) -> tuple[str, ...]:
 
 
 def order(db: Database) -> tuple[str, ...]:
-    """Return the tasks of the text, those called before those that call them."""
+    """Return the tasks of the text, callees before callers."""
     return tuple(callee_first({name: db.ask(callees_of, name) for name in db.read(TASKS)}))
 
 
@@ -61,7 +61,7 @@ def ranks(db: Database) -> Mapping[str, int]:
 
 
 def precedes(db: Database, one: str, other: str) -> bool:
-    """Return whether a task comes before another one in that order; those of the library always do."""
+    """Return whether a task comes before another one in that order; tasks of the library always do."""
     found = db.ask(ranks)
     return found.get(one, -1) < found.get(other, len(found))
 

@@ -50,7 +50,7 @@ def signature(db: Database, name: str) -> Called | None:
 
 
 def joint_count(db: Database) -> int:
-    """Return how many coordinates `joints(…)` has where the cell does not say so: what the text has first."""
+    """Return the number of coordinates of the first `joints(…)` in the text, for cells without it."""
     world = db.ask(basics)
     if world.environment.axes or world.joint_count:
         return world.joint_count

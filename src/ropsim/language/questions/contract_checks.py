@@ -1,4 +1,4 @@
-"""Whether calls keep the gripper contracts of tasks: each task, and each part, is followed by itself."""
+"""Whether calls keep the gripper contracts of tasks: each task, and each part, is followed separately."""
 
 from collections.abc import Iterator
 
@@ -40,7 +40,7 @@ def find_passages(db: Database, group: questions.Group) -> None:
 
 
 def found_contracts(db: Database) -> tuple[Diagnostic, ...]:
-    """Return what is wrong where control comes."""
+    """Return the findings in reachable code."""
     return contract_findings(db.ask(control_passage), lambda name, state: db.ask(task_passage, name, state))
 
 
@@ -137,7 +137,7 @@ def _calls(db: Database) -> GripperCalls:
 
 
 def _joined(passages: list[GripperPassage]) -> GripperPassage:
-    """Return what passages tell together that follow each other, one at least; only their calls count."""
+    """Return the combined passage of one or more consecutive ones; only their calls count."""
     found: dict[tuple[str, int, int, str], Diagnostic] = {}
     for one in passages:
         found |= {place: wrong for place, wrong in one.found.items() if place not in found}

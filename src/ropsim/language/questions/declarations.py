@@ -1,4 +1,4 @@
-"""What the text declares outside of tasks, name by name."""
+"""Declarations of the text outside tasks, name by name."""
 
 from collections.abc import Iterator
 from dataclasses import replace
@@ -24,7 +24,7 @@ from ropsim.spatial import PoseTuple
 
 
 def declared(db: Database) -> Declared:
-    """Return what the text declares outside of tasks."""
+    """Return the declarations of the text outside tasks."""
     environment: Environment = db.read(ENVIRONMENT)
     report = Report(CONTROL)
     try:
@@ -36,7 +36,7 @@ def declared(db: Database) -> Declared:
 
 
 def _declaring_parts(db: Database) -> Iterator[Part]:
-    """Yield what may declare something, and all up to the first item of the text that does not."""
+    """Yield possible declarations, and all items up to the first one that is none."""
     is_above = True
     for group in db.ask(part_groups):
         if not is_above:
@@ -50,7 +50,7 @@ def _declaring_parts(db: Database) -> Iterator[Part]:
 
 
 def declaring_in(db: Database, group: Group) -> tuple[Part, ...]:
-    """Return what may declare something in a group of parts."""
+    """Return the possible declarations in a group of parts."""
     found = ((unit, db.ask(declaring, unit)) for unit in group)
     return tuple(Part(unit, items) for unit, items in found if items)
 
@@ -93,7 +93,7 @@ def _declared(db: Database) -> Declared:
 
 
 def basics(db: Database) -> World:
-    """Return what holds for the whole text, without any names."""
+    """Return the data of the whole text, without any names."""
     return replace(_declared(db).world, frames={}, tools={}, symbols={})
 
 
@@ -108,7 +108,7 @@ def tool(db: Database, name: str) -> PoseTuple | None:
 
 
 def declared_symbol(db: Database, name: str) -> Symbol | None:
-    """Return what a name is declared as; the type of a variable may be open."""
+    """Return the declared meaning of a name; the type of a variable may be open."""
     return _declared(db).world.symbols.get(name)
 
 
@@ -118,13 +118,13 @@ def names_in(db: Database, table: str) -> tuple[str, ...]:
 
 
 def untyped(db: Database) -> frozenset[str]:
-    """Return the variables declared without a type, which only use tells."""
+    """Return the variables declared without a type, whose types only use determines."""
     symbols = _declared(db).world.symbols.items()
     return frozenset(name for name, one in symbols if isinstance(one, Variable) and is_open(one.type))
 
 
 def symbol(db: Database, name: str) -> Symbol | None:
-    """Return what a name means everywhere; the types of variables are known."""
+    """Return the global meaning of a name; the types of variables are known."""
     found = db.ask(declared_symbol, name)
     if isinstance(found, Variable) and is_open(found.type):
         types = inferred(db)

@@ -1,7 +1,6 @@
-"""Names in groups: what is told of a group is put together once, so that an edit reaches one group of many.
+"""Names in groups: results of a group are combined once, so that an edit reaches one group of many.
 
-Where a group ends is told by the name there, so that a name more or less changes the group in which it stands
-and no other.
+Where a group ends depends on the name there, so that an added or removed name changes its group and no other.
 """
 
 from collections.abc import Iterable
@@ -38,7 +37,7 @@ def _number(name: str) -> int:
 
 
 def groups(db: Database) -> tuple[Group, ...]:
-    """Return the tasks of the text in groups, those called before those that call them."""
+    """Return the tasks of the text in groups, callees before callers."""
     return grouped(db.read(ORDER))
 
 

@@ -1,4 +1,4 @@
-"""How a task is called, as far as its header tells."""
+"""Signature of a task, as far as its header determines it."""
 
 from dataclasses import replace
 from functools import partial
@@ -19,10 +19,10 @@ from ropsim.query import Database
 
 @frozen_dataclass
 class Header:
-    """How a task is called, as far as its header tells.
+    """Signature of a task, as far as its header determines it.
 
     Attributes:
-        signature: with open types where only use tells them.
+        signature: with open types where only use determines them.
         found: findings.
         joint_count: how many coordinates `joints(…)` has in it.
     """
@@ -33,7 +33,7 @@ class Header:
 
 
 def header(db: Database, name: str) -> Header:
-    """Return how a task is called, as far as its own header tells."""
+    """Return the signature of a task, as far as its own header determines it."""
     text = db.ask(task, name)
     assert text is not None
     report = Report(of_task(name))
@@ -47,7 +47,7 @@ def header(db: Database, name: str) -> Header:
 
 
 def _header_before(db: Database, caller: str, name: str) -> Signature | None:
-    """Return how a task is called as its header tells; None for one that comes later, in a circle."""
+    """Return the signature of a task by its header; None for one that comes later, in a circle."""
     if not db.ask(is_own, name):
         return db.ask(library, name)
     return opened_formals(db.ask(header, name).signature) if db.ask(precedes, name, caller) else None

@@ -1,4 +1,4 @@
-"""Types where use in one body tells them to another one."""
+"""Types that use in one body determines in another one."""
 
 from collections.abc import Mapping
 from dataclasses import replace
@@ -24,10 +24,10 @@ from ropsim.query import Database
 
 
 def is_inferred(db: Database) -> bool:
-    """Return whether use in one body tells types in another one.
+    """Return whether use in one body determines types in another one.
 
     That is where a variable of the whole text has no type of its own, and in classic texts where a parameter
-    has none.
+    lacks a type.
     """
     world = _declared(db).world
     if db.ask(untyped):
@@ -37,7 +37,7 @@ def is_inferred(db: Database) -> bool:
 
 
 def inference(db: Database) -> Inferred | None:
-    """Return what a silent walk through all bodies tells of types; None where each body tells its own."""
+    """Return the types inferred by a pass through all bodies; None if each body determines its own."""
     if not db.ask(is_inferred):
         return None
     world = _declared(db).world
@@ -76,7 +76,7 @@ def types(db: Database, name: str) -> Walked:
 
 
 def words(db: Database, name: str) -> Mapping[str, str]:
-    """Return the types of the variables of a task in words; by the empty name of those that all tasks see."""
+    """Return the types of a task's variables in words; under the empty name, of global ones."""
     found = dict(db.ask(types, name).types)
     if not name:
         symbols = {one: db.ask(symbol, one) for one in db.ask(names_in, "symbols")}

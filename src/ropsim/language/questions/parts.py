@@ -1,4 +1,4 @@
-"""What is found in each part of the control statements."""
+"""Results of each part of the control statements."""
 
 from functools import partial
 
@@ -24,11 +24,11 @@ from ropsim.spatial import PoseTuple
 
 @frozen_dataclass
 class Before:
-    """What stands before a part.
+    """Context before a part.
 
     Attributes:
-        names: what is known of the names that `mentions` tells of the part, None for nothing.
-        states: what is known of open types among them, by the names of variables.
+        names: meanings of the names in `mentions` of the part, None for none.
+        states: evidence for open types among them, by the names of variables.
         X_KC: frame of literals, in the work frame; the identity where that frame moves.
         moving: name of the frame of literals where it moves, empty where it stands still.
         joint_count: how many coordinates `joints(…)` has, 0 as long as there is none.
@@ -55,7 +55,7 @@ def mentions(db: Database, unit: str) -> tuple[str, ...]:
 
 
 def part_alone(db: Database, unit: str) -> PartAlone | None:
-    """Return a part that tells all its types where it makes its variables; None for any other."""
+    """Return a part whose variables have their types at their first assignment; None for any other."""
     before: Before = db.read((BEFORE_WALK, unit))
     if before.states:
         return None
@@ -63,7 +63,7 @@ def part_alone(db: Database, unit: str) -> PartAlone | None:
 
 
 def walked_part(db: Database, unit: str) -> WalkedPart:
-    """Return what a part tells of types."""
+    """Return the inference result of a part."""
     alone = db.ask(part_alone, unit)
     if alone is not None:
         return alone.walked
@@ -83,7 +83,7 @@ def checked_part(db: Database, unit: str, around: tuple[str, ...] | None) -> Che
     Args:
         db: holds the text.
         unit: of the part.
-        around: names of all variables before it; None where nobody has asked for them.
+        around: names of all variables before it; None if they were not requested.
     """
     before: Before = db.read((BEFORE_CHECK, unit))
     if around is None and inferred(db) is None and _is_as_walked(db, unit, before):
@@ -97,7 +97,7 @@ def checked_part(db: Database, unit: str, around: tuple[str, ...] | None) -> Che
 
 
 def _is_as_walked(db: Database, unit: str, before: Before) -> bool:
-    """Return whether a part sees before it what it saw on the walk that finds types."""
+    """Return whether a part sees before it the same context as in the inference pass."""
     if not before.joint_count and db.read(JOINT_COUNT) != db.ask(basics).joint_count:
         return False
     on_walk: Before = db.read((BEFORE_WALK, unit))
@@ -105,7 +105,7 @@ def _is_as_walked(db: Database, unit: str, before: Before) -> bool:
 
 
 def walked_in(db: Database, group: Group) -> int:
-    """Look at a group of parts silently; return how many there are."""
+    """Infer the types of a group of parts; return their number."""
     return len([db.ask(walked_part, unit) for unit in group])
 
 

@@ -1,4 +1,4 @@
-"""What the silent walk through a body tells of types."""
+"""Inference result of a body."""
 
 from collections.abc import Mapping
 
@@ -12,14 +12,14 @@ from ropsim.query import Database
 
 @frozen_dataclass
 class Walked:
-    """What the silent walk through a body tells.
+    """Inference result of a body.
 
     Attributes:
         formals: types of its parameters.
         types: of all its variables.
         joint_count: how many coordinates `joints(…)` has in it.
         lacks_result: whether it returns a value for which its header has no type.
-        untold: parameters whose types neither header nor body tell.
+        untold: parameters whose types neither header nor body determine.
     """
 
     formals: tuple[Type, ...]
@@ -31,20 +31,20 @@ class Walked:
 
 @frozen_dataclass
 class Inferred:
-    """What a walk through all bodies tells, where use in one tells types in another."""
+    """Inference result of all bodies, if use in one determines types in another."""
 
     bodies: Mapping[str, Walked]
     variables: Mapping[str, Type]
 
 
 def inferred(db: Database) -> Inferred | None:
-    """Return what a walk through all bodies has told; None where each tells its own."""
+    """Return the inference result of all bodies; None if each determines its own types."""
     found: Inferred | None = db.read(INFERRED)
     return found
 
 
 def told(body: Body, called: Signature | None) -> Walked:
-    """Return what a walked body tells, and the signature with which it was walked."""
+    """Return the inference result of a body, and its signature in that pass."""
     formals: tuple[Formal, ...] = called.formals if called is not None else ()
     types = tuple(settled(one.type) for one in formals)
     untold = tuple(one.name for one in formals if is_untold(one.type))

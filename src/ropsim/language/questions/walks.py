@@ -1,4 +1,4 @@
-"""What a body tells of its types when it is looked at alone."""
+"""Inference results of bodies alone."""
 
 from dataclasses import replace
 from functools import partial
@@ -15,7 +15,7 @@ from ropsim.query import Database
 
 
 def walked(db: Database, name: str) -> Walked:
-    """Return what a task tells of its types when it is looked at alone."""
+    """Return the inference result of a task alone."""
     text = db.ask(task, name)
     assert text is not None
     signature = opened_formals(db.ask(header, name).signature)
@@ -24,20 +24,20 @@ def walked(db: Database, name: str) -> Walked:
 
 
 def walked_control(db: Database) -> Walked:
-    """Return what the control statements tell of their own types."""
+    """Return the types of the variables of the control statements."""
     found: Walked = db.read(WALKED_CONTROL)
     return found
 
 
 def _signature_before(db: Database, caller: str, name: str) -> Signature | None:
-    """Return how a task is called; of one that comes later, in a circle, what its header tells."""
+    """Return the signature of a task; of a later one, in a circle, the part in its header."""
     if db.ask(is_own, name) and not db.ask(precedes, name, caller):
         return opened_formals(db.ask(header, name).signature)
     return own_signature(db, name)
 
 
 def own_signature(db: Database, name: str) -> Signature | None:
-    """Return how a task is called by what it tells alone."""
+    """Return the signature of a task, inferred from it alone."""
     if not db.ask(is_own, name):
         return db.ask(library, name)
     found = with_types(db.ask(header, name).signature, db.ask(formals_of, name))
@@ -49,10 +49,10 @@ def own_signature(db: Database, name: str) -> Signature | None:
 
 
 def formals_of(db: Database, name: str) -> tuple[Type, ...]:
-    """Return the types of the parameters of a task as it tells them alone."""
+    """Return the types of the parameters of a task inferred from it alone."""
     return db.ask(walked, name).formals
 
 
 def untold_of(db: Database, name: str) -> tuple[str, ...]:
-    """Return the parameters of a task whose types it does not tell."""
+    """Return the parameters of a task whose types it does not determine."""
     return db.ask(walked, name).untold

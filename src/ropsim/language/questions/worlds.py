@@ -1,4 +1,4 @@
-"""What a body sees while types are not known."""
+"""Context of a body while types are unknown."""
 
 from collections.abc import Callable, Container, Mapping
 from dataclasses import replace
@@ -12,7 +12,7 @@ from ropsim.language.questions.declarations import basics, declared_symbol, fram
 from ropsim.query import Database
 
 NOTHING_TOLD: Mapping[str, TaskOrigins] = {}
-"""What tasks tell of plain numbers while types are not known."""
+"""Origins of plain numbers in tasks while types are unknown."""
 
 
 def world_of(db: Database, called: Callable[[str], Signature | None]) -> World:
@@ -21,9 +21,9 @@ def world_of(db: Database, called: Callable[[str], Signature | None]) -> World:
 
 
 def world_alone(db: Database) -> World:
-    """Return the world as a part sees it of whose types no other body tells any.
+    """Return the world for a part whose types no other body determines.
 
-    It raises `ToldElsewhereError` where the part looks at a task, or at a variable of open type.
+    It raises `ToldElsewhereError` if the part reads a task, or at a variable of open type.
     """
 
     def called(name: str) -> Signature | None:
@@ -42,7 +42,7 @@ def world_alone(db: Database) -> World:
 
 
 def open_symbols(db: Database) -> Table[Symbol]:
-    """Return what names mean everywhere, variables of open type with cells of their own."""
+    """Return the global meanings of names, variables of open type with cells of their own."""
 
     def symbol_of(name: str) -> Symbol | None:
         found = db.ask(declared_symbol, name)
@@ -59,7 +59,7 @@ def world_with(
     joint_count: int,
     origins: Mapping[str, TaskOrigins] = NOTHING_TOLD,
 ) -> World:
-    """Return the world as a body sees it that is told these things."""
+    """Return the world for a body with these inputs."""
     text = db.ask(basics)
     return World(  # thousands of times in a text: field by field, as `replace` takes three times as long
         text.environment,

@@ -1,1 +1,1 @@
-"""Text to syntax: tokens, logical lines, expressions and statements; nothing here knows what a name means."""
+"""Text to syntax: tokens, logical lines, expressions and statements; independent of the meanings of names."""

@@ -24,7 +24,7 @@ class Cursor:
         token: the token that comes next; its kind is `end` after the last one.
         word: its lower-case word or sign, empty for numbers, texts and the end.
         index: its place.
-        mended: the first fault behind which the line was read on, as it was meant.
+        mended: the first fault after which reading continued with the intended words.
     """
 
     __slots__ = (
@@ -100,7 +100,7 @@ class Cursor:
         self.mend(self.unexpected("`=`", "write `=`", "= ("))
 
     def name(self, what: str) -> Name:
-        """Return the name that must come next; `what` says of what, as in "a task name"."""
+        """Return the name that must come next; `what` is its description, such as "a task name"."""
         token = self.token
         if token.kind != "word":
             self.fail(what)
@@ -172,7 +172,7 @@ class Cursor:
         raise LineFaultError(Fault(kind, start, end, message, hint, fix))
 
     def mend(self, fault: Fault) -> None:
-        """Note a fault and read on: what was meant is known."""
+        """Note a fault and continue: the intended words are known."""
         if self.mended is None:
             self.mended = fault
 
@@ -194,6 +194,6 @@ class Cursor:
 
     @property
     def below(self) -> str:
-        """Return what begins a line below this one, as far to the right."""
+        """Return the first word of the line below, if it has the same indentation."""
         line = self.line
         return "\n" + line[: len(line) - len(line.lstrip())]

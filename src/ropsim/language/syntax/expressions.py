@@ -97,7 +97,7 @@ def _negation(cursor: Cursor) -> Node:
 
 
 def _compared(cursor: Cursor, left: Node) -> Node:
-    """Read what compares a value, if anything does."""
+    """Read a comparison, if there is one."""
     word = cursor.word
     if word in _COMPARISONS:
         return _binary(cursor, left, _COMPARISONS[word], total)

@@ -1,4 +1,4 @@
-"""What is wrong with one line, before it is known where the line stands."""
+"""Fault of one line, before the place of the line is known."""
 
 from ropsim.core import Kind, frozen_dataclass
 
@@ -12,9 +12,9 @@ class Fault:
         start: first offset of the marked text.
         end: offset after it.
         message: as in the diagnostic.
-        hint: what to do next.
-        fix: what would replace the marked text, empty where nobody knows.
-        before: how many characters before the marked text the fix replaces, too.
+        hint: the next action.
+        fix: replacement of the marked text, empty if unknown.
+        before: number of characters before the marked text that the fix also replaces.
     """
 
     kind: Kind

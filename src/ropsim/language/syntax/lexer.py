@@ -15,7 +15,7 @@ UNITS = (
 
 LARGEST = 1e12
 MOST_LETTERS = 200
-"""Characters of a name, which has at most 255 bytes in neutral code with what the compiler adds to it."""
+"""Characters of a name, which has at most 255 bytes in neutral code with the compiler's suffix."""
 
 _TOKENS = re.compile(
     r"""
@@ -98,7 +98,7 @@ def number_parts(text: str) -> tuple[str, str]:
 
 @lru_cache(maxsize=65_536)
 def number_value(text: str) -> tuple[float, bool, str]:
-    """Return the value of a number token, whether only digits tell it, and its unit."""
+    """Return the value of a number token, whether it has only digits, and its unit."""
     digits, unit = number_parts(text)
     return float(digits), digits.isdigit(), unit
 

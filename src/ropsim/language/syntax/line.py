@@ -1,4 +1,4 @@
-"""One logical line to one statement, or to what is wrong with it; it never raises."""
+"""One logical line to one statement, or to its fault; it never raises."""
 
 import re
 from collections.abc import Sequence
@@ -18,7 +18,7 @@ MAX_LENGTH = 2000
 ORDINAL = re.compile(r"\s*\d+\.\s+(?=task\b)", re.IGNORECASE)
 """The number before a task in listing style."""
 _SPECIAL = re.compile(r"\s*(needs|assumes)\b|" + ORDINAL.pattern, re.IGNORECASE)
-"""What a line begins with that is a contract, or a task in listing style."""
+"""First words of a line that is a contract, or a task in listing style."""
 _HEAD = re.compile(
     r"\s*(?:\d+\.\s+)?([A-Za-z_]\w*)\s*(?:each\s+)?\"?([A-Za-z_]\w*)?", re.ASCII | re.IGNORECASE
 )
@@ -32,7 +32,7 @@ _COMMENT = re.compile(r"#|//")
 
 
 def parse_line(line: str) -> tuple[Statement | None, Fault | None]:
-    """Return the statement of a logical line (None for an empty one) and what is wrong with it.
+    """Return the statement of a logical line (None for an empty one) and its fault.
 
     The result depends on the characters of the line only; the function never raises.
     """
@@ -54,7 +54,7 @@ def parse_line(line: str) -> tuple[Statement | None, Fault | None]:
 
 
 def _read(line: str, start: int) -> tuple[Statement | None, Fault | None]:
-    """Return the statement of a line that begins at an offset, and what was mended in it."""
+    """Return the statement of a line that begins at an offset, and the mended fault."""
     found = tokens(" " * start + line[start:] if start else line)
     if found and found[-1].word == ".":
         found.pop()

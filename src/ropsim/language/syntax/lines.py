@@ -8,7 +8,7 @@ from ropsim.language.syntax.words import HEADS
 
 MAX_JOINED = 20
 
-# Nothing is read twice: an unclosed text goes to the end of its line, and no repetition gives back.
+# Nothing is read twice: an unclosed text goes to the end of its line, and no repetition backtracks.
 _BRACKETS = re.compile(r'"(?:[^"\\]++|\\.)*+(?:"|\\?$)|\#.*|//.*|[()\[\]]')
 _HEAD = re.compile(r"\s*(?:\d+\.\s+)?([A-Za-z_]\w*)(.?)")
 _END = re.compile(r"\s*+end\s*+\.?\s*+(?:#|//|$)", re.IGNORECASE)
@@ -20,8 +20,8 @@ class LogicalLine:
 
     Attributes:
         number: from 1.
-        text: physical lines joined by a line feed, a final backslash replaced by a blank, so that
-            offsets in `text` still tell line and column.
+        text: physical lines joined by a line feed, a final backslash replaced by a blank, so that offsets in
+            `text` still determine line and column.
     """
 
     number: int

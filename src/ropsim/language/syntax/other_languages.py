@@ -1,4 +1,4 @@
-"""Words and signs of other languages, and what they are called here."""
+"""Words and signs of other languages, and their equivalents here."""
 
 import re
 from collections.abc import Mapping
@@ -37,10 +37,10 @@ ENDS: Mapping[str, str] = {
     "endrepeat": "endr",
     **dict.fromkeys(("endloop", "endblock"), "end"),
 }
-"""What ends blocks elsewhere, alone on its line, and what does here."""
+"""Words that end blocks elsewhere, alone on a line, and their equivalents here."""
 
 END_OF_PROGRAM = "a program ends with its last line: leave this one out"
-"""What to do with the end of a program or module."""
+"""Hint for the end of a program or module."""
 
 HINTS: Mapping[str, str] = {
     "movel": _LIN,
@@ -113,22 +113,22 @@ HINTS: Mapping[str, str] = {
     "let": _DECLARED,
     "dim": _DECLARED,
 }
-"""What to write here, by the first word of a line, in lower case (RAPID, KRL, URScript, VAL, and others)."""
+"""Hint by the first word of a line, in lower case (RAPID, KRL, URScript, VAL, and others)."""
 
 WAIT_FOR = _WAIT_UNTIL
-"""What to write for `WAIT FOR`."""
+"""Hint for `WAIT FOR`."""
 WAIT_WORDS = frozenset(("for", "sec", "secs", "second", "seconds", "time"))
-"""What stands elsewhere between `wait` and a time."""
+"""Words of other languages between `wait` and a time."""
 WAIT_LEVEL: Mapping[str, str] = {
     "on": _WAIT_UNTIL,
     "off": "inputs are read by name: write `wait until not NAME`",
 }
-"""What to write for a level behind the name of a signal."""
+"""Hint for a level behind the name of a signal."""
 
 WAIT_CONDITION = "a wait for a condition is written `wait until CONDITION`"
-"""What to write where a condition stands behind `wait`."""
+"""Hint for a condition behind `wait`."""
 ELSE_IF = "write it as one word: `elseif CONDITION`"
-"""What to write for `else if`."""
+"""Hint for `else if`."""
 COMPARISONS: Mapping[str, str] = {
     **dict.fromkeys(("eq", "equal", "equals"), "="),
     **dict.fromkeys(("ne", "neq"), "<>"),
@@ -139,26 +139,26 @@ COMPARISONS: Mapping[str, str] = {
 }
 """Comparisons that are words, and their signs here."""
 STEP = "write `{0} = {0} + 1`: an assignment names the variable on both sides"
-"""What to write for `x++` and `x += 1`."""
+"""Hint for `x++` and `x += 1`."""
 FOR = "write `for i = FIRST to LAST`, or `for each b in PATTERN`"
-"""What to write for other headers of `for`."""
+"""Hint for other headers of `for`."""
 COMMENT = "a comment begins with `#`"
-"""What to write for the signs with which comments begin elsewhere."""
+"""Hints for signs of comments of other languages."""
 COMMENT_OR_NOT = f"{COMMENT}; in a condition write `not`"
-"""What to write for `!` with a blank behind it."""
+"""Hint for `!` with a blank behind it."""
 COMMENT_SIGNS: Mapping[str, str] = {";": "", "%": "", "*": "", "-": "-", "/": "*"}
-"""Signs with which a comment begins elsewhere, by what must stand behind them; empty for anything."""
+"""Signs with which a comment begins elsewhere, by the required next characters; empty for anything."""
 ARGUMENTS = "a comma stands between arguments: `Name a, b`"
-"""What to write for an argument right behind another one."""
+"""Hint for an argument right behind another one."""
 MEMBERS = "a comma stands between values: `(a, b)`"
-"""What to write for a value right behind another one in parentheses."""
+"""Hint for a value right behind another one in parentheses."""
 SET = _SET
-"""What to write for `set NAME to …`."""
+"""Hint for `set NAME to …`."""
 LEVELS: Mapping[str, str] = {
     **dict.fromkeys(("high", "true"), "on"),
     **dict.fromkeys(("low", "false"), "off"),
 }
-"""Levels of digital outputs, and what they are called here."""
+"""Levels of digital outputs, and their equivalents here."""
 LEFT_OVER: Mapping[str, str] = {
     ";": "each statement stands on a line of its own, without `;`",
     ":": "leave the `:` out",
@@ -166,12 +166,12 @@ LEFT_OVER: Mapping[str, str] = {
     "=": "what follows a word such as `speed` stands without `=`",
     "!": "write `not`",
 }
-"""What to do with a sign behind the end of a statement."""
+"""Hint for a sign behind the end of a statement."""
 NO_VALUE: Mapping[str, str] = {
     "=": "what follows a word such as `speed` stands without `=`",
     "*": "there is no power: write `x * x`",
 }
-"""What to do with a sign where a value is expected."""
+"""Hint for a sign in place of a value."""
 UNITS: Mapping[str, str] = {
     **dict.fromkeys(("sec", "secs", "second", "seconds"), "s"),
     **dict.fromkeys(("msec", "millisecond", "milliseconds"), "ms"),
@@ -187,16 +187,16 @@ UNITS: Mapping[str, str] = {
 """Units written out, and how they are written here."""
 
 DECIMAL = "decimals are written with a point: `{0}.{1}`"
-"""What to write for `0,5`."""
+"""Hint for `0,5`."""
 
 _TIGHT_COUNTS = re.compile(r"(?:x[0-9]+)+")
 
 
 def grid_hint(first: str, rest: str) -> str:
-    """Return what to write for the counts of a grid that stand together; empty where they do not.
+    """Return the correct form for the counts of a grid that stand together; empty where they do not.
 
     Args:
-        first: what stands before the first `x`, such as `2`.
+        first: text before the first `x`, such as `2`.
         rest: the word behind it, such as `x4x3`.
     """
     return f"write blanks: `{first}{rest.replace('x', ' x ')}`" if _TIGHT_COUNTS.fullmatch(rest) else ""

@@ -11,7 +11,7 @@ _WORDS: Mapping[str, str] = {
     **dict.fromkeys(("accel", "acceleration"), "acc"),
     **dict.fromkeys(("zone", "radius", "approx", "corner"), "blend"),
 }
-"""Settings, and what they are called here."""
+"""Settings, and their equivalents here."""
 _EXAMPLES: Mapping[str, str] = {
     "speed": "write `speed 500 mm/s`",
     "acc": "write `acc 2 m/s2`",
@@ -20,9 +20,9 @@ _EXAMPLES: Mapping[str, str] = {
 _SHARES: Mapping[str, str] = {"speed": "write `speed 50 %`", "acc": "write `acc 50 %`"}
 """The same behind the target of `mov`."""
 _LETTERS: Mapping[str, tuple[str, str]] = {"v": ("speed", "m/s"), "a": ("acc", "m/s2"), "r": ("blend", "m")}
-"""Settings that are a letter and `=`, with their units where they have none."""
+"""Settings that are a letter and `=`, with their units if the number has none."""
 _MOST = {"v": 10.0, "a": 100.0, "r": 1.0}
-"""Values from which on nobody means these units."""
+"""Values from which on these units are implausible."""
 _ZONES = frozenset(("c_dis", "c_ptp", "c_vel", "c_ori", "c_spl", "a_dis", "a_vel", "a_ori"))
 _TERMINATION = re.compile(r"cnt([0-9]*)")
 _DATA = re.compile(r"([vz])([0-9]+)")
@@ -32,11 +32,11 @@ _OF_JOINTS = ("mov", "movj")
 
 @frozen_dataclass
 class Meant:
-    """What some words of another language are here.
+    """Equivalent of some words of another language.
 
     Attributes:
-        hint: what to write.
-        fix: what stands in their place, empty where they do not tell it.
+        hint: the correct form.
+        fix: replacement, empty if uncertain.
         count: how many tokens they are.
     """
 
@@ -46,7 +46,7 @@ class Meant:
 
 
 def meant(line: Sequence[Token], at: int) -> Meant | None:
-    """Return what the tokens of a motion mean from a place on; None where nobody knows."""
+    """Return the meaning of the tokens of a motion from a place on; None if unknown."""
     token, behind, head = line[at], line[at + 1 : at + 3], line[0].word
     if fix := data(token.text):
         return _of_data(head, fix, 1)
@@ -69,7 +69,7 @@ def meant(line: Sequence[Token], at: int) -> Meant | None:
 
 
 def data(name: str) -> str:
-    """Return what speed and zone data such as `v500` and `z10` are here; empty for other names."""
+    """Return the equivalent of speed and zone data such as `v500` and `z10`; empty for other names."""
     found = _DATA.fullmatch(name.lower())
     return _OF_DATA[found[1]].format(found[2]) if found else ""
 
@@ -80,12 +80,12 @@ def shared(head: str, word: str) -> str:
 
 
 def of_letter(head: str, letter: str, number: str) -> str:
-    """Return what `v=0.25` and its like are here; empty where that is not certain, as for speeds of joints.
+    """Return the equivalent of settings such as `v=0.25`; empty if uncertain, as for speeds of joints.
 
     Args:
-        head: first word of the motion as it is written here.
-        letter: what stands before `=`.
-        number: what stands behind it, with or without a unit.
+        head: first word of the motion in this language.
+        letter: text before `=`.
+        number: text behind it, with or without a unit.
     """
     word, unit = _LETTERS.get(letter, ("", ""))
     digits, own = number_parts(number)
@@ -95,12 +95,12 @@ def of_letter(head: str, letter: str, number: str) -> str:
 
 
 def called(word: str) -> str:
-    """Return what a setting of another language is called here, empty for other words."""
+    """Return the name here of a setting of another language, empty for other words."""
     return _WORDS.get(word, "")
 
 
 def _of_data(head: str, fix: str, count: int) -> Meant:
-    """Return what speed and zone data are; a speed of the tool says nothing of the joints of `mov`."""
+    """Return the equivalent of speed and zone data; a tool speed does not apply to the joints of `mov`."""
     share = shared(head, fix.split(maxsplit=1)[0])
     return Meant(share, "", count) if share else _exact(fix, count)
 

@@ -1,4 +1,4 @@
-"""Where a name stands in a text, for findings of later phases, which know its line only."""
+"""Place of a name in a text, for findings of later phases, which have only its line."""
 
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
@@ -10,7 +10,7 @@ from ropsim.language.syntax.lines import MAX_JOINED, LogicalLine, logical_lines
 
 
 def at_names(findings: Iterable[Diagnostic], source: SourceText) -> Iterator[Diagnostic]:
-    """Yield findings of lines that tell a name at that name or at what hands it on, others as they are."""
+    """Yield findings of lines with a name at that name or at the call that passes it, others unchanged."""
     for one in findings:
         name = one.data.get("name")
         if one.span is not None and one.span.is_whole_line and isinstance(name, str):

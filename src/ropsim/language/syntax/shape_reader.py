@@ -1,4 +1,4 @@
-"""Writes down what reads the lines of a shape, from one of them and its statement.
+"""Generates the reader for lines of a shape, from one line and its statement.
 
 Numbers and names that stand in open places are taken from the line that is read; all other offsets lie as far
 from the open place before them as in the line that is known.
@@ -24,20 +24,20 @@ _BEHIND_DIGITS = ":"
 """Stands behind all digits and before all letters."""
 
 Reader = Callable[[Sequence[str]], Statement | None]
-"""Gives the statement of a line in parts; None where it has a name for a number, or too large a number."""
+"""Returns the statement of a line in parts; None for a name in place of a number, or too large a number."""
 
 
 def parts_of(line: str) -> list[str]:
-    """Return what stands before the first open place of a line, in it, behind it, and so on.
+    """Return the texts of a line before the first open place, in it, behind it, and so on.
 
     Open places are numbers, without their units, and words with digits, none of which has a meaning of its
-    own. A line with a text is in no parts at all, as nobody looks what in it is text.
+    own. A line with a text has no parts, since texts are not searched.
     """
     return [] if '"' in line else _CUT(line)
 
 
 def reader_of(parts: Sequence[str], statement: Statement) -> Reader | None:
-    """Return what reads lines of the shape of one; None where more depends on the open places than is known.
+    """Return a reader for lines of the shape of one; None if dependence on the open places is uncertain.
 
     Args:
         parts: of that line.
@@ -56,7 +56,7 @@ def reader_of(parts: Sequence[str], statement: Statement) -> Reader | None:
 
 
 class _UnclearError(Exception):
-    """A part of a statement may depend on open places in a way that nobody knows."""
+    """A part of a statement may depend on open places in an unknown way."""
 
 
 class _Writing:
@@ -64,9 +64,9 @@ class _Writing:
 
     Attributes:
         known: makers of records, by the names of their classes.
-        said: what stands in the open places.
+        said: texts of the open places.
         ends: offsets behind them.
-        used: those that numbers and names were read from.
+        used: open places from which numbers and names were read.
     """
 
     def __init__(self, parts: Sequence[str]) -> None:
@@ -83,7 +83,7 @@ class _Writing:
             self.ends.append(end)
 
     def head(self) -> list[str]:
-        """Return the lines that take what stands in the open places: text, length and end of each."""
+        """Return the lines that extract the open places: text, length and end of each."""
         lines = ["def read(parts):"]
         for k, (before, said) in enumerate(zip(self._before, self.said, strict=True)):
             lines += [f" s{k} = parts[{2 * k + 1}]", f" n{k} = len(s{k})"]
@@ -98,7 +98,7 @@ class _Writing:
         """Return the expression that makes a value.
 
         Raises:
-            _UnclearError: nobody knows whether it depends on the open places.
+            _UnclearError: dependence on the open places is unknown.
         """
         if value is None or isinstance(value, bool):
             return repr(value)

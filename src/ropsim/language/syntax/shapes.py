@@ -1,7 +1,7 @@
-"""Lines read by their shape: what is left of a line without its numbers and its names with digits.
+"""Lines read by their shape: the text of a line without its numbers and its names with digits.
 
 Lines of one shape become statements that differ in those numbers and names, and in offsets. When many lines
-of a shape have been parsed, what reads any other one is written down; it takes a third of the time of that.
+of a shape have been parsed, a reader for further ones is generated; it takes a third of the time of parsing.
 """
 
 from collections.abc import Sequence
@@ -12,7 +12,7 @@ from ropsim.language.syntax.shape_reader import Reader, parts_of, reader_of
 from ropsim.language.syntax.statements import Statement
 
 MANY = 50
-"""Lines of a shape: to parse so many takes as long as to write down what reads further ones."""
+"""Number of lines of a shape whose parsing takes as long as generating a reader."""
 MOST_KEPT = 4_000
 """Shapes that are known, and shapes of which lines are counted."""
 
@@ -30,7 +30,7 @@ class Shapes:
         self._readers: dict[Shape, Reader] = {}
 
     def parsed(self, line: str) -> tuple[Statement | None, Fault | None]:
-        """Return what `parse_line` returns for a line."""
+        """Return the result of `parse_line` for a line."""
         parts = parts_of(line)
         shape = tuple(parts[::2])
         reader = self._readers.get(shape)

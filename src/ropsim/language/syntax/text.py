@@ -22,7 +22,7 @@ class Line:
     Attributes:
         logical: text and line number.
         statement: None for an empty line or prose.
-        fault: what is wrong with it.
+        fault: its fault.
     """
 
     logical: LogicalLine
@@ -64,7 +64,7 @@ _EMPTY = Line(LogicalLine(1, ""), None)
 
 
 class Parser(Protocol):
-    """Parses lines, or remembers what they were parsed to."""
+    """Parses lines, or returns remembered results."""
 
     def parsed(self, text: str) -> Parsed:
         """Return statement and fault of a logical line."""
@@ -72,7 +72,7 @@ class Parser(Protocol):
 
 
 def read(source: SourceText, cache: Parser) -> Iterator[Line]:
-    """Yield the lines of a text; `cache` may keep what they were parsed to."""
+    """Yield the lines of a text; `cache` may keep parsed lines."""
     return read_lines(source.lines, cache)
 
 

@@ -1,4 +1,4 @@
-"""The words of the language: statement heads, reserved words and what this version leaves out."""
+"""The words of the language: statement heads, reserved words and words that this version excludes."""
 
 HEADS = frozenset(
     [

@@ -1,4 +1,4 @@
-"""A robot in what AP242 says of one: the same mechanism, its flange a link of its own, and no more."""
+"""A robot reduced to the content of AP242: the same mechanism, its flange as a separate link."""
 
 from dataclasses import replace
 from math import inf
@@ -20,7 +20,7 @@ def plain_form(robot: RobotModel) -> RobotModel:
 
     Coordinates count from the zeros of their pairs, which are turned or shifted by the offsets. The
     mechanical interface is a link that is fixed to the one that carries it. Joints that follow others are
-    axes behind those of the robot: nothing in such a file couples them. What is in this form stays as it is.
+    axes behind the axes of the robot: the file does not couple them. A robot in this form stays unchanged.
 
     Args:
         robot: any.
@@ -74,10 +74,10 @@ def _moved(joint: Joint) -> Pose:
 
 
 def _bits(pose: Pose, type_: JointType) -> Pose:
-    """Return a pose, but for rounding, that leads to itself when it goes through files again and again.
+    """Return an equal pose, up to rounding, that is a fixed point of repeated reading and writing.
 
-    What comes out of two directions differs in its last bits, and so on, until the same poses come back in a
-    circle, most often of one. The least of them is the one that all of them lead to here.
+    A pose computed from two directions differs in its last bits, and changes again in each round, until the
+    poses repeat in a circle, most often of length one. The result is the least pose of this circle.
     """
     met: dict[tuple[float, ...], Pose] = {}
     for _ in range(_MOST_STEPS):
@@ -110,7 +110,7 @@ def _followers(robot: RobotModel) -> tuple[int, ...]:
 
 
 def _ranged(robot: RobotModel, number: int, joint: Joint) -> Joint:
-    """Return a joint that follows axes with the limits that they set to it, where it has none of its own."""
+    """Return a joint that follows axes with the limits implied by the axes, if it has no own limits."""
     T, c = _row(robot, number)
     ends = [np.where(T == 0.0, 0.0, T * one) for one in (robot.lower_limits, robot.upper_limits)]
     least, most = (float(make(*ends).sum()) + c for make in (np.minimum, np.maximum))

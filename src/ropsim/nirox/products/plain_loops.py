@@ -1,8 +1,8 @@
 """Closed chains of files of AP242: where each is cut, and which of its joints is an axis.
 
 AP242 says that joints form a loop and not which of them follow. Each loop is cut at its first joint; of its
-other joints of one freedom the first is an axis, unless an earlier loop has one there: linkages of machines,
-four-bars, slider-cranks, parallelograms, have one freedom in each loop.
+other joints of one freedom the first is an axis, unless an earlier loop contains it: linkages of machines,
+four-bars, slider-cranks, parallelograms, have a single freedom in each loop.
 """
 
 from collections.abc import Mapping, Sequence
@@ -13,7 +13,7 @@ from ropsim.part21 import Record, Reference
 
 @frozen_dataclass
 class Loops:
-    """What the loops of a file make of its pairs.
+    """Roles of the pairs of a file in its loops.
 
     Attributes:
         cuts: loop and pair of each cut, by their numbers.
@@ -30,7 +30,7 @@ def loops_of(known: Mapping[int, Record], pairs: Sequence[int], single: Sequence
     Args:
         known: records of the file by their numbers.
         pairs: of the mechanism.
-        single: those of them with one freedom.
+        single: pairs with one freedom.
     """
     pair_of = {joint: pair for pair in pairs for joint in _references(known.get(pair), 5)}
     cuts: list[tuple[int, int]] = []

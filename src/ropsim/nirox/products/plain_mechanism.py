@@ -15,11 +15,11 @@ _GRAVITY: tuple[Value, ...] = (0.0, 0.0, -9.81)
 
 
 def with_arm(file: ExchangeFile) -> ExchangeFile | None:
-    """Return a file with an arm of its first mechanism; nothing where it has none.
+    """Return a file with an arm of its first mechanism; None if it has no mechanism.
 
     The base is the link that the file calls so, else the one to which no joint leads; axes are all pairs of
-    one freedom but those that follow in closed chains (`plain_loops`), in the order of the file; the rest
-    position is the first state of the mechanism.
+    one freedom except followers in closed chains (`plain_loops`), in the order of the file; the rest position
+    is the first state of the mechanism.
 
     Args:
         file: without an arm.

@@ -20,8 +20,8 @@ _OWN = ("LOOP_CUT", "PLACEMENT_ORIENTATION")
 def write_mechanism(robot: RobotModel) -> WrittenRobot:
     """Return the mechanism of a robot as a file of AP242 in its one canonical form.
 
-    What it says is `plain_form` of the robot. Read again it has the same axes in the same order and the same
-    rest position; written once more it is the same text. What does not go over is not told here.
+    Its content is `plain_form` of the robot. Read again it has the same axes in the same order and the same
+    rest position; written once more it is the same text. Losses are not reported here.
 
     Args:
         robot: to be written.

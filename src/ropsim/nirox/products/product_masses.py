@@ -1,8 +1,8 @@
-"""Masses that AP242 gives to products: those of the links that stand for them.
+"""Masses of products in AP242: masses of the links that the products represent.
 
 A link is represented by the shape of a product, and properties of that product by a measure of mass, a point
 called the centre of mass, and a matrix (`moments_of_inertia_representation` of ISO 10303-214 and -242). The
-matrix is taken as the tensor about the centre of mass along the axes of the product, and these as those of
+matrix is taken as the tensor about the centre of mass along the axes of the product, and these as the axes of
 the link.
 """
 
@@ -20,13 +20,13 @@ _CENTRES = ("centre of mass", "center of mass", "centre of gravity", "center of 
 _PARTS = (("its centre", "centre"), ("moments of inertia", "matrix"))
 _ROWS, _NAMED = 3, 6
 _MOST_PROPERTIES, _MOST_ITEMS = 50, 20
-"""Representations of a product, and items of each, that are looked at."""
+"""Representations of a product, and items of each, that are read."""
 _HINT = "`ropsim robot import FILE.stp --to ARM.stp` makes a file in which masses can be written"
 
 
 @frozen_dataclass
 class Weight:
-    """What properties of a product say of its mass.
+    """Mass properties of a product.
 
     Attributes:
         mass: [kg].
@@ -42,7 +42,7 @@ class Weight:
 
 
 def with_masses(file: ExchangeFile) -> tuple[ExchangeFile, tuple[Diagnostic, ...]]:
-    """Return a file with the masses of its links as NIROX has them, and what is not given of them.
+    """Return a file with the masses of its links as NIROX has them, and findings on missing data.
 
     Args:
         file: with a mechanism.
@@ -125,7 +125,7 @@ def _properties(known: Known) -> dict[int, list[int]]:
 
 
 def _weight(known: Known, representations: list[int]) -> Weight | None:
-    """Return what the properties of a product say of its mass; nothing where they say none."""
+    """Return the mass properties of a product; None without a mass."""
     weight: Weight | None = None
     centre: tuple[float, ...] = ()
     matrix: tuple[float, ...] = ()
@@ -163,7 +163,7 @@ def _points(known: Known, items: list[int], length: float) -> Iterator[tuple[flo
 
 
 def _matrix(known: Known, items: list[int], length: float) -> tuple[float, ...]:
-    """Return nine moments [kg·m²]; those without a unit are in kg and the length of their context."""
+    """Return nine moments [kg·m²]; values without a unit are in kg and the length of their context."""
     found: list[float] = []
     for row in _three(known, items[0] if items else None):
         for cell in _three(known, row):

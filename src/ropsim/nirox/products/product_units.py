@@ -1,4 +1,4 @@
-"""Units of a file by their records: what one is in kg, m and rad; products of powers too."""
+"""Units of a file by their records: factor of each to kg, m and rad; including products of powers."""
 
 from collections.abc import Mapping
 
@@ -52,7 +52,7 @@ def _product(known: Known, values: tuple[Value, ...], steps: int) -> float | Non
 
 
 def measured(known: Known, number: int) -> tuple[float | None, int | None]:
-    """Return the value and the unit of a measure, simple or complex; nothing for what it does not have."""
+    """Return the value and the unit of a measure, simple or complex; None for missing ones."""
     value: float | None = None
     unit: int | None = None
     for record in known[number].records if number in known else ():

@@ -31,7 +31,7 @@ _Frames: TypeAlias = tuple[int, Pose, tuple[FurtherFrame, ...]]
 
 
 def read_arm(seen: Seen, name: str) -> tuple[RobotModel, tuple[FurtherFrame, ...]] | None:
-    """Return the robot of a file that keeps to the schema, and its other frames; what is wrong is noted.
+    """Return the robot of a file that keeps to the schema, and its other frames; errors are noted.
 
     Nothing where a number of it cannot be. With an error among the findings the robot is none to be used.
 
@@ -146,7 +146,7 @@ def _frames(seen: Seen, arm: int, mechanism: Mechanism) -> _Frames:
 
 
 def _rated_payload(seen: Seen) -> float:
-    """Return what the maker allows the arm to carry [kg]; inf where the file does not say it."""
+    """Return the rated payload [kg]; inf if missing in the file."""
     for told in seen.extent("rated_payload"):
         seen.take(told, "rated payload")
         return seen.real(told, "mass")

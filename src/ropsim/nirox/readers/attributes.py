@@ -1,4 +1,4 @@
-"""The attributes of instances of a valid file, as a reader asks for them."""
+"""The attributes of instances of a valid file, for readers."""
 
 from collections.abc import Iterable
 
@@ -8,11 +8,11 @@ from ropsim.nirox.diagnostics import IMPOSSIBLE
 from ropsim.part21 import Enumeration, Reference, Value
 
 LARGEST = 1e12
-"""No number of a robot is larger, in whatever unit; products of such numbers stay finite."""
+"""No number of a robot is larger, in any unit; products of numbers up to it stay finite."""
 
 
 class ImpossibleError(Exception):
-    """What a file says cannot be; carries what is said of it."""
+    """Data of a file are impossible; carries the message."""
 
     def __init__(self, finding: Diagnostic) -> None:
         super().__init__(finding.message)
@@ -105,7 +105,7 @@ class Attributes:
         return [self._known(number, name, plain(one)) for one in self._list(number, name)]
 
     def impossible(self, number: int, message: str, hint: str = "") -> ImpossibleError:
-        """Return what to raise where an instance cannot be as it is."""
+        """Return the exception for an impossible instance."""
         return ImpossibleError(self.told(IMPOSSIBLE, number, message, hint))
 
     def called(self, number: int) -> str:

@@ -1,4 +1,4 @@
-"""The drives of a file: all axes have one that the model holds, or the robot has none."""
+"""The drives of a file: all axes have drives that the model supports, or the robot has no drives."""
 
 from collections.abc import Sequence
 from math import inf
@@ -31,13 +31,13 @@ _SIMPLE = "coulomb_viscous_friction"
 def read_drives(
     seen: Seen, mechanism: Mechanism, joints: Sequence[Joint], numbers: list[int]
 ) -> tuple[Drive, ...]:
-    """Return the drives of the axes; none where one of them has none, or one that the model does not hold.
+    """Return the drives of the axes; empty if one of them lacks a drive, or has an unsupported one.
 
     Args:
         seen: the file.
         mechanism: its links and joints.
         joints: of the robot.
-        numbers: of those that are axes.
+        numbers: numbers of the axes.
     """
     pairs = [mechanism.moved[number].pair for number in numbers]
     trains = [seen.user(pair, "drive_train", "pair") for pair in pairs]
@@ -73,7 +73,7 @@ def _is_held(seen: Seen, train: int) -> bool:
 
 
 def _needs_a_valve(seen: Seen, train: int) -> bool:
-    """Return whether a hydraulic motor or cylinder has no valve, which is told."""
+    """Return whether a hydraulic motor or cylinder has no valve, which is reported."""
     motor = seen.ref(train, "motor")
     if not any(seen.is_a(motor, one) for one in HYDRAULIC):
         return False

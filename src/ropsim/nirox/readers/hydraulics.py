@@ -77,7 +77,7 @@ class Linkages:
         self._joints = joints
 
     def read(self, through: int, number: int) -> Linkage | None:
-        """Return a linkage that turns a joint; None where it lies between other links, which is told."""
+        """Return a linkage that turns a joint; None where it lies between other links, which is reported."""
         seen, mechanism, joint = self._seen, self._mechanism, self._joints[number]
         carrier = mechanism.base if joint.parent == BASE_LINK else mechanism.moved[joint.parent].link
         ends = {seen.ref(through, f"link_{end}"): self._point(through, f"anchor_{end}") for end in (1, 2)}
@@ -96,7 +96,7 @@ class Linkages:
         return linkage(*pins, retracted, 0.5 * (joint.lower + joint.upper))
 
     def can_be(self, through: int, drive: Drive, number: int) -> bool:
-        """Return whether a cylinder turns its joint one way over all of its range; else that is told."""
+        """Return whether a cylinder turns its joint one way over all of its range; else it is reported."""
         gear, joint = drive.transmission, self._joints[number]
         if not isinstance(gear, Linkage):
             return True

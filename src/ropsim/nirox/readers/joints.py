@@ -1,4 +1,4 @@
-"""The joints of a file with their limits; what it does not say of an axis is estimated, and told."""
+"""The joints of a file with their limits; missing data of an axis are estimated, and reported."""
 
 from dataclasses import replace
 from math import inf, isclose, pi
@@ -112,7 +112,7 @@ class Joints:
         return inf
 
     def _estimated(self, joint: Joint, pair: int) -> Joint:
-        """Return an axis with estimates for what is not known of it."""
+        """Return an axis with estimates for missing data."""
         lower, upper = joint.lower, joint.upper
         if inf in (-lower, upper):
             if joint.measure is JointType.PRISMATIC:

@@ -26,7 +26,7 @@ _WORDS: Mapping[Attribute, tuple[str, ...]] = MappingProxyType(
 
 
 def places_of(seen: Seen, axes: Sequence[int]) -> PlaceOf:
-    """Return where joints, links and axes stand, as far as they have been taken.
+    """Return the places of joints, links and axes that have been taken.
 
     Args:
         seen: the file.

@@ -36,7 +36,7 @@ class Places:
 
         Args:
             number: of the placement.
-            key: what it stands for.
+            key: key of the instance.
             type_: of the pair that it places; FIXED for none.
 
         Raises:

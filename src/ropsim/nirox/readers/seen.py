@@ -1,4 +1,4 @@
-"""What a reader sees in a valid file, what of it has been taken, and what has been found."""
+"""State of a reader of a valid file: its instances, the ones already taken, and findings."""
 
 from collections import Counter
 from collections.abc import Callable, Mapping
@@ -13,7 +13,7 @@ from ropsim.part21 import ExchangeFile, Instance
 
 T = TypeVar("T")
 MOST = 50
-"""Errors of one file that are told, and as many others."""
+"""Maximum number of errors of one file that are reported, and of other findings."""
 
 
 class Seen(Attributes):
@@ -22,8 +22,8 @@ class Seen(Attributes):
     Attributes:
         unknown: keywords of the entities that the schema does not have, in the order of the file.
         instances: all of the file, by number.
-        keys: what those that were taken stand for, under the keys of `Building`.
-        taken: numbers of those that were taken, with a key or without.
+        keys: keys of taken instances, as in `Building`.
+        taken: numbers of taken instances, with a key or without.
         findings: so far.
     """
 
@@ -56,7 +56,7 @@ class Seen(Attributes):
             self.keys.setdefault(number, key)
 
     def attempt(self, read: Callable[[], T], otherwise: T) -> T:
-        """Return what is read; where it cannot be that is noted, and reading goes on with something else."""
+        """Return the result of a reader; if it fails, note the error and return the alternative."""
         try:
             return read()
         except ImpossibleError as error:

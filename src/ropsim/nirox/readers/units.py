@@ -19,7 +19,7 @@ class Unit:
     """A unit as a multiple of metre or radian; division by whole numbers rounds once.
 
     Attributes:
-        factor: multiplies what is given.
+        factor: factor to SI units.
         divisor: divides it.
     """
 
@@ -45,7 +45,7 @@ SI = Units()
 
 
 def units_of(seen: Seen, context: int) -> Units:
-    """Return the units of a context; what it does not declare, or nobody understands, is noted.
+    """Return the units of a context; undeclared or unknown units are noted.
 
     Args:
         seen: the file.

@@ -23,7 +23,7 @@ class Ways:
 
 
 def ways(base: int, ends: Sequence[tuple[int, int]]) -> Ways:
-    """Return the ways along joints; of those that can come next the first one does.
+    """Return the ways along joints; the first possible one comes next.
 
     Args:
         base: the link that stands still.

@@ -22,7 +22,7 @@ def write_arm(
     Args:
         building: takes the instances.
         robot: to be written.
-        further: frames beside the mechanical interface.
+        further: frames in addition to the mechanical interface.
     """
     writing = MechanismWriting(building, robot)
     for link in range(-1, len(robot.joints)):
@@ -65,7 +65,7 @@ def _frame(building: Building, writing: MechanismWriting, place: int, frame: Fur
 
 
 def write_origins(building: Building, robot: RobotModel) -> None:
-    """Make what is said about where the numbers come from."""
+    """Make the instances for the origins of the numbers."""
     for place, one in enumerate(robot.origins):
         values = building.at(("arm",)), one.parameters, UNSET, f"{one.kind}: {one.source}"
         building.add(("origin", place), "PARAMETER_ORIGIN", *values)

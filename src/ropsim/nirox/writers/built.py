@@ -1,4 +1,4 @@
-"""A robot as instances, and what of it these do not hold."""
+"""A robot as instances, and its losses."""
 
 from ropsim.core import Diagnostic, frozen_without_equality
 from ropsim.model import RobotModel
@@ -14,7 +14,7 @@ class Built:
 
     Attributes:
         building: the instances.
-        losses: what they do not hold.
+        losses: losses.
     """
 
     building: Building
@@ -26,7 +26,7 @@ def built(robot: RobotModel, frames: tuple[FurtherFrame, ...] = ()) -> Built:
 
     Args:
         robot: to be written.
-        frames: on its links, beside the mechanical interface.
+        frames: on its links, in addition to the mechanical interface.
     """
     building = Building()
     writing = write_arm(building, robot, frames)

@@ -1,4 +1,4 @@
-"""Placements as instances: a point, two directions, and where these do not give its bits, the orientation."""
+"""Placements as instances: a point, two directions, and the orientation if these lose bits."""
 
 from ropsim.model import JointType
 from ropsim.nirox.building import UNSET, Building, Key, reals

@@ -81,14 +81,14 @@ def _pushed(kind: Type, number: Value) -> Step:
 
 
 def zero(scope: Scope, kind: Type) -> IcrConstant:
-    """Return the value that a variable has where a program reads it before it gives it one."""
+    """Return the value that a variable has if a program reads it before an assignment."""
     axes = scope.used.axes or scope.known.axes
     scope.used.has_guessed_axes |= axes is None and kind is Type.JOINTS
     return zero_of(kind, axes or 1)
 
 
 def zero_of(kind: Type, axes: int) -> IcrConstant:
-    """Return the zero of a type, of so many joint coordinates."""
+    """Return the zero of a type, for a number of joint coordinates."""
     identity = (1.0, 0.0, 0.0, 0.0)
     values: dict[Type, Value] = {
         Type.BOOL: False,

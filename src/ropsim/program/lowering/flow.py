@@ -45,8 +45,8 @@ def lower_while(scope: Scope, statement: st.While) -> None:
 def lower_repeat(scope: Scope, statement: st.Repeat) -> None:
     """Emit a loop that counts down and is left where `until` holds after a pass.
 
-    Whether there is a first pass is asked only where the count does not say so: what the body of `repeat 6`
-    assigns has a value behind it, and the verifier can see that.
+    Whether there is a first pass is tested only if the count is not constant: variables assigned in the body
+    of `repeat 6` have a value behind it, and the verifier can see that.
     """
     emitter = scope.emitter
     top, loop = Label(), Loop(Label(), Label(), scope.depth)
@@ -82,10 +82,10 @@ def _more(scope: Scope, left: str) -> None:
 
 
 def lower_for(scope: Scope, statement: st.For) -> None:
-    """Emit a loop over values; the number of passes does not depend on what the body does to the variable.
+    """Emit a loop over values; assignments of the body to the variable do not change the number of passes.
 
-    Whether there is a first pass is asked only where constant bounds do not say so. A REAL variable is
-    `first + pass·step`, not a running sum, so that rounding does not pile up.
+    Whether there is a first pass is tested only if the bounds are not constant. A REAL variable is `first +
+    pass·step`, not a running sum, so that rounding does not pile up.
     """
     kind = scope.type_of(statement.variable)
     if kind not in {Type.INT, Type.REAL}:
@@ -108,7 +108,7 @@ def lower_for(scope: Scope, statement: st.For) -> None:
         emitter.emit(("LE" if step > 0 else "GE") + suffix)
 
     way = (_number(statement.last, math.nan) - _number(statement.first, math.nan)) * step
-    if not way >= 0:  # unknown bounds give NaN
+    if not way >= 0:  # unknown bounds lead to NaN
         more()
         emitter.jump("JF", loop.leave)
     emitter.place(top)
@@ -183,7 +183,7 @@ def _number(expression: sir.Expression, otherwise: float) -> int | float:
 
 
 class _IntSteps:
-    """The value of an INT loop, kept in a variable of its own; starts with what is on the stack."""
+    """The value of an INT loop, kept in a separate variable; starts with the value on the stack."""
 
     def __init__(self, scope: Scope, step: int) -> None:
         self.scope = scope
@@ -204,7 +204,7 @@ class _IntSteps:
 
 
 class _RealSteps:
-    """The value of a REAL loop, computed from the number of the pass; starts with what is on the stack."""
+    """The value of a REAL loop, computed from the number of the pass; starts with the value on the stack."""
 
     def __init__(self, scope: Scope, step: float) -> None:
         self.scope = scope

@@ -1,4 +1,4 @@
-"""What becomes of lowered procedures in a program: values at their start, lines, what is declared."""
+"""Linking of lowered procedures to a program: values at their start, lines, declarations."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
@@ -28,13 +28,13 @@ def draft_of(lowered: Lowered) -> icr.Procedure:
 def started(
     draft: icr.Procedure, needs: Sequence[icr.Need], variables: Mapping[str, Type], axes: int | None
 ) -> icr.Procedure:
-    """Return a procedure that begins with giving values to the variables that would have none.
+    """Return a procedure that begins by initialising variables without a value.
 
     Args:
         draft: the procedure.
         needs: variables that it may read before they have a value.
         variables: types of the global ones.
-        axes: how many joint coordinates there are, None where nothing tells.
+        axes: number of joint coordinates, None if unknown.
     """
     if not needs:
         return draft
@@ -43,7 +43,7 @@ def started(
 
 
 def prologue(needs: Sequence[icr.Need], types: Mapping[str, Type], axes: int | None) -> tuple[icr.Step, ...]:
-    """Return what gives values to variables that would have none; see `started`."""
+    """Return the steps that initialise variables without a value; see `started`."""
     start: list[icr.Step] = []
     for name in dict.fromkeys(need.slot.name for need in needs):  # in the order in which they are read
         start.append(icr.Step("PUSH", (zero_of(types[name], axes or 1),)))
@@ -64,7 +64,7 @@ def placed_lines(lowered: Lowered, procedure: icr.Procedure, places: SourceMap) 
 def findings_of(
     lowered: Lowered, needs: Sequence[icr.Need], variables: Mapping[str, Type], places: SourceMap
 ) -> tuple[Diagnostic, ...]:
-    """Return what the author should know of variables that may be read before they have a value."""
+    """Return the findings on variables that may be read before they have a value."""
     own = {one.name: one.type for one in (*lowered.parameters, *lowered.locals)}
     hidden = {one.name for one in lowered.hidden}
     return tuple(
@@ -80,7 +80,7 @@ def findings_of(
 
 
 def axes_of(parts: Iterable[Lowered | Usage]) -> int | None:
-    """Return how many joint coordinates there are in a program, None where it has none."""
+    """Return the number of joint coordinates in a program, None without any."""
     every = list(parts)
     told = next((one.axes for one in every if one.axes is not None), None)
     needs_one = any(one.has_guessed_axes for one in every)
@@ -88,11 +88,11 @@ def axes_of(parts: Iterable[Lowered | Usage]) -> int | None:
 
 
 def axes_with_starts(axes: int | None, starts: Iterable[Sequence[icr.Step]]) -> int | None:
-    """Return how many joint coordinates the values of a program have, those of its starts among them.
+    """Return the number of joint coordinates of the values of a program, including those in its starts.
 
     Args:
         axes: the same without the starts.
-        starts: what gives values to variables at the beginning of procedures.
+        starts: initialising steps of procedures.
     """
     if axes is not None:
         return axes
@@ -113,11 +113,11 @@ def linked(
     source: str,
     libraries: tuple[icr.LibraryText, ...] = (),
 ) -> icr.Program:
-    """Return the program of its procedures; it declares what they use and nothing else.
+    """Return the program of its procedures; it declares only entities that they use.
 
     Args:
-        program: the structured program, for what it defines.
-        usage: what its procedures use.
+        program: the structured program, for its definitions.
+        usage: entities used by its procedures.
         procedures: `main` first.
         axes: how many joint coordinates its values have.
         variables: its global ones.

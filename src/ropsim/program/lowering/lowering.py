@@ -29,7 +29,7 @@ def lower(program: Program, source: str) -> icr.Program:
 
 
 def lower_with_findings(program: Program, source: str) -> tuple[icr.Program, tuple[Diagnostic, ...]]:
-    """Return the ICR of a structured program, which passes `icr.verify`, and what its author should know.
+    """Return the ICR of a structured program, which passes `icr.verify`, and findings for its author.
 
     The findings name variables that may be read before they have a value (T391, T392).
     Tasks that `main` does not reach are left out; the others stand in the order of their first call.
@@ -77,11 +77,11 @@ def _lowered(program: Program, known: Known) -> dict[str, Lowered]:
 
 
 def reached(first: Iterable[str], callees: Callable[[str], Sequence[str]]) -> Iterator[str]:
-    """Yield the tasks that are called and all that they call, depth first.
+    """Yield the tasks that are called and their callees, depth first.
 
     Args:
-        first: those that the control statements call.
-        callees: tells those that a task calls, in order.
+        first: tasks that the control statements call.
+        callees: returns the callees of a task, in order.
     """
     work = list(reversed(tuple(first)))
     seen = set()

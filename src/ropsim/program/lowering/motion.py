@@ -49,7 +49,7 @@ def lower_move(scope: Scope, move: Move) -> None:
 
 
 def _store(scope: Scope, move: Move) -> None:
-    """Emit what keeps the pose that the arm has after a move; waits until it is there."""
+    """Emit code that stores the pose of the arm after a move; it waits until the arm is there."""
     if move.store:
         scope.emitter.emit("ATTAINED")
         scope.emitter.emit("STORE", move.store)
@@ -59,7 +59,7 @@ def _through(scope: Scope, move: Move) -> None:
     """Emit a move to each point on the way, which passes it by, and one to the target.
 
     A zone of the move's own is that of all points; a fine stop is one at the target only. Triggers after the
-    start belong to the first move, those before the end to the last one.
+    start belong to the first move, triggers before the end to the last one.
     """
     emit, settings = scope.emitter.emit, move.settings
     fine = isinstance(settings.zone, sir.Constant) and settings.zone.value == 0
@@ -92,7 +92,7 @@ def _operands(
     guard: Guard | None = None,
     tracking: Tracking | None = None,
 ) -> tuple[_Prefix, ...]:
-    """Emit code that leaves on the stack what triggers, guard and tracking need, the first one on top.
+    """Emit code that pushes the operands of triggers, guard and tracking, the first one on top.
 
     Returns:
         The instructions that take it from there.
@@ -121,7 +121,7 @@ def _operands(
 
 
 def _prefix(scope: Scope, prefixes: tuple[_Prefix, ...]) -> None:
-    """Emit what the next move is told before."""
+    """Emit the prefix instructions of the next move."""
     for mnemonic, *operands in prefixes:
         scope.emitter.emit(mnemonic, *operands)
 
@@ -161,7 +161,7 @@ def _through_points(move: Move) -> tuple[str] | tuple[str, int]:
     """Return the instruction of a path that leads through its points; a new kind has its case here.
 
     Raises:
-        LoweringError: no instruction makes a path of this kind, or through so many points.
+        LoweringError: no instruction makes a path of this kind, or through this number of points.
     """
     match move.kind:
         case MotionKind.CIRC if len(move.via) != 1:

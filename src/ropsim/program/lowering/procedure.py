@@ -24,7 +24,7 @@ MAIN = "main"
 
 @frozen_dataclass
 class Lowered:
-    """A procedure as far as it can be told alone.
+    """A procedure, lowered independent of others.
 
     Attributes:
         name: of the procedure.
@@ -35,14 +35,15 @@ class Lowered:
         results: types left on the stack.
         code: instructions.
         lines: line of each instruction in its unit, 0 where unknown.
-        unit: what spans name whose lines these are.
+        unit: name of the unit of the lines in spans.
         callees: tasks that it calls, in order.
         channels: that it uses.
         tools: that it uses, by name.
         frames: that it uses, by name.
         axes: how many joint coordinates its values have, None where there are none.
-        has_guessed_axes: whether it has values of joint coordinates whose number only other procedures tell.
-        capabilities: what a robot must offer for it.
+        has_guessed_axes: whether it has values of joint coordinates whose number only other procedures
+            determine.
+        capabilities: required capabilities of a robot.
         numbers: of the newest name in `hidden` of each purpose; of a part only.
         goes_on: whether control reaches the end of the code; of a part only.
     """
@@ -71,7 +72,7 @@ def lower_control(known: Known, block: st.Block, frame: str, tool: str) -> Lower
     """Return the procedure `main` of the control statements.
 
     Args:
-        known: what the program defines.
+        known: definitions of the program.
         block: the control statements.
         frame: name of the work frame, empty for the base frame.
         tool: in force at the start, empty for none.
@@ -91,7 +92,7 @@ def placed_in_turn(parts: Iterable[Lowered]) -> Iterator[Lowered]:
 
 
 def lower_start(known: Known, frame: str, tool: str) -> Lowered:
-    """Return what stands before the control statements: their frame and the tool in force."""
+    """Return the code before the control statements: their frame and the tool in force."""
     scope = Scope(known, None, "", _block)
     if frame:
         scope.emitter.emit("FRAME", scope.frame(frame))
@@ -105,9 +106,9 @@ def lower_part(known: Known, block: st.Block, first: Callable[[str], int] = no_n
     """Return the code of some of the control statements that follow each other.
 
     Args:
-        known: what the program defines.
+        known: definitions of the program.
         block: the statements.
-        first: tells the number of the newest hidden name of a purpose that stands before them, 0 for none.
+        first: returns the number of the newest hidden name of a purpose before them, 0 for none.
     """
     scope = Scope(known, None, block[0].span.source if block else "", _block, first=first)
     _block(scope, block)
@@ -115,7 +116,7 @@ def lower_part(known: Known, block: st.Block, first: Callable[[str], int] = no_n
 
 
 def lower_end(known: Known) -> Lowered:
-    """Return what stands behind the control statements."""
+    """Return the code behind the control statements."""
     scope = Scope(known, None, "", _block)
     _end(scope)
     return _lowered(scope, MAIN)
@@ -130,7 +131,7 @@ def joined(
         parts: those.
         code: of all of them, in which jumps lead to where it stands.
         lines: of that.
-        unit: what spans name whose lines these are, empty for that of the parts.
+        unit: name of the unit of the lines in spans, empty for that of the parts.
     """
     return Lowered(
         MAIN,

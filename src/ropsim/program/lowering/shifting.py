@@ -16,7 +16,7 @@ def jumps_in(code: tuple[Step, ...]) -> tuple[int, ...]:
 
 
 def shifted(code: tuple[Step, ...], by: int, jumps: tuple[int, ...] | None = None) -> tuple[Step, ...]:
-    """Return code that stands so many instructions further back than it was made for.
+    """Return code moved back by a number of instructions.
 
     Args:
         code: the instructions.

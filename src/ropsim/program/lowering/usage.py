@@ -1,4 +1,4 @@
-"""What procedures use of a robot and its cell, put together."""
+"""Combined usage of a robot and its cell by procedures."""
 
 from collections.abc import Iterable
 from itertools import chain
@@ -10,15 +10,15 @@ from ropsim.program.lowering.procedure import Lowered
 
 @frozen_dataclass
 class Usage:
-    """What some procedures use.
+    """Usage of some procedures.
 
     Attributes:
         channels: by name, each once.
         tools: by name, each once.
         frames: by name, each once.
         axes: how many joint coordinates the values of the first procedure have that has some, None for none.
-        has_guessed_axes: whether one has values of joint coordinates whose number only others tell.
-        capabilities: what a robot must offer, sorted.
+        has_guessed_axes: whether one has values of joint coordinates whose number only others determine.
+        capabilities: required capabilities of a robot, sorted.
     """
 
     channels: tuple[IoChannel, ...]
@@ -30,7 +30,7 @@ class Usage:
 
 
 def joint_usage(parts: Iterable[Lowered | Usage]) -> Usage:
-    """Return what procedures use, or parts of one, or several such together."""
+    """Return the combined usage of procedures or parts of one."""
     every = tuple(parts)
     return Usage(
         tuple({one.name: one for part in every for one in part.channels}.values()),

@@ -1,4 +1,4 @@
-"""Frames on a pipe: a line with a word, a name and a number of characters, then so many characters."""
+"""Frames on a pipe: a line with a word, a name and a number of characters, then these characters."""
 
 import contextlib
 import sys
@@ -18,13 +18,13 @@ class Frames:
         """Send a frame.
 
         Raises:
-            OSError: nobody reads.
+            OSError: the pipe has no reader.
         """
         self._to.write(f"{word} {name} {len(text)}\n{text}".encode(errors="replace"))
         self._to.flush()
 
     def __iter__(self) -> Iterator[tuple[str, str]]:
-        """Yield what arrives.
+        """Yield the incoming frames.
 
         Raises:
             ValueError: it is no frame.
@@ -38,15 +38,15 @@ class Frames:
 
 
 BESIDE = 256 << 20
-"""Addresses that a Prolog takes beside what it works with: code, libraries, reserved space [bytes]."""
+"""Addresses that a Prolog takes in addition to working memory: code, libraries, reserved space [bytes]."""
 
 
 def limit_memory(pid: int, memory_bytes: int) -> None:
-    """Let a process have so many bytes beside its code; on Linux only, elsewhere its stacks are bounded.
+    """Limit the memory of a process, without its code; on Linux only, elsewhere its stacks are bounded.
 
     Args:
         pid: the process.
-        memory_bytes: for what it works with.
+        memory_bytes: working memory.
     """
     if sys.platform == "linux":
         import resource

@@ -16,9 +16,9 @@ from ropsim.prolog.program import MOST_BYTES, CrashError, StoppedError, TooLongE
 
 COMMAND = "swipl"
 MOST_PRINTED = 64 << 10
-"""Characters of what was printed that are kept."""
+"""Number of characters of output that are kept."""
 _KEPT = ("PATH", "LANG", "LC_ALL", "SYSTEMROOT", "TEMP", "TMP", "LD_LIBRARY_PATH", "DYLD_LIBRARY_PATH")
-"""What of the environment the process is given."""
+"""Environment variables passed to the process."""
 
 
 GRACE = 0.5
@@ -35,7 +35,7 @@ class NativeProgram:
 
         Raises:
             CrashError: it does not start.
-            RopsimError: P107, there is no such command.
+            RopsimError: P107, the command does not exist.
         """
         command = shutil.which(COMMAND)
         if command is None:
@@ -77,7 +77,7 @@ class NativeProgram:
         return place.as_posix()
 
     def printed(self) -> str:
-        """Return what Prolog has printed since the last time, up to 64 KiB."""
+        """Return the output of Prolog since the last call, up to 64 KiB."""
         with contextlib.suppress(OSError), (self._root / "printed").open("rb") as file:
             file.seek(self._printed)
             found = file.read(MOST_PRINTED)
@@ -86,7 +86,7 @@ class NativeProgram:
         return ""
 
     def replies(self, name: str, request: str) -> Generator[tuple[str, bool]]:
-        """Ask one of our predicates, see `Program.replies`."""
+        """Call one of our predicates, see `Program.replies`."""
         self._send("ask", name, request)
         is_open = True
         try:
@@ -175,6 +175,6 @@ def _ended(process: "subprocess.Popen[bytes]", root: Path) -> None:
     process.wait()
     for pipe in (process.stdin, process.stdout):
         if pipe is not None:
-            with contextlib.suppress(OSError):  # what it did not read
+            with contextlib.suppress(OSError):  # input that it did not read
                 pipe.close()
     shutil.rmtree(root, ignore_errors=True)

@@ -8,7 +8,7 @@ from functools import cached_property
 from ropsim.core import frozen_dataclass
 
 _TOKEN = re.compile(
-    r"%[^\n]*|/\*.*?(?:\*/|\Z)"  # comments; what is not closed goes on to the end
+    r"%[^\n]*|/\*.*?(?:\*/|\Z)"  # comments; an unclosed one extends to the end
     r"|(?<![A-Za-z0-9_])0'(?:\\.|''|.)"  # a character as a number
     r"|'(?:[^'\\]|\\(?:.|\Z)|'')*(?:'|\Z)"
     r'|"(?:[^"\\]|\\(?:.|\Z)|"")*(?:"|\Z)|`(?:[^`\\]|\\(?:.|\Z))*(?:`|\Z)'
@@ -35,7 +35,7 @@ class BracketFault:
 
 
 class Brackets:
-    """The brackets of a text, clause by clause; nothing is looked at before it is asked for.
+    """The brackets of a text, clause by clause; each is analysed on request.
 
     Args:
         text: of all clauses.
@@ -45,7 +45,7 @@ class Brackets:
         self._text = text
 
     def fault(self, place: int) -> BracketFault | None:
-        """Return what is wrong with the brackets of a clause, None where nothing is.
+        """Return the fault of the brackets of a clause, None if there is none.
 
         A bracket may be missed only lines behind the place where the clause cannot be read any more: then it
         is missing at the end of the line of that.

@@ -12,7 +12,7 @@ _NAME = re.compile(r"[a-z][a-zA-Z0-9_]*")
 
 
 class Sort(Enum):
-    """What an argument may be; the values are the words of Prolog's type errors."""
+    """Type of an argument; the values are the words of Prolog's type errors."""
 
     ATOM = "atom"
     INTEGER = "integer"
@@ -44,10 +44,10 @@ class Predicate:
 
     Attributes:
         name: how knowledge bases call it; small letters, digits and underlines.
-        inputs: what the first arguments must be.
-        outputs: what the last arguments will be.
-        solve: given the inputs, yields the outputs of one solution after the other. It is asked for the next
-            one only when Prolog wants it, and closed when Prolog wants no more.
+        inputs: types of the first arguments.
+        outputs: types of the last arguments.
+        solve: given the inputs, yields the outputs of one solution after the other. The next one is requested
+            only when Prolog needs it; the generator is closed when Prolog needs no more.
     """
 
     name: str

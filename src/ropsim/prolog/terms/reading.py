@@ -1,6 +1,6 @@
 """Reads terms in canonical form: quoted, without operators, as `write_canonical/1` writes them.
 
-The depth of a term does not matter, because what is open is kept in a list. Time and memory are linear in the
+The depth of a term does not matter, because open terms are kept in a list. Time and memory are linear in the
 text.
 """
 
@@ -45,7 +45,7 @@ class _Open:
         self.barred = False
 
     def term(self) -> Term:
-        """Return what it has become."""
+        """Return the finished term."""
         if self.closing == ")":
             return self.items[0] if self.name is None else Struct(self.name, tuple(self.items))
         if not self.barred:
@@ -62,7 +62,7 @@ def read_term(text: str) -> Term:
     """Return the term of a text.
 
     Raises:
-        UnreadableError: the text is not one term in canonical form.
+        UnreadableError: the text is not a single term in canonical form.
     """
     opened: list[_Open] = []
     place = 0
@@ -98,7 +98,7 @@ def _begin(text: str, place: int, opened: list[_Open]) -> tuple[int, Term | None
 
 
 def _follow(one: _Open, term: Term, text: str, place: int) -> int:
-    """Put a term into what is open; return the place behind the mark that follows."""
+    """Put a term into the open term; return the place behind the mark that follows."""
     token = _TOKEN.match(text, place)
     mark = token["mark"] if token else None
     if token is None or mark is None:

@@ -1,4 +1,4 @@
-"""Words for what the reader of SWI-Prolog finds wrong with a clause."""
+"""Words for syntax errors of the reader of SWI-Prolog in a clause."""
 
 from ropsim.prolog.terms.terms import Atom, Struct, Term
 
@@ -54,7 +54,7 @@ _NEEDS = "expected are terms of Prolog: `name(Argument, …)`, lists `[a, b]`, a
 
 
 _OF_QUOTES = ("end_of_file_in_quoted", "end_of_file_in_block_comment", "long_string", "undefined_char_escape")
-"""Where quotes or comments are not closed, what stands behind is not told from what is in them."""
+"""If quotes or comments are not closed, the text behind them is ambiguous."""
 
 
 def may_be_bracket(message: Term) -> bool:
@@ -63,7 +63,7 @@ def may_be_bracket(message: Term) -> bool:
 
 
 def syntax_words(message: Term) -> tuple[str, str]:
-    """Return the message and the hint for a syntax error of SWI-Prolog, whatever it may be."""
+    """Return the message and the hint for a syntax error of SWI-Prologof any kind."""
     match message:
         case Atom(name) | Struct(name, _):
             words, hint = _WORDS.get(_longest(name), (name.replace("_", " "), _NEEDS))

@@ -1,7 +1,7 @@
 """Terms of Prolog as values of Python.
 
-Integers, floats and rationals are numbers of Python, strings are `str`, proper lists are tuples; what Python
-has no word for are the records below. A list whose end is not known is `Struct("[|]", (head, tail))`.
+Integers, floats and rationals are numbers of Python, strings are `str`, proper lists are tuples; other terms
+are the records below. A list whose end is not known is `Struct("[|]", (head, tail))`.
 """
 
 from collections.abc import Iterator
@@ -38,7 +38,7 @@ class Struct:
 
     Attributes:
         name: the name of the functor.
-        arguments: what it is applied to; in Prolog it may also be nothing, as in `now()`.
+        arguments: its arguments; possibly none, as in `now()`.
     """
 
     name: str

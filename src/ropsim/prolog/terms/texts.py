@@ -1,4 +1,4 @@
-"""Texts that are in an engine: what each became, and what it may do."""
+"""Texts loaded into an engine: module and permissions of each."""
 
 from enum import Enum
 
@@ -7,7 +7,7 @@ from ropsim.prolog.terms.terms import Atom, Struct, Term
 
 
 class Trust(Enum):
-    """What a text may do; the values are how its goals are called."""
+    """Permissions of a text; the values are the ways to call its goals."""
 
     OWN = "open"
     STRANGER = "safe"
@@ -15,7 +15,7 @@ class Trust(Enum):
 
 @frozen_dataclass
 class LoadedText:
-    """A text that is in the engine, the module that it is, and what it may do."""
+    """A loaded text, its module, and its permissions."""
 
     path: str
     content: bytes

@@ -1,4 +1,4 @@
-"""Writes terms in canonical form, which every Prolog reads as the same term, whatever its operators are."""
+"""Writes terms in canonical form, which every Prolog reads as the same term, independent of its operators."""
 
 import re
 from fractions import Fraction

@@ -28,7 +28,7 @@ class Artefact:
 
     Attributes:
         code: the module.
-        imports: what each short name of an import means, such as `fd_write`.
+        imports: meanings of the short names of imports, such as `fd_write`.
         exports: the short name of each function of C, such as `PL_initialise`.
         start: the short name of the function that prepares the memory.
         call_code: the number under which Prolog calls its host.
@@ -59,7 +59,7 @@ def artefact_in(folder: Path) -> Artefact:
     """Return SWI-Prolog from the files in a folder.
 
     Raises:
-        RopsimError: the files are missing or are others than this reader knows.
+        RopsimError: the files are missing or of an unknown version.
     """
     try:
         code, data, script = (read_bytes(folder / name) for name in NAMES)
@@ -85,7 +85,7 @@ def artefact_in(folder: Path) -> Artefact:
 
 
 def _read(code: bytes, data: bytes, script: str) -> Artefact:
-    """Take the tables out of the script; what is not found raises AttributeError or ValueError."""
+    """Take the tables out of the script; a missing table raises AttributeError or ValueError."""
     begin = script.index("wasmImports={") + len("wasmImports={")
     pairs = (pair.split(":") for pair in script[begin : script.index("}", begin)].split(","))
     call, start = _CALL.search(script), _START.search(script)

@@ -1,4 +1,4 @@
-"""Time as Prolog sees it: only looking at the clock moves it, so that equal programs find equal times."""
+"""Time as Prolog sees it: only reading the clock moves it, so that equal programs find equal times."""
 
 import struct
 from collections.abc import Callable
@@ -9,14 +9,14 @@ from ropsim.prolog.wasm.memory import LinearMemory
 BEGIN_NS = 1_600_000_000_000_000_000
 """The time at which every engine starts, in nanoseconds since 1970; an arbitrary one."""
 STEP_NS = 1000
-"""By so much every look moves the clock."""
+"""Step of the clock for each reading."""
 
 
 class ClockCalls:
     """Answers the calls about time of one program; the time zone is UTC.
 
     Attributes:
-        elapsed_ns: time since the start, as it was seen last [ns].
+        elapsed_ns: time since the start, at the last reading [ns].
     """
 
     memory: LinearMemory

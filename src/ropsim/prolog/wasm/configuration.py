@@ -10,17 +10,17 @@ _RESERVED = 64 << 20
 _GROWTH = 192 << 20
 """Bytes that are reserved in front of it when it has moved."""
 _GUARD = 64 << 10
-"""Bytes behind a memory that nobody can use."""
+"""Bytes behind a memory that cannot be accessed."""
 SETTINGS = f"epochs exceptions {_RESERVED} {_GROWTH} {_GUARD}"
-"""What the machine code depends on."""
+"""Properties on which the machine code depends."""
 
 
 def configuration() -> "Config":
     """Return the configuration of an engine.
 
-    wasmtime would reserve 8.5 GB for each engine (4 GB for a memory and for what its exceptions need, with
-    guards), so that no access has to be checked. Where a process may have less (`ulimit -v`, clusters) it
-    would not start. The checks make Prolog slower by 30 %.
+    wasmtime would reserve 8.5 GB for each engine (4 GB for a memory and for its exceptions, with guards), so
+    that no access has to be checked. Where a process may have less (`ulimit -v`, clusters) it would not
+    start. The checks make Prolog slower by 30 %.
     """
     from wasmtime import Config
 

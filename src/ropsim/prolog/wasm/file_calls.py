@@ -1,7 +1,7 @@
 """The system calls about files, as emscripten's programs make them, answered out of memory.
 
-Numbers of errors and the layout of records are those of emscripten's musl (`errno.h`, `struct stat`,
-`struct dirent`).
+Numbers of errors and the layout of records as in emscripten's musl (`errno.h`, `struct stat`, `struct
+dirent`).
 """
 
 import struct

@@ -1,4 +1,4 @@
-"""The files that Prolog can see, all in memory: its library, and what it and its host have written."""
+"""The files that Prolog can see, all in memory: its library, and files written by it and its host."""
 
 from posixpath import dirname, normpath
 
@@ -48,7 +48,7 @@ class MemoryFiles:
         return tuple(self._names[folder])
 
     def number(self, path: str) -> int:
-        """Return what tells this file or folder from all others."""
+        """Return the unique number of this file or folder."""
         return self._numbers[path]
 
     def size(self, path: str) -> int:
@@ -108,7 +108,7 @@ class MemoryFiles:
         self._bytes += more
 
     def _enter(self, path: str) -> None:
-        """Give a path its number and its name in its folder."""
+        """Assign a number to a path and enter its name in its folder."""
         if path in self._numbers:
             return
         self._take_room(path, NAME)

@@ -13,7 +13,7 @@ CATCH, STATUS = 0x08, 0x40
 """Of `PL_open_query`: errors are kept, and each answer says whether it is the last one."""
 UTF8 = 0x100000
 AS_TEXT = 0x3F | 0x200 | UTF8
-"""Of `PL_get_nchars`: constants as they are, all else as `writeq/1` writes it."""
+"""Of `PL_get_nchars`: constants literally, other terms as `writeq/1` writes it."""
 LAST = 2
 """The status of a solution behind which there is none."""
 
@@ -87,13 +87,13 @@ class Foreign:
                     call("PL_cut_query", query)
 
     def _ball(self, query: int) -> str:
-        """Return what was thrown and not caught, as a string of a canonical text."""
+        """Return the uncaught thrown term, as a string of a canonical text."""
         thrown = self.text(self._instance.call("PL_exception", query))[:500]
         return '"' + thrown.replace("\\", "\\\\").replace('"', '\\"') + '"'
 
     @contextmanager
     def _frame(self) -> Iterator[None]:
-        """Give back all references that are made inside; a program that has crashed has none."""
+        """Release all references made inside the block; a program that has crashed has no references."""
         frame = self._instance.call("PL_open_foreign_frame")
         try:
             yield

@@ -1,4 +1,4 @@
-"""A program as it stands between two calls; another one of the same code goes on from there."""
+"""Image of a program between two calls, from which another one of the same code continues."""
 
 import struct
 import zlib
@@ -14,14 +14,14 @@ Opened = tuple[int, str, int, int]
 
 @frozen_dataclass
 class Image:
-    """What a program has between two calls; the stack of calls is empty then.
+    """State of a program between two calls; the stack of calls is empty then.
 
     Attributes:
         size: bytes of its memory.
         pages: content of pages by their numbers; all others hold zeros.
         elapsed_ns: of its clock.
         folder: in which it works.
-        opened: what is open.
+        opened: open files.
     """
 
     size: int
@@ -46,7 +46,7 @@ def unpacked_image(content: bytes) -> Image:
     """Return the image that was packed.
 
     Raises:
-        ValueError: these are no such bytes.
+        ValueError: the bytes are no image.
     """
     try:
         rest = _Rest(zlib.decompress(content))
@@ -64,7 +64,7 @@ def unpacked_image(content: bytes) -> Image:
 
 
 class _Rest:
-    """What has not been read yet of some bytes."""
+    """The unread rest of some bytes."""
 
     def __init__(self, content: bytes) -> None:
         self._content = content

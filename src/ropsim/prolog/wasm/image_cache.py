@@ -13,7 +13,7 @@ from ropsim.version import __version__
 
 
 def mark_of(program: str, memory_bytes: int, sources: Mapping[str, bytes]) -> str:
-    """Return what tells a program that has started from others.
+    """Return the key of a started program.
 
     Args:
         program: digest of its code and library.
@@ -27,7 +27,7 @@ def mark_of(program: str, memory_bytes: int, sources: Mapping[str, bytes]) -> st
 
 
 def image_name(*marks: str) -> str:
-    """Return under what the image of a program is kept, by what tells it from others."""
+    """Return the name of the image of a program, from its keys."""
     return f"{sha256(' '.join(marks).encode()).hexdigest()[:32]}.image"
 
 
@@ -52,6 +52,6 @@ def _image(packed: bytes) -> Image:
 
 @lru_cache(maxsize=1)
 def _host() -> str:
-    """Return the digest of the texts of this folder: they decide what a program finds when it starts."""
+    """Return the digest of the texts of this folder: they determine the initial state of a program."""
     texts = sorted(Path(__file__).parent.glob("*.py"))
     return sha256(b"".join(read_bytes(path) for path in texts)).hexdigest()

@@ -21,14 +21,14 @@ if TYPE_CHECKING:
 
 ENVIRONMENT = ("HOME=/kb", "PATH=/", "LANG=C.UTF-8", "USER=ropsim", "SWI_HOME_DIR=swipl")
 FOREVER = 1 << 40
-"""So many epochs no call lasts."""
+"""Number of epochs that no call reaches."""
 FEWEST_BYTES = 64 << 20
 """Below this Prolog does not start."""
 
 
 @frozen_without_equality
 class Host:
-    """What a program is given.
+    """Services for a program.
 
     Attributes:
         memory_bytes: the most memory that it may have.
@@ -75,7 +75,7 @@ class Instance:
         Raises:
             StoppedError: it was stopped.
             LongJumpError: it jumps to a call that is below that of the host.
-            CrashError: the program has ended, by a trap or by itself.
+            CrashError: the program has ended, by a trap or by exit.
         """
         from wasmtime import Trap, TrapCode, WasmtimeError
 
@@ -100,25 +100,25 @@ class Instance:
             raise
 
     def limit(self) -> None:
-        """Let the next `stop` end what runs from now on."""
+        """Let the next `stop` end anything that runs from now on."""
         self._store.set_epoch_deadline(1)
 
     def stop(self) -> None:
-        """End what the program does now; any thread may call this."""
+        """End the present work of the program; any thread may call this."""
         self._engine.increment_epoch()
 
     def printed(self) -> str:
-        """Return what the program has printed since the last time."""
+        """Return the output of the program since the last call."""
         text = self._streams.printed.decode(errors="replace")
         self._streams.printed.clear()
         return text
 
     def hold(self) -> None:
-        """Remember which pages hold something before the first call: an image tells of all of them."""
+        """Remember which pages hold something before the first call: an image describes all of them."""
         self._held = frozenset(self.memory.used_pages())
 
     def image(self) -> Image:
-        """Return the program as it is now, between two calls; it was held before the first of them."""
+        """Return the image of the program between two calls; `hold` was called before the first of them."""
         numbers = self._held | frozenset(self.memory.used_pages())
         pages = {number: self.memory.read(PAGE * number, PAGE) for number in numbers}
         elapsed_ns, folder, opened = self._clock.elapsed_ns, self._file_calls.folder, self._streams.state()

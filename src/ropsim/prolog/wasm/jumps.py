@@ -1,12 +1,12 @@
 """Long jumps: how a program of C leaves many calls at once, as emscripten compiles it.
 
 A call that may be left so goes through an import `invoke_…`; jumping is an exception of WebAssembly, and the
-import that catches it puts the stack back and tells the program, which then looks whether it is the one that
-was meant. These imports are a module of WebAssembly beside the program: Prolog makes 1700 of these calls when
-it starts, each of which would cost a tenth of a millisecond by way of Python.
+import that catches it restores the stack and notifies the program, which then checks whether it is the
+target. These imports are a separate module of WebAssembly: Prolog makes 1700 of these calls when it starts,
+each of which would cost a tenth of a millisecond by way of Python.
 
 The program is given the imports before it is there. So they call its functions through a table of their own,
-into which a second module copies those of the program once it is.
+into which a second module copies the functions of the program once it exists.
 """
 
 from collections.abc import Iterable
@@ -16,9 +16,9 @@ from ropsim.prolog.program import CrashError
 ASKED = "emscripten_asm_const_int"
 """The import by which the program calls its host: a jump goes on behind it where `LEFT` is answered."""
 LEFT = -(1 << 31)
-"""What the host answers where the program has left the call of the host by a jump."""
+"""Answer of the host if the program has left the call of the host by a jump."""
 THROWN = "thrown Wasm exception"
-"""What a trap says of a jump to calls that are not below it."""
+"""Message of a trap after a jump to a call that is not below."""
 
 _MODULE = f"""\
 (module
@@ -63,7 +63,7 @@ BRIDGE = """\
     (table.set $stack (i32.const 2) (ref.func $tell)))
   (start $join))
 """
-"""Lets the imports find the functions of the program, and those with which its stack is put back."""
+"""Lets the imports find the functions of the program, and the functions that restore its stack."""
 BRIDGED = ("emscripten_stack_get_current", "_emscripten_stack_restore", "setThrew")
 """The functions of the program by their names in C that the bridge takes."""
 
@@ -79,7 +79,7 @@ def jumps(names: Iterable[str]) -> str:
         names: of imports; a `v` behind the underline says that it has no result, each `i` is a number.
 
     Raises:
-        CrashError: an import takes or gives something else.
+        CrashError: an import has other parameters or results.
     """
     return _MODULE + "".join(map(_invoke, names)) + ")\n"
 

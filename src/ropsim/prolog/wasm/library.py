@@ -17,7 +17,7 @@ class Packed:
         data: all blocks.
         offsets: where each block begins in `data`.
         sizes: how many bytes of `data` it has.
-        packed: 1 where it is LZ4, 0 where it is stored as it is.
+        packed: 1 where it is LZ4, 0 where it is stored uncompressed.
     """
 
     data: bytes
@@ -27,7 +27,7 @@ class Packed:
 
 
 class Library:
-    """Files by path; what has been unpacked is kept, because every new engine opens the same few."""
+    """Files by path; unpacked files are kept, because every new engine opens the same few."""
 
     def __init__(self, blocks: Packed, places: Mapping[str, tuple[int, int]]) -> None:
         self._blocks = blocks

@@ -1,4 +1,4 @@
-"""The program of SWI-Prolog with its imports: those that Python answers, and those by which it jumps."""
+"""The program of SWI-Prolog with its imports: imports that Python answers, and imports for jumps."""
 
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING
@@ -19,7 +19,7 @@ Answer = Callable[..., float | int | None]
 def linked(
     engine: "Engine", store: "Store", artefact: Artefact, answers: Mapping[str, Answer]
 ) -> Mapping[str, object]:
-    """Return what a program exports, by its short names, ready to be started.
+    """Return the exports of a program, by its short names, ready to be started.
 
     Args:
         engine: compiles and runs it, with exceptions of WebAssembly.
@@ -28,7 +28,7 @@ def linked(
         answers: functions by the names of their imports.
 
     Raises:
-        CrashError: it wants an import that nobody answers.
+        CrashError: it requires an unknown import.
     """
     from wasmtime import FuncType, Linker, Module, Table, ValType
 

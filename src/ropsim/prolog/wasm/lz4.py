@@ -13,7 +13,7 @@ def unpacked(block: bytes, most: int) -> bytes:
         most: the number of bytes that the content may have.
 
     Raises:
-        DamagedBlockError: the block refers to what is not there, ends early, or is longer than `most`.
+        DamagedBlockError: the block refers to missing data, ends early, or is longer than `most`.
     """
     content = bytearray()
     place, end = 0, len(block)

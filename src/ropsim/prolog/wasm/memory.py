@@ -55,7 +55,7 @@ class LinearMemory:
         return struct.unpack(form, self.read(address, struct.calcsize(form)))
 
     def string(self, address: int) -> str:
-        """Return the string that ends with a zero byte; what is no UTF-8 is replaced."""
+        """Return the string that ends with a zero byte; invalid UTF-8 is replaced."""
         content = b""
         while b"\0" not in content:
             piece = self.read(address + len(content), min(64, self.size - address - len(content)))

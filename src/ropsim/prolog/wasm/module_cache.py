@@ -16,7 +16,7 @@ def compiled(engine: "Engine", settings: str, code: bytes) -> "Module":
 
     Args:
         engine: that runs it.
-        settings: words that tell its configuration from others.
+        settings: words that identify its configuration.
         code: in the form of WebAssembly.
     """
     from wasmtime import Module, WasmtimeError

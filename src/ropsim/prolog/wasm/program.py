@@ -11,7 +11,7 @@ from ropsim.prolog.wasm.instance import Host, Instance
 START = "start"
 """Mark of a program to which nothing has been given yet."""
 GRACE = 0.05
-"""After so much time over its limit it is stopped from outside, where it did not stop itself [s]."""
+"""Time beyond the limit after which a program that did not stop is ended from outside [s]."""
 
 
 class WasmProgram:
@@ -46,7 +46,7 @@ class WasmProgram:
         return self._instance.has_ended
 
     def write(self, path: str, content: bytes) -> None:
-        """Put a file among those that Prolog sees."""
+        """Write a file into the file system of Prolog."""
         before = self._instance.files.changes
         self._instance.files.replace(path, content)
         self._changes += self._instance.files.changes - before
@@ -56,11 +56,11 @@ class WasmProgram:
         return path
 
     def printed(self) -> str:
-        """Return what Prolog has printed since the last time."""
+        """Return the output of Prolog since the last call."""
         return self._instance.printed()
 
     def replies(self, name: str, request: str) -> Generator[tuple[str, bool]]:
-        """Ask one of our predicates, see `Program.replies`."""
+        """Call one of our predicates, see `Program.replies`."""
         return self._foreign.replies(name, "ropsim_engine", request)
 
     def go_on(self, mark: str) -> bool:
@@ -69,16 +69,16 @@ class WasmProgram:
         return image is not None and self._instance.go_on_from(image)
 
     def keep(self, mark: str) -> None:
-        """Keep the program as it is now; one that has changed files by itself is not kept."""
+        """Save an image of the program; not if it has changed files itself."""
         if self._instance.files.changes == self._changes:
             keep_image(image_name(self._mark, mark), self._instance.image())
 
     def limit(self) -> None:
-        """Let the next `stop` end what runs from now on."""
+        """Let the next `stop` end anything that runs from now on."""
         self._instance.limit()
 
     def stop(self) -> None:
-        """End what Prolog does now; any thread may call this."""
+        """End the present work of Prolog; any thread may call this."""
         self._instance.stop()
 
     def close(self) -> None:

@@ -1,6 +1,6 @@
-"""The calls about what is open, as emscripten's programs make them: reading, writing, seeking.
+"""The calls on open files, as emscripten's programs make them: reading, writing, seeking.
 
-Numbers of errors are those of emscripten's musl (`errno.h`).
+Numbers of errors as in emscripten's musl (`errno.h`).
 """
 
 import struct
@@ -14,7 +14,7 @@ from ropsim.prolog.wasm.memory import LinearMemory
 MOST_OPEN = 256
 """Files that may be open at a time."""
 PRINTED = 1 << 16
-"""Bytes of what a program prints that are kept."""
+"""Number of bytes of output that are kept."""
 
 
 class Errno(IntEnum):
@@ -34,7 +34,7 @@ class Errno(IntEnum):
 
 
 class Opening:
-    """What is open, a file, a folder or the terminal: where it is, how, and how far it has been read."""
+    """An open file, folder or terminal: place, mode, and reading position."""
 
     def __init__(self, path: str, flags: int) -> None:
         self.path = path
@@ -71,11 +71,11 @@ class StreamCalls:
         return number
 
     def state(self) -> tuple[Opened, ...]:
-        """Return what is open now."""
+        """Return the open files."""
         return tuple((number, one.path, one.flags, one.place) for number, one in self.opened.items())
 
     def go_on_from(self, opened: tuple[Opened, ...]) -> None:
-        """Have open what was open once."""
+        """Restore open files of an image."""
         self.opened = {}
         for number, path, flags, place in opened:
             self.opened[number] = Opening(path, flags)

@@ -1,1 +1,1 @@
-"""Whether a call is possible, what it lacks, and which tasks reach a goal."""
+"""Whether a call is possible, its missing conditions, and plans for a goal."""

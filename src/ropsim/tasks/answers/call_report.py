@@ -1,4 +1,4 @@
-"""What is said of a call of a task."""
+"""Result of checking a call of a task."""
 
 from ropsim.core import Diagnostic, frozen_dataclass
 from ropsim.prolog import Term
@@ -11,14 +11,14 @@ class CallReport:
     """Whether a call is possible, and why not.
 
     Attributes:
-        call: with the parts, tools and devices that the state told; as it was given where it is not possible.
+        call: with the parts, tools and devices taken from the state; as given if it is not possible.
         findings: why it is not possible; empty where it is.
         fails: the same as terms: `fails(pre, Condition)`, `fails(geo, Condition)`, `fails(task, Name)`,
             `fails(call, Words)`.
-        providers: tasks that could make what is missing, in the order of the base.
-        state: what is true afterwards; where the call is not possible, as before.
-        unchecked: what conditions may name and nothing has looked at, such as `collisions`.
-        warnings: what is doubtful about a call that is possible.
+        providers: tasks that could make the missing facts true, in the order of the base.
+        state: facts after the call; if the call is not possible, before it.
+        unchecked: conditions that nothing has checked, such as `collisions`.
+        warnings: doubts about a call that is possible.
     """
 
     call: TaskCall
@@ -36,5 +36,5 @@ class CallReport:
 
     @property
     def message(self) -> str:
-        """Return what an operator reads: `accepted`, or what stands against it."""
+        """Return the text for an operator: `accepted`, or the reason against it."""
         return "; ".join(one.message for one in self.findings) or "accepted"

@@ -1,4 +1,4 @@
-"""Whether a call is possible: is there such a task, is it called rightly, can it be done now and here?"""
+"""Whether a call is possible: does the task exist, are its arguments correct, is it possible now and here?"""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
@@ -22,7 +22,7 @@ from ropsim.tasks.world.world_state import WorldState, ordered
 
 _POINT_HINT = "`(x, y, z)`, `(x, y, z, pitch, roll)` or `(x, y, z; pitch p, roll r, yaw w)`"
 OPEN = Atom("$open")
-"""What is given for a parameter that the state has to tell."""
+"""Value of a parameter that the state determines."""
 
 
 def checked(
@@ -34,13 +34,13 @@ def checked(
     geometry: RememberedGeometry,
     seconds: float,
 ) -> CallReport:
-    """Return what is said of a call.
+    """Return the report of a call.
 
     Args:
         call: of a task.
         task: which it calls, None where there is none.
         names: of all tasks.
-        host: asks Prolog.
+        host: queries Prolog.
         state: in which it is called.
         geometry: says why it refuses.
         seconds: so long it may take [s].
@@ -68,7 +68,7 @@ def checked(
 
 
 def _stopped(task: KnownTask, seconds: float) -> GoalError:
-    """Return what is said of a call that could not be checked in its time."""
+    """Return the error of a call whose check exceeded its time limit."""
     message = f"`{task.name}` could not be checked within {seconds:g} s"
     hint = "check it again: the machine may be busy, or a rule that it needs leads to itself"
     return GoalError(
@@ -79,7 +79,7 @@ def _stopped(task: KnownTask, seconds: float) -> GoalError:
 def _report(
     call: TaskCall, task: KnownTask, state: WorldState, found: Term, geometry: RememberedGeometry
 ) -> CallReport:
-    """Return the report of what Prolog found."""
+    """Return the report of the reply of Prolog."""
     match found:
         case Struct("done", (head, tuple(after), tuple(unknown))):
             made, left = WorldState(ordered(after)), tuple(map(_not_known, unknown))
@@ -123,7 +123,7 @@ def _geometry(task: KnownTask, geometry: RememberedGeometry, condition: Term) ->
 
 
 def _pattern_hint(task: KnownTask, spot: Spot) -> str:
-    """Return which parameters ask for a place of a pattern."""
+    """Return the parameters that require a place of a pattern."""
     labels = {one.name: one.label for one in task.parameters}
     patterns = (
         one.arguments[1:] for one in task.geometry if isinstance(one, Struct) and one.name == "in_rows"
@@ -148,7 +148,7 @@ def _provider(term: Term) -> tuple[int, str]:
 
 
 def _told(call: TaskCall, task: KnownTask, head: Term) -> TaskCall:
-    """Return a call with what the state has told."""
+    """Return a call with its parameters taken from the state."""
     values = head.arguments if isinstance(head, Struct) else ()
     told = tuple(
         (parameter.name, value.name)
@@ -159,7 +159,7 @@ def _told(call: TaskCall, task: KnownTask, head: Term) -> TaskCall:
 
 
 def _given(call: TaskCall, task: KnownTask) -> Iterator[Term]:
-    """Yield the value of each parameter, `OPEN` where the state or a default tells it."""
+    """Yield the value of each parameter, `OPEN` if the state or a default determines it."""
     points, values, objects = iter(call.points), iter(call.parameters), dict(call.objects)
     for parameter in task.parameters:
         if parameter.is_symbolic:
@@ -173,7 +173,7 @@ def _given(call: TaskCall, task: KnownTask) -> Iterator[Term]:
 
 
 def _wrong(call: TaskCall, task: KnownTask) -> Iterator[Diagnostic]:
-    """Yield what is wrong with the number and kinds of what a call gives."""
+    """Yield the errors in number and kinds of the arguments of a call."""
     locations = [one for one in task.passed if one.kind == LOCATION]
     others = [one for one in task.passed if one.kind != LOCATION]
     for given, wanted, word in ((call.points, locations, "points"), (call.parameters, others, "parameters")):
@@ -201,7 +201,7 @@ def wrong_value(task: KnownTask, parameter: Parameter, value: Value) -> Diagnost
 
 
 def _misfit(value: Value, parameter: Parameter) -> str:
-    """Return what a parameter should be where a value does not fit; names fit everything."""
+    """Return the required kind of a parameter if a value does not fit; names fit everything."""
     kind, units = parameter.kind, UNITS.get(parameter.kind, frozenset())
     match value:
         case str():

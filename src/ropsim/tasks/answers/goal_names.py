@@ -21,13 +21,13 @@ def missing_in_goal(
 ) -> Missing | None:
     """Return the first place, frame or thing that a goal names and that is not there; None for none.
 
-    What an argument of a fact is, is known from the tasks that make such facts.
+    The kind of an argument of a fact is known from the tasks that make facts of this name.
 
     Args:
         goal: facts.
         tasks: of the knowledge base.
         state: names parts, tools and devices, and locations where there is no cell.
-        geometry: knows the names of the cell.
+        geometry: has the names of the cell.
     """
     kinds = _kinds(tasks)
     for fact in goal:

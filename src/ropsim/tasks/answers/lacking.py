@@ -1,4 +1,4 @@
-"""What a task lacks in a state, and what can be done about it, in words for an operator."""
+"""Missing conditions of a task in a state, and remedies, in words for an operator."""
 
 from collections.abc import Iterator, Sequence
 
@@ -13,10 +13,10 @@ from ropsim.tasks.terms.point import point_of_term, term_of_point
 from ropsim.tasks.world.world_state import WorldState
 
 MOST_NAMED = 4
-"""So many tasks that could help are named."""
+"""Number of tasks that are named as remedies."""
 _ELSEWHERE = "choose another place, or bring parts there in the cell"
 _STATED = {"chuck_of": "lathe", "home_of": "welder"}
-"""What a knowledge base says of places, with the name of a thing as an example."""
+"""Facts of a knowledge base about places, with a name as an example."""
 _LESS = "take fewer for {0}, or bring more parts there"
 
 
@@ -42,7 +42,7 @@ def lacking_findings(
 
 
 def is_hindered(condition: Term, state: WorldState) -> bool:
-    """Return whether a condition asks for a gripper that the arm does not have."""
+    """Return whether a condition requires a gripper that the arm does not have."""
     if not isinstance(condition, Struct) or condition.name != "gripper":
         return False
     grippers = any(isinstance(one, Struct) and one.name == "gripper" for one in state.facts)
@@ -91,7 +91,7 @@ def _hint(condition: Term, providers: Sequence[str], state: WorldState) -> str:
 
 
 def _gone(condition: Term, state: WorldState) -> str:
-    """Return what is used up, where that is why a condition does not hold; else nothing."""
+    """Return the entity that is used up, if that is why a condition does not hold; else empty."""
     match condition:
         case Struct("at", (_, place)) if Struct("free", (place,)) in state.facts:
             return f"no part is left at `{name_words(place)}`"
@@ -159,7 +159,7 @@ def _lying(state: WorldState) -> frozenset[str]:
 
 
 def _is_told_by_another(condition: Term, missing: Sequence[Term]) -> bool:
-    """Return whether that parts are too few is told by that there is none."""
+    """Return whether another missing condition already says that parts are missing."""
     match condition:
         case Struct("enough" | "filled", (place, *_)):
             others = (one for one in missing if isinstance(one, Struct) and one.name == "at")
@@ -168,7 +168,7 @@ def _is_told_by_another(condition: Term, missing: Sequence[Term]) -> bool:
 
 
 def _labels(task: KnownTask, condition: str) -> str:
-    """Return what people call the parameters that tell how many parts a task takes."""
+    """Return the labels of the parameters for the number of parts of a task."""
     labels = {one.name: one.label for one in task.parameters}
     found = next(one for one in task.needs if isinstance(one, Struct) and one.name == condition)
     names = dict.fromkeys(getattr(one, "name", "") for one in found.arguments[1:3])

@@ -17,7 +17,7 @@ ARM = "arm"
 
 
 def not_defined(name: str, names: Iterable[str]) -> Diagnostic:
-    """Return the finding that there is no task of a name, with a near one of those that there are."""
+    """Return the finding for an unknown task, with the nearest known name."""
     hint = did_you_mean(name, names) or "`ropsim task list` shows what there is"
     return NOT_DEFINED.at(None, f"Task not defined: `{name}`", hint=hint)
 
@@ -33,7 +33,7 @@ def missing_places(call: TaskCall, state: WorldState, geometry: RememberedGeomet
 
 
 def unknown_locations(report: CallReport, state: WorldState) -> Iterator[Diagnostic]:
-    """Yield a finding for each location that a call fails for and a state does not know."""
+    """Yield a finding for each location that a call fails for and is missing in a state."""
     failing = {name for one in report.fails for name in _names(one)}
     for point in report.call.points:
         if isinstance(point, str) and point in failing and (found := unknown_location(point, state)):
@@ -41,7 +41,7 @@ def unknown_locations(report: CallReport, state: WorldState) -> Iterator[Diagnos
 
 
 def unknown_location(name: str, state: WorldState) -> Diagnostic | None:
-    """Return the finding that a state does not know a location, None where it does or says nothing of any."""
+    """Return the finding for a location missing in a state; None if present or without locations."""
     missing = unknown_thing(LOCATION, name, state)
     return None if missing is None else _finding(missing)
 

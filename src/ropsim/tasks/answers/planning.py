@@ -1,4 +1,4 @@
-"""Which tasks reach a goal: asks the planner in Prolog and says why there is no plan."""
+"""Plans for a goal: calls the planner in Prolog and reports why there is no plan."""
 
 from collections.abc import Callable, Sequence
 
@@ -23,13 +23,13 @@ PLAN_SECONDS = 10.0
 
 @frozen_dataclass
 class Plan:
-    """What planning has come to.
+    """Result of planning.
 
     Attributes:
         calls: tasks in their order; empty where there is no plan, or nothing to do.
         findings: why there is no plan; empty where there is one.
-        looked_at: states that were looked at.
-        unchecked: what conditions may name and nothing has looked at, such as `collisions`.
+        looked_at: number of states searched.
+        unchecked: conditions that nothing has checked, such as `collisions`.
         inferences: steps of Prolog that it took, the same on every machine; 0 where it was stopped.
         is_fewest: no plan has fewer tasks; else that is not known.
     """
@@ -63,13 +63,13 @@ def planned(
     """Return the fewest tasks that reach a goal, or why there are none.
 
     Args:
-        host: asks Prolog.
+        host: queries Prolog.
         task: the task of a name.
         tasks: all of them, which are read to say why there is no plan.
         goal: facts.
-        state: what is true before.
-        seconds: after so much time it is stopped [s].
-        progress: told how many states have been looked at.
+        state: facts before the plan.
+        seconds: time limit [s].
+        progress: called with the number of states searched.
         geometry: says why it refuses.
 
     Raises:

@@ -1,4 +1,4 @@
-"""What is said of parts that a task leaves: whether anything carries them there."""
+"""Findings about parts that a task leaves: whether they are supported there."""
 
 from collections.abc import Iterator
 
@@ -23,9 +23,9 @@ def set_down_findings(
 
     Args:
         task: that leaves parts.
-        before: what was true before it.
-        after: what is true afterwards.
-        geometry: knows what is below.
+        before: facts before the task.
+        after: facts after the task.
+        geometry: finds the support below a part.
     """
     left = list(_left(before, after))
     lying = dict(_lying(after))
@@ -45,7 +45,7 @@ def _finding(part: str, at: Point, found: InTheAir, others: int) -> Diagnostic:
 
 
 def _left(before: WorldState, after: WorldState) -> Iterator[tuple[str, Point]]:
-    """Yield the parts that have come to a place, but for those that a supply has brought."""
+    """Yield the parts that have come to a place, except parts from a supply."""
     supplies = {at for _, at in _lying(before)}
     held = frozenset(_lying(before))
     for part, at in _lying(after):
@@ -61,7 +61,7 @@ def _lying(state: WorldState) -> Iterator[tuple[str, Point]]:
 
 
 def _robot(condition: Struct) -> str:
-    """Return the robot of which a condition of geometry asks."""
+    """Return the robot in a condition of geometry."""
     first = condition.arguments[0]
     if isinstance(first, Struct) and first.arguments:
         return _robot(first)

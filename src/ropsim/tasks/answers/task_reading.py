@@ -1,4 +1,4 @@
-"""Tasks as records, from the terms that Prolog tells."""
+"""Tasks as records, from the terms of the reply of Prolog."""
 
 from collections.abc import Mapping
 
@@ -10,7 +10,7 @@ from ropsim.tasks.terms.known_task import KnownTask, Parameter
 
 
 def task_of(told: Term, place: Span, layer: Layer) -> KnownTask | None:
-    """Return the task of `told(Name, Arity, Task)`, None where it is none.
+    """Return the task of `told(Name, Arity, Task)`, None for another term.
 
     Args:
         told: the reply.

@@ -1,1 +1,1 @@
-"""Bodies of tasks: task text to terms and back, and what a body changes."""
+"""Bodies of tasks: task text to terms and back, and the changes that a body makes."""

@@ -1,4 +1,4 @@
-"""What is believed in the body of a task: facts that hold, that do not, and that nobody knows."""
+"""Beliefs in the body of a task: facts that hold, that do not, and unknown ones."""
 
 from collections.abc import Iterator, Mapping
 from enum import Enum
@@ -11,7 +11,7 @@ Path = tuple[int, ...]
 OPEN = "?"
 """Names of variables that stand for anything begin so; all others are parameters of the task."""
 MOST_TRIED = 50
-"""So many facts of a name are tried for a condition whose part is not known."""
+"""Number of facts of a name that are tried for a condition whose part is unknown."""
 
 
 class Held(Enum):
@@ -24,7 +24,7 @@ class Held(Enum):
 
 
 class Believed:
-    """Facts with whether they hold; changes are logged, so that branches cost what they change.
+    """Facts with whether they hold; changes are logged, so that a branch costs only its changes.
 
     Attributes:
         touched: names of facts of which steps have changed some that have no name of a thing.
@@ -59,7 +59,7 @@ class Believed:
         return len(self._log)
 
     def changed(self, mark: int) -> Mapping[Term, tuple[Held | None, Held | None]]:
-        """Return what has changed since a mark: whether each fact held then, and holds now."""
+        """Return the changes since a mark: whether each fact held then, and holds now."""
         before: dict[Term, Held | None] = {}
         for fact, old in self._log[mark:]:
             before.setdefault(fact, old)
@@ -94,5 +94,5 @@ def is_open(term: Term) -> bool:
 
 
 def has_open(term: Term) -> bool:
-    """Return whether there is such a variable in a term."""
+    """Return whether there is an open variable in a term."""
     return any(map(is_open, leaves(term)))

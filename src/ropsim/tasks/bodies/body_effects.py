@@ -29,7 +29,7 @@ class Unmade:
 
 @frozen_dataclass
 class Unsaid:
-    """What a step changes and no effect says.
+    """Change of a step that no effect names.
 
     Attributes:
         step: where it stands in the body.
@@ -45,13 +45,13 @@ def differences(
 ) -> tuple[Unmade | Unsaid | Lack, ...]:
     """Return where a task differs from its body; nothing for a task without one.
 
-    Conveyors and supplies change places, too, and an output may grasp or leave something: of these only what
-    contradicts a step counts.
+    Conveyors and supplies also change places, and an output may grasp or leave something: of these only
+    contradictions of a step count.
 
     Args:
         task: it.
         tasks: the task of a name.
-        always: names and arities of the facts that rules, or texts for all states, give.
+        always: names and arities of the facts that rules, or texts for all states, derive.
     """
     if not task.body:
         return ()
@@ -88,7 +88,7 @@ def _is_unmade(fact: Term, wanted: Held, walk: BodyWalk) -> bool:
 
 
 def _unsaid(task: KnownTask, walk: BodyWalk, told: Collection[str]) -> Iterator[Unsaid]:
-    """Yield what is missing, by steps; names of which an effect is wrong have been told."""
+    """Yield the missing effects, by steps; `told` are names with a wrong effect, already reported."""
     missing: dict[Path, list[Struct]] = {}
     for fact, value in walk.facts.all().items():
         step, begin = walk.facts.steps.get(fact), walk.begin.get(fact)
@@ -101,7 +101,7 @@ def _unsaid(task: KnownTask, walk: BodyWalk, told: Collection[str]) -> Iterator[
 
 
 def _is_needed(fact: Term, task: KnownTask) -> bool:
-    """Return whether a state lacks something without a fact, but for places whose part another names."""
+    """Return whether a state lacks something without a fact, except places whose part another fact names."""
     name = _name(fact)
     if name == "at" and isinstance(fact, Struct):
         part = fact.arguments[0]

@@ -11,7 +11,7 @@ _CLOSERS = (statements.Closer, statements.Else, statements.ElseIf, statements.Un
 
 
 def body_terms(lines: Iterator[statements.Statement], names: Mapping[str, str]) -> tuple[Term, ...]:
-    """Return the statements up to the one that closes their block, and take that, too.
+    """Return the statements up to the one that closes their block, including that one.
 
     Args:
         lines: the statements of a task behind its header.
@@ -26,7 +26,7 @@ def body_terms(lines: Iterator[statements.Statement], names: Mapping[str, str]) 
 def _block(
     lines: Iterator[statements.Statement], names: Mapping[str, str]
 ) -> tuple[tuple[Term, ...], statements.Statement | None]:
-    """Return the statements of a block, and what ends it; None where the text ends before."""
+    """Return the statements of a block, and its last line; None if the text ends before."""
     found: list[Term] = []
     for line in lines:
         if isinstance(line, _CLOSERS):
@@ -64,7 +64,7 @@ def _statement(
 
 
 def _if(condition: nodes.Node, lines: Iterator[statements.Statement], names: Mapping[str, str]) -> Term:
-    """Return the term of `if` and what follows it; `elseif` is an `if` inside of what is done otherwise."""
+    """Return the term of `if` and the rest of it; `elseif` is an `if` inside the else branch."""
     then, end = _block(lines, names)
     sides = (term_of(condition, names), then)
     match end:

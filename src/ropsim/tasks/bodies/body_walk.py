@@ -1,4 +1,4 @@
-"""Walks the body of a task: what its steps change, and which of them need what nothing before them gives."""
+"""Symbolic execution of the body of a task: changes of its steps, and steps with unsatisfied conditions."""
 
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 
@@ -12,9 +12,9 @@ from ropsim.tasks.terms.known_task import KnownTask, Parameter
 OPEN, CLOSED = Struct("gripper", (Atom("open"),)), Struct("gripper", (Atom("closed"),))
 ANY = f"{ANYTHING}any"
 OF_PLACES = frozenset(("at", "free"))
-"""Names of facts that supplies and conveyors change, too."""
+"""Names of facts that supplies and conveyors also change."""
 OF_CELLS = frozenset(("part", "location", "device", "without_gripper", "follows", "true"))
-"""Names of facts that say what there is; no task changes them."""
+"""Names of facts about existence; no task changes them."""
 OF_LOGIC = frozenset((",", ";", "\\+", "=", "\\=", "==", "\\==", "enough", "filled", "vacant"))
 _MOTIONS: Mapping[str, int] = {"mov": 0, "lin": 0, "circ": 1, "spline": 1}
 """Words of motions, each with the number of the argument that is its target."""
@@ -25,7 +25,7 @@ Tasks = Callable[[str], KnownTask | None]
 
 @frozen_dataclass
 class Lack:
-    """A step that needs facts which neither preconditions nor steps before it give.
+    """A step that needs facts which neither preconditions nor steps before it establish.
 
     Attributes:
         step: where it stands.
@@ -39,12 +39,12 @@ class Lack:
 
 
 class BodyWalk:
-    """The walk through the body of one task, from what its preconditions say; linear in the body.
+    """Symbolic execution of the body of one task, from its preconditions; linear in the body.
 
     Attributes:
         task: it.
-        facts: what is believed where the walk is; at its end, what the body leaves.
-        begin: what the preconditions say.
+        facts: beliefs at the present step; at the end, after the body.
+        begin: beliefs from the preconditions.
         lacks: steps that need more.
         signals: whether an output is set, which may grasp, leave or turn something.
         is_known: whether all called tasks are there; else nothing can be said.
@@ -196,7 +196,7 @@ class BodyWalk:
             self.facts.put(fact, value, step)
 
     def _given(self, task: KnownTask, arguments: tuple[Term, ...]) -> dict[str, Term]:
-        """Return what each parameter of a called task is; an open variable where that is not known."""
+        """Return the value of each parameter of a called task; an open variable where that is not known."""
         named = {
             one.arguments[0].name: one.arguments[1]
             for one in arguments
@@ -219,7 +219,7 @@ class BodyWalk:
                 given[one.name] = value
 
     def _is_lacking(self, fact: Term) -> bool:
-        """Return whether a condition of a step surely fails, or nothing gives it that could."""
+        """Return whether a condition of a step surely fails, or no possible source establishes it."""
         match fact:
             case Struct("\\+", (inner,)):
                 return not has_open(inner) and self.facts.of(inner) is Held.YES
@@ -243,7 +243,7 @@ class BodyWalk:
         return True
 
     def _branches(self, branches: Sequence[tuple[Sequence[Term], Path]]) -> None:
-        """Walk ways of which one is gone; where they differ nobody knows."""
+        """Execute alternative branches; facts that differ between them become unknown."""
         mark, place, ends = self.facts.mark(), self._place, []
         for body, path in branches:
             self.is_dead, self._place = False, place
@@ -262,7 +262,7 @@ class BodyWalk:
         self._place = ends[0][1] if all(end == ends[0][1] for _, end in ends) else None
 
     def _loop(self, statement: Struct, body: tuple[Term, ...], path: Path) -> None:
-        """Walk a block that is repeated: what a pass changes is open where the next one begins."""
+        """Execute a repeated block: facts that a pass changes are unknown at the begin of the next one."""
         leaves = _leaves(body)
         self._loops += 1
         mark = self.facts.mark()
@@ -291,7 +291,7 @@ class BodyWalk:
                 self.facts.put(fact, Held.OPEN)
 
     def _is_sure(self, statement: Struct) -> bool:
-        """Return whether a block is gone through once at least."""
+        """Return whether a block is executed at least once."""
         match statement:
             case Struct("repeat", (_,)) | Struct("repeat_until", _):
                 return True
@@ -320,7 +320,7 @@ def _filled(term: Term, given: Mapping[str, Term]) -> Term:
 
 
 def _shown(term: Term) -> Term:
-    """Return a term in which what stands for anything is `_`."""
+    """Return a term with `_` for open variables."""
     match term:
         case Struct(name, arguments):
             return Struct(name, tuple(map(_shown, arguments)))
@@ -361,7 +361,7 @@ def _leaves(body: tuple[Term, ...]) -> bool:
 
 
 def _assigned(body: tuple[Term, ...]) -> Iterator[str]:
-    """Yield names that a body gives values to."""
+    """Yield names that a body assigns."""
     left: list[Term] = list(body)
     while left:
         match left.pop():

@@ -78,7 +78,7 @@ def output_line(signal: Term, value: Term, names: Mapping[str, str]) -> str:
 
 
 def setting_text(term: Term, names: Mapping[str, str]) -> str:
-    """Return a setting as it stands behind a motion, `set` or `with`.
+    """Return a setting as written behind a motion, `set` or `with`.
 
     Raises:
         NotTextError: it is none.
@@ -104,7 +104,7 @@ def motion_term(line: statements.Motion, names: Mapping[str, str]) -> Term:
     """Return the term of a motion.
 
     Raises:
-        NoTermError: it has none.
+        NoTermError: it has no text.
     """
     word = _WORDS.get(line.word, line.word)
     if line.tracking is not None:

@@ -1,4 +1,4 @@
-"""What the reader of knowledge bases finds wrong, in words."""
+"""Messages about errors found by the reader of knowledge bases."""
 
 from collections.abc import Callable, Mapping
 
@@ -60,7 +60,7 @@ _FORMS: Mapping[str, tuple[str, str]] = {
 
 
 class Wording:
-    """Turns what the reader found into findings with places."""
+    """Turns errors of the reader into findings with places."""
 
     def __init__(self, texts: Mapping[int, SourceText], tasks: Callable[[], tuple[str, ...]]) -> None:
         self._texts = texts
@@ -130,7 +130,7 @@ class Wording:
         return self._between(code, first, arguments)
 
     def _between(self, code: str, first: str, arguments: tuple[Term, ...]) -> Words:
-        """Return the words of what only all texts together tell."""
+        """Return the words of errors that only all texts together show."""
         match code:
             case "clash":
                 return kinds.NAME_CLASH, f"there is a task `{first}` already", "give one of them another name"

@@ -15,7 +15,7 @@ PROPERTIES: Mapping[str, str] = {
     "geo": "what only geometry can tell",
     "body": "how it is done",
 }
-"""Properties of a task, with what they say."""
+"""Properties of a task, with their meanings."""
 
 STATEMENTS: Mapping[str, str] = {
     "mov": "mov(L)",
@@ -42,7 +42,7 @@ STATEMENTS: Mapping[str, str] = {
     "for_each": "for_each(q, pattern, [])",
     "with": "with([speed(V)], [])",
 }
-"""Statements of bodies, with an example of each; `shape/3` of kb.pl has them, too."""
+"""Statements of bodies, with an example of each; `shape/3` of kb.pl also has them."""
 
 KINDS = (*sorted(SYMBOLIC), *TYPES)
 """Kinds of parameters."""
@@ -54,7 +54,7 @@ FACTS = ("at", "free", "gripper", "held", "tool", "without_gripper", "follows", 
 """Names of the facts that cells have."""
 
 OF_PATTERNS = ("enough", "filled", "vacant")
-"""Conditions about the parts of a pattern, which `pattern/1` of kb.pl has, too."""
+"""Conditions about the parts of a pattern; `pattern/1` of kb.pl also has them."""
 
 GEOMETRY = (*CONDITIONS, IN_ROWS)
-"""Conditions that geometry tells."""
+"""Conditions that geometry decides."""

@@ -1,4 +1,4 @@
-"""A form as the properties of a clause, each with its text; what a field says wrongly is told beside it."""
+"""A form as the properties of a clause, each with its text; faults of fields are returned with it."""
 
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -24,17 +24,17 @@ ORDER = ("doc", "params", "words", "range", "pre", "eff", "geo", "body")
 WIDTH = 100
 """Lines of bodies are at most so long, where they can be."""
 TermFaults = Callable[[Sequence[str]], Sequence[str]]
-"""Says of texts what is wrong with each as a term; empty where nothing is."""
+"""Returns the error of each text as a term; empty if correct."""
 
 
 @frozen_dataclass
 class FieldFault:
-    """What is wrong with a field.
+    """Fault of a field.
 
     Attributes:
         field: `name`, `parameters`, or the property that the field belongs to.
         place: which of several fields, from 0.
-        finding: what is wrong.
+        finding: the fault.
     """
 
     field: str
@@ -44,7 +44,7 @@ class FieldFault:
 
 @frozen_dataclass
 class FormClause:
-    """What a form says as a clause.
+    """Clause made of a form.
 
     Attributes:
         head: such as `pick(P, L, Clear)`.
@@ -64,11 +64,11 @@ class FormClause:
 
 
 def form_clause(form: TaskForm, term_faults: TermFaults) -> FormClause:
-    """Return what a form says.
+    """Return the clause of a form.
 
     Args:
         form: the fields.
-        term_faults: asks Prolog what is wrong with texts that are to be terms.
+        term_faults: checks in Prolog texts that are to be terms.
     """
     faults = [*_names(form)]
     lists = {"pre": form.needs, "eff": form.effects, "geo": form.geometry}
@@ -105,7 +105,7 @@ def _fault(field: str, place: int, message: str, hint: str) -> FieldFault:
 
 
 def _names(form: TaskForm) -> Iterator[FieldFault]:
-    """Yield what is wrong with names and kinds."""
+    """Yield the faults of names and kinds."""
     if not re.fullmatch(r"[a-z]\w*", form.name, re.ASCII) or is_reserved(form.name):
         hint = "a small letter, then letters, digits and `_`; no word of the task language"
         found = f"`{form.name}` is no name of a task" if form.name else "a task needs a name"
@@ -127,7 +127,7 @@ def _names(form: TaskForm) -> Iterator[FieldFault]:
 
 
 def _typed(text: str) -> Term | None:
-    """Return the term of a value as it is typed, None where it is none."""
+    """Return the term of a typed value, None if it is no term."""
     try:
         call = call_of(f"x {text}")
     except TaskError:
@@ -182,7 +182,7 @@ def _listed(name: str, texts: Sequence[str]) -> str:
 
 
 def _body(form: TaskForm) -> tuple[tuple[Term, ...], list[FieldFault]]:
-    """Return the statements of a body as terms, and what is wrong with its lines."""
+    """Return the statements of a body as terms, and the faults of its lines."""
     names = {one.called or called(one.name): one.name for one in form.parameters}
     found = list(read(SourceText("", form.body), LineCache()))
     faults = [
@@ -202,7 +202,7 @@ def _body(form: TaskForm) -> tuple[tuple[Term, ...], list[FieldFault]]:
 
 
 def _blocks(lines: Sequence[Line]) -> Iterator[FieldFault]:
-    """Yield what is wrong with the begins and ends of blocks."""
+    """Yield the faults of the begins and ends of blocks."""
     open_at: list[int] = []
     for at, line in enumerate(lines):
         match line.statement:
@@ -230,7 +230,7 @@ def called(name: str) -> str:
 
 
 def laid_out(term: Term, column: int, indent: int) -> str:
-    """Return the text of statements; a list that does not fit on a line has one for each of its elements.
+    """Return the text of statements; a list that does not fit on a line has a line for each element.
 
     Args:
         term: a list of statements, or one.

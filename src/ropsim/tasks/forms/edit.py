@@ -1,4 +1,4 @@
-"""A changed form written into its text: what has changed is written anew, all else stays as it is."""
+"""A changed form written into its text: changed fields are written anew, the rest stays unchanged."""
 
 import re
 
@@ -15,16 +15,16 @@ _NUMBERED = re.compile(r"(?<!\w)_\d+(?!\w)")
 def edited(
     text: str, places: ClausePlaces, before: FormClause, after: FormClause
 ) -> tuple[str, tuple[FieldFault, ...]]:
-    """Return a text whose clause says what the form says after a change, and which fields it cannot take.
+    """Return a text with the clause of the changed form, and the faults of fields that cannot be written.
 
     A property with a comment inside is not written anew: a form does not show the comment, and would lose it.
     Nor is one with variables such as `_1`, which a form shows as `_`.
 
     Args:
-        text: as it stands.
+        text: present text.
         places: of the clause in it.
-        before: what the form of the text says.
-        after: what the changed form says.
+        before: clause of the form of the text.
+        after: clause of the changed form.
     """
     changes: list[tuple[int, int, str]] = []
     faults: list[FieldFault] = []
@@ -54,7 +54,7 @@ def edited(
 
 
 def _hidden(text: str) -> str:
-    """Return what a form does not show of a text without quoted parts; empty for nothing."""
+    """Return the part of a text, without quoted parts, that a form does not show; empty if none."""
     if _COMMENT.search(text):
         return "a comment"
     found = _NUMBERED.search(text)

@@ -20,9 +20,9 @@ class FormParameter:
     Attributes:
         name: its variable, such as `Clear`.
         kind: a word of `KINDS`.
-        default: its value where a call does not tell it, as it is typed; empty for none.
-        word: what people call it; empty for none.
-        sentence: what they should know of it.
+        default: its value if a call omits it, as typed; empty for none.
+        word: label for users; empty for none.
+        sentence: remark for users.
         bounds: such as `>= 1` or `> 0 mm`.
         called: its name in the text of the body; its variable in small letters where this is empty.
     """
@@ -42,11 +42,11 @@ class TaskForm:
 
     Attributes:
         name: how it is called.
-        doc: what it is for.
+        doc: purpose.
         parameters: in the order of its head.
         needs: conditions that hold before it.
-        effects: `-fact` for what goes, then `+fact` for what comes.
-        geometry: conditions that only geometry can tell.
+        effects: `-fact` for removed facts, then `+fact` for added ones.
+        geometry: conditions that only geometry decides.
         body: its statements as task text, without `task` and `endp`.
     """
 

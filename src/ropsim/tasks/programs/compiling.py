@@ -1,4 +1,4 @@
-"""The bodies of a knowledge base in a cell: as tasks that programs call, and what is wrong with them."""
+"""The bodies of a knowledge base in a cell: as tasks that programs call, and their errors."""
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import field, replace
@@ -39,7 +39,7 @@ def _renamed(term: Term, names: Mapping[str, str]) -> Term:
 
 
 _UNKNOWN_TASK = "N201"
-"""Of the compiler; the knowledge base itself tells of such calls, or what is wrong with what they call."""
+"""Codes of the compiler for calls that the knowledge base reports itself, or whose callee it reports."""
 _HIDDEN = "N223"
 """Of the compiler; a body that uses something of the cell has no parameter of its name, see `text_names`."""
 _HEAD = ("program bodies", f"units {UNITS}")
@@ -50,8 +50,8 @@ class Library:
     """Tasks of a knowledge base as programs call them in a cell.
 
     Attributes:
-        tasks: those that compile, with all that they call, as `Environment.tasks` has them.
-        refused: those that do not, with the reason.
+        tasks: tasks that compile, with all tasks that they call, as `Environment.tasks` has them.
+        refused: tasks that do not, with the reason.
         text: task text of which they were made; it is their version.
     """
 
@@ -61,7 +61,7 @@ class Library:
 
     @property
     def version(self) -> str:
-        """Return the SHA-256 of what the tasks do, as 64 digits."""
+        """Return the SHA-256 of the content of the tasks, as 64 digits."""
         return version_of_text(self.text)
 
 
@@ -103,7 +103,7 @@ def own_tasks(base: KnowledgeBase) -> tuple[KnownTask, ...]:
 def body_findings(
     base: KnowledgeBase, environment: Environment, tasks: Iterable[KnownTask]
 ) -> tuple[Diagnostic, ...]:
-    """Return a finding for each error in bodies of tasks and of all that they call.
+    """Return a finding for each error in bodies of tasks and of all tasks that they call.
 
     Args:
         base: of the project.
@@ -130,8 +130,8 @@ def library(
         base: of the project.
         environment: the cell for which the bodies are compiled.
         names: of tasks.
-        taken: names of tasks of the program; a task that only others of the knowledge base call and that has
-            one of these gets another name, so that each calls what it meant.
+        taken: names of tasks of the program; a task that only others of the knowledge base call under one of
+            these names is renamed, so that each call keeps its callee.
     """
     wanted = [name for name in names if base.task(name) is not None]
     reached = list(_reached(base, wanted))
@@ -159,7 +159,7 @@ def library(
 def _texts(
     tasks: Iterable[KnownTask], names: Mapping[str, str]
 ) -> tuple[dict[str, tuple[KnownTask, str]], list[Diagnostic]]:
-    """Return each task with its text, and what is wrong with those that have none.
+    """Return each task with its text, and the errors of tasks without a text.
 
     Args:
         tasks: in their order.
@@ -211,7 +211,7 @@ def _spread(reached: Sequence[KnownTask], refused: dict[str, str]) -> None:
 
 
 def _told(signature: TaskSignature, task: KnownTask, text: str) -> TaskSignature:
-    """Return a task that tells of which text it was made."""
+    """Return a task with the version of its text."""
     return replace(signature, source=_file(task), version=version_of_text(text))
 
 
@@ -235,7 +235,7 @@ def _begin(task: KnownTask) -> Span:
 
 
 def _reached(base: KnowledgeBase, names: Sequence[str]) -> Iterator[KnownTask]:
-    """Yield the tasks of these names and all that they call; calls of nothing have their finding already."""
+    """Yield the tasks of these names and their callees; calls of unknown tasks have their finding already."""
     seen: set[str] = set()
     for name in names:
         try:

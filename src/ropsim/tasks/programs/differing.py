@@ -16,8 +16,9 @@ def differing_tasks(
 ) -> tuple[Diagnostic, ...]:
     """Return a finding for each task of a program that is another one in the knowledge base.
 
-    A generated program holds copies of tasks; these are told as soon as the knowledge base changes. Tasks of
-    the library that comes with ropsim do not count: Fig. 5 of the task-language paper has three of its own.
+    A generated program holds copies of tasks; differences are reported as soon as the knowledge base changes.
+    Tasks of the library that comes with ropsim do not count: Fig. 5 of the task-language paper has three of
+    its own.
 
     Args:
         base: of the project.

@@ -17,11 +17,11 @@ from ropsim.tasks.world.world_state import WorldState
 
 @frozen_dataclass
 class Draft:
-    """What has been chosen so far.
+    """Tasks chosen so far.
 
     Attributes:
-        begin: what is true before the first task.
-        entries: what was said of each task that was asked for, accepted or not, in their order.
+        begin: facts before the first task.
+        entries: report of each requested task, accepted or not, in their order.
     """
 
     begin: WorldState
@@ -29,7 +29,7 @@ class Draft:
 
     @property
     def state(self) -> WorldState:
-        """Return what is true after the tasks that were accepted."""
+        """Return the facts after the accepted tasks."""
         return self.entries[-1].state if self.entries else self.begin
 
     @property
@@ -39,7 +39,7 @@ class Draft:
 
     @property
     def unchecked(self) -> tuple[str, ...]:
-        """Return what conditions may name and nothing has looked at, of any task that was asked for."""
+        """Return the conditions of requested tasks that nothing has checked."""
         return tuple(dict.fromkeys(word for one in self.entries for word in one.unchecked))
 
     @property
@@ -72,7 +72,7 @@ def added(draft: Draft, base: KnowledgeBase, call: TaskCall, seconds: float = CH
 
 
 def taken_back(draft: Draft) -> Draft:
-    """Return a draft without the task that was asked for last."""
+    """Return a draft without the task requested last."""
     return Draft(draft.begin, draft.entries[:-1])
 
 
@@ -98,7 +98,7 @@ def draft_text(draft: Draft, base: KnowledgeBase, name: str) -> str:
 
 
 def draft_points(draft: Draft) -> str:
-    """Return the points of the program as a list for `points/NAME.csv`, without those in frames."""
+    """Return the points of the program as a list for `points/NAME.csv`, without points in frames."""
     return points_text([(name, one) for name, one in draft.points if not isinstance(one, FramedPoint)])
 
 

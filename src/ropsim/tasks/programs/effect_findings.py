@@ -11,11 +11,11 @@ from ropsim.tasks.terms.clause_text import term_text
 from ropsim.tasks.terms.known_task import KnownTask
 
 MOST_TOLD = 20
-"""So many differences of one task are told."""
+"""Maximum number of differences reported for one task."""
 
 
 def effect_findings(base: KnowledgeBase, tasks: Iterable[KnownTask]) -> tuple[Diagnostic, ...]:
-    """Return a warning for each difference between bodies of tasks and what their headers say.
+    """Return a warning for each difference between bodies of tasks and their headers.
 
     Args:
         base: of the project.

@@ -40,7 +40,7 @@ def _copied(task: KnownTask) -> str:
 
 
 def needed(task: Callable[[str], KnownTask | None], names: Iterable[str]) -> tuple[KnownTask, ...]:
-    """Return the tasks of these names and all that they call, each once.
+    """Return the tasks of these names and all tasks that they call, each once.
 
     Raises:
         TaskError: one is not defined.

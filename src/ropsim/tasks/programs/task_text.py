@@ -80,11 +80,11 @@ def names_of(body: tuple[Term, ...]) -> frozenset[str]:
 def stored_clause(text: SourceText, environment: Environment) -> tuple[str | None, tuple[Diagnostic, ...]]:
     """Return the clause under which the first task of a text can be kept in a knowledge base.
 
-    Its contract tells what it assumes of the gripper, the last statement about the gripper what becomes of
-    it. Where a list of parameters is missing the compiler says what they are.
+    Its contract states the required state of the gripper, the last statement about the gripper its final
+    state. If a list of parameters is missing the compiler determines the parameters.
 
     Args:
-        text: task text with one task, and what it needs.
+        text: task text with one task, and the texts that it needs.
         environment: the cell for which it is written.
     """
     compiled = compile(text.text, environment, text.name)
@@ -143,7 +143,7 @@ def _stored(
 
 
 def _gripper(contract: str, body: tuple[Term, ...]) -> tuple[tuple[Term, ...], tuple[Term, ...]]:
-    """Return what a contract assumes of the gripper, and what the body makes of it."""
+    """Return the state of the gripper that a contract requires, and the state after the body."""
     words = _WORD.split(contract.lower())
     named = [after for word, after in pairwise(words) if word == "gripper"]
     states = {"open": "open", "opened": "open", "close": "closed", "closed": "closed"}
@@ -159,7 +159,7 @@ def _gripper(contract: str, body: tuple[Term, ...]) -> tuple[tuple[Term, ...], t
 
 
 def _words(body: tuple[Term, ...]) -> Iterator[str]:
-    """Yield the statements without arguments, as they stand in the text."""
+    """Yield the statements without arguments, as written in the text."""
     for one in body:
         match one:
             case Atom(name):
@@ -190,7 +190,7 @@ SHORT = 8
 
 
 def version_of(task: KnownTask) -> str:
-    """Return the version of a task, by its content: the SHA-256 of its task text, empty where it has none."""
+    """Return the version of a task, by its content: the SHA-256 of its task text, empty without a text."""
     try:
         return version_of_text(task_text(task))
     except TaskError:

@@ -1,4 +1,4 @@
-"""Tasks as an operator types them, field by field: what fields say becomes a call, or is refused in words."""
+"""Tasks as an operator types them, field by field: fields become a call, or are refused with a message."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from math import isfinite, nan
@@ -29,13 +29,13 @@ _VALUE = "give a number, with its unit where it has one"
 
 @frozen_dataclass
 class TypedStep:
-    """A task as it is typed; what is blank is not given.
+    """A typed task; blank fields are not passed.
 
     Attributes:
         name: of the task.
         points: a name of a location or of a list, or X Y Z, with Pitch Roll or Pitch Roll Yaw, in mm and deg,
             for each field.
-        values: a number, with its unit where it has one, for each other parameter that task text passes.
+        values: a number, with its unit if any, for each other parameter that task text passes.
     """
 
     name: str
@@ -46,7 +46,7 @@ class TypedStep:
 def drafted(
     steps: Iterable[TypedStep], base: KnowledgeBase, begin: WorldState, lists: Mapping[str, PointList]
 ) -> Draft:
-    """Return a draft with an entry for each step; what cannot be read or checked is refused, not raised."""
+    """Return a draft with an entry for each step; unreadable or unchecked input is refused, not raised."""
     draft = Draft(begin)
     for step in steps:
         draft = Draft(begin, (*draft.entries, _report(step, base, draft.state, lists)))
@@ -76,7 +76,7 @@ def typed_call(step: TypedStep, task: KnownTask, lists: Mapping[str, PointList])
 
 
 def typed_points(typed: str, lists: Mapping[str, PointList]) -> tuple[Point, ...]:
-    """Return what is typed for a point: numbers, a name, or all points of the list of that name.
+    """Return the points of a typed text: numbers, a name, or all points of the list of that name.
 
     Args:
         typed: a name, or X Y Z, X Y Z Pitch Roll or X Y Z Pitch Roll Yaw, with blanks or commas between them;
@@ -102,7 +102,7 @@ def _typed_coordinates(typed: str, words: Sequence[str]) -> tuple[Coordinates, .
 
 
 def typed_values(typed: str, task: KnownTask) -> tuple[Value, ...]:
-    """Return what is typed for parameters of a task.
+    """Return the values typed for parameters of a task.
 
     Raises:
         TaskError: it is no value.
@@ -114,7 +114,7 @@ def typed_values(typed: str, task: KnownTask) -> tuple[Value, ...]:
 
 
 def default_text(parameter: Parameter) -> str:
-    """Return the default of a parameter as it is typed; empty where it has none."""
+    """Return the default of a parameter as typed; empty without a default."""
     default = parameter.default
     quantity = unit_of(default) if isinstance(default, Struct) else None
     if quantity is not None:
@@ -125,7 +125,7 @@ def default_text(parameter: Parameter) -> str:
 
 
 def _point(typed: str, words: Sequence[str]) -> Numbers:
-    """Return the numbers of a point as they are typed, none where nothing is.
+    """Return the numbers of a point as typed, empty for an empty text.
 
     Raises:
         TaskError: they are no point.

@@ -1,4 +1,4 @@
-"""What knowledge bases ask of who knows the cell: where its arms can go, and what is in their way there."""
+"""Queries of knowledge bases to a cell: reach of its arms, and obstacles there."""
 
 from collections.abc import Hashable, Mapping
 from typing import Protocol
@@ -8,7 +8,7 @@ from ropsim.tasks.terms.fact_words import meeting_words
 from ropsim.tasks.terms.point import Point
 
 MOST_NAMED = 6
-"""So many names are listed where none is near."""
+"""Number of names listed if none is similar."""
 
 
 @frozen_dataclass
@@ -16,8 +16,8 @@ class Obstruction:
     """Two bodies that would be in each other.
 
     Attributes:
-        one: what the robot moves, as people call it: "the tool `jaws`".
-        other: what is in its way, likewise.
+        one: name of the moved body for users: "the tool `jaws`".
+        other: name of the obstacle for users.
         depth: how far they would have to be apart [m].
     """
 
@@ -31,7 +31,7 @@ class Obstruction:
 
 @frozen_dataclass
 class Overlap:
-    """A part and one like it beside it that would be in each other.
+    """A part and a neighbour of the same kind that would overlap.
 
     Attributes:
         depth: how deep they would be in each other [m].
@@ -47,9 +47,9 @@ class InTheAir:
     """A part that nothing carries where it is left.
 
     Attributes:
-        below: what is next below it, as people call it: "the floor".
+        below: the nearest body below it, in words: "the floor".
         height: how high it is above that; negative where it is below its top [m].
-        words: from what height on a part lies on nothing, as a clause.
+        words: clause with the height above which a part is unsupported.
     """
 
     below: str
@@ -62,7 +62,7 @@ class Missing:
     """A name that a cell does not have.
 
     Attributes:
-        kind: what it should name: `location`, `frame`, `robot`.
+        kind: kind of entity that it should name: `location`, `frame`, `robot`.
         name: the name.
         known: the names of this kind that there are.
     """
@@ -76,23 +76,23 @@ class Missing:
 
     @property
     def hint(self) -> str:
-        """Return the name that was probably meant, or some of those that there are."""
+        """Return the name that was probably meant, or some known ones."""
         some = ", ".join(f"`{one}`" for one in self.known[:MOST_NAMED])
         none = f"the cell has no {self.kind}s"
         return did_you_mean(self.name, self.known) or (f"there are {some}" if some else none)
 
 
 class Geometry(Protocol):
-    """Who knows where the arm of a cell can go; knowledge bases know neither arm nor cell."""
+    """Interface to reach and obstacles of the arm of a cell; knowledge bases contain neither arm nor cell."""
 
     @property
     def revision(self) -> Hashable:
-        """Return what changes whenever the cell changes, so that answers are asked for again."""
+        """Return a key that changes with the cell, so that answers are computed again."""
         ...
 
     @property
     def unchecked(self) -> tuple[str, ...]:
-        """Return what its answers leave out, such as `collisions`; said wherever they are."""
+        """Return the checks that its answers omit, such as `collisions`; reported with them."""
         ...
 
     def missing(self, robot: str, location: Point) -> Missing | None:
@@ -104,16 +104,16 @@ class Geometry(Protocol):
         ...
 
     def obstruction(self, robot: str, part: str, location: Point) -> Obstruction | None:
-        """Return what is in the way of a robot that holds a part at a location; None for nothing."""
+        """Return the obstacle of a robot that holds a part at a location; None if free."""
         ...
 
     def overlap(self, robot: str, part: str, x: float, y: float) -> Overlap | None:
-        """Return how deep a part would be in one like it that a robot leaves beside it; None for not at all.
+        """Return the overlap of a part and an equal one left next to it; None if they do not overlap.
 
         Args:
             robot: that leaves both.
             part: by its name.
-            x: how far beside it along X of the tool [m].
+            x: distance to it along X of the tool [m].
             y: how far against Y of the tool [m].
         """
         ...
@@ -121,7 +121,7 @@ class Geometry(Protocol):
     def in_the_air(
         self, robot: str, part: str, location: Point, lying: Mapping[str, Point]
     ) -> InTheAir | None:
-        """Return how high a part that a robot leaves is above what is below it; None where that carries it.
+        """Return how high a part that a robot leaves is above the body below it; None if it is supported.
 
         Args:
             robot: that leaves it.
@@ -132,7 +132,7 @@ class Geometry(Protocol):
         ...
 
     def prepare(self) -> None:
-        """Make ready what first answers would take long for: a call is checked in little time."""
+        """Prepare data that would delay the first answers, so that a call is checked quickly."""
         ...
 
 
@@ -143,7 +143,7 @@ class Anywhere:
     unchecked = ("reach", "collisions")
 
     def missing(self, robot: str, location: Point) -> None:
-        """Return None: without a cell nobody knows its names."""
+        """Return None: without a cell its names are unknown."""
 
     def reachable(self, robot: str, location: Point) -> bool:  # noqa: ARG002 - as the protocol has it
         """Return True."""

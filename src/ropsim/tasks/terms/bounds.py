@@ -28,7 +28,7 @@ _SCALES: Mapping[str, tuple[str, float]] = {
     "N": ("force", 1.0),
     "%": ("share", 1.0),
 }
-"""What a unit measures, and how much of the SI unit it is."""
+"""Dimension of a unit, and its size in SI units."""
 PROGRAM_UNITS: Mapping[str, str] = {
     "length": "mm",
     "angle": "deg",
@@ -37,7 +37,7 @@ PROGRAM_UNITS: Mapping[str, str] = {
     "accel": "mm/s2",
     "force": "N",
 }
-"""Unit of a bare number of each kind in a program that is made of tasks; other kinds have none."""
+"""Unit of a bare number of each kind in a program made of tasks; other kinds have no unit."""
 
 
 @frozen_dataclass
@@ -54,7 +54,7 @@ class Bound:
 
     @property
     def number(self) -> str:
-        """Return its value as it is typed."""
+        """Return its value as typed."""
         return str(self.value) if isinstance(self.value, Quantity) else short_text(self.value)
 
     def __str__(self) -> str:
@@ -78,7 +78,7 @@ def millimetres(term: Term) -> float | None:
 
 
 def bound_of(term: Term) -> tuple[str, Bound] | None:
-    """Return the name of the parameter of which a term such as `B >= 1` tells a bound, and the bound."""
+    """Return the name of the parameter in a term such as `B >= 1`, and the bound."""
     match term:
         case Struct(sign, (variable, bound)) if sign in _KEEPS:
             quantity = unit_of(bound) if isinstance(bound, Struct) else None

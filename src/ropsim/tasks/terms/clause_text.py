@@ -12,7 +12,7 @@ _OPERATORS = {
 }  # fmt: skip
 _LOOSEST = 999
 _ANONYMOUS = re.compile(r"_\d+")
-"""Names that Prolog gives to variables that have none."""
+"""Names that Prolog assigns to unnamed variables."""
 
 
 def clause_text(task: Term) -> str:
@@ -70,7 +70,7 @@ class ClausePlaces:
 
 
 def places_of(found: Term, source: str) -> ClausePlaces | None:
-    """Return the places that the reply of `clause_places/2` in kb.pl tells."""
+    """Return the places in the reply of `clause_places/2` in kb.pl."""
     match found:
         case Struct("clause", (int(begin), int(a), int(b), int(c), int(d), tuple(told))):
             return ClausePlaces(source, begin, (a, b), (c, d), dict(filter(None, map(_property, told))))

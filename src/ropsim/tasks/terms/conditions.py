@@ -8,21 +8,20 @@ from ropsim.tasks.terms.asked_geometry import Geometry, Obstruction
 from ropsim.tasks.terms.point import Point
 
 Answer: TypeAlias = bool | Obstruction
-"""Whether it holds, or what is in the way."""
+"""Whether it holds, or the obstacle."""
 
 
 @frozen_dataclass
 class Condition:
-    """A condition that only geometry can tell.
+    """A condition that only geometry decides.
 
     Attributes:
         name: how texts call it; it stands before the name of a robot, `things` and a location.
-        things: what its arguments between robot and location are, as manuals write them: `Part`.
-        answer: asks the cell, given the name of a robot, those of the things, and the location.
+        things: names of its arguments between robot and location, as in manuals: `Part`.
+        answer: queries the cell for the name of a robot, the names of the things, and the location.
         refusal: why it does not hold, where nothing is in the way, given the names of the things and words of
             the location: "`s1`", or which place of a pattern.
-        beside: whether parts of a pattern that lie next to each other are looked at, too; the first thing is
-            the part.
+        beside: whether adjacent parts of a pattern are also checked; the first thing is the part.
     """
 
     name: str

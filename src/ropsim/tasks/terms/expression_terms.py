@@ -11,7 +11,7 @@ _FROM_TEXT = {**{text: name for name, text in COMPARISONS.items()}, "!=": "\\="}
 
 
 class NoTermError(ValueError):
-    """A piece of task text that terms have no form for; the message is what it is."""
+    """A piece of task text without a form as a term; the message names it."""
 
 
 def term_of(node: nodes.Node, names: Mapping[str, str]) -> Term:  # noqa: PLR0911 - a case for each kind
@@ -22,7 +22,7 @@ def term_of(node: nodes.Node, names: Mapping[str, str]) -> Term:  # noqa: PLR091
         names: the variable of each parameter by its name in the text.
 
     Raises:
-        NoTermError: there is no such term.
+        NoTermError: the text has no term.
     """
     match node:
         case nodes.Name(text=text):

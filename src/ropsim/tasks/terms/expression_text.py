@@ -9,14 +9,14 @@ from ropsim.prolog import Atom, Struct, Term, Var, write_term
 OR, AND, NOT, COMPARISON, SUM, PRODUCT, SIGN, ATOM = range(8)
 """How strongly an expression holds together."""
 COMPARISONS = {"=": "=", "==": "==", "\\=": "<>", "<": "<", ">": ">", "=<": "<=", ">=": ">="}
-"""Comparisons of the language by those of Prolog."""
+"""Comparisons of the language by Prolog operator."""
 PRODUCTS = ("*", "/", "mod")
 SHIFTS = ("above", "offset", "rel")
 WORDS = frozenset(("true", "false", "on", "off", "here", "home"))
 TURNS = frozenset(("down", "rpy", "quat", "rotvec", "pitch", "roll", "yaw", "rx", "ry", "rz"))
 _NAME = re.compile(r"[A-Za-z]\w*", re.ASCII)
 _UNNAMED = re.compile(r"(?<![\w'\"])_G?\d+\b")
-"""Names that Prolog gives to variables that have none."""
+"""Names that Prolog assigns to unnamed variables."""
 _ESCAPED = {'"': '\\"', "\\": "\\\\", "\n": "\\n", "\t": "\\t"}
 
 
@@ -25,7 +25,7 @@ class NotTextError(ValueError):
 
     Attributes:
         term: it.
-        wanted: what could stand there.
+        wanted: the expected kinds.
     """
 
     def __init__(self, term: Term, wanted: str) -> None:
@@ -50,7 +50,7 @@ def expression(term: Term, names: Mapping[str, str]) -> str:
 
 
 def argument(term: Term, names: Mapping[str, str]) -> str:
-    """Return the text of an argument of a call; `n = Value` gives it by name."""
+    """Return the text of an argument of a call; `n = Value` passes it by name."""
     match term:
         case Struct("=", (Atom() as name, value)):
             return f"{name_of(name, names)} = {expression(value, names)}"

@@ -31,7 +31,7 @@ def fact_words(fact: Term) -> str:
 
 
 def _place_words(fact: Term) -> str:
-    """Return what is said of machines and racks as people say it."""
+    """Return facts about machines and racks in plain words."""
     match fact:
         case Struct("loaded", (_, machine)):
             return f"a part in the machine `{name_words(machine)}`"
@@ -63,7 +63,7 @@ def _logic_words(condition: Term) -> str:
 
 
 def _pattern_words(condition: Term) -> str:
-    """Return what a pattern asks for as people say it, all else as a term."""
+    """Return a condition of a pattern in plain words, other conditions as a term."""
     match condition:
         case Struct("enough", (place, _, _)):
             return f"as many parts at `{name_words(place)}` as the pattern has places"
@@ -75,7 +75,7 @@ def _pattern_words(condition: Term) -> str:
 
 
 def meeting_words(one: str, other: str, depth: float) -> str:
-    """Return that two bodies, by what people call them, would be in each other by a depth [m]."""
+    """Return that two bodies, by their names for users, would be in each other by a depth [m]."""
     return f"{one} would be {max(depth * 1e3, 0.1):.1f} mm deep in {other}"
 
 
@@ -87,12 +87,12 @@ def beside_words(apart: float, part: str, length: float, depth: float) -> str:
 
 
 def wider_words(distance: float) -> str:
-    """Return from which distance [m] on parts fit beside each other."""
+    """Return the words for the least distance [m] at which adjacent parts fit."""
     return f"take a distance of {distance * 1e3:.4g} mm or more"
 
 
 def place_words(condition: Term) -> str:
-    """Return where a condition of geometry is asked for: "at `s1`"."""
+    """Return the words for the place of a condition of geometry: "at `s1`"."""
     place = condition.arguments[-1] if isinstance(condition, Struct) else condition
     return f"at `{name_words(place)}`"
 

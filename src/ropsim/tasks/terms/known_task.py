@@ -13,10 +13,10 @@ class Parameter:
 
     Attributes:
         name: its variable, such as `L`.
-        kind: what it is, a word of `KINDS`.
-        default: its value where a call does not tell it, None where it must.
-        word: what people call it; empty where the text has no word for it.
-        sentence: what they should know of it; empty where the text says nothing.
+        kind: a word of `KINDS`.
+        default: its value if a call omits it, None if it is required.
+        word: label for users; empty if the text has none.
+        sentence: remark for users; empty if the text has none.
         bounds: all of which its value keeps.
     """
 
@@ -29,17 +29,17 @@ class Parameter:
 
     @property
     def label(self) -> str:
-        """Return its word, or its name where it has none."""
+        """Return its word, or its name if it has no word."""
         return self.word or self.name
 
     @property
     def is_symbolic(self) -> bool:
-        """Return whether the state of the cell tells it instead of task text."""
+        """Return whether the state of the cell determines it instead of task text."""
         return self.kind in SYMBOLIC
 
     @property
     def unit(self) -> str:
-        """Return the unit in which people give it: that of its default, or that of programs; else nothing."""
+        """Return the unit for input: that of its default, or that of programs; else empty."""
         quantity = unit_of(self.default) if isinstance(self.default, Struct) else None
         return PROGRAM_UNITS.get(self.kind, "") if quantity is None else quantity[1]
 
@@ -49,16 +49,16 @@ class Parameter:
 
 @frozen_dataclass
 class KnownTask:
-    """A task of a knowledge base; in its terms variables have the names that the text gives them.
+    """A task of a knowledge base; in its terms variables have the names of the text.
 
     Attributes:
         name: how it is called.
         parameters: in the order of its head.
-        doc: what it is for, in words.
+        doc: purpose, in words.
         needs: conditions that hold before it (`pre`).
         adds: facts that are true after it.
         removes: facts that are not true any more after it.
-        geometry: conditions that only geometry can tell (`geo`).
+        geometry: conditions that only geometry decides (`geo`).
         body: statements as terms.
         span: where it is defined, whose source is the file.
         layer: whose texts define it.

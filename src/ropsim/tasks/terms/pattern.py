@@ -1,4 +1,4 @@
-"""The places of parts in rows, in the order in which they are looked at."""
+"""The places of parts in rows, in the order in which they are checked."""
 
 from collections.abc import Iterator
 from itertools import chain, islice
@@ -8,11 +8,10 @@ from ropsim.tasks.terms.expression_text import short_text
 from ropsim.tasks.terms.point import Point, point_text
 
 MOST_PLACES = 64
-"""So many places of a pattern are looked at;
-reach and collisions of one take about 10 ms when a machine is busy."""
+"""Number of places of a pattern that are checked; one takes about 10 ms on a busy machine."""
 
 MOST_IN_ROWS = 1000
-"""Of so many places of a pattern it is known what lies there."""
+"""Number of places of a pattern whose contents are known."""
 
 
 @frozen_dataclass
@@ -34,7 +33,7 @@ class Spot:
 
 
 def spots(first: Point, columns: int, rows: int, distance: float) -> tuple[Spot, ...]:
-    """Return `MOST_PLACES` places of a pattern at most: its corners, what lies between them, then the inside.
+    """Return `MOST_PLACES` places of a pattern at most: its corners, points between them, then the inside.
 
     Args:
         first: place of column 1 in row 1, with whose orientation all others are.
@@ -67,9 +66,9 @@ def places_in_rows(first: Point, columns: int, rows: int, distance: float) -> tu
 
     Args:
         first: as with `spots`.
-        columns: likewise.
-        rows: likewise.
-        distance: likewise [mm].
+        columns: number of columns.
+        rows: number of rows.
+        distance: spacing [mm].
     """
     count = min(max(columns, 0) * max(rows, 0), MOST_IN_ROWS)
     numbers = (divmod(place, columns) for place in range(count))  # empty rows without number end at once

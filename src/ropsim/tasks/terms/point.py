@@ -10,15 +10,15 @@ from ropsim.spatial import Pose, pitch_roll_yaw, quaternion
 from ropsim.tasks.terms.expression_text import short_text
 
 _DIGITS = 10
-"""So many digits of a degree are kept of computed angles."""
+"""Digits of a degree kept of computed angles."""
 
 
 @frozen_dataclass
 class ApproachPose:
     """A point with the approach direction of the tool: X Y Z Pitch Roll Yaw, as people type it.
 
-    It means what `(x, y, z; pitch p, roll r, yaw w)` means in the task language: X Y Z Pitch Roll with a yaw
-    in place of the azimuth of the point.
+    It corresponds to `(x, y, z; pitch p, roll r, yaw w)` of the task language: X Y Z Pitch Roll with a yaw in
+    place of the azimuth of the point.
 
     Attributes:
         x: in the units of the program.
@@ -75,7 +75,7 @@ def typed_point(numbers: Numbers) -> Coordinates:
 
 
 def typed_numbers(point: Coordinates) -> Numbers:
-    """Return a point as it is typed: the way back of `typed_point`.
+    """Return a point as typed: the inverse of `typed_point`.
 
     Six numbers of task text, which are Roll Pitch Yaw about fixed axes, become Pitch Roll Yaw of the approach
     direction.
@@ -90,7 +90,7 @@ def typed_numbers(point: Coordinates) -> Numbers:
 
 
 def point_text(point: Point) -> str:
-    """Return a point as it stands in task text; three angles have their word, which tells their order."""
+    """Return a point as written in task text; the word of three angles determines their order."""
     match point:
         case str():
             return point
@@ -106,7 +106,7 @@ def point_text(point: Point) -> str:
 
 
 def term_of_point(point: Point) -> Term:
-    """Return a point as it stands in facts: a name, `p(X,Y,Z)`, or this with a list of turns."""
+    """Return a point as a term in facts: a name, `p(X,Y,Z)`, or this with a list of turns."""
     match point:
         case str():
             return Atom(point)

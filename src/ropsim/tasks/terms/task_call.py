@@ -1,4 +1,4 @@
-"""A task with what it is called with, as an operator picks it: a list of points and a list of parameters."""
+"""A call of a task by an operator: the task, a list of points and a list of parameters."""
 
 from ropsim.core import frozen_dataclass
 from ropsim.prolog import Atom, Struct, Term
@@ -28,13 +28,13 @@ Value = bool | int | float | str | Quantity
 
 @frozen_dataclass
 class TaskCall:
-    """A task and what it is given.
+    """A task and its arguments.
 
     Attributes:
         name: of the task.
         points: locations, in the order of its parameters.
         parameters: all else that task text passes, in their order.
-        objects: parameters that the state tells, by name, where they are known.
+        objects: parameters taken from the state, by name, if known.
     """
 
     name: str
@@ -49,7 +49,7 @@ class TaskCall:
 
 
 def term_of_value(value: Value) -> Term:
-    """Return a parameter as it stands in terms; a quantity is `50*mm` or `5*mm/s`."""
+    """Return a parameter as a term; a quantity is `50*mm` or `5*mm/s`."""
     match value:
         case bool():
             return Atom("true" if value else "false")

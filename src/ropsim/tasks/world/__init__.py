@@ -1,1 +1,1 @@
-"""The state of a cell as facts, lists of points, and what its geometry tells."""
+"""The state of a cell as facts, lists of points, and conditions of its geometry."""

@@ -1,4 +1,4 @@
-"""What only geometry can tell about tasks: asked outside, remembered as long as the cell stays as it is."""
+"""Conditions of tasks that only geometry decides: queried outside, remembered until the cell changes."""
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
@@ -13,12 +13,12 @@ from ropsim.tasks.terms.point import Point, point_of_term, term_of_point
 
 
 def unchecked_text(unchecked: tuple[str, ...]) -> str:
-    """Return what was left out as one line, in the words of the verdict of a run; empty for nothing."""
+    """Return the omitted checks as one line, in the words of the verdict of a run; empty if none."""
     return f"not checked: {', '.join(unchecked)}" if unchecked else ""
 
 
 class RememberedGeometry:
-    """The conditions of geometry as predicates; the same question is asked once per revision of the cell."""
+    """The conditions of geometry as predicates; each query is made once per revision of the cell."""
 
     def __init__(self, geometry: Geometry) -> None:
         self._geometry = geometry
@@ -34,11 +34,11 @@ class RememberedGeometry:
 
     @property
     def unchecked(self) -> tuple[str, ...]:
-        """Return what answers leave out, and what of patterns has been left out since it was made ready."""
+        """Return the checks that answers omit, and those omitted for patterns since the preparation."""
         return (*self._geometry.unchecked, *self._left)
 
     def prepare(self) -> None:
-        """Make ready what first answers would take long for."""
+        """Prepare data that would delay the first answers."""
         self._left.clear()
         self._geometry.prepare()
 
@@ -69,7 +69,7 @@ class RememberedGeometry:
         )
 
     def hint(self, condition: Term) -> str:
-        """Return what can be done about a condition that does not hold."""
+        """Return the remedy for a condition that does not hold."""
         if condition in self._too_near:
             _, distance, apart, near = self._too_near[condition]
             return wider_words(near.length * distance / apart)
@@ -91,11 +91,11 @@ class RememberedGeometry:
     def in_the_air(
         self, robot: str, part: str, location: Point, lying: Mapping[str, Point]
     ) -> InTheAir | None:
-        """Return how high a part that a robot leaves is above what is below it; None where it lies there."""
+        """Return how high a part that a robot leaves is above the body below it; None if it is supported."""
         return self._geometry.in_the_air(robot, part, location, lying)
 
     def predicates(self) -> tuple[Predicate, ...]:
-        """Return the predicates that knowledge bases may ask."""
+        """Return the predicates for knowledge bases."""
         return (
             question("geometry", (Sort.TERM,), self._holds),
             question(IN_ROWS, (Sort.TERM, Sort.TERM, Sort.TERM, Sort.TERM), self._in_rows),
@@ -144,7 +144,7 @@ class RememberedGeometry:
         return self._beside[asked]
 
     def _holds(self, condition: Struct) -> bool:
-        """Return whether a condition of the table holds, which is asked for once per revision of the cell."""
+        """Return whether a condition of the table holds; queried once per revision of the cell."""
         self._renewed()
         found = self._known.get(condition)
         if found is None:
@@ -167,7 +167,7 @@ class RememberedGeometry:
         return found
 
     def _renewed(self) -> None:
-        """Forget what was known of the cell before it changed."""
+        """Forget data of the cell before its change."""
         revision = self._geometry.revision
         if revision != self._revision:
             self._revision = revision

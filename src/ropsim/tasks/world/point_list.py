@@ -56,7 +56,7 @@ def read_point_list(path: Path) -> tuple[PointList | None, tuple[Diagnostic, ...
 
 
 def read_point_lists(folder: Path) -> tuple[Mapping[str, PointList], tuple[Diagnostic, ...]]:
-    """Return the lists in `points/*.csv` of a project by name, and what is wrong with them."""
+    """Return the lists in `points/*.csv` of a project by name, and their errors."""
     lists: dict[str, PointList] = {}
     findings: list[Diagnostic] = []
     for path in point_files(folder):
@@ -115,7 +115,7 @@ def points_text(points: Sequence[tuple[str, Coordinates]]) -> str:
 
 
 def _scales(heads: Sequence[str], units: Sequence[str]) -> tuple[float, ...] | None:
-    """Return what each number is multiplied with to be in millimetres and degrees."""
+    """Return the factors that convert numbers to millimetres and degrees."""
     if tuple(heads) not in ((*COLUMNS, YAW[0]), COLUMNS, COLUMNS[:4]) or len(units) != len(heads):
         return None
     tables = (SCALES, SCALES, SCALES, DEGREES, DEGREES, DEGREES)

@@ -1,4 +1,4 @@
-"""What is true in a cell, as facts."""
+"""Facts that hold in a cell."""
 
 from collections.abc import Iterable
 
@@ -10,7 +10,7 @@ from ropsim.tasks.kinds import TaskError
 
 @frozen_dataclass
 class WorldState:
-    """The facts that hold at one time, such as `at(bolt,s1)`; whatever is not among them does not hold.
+    """The facts that hold at one time, such as `at(bolt,s1)`; all other facts do not hold.
 
     Attributes:
         facts: in the order of their text.

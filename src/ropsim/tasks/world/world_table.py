@@ -1,4 +1,4 @@
-"""What is true in a cell, as an operator looks at it: the gripper, what it holds, where each part is."""
+"""State of a cell as a table for an operator: the gripper, its part, the place of each part."""
 
 from collections.abc import Iterator, Mapping
 
@@ -9,7 +9,7 @@ from ropsim.tasks.terms.point import Given, Point, point_of_term, point_text
 from ropsim.tasks.world.world_state import WorldState
 
 _NAMING = frozenset(("part", "location", "device", "free", "without_gripper"))
-"""Facts that only say what there is, or follow from where the parts are."""
+"""Facts about existence, or derived from the places of the parts."""
 
 
 @frozen_dataclass
@@ -17,9 +17,9 @@ class WorldTable:
     """A state in columns.
 
     Attributes:
-        gripper: `open` or `closed`; `none` where the tool has none, empty where nobody knows.
+        gripper: `open` or `closed`; `none` if the tool has no gripper, empty if unknown.
         held: name of the part in the gripper; empty for none.
-        parts: name and place of each part that lies somewhere; the place is empty where nobody knows it.
+        parts: name and place of each part that lies somewhere; the place is empty if unknown.
         others: all other facts in words, and how many parts wait in supplies.
     """
 

@@ -1,1 +1,1 @@
-"""What the geometry of a cell answers about tasks, and the knowledge base with its cell."""
+"""Conditions of tasks decided by the geometry of a cell, and the knowledge base with its cell."""

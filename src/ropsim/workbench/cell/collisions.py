@@ -1,4 +1,4 @@
-"""What is in the way of an arm at a place of its cell with a part, and of a part next to its like."""
+"""Obstacles of an arm at a place of its cell with a part, and of a part next to an equal one."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
@@ -75,8 +75,8 @@ UPSIDE_DOWN = Pose(orientation=np.array([0.0, 1.0, 0.0, 0.0]))
 class CellCollisions:
     """Meetings of an arm, its tool and the part that it holds with all else, at one configuration.
 
-    Bodies that are in each other at the start already are not looked at (`met`), nor are other parts that lie
-    at locations: tasks may have moved them. All other parts stand where they stand at the start.
+    Pairs of bodies that overlap at the start are not checked (`met`), nor are other parts at locations: tasks
+    may have moved them. All other parts stand where they stand at the start.
 
     Args:
         cell: its bodies.
@@ -94,7 +94,7 @@ class CellCollisions:
 
     @property
     def unchecked(self) -> Iterator[str]:
-        """Yield what is not looked at, for a line behind `not checked`."""
+        """Yield the checks that are omitted, for a line behind `not checked`."""
         yield "collisions on the way between places"
         if self._places:
             yield "collisions with parts at other places"
@@ -111,8 +111,8 @@ class CellCollisions:
         """Return None where an arm can stand in one of some postures without being in anything.
 
         Otherwise the deepest meeting in the posture in which that is the least deep. A part may be as deep in
-        other things as the cell allows for parts that are set down, and where it lies at the start as deep as
-        it is drawn; all else touches at most.
+        other things as the cell allows for parts that are set down, and at its start place as deep as drawn;
+        other bodies may touch.
 
         Args:
             station: of the arm.
@@ -164,7 +164,7 @@ class CellCollisions:
         return self._places
 
     def words(self, name: str) -> str:
-        """Return what people call a body."""
+        """Return the name of a body for users."""
         body = self._bodies[name]
         match body.kind:
             case BodyKind.TOOL:
@@ -183,7 +183,7 @@ class CellCollisions:
         return name == part or _station_of(self._bodies, name) == station.name
 
     def _unseen(self) -> Iterator[str]:
-        """Yield what has no known shape; an arm of which nothing has one by one name."""
+        """Yield the bodies without a known shape; an arm without any shape by one name."""
         unseen = dict.fromkeys(self._collisions.unseen)
         for station in self._cell.stations.values():
             names = [link_name(number, station.name) for number in range(len(station.robot.joints) + 1)]
@@ -201,11 +201,11 @@ class CellCollisions:
         return any(_station_of(self._bodies, name) == station.name for name in one.pair)
 
     def place_of(self, part: str) -> str | None:
-        """Return where a part lies at the start, or the first one of its supply; None where nobody knows."""
+        """Return where a part lies at the start, or the first one of its supply; None if unknown."""
         return self._places.get(self._firsts.get(part, part))
 
     def _held(self, station: Station, name: str) -> Elsewhere:
-        """Return on what body a part hangs when it is held, and where."""
+        """Return the body that a held part is attached to, and its pose there."""
         tool = station.tools.get(station.default_tool)
         if name not in self._parts:
             return {}

@@ -1,4 +1,4 @@
-"""What the geometry of a cell tells about tasks: where its arms can go, and what is in their way there."""
+"""Conditions of tasks decided by the geometry of a cell: reach of its arms, and obstacles there."""
 
 from collections.abc import Hashable, Mapping
 from pathlib import Path
@@ -13,7 +13,7 @@ from ropsim.model import Cell, Part, Station
 from ropsim.spatial import Array, Pose
 from ropsim.workbench.compiling.environment import environment_of
 
-if TYPE_CHECKING:  # knowledge bases and their engine are loaded by who asks one
+if TYPE_CHECKING:  # callers of knowledge bases load them and their engine
     from ropsim.tasks import InTheAir, Missing, Obstruction, Overlap, Point
     from ropsim.workbench.cell.collisions import CellCollisions
     from ropsim.workbench.cell.part_supports import PartSupports
@@ -27,7 +27,7 @@ class CellGeometry:
 
     Args:
         cell: with its bodies as at the start.
-        folder: of the project, whose meshes are read when collisions are asked for; None for none.
+        folder: of the project, whose meshes are read for collision checks; None for none.
     """
 
     def __init__(self, cell: Cell, folder: Path | None = None) -> None:
@@ -79,14 +79,14 @@ class CellGeometry:
         return found is None or len(found) > 0
 
     def obstruction(self, robot: str, part: str, location: "Point") -> "Obstruction | None":
-        """Return what is in the way of a robot that holds a part at a location; None for nothing.
+        """Return the obstacle of a robot that holds a part at a location; None if free.
 
         One posture within the limits that is free is enough. Of a location out of reach, or in a frame that
         moves, nothing is said.
 
         Args:
             robot: as with `reachable`.
-            part: that it holds, as it was held where it lay at the start.
+            part: the held part, grasped as at its start place.
             location: as with `reachable`.
         """
         from ropsim.tasks import Obstruction
@@ -106,14 +106,14 @@ class CellGeometry:
         return Obstruction(one, other, -found.distance)
 
     def overlap(self, robot: str, part: str, x: float, y: float) -> "Overlap | None":
-        """Return how deep a part would be in one like it that a robot leaves beside it; None for not at all.
+        """Return the overlap of a part and an equal one left next to it; None if they do not overlap.
 
         So deep as the cell allows for parts that are set down they may be in each other.
 
         Args:
             robot: as with `reachable`.
-            part: that it leaves, as it was held where it lay at the start.
-            x: how far beside it along X of the tool [m].
+            part: the released part, grasped as at its start place.
+            x: distance to it along X of the tool [m].
             y: how far against Y of the tool [m].
         """
         from ropsim.tasks import Overlap
@@ -126,15 +126,15 @@ class CellGeometry:
     def in_the_air(
         self, robot: str, part: str, location: "Point", lying: "Mapping[str, Point]"
     ) -> "InTheAir | None":
-        """Return how high a part that a robot leaves is above what is below it; None where that carries it.
+        """Return how high a part that a robot leaves is above the body below it; None if it is supported.
 
-        Of a part or a location that is not in the cell, in a frame that moves, or with joint values, and in a
-        cell without fixed objects, or with one that is drawn by a mesh, nothing is said; nor of the location
-        at which the part lies at the start, which the cell file tells.
+        The result is None for a part or a location that is not in the cell, in a frame that moves, or with
+        joint values, and in a cell without fixed objects, or with a mesh; also for the start location of the
+        part, which the cell file defines.
 
         Args:
             robot: as with `reachable`.
-            part: that it leaves, as it was held where it lay at the start.
+            part: the released part, grasped as at its start place.
             location: as with `reachable`.
             lying: where other parts lie, by their names.
         """
@@ -161,7 +161,7 @@ class CellGeometry:
 
     @property
     def unchecked(self) -> tuple[str, ...]:
-        """Return what is not looked at."""
+        """Return the omitted checks."""
         return tuple(self._collisions().unchecked)
 
     def pose(self, location: "Point") -> Pose | None:
@@ -171,7 +171,7 @@ class CellGeometry:
             location: as for `reachable`.
 
         Returns:
-            None where there is no such location, it has joint values, or lies in a frame that moves.
+            None if the location is unknown, has joint values, or lies in a frame that moves.
         """
         move = self._move(self._cell.first, location)
         return None if move is None else self._pose(self._cell.first, move)
@@ -184,7 +184,7 @@ class CellGeometry:
         return place is None or lying.get(one.name) == place
 
     def _lying_at(self, station: Station, part: str, location: "Point") -> Pose | None:
-        """Return X_WO of a part that an arm leaves at a location, None where nobody knows."""
+        """Return X_WO of a part that an arm leaves at a location, None if unknown."""
         looked = self._collisions()
         move = self._move(station, location) if part in looked.parts else None
         X_BT = None if move is None else self._pose(station, move)

@@ -1,4 +1,4 @@
-"""The knowledge base of a project with its cell: what is true at the start, and where the arm can go."""
+"""The knowledge base of a project with its cell: facts at the start, and reach of the arm."""
 
 from collections.abc import Iterator, Mapping
 from pathlib import Path
@@ -14,7 +14,7 @@ from ropsim.workbench.projects.project import Project
 from ropsim.workbench.tasks.task_texts import TaskTexts, users_folder
 from ropsim.workbench.workspace.workspace import Workspace
 
-if TYPE_CHECKING:  # with their engine they take a tenth of a start, so they are loaded by who asks one
+if TYPE_CHECKING:  # with their engine they take a tenth of a start, so their callers load them
     from ropsim.prolog import Prolog, Term
     from ropsim.tasks import KnowledgeBase, WorldState
 
@@ -23,12 +23,12 @@ CELL_FILE, KNOWLEDGE = "cell.toml", "kb"
 
 @frozen_dataclass
 class Knowledge:
-    """A knowledge base and the cell for which it is asked.
+    """A knowledge base and the cell that it is queried for.
 
     Attributes:
         base: the tasks.
-        state: what is true at the start; empty where there is no cell.
-        findings: what is wrong with the cell and the texts.
+        state: facts at the start; empty without a cell.
+        findings: errors in the cell and the texts.
         texts: of both, by the names that spans use.
     """
 
@@ -46,7 +46,7 @@ def open_knowledge(path: str | Path, prolog: "Prolog | None" = None) -> Knowledg
         prolog: which SWI-Prolog reads the texts and answers; the built-in one where nothing is said.
 
     Raises:
-        TaskError: there is no such path.
+        TaskError: the path does not exist.
         ProjectError: the project may not be read.
     """
     from ropsim.prolog import Prolog
@@ -62,7 +62,7 @@ def open_knowledge(path: str | Path, prolog: "Prolog | None" = None) -> Knowledg
 
 
 def knowledge_of(project: Project, prolog: "Prolog | None" = None) -> Knowledge:
-    """Return the knowledge base of a project; where its cell is wrong, the tasks alone and what is wrong."""
+    """Return the knowledge base of a project; with an invalid cell, the tasks alone and the errors."""
     from ropsim.prolog import Prolog
     from ropsim.tasks import KnowledgeBase, WorldState, body_findings, effect_findings, own_tasks
 
@@ -85,7 +85,7 @@ def has_knowledge(project: Project) -> bool:
 
 
 def task_findings(project: Project) -> tuple[tuple[Diagnostic, ...], Mapping[str, SourceText]]:
-    """Return what is wrong with the knowledge base of a project, and its texts; nothing where it has none.
+    """Return the findings in the knowledge base of a project, and its texts; empty without one.
 
     It is that of the workspace of the project, whose Prolog has read it for the programs already.
     """
@@ -102,7 +102,7 @@ def task_findings(project: Project) -> tuple[tuple[Diagnostic, ...], Mapping[str
 def text_findings(
     workspace: Workspace, tasks: TaskTexts, cell: Cell | None, name: str
 ) -> tuple[Diagnostic, ...]:
-    """Return what is wrong with one text of tasks; without a cell bodies are not compiled.
+    """Return the findings in one text of tasks; without a cell bodies are not compiled.
 
     Args:
         workspace: whose Prolog reads the texts.
@@ -121,12 +121,12 @@ def text_findings(
 
 
 def world_state(cell: Cell) -> "WorldState":
-    """Return what is true in a cell at the start of a run.
+    """Return the facts in a cell at the start of a run.
 
-    `part(P)`, `location(L)`, `device(D)` and `tool(T)` name what there is, `at(P, L)` and `free(L)` say
-    where parts lie, `without_gripper(T)` which tools cannot grasp, and the gripper is open where a tool has
-    one. `follows(N, P)` says that a supply brings N to where P has been taken; where N lies before nobody
-    knows. Of a location in a frame that moves nobody knows whether it is free.
+    `part(P)`, `location(L)`, `device(D)` and `tool(T)` name the entities, `at(P, L)` and `free(L)` say where
+    parts lie, `without_gripper(T)` which tools cannot grasp, and the gripper is open if a tool has a gripper.
+    `follows(N, P)` says that a supply brings N to where P has been taken; the place of N before is unknown.
+    Whether a location in a moving frame is free is unknown.
     """
     from ropsim.tasks import WorldState
 

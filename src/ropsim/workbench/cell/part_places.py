@@ -13,7 +13,7 @@ NEAR = 0.005
 def part_places(cell: Cell) -> Mapping[str, str]:
     """Return the names of the locations at which parts lie, by part; at each location one at most.
 
-    Parts of a supply that are not there yet lie nowhere. Of a location in a frame that moves nobody knows.
+    Parts of a supply that are not there yet lie nowhere. Locations in moving frames are unknown.
     """
     found: dict[str, str] = {}
     for part in cell.parts:

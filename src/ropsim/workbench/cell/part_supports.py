@@ -1,4 +1,4 @@
-"""What carries a part where a task leaves it, by the same lines as in a run."""
+"""Supports of a part where a task leaves it, by the same criteria as in a run."""
 
 from collections.abc import Iterable
 
@@ -13,11 +13,11 @@ Lying = Iterable[tuple[Part, Pose]]
 
 @frozen_dataclass
 class PartSupports:
-    """What can carry parts in a cell; objects, devices and robots stand as at the start.
+    """Supports of parts in a cell; objects, devices and robots stand as at the start.
 
     Attributes:
         cell: the cell.
-        bearing: what can carry parts, without other parts; None where it is not known what stands around.
+        bearing: supports except other parts; None if the surroundings are unknown.
     """
 
     cell: Cell
@@ -25,11 +25,11 @@ class PartSupports:
 
     @classmethod
     def of(cls, cell: Cell) -> "PartSupports":
-        """Return what can carry parts in a cell."""
+        """Return the supports of parts in a cell."""
         return cls(cell, bearing_at_start(cell))
 
     def carries(self, part: Part, X_WO: Pose, others: Lying) -> bool:
-        """Return whether something is so near below a part that it lies there; where nobody knows it does.
+        """Return whether a body is close enough below a part to support it; true if unknown.
 
         Args:
             part: that is left.
@@ -43,10 +43,10 @@ class PartSupports:
         return found.on is not None
 
     def below(self, part: Part, X_WO: Pose, others: Lying) -> tuple[float, str]:
-        """Return how high a part is above what is next below it [m], and what messages call that.
+        """Return the height of a part above the nearest body below it [m], and the name of that body.
 
         Args:
-            part: as with `carries`, likewise all else.
+            part: this and the others as with `carries`.
             X_WO: where.
             others: parts that lie in the cell.
         """
@@ -56,5 +56,5 @@ class PartSupports:
 
     @property
     def words(self) -> str:
-        """Return from what height on a part lies on nothing, as a clause."""
+        """Return a clause with the height above which a part is unsupported."""
         return lying_words(self.cell.supports)

@@ -1,1 +1,1 @@
-"""Programs of a station compiled in its cell, and what dry runs of them give."""
+"""Programs of a station compiled in its cell, and results of their dry runs."""

@@ -1,4 +1,4 @@
-"""At which station a program is to run, and what it names that this station must have."""
+"""The station of a program, and the names in the program that this station must have."""
 
 from ropsim import icr, language
 from ropsim.core import Diagnostic, SourceText, did_you_mean, frozen_dataclass
@@ -12,7 +12,7 @@ class AtStation:
 
     Attributes:
         cell: name of the text of the cell file; empty for a program without a cell.
-        folder: name of the project's folder, from which a cell has its own where its file gives none.
+        folder: name of the project's folder, from which a cell has its own if its file has no name.
         station: name; empty for the first one of the cell.
     """
 

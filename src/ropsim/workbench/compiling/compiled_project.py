@@ -23,7 +23,7 @@ class CompiledProgram:
 
     @property
     def icr(self) -> icr.Program | None:
-        """Return the executable program, which is made when first asked for; None where there is none."""
+        """Return the executable program, which is made on the first request; None where there is none."""
         return self.code.program if self.code is not None else None
 
 
@@ -44,9 +44,9 @@ def found_in(programs: Mapping[str, CompiledProgram]) -> tuple[Diagnostic, ...]:
 
 
 def found_at(stations: Mapping[str, Sequence[Diagnostic]]) -> tuple[Diagnostic, ...]:
-    """Return what was found in one text at the stations that run it, each finding once, in order of place.
+    """Return the findings in one text at the stations that run it, each finding once, in order of place.
 
-    What was not found at all of them has a note that says at which it was.
+    A finding that does not occur at all of them has a note with its stations.
 
     Args:
         stations: findings by the name of the station.
@@ -57,7 +57,7 @@ def found_at(stations: Mapping[str, Sequence[Diagnostic]]) -> tuple[Diagnostic, 
     where: dict[tuple[object, ...], dict[str, None]] = {}
     for name, findings in stations.items():
         for one in findings:
-            said = (one.code, one.span, one.message)  # hints list what the station has instead
+            said = (one.code, one.span, one.message)  # hints depend on the station
             first.setdefault(said, one)
             where.setdefault(said, {})[name] = None
     told = (
@@ -73,13 +73,13 @@ def _at_only(stations: Collection[str]) -> str:
 
 
 def _place(found: Diagnostic) -> tuple[bool, int, int]:
-    """Return by what findings are put in order; those without a place are the last."""
+    """Return the sort key of findings; findings without a place are last."""
     return (False, found.span.line, found.span.column) if found.span else (True, 0, 0)
 
 
 @frozen_dataclass
 class CheckedText:
-    """What an editor shows of a program text.
+    """Results for a program text in an editor.
 
     Attributes:
         source: the text.

@@ -19,11 +19,11 @@ class DryArm:
     """An arm behind some moves.
 
     Attributes:
-        poses: tells where its tool is.
+        poses: returns the pose of its tool.
         orientation: how the tool turns on paths.
         target: of the last move; coordinates of the axes at the start; None for the home position.
         modal: modal state of that move; None where the pose at the end of the last move is not known.
-        axes: coordinates of the axes [rad | m], shape (n,), of which those of the external axes count.
+        axes: coordinates of the axes [rad | m], shape (n,), of which only the external axes count.
     """
 
     poses: ArmPoses
@@ -60,7 +60,7 @@ class DryArm:
         return frozen(there)
 
     def _end_of_arc(self, move: MoveInstruction) -> Pose | None:
-        """Return X_KT at the end of an arc that goes on for an angle; None where there is no such arc."""
+        """Return X_KT at the end of an arc that goes on for an angle; None if the arc does not exist."""
         X_start = self.standing(move.modal)
         if X_start is None or not isinstance(move.target, Pose):
             return None

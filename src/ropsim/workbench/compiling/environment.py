@@ -1,4 +1,4 @@
-"""What programs can name in a cell, for the compiler."""
+"""Names of a cell that programs can use, for the compiler."""
 
 from collections.abc import Mapping
 
@@ -21,7 +21,7 @@ _MEASURES = {JointType.REVOLUTE: "angle", JointType.PRISMATIC: "length"}
 def environment_of(cell: Cell | None, station: Station | None = None) -> Environment:
     """Return frames, tools, locations and signals of a cell as the compiler's environment.
 
-    Programs give poses in the base frame B of their robot, so frames are X_BK and locations X_BT here. A
+    Programs express poses in the base frame B of their robot, so frames are X_BK and locations X_BT here. A
     frame that external axes move has the pose that it has at the start, and a location in it is X_KT.
 
     Args:

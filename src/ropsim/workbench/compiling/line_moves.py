@@ -13,7 +13,7 @@ Worlds = Callable[[Mapping[str, bool | int | float]], icr.StillWorld]
 
 @frozen_dataclass
 class LineMoves:
-    """What a line moves.
+    """Motions of a line.
 
     Attributes:
         first: the moves of the first time that a dry run comes to the line, one for each instruction.
@@ -30,10 +30,10 @@ class LineMoves:
 
 
 def moves_by_line(code: icr.Program, world: Worlds = icr.PassingWorld) -> Mapping[int, LineMoves]:
-    """Return what the lines (from 1) move.
+    """Return the motions of lines (from 1).
 
-    What is waited for comes. Lines to which the program does not come with all inputs off are looked for with
-    all of them on: so it passes a wait for several, and goes the way of an `if` that needs one.
+    Waits end at once. Lines not reached with all inputs off are reached with all of them on: the run then
+    passes a wait for several, and takes the branch of an `if` on an input.
 
     Args:
         code: of the program.
@@ -58,7 +58,7 @@ def _of_run(moves: tuple[MoveInstruction, ...]) -> dict[int, LineMoves]:
 
 
 def _time(move: MoveInstruction) -> tuple[int, tuple[int, ...]]:
-    """Return what moves of a line have in common at one time."""
+    """Return the common properties of the moves of a line at one time."""
     return move.origin.visit, move.origin.call_serials
 
 

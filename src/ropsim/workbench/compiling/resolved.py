@@ -1,4 +1,4 @@
-"""Where the locations of a text are, by compiler and dry run: declared ones, and those that moves lead to."""
+"""Where the locations of a text are, by compiler and dry run: declared ones, and targets of moves."""
 
 import re
 from collections.abc import Iterator
@@ -28,7 +28,7 @@ class Resolved:
 
     Attributes:
         X_BT: tool frame in the base frame; in the frame `moving` where that is not empty.
-        frame: name of the frame in which the program gives it, empty for the base frame.
+        frame: name of the frame of its coordinates in the program, empty for the base frame.
         X_FT: the same pose in that frame.
         moving: name of a frame that external axes move, in which alone the pose is known; empty for none.
     """
@@ -57,7 +57,7 @@ def location_of(text: str, outline: language.Outline, name: str, environment: En
 
 
 def places_of(move: MoveInstruction, environment: Environment) -> tuple[Resolved | None, ...]:
-    """Return the places that a move leads to, points on its way first; None for what is no pose."""
+    """Return the places that a move leads to, via points first; None for other targets than poses."""
     through = (replace(move, target=pose) for pose in move.via)
     return tuple(_resolved(one, environment, one.modal.frame, None) for one in (*through, move))
 

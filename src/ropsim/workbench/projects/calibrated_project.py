@@ -1,4 +1,4 @@
-"""What calibrating a project gives."""
+"""Result of calibrating a project."""
 
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
@@ -12,15 +12,15 @@ if TYPE_CHECKING:
 
 @frozen_dataclass
 class CalibratedProject:
-    """A calibration and what becomes of the cell file.
+    """A calibration and the new cell file.
 
     Attributes:
-        calibration: what was found.
+        calibration: the calibration.
         section: of the cell file in which the controller stands, as a dotted name.
-        values: of the keys in it that change, as they are written.
+        values: of the keys in it that change, as written.
         axes: whether each axis turns or slides, n of them.
-        cell_text: the cell file with them, all else as it was; None where nothing changes, or where the
-            section stands in the file in a way that they cannot be added to.
+        cell_text: the cell file with them, otherwise unchanged; None if nothing changes, or if the form of
+            the section does not allow adding them.
     """
 
     calibration: "Calibration"

@@ -40,14 +40,14 @@ def calibrate_project(
     trace: str | Path,
     planning: Callable[[], None],
 ) -> tuple[CalibratedProject | None, tuple[Diagnostic, ...]]:
-    """Return the limits under which programs last as long as in a trace, and what was found.
+    """Return the limits under which programs last as long as in a trace, and the findings.
 
     Args:
         cell: of the project.
         codes: verified programs by station.
         station: whose trace it is.
         cell_text: the cell file.
-        robots: what was read from the files of robots that it names.
+        robots: robots read from the files that it names.
         trace: a table of times and joint coordinates: see `read_trace`.
         planning: called before each stretch that is planned again.
 

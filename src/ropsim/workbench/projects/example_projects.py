@@ -21,7 +21,7 @@ def new_project(place: str | Path, example: str = STARTER) -> Path:
     The project has the name of its folder.
 
     Raises:
-        ProjectError: no such example, or the place is taken or cannot be written.
+        ProjectError: unknown example, or the place is taken or cannot be written.
     """
     if example not in example_names():
         known = ", ".join(f"`{name}`" for name in example_names())

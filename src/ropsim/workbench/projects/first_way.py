@@ -1,7 +1,7 @@
-"""Where a robot can go that nobody knows yet: corners of a square in its workspace, found by its kinematics.
+"""A safe first motion of an unknown robot: corners of a square in its workspace, found by its kinematics.
 
-A configuration away from limits and singularities is looked for, whose tool points down where the arm has
-the axes for that, and then directions of the base frame along which the tool can be led from there.
+A configuration away from limits and singularities is searched, whose tool points down where the arm has the
+axes for that, and then directions of the base frame along which the tool can be led from there.
 """
 
 from collections.abc import Iterator

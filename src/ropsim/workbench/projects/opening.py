@@ -22,11 +22,11 @@ PROGRAM_ENDINGS = (".task", ".icr")
 def open_project(path: str | Path, workspace: Workspace | None = None) -> Project:
     """Return the project at a path: a folder, its `cell.toml`, or one of its programs.
 
-    A program file outside a project folder gives a project without a cell: it can be checked, not run.
+    A program file outside a project folder makes a project without a cell: it can be checked, not run.
 
     Args:
         path: of the project.
-        workspace: that has read it before, so that only what has changed is made anew.
+        workspace: that has read it before, so that only results for changed texts are computed.
 
     Raises:
         ProjectError: nothing is there, it is no project, or it may not be read.
@@ -91,7 +91,7 @@ def around_programs(
     """Return the findings of a project that stand in no text of a program, for a text of its cell file.
 
     Args:
-        folder: of the project; its programs are looked at on the disk.
+        folder: of the project; its programs are read from the disk.
         cell_text: of `cell.toml`, saved or not.
         text_of: reads any other file of the project, by its path inside.
         workspace: that reads the project.
@@ -107,14 +107,14 @@ def no_cell_file(folder: Path) -> Diagnostic:
 
 
 def program_files(folder: Path) -> list[Path]:
-    """Return the programs of a project folder, those too that cannot be read: reading them tells why."""
+    """Return the programs of a project folder, including unreadable ones: reading them reports the reason."""
     programs = folder / "programs"
     paths = programs.iterdir() if programs.is_dir() else ()
     return [path for path in paths if path.suffix in PROGRAM_ENDINGS and _is_program(path)]
 
 
 def _is_program(path: Path) -> bool:
-    """Return whether what has the name of a program is one; folders and locks of editors are none.
+    """Return whether a path with the name of a program is one; folders and locks of editors are none.
 
     A lock is a hidden link into nowhere.
     """

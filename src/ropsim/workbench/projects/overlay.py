@@ -27,7 +27,7 @@ def open_overlaid(folder: Path, unsaved: Mapping[str, str], workspace: Workspace
     Args:
         folder: of the project.
         unsaved: texts by their place, `cell.toml`, `programs/NAME` or `kb/NAME.pl`; others are left out.
-        workspace: that has read it before, so that only what has changed is made anew.
+        workspace: that has read it before, so that only results for changed texts are computed.
 
     Raises:
         ProjectError: there is no cell file, or the folder may not be read.

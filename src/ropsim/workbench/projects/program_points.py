@@ -13,7 +13,7 @@ from ropsim.workbench.compiling.environment import environment_of
 from ropsim.workbench.compiling.resolved import BUDGET
 from ropsim.workbench.projects.project import Project
 
-if TYPE_CHECKING:  # loaded by who asks for points
+if TYPE_CHECKING:  # loaded on request
     from ropsim.workspace import TaskPoint
 
 _DIGITS = 9  # of metres and quaternions that make two points different
@@ -22,10 +22,10 @@ _DIGITS = 9  # of metres and quaternions that make two points different
 def program_points(
     project: Project, X_MT: Pose | None = None
 ) -> tuple[tuple["TaskPoint", ...], tuple[Diagnostic, ...]]:
-    """Return where the program of the first station goes, and what of it is left out or wrong.
+    """Return the targets of the program of the first station, and findings on omitted or wrong ones.
 
-    A dry run walks the program; targets and points on the way of arcs and curves count, each once, under the
-    line that goes there first. The flange is to be where the program puts it, whatever the tool.
+    The targets come from a dry run; targets and via points of arcs and curves count, each once, under the
+    line that goes there first. The pose of the flange is that of the program, independent of the tool.
 
     Args:
         project: with a cell.
@@ -35,7 +35,7 @@ def program_points(
         Points in the base frame of the station.
 
     Raises:
-        ProjectError: the project is broken, or has no such program.
+        ProjectError: the project is broken, or the program does not exist.
     """
     from ropsim.workspace import NO_POINTS, POINTS_LEFT_OUT, TaskPoint
 

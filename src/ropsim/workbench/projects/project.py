@@ -1,4 +1,4 @@
-"""A project folder: its cell, its programs, and what can be done with them."""
+"""A project folder: its cell, its programs, and the operations on them."""
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import field
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 
 DEFAULT_PROGRAM = "main"
-"""What runs where neither the caller nor `cell.toml` names a program."""
+"""Program that runs if neither the caller nor `cell.toml` names one."""
 
 
 class ProjectError(RopsimError):
@@ -56,7 +56,7 @@ def _skipped(recording: "Recording") -> Diagnostic:
 
 @frozen_dataclass
 class Project:
-    """A project as it was read; nothing of it runs code.
+    """A project as read; nothing in it runs code.
 
     Attributes:
         folder: of the project.
@@ -64,9 +64,9 @@ class Project:
         sources: texts of the programs by name.
         cell_text: text of `cell.toml`, None where absent.
         diagnostics: findings of reading.
-        robot_files: files of robots that the cell names, with what was read from them, by their paths.
+        robot_files: files of robots that the cell names, with the robots read from them, by their paths.
         tasks: texts of the tasks that its programs can call besides their own.
-        workspace: that has read it, and keeps what is made of its texts; no part of what the project is.
+        workspace: that has read it, and keeps results for its texts; not part of the content of the project.
     """
 
     folder: Path
@@ -79,7 +79,7 @@ class Project:
     workspace: Workspace = field(default_factory=Workspace, repr=False, compare=False)
 
     def __repr__(self) -> str:
-        """Return one line: its folder, cell and programs, and what reading found."""
+        """Return one line: its folder, cell and programs, and its findings."""
         cell = f"{self.cell!r}" if self.cell else "no cell"
         programs = ", ".join(self.sources) or "none"
         errors = sum(one.is_error for one in self.diagnostics)
@@ -100,20 +100,20 @@ class Project:
 
     @property
     def toml_texts(self) -> tuple[SourceText, ...]:
-        """Return the texts that may name meshes: that of the cell, then those of its robots that are TOML."""
+        """Return the texts that may name meshes: that of the cell, then the TOML files of its robots."""
         robots = (one.text for path, one in self.robot_files.items() if path.endswith(".toml"))
         return tuple(text for text in (self.cell_text, *robots) if text is not None)
 
     @property
     def robots(self) -> Mapping[str, ReadRobot]:
-        """Return what was read from files of robots, by their paths."""
+        """Return the robots read from files, by their paths."""
         return robots_read(self.robot_files)
 
     def compile(self) -> CompiledProject:
         """Return all programs compiled, with the findings of the whole project.
 
-        A program that several stations run is the one of the first of these; what is found at any is told.
-        Where the cell is wrong, of the programs is told what no cell can mend.
+        A program that several stations run is the one of the first of these; findings at any station are
+        reported. With an invalid cell, only findings in programs that do not depend on the cell are reported.
         """
         if self.cell is None and self.is_broken:
             checked = map(self.workspace.syntax, self.sources.values())
@@ -145,19 +145,19 @@ class Project:
         """Return one compiled program; without a name that of the first station, else `main` or the only one.
 
         Raises:
-            ProjectError: the project is broken, or there is no such program.
+            ProjectError: the project is broken, or the program does not exist.
         """
         wanted = name or (self.cell.first.program if self.cell else DEFAULT_PROGRAM)
         return self._compiled(wanted, self.cell.station_of(wanted) if self.cell else None, name)
 
     def programs(self, name: str | None = None) -> dict[str, CompiledProgram]:
-        """Return what the stations of the cell run, compiled, by station.
+        """Return the compiled programs of the stations.
 
         Args:
             name: a program that runs at its own station, or at the first one in place of its own.
 
         Raises:
-            ProjectError: the project is broken, or there is no such program.
+            ProjectError: the project is broken, or the program does not exist.
         """
         if self.cell is None:
             return {ROBOT: self.program(name)}
@@ -181,7 +181,7 @@ class Project:
         return self.compiled_text(text, station)
 
     def _instead_of(self, wanted: str) -> str:
-        """Return the program that runs: the only one of the project where `main` is wanted and not there."""
+        """Return the program that runs: the only one of the project if `main` is requested and missing."""
         only = len(self.sources) == 1 and wanted == DEFAULT_PROGRAM and wanted not in self.sources
         return next(iter(self.sources)) if only else wanted
 
@@ -215,7 +215,7 @@ class Project:
     ) -> "Recording":
         """Compile and run the programs of the cell.
 
-        A move that cannot be made is skipped and becomes a finding: look at `ok` of the recording.
+        A move that cannot be made is skipped and becomes a finding: see `ok` of the recording.
 
         Args:
             program: name of one; its station runs it, the others their own. None for the default programs.
@@ -223,7 +223,7 @@ class Project:
             strict: raise where the recording is not ok, after the whole run.
 
         Raises:
-            ProjectError: no such program, no cell, or an error in one of them.
+            ProjectError: unknown program, no cell, or an error in one of them.
             FailedRunError: with `strict`, the run has errors or skipped moves; it carries the recording.
         """
         from ropsim.simulation import RunOptions, run
@@ -274,13 +274,13 @@ class Project:
         return with_collisions(recording, self.collisions(recording, progress))
 
     def changes(self, texts: Iterable[str]) -> "list[Change | Subject]":
-        """Return what texts change in the cell; nothing is run for it.
+        """Return the changes that texts describe; nothing is run.
 
         Args:
             texts: as `--what-if` of `ropsim run` takes them: `speed=120%`, `payload=3kg`, `zones=each`.
 
         Raises:
-            WhatIfError: X896, a text is no change, or the cell has nothing of what is to be changed.
+            WhatIfError: X896, a text is no change, or the cell lacks the entity to be changed.
         """
         from ropsim.workbench.what_if import Subject, read_change
         from ropsim.workbench.what_if.applying import changed_cell
@@ -298,17 +298,17 @@ class Project:
         options: "RunOptions | None" = None,
         recording: "Recording | None" = None,
     ) -> "Comparison":
-        """Run the programs of the cell as they are and with one change each, and return them side by side.
+        """Run the programs of the cell unchanged and with one change each, and return them side by side.
 
         Args:
             changes: as `changes` takes them.
             program: as for `simulate`.
             options: of all runs.
-            recording: of the run as it is, where it has been made.
+            recording: of the unchanged run, if available.
 
         Raises:
-            ProjectError: no such program, no cell, or an error in one of them.
-            WhatIfError: X896, a text is no change, or the cell has nothing of what is to be changed.
+            ProjectError: unknown program, no cell, or an error in one of them.
+            WhatIfError: X896, a text is no change, or the cell lacks the entity to be changed.
         """
         from ropsim.meshes import mesh_points
         from ropsim.simulation import RunOptions, run
@@ -326,7 +326,7 @@ class Project:
         program: str | None = None,
         planning: Callable[[], None] = lambda: None,
     ) -> tuple["CalibratedProject | None", tuple[Diagnostic, ...]]:
-        """Return the limits under which a program lasts as long as in a trace, and what was found.
+        """Return the limits under which a program lasts as long as in a trace, and the findings.
 
         Args:
             trace: a table of times and joint coordinates, logged while the robot ran the program.
@@ -337,7 +337,7 @@ class Project:
             The calibration, None where there is none; and the findings. Nothing is written.
 
         Raises:
-            ProjectError: no such program, no cell, or an error in one of them.
+            ProjectError: unknown program, no cell, or an error in one of them.
             CalibrationError: X840 or X841, the trace cannot be opened.
         """
         from ropsim.workbench.projects.calibrating import calibrate_project
@@ -351,7 +351,7 @@ class Project:
         """Return the cell and the verified code of compiled programs, by station.
 
         Raises:
-            ProjectError: what stands in the way; see `.diagnostic`.
+            ProjectError: no cell, or an error in cell or programs; see `.diagnostic`.
         """
         codes = {}
         for station, compiled in programs.items():
@@ -370,7 +370,7 @@ class Project:
 
         Args:
             recording: of a run of this project.
-            before: findings of compiling its program; they count as those of the run do.
+            before: findings of compiling its program; they count as findings of the run.
         """
         from ropsim.workbench.report import Report, Setting
 
@@ -379,5 +379,5 @@ class Project:
 
 
 def cell_name(folder: Path) -> str:
-    """Return the name of a cell whose file gives none: that of its folder."""
+    """Return the name of a cell whose file has no name: that of its folder."""
     return folder.resolve().name

@@ -18,8 +18,9 @@ _CELL_NAME = re.compile(
 def name_from_folder(folder: str) -> str:
     """Return the name that a project in this folder gets: one that a program may have.
 
-    Letters lose their accents, whatever else is no letter, digit or `_` becomes `_`; `cell_` stands before a
-    name that would begin with a digit or be a word of the task language, and before one that is left empty.
+    Letters lose their accents, other characters that are no letter, digit or `_` become `_`; `cell_` stands
+    before a name that would begin with a digit or be a word of the task language, and before one that is left
+    empty.
     """
     plain = unicodedata.normalize("NFKD", folder).encode("ascii", "ignore").decode()
     name = re.sub(r"_+", "_", re.sub(r"\W", "_", plain, flags=re.ASCII)).strip("_")[:LONGEST].strip("_")
@@ -28,7 +29,7 @@ def name_from_folder(folder: str) -> str:
 
 
 def name_project(folder: Path, name: str) -> None:
-    """Give a project a name; everything else of its texts stays as it is, comments and line ends included.
+    """Set the name of a project; the rest of its texts stays unchanged, including comments and line ends.
 
     Args:
         folder: of the project, made from an example.

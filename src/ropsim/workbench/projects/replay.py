@@ -1,4 +1,4 @@
-"""Packs of a project's runs: what `ropsim studio` sends to its page."""
+"""Packs of a project's runs, sent by `ropsim studio` to its page."""
 
 from collections.abc import Iterable
 
@@ -9,12 +9,12 @@ from ropsim.workbench.projects.project import Project, ProjectError
 
 
 def pack_of(project: Project, recording: Recording, findings: Iterable[Diagnostic] = ()) -> bytes:
-    """Return the pack of a run of a project; equal recordings give equal bytes.
+    """Return the pack of a run of a project; equal recordings have equal bytes.
 
     Args:
         project: of which the recording is a run.
-        recording: as it was simulated.
-        findings: of compiling, listed before those of the run.
+        recording: recording of the run.
+        findings: of compiling, listed before findings of the run.
 
     Raises:
         ProjectError: the project has no cell.

@@ -17,7 +17,7 @@ class RobotFileError(RopsimError):
 
 @frozen_dataclass
 class NamedRobot:
-    """A robot that was asked for by its name or file.
+    """A robot requested by its name or file.
 
     Attributes:
         robot: the model; None where its file is wrong.
@@ -41,14 +41,14 @@ class NamedRobot:
 
 
 def find_robot(name: str | Path) -> NamedRobot:
-    """Return a robot, or what is wrong with its file.
+    """Return a robot, or the errors in its file.
 
     Args:
         name: of a built-in robot, or the path of a file, which has a dot or a slash.
 
     Raises:
         UnknownRobotError: X860, no built-in robot has this name.
-        RobotFileError: there is no such file, it cannot be read, or no reader knows its ending.
+        RobotFileError: the file does not exist, cannot be read, or has an unknown ending.
     """
     if not is_robot_file(str(name)):
         return NamedRobot(robots.load(str(name)))
@@ -81,13 +81,13 @@ def load_robot(name: str | Path) -> RobotModel:
 def written_robot(
     robot: RobotModel, name: str | Path, read: ReadRobot | None = None, form: StepForm = StepForm.NIROX
 ) -> WrittenRobot:
-    """Return a robot as the text of a file, and what of it is lost.
+    """Return a robot as the text of a file, and its losses.
 
     Args:
         robot: to be written.
         name: of the file, whose ending says in which format.
-        read: from what it comes; what that said beside the robot is written again, where the format holds it.
-        form: what a STEP file is to say.
+        read: its source; other data of the source are written again, if the format supports them.
+        form: form of a STEP file.
 
     Raises:
         RobotFileError: X911, robots are not written into files of this ending, or not in this form.

@@ -20,7 +20,7 @@ from ropsim.workbench.project_diagnostics import UNKNOWN_ROBOT_FORMAT
 from ropsim.workbench.robots.robot_formats import ROBOT_FORMATS, STEP_ENDINGS, WRITERS, StepForm
 
 Reading: TypeAlias = tuple[SourceText | None, tuple[Diagnostic, ...]]
-"""What became of reading a file: its text, or why there is none."""
+"""Result of reading a file: its text, or why there is none."""
 
 TextOf: TypeAlias = Callable[[str], Reading]
 """Reads a file of a project by its path inside."""
@@ -32,7 +32,7 @@ class RobotFile:
 
     Attributes:
         text: its content; None where it cannot be read.
-        read: what it says; findings without a place say why it cannot be read.
+        read: content; findings without a place report why it cannot be read.
     """
 
     text: SourceText | None
@@ -40,18 +40,18 @@ class RobotFile:
 
 
 def read_robot_files(folder: Path, paths: Iterable[str], text_of: TextOf) -> Mapping[str, RobotFile]:
-    """Return the robot files of a project by their paths; whatever is wrong is a finding.
+    """Return the robot files of a project by their paths; errors are findings.
 
     Args:
         folder: of the project.
-        paths: inside of it, as its cell file gives them.
+        paths: paths inside the folder, as in its cell file.
         text_of: reads one of them.
     """
     return {path: _read(folder, path, text_of) for path in paths}
 
 
 def robots_read(files: Mapping[str, RobotFile]) -> Mapping[str, ReadRobot]:
-    """Return what was read from files of robots, by their paths."""
+    """Return the robots read from files, by their paths."""
     return {path: one.read for path, one in files.items()}
 
 
@@ -66,8 +66,8 @@ def unknown_format(name: str, place: Path | None = None) -> Diagnostic:
     """Return the finding that files of this name hold no robot.
 
     Args:
-        name: as it was given.
-        place: where the file would be; robot files beside it are near names.
+        name: the given name.
+        place: where the file would be; robot files in its folder are candidates for near names.
     """
     message = f"`{name[:200]}` is no file of a robot, these end with {_listed(ROBOT_FORMATS)}"
     hint = "`ropsim robot list` names the built-in robots"
@@ -84,7 +84,7 @@ def unwritten_format(name: str) -> Diagnostic:
 
 
 def no_step_file(name: str, form: StepForm) -> Diagnostic:
-    """Return the finding that a form of STEP files was asked for in a file of another format."""
+    """Return the finding that a form of STEP files was requested in a file of another format."""
     message = f"`{name[:200]}` is no file for the form `{form}`, these end with {_listed(STEP_ENDINGS)}"
     return UNKNOWN_ROBOT_FORMAT.at(None, message)
 
@@ -102,7 +102,7 @@ def _read(folder: Path, path: str, text_of: TextOf) -> RobotFile:
 
 
 def _refusal(folder: Path, path: str) -> Diagnostic | None:
-    """Return why a file is not even looked for; None where it may be read."""
+    """Return why a file is not opened; None where it may be read."""
     try:
         stated_inside(folder, path)
     except LeadsOutError as error:

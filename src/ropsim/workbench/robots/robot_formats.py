@@ -12,7 +12,7 @@ from ropsim.model import PlaceOf, ReadRobot, RobotModel, WrittenRobot
 
 
 class StepForm(StrEnum):
-    """What a robot becomes in a STEP file.
+    """Form of a robot in a STEP file.
 
     Attributes:
         NIROX: everything that the model holds.
@@ -30,9 +30,9 @@ class RobotFormat:
     Attributes:
         package: front that has them.
         reader: a text to a robot; empty where there is none.
-        writer: a robot to a text; empty where there is none. Where the reader keeps what a file says beside
-            its robot, the writer takes that, too.
-        finder: where the numbers of the robot stand in a text that was read; empty where nobody can tell.
+        writer: a robot to a text; empty where there is none. If the reader keeps other data of a file, the
+            writer also takes them.
+        finder: where the numbers of the robot stand in a text that was read; empty if unknown.
     """
 
     package: str
@@ -51,7 +51,7 @@ class RobotFormat:
         return written
 
     def write_again(self, robot: RobotModel, read: ReadRobot) -> WrittenRobot:
-        """Return the text of a robot read from a file, with what that said beside it, or its loss."""
+        """Return the text of a robot read from a file, with the other data of the file, or their loss."""
         from ropsim.nirox import ReadNirox
 
         if not isinstance(read, ReadNirox):
@@ -92,15 +92,15 @@ _FORMATS = {
 ROBOT_FORMATS: Mapping[str, RobotFormat] = MappingProxyType(
     {ending: one for ending, one in _FORMATS.items() if one.reader}
 )
-"""What is read, by the ending of the file name in small letters."""
+"""Formats for reading, by the ending of the file name in small letters."""
 
 WRITERS: Mapping[str, RobotFormat] = MappingProxyType(
     {ending: one for ending, one in _FORMATS.items() if one.writer}
 )
-"""What is written, likewise; not everything that is written is read again."""
+"""Formats for writing, by the ending; not every one can be read."""
 
 STEP_ENDINGS = tuple(ending for ending, one in _FORMATS.items() if one is _NIROX)
 STEP_WRITERS: Mapping[StepForm, RobotFormat] = MappingProxyType(
     {StepForm.NIROX: _NIROX, StepForm.AP242: _AP242}
 )
-"""What writes STEP files, by what they are to say."""
+"""Writers of STEP files, by form."""

@@ -1,4 +1,4 @@
-"""What is said to a simulated robot: statements that it carries out, and words to the session."""
+"""Dialogue with a simulated robot: statements that it executes, and commands to the session."""
 
 from dataclasses import replace
 from enum import Enum
@@ -25,12 +25,12 @@ tasks of the project's program are known. A block is carried out when it is clos
 
 
 class Outcome(Enum):
-    """What became of a line."""
+    """Outcome of a line."""
 
     MOVED = "moved"
     """The session is another one: a command more, one less, or none."""
     ANSWERED = "answered"
-    """The session is as before, and what was asked for is told."""
+    """The session is unchanged; the answer contains the requested data."""
     REFUSED = "refused"
     """The session is as before; the findings say why."""
     OVER = "over"
@@ -39,11 +39,11 @@ class Outcome(Enum):
 
 @frozen_dataclass
 class SavedProgram:
-    """A program that does what the commands did, to be written to `programs/NAME.task`.
+    """A program equivalent to the commands, to be written to `programs/NAME.task`.
 
     Attributes:
         name: of the program.
-        text: what it says.
+        text: its text.
     """
 
     name: str
@@ -52,15 +52,15 @@ class SavedProgram:
 
 @frozen_dataclass
 class Reply:
-    """What is answered to a line.
+    """Answer to a line.
 
     Attributes:
         session: from now on.
-        outcome: what became of the line.
-        lines: what is told, one after the other.
-        diagnostics: what was found; spans in the text `session` count its lines.
-        asked: the session to whose texts the findings belong: with the command, where one was refused.
-        program: what is to be written, where that was asked for.
+        outcome: outcome of the line.
+        lines: lines of the answer.
+        diagnostics: findings; spans in the text `session` count its lines.
+        asked: the session to whose texts the findings belong: including a refused command.
+        program: the program to be written, if requested.
     """
 
     session: Session
@@ -72,12 +72,12 @@ class Reply:
 
 
 def is_complete(lines: str) -> bool:
-    """Return whether what is typed can be said: an empty line ends it, or all blocks are closed."""
+    """Return whether the input is complete: an empty line ends it, or all blocks are closed."""
     return not lines.rpartition("\n")[2].strip() or not goes_on(lines)
 
 
 def reply_to(session: Session, line: str, options: "RunOptions") -> Reply:
-    """Return what is answered to a line; whatever it says, the session goes on.
+    """Return the answer to a line; the session continues after any line.
 
     Args:
         session: so far.
@@ -121,7 +121,7 @@ def _reply(session: Session, said: str, line: str, options: "RunOptions") -> Rep
 
 
 def _program(session: Session, name: str, options: "RunOptions") -> SavedProgram:
-    """Return what is to be written, unless there is a program of this name."""
+    """Return the program to be written, unless there is a program of this name."""
     path = session.project.folder / "programs" / f"{name}.task"
     if name.isidentifier() and path.exists():
         raise ProjectError(NOT_WRITABLE.at(None, f"`{path}` is there already", hint="choose another name"))
@@ -146,7 +146,7 @@ def _taken_back(session: Session, options: "RunOptions") -> Reply:
 
 
 def _moved(before: Session, after: Session) -> Reply:
-    """Return what is told of a session that has become another: what it says more, and where it is."""
+    """Return the answer after a change of the session: new messages, and the pose of the arm."""
     from ropsim.flow import MessageEvent
 
     was, now = (one.recording.events_of(MessageEvent) for one in (before, after))

@@ -1,4 +1,4 @@
-"""A robot told one command after the other: each is compiled and carried out at once."""
+"""An interactive session with a robot: each command is compiled and executed at once."""
 
 import re
 from collections.abc import Mapping
@@ -29,12 +29,12 @@ _START = "wait 0 s"
 class Session:
     """The commands so far, and the run that they make.
 
-    A command may change what became of those before it, as a move does that the one before goes over into. So
-    after each command all of them are run again from the start: the result is the one that the saved
-    commands give as a program, bit for bit.
+    A command may change the result of earlier ones, for example by a blend with the move before. So after
+    each command all of them are run again from the start: the result equals that of the saved commands as a
+    program, bit for bit.
 
     Attributes:
-        project: whose robot is told, the one of its first station; the others stand still.
+        project: whose robot executes the commands, that of its first station; the others stand still.
         prelude: declarations and tasks of its program, on their lines.
         commands: statements, some of several lines.
         recording: of all commands.
@@ -52,7 +52,7 @@ class Session:
 
     @property
     def texts(self) -> Mapping[str, SourceText]:
-        """Return what findings point into."""
+        """Return the sources of the findings."""
         return {**self.project.texts, SESSION: SourceText(SESSION, self.text)}
 
     @property
@@ -63,12 +63,12 @@ class Session:
 
 @frozen_dataclass
 class Answer:
-    """What became of a command.
+    """Result of a command.
 
     Attributes:
         session: with the command, or as before where it was refused.
-        diagnostics: errors and warnings about it; hints look at what is not told yet.
-        texts: what they point into.
+        diagnostics: errors and warnings about it; hints would depend on later commands.
+        texts: sources of the findings.
         is_taken: whether it was carried out.
     """
 
@@ -79,12 +79,12 @@ class Answer:
 
 
 def begin_session(project: Project, options: "RunOptions", commands: tuple[str, ...] = ()) -> Session:
-    """Return a session with commands that were told before; without any the robot stands where it begins.
+    """Return a session with commands of an earlier session; without any the robot stands at its start.
 
     Args:
-        project: whose robot is told.
+        project: whose robot executes the commands.
         options: of the run.
-        commands: carried out again; texts of the project may have changed since they were told.
+        commands: carried out again; texts of the project may have changed meanwhile.
 
     Raises:
         ProjectError: the project is broken, has no cell, or its program has errors; X912, the commands can
@@ -125,7 +125,7 @@ def _prelude(project: Project) -> str:
 
 
 def told(session: Session, command: str, options: "RunOptions") -> Answer:
-    """Return what becomes of a command; one with an error, of its own or of the arm, changes nothing.
+    """Return the result of a command; one with an error, of its own or of the arm, changes nothing.
 
     Raises:
         RopsimError: the simulation cannot go on, as `simulation.run` says.
@@ -165,7 +165,7 @@ def _refusal(session: Session, command: str) -> Diagnostic | None:
 
 
 def saved(session: Session, name: str, options: "RunOptions") -> str:
-    """Return a program that does what the commands did.
+    """Return a program equivalent to the commands.
 
     Raises:
         ProjectError: X912, no program of this name does so.

@@ -1,4 +1,4 @@
-"""Words to a session of commands: what they are, which may have been meant, and with which a line goes on."""
+"""Words to a session of commands: their meanings, near names, and completions."""
 
 from dataclasses import replace
 
@@ -11,7 +11,7 @@ _UNKNOWN_TASK = "N201"
 
 
 def words_for(line: str) -> tuple[str, ...]:
-    """Return the words to the session with which a line can go on that somebody types, empty or begun."""
+    """Return the commands to the session that complete an empty or incomplete line."""
     begun = line.strip().lower()
     return tuple(word for word in SESSION_WORDS if word.startswith(begun))
 

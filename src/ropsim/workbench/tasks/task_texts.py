@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 KNOWLEDGE, ENDING = "kb", ".pl"
-"""Name of the folder, in a project and beside the user's settings; and how names of texts in it end."""
+"""Name of the folder, in a project and next to the user's settings; and the ending of texts in it."""
 
 
 @frozen_dataclass
@@ -22,7 +22,7 @@ class TaskTexts:
     Attributes:
         own: of the project, in their order.
         users: of the user's own folder.
-        findings: what is wrong with the folders.
+        findings: errors in the folders.
     """
 
     own: tuple[SourceText, ...] = ()
@@ -31,7 +31,7 @@ class TaskTexts:
 
     @property
     def told(self) -> Mapping[str, ToldTask]:
-        """Return what they and those of the library tell of tasks, the first of each name."""
+        """Return the tasks in these texts and in the library, the first of each name."""
         return told_tasks((*self.own, *self.users, *library_texts()))
 
     def text(self, name: str) -> SourceText | None:
@@ -94,7 +94,7 @@ class TaskEngine:
         self._read: tuple[tuple[SourceText, ...], tuple[SourceText, ...]] | None = None
 
     def base(self, texts: TaskTexts) -> "KnowledgeBase":
-        """Return the knowledge base of some texts, good until it is asked for that of others."""
+        """Return the knowledge base of some texts, valid until it is called with other texts."""
         from ropsim.tasks import KnowledgeBase
 
         wanted = texts.own, texts.users

@@ -9,13 +9,13 @@ from pathlib import Path
 from ropsim.core import SourceText, Span, frozen_dataclass, read_bytes
 
 FARTHEST = 10_000
-"""So many characters of comments are looked through in front of a name."""
+"""Number of characters of comments that are searched in front of a name."""
 
 _BLANKS = re.compile(r"(?:[\s(]|%[^\n]*+)*+")
 _ESCAPE = re.compile(
     r"\\(?:x([0-9a-fA-F]+)\\?|([0-7]+)\\?|u([0-9a-fA-F]{4})|U([0-9a-fA-F]{8})|(\r?\n|c\s*)|.)|''", re.DOTALL
 )
-"""Numbers of characters, what stands for nothing, others; two quotes are one."""
+"""Numbers of characters, comments and layout, others; two quotes are one."""
 _LAST = 0x10FFFF
 
 
@@ -63,12 +63,12 @@ _BY_STATE = frozenset(("part", "tool", "device", "thing"))
 
 @frozen_dataclass
 class ToldTask:
-    """A task as its text tells it.
+    """A task as declared in its text.
 
     Attributes:
         name: how it is called.
-        parameters: those that a call passes, in words such as `clear: length = 50 mm`.
-        doc: what it is for; empty where nothing says so.
+        parameters: parameters of a call, in words such as `clear: length = 50 mm`.
+        doc: purpose; empty if the text has none.
         span: of the name, in its text.
     """
 
@@ -131,7 +131,7 @@ def _task(text: SourceText, name: re.Match[str], end: int, starts: Sequence[int]
 
 
 def _default(value: str) -> str:
-    """Return a default in words of the task language: `50 mm` for `50*mm`; dots for what is no number."""
+    """Return a default in words of the task language: `50 mm` for `50*mm`; dots unless it is a number."""
     return " ".join(value.replace("*", " ").split()) or "…"
 
 

@@ -1,4 +1,4 @@
-"""What-if runs: a program as it is and with changed speeds, accelerations, masses or zones, side by side."""
+"""What-if runs: a program unchanged and with changed speeds, accelerations, masses or zones, side by side."""
 
 from ropsim.workbench.what_if.change import Change as Change
 from ropsim.workbench.what_if.change import Subject as Subject

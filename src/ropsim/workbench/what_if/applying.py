@@ -16,10 +16,10 @@ _OF_CELL = {
 
 
 def changed_cell(cell: Cell, change: Change) -> Cell:
-    """Return a cell with a change: masses of parts or tools, or what holds where programs say nothing.
+    """Return a cell with a change: masses of parts or tools, or defaults of programs.
 
     Raises:
-        WhatIfError: X896, it has nothing of what is to be changed.
+        WhatIfError: X896, it lacks the entity to be changed.
     """
     match change.subject:
         case Subject.PAYLOAD:
@@ -45,9 +45,9 @@ def changed_cell(cell: Cell, change: Change) -> Cell:
 
 
 def adaptation(change: Change) -> Adaptation:
-    """Return what becomes of a move under a change.
+    """Return the change of the settings of moves.
 
-    Shares of joint limits stay at 100 % at most: the joints have no more.
+    Shares of joint limits stay at 100 % at most: the joints have no reserve.
     """
 
     def adapt(move: MoveInstruction) -> MoveInstruction:
@@ -74,7 +74,7 @@ def _place(move: MoveInstruction) -> tuple[str, int]:
 
 
 def _scaled(modal: ModalState, names: tuple[str, ...], factor: float) -> ModalState:
-    """Return a modal state with some settings times a factor; those of the cell are scaled there."""
+    """Return a modal state with some settings times a factor; defaults of the cell are scaled there."""
     given = {name: value for name in names if (value := getattr(modal, name)) is not None}
     return replace(modal, **{name: value * factor for name, value in given.items()})
 
@@ -84,7 +84,7 @@ def _faster(path: PathDefaults, names: tuple[str, ...], factor: float) -> PathDe
 
 
 def _weighing(tool: Tool, change: Change) -> Tool:
-    """Return a tool of another mass, its inertia in proportion; one without a mass stays as it is."""
+    """Return a tool of another mass, its inertia in proportion; one without a mass stays unchanged."""
     if not tool.mass:
         return tool
     return replace(tool, mass=change.value, inertia=tool.inertia * (change.value / tool.mass))

@@ -1,4 +1,4 @@
-"""What is changed in a what-if run, and how people write it: `payload=3kg`."""
+"""Change of a what-if run, and its text form: `payload=3kg`."""
 
 import math
 import re
@@ -39,7 +39,7 @@ class WhatIfError(RopsimError):
 
 
 class Subject(Enum):
-    """What is changed."""
+    """Subject of a change."""
 
     SPEED = "speed"
     ACCELERATION = "acceleration"
@@ -53,7 +53,7 @@ class Change:
     """One thing that is changed.
 
     Attributes:
-        subject: what.
+        subject: its subject.
         value: factor of speeds and accelerations, mass [kg]; 0 for zones, which are none then.
         line: source line whose zones are meant; 0 for all.
         source: name of the text in which that line stands.
@@ -105,13 +105,13 @@ _NUMBER = re.compile(r"(-?[0-9]{1,9}(?:\.[0-9]{1,9})?) ?([^0-9.\s]{0,20})")
 
 
 def read_change(text: str) -> Change | Subject:
-    """Return the change that a text tells; the subject alone for `zones=each`.
+    """Return the change in a text; the subject alone for `zones=each`.
 
     Args:
         text: such as `speed=120%`, from anywhere.
 
     Raises:
-        WhatIfError: X896, it tells none.
+        WhatIfError: X896, it contains none.
     """
     name, sign, value = (part.strip() for part in text.partition("="))
     known = [subject.value for subject in Subject]

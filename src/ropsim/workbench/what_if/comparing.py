@@ -1,4 +1,4 @@
-"""A program as it is beside what it would be with changes."""
+"""Comparison of a program with and without changes."""
 
 import re
 from collections.abc import Iterable, Sequence
@@ -26,21 +26,21 @@ def compare(
     options: RunOptions,
     meshes: MeshPoints = NO_MESHES,
 ) -> Comparison:
-    """Return the run of a program beside runs with one change each.
+    """Return the run of a program next to runs with one change each.
 
     Args:
-        recording: of the program as it is, in the cell and with the options.
-        cell: as it is.
+        recording: of the unchanged program, in the cell and with the options.
+        cell: unchanged cell.
         codes: verified programs by station.
         changes: as `read_change` returns them; `Subject.ZONES` stands for one of each line with a zone.
         options: of all runs.
         meshes: points of the meshes of the cell; collisions are checked where they are in the recording.
 
     Returns:
-        the comparison; without alternatives where the program as it is does not come to its end.
+        the comparison; without alternatives if the unchanged program does not end.
 
     Raises:
-        WhatIfError: X896, the cell has nothing of what is to be changed.
+        WhatIfError: X896, the cell lacks the entity to be changed.
     """
     summary = summarize(recording)
     if not summary.cycle_time_valid:
@@ -65,9 +65,9 @@ def compare(
 
 
 def _single(changes: Sequence[Change | Subject], recording: Recording) -> Iterable[Change]:
-    """Yield the changes one by one; those of zones where some are flown, `each` as one for each line.
+    """Yield the changes one by one; changes of zones if some are achieved, `each` as one for each line.
 
-    What parts weigh is changed where some are gripped.
+    The mass of parts is changed if some are gripped.
     """
     flown, grips = _flown(recording), _grips(recording)
     for change in changes:
@@ -131,9 +131,9 @@ def _told(findings: Iterable[Diagnostic]) -> Iterable[Diagnostic]:
 
 
 def content_of(found: Diagnostic) -> tuple[str, str, int, str]:
-    """Return by what a finding is known in another run: code, place, and message without its figures.
+    """Return the key of a finding across runs: code, place, and message without its figures.
 
-    Names in backticks stay, as those of joints and parts, which may be numbers.
+    Names in backticks stay, such as names of joints and parts, which may be numbers.
     """
     span, parts = found.span, found.message.split("`")
     parts[::2] = [_FIGURES.sub("", part) for part in parts[::2]]

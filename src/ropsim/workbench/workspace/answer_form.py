@@ -19,7 +19,7 @@ from ropsim.version import __version__
 
 T = TypeVar("T")
 Row = tuple[int, ...]
-"""What a value is made of: its kind, and the rows of its parts."""
+"""Structure of a value: its kind, and the rows of its parts."""
 _WIDTHS = ("<i1", "<i2", "<i4", "<i8")
 """Types of numbers in bytes, narrow ones first."""
 
@@ -44,10 +44,10 @@ _TUPLE, _MAPPING, _SET = range(3)
 
 @frozen_dataclass
 class Translation:
-    """What the compiler answers to a text, without the structured program and without procedures.
+    """Result of the compiler for a text, without the structured program and without procedures.
 
     Attributes:
-        header: what the executable form declares; None where anything found is an error.
+        header: declarations of the executable form; None if any finding is an error.
         diagnostics: all findings in order of their place.
         tasks: how each task that can be called is called.
         variables: type of each variable in a word of the language, by task and name.
@@ -61,7 +61,7 @@ class Translation:
 
 @frozen_dataclass
 class Verified:
-    """What the verifier finds in the code of a text."""
+    """Findings of the verifier in the code of a text."""
 
     diagnostics: tuple[Diagnostic, ...]
 
@@ -89,7 +89,7 @@ _KINDS: tuple[type, ...] = (
     icr.ToolDefinition,
     SignalUse,
 )
-"""All that an answer is made of besides plain values, tuples, mappings and sets."""
+"""Types in answers besides plain values, tuples, mappings and sets."""
 _NUMBERS = {kind: number for number, kind in enumerate(_KINDS, start=_SET + 1)}
 _STEP = _NUMBERS[icr.Step]
 _step = partial(tuple.__new__, icr.Step)
@@ -105,7 +105,7 @@ _NO_STEPS = np.zeros(0, "<i1")
 
 
 _WRONG = (ValueError, TypeError, LookupError, AttributeError, ArithmeticError, RecursionError, RopsimError)
-"""What is raised where bytes are no answer."""
+"""Raised if bytes are no answer."""
 
 
 class UnknownFormError(Exception):
@@ -113,7 +113,7 @@ class UnknownFormError(Exception):
 
 
 def written(value: object) -> bytes:
-    """Return a value as bytes, the same in every process: a line that tells what follows, and numbers.
+    """Return a value as bytes, the same in every process: a header line, and numbers.
 
     Raises:
         UnknownFormError: it holds something of another kind.
@@ -146,7 +146,7 @@ def read(content: bytes) -> object:
 
 
 def _batches(told: list[Any], rest: bytes) -> Iterator[_Batch]:
-    """Yield the batches of which a head tells."""
+    """Yield the batches listed in a header."""
     at = 0
     for numbers in told:
         kind, size, width, count = numbers
@@ -201,14 +201,14 @@ def _made(batch: _Batch, known: list[Any]) -> Iterable[object]:
 
 
 def _texts(values: Sequence[Any]) -> Sequence[str]:
-    """Return what names something; other values are none, and to hash them could take any time."""
+    """Return the texts that are names; hashing other values could take any time."""
     if any(type(one) is not str for one in values):
         raise UnknownFormError
     return values
 
 
 class _Writer:
-    """Puts values into rows; of those that are not plain, each is numbered behind its parts."""
+    """Puts values into rows; compound values are numbered behind their parts."""
 
     def __init__(self) -> None:
         self._plain: dict[object, int] = {}
@@ -237,9 +237,9 @@ class _Writer:
         return self._values
 
     def batches(self) -> Iterator[_Batch]:
-        """Yield the rows in batches; the last row is that of the first value that was asked for."""
+        """Yield the rows in batches; the last row is that of the requested value."""
         depths: list[int] = [0] * len(self._rows)
-        depths += [0] * len(self._values)  # those of plain values, which are found from behind
+        depths += [0] * len(self._values)  # depths of plain values, which are found from behind
         batches: dict[tuple[int, int, int], list[Row]] = {}
         for number, row in enumerate(self._rows):
             depths[number] = 1 + max(map(depths.__getitem__, row[1:]), default=0)
@@ -268,7 +268,7 @@ class _Writer:
 
 
 def _parts(value: object) -> tuple[object, ...]:
-    """Return what a value is made of."""
+    """Return the parts of a value."""
     if isinstance(value, tuple):
         return value
     if isinstance(value, Mapping):

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from ropsim.core import edited_lines
 
 FEW = 64
-"""So many names are looked for one by one in a text."""
+"""Up to this number of names are searched one by one in a text."""
 MOST = 32
-"""Texts of which counts are kept, those asked for last."""
+"""Number of texts whose counts are kept, the last requested ones."""
 
 _WORD = re.compile(r"[^\W\d]\w*")
 
@@ -34,7 +34,7 @@ class Mentions:
         Args:
             source: name of the text.
             text: its characters.
-            names: words to be looked for.
+            names: words to search.
         """
         known = self._known.pop(source, None)
         if known is None or (*known.counts,) != (*dict.fromkeys(names),):

@@ -1,7 +1,7 @@
-"""What is asked of the texts of a project: its cell, its programs at their stations, and what they name.
+"""Queries on the texts of a project: its cell, its programs at their stations, and their names.
 
-Each function is pure: it looks at texts that were given to the database, and at other answers, so that an
-edit reaches only what is made of the text that was edited.
+Each function is pure: it reads inputs of the database and other answers, so that an edit reaches only answers
+that depend on the edited text.
 """
 
 from collections.abc import Callable, Hashable, Mapping
@@ -37,9 +37,9 @@ if TYPE_CHECKING:  # with its engine it takes a tenth of a start, so it is loade
 LINES = "lines"
 """Input: the compiler's own memory of texts; it changes no answer."""
 KEPT = "kept answers"
-"""Input: answers of earlier processes, None for none; they are what would be answered now."""
+"""Input: answers of earlier processes, None for none; they equal the present answers."""
 ENGINE = "engine of tasks"
-"""Input: what reads knowledge bases; it changes no answer."""
+"""Input: reader of knowledge bases; it does not change answers."""
 OWN_TASKS = "own tasks"
 """Input: remembers which tasks texts have; it changes no answer."""
 MENTIONS = "mentions of tasks"
@@ -51,7 +51,7 @@ LEAST_LINES = 100
 
 
 class Question(Enum):
-    """What is kept for other processes."""
+    """Answers kept for other processes."""
 
     TRANSLATED = "translated"
     CODE = "code"
@@ -60,7 +60,7 @@ class Question(Enum):
 
 @frozen_dataclass
 class ReadCell:
-    """What became of a cell file: its cell, None where it is wrong, and what was found."""
+    """Result of reading a cell file: its cell, None if it is invalid, and the findings."""
 
     cell: Cell | None
     diagnostics: tuple[Diagnostic, ...]
@@ -72,12 +72,12 @@ def text_of(name: str) -> Hashable:
 
 
 def robots_of(name: str) -> Hashable:
-    """Return the name of the input that is what was read from the robot files of a cell file."""
+    """Return the name of the input for the robots read from the files of a cell file."""
     return "robots", name
 
 
 def tasks_of(name: str) -> Hashable:
-    """Return the name of the input that is the texts of tasks beside a cell file."""
+    """Return the name of the input that is the texts of tasks of the project of a cell file."""
     return "tasks", name
 
 
@@ -89,22 +89,22 @@ def cell(db: Database, name: str, folder: str) -> ReadCell:
 
 
 def cell_environment(db: Database, at: AtStation) -> language.Environment:
-    """Return what the cell gives names to at a station."""
+    """Return the names that the cell defines at a station."""
     return environment_of(*_station(db, at))
 
 
 def environment(db: Database, at: AtStation) -> language.Environment:
-    """Return what programs at a station can name, without the tasks of knowledge bases."""
+    """Return the names for programs at a station, without the tasks of knowledge bases."""
     return replace(db.ask(cell_environment, at), listed=db.ask(listed_tasks, at.cell))
 
 
 def listed_tasks(db: Database, cell: str) -> tuple[str, ...]:
-    """Return the names of all tasks that programs beside a cell file can call; some may be of none."""
+    """Return the names of all tasks that programs of the project can call; some may not exist."""
     return tuple(_task_texts(db, cell).told)
 
 
 def own_tasks(db: Database, cell: str) -> tuple[str, ...]:
-    """Return those of them that the project or its user has."""
+    """Return those defined by the project or its user."""
     texts = _task_texts(db, cell)
     return tuple(told_tasks((*texts.own, *texts.users)))
 
@@ -116,7 +116,7 @@ def tasks_in(db: Database, name: str) -> frozenset[str]:
 
 
 def called_tasks(db: Database, name: str, cell: str) -> tuple[tuple[str, ...], tuple[str, ...]]:
-    """Return the tasks of knowledge bases that a program names, and those whose names its own tasks have."""
+    """Return the tasks of knowledge bases that a program names, and the ones that its own tasks hide."""
     listed = db.ask(listed_tasks, cell)
     mentions: Mentions = db.read(MENTIONS)
     found = mentions.mentioned(name, _text(db, name).text, listed)
@@ -127,7 +127,7 @@ def called_tasks(db: Database, name: str, cell: str) -> tuple[tuple[str, ...], t
 
 
 def library(db: Database, names: tuple[str, ...], taken: tuple[str, ...], at: AtStation) -> "Library":
-    """Return these tasks of knowledge bases, ready to be called; their own names give way to `taken` ones."""
+    """Return these tasks of knowledge bases, callable; tasks with a name in `taken` are renamed."""
     from ropsim.tasks import library as made
 
     engine: TaskEngine = db.read(ENGINE)
@@ -141,7 +141,7 @@ def programs_library(db: Database, name: str, at: AtStation) -> "Library | None"
 
 
 def programs_environment(db: Database, name: str, at: AtStation) -> language.Environment:
-    """Return what a program at a station can name."""
+    """Return the names for a program at a station."""
     around = db.ask(environment, at)
     found = db.ask(programs_library, name, at)
     return around if found is None else replace(around, tasks=found.tasks, refused=found.refused)
@@ -164,13 +164,13 @@ def other_tasks(db: Database, name: str, cell: str) -> tuple[Diagnostic, ...]:
 
 @always_new
 def made(db: Database, name: str, at: AtStation) -> language.Compiled:
-    """Return all that the compiler answers to a task text."""
+    """Return the complete result of the compiler for a task text."""
     lines: language.LineCache = db.read(LINES)
     return language.compile(_text(db, name).text, db.ask(programs_environment, name, at), name, lines)
 
 
 def translated(db: Database, name: str, at: AtStation) -> Translation:
-    """Return what the compiler finds in a task text."""
+    """Return the findings of the compiler in a task text."""
     found = read_as(Translation, _kept(db, Question.TRANSLATED, name, at))
     if found is not None:
         return found
@@ -181,7 +181,7 @@ def translated(db: Database, name: str, at: AtStation) -> Translation:
 
 @always_new
 def code(db: Database, name: str, at: AtStation) -> language.Code | None:
-    """Return the executable form of a task text: the program is made, or read, when first asked for."""
+    """Return the executable form of a task text: the program is made, or read, on the first request."""
     header = db.ask(translated, name, at).header
     kept = _kept(db, Question.CODE, name, at)
     if header is None or kept is None:
@@ -192,7 +192,7 @@ def code(db: Database, name: str, at: AtStation) -> language.Code | None:
         found = read_as(icr.Program, kept)
         if found is not None:
             return found
-        again = language.compile(text, around, name).icr  # what is kept is of no known form
+        again = language.compile(text, around, name).icr  # the kept answer is of an unknown form
         return again if again is not None else header
 
     return language.Code(header, program)
@@ -205,7 +205,7 @@ def program(db: Database, name: str, at: AtStation) -> icr.Program | None:
 
 
 def verified(db: Database, name: str, at: AtStation) -> Verified:
-    """Return what the verifier finds in the code of a task text."""
+    """Return the findings of the verifier in the code of a task text."""
     found = read_as(Verified, _kept(db, Question.VERIFIED, name, at))
     if found is not None:
         return found
@@ -220,7 +220,7 @@ ANSWERS: Mapping[Question, Callable[[Database, str, AtStation], object]] = Mappi
 
 
 def content_around(db: Database, at: AtStation) -> bytes:
-    """Return what answers at a station are made of besides the texts; empty where that has no form."""
+    """Return the other inputs of answers at a station as bytes; empty if they have no byte form."""
     try:
         return written((*compiler_version(), db.ask(environment, at)))
     except UnknownFormError:
@@ -228,7 +228,7 @@ def content_around(db: Database, at: AtStation) -> bytes:
 
 
 def content_of(db: Database, name: str, at: AtStation) -> str:
-    """Return what a program is made of as 64 digits; empty where it is quicker made than kept."""
+    """Return the digest of the inputs of a program as 64 digits; empty if keeping is not worthwhile."""
     text = _text(db, name)
     if text.with_line_feeds().count("\n") + 1 < LEAST_LINES:
         return ""
@@ -236,9 +236,7 @@ def content_of(db: Database, name: str, at: AtStation) -> str:
     if not surroundings:
         return ""
     names, _ = db.ask(called_tasks, name, at.cell)
-    if (
-        names
-    ):  # the texts themselves, so that no Prolog has to read them; those of the library are the compiler's
+    if names:  # texts, so that no Prolog reads them; library texts belong to the compiler
         texts = _task_texts(db, at.cell)
         surroundings += written(tuple((one.name, one.text) for one in (*texts.own, *texts.users)))
     parts = (surroundings, name.encode(errors="surrogatepass"), text.text.encode(errors="surrogatepass"))
@@ -300,13 +298,13 @@ def code_lines(db: Database, name: str, at: AtStation) -> tuple[int, ...]:
 
 
 def outline(db: Database, name: str) -> language.Outline:
-    """Return what a text defines."""
+    """Return the definitions of a text."""
     return language.outline(_text(db, name), db.read(LINES))
 
 
 @always_new
 def uses(db: Database, name: str, outside: frozenset[str]) -> language.Uses:
-    """Return where a text uses which names; `outside` are those that its cell knows."""
+    """Return where a text uses which names; `outside` are names of its cell."""
     return language.uses_of(_text(db, name), db.read(LINES), outside)
 
 

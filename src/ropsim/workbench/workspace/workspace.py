@@ -1,4 +1,4 @@
-"""Texts of projects and all that is made of them, kept until a text changes on which it depends."""
+"""Texts of projects and all results for them, kept until one of their inputs changes."""
 
 from collections.abc import Mapping
 from contextlib import suppress
@@ -25,13 +25,13 @@ MAX_KEPT = 5_000
 
 
 class Workspace:
-    """The one place where front ends ask for what is made of texts.
+    """Single entry point of front ends for results on texts.
 
-    Every question comes with the texts that it is about, so an answer is always that of these texts, whatever
-    was asked before. What was made of an earlier version of a text is used as far as it still holds.
+    Every question comes with the texts that it is about, so an answer is always that of these texts,
+    independent of earlier queries. Results for an earlier version of a text are reused if still valid.
 
     Attributes:
-        lines: what the compiler keeps between versions of texts.
+        lines: cache of the compiler for versions of texts.
     """
 
     def __init__(self, kept: KeptFiles | None = None) -> None:
@@ -46,11 +46,11 @@ class Workspace:
 
     @property
     def events(self) -> list[Event] | None:
-        """Return what was asked since the list was last cleared; None, as at first, where nobody looks on."""
+        """Return the queries since the list was last cleared; None if not watched (the default)."""
         return self._db.events
 
     def watch(self) -> None:
-        """Let what is asked be told by `events`."""
+        """Record queries in `events`."""
         self._db.events = []
 
     def cell(
@@ -61,7 +61,7 @@ class Workspace:
         Args:
             text: of the cell file.
             folder: names the cell where the file does not.
-            robots: what was read from the files of robots that it names, by their paths.
+            robots: robots read from the files that it names, by their paths.
         """
         self._give_cell(text, robots)
         return self._db.ask(questions.cell, text.name, folder)
@@ -74,13 +74,13 @@ class Workspace:
         robots: Mapping[str, ReadRobot] = questions.NO_ROBOTS,
         tasks: TaskTexts = NO_TASKS,
     ) -> AtStation:
-        """Return a station of a cell, to ask for programs there; without a cell there is one place only.
+        """Return a station of a cell, for queries on programs there; without a cell there is only one.
 
         Args:
             cell_text: of the cell file.
             folder: names the cell where the file does not.
             station: name; empty for the first one.
-            robots: what was read from the files of robots that the cell file names, by their paths.
+            robots: robots read from the files that the cell file names, by their paths.
             tasks: texts of the tasks that programs can call.
         """
         if cell_text is None:
@@ -90,7 +90,7 @@ class Workspace:
         return AtStation(cell_text.name, folder, station)
 
     def environment(self, at: AtStation) -> language.Environment:
-        """Return what programs at a station can name."""
+        """Return the names for programs at a station."""
         return self._db.ask(questions.environment, at)
 
     def knowledge(self, tasks: TaskTexts) -> "KnowledgeBase":
@@ -112,9 +112,9 @@ class Workspace:
         return at_stations(found)
 
     def syntax(self, text: SourceText) -> CheckedText:
-        """Return what is found of a text whatever the cell may be, for want of a cell that can be read.
+        """Return the findings in a text that hold for any cell, if the cell cannot be read.
 
-        Without its cell a program would be blamed for every name that the cell was to give it.
+        Without its cell a program would be blamed for every name of the cell.
         """
         found = self.checked(text, {ROBOT: NOWHERE})
         return replace(found, diagnostics=tuple(one for one in found.diagnostics if one.code.startswith("L")))
@@ -135,12 +135,12 @@ class Workspace:
         return self._db.ask(questions.program, text.name, at)
 
     def outline(self, text: SourceText) -> language.Outline:
-        """Return what a text defines."""
+        """Return the definitions of a text."""
         self._give(text)
         return self._db.ask(questions.outline, text.name)
 
     def uses(self, text: SourceText, outside: frozenset[str]) -> language.Uses:
-        """Return where a text uses which names; `outside` are those that its cell knows."""
+        """Return where a text uses which names; `outside` are names of its cell."""
         self._give(text)
         return self._db.ask(questions.uses, text.name, outside)
 
@@ -150,7 +150,7 @@ class Workspace:
         return self._db.ask(questions.marked, text.name, outside)
 
     def keep(self) -> None:
-        """Keep what was compiled for later processes, where answers of them are taken, too."""
+        """Keep compilation results for later processes, if such results are also used."""
         while self._asked:
             question, name, at = self._asked.pop()
             content = self._db.ask(questions.content_of, name, at)
@@ -162,13 +162,13 @@ class Workspace:
                         self._kept.keep(key, written(answer))
 
     def forget(self, name: str) -> None:
-        """Let go of a text that nobody looks at any more."""
+        """Release a text that is not needed any more."""
         beside = questions.robots_of(name), questions.tasks_of(name)
         self._db.give({questions.text_of(name): None, **dict.fromkeys(beside)})
         self._asked = {one for one in self._asked if one[1] != name}
 
     def _ask_for(self, text: SourceText, at: AtStation, *asked: Question) -> None:
-        """Note what is asked of a task text, to be kept."""
+        """Note the queries on a task text, to be kept."""
         if not text.name.endswith(".icr"):
             self._asked |= {(question, text.name, at) for question in asked}
 

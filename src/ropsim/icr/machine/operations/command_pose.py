@@ -1,4 +1,4 @@
-"""The pose commanded last: computed where the program knows it, else read from the robot."""
+"""The pose commanded last: computed if the program determines it, else read from the robot."""
 
 import math
 from dataclasses import replace
@@ -16,11 +16,11 @@ from ropsim.spatial import Pose
 def command_pose(registers: Registers, world: World, site: Site) -> Instruction | None:
     """Push the pose commanded last, X_KT, in the frame and for the tool in force.
 
-    Where the target of the last move tells the pose, the program goes on at once. Else it waits until
-    everything before has been carried out, and takes the pose at which the arm stands by command.
+    If the target of the last move determines the pose, the program continues at once. Else it waits until
+    everything before has been executed, and takes the command pose of the arm.
 
     Raises:
-        TrapError: the world knows no arm, or not the tool in force; or numbers are not finite.
+        TrapError: the world has no arm, or lacks the tool in force; or numbers are not finite.
     """
     location = None if registers.is_synced else _known(registers, world)
     if location is None:
@@ -38,7 +38,7 @@ def command_pose(registers: Registers, world: World, site: Site) -> Instruction 
 
 
 def _known(registers: Registers, world: World) -> Location | None:
-    """Return the target of the last move in the frame and for the tool in force; None if it tells no pose.
+    """Return the target of the last move in frame and tool in force; None if it determines no pose.
 
     Values of external axes given with the target stay with the pose: the axes are still there. A location in
     a task frame of its own is still in that.

@@ -32,7 +32,7 @@ from ropsim.spatial import Pose
 
 
 class _AtPose(NamedTuple):
-    """What is said with a pose that a move goes to; see `MoveInstruction`."""
+    """Attributes of the target pose of a move; see `MoveInstruction`."""
 
     external: tuple[float, ...] = ()
     via: tuple[Pose, ...] = ()
@@ -64,7 +64,7 @@ def _move_arc(registers: Registers, _world: World, site: Site) -> Instruction:
 
 
 def _move_arc_angle(registers: Registers, _world: World, site: Site) -> Instruction:
-    """Hand out an arc that ends where its angle says, which the program does not know."""
+    """Hand out an arc that ends where its angle says, which the program does not compute."""
     angle = registers.stack.pop()
     if fault := setting_fault(site.mnemonic, angle):
         raise out_of_range(fault)
@@ -107,9 +107,9 @@ def _told(
     modal: ModalState,
     more: _AtPose = _NOTHING,
 ) -> MoveInstruction:
-    """Return a move with all that has been said about the next one.
+    """Return a move with all settings for the next one.
 
-    The program does not know where a guarded move ends, nor one that a sensor corrects.
+    The end of a guarded move is unknown to the program, also that of a move corrected by a sensor.
     """
     triggers, registers.triggers = registers.triggers, ()
     guard, registers.guard = registers.guard, None
@@ -125,7 +125,7 @@ def _check_via(name: str, point: Location, target: Location) -> None:
     """Trap where a point on the way has a frame, values of external axes or a posture other than the target.
 
     Raises:
-        TrapError: it has; those of a path are those of its end.
+        TrapError: it has external axes; for a path they belong to its end.
     """
     check_same_frame(name, point, target)
     for what, one, wanted in (

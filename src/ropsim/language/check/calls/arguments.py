@@ -70,8 +70,8 @@ def _check_case(body: Body, node: syntax.Call) -> None:
 def as_call(node: nodes.Function, signature: Signature) -> syntax.Call:
     """Return the call of a task whose result is assigned, `v = T(…)`, as a statement of its own.
 
-    A parenthesis that touches the name is the list of its arguments where the task takes so many; else it is
-    what it is in a statement.
+    A parenthesis that touches the name is the list of its arguments if their number fits; else it has its
+    meaning in a statement.
     """
     items = node.arguments
     is_apart = node.opening > node.name.end
@@ -92,7 +92,7 @@ def unknown_task(body: Body, node: syntax.Call) -> NoReturn:
     Raises:
         RejectedError: always.
     """
-    if body.report.muted:  # nobody reads what is near
+    if body.report.muted:  # without a reader the search for near names is skipped
         raise RejectedError
     name, environment = node.name, body.world.environment
     reason = environment.refused.get(name.text)
@@ -115,7 +115,7 @@ def unknown_task(body: Body, node: syntax.Call) -> NoReturn:
 
 
 def _near_task(body: Body, node: syntax.Call, tasks: Iterable[str]) -> str:
-    """Return what may have been meant; a word of another robot language is looked up, not guessed."""
+    """Return the probable intended task; a word of another robot language is translated, not guessed."""
     name, word = node.name, node.name.text.lower()
     if word in HINTS and word not in map(str.lower, tasks):
         return HINTS[word]
@@ -129,7 +129,7 @@ def _near_task(body: Body, node: syntax.Call, tasks: Iterable[str]) -> str:
 
 
 def _is_bare(node: syntax.Call) -> bool:
-    """Return whether nothing but one value stands behind a word, in parentheses or without."""
+    """Return whether a single value follows a word, with or without parentheses."""
     if len(node.arguments) != 1 or node.arguments[0].name is not None:
         return False
     inside = _only(node.arguments)
@@ -234,7 +234,7 @@ def _is_place(node: nodes.Node) -> bool:
 def _bind(
     body: Body, node: syntax.Call, signature: Signature, items: tuple[nodes.Item, ...]
 ) -> dict[str, nodes.Node]:
-    """Return the argument of each parameter that has one."""
+    """Return the arguments by parameter."""
     names = [formal.name for formal in signature.formals]
     bound: dict[str, nodes.Node] = {}
     for index, item in enumerate(items):
@@ -291,7 +291,7 @@ def _counts(signature: Signature) -> tuple[int, int]:
 
 
 def _other_blank(node: syntax.Call, signature: Signature) -> str:
-    """Return what a blank before the parenthesis would change, where that makes the arguments fit."""
+    """Return the effect of a blank before the parenthesis, if it makes the arguments fit."""
     if (inside := _only(node.arguments)) is None:
         return ""
     needed, most = _counts(signature)

@@ -19,7 +19,7 @@ from ropsim.program import variables_of
 def look(body: Body, node: syntax.Assign, variable: Variable, value: Value) -> None:
     """Report a value that is no whole number, for a variable that keeps whole numbers and is no parameter.
 
-    Variables of which it is worked out are noted: with another first value they would change this one, too.
+    Variables that occur in it are noted: another first value of theirs would change this one.
 
     Args:
         body: being checked.
@@ -32,7 +32,7 @@ def look(body: Body, node: syntax.Assign, variable: Variable, value: Value) -> N
     """
     kind, name = known(value.type), node.name.text
     others = (one for one in variables_of(value.expression) if one != variable.name)
-    body.quantities.update((one, "") for one in others)  # this one is what they are
+    body.quantities.update((one, "") for one in others)  # this one has their type
     if not isinstance(kind, Type) or not convert.has_fraction(kind, value):
         return
     made = body.made.get(name)
@@ -59,15 +59,14 @@ def with_first_values(
     quantities: Iterable[tuple[str, str]],
     shared: Container[str],
 ) -> Iterator[Diagnostic]:
-    """Yield findings, those of unfit values with the first values of their variables.
+    """Yield findings, findings about unfit values with the first values of their variables.
 
     Args:
         found: in order.
         unfit: those among them.
         firsts: where variables have their first values.
-        quantities: variables that stand where a quantity is wanted, each with the unit, empty where none
-            is certain.
-        shared: variables that may stand elsewhere, too.
+        quantities: variables that stand in place of a quantity, each with its unit, empty if uncertain.
+        shared: variables that may occur in other units of the text.
     """
     by_finding = {one.finding: one for one in unfit}
     by_variable = {one.variable: one for one in firsts}
@@ -85,7 +84,7 @@ def with_first_values(
 
 
 def _with_first(unfit: Unfit, made: Made, used_in: Collection[str]) -> Diagnostic:
-    """Return a finding with the first value of the variable, and what that would have to be.
+    """Return a finding with the first value of the variable, and its required form.
 
     Args:
         unfit: the value that does not fit.
@@ -117,7 +116,7 @@ def _with_first(unfit: Unfit, made: Made, used_in: Collection[str]) -> Diagnosti
 
 
 def _other_first(kind: Type, value: nodes.Node | None, used_in: Collection[str]) -> str:
-    """Return what can be done where the first value is no numeral."""
+    """Return the remedy if the first value is no numeral."""
     if kind.dimension != units.NUMBER:
         return f"let it begin with {article(kind)}, or use a variable of its own here"
     if used_in or _is_call(value):
@@ -143,7 +142,7 @@ def _is_numeral(value: nodes.Node | None) -> bool:
 
 
 def _is_call(value: nodes.Node | None) -> bool:
-    """Return whether a value is what a task returns."""
+    """Return whether a value is the result of a task."""
     return isinstance(value, nodes.Function) and value.name.text.lower() not in functions.NAMES
 
 
@@ -154,7 +153,7 @@ def _is_from_above(body: Body, name: str, variable: Variable) -> bool:
 
 
 def _other_value(kind: Type) -> str:
-    """Return what can be assigned in place of a value of a type, or where it can go."""
+    """Return a value to assign in place of a value of a type, or the place for that value."""
     is_plain = kind.dimension == units.NUMBER
     return "use `round( )` here, or a variable of its own" if is_plain else "use a variable of its own"
 

@@ -17,7 +17,7 @@ Values = Sequence[nodes.Node]
 
 
 def translated(body: Body, node: syntax.Call) -> str | None:
-    """Return a line as it is written here; None for words of nobody, and where the line tells too little."""
+    """Return a line translated to this language; None for unknown words and for incomplete lines."""
     write = _LINES.get(node.name.text.lower())
     if write is None or not _is_statement(body, node):
         return None
@@ -34,7 +34,7 @@ def translated(body: Body, node: syntax.Call) -> str | None:
 
 
 def _is_statement(body: Body, node: syntax.Call) -> bool:
-    """Return whether a call is all of its line, or of what stands behind `then`."""
+    """Return whether a call is all of its line, or all of the statement behind `then`."""
     statement: object = body.line.statement
     while isinstance(statement, syntax.If):
         statement = statement.body
@@ -109,7 +109,7 @@ def _move_with_letters(
 
 
 def _word(body: Body, verb: str, text: str) -> str:
-    """Return what a word behind the target of a motion of RAPID says here; empty for nothing."""
+    """Return the translation of a word behind the target of a motion of RAPID; empty if there is none."""
     speed, zone = _SPEED.fullmatch(text), _ZONE.fullmatch(text)
     if speed is not None:
         return f"speed {speed[1]} mm/s" if verb == "lin" else ""
@@ -123,7 +123,7 @@ def _stop(_: Body, values: Values) -> str | None:
 
 
 def _exit(body: Body, values: Values) -> str | None:
-    """Return the way out of a loop; outside of one the end of the program, in a task nobody knows."""
+    """Return the way out of a loop; outside of one the end of the program, None in a task."""
     if values or (body.task and not body.loops):
         return None
     return "break" if body.loops else "stop"
@@ -133,7 +133,7 @@ _VERBS = {
     **dict.fromkeys(("movel", "moves", "slin", "movep"), "lin"),
     **dict.fromkeys(("movej", "ptp", "sptp"), "mov"),
 }
-"""Motions with one target, and what they are here."""
+"""Motions with one target, and their equivalents here."""
 
 _LINES: Mapping[str, Callable[[Body, Values], str | None]] = {
     **{word: partial(_move, verb) for word, verb in _VERBS.items()},

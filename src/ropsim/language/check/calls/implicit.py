@@ -19,7 +19,7 @@ _REFERENCE = re.compile(r"l(\d{0,2})")
 
 @dataclass(slots=True)
 class Uses:
-    """What the body of a task reads and writes.
+    """Names that the body of a task reads and writes.
 
     Attributes:
         written: names that have a value.

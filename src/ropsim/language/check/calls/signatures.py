@@ -50,7 +50,7 @@ def _library_type(parameter: Local, library: TaskSignature) -> Type:
 
 
 def of_text(body: Body, task: TaskText, task_names: Container[str]) -> Signature:
-    """Return how a task of the text is called; types not written are left open for use to tell.
+    """Return how a task of the text is called; types not written are left open and inferred from use.
 
     Args:
         body: of the task, before anything stands in it.
@@ -88,9 +88,9 @@ def of_text(body: Body, task: TaskText, task_names: Container[str]) -> Signature
 def _has_wrong_line(block: Block, task_names: Container[str]) -> bool:
     """Return whether a line could not be read, or calls a task that is not defined.
 
-    Such a line may have named a parameter, so nobody knows them all: `call relase 2` in place of
-    `call release 2` hides the second reference location. The line has its own finding; callers are not to be
-    blamed as well. Prose that looks like a statement does not count: it is a warning only, and its task stays
+    The wrong line may have named a parameter, so the list is incomplete: `call relase 2` in place of `call
+    release 2` hides the second reference location. The line has its own finding; callers are not to be blamed
+    as well. Prose that looks like a statement does not count: it is a warning only, and its task stays
     callable.
     """
     for section in block.sections:
@@ -123,7 +123,7 @@ def _explicit(body: Body, parameters: tuple[syntax.Parameter, ...]) -> tuple[For
 
 
 def _written(body: Body, node: nodes.Node) -> str:
-    """Return a default as it stands in the header, on one line."""
+    """Return a default as written in the header, on one line."""
     text = " ".join(body.written(node).split())
     return text if len(text) <= _SHOWN else f"{text[:_SHOWN]} …"
 
@@ -140,12 +140,12 @@ def _default(body: Body, name: str, node: nodes.Node, kind: AnyType) -> Expressi
 
 
 def final(body: Body, task: TaskText, signature: Signature, types: Sequence[Type]) -> Signature:
-    """Return the signature with the types that use has told, and its defaults read anew as those.
+    """Return the signature with the types inferred from use, and its defaults converted to them.
 
     Args:
         body: of the task, before anything stands in it.
         task: the task.
-        signature: as its header tells.
+        signature: as declared by its header.
         types: of its parameters.
     """
     formals = [
@@ -167,7 +167,7 @@ def final(body: Body, task: TaskText, signature: Signature, types: Sequence[Type
 
 
 def report_untold(body: Body, task: TaskText, untold: Container[str]) -> None:
-    """Report parameters whose types neither header nor body tell."""
+    """Report parameters whose types neither header nor body determine."""
     header = task.header
     for one in (header.parameters or ()) if header is not None else ():
         if one.name.text in untold:

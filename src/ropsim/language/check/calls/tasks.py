@@ -31,7 +31,7 @@ def is_task(item: Line | Block) -> bool:
 
 
 def task_of(block: Block) -> TaskText:
-    """Return a task by its block; its name is empty where the header has none."""
+    """Return a task by its block; its name is empty if the header has none."""
     header = block.opener.statement
     assert isinstance(header, syntax.TaskHeader | syntax.Broken)
     name = header.name.text if isinstance(header, syntax.TaskHeader) else header.name

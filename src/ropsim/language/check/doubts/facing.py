@@ -14,7 +14,7 @@ _UPRIGHT = 0.5
 def check_target(body: Body, node: nodes.Node) -> None:
     """Warn of a location for the tool whose orientation is `rz` alone (T342).
 
-    A step of `rel` or of a grid, a frame, and what is moved by `above`, `offset` and `rel` are not looked at.
+    A step of `rel` or of a grid, a frame, and locations moved by `above`, `offset` and `rel` are not checked.
     """
     match node.operand if isinstance(node, nodes.External) else node:
         case nodes.Tuple(turns=turns) as located if _turns_about_z(turns):
@@ -41,7 +41,7 @@ def _check(body: Body, node: nodes.Tuple, X_KF: PoseTuple, moving: str) -> None:
 
 
 def _turns_about_z(turns: tuple[nodes.Turn, ...]) -> bool:
-    """Return whether terms are `rz`, and `rx` or `ry` of 0 beside it."""
+    """Return whether terms are `rz`, and `rx` or `ry` of 0."""
     has_z = False
     for term in turns:
         if term.word == "rz":

@@ -1,4 +1,4 @@
-"""Lengths in millimetres that are nearly nothing, as those in metres are."""
+"""Lengths in millimetres that are nearly nothing, probably written in metres."""
 
 from collections.abc import Iterable, Iterator
 from dataclasses import fields, is_dataclass
@@ -81,7 +81,7 @@ def _is_correction(node: nodes.Tuple) -> bool:
 
 
 def _has_long(body: Body) -> bool:
-    """Return whether a bare length of the line in hand is not near; a line is looked through once."""
+    """Return whether a bare length of the line in hand is not near; each line is searched once."""
     line, has_long = body.looked_through
     if line is not body.line:
         has_long = any(abs(numerals.bare(one) or 0.0) >= _NEAR for one in _lengths(body.line.statement))
@@ -90,7 +90,7 @@ def _has_long(body: Body) -> bool:
 
 
 def _lengths(statement: object) -> Iterator[nodes.Node]:
-    """Yield the lengths of places, shifts and steps, and those behind `above` and `blend`."""
+    """Yield the lengths of places, shifts and steps, and the values behind `above` and `blend`."""
     work = [statement]
     while work:
         part = work.pop()

@@ -1,4 +1,4 @@
-"""Variables that nothing reads, and those that a misspelt assignment has made."""
+"""Variables that nothing reads, and variables made by a misspelt assignment."""
 
 import re
 from collections.abc import Callable, Container, Iterable, Iterator, Mapping
@@ -25,7 +25,7 @@ def near_names(
     Args:
         made: variables that an assignment made, and where.
         read: names of the variables that are read.
-        visible: tells the names of all variables that can be seen.
+        visible: returns the names of all visible variables.
     """
     unread = [name for name in made if name not in read]
     if not unread:
@@ -47,7 +47,7 @@ def near_names(
 
 
 def unread_variables(made: Mapping[str, Made], read: Container[str]) -> Iterator[Diagnostic]:
-    """Yield a hint for each variable that nothing reads (N239): worth telling where all lines are right."""
+    """Yield a hint for each variable that nothing reads (N239): reported only if all lines are right."""
     for name, one in made.items():
         if name not in read:
             message, hint = (
@@ -67,7 +67,7 @@ def _span(made: Made) -> Span:
 
 
 def _by_letters(names: Iterable[str]) -> dict[str, list[str]]:
-    """Return names of variables by themselves without numbers."""
+    """Return names of variables without their digits."""
     found: dict[str, list[str]] = {}
     for name in names:
         if "__" not in name:
@@ -80,7 +80,7 @@ def _letters(name: str) -> str:
 
 
 def _slips(letters: str) -> Iterator[str]:
-    """Yield a name, and it without each of its letters: names one slip apart have one of these in common."""
+    """Yield a name, and it without each of its letters: names one slip apart share at least one of them."""
     if len(letters) >= SHORTEST:
         yield letters
         yield from (letters[:k] + letters[k + 1 :] for k in range(min(len(letters), 40)))

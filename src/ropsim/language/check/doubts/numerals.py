@@ -13,7 +13,7 @@ _REAL, _INT = ValueType.REAL, ValueType.INT
 
 
 def fitting(body: Body, node: Node, wanted: Type) -> Constant | None:
-    """Return what `convert.to` makes of a number alone; None where there is more to do or to say."""
+    """Return the result of `convert.to` for a single number; None if a conversion or a finding is needed."""
     if wanted.value is _REAL:
         number = fitting_real(body, node, wanted.dimension)
         return None if number is None else fold.constant(number, _REAL)
@@ -33,7 +33,7 @@ def fitting_real(body: Body, node: Node, wanted: units.Dimension) -> float | Non
 
 
 def bare(node: Node) -> float | None:
-    """Return a number that stands alone without a unit, as it is written; it may have a minus."""
+    """Return a number that stands alone without a unit, as written; it may have a minus."""
     if isinstance(node, Number):
         return node.value if not node.unit else None
     if isinstance(node, Unary) and isinstance(node.operand, Number) and node.op == "neg":
@@ -42,7 +42,7 @@ def bare(node: Node) -> float | None:
 
 
 def quoted(body: Body, place: Placed, number: float, unit: str) -> str:
-    """Return a value as messages quote it: as it is written, with the number in a unit if that says more."""
+    """Return a value as messages quote it: as written, with the number in a unit if that says more."""
     written, measured = body.written(place), f"{number:g} {unit}"
     return f"`{written}`" if written == measured else f"`{written}` ({measured})"
 

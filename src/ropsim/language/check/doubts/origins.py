@@ -1,8 +1,8 @@
-"""Where a plain number comes from: what it counts is known of readings and of numbers without a unit.
+"""Where a plain number comes from: the unit of readings and of numbers without a unit is known.
 
-A sensor measures in SI units, a number without a unit counts in those of the text: where the two meet, one of
-them means something else than it seems to (T313). What a variable keeps is known line by line; below a block
-that assigns it, it may be what it was before the block, too.
+A sensor measures in SI units, a number without a unit counts in units of the text: if the two are combined,
+one of them is probably misread (T313). The origin of the value of a variable is tracked line by line; below a
+block that assigns it, the origin before the block also remains possible.
 """
 
 from collections.abc import Iterable
@@ -25,7 +25,7 @@ def has_sensors(world: World) -> bool:
 
 
 def origin_of(body: Body, expression: Expression) -> Origin | None:
-    """Return where a plain number comes from, None where its parts tell nothing."""
+    """Return where a plain number comes from, None if its parts have none."""
     match expression:
         case Constant(value=bool() | str()):
             return None
@@ -50,7 +50,7 @@ def is_reading(body: Body, expression: Expression) -> bool:
 
 
 def _variable(body: Body, name: str) -> Variable | None:
-    """Return what a variable of the structured program is here."""
+    """Return the variable of the structured program behind a name."""
     symbol = body.find(name.partition(".")[0])
     return symbol if isinstance(symbol, Variable) and symbol.name == name else None
 
@@ -73,7 +73,7 @@ def _is_zero(origin: Origin | None) -> bool:
 
 
 def _either(one: Origin | None, other: Origin | None) -> Origin | None:
-    """Return the origin of what comes from the one or the other, or from both together."""
+    """Return the origin of a value with one of two origins, or both."""
     if one == other:
         return one
     for sort in (Written, OfParameter, Reading):
@@ -83,7 +83,7 @@ def _either(one: Origin | None, other: Origin | None) -> Origin | None:
 
 
 def joined(origins: Iterable[Origin | None]) -> Origin | None:
-    """Return the origin of what comes from one of several."""
+    """Return the origin of a value with one of several origins."""
     first, *others = [*origins] or [None]
     return reduce(_either, others, first)
 
@@ -96,7 +96,7 @@ def note(body: Body, name: str, variable: Variable, expression: Expression) -> N
 
 
 def keep(body: Body, name: str, variable: Variable, origin: Origin | None) -> None:
-    """Remember the origin of what a variable keeps; in a block it may be left out."""
+    """Remember the origin of the value of a variable; in a block it may be left out."""
     if not has_sensors(body.world) or body.report.muted or name not in body.names:
         return
     found = _either(variable.origin, origin) if body.depth > 1 else origin

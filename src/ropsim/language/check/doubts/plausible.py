@@ -49,12 +49,12 @@ def check_rate(
 def check_path_rate(
     body: Body, word: str, value: Value, rate: Expression, dimension: units.Dimension, place: nodes.Node
 ) -> None:
-    """Warn of one for a path of the tool, which knows no share (T338)."""
+    """Warn of a rate for a path of the tool, which cannot be a share (T338)."""
     _check(body, word, (), value, rate, dimension, place)
 
 
 def believe(*_: object) -> None:
-    """Say nothing of one that the motion does not use; that is said by itself (T309)."""
+    """Report nothing about a setting that the motion does not use; T309 reports it."""
 
 
 def _check(
@@ -71,8 +71,8 @@ def _check(
     Args:
         body: where it stands.
         word: of the setting.
-        shares: what else a number of at most 1 may mean.
-        value: as it is written.
+        shares: other meanings of a number of at most 1.
+        value: as written.
         rate: the same in SI units.
         dimension: speed or acceleration.
         place: of the value.
@@ -103,12 +103,12 @@ def _check(
 
 
 def _is_share_of_one(body: Body, place: nodes.Node, written: float) -> bool:
-    """Return whether a number is below 1 and has a point, as nobody writes one in millimetres."""
+    """Return whether a number is below 1 and has a point, unusual for millimetres."""
     return written < 1.0 and "." in body.written(place)
 
 
 def _digits(body: Body, place: nodes.Node, number: float) -> str:
-    """Return a number as it is written, or what is worked out."""
+    """Return a number as written, or the computed value."""
     return body.written(place) if isinstance(place, nodes.Number) else f"{number:g}"
 
 

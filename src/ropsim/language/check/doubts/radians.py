@@ -1,4 +1,4 @@
-"""Angles in degrees that have the digits of radians: 1.5708, or 3.14 beside other small numbers."""
+"""Angles in degrees that have the digits of radians: 1.5708, or 3.14 next to other small numbers."""
 
 from collections.abc import Iterable, Sequence
 from math import degrees, pi
@@ -15,11 +15,11 @@ _LAST = 8
 """Multiples of an eighth of a turn that are known by their digits."""
 _LARGEST = (_LAST + 0.5) * _STEP
 _CERTAIN = 4
-"""So many digits tell radians, whatever stands beside them."""
+"""This number of digits indicates radians regardless of the numbers next to it."""
 _LIKELY = 3
-"""So many digits tell them where all numbers beside them are small, too."""
+"""This number of digits indicates radians if all numbers next to it are small."""
 _ROUNDED = 0.005
-"""What rounding may add to a number that is at most half a turn or a turn."""
+"""Greatest rounding error of a number that is at most half a turn or a turn."""
 
 
 def check_joints(body: Body, node: nodes.Joints, angles: Sequence[nodes.Node]) -> None:
@@ -73,7 +73,7 @@ def _in_radians(body: Body, values: Iterable[nodes.Node]) -> list[str]:
 
 
 def _suspect(body: Body, values: Sequence[nodes.Node], most: float) -> tuple[float, float] | None:
-    """Return the first number without unit that looks like radians, and what it would be in degrees.
+    """Return the first number without unit that looks like radians, and its value in degrees.
 
     Args:
         body: where they stand.

@@ -134,7 +134,7 @@ def _product(node: nodes.Binary, left: Value, right: Value, a: AnyType, b: AnyTy
 
 
 def _product_type(op: str, left: Value, right: Value, a: AnyType, b: AnyType) -> AnyType:
-    """Return the type of a product; an unknown factor beside a known quantity counts as a plain number."""
+    """Return the type of a product; an unknown factor times a known quantity counts as a plain number."""
     if isinstance(a, Unknown) and right.is_bare:
         a.has_fraction = a.has_fraction or op == "/"
         return a
@@ -147,7 +147,7 @@ def _product_type(op: str, left: Value, right: Value, a: AnyType, b: AnyType) ->
 
 
 def _dimension(kind: AnyType) -> units.Dimension:
-    """Return the dimension of a factor; use tells one whose type is open that it is a plain number."""
+    """Return the dimension of a factor; a factor of open type becomes a plain number."""
     if isinstance(kind, Type):
         return kind.dimension if kind.value is _REAL else units.NUMBER
     if kind.bound is None:

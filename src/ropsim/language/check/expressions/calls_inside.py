@@ -1,4 +1,4 @@
-"""Tasks that are called inside expressions: all of a line are told at once."""
+"""Calls of tasks inside expressions: all of a line are reported at once."""
 
 from collections.abc import Iterator
 from dataclasses import fields, is_dataclass
@@ -11,7 +11,7 @@ from ropsim.language.syntax import statements as syntax
 
 
 def refuse(body: Body, node: nodes.Function) -> NoReturn:
-    """Report a call of a task inside an expression, and those behind it in the line.
+    """Report a call of a task inside an expression, and the calls behind it in the line.
 
     Raises:
         RejectedError: always.

@@ -11,7 +11,7 @@ DOWN = (0.0, 1.0, 0.0, 0.0)
 """Rx(180°): the tool points straight down in its frame; the orientation of three plain numbers."""
 
 UPRIGHT = fold.zyx(fold.real(0.0), fold.real(0.0), fold.real(0.0))
-"""The orientation of what says nothing else."""
+"""The orientation of a pose without other terms."""
 
 
 def numbers_in_frame(body: Body, location_in_work_frame: Expression) -> Expression:

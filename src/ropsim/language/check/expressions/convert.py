@@ -12,7 +12,7 @@ _REAL, _INT = ValueType.REAL, ValueType.INT
 
 
 def note(cell: Unknown, value: Value) -> None:
-    """Remember what a bare number tells about an unknown type."""
+    """Record the evidence of a bare number for an unknown type."""
     cell.has_number = True
     kind = known(value.type)
     if isinstance(kind, Type) and kind.value is _REAL:
@@ -20,7 +20,7 @@ def note(cell: Unknown, value: Value) -> None:
 
 
 def to(body: Body, value: Value, wanted: AnyType, place: Placed, what: str) -> Expression:
-    """Return the expression of `value` as `wanted`; `what` names the place, as in "the target of `mov`".
+    """Return the expression of `value` as `wanted`; `what` names the place, e.g. "the target of `mov`".
 
     Raises:
         RejectedError: the value does not fit.
@@ -54,7 +54,7 @@ def to(body: Body, value: Value, wanted: AnyType, place: Placed, what: str) -> E
 
 
 def real(value: Value) -> Expression:
-    """Return a number as REAL, whatever its dimension."""
+    """Return a number as REAL, of any dimension."""
     found = known(value.type)
     if isinstance(found, Type) and found.value is _INT:
         return fold.to_real(value.expression)
@@ -101,7 +101,7 @@ def has_fraction(found: Type, value: Value) -> bool:
 
 
 def shown(found: Type, value: Value) -> str:
-    """Return what a message says of a number, of type `found`, that may be no whole one."""
+    """Return the words of a message for a number, of type `found`, that may be no whole one."""
     number = fold.number_of(value.expression)
     if found.dimension != units.NUMBER:
         return article(found)

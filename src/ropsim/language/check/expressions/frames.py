@@ -1,4 +1,4 @@
-"""The frame in force: what is read in it, how long it holds, and where another one may be meant."""
+"""The frame in force: values read in it, its duration, and probable mistakes for another frame."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -22,7 +22,7 @@ def set_frame(body: Body, name: Name) -> None:
     """Read locations in another frame from here to the end of the block or body.
 
     Raises:
-        RejectedError: there is no such frame.
+        RejectedError: the frame is unknown.
     """
     body.in_force = FrameInForce(*body.frame(name), (body.line, name))
     body.ended = ""

@@ -21,7 +21,7 @@ def call(body: Body, node: nodes.Function) -> Value:
     """Return the value of a function.
 
     Raises:
-        RejectedError: there is no such function, or its arguments do not fit.
+        RejectedError: the function is unknown, or its arguments do not fit.
     """
     known_function = _FUNCTIONS.get(node.name.text.lower())
     if known_function is None:

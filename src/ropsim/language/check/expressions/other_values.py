@@ -1,4 +1,4 @@
-"""Values that other languages write in another way, and what they are here."""
+"""Values that other languages write differently, and their equivalents here."""
 
 import re
 from collections.abc import Sequence
@@ -17,7 +17,7 @@ _SHIFTS = {"offs": "offset", "reltool": "rel", "pose_add": "offset"}
 """Functions of a location and three lengths, and the operators that they are here."""
 _COMPOSED = ("pose_trans",)
 _POSES = ("crobt", "cpos", "get_actual_tcp_pose", "get_target_tcp_pose")
-"""Functions that tell where the arm is."""
+"""Functions that return the pose or joints of the arm."""
 _STEPS = {
     "offset": "a location is shifted by `offset`: `p offset (0, 0, 60)`",
     "rel": "a step in the axes of the tool is written `rel`: `p rel (0, 0, 60)`",
@@ -50,7 +50,7 @@ def refuse_function(body: Body, node: nodes.Function) -> None:
 
 
 def _shifted(body: Body, operator: str, values: Sequence[nodes.Node]) -> str:
-    """Return a location and three lengths as they are written here; empty where they tell too little."""
+    """Return a location and three lengths as written here; empty if incomplete."""
     written = [body.written(one) for one in values]
     if len(written) != 4 or not all(map(_is_balanced, written)):
         return ""
@@ -58,7 +58,7 @@ def _shifted(body: Body, operator: str, values: Sequence[nodes.Node]) -> str:
 
 
 def _composed(body: Body, values: Sequence[nodes.Node]) -> str:
-    """Return two poses, the second one in the first, as they are written here; empty for other values."""
+    """Return two poses, the second one in the first, as written here; empty for other values."""
     written = [body.written(one) for one in values]
     if len(written) != 2 or not all(map(_is_balanced, written)) or _is_frame(body, values[1]):
         return ""
@@ -102,7 +102,7 @@ def refuse_name(body: Body, node: nodes.Name) -> None:
 
 
 def _share(body: Body, setting: str) -> str:
-    """Return what to write in a motion of the joints, whose speed is a share; empty elsewhere."""
+    """Return the replacement in a motion of the joints, whose speed is a share; empty elsewhere."""
     statement: object = body.line.statement
     while isinstance(statement, syntax.If):
         statement = statement.body

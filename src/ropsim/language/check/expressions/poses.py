@@ -50,7 +50,7 @@ def transform(body: Body, node: nodes.Node, X_BC: PoseTuple = fold.IDENTITY) -> 
             tool are given in the tool and in the mechanical interface, where they count from its axes.
 
     Raises:
-        RejectedError: the node is not such a tuple.
+        RejectedError: the node is not a pose tuple.
     """
     if not isinstance(node, nodes.Tuple):
         return values.expect(body, node, POSE, "the pose")
@@ -66,7 +66,7 @@ def shift(body: Body, node: nodes.Node, what: str) -> Expression:
     """Return the VEC of a tuple of three lengths.
 
     Raises:
-        RejectedError: the node is not such a tuple.
+        RejectedError: the node is not a pose tuple.
     """
     if not isinstance(node, nodes.Tuple) or len(node.items) != 3 or node.turns or node.posture:
         body.fail(kinds.WRONG_TYPE, node, f"{what} is three lengths in parentheses", "write `(dx, dy, dz)`")
@@ -97,7 +97,7 @@ def moved(body: Body, value: Value, node: nodes.Binary) -> Value:
 
 
 def _step(body: Body, node: nodes.Node) -> Expression:
-    """Return the pose on the right of `rel`: numbers alone, in whatever frame they were given.
+    """Return the pose on the right of `rel`: numbers alone, independent of their frame.
 
     Raises:
         RejectedError: it is no pose, or is written with values of external axes.
@@ -119,13 +119,13 @@ def here(body: Body) -> Expression:
 
 
 def _without_axes(body: Body, location: Expression) -> Expression:
-    """Return a location whose axes are those of the work frame, whatever a variable in it keeps."""
+    """Return a location with the axes of the work frame, including variables in it."""
     is_known = isinstance(fold.numbers_of(location), Constant)
     return fold.in_axes(location, fold.IDENTITY) if body.world.has_axes and not is_known else location
 
 
 def kept(value: Value, expression: Expression) -> Expression:
-    """Return a value as it is kept, passed or returned: a location with the axes of its frame."""
+    """Return a value in stored form (kept, passed or returned): a location with the axes of its frame."""
     is_turned = value.X_KF is not None and value.X_KF[3:] != quaternion.IDENTITY
     return fold.in_axes(expression, value.X_KF) if is_turned and value.X_KF is not None else expression
 
@@ -133,7 +133,7 @@ def kept(value: Value, expression: Expression) -> Expression:
 def rebased(body: Body, node: nodes.Rebase) -> Value:
     """Return `A in F`: a location written there as F in force would read it, else the numbers of A read in F.
 
-    The numbers of A are those that it has in the frame in force.
+    The numbers of A are expressed in the frame in force.
     """
     X_KF, moving = body.frame(node.frame)
     if _is_written(node.operand):
@@ -233,7 +233,7 @@ def _position(body: Body, node: nodes.Tuple) -> Expression:
 
 
 def _length(body: Body, node: nodes.Node, what: str) -> Expression:
-    """Return a length that a location is made of; what is composed of such constants is always finite.
+    """Return a length of a location; poses composed of these constants are always finite.
 
     Raises:
         RejectedError: it is none, or too large to mean anything.

@@ -19,7 +19,7 @@ LARGEST = 100
 
 
 def request(body: Body, node: nodes.Posture) -> PostureRequest:
-    """Return what a location asks of the arm that reaches it.
+    """Return the posture that a location requests from the arm.
 
     Raises:
         RejectedError: a word is none of its postures, or the turns do not fit its axes.
@@ -32,7 +32,7 @@ def _words(body: Body, node: nodes.Posture) -> tuple[str, ...]:
     seen: dict[int, str] = {}
     for place, word in enumerate(node.words):
         part = place
-        if known is None and not _POSTURE.fullmatch(word.text):  # those of all arms are in small letters
+        if known is None and not _POSTURE.fullmatch(word.text):  # postures of all arms are in small letters
             body.unknown(name_kinds.UNKNOWN_POSTURE, word, "posture", [word.text.lower()])
         if known is not None:
             part = next((k for k, allowed in enumerate(known) if word.text in allowed), -1)

@@ -1,4 +1,4 @@
-"""What readings of sensors are compared with: a bare number counts in SI units there, which few mean."""
+"""Comparisons of sensor readings: a bare number counts in SI units there, which is rarely meant."""
 
 import math
 
@@ -17,13 +17,13 @@ _DIMENSIONS = {"length": units.LENGTH, "force": units.FORCE}
 
 
 def reading(body: Body, signal: str, node: nodes.Node, purpose: str) -> Expression:
-    """Return the number beside an analog signal, in SI units; T313 where it is not what it looks like.
+    """Return the number compared with an analog signal, in SI units; T313 if it is probably misread.
 
     Args:
         body: where it stands.
         signal: analog, of a sensor or not.
         node: the number.
-        purpose: what a signal has with it, in words.
+        purpose: use of a signal, in words.
 
     Raises:
         RejectedError: it is no number.
@@ -42,7 +42,7 @@ def check_reading(body: Body, signal: str, value: Value, place: nodes.Node) -> N
     Args:
         body: where it stands.
         signal: analog, of a sensor or not.
-        value: what the signal is compared with.
+        value: the other side of the comparison.
         place: of the value.
     """
     measure = body.world.environment.measured.get(signal, "")
@@ -60,12 +60,12 @@ def check_reading(body: Body, signal: str, value: Value, place: nodes.Node) -> N
 
 
 def check_compared(body: Body, one: Value, other: Value, place: nodes.Node) -> None:
-    """Warn of a number that is compared with what was worked out of readings (T313).
+    """Warn of a number that is compared with a value computed from readings (T313).
 
     Args:
         body: where it stands.
         one: worked out of readings, or anything else.
-        other: what it is compared with.
+        other: the other side of the comparison.
         place: of the other one.
     """
     if not origins.has_sensors(body.world):

@@ -1,4 +1,4 @@
-"""What `print` shows of a value: quantities in the units of the text, with their names."""
+"""Output of `print` for a value: quantities in the units of the text, with their names."""
 
 from functools import lru_cache
 
@@ -13,7 +13,7 @@ _REAL = ValueType.REAL
 
 
 def parts(body: Body, value: Value) -> tuple[Expression, ...]:
-    """Return what stands in a message for a value, each part with a blank before the next one.
+    """Return the parts of a message for a value, each part with a blank before the next one.
 
     A location is shown as three lengths and the angles about the fixed axes, in the frame in force.
     Where external axes may belong to it, it is shown whole and in SI units.

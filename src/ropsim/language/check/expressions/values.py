@@ -1,4 +1,4 @@
-"""The value of an expression, of a wanted type or any; the values of names."""
+"""The value of an expression, of a requested type or any; the values of names."""
 
 from ropsim.core import maker
 from ropsim.language.check.doubts import numerals
@@ -56,7 +56,7 @@ def expect(body: Body, node: nodes.Node, wanted: AnyType, what: str) -> Expressi
 
 
 def _variable(body: Body, node: nodes.Node, wanted: Type) -> VariableExpression | None:
-    """Return a name that means a variable of the wanted type, None for any other."""
+    """Return the variable of the requested type behind a name, else None."""
     symbol = body.find(node.text) if isinstance(node, nodes.Name) else None
     if not isinstance(symbol, Variable) or symbol.type is not wanted:
         return None
@@ -141,7 +141,7 @@ def member(body: Body, node: nodes.Name) -> tuple[int, Type]:
     """Return index and type of a component of a location.
 
     Raises:
-        RejectedError: there is no such component.
+        RejectedError: the component is unknown.
     """
     if node.text not in _MEMBERS:
         body.unknown(name_kinds.UNKNOWN_MEMBER, node, "component", _MEMBERS)

@@ -31,7 +31,7 @@ class Loop:
 
     Attributes:
         flag: the variable that a `break` must set, because the loop is nested in itself.
-        variable: the one that the loop gives its values, empty for none.
+        variable: the variable of the loop, empty for none.
     """
 
     flag: str = ""
@@ -53,7 +53,7 @@ class Unfit:
     """A value that a variable cannot keep because of its first value.
 
     Attributes:
-        finding: that tells it, without the first value.
+        finding: the finding without the first value.
         variable: its name in the structured program.
         kind: of the value.
         unit: in which the text has values of this kind, empty where that has no name.
@@ -71,21 +71,21 @@ Expressions = Mapping[type, Callable[["Body", Any], Value]]
 """How each kind of expression node is checked."""
 
 Told = Callable[[str, AnyType | None], AnyType | None]
-"""The type of a new variable, by its name and what the line that makes it tells; None for one of its own."""
+"""Type of a new variable, by its name and its first assignment; None keeps the type of the assignment."""
 
 
 class Body:
     """Names, frame and loops in force, and where findings go.
 
     Attributes:
-        world: what the text declares.
+        world: declarations of the text.
         report: where findings go.
         expressions: how each kind of expression is checked.
-        names: what the names of this body mean where the line in hand stands.
+        names: meanings of the names of this body at the present line.
         variables: all parameters and variables, by the names that they have in the structured program.
         past: names of loop variables whose loop has ended.
         references: reference locations of the task, first, second …
-        tasks: names of those that can be called, where `world` does not tell how.
+        tasks: names of callable tasks without a signature in `world`.
         result: type of the value to return, or None.
         task: name of the task, empty for the control statements.
         line: the line in hand.
@@ -94,21 +94,23 @@ class Body:
         loops: open loops, innermost last.
         depth: nesting of the lines in hand; 1 outside all blocks.
         is_tolerant: unknown names are not reported (the header of the task could not be read).
-        sight: what this part of a body sees of what stands before it.
-        looked_around: whether all names were asked for and `sight` did not tell them.
+        sight: context of this part of a body.
+        looked_around: whether all names were requested and `sight` did not contain them.
         made: variables that an assignment made, and where.
         declared: variables of all tasks that lines of this part declare by their first values, and where.
         unfit: values that do not fit first values.
-        looked_through: the last line of which was asked whether it has a long length, and whether it has.
-        quantities: variables with whole numbers that stand where a quantity is wanted, each with its unit.
+        looked_through: the last line that was searched for a long length, and the result.
+        quantities: variables with whole numbers that stand in place of a quantity, each with its unit.
         read: names of the variables that are read.
-        readings: what parameters are compared with that count in SI units, `length` or `force`, by name.
+        readings: kind of reading that parameters are compared with, in SI units: `length` or `force`, by
+            name.
         returned: where the results come from that it returns.
-        counted: variables whose plain numbers stand beside readings.
+        counted: variables whose plain numbers are compared with readings.
         used_signals: signals that are named.
         joint_count: how many coordinates `joints(…)` has, 0 as long as there is none.
         lacks_result: whether a value is returned and the header has no type for it.
-        has_gaps: a line that may have been a way out is wrong and left out; nobody misses a `return` then.
+        has_gaps: a line that may have been a way out is wrong and left out; a missing `return` is not
+            reported then.
     """
 
     def __init__(
@@ -180,7 +182,7 @@ class Body:
     def fail(
         self, kind: Kind, place: Placed, message: str, hint: str = "", fix: str | None = None
     ) -> NoReturn:
-        """Report a finding and give up the statement.
+        """Report a finding and abandon the statement.
 
         Raises:
             RejectedError: always.
@@ -189,7 +191,7 @@ class Body:
         raise RejectedError
 
     def reject(self, finding: Diagnostic) -> NoReturn:
-        """Report a finding that is made elsewhere and give up the statement.
+        """Report a finding of another module and abandon the statement.
 
         Raises:
             RejectedError: always.
@@ -201,17 +203,17 @@ class Body:
     # --- names
 
     def find(self, name: str) -> Symbol | None:
-        """Return what a name means here."""
+        """Return the meaning of a name here."""
         return self.names.get(name) or self.world.symbols.get(name)
 
     def visible(self) -> dict[str, Symbol | None]:
-        """Return all names in sight but those of cell and declarations; None for what stands far before."""
+        """Return all visible names except those declared or of the cell; None for names of earlier parts."""
         if self.sight.around is None:
             self.looked_around = True
         return {**dict.fromkeys(self.sight.around or ()), **self.names}
 
     def declared_names(self) -> tuple[str, ...]:
-        """Return the names of all declarations that may be written; a table of them is gone through once."""
+        """Return the names of all declarations that may be used; each table is traversed once."""
         if self._declared_names is not None:
             return self._declared_names
         symbols = self.world.symbols
@@ -239,7 +241,7 @@ class Body:
         )
 
     def declare(self, name: str, kind: AnyType | None = None) -> Variable:
-        """Enter a variable of this body; without `kind` its type is what the first pass found."""
+        """Enter a variable of this body; without `kind` it has the type found by the inference pass."""
         variable = self._made(self._free(name), kind)
         self.names[name] = variable
         return variable
@@ -249,7 +251,7 @@ class Body:
         return self._made(self._free(name), kind)
 
     def hidden(self, name: str, kind: Type) -> Variable:
-        """Return a variable for what the compiler keeps itself, always the same one.
+        """Return a variable for internal data of the compiler, always the same one.
 
         A name with a dot is one that no program can write.
         """
@@ -283,7 +285,7 @@ class Body:
         """Return X_KF of a frame by name; of one that moves the identity, and its name.
 
         Raises:
-            RejectedError: there is no such frame.
+            RejectedError: the frame is unknown.
         """
         if name.text in self.world.environment.moving:
             return IDENTITY, name.text
@@ -300,7 +302,7 @@ class Body:
         """Return the name of a tool that exists.
 
         Raises:
-            RejectedError: there is no such tool.
+            RejectedError: the tool is unknown.
         """
         if name.text not in self.world.tools:
             self._refuse_tool_of_others(name)
@@ -311,7 +313,7 @@ class Body:
         """Report a tool that the cell has and the station of this program has not.
 
         Raises:
-            RejectedError: it is such a tool.
+            RejectedError: the tool is of this kind.
         """
         environment = self.world.environment
         if name.text in environment.others_tools:
@@ -321,12 +323,12 @@ class Body:
             self.fail(kinds.UNKNOWN_TOOL, name, message, hint)
 
     def unknown(self, kind: Kind, name: Name, what: str, candidates: Iterable[str]) -> NoReturn:
-        """Report that there is no `what` of this name, with the nearest one that exists.
+        """Report an unknown name, with the nearest known one.
 
         Raises:
             RejectedError: always.
         """
-        if self.report.muted:  # nobody reads what is near
+        if self.report.muted:  # without a reader the search for near names is skipped
             raise RejectedError
         known_names = sorted(candidates)
         hint = did_you_mean(name.text, known_names)
@@ -340,7 +342,7 @@ class Body:
 
     @contextmanager
     def with_name(self, name: str, symbol: Symbol) -> Iterator[None]:
-        """Let a name mean a variable of a loop for a while, whatever it means around the loop."""
+        """Let a name mean a loop variable within the block, regardless of its outer meaning."""
         before = self.names.get(name)
         self.names[name] = symbol
         try:
@@ -374,6 +376,6 @@ class Body:
 
 
 def settled(kind: AnyType) -> Type:
-    """Return the final type: as found, or what an unknown one falls back to."""
+    """Return the final type: as found, or the default of an unknown one."""
     found = known(kind)
     return found if isinstance(found, Type) else found.settle()

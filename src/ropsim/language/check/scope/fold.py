@@ -75,7 +75,7 @@ _PLAIN: dict[str, Callable[[float, float], float]] = {
     "mul": operator.mul,
     "div": operator.truediv,
 }
-"""What the machine computes of REALs by the same operation of Python, where the result is finite."""
+"""Constant folding: operations of the machine on REALs by Python's equal ones, if the result is finite."""
 
 _SIGNS = {"add": "+", "sub": "-", "mul": "*", "div": "/", "neg": "-"}
 
@@ -180,7 +180,7 @@ def scaled(operand: Expression, factor: float) -> Expression:
 
 
 def _computed(op: str, instruction: str, kind: ValueType, of: ValueType, *numbers: float) -> Expression:
-    """Return what the machine would compute of constant numbers; `of` is REAL where one of them is."""
+    """Return the result of the machine for constant numbers; `of` is REAL where one of them is."""
     is_real = kind is ValueType.REAL or of is ValueType.REAL
     if op in ("round", "trunc", "to_real") and not any(isinstance(n, float) for n in numbers):
         return whole(int(numbers[0])) if kind is ValueType.INT else real(numbers[0])
@@ -253,14 +253,14 @@ def make_pose(position: Expression, orientation: Expression) -> Expression:
 
 
 def in_frame(operand: Expression, frame: str) -> Expression:
-    """Return a POSE whose numbers are those of `operand` in a frame of its own; without a name, in none."""
+    """Return a POSE with the numbers of `operand` in a frame of its own; without a name, in none."""
     operand = without_frame(operand)
     is_known = isinstance(numbers_of(operand), Constant)
     return operand if is_known and not frame else InFrame(operand, frame)
 
 
 def in_posture(operand: Expression, request: PostureRequest | None) -> Expression:
-    """Return a POSE that asks for a posture; None leaves it as it is."""
+    """Return a POSE with a posture request; None changes nothing."""
     if request is None:
         return operand
     if isinstance(operand, InFrame):
@@ -283,7 +283,7 @@ def numbers_of(operand: Expression) -> Expression:
 
 
 def closed(numbers: Expression, request: PostureRequest | None, frame: str) -> Expression:
-    """Return a POSE of what `opened` told about one."""
+    """Return a POSE from the parts that `opened` returned."""
     return in_frame(in_posture(numbers, request), frame)
 
 
@@ -295,7 +295,7 @@ def without_frame(operand: Expression) -> Expression:
 def compose(left: Expression, right: Expression) -> Expression:
     """Return X_AC from X_AB and X_BC, with the values of external axes of the one that has some.
 
-    Where `right` is numbers alone, whatever frame they were given in, the frame of `left` stays.
+    Where `right` is numbers alone, independent of their frame, the frame of `left` stays.
     """
     if type(left) is type(right) is Constant:
         return _composed(left, right)
@@ -323,7 +323,7 @@ def _composed(left: Expression, right: Expression) -> Expression:
 
 
 def reframe(change: PoseTuple, location: Expression) -> Expression:
-    """Return X_AC from X_AB and X_BC; a location in a frame that moves stays as it is, where it is given."""
+    """Return X_AC from X_AB and X_BC; a location in a frame that moves stays unchanged."""
     if change == IDENTITY or (isinstance(location, InFrame) and location.frame):
         return location
     if isinstance(numbers_of(location), Constant):
@@ -345,7 +345,7 @@ def offset(location: Expression, way: Expression) -> Expression:
 
 
 def external(location: Expression, values: tuple[Expression, ...]) -> Expression:
-    """Return a POSE with REAL values of external axes in place of those that it may have."""
+    """Return a POSE with REAL values of external axes in place of its present ones."""
     if isinstance(location, InFrame):
         return InFrame(external(location.operand, values), location.frame)
     if isinstance(location, InPosture):

@@ -1,4 +1,4 @@
-"""What a name is declared as, so that a variable, a parameter or another declaration cannot take it."""
+"""Declared meaning of a name, which a variable, a parameter or another declaration cannot take."""
 
 from ropsim.language.check.scope.types import POSE, Value, known
 from ropsim.language.check.scope.world import Pattern, Poison, Symbol, Variable, World
@@ -7,7 +7,7 @@ from ropsim.program import SignalUse, ValueType
 
 
 def what(symbol: Symbol) -> str:
-    """Return what a name stands for, with its article."""
+    """Return the kind of entity behind a name, with its article."""
     match symbol:
         case SignalUse(is_input=is_input, type=kind):
             return f"an {'analog ' if kind is ValueType.REAL else ''}{'input' if is_input else 'output'}"
@@ -19,7 +19,7 @@ def what(symbol: Symbol) -> str:
 
 
 def declared_as(world: World, name: str) -> str:
-    """Return what the cell or the text declares by a name that is no variable, empty for nothing."""
+    """Return the entity, no variable, that cell or text declare by a name; empty if there is none."""
     symbol = world.symbols.get(name)
     if symbol is not None and not isinstance(symbol, Variable | Poison):
         return what(symbol)
@@ -31,14 +31,14 @@ def declared_as(world: World, name: str) -> str:
 
 
 def hidden_by_parameter(world: World, name: str) -> str:
-    """Return what a parameter of that name would hide, variables of all tasks included; empty for nothing."""
+    """Return the entity that a parameter would hide, variables of all tasks included; empty if none."""
     if isinstance(world.symbols.get(name), Variable):
         return "a variable"
     return declared_as(world, name)
 
 
 def in_cell(environment: Environment, name: str) -> str:
-    """Return what the cell has by a name, empty for nothing."""
+    """Return the entity of the cell with a name, empty if there is none."""
     if name in environment.frames:
         return "a frame"
     if name in environment.tools:

@@ -1,4 +1,4 @@
-"""The frame in which the locations of a line are read, as it is in force there."""
+"""The frame in which the locations of a line are read, at that line."""
 
 from dataclasses import dataclass
 

@@ -1,4 +1,4 @@
-"""What a part of a body sees of what stands before it, and what it leaves to what stands behind it."""
+"""Context of a part of a body: names defined before it, and its effect on later parts."""
 
 from collections.abc import Mapping
 from dataclasses import field
@@ -11,10 +11,10 @@ from ropsim.spatial import PoseTuple
 
 @frozen_dataclass
 class Seen:
-    """What is known of a name of a body.
+    """Meaning and type of a name in a body.
 
     Attributes:
-        symbol: what it means, None for nothing.
+        symbol: meaning, None for none.
         number: how many variables had it so far.
         is_past: whether a loop has ended whose variable had it.
     """
@@ -26,15 +26,15 @@ class Seen:
 
 @frozen_dataclass
 class Sight:
-    """What stands before a part of a body, as far as the part names it.
+    """Context before a part of a body, restricted to names in the part.
 
     Attributes:
-        names: what is known of names.
+        names: meanings of names.
         X_KC: frame of literals, in the work frame; the identity where that frame moves.
         moving: name of the frame of literals where it moves, empty where it stands still.
         joint_count: how many coordinates `joints(…)` has, 0 as long as there is none.
         ended: name of a frame that was set in a block that has ended, while no location was read since.
-        around: all names that have a meaning, None where nobody has asked for them.
+        around: all names that have a meaning, None if they were not requested.
     """
 
     names: Mapping[str, Seen] = field(default_factory=dict)
@@ -45,7 +45,7 @@ class Sight:
     around: tuple[str, ...] | None = None
 
     def symbols(self) -> dict[str, Symbol]:
-        """Return what names mean."""
+        """Return the meanings of the names."""
         return {name: one.symbol for name, one in self.names.items() if one.symbol is not None}
 
 

@@ -1,4 +1,4 @@
-"""A table of names of which is noted what is looked up, so that only that is depended on."""
+"""A table of names that records look-ups, so that only these become dependencies."""
 
 from collections.abc import Callable, Container, Iterable, Iterator, Mapping
 from typing import Any, TypeVar
@@ -7,11 +7,11 @@ T = TypeVar("T")
 
 
 class Table(Mapping[str, T]):
-    """Names and what they mean.
+    """Names and their meanings.
 
     Args:
-        entry: what a name means, None for nothing; asked once for each name.
-        names: all names, in order; asked where somebody goes through them.
+        entry: returns the meaning of a name, None for none; called once for each name.
+        names: returns all names, in order; called when the table is iterated.
     """
 
     __slots__ = ("_entry", "_found", "_names")
@@ -28,7 +28,7 @@ class Table(Mapping[str, T]):
         return found
 
     def get(self, name: str, default: Any = None, /) -> Any:  # noqa: ANN401 - as of any mapping
-        """Return what a name means; raising and catching nothing, as most names mean nothing here."""
+        """Return the meaning of a name; without exceptions, since most names have none here."""
         found = self._look_up(name)
         return default if found is None else found
 
@@ -48,7 +48,7 @@ class Table(Mapping[str, T]):
 
 
 class Marked(Container[str]):
-    """Names of which something holds; `holds` is asked for each."""
+    """A set of names with a property; `holds` is called for each name."""
 
     __slots__ = ("_holds",)
 

@@ -74,10 +74,10 @@ NAMED: dict[str, Type] = {
 
 
 class Unknown:
-    """A type that use will tell: one cell of a union-find forest.
+    """A type that use determines: one cell of a union-find forest.
 
     Only the first of the two passes of the checker sees unknown types. `has_fraction` and `has_number` keep
-    what literals have told, for variables that nothing else tells about.
+    the evidence of literals, for variables without other evidence.
     """
 
     __slots__ = ("bound", "has_fraction", "has_number")
@@ -105,19 +105,19 @@ class Unknown:
 AnyType = Type | Unknown
 
 _OPEN = {(n, f): Unknown(has_number=n, has_fraction=f) for n in (False, True) for f in (False, True)}
-"""Stand, in what is kept between bodies, for types that only use will tell, by what literals have told."""
+"""Placeholders, in data kept between bodies, for types that only use determines, by evidence of literals."""
 
 OPEN = _OPEN[False, False]
-"""Stands for such a type where it is told elsewhere what is known of it."""
+"""Placeholder for an open type if the evidence for it is kept elsewhere."""
 
 
 def is_open(kind: AnyType) -> bool:
-    """Return whether only use will tell a type."""
+    """Return whether only use determines a type."""
     return isinstance(known(kind), Unknown)
 
 
 def is_untold(kind: AnyType) -> bool:
-    """Return whether nothing at all has told a type, not even that it is a number."""
+    """Return whether there is no evidence for a type, not even for a number."""
     found = known(kind)
     return isinstance(found, Unknown) and not found.has_number
 
@@ -132,7 +132,7 @@ def opened(kind: AnyType) -> AnyType:
 
 
 def closed(kind: AnyType) -> AnyType:
-    """Return a type as it is kept between bodies."""
+    """Return a type in the form kept between bodies."""
     found = known(kind)
     return _OPEN[found.has_number, found.has_fraction] if isinstance(found, Unknown) else found
 

@@ -1,4 +1,4 @@
-"""Dimensions and units: what a number measures, and how many SI units one unit is."""
+"""Dimensions and units: the dimension of a number, and the size of a unit in SI units."""
 
 import math
 from dataclasses import replace

@@ -1,4 +1,4 @@
-"""What a whole text declares, as the checker of one body sees it."""
+"""Declarations of a whole text, as the checker of one body sees them."""
 
 from collections.abc import Container, Mapping
 from dataclasses import field
@@ -18,8 +18,8 @@ class Formal:
 
     Attributes:
         name: of the parameter.
-        type: declared, or a cell that the body tells.
-        default: value where the call gives none.
+        type: declared, or a cell that the body determines.
+        default: value if the call omits it.
         written: the same as the header writes it; empty for tasks of other texts.
     """
 
@@ -89,7 +89,7 @@ class Reading:
 
 @frozen_dataclass
 class OfParameter:
-    """A number that callers give to a parameter."""
+    """A number that callers pass to a parameter."""
 
     name: str
 
@@ -100,10 +100,11 @@ Origin = Written | Reading | OfParameter
 
 @frozen_dataclass
 class TaskOrigins:
-    """What a task tells of plain numbers.
+    """Origins of plain numbers in a task.
 
     Attributes:
-        readings: what parameters are compared with that count in SI units, `length` or `force`, by name.
+        readings: kind of reading that parameters are compared with, in SI units: `length` or `force`, by
+            name.
         result: where its result comes from.
     """
 
@@ -112,7 +113,7 @@ class TaskOrigins:
 
 
 NO_ORIGINS = TaskOrigins()
-"""Of a task that tells nothing."""
+"""Value of a task without origins."""
 
 
 @frozen_dataclass
@@ -121,9 +122,9 @@ class Variable:
 
     Attributes:
         name: in the structured program.
-        type: known, or a cell that use tells.
-        is_fixed: whether it keeps the value that its loop gives it.
-        has_counters: whether `.row`, `.col` and `.layer` of it tell the place in a pattern.
+        type: known, or a cell that use determines.
+        is_fixed: whether it keeps the value assigned by its loop.
+        has_counters: whether `.row`, `.col` and `.layer` of it return the place in a pattern.
         origin: where the plain number comes from that it keeps; None where that is not known.
     """
 
@@ -144,7 +145,7 @@ Symbol = Variable | Value | SignalUse | Pattern | Poison
 
 @frozen_dataclass
 class World:
-    """All that is declared outside the bodies: what the checker of one body can look at besides it.
+    """Declarations outside the bodies that the checker of one body can use.
 
     Attributes:
         environment: cell and library.
@@ -159,12 +160,12 @@ class World:
         has_axes: whether some frame is turned against the work frame or moves, so that locations keep
             along which axes they are shifted.
         signatures: tasks by name.
-        without_result: tasks that return a value and whose header has no type for it, which is told there.
+        without_result: tasks that return a value without its type in the header, reported there.
         joint_count: how many coordinates `joints(…)` has in this text, 0 as long as there is none.
-        untyped: variables seen everywhere whose types only use tells.
+        untyped: variables seen everywhere with types that only use determines.
         own: names of the tasks of the text.
-        alike: the tasks whose names are the same in small letters, by these; those of the text first.
-        origins: what tasks of the text tell of plain numbers, by name.
+        alike: tasks by name in small letters; tasks of the text first.
+        origins: origins of plain numbers in tasks of the text, by name.
     """
 
     environment: Environment
@@ -191,16 +192,16 @@ class Outcome:
     """A checked body. Places count lines in its unit.
 
     Attributes:
-        block: its statements, as far as they are right.
+        block: its statements, as far as they are correct.
         locals: its variables.
         task: the whole task; None for the control statements.
         found: findings, in the order in which they were made.
-        unread: hints at variables that nothing reads, worth telling where all else is right.
+        unread: hints at variables that nothing reads, reported only if there is no other finding.
         signals: that it names.
         calls: tasks that it calls, and where.
-        late: what no way leads to, and what stands before that.
+        late: unreachable statements, and the statements before them.
         impossible: arcs and curves whose points make none.
-        origins: what it tells of plain numbers.
+        origins: its origins of plain numbers.
     """
 
     block: Block

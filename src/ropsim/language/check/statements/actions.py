@@ -56,7 +56,7 @@ def _refuse_signal(body: Body, node: Node) -> None:
 
 
 def _refuse_undeclared(body: Body, kind: Kind, name: Name, what: str, candidates: Iterable[str]) -> None:
-    """Report a signal that nobody has declared and that is near to no known name.
+    """Report a signal that is undeclared and not similar to a known name.
 
     Raises:
         RejectedError: it is near to none.
@@ -81,7 +81,7 @@ def set_signal(body: Body, node: syntax.SetSignal) -> Block:
 
 
 def output(body: Body, node: syntax.SetSignal) -> Output:
-    """Return which output is set to what.
+    """Return the output and its new value.
 
     Raises:
         RejectedError: it is none, or the value does not fit.

@@ -1,4 +1,4 @@
-"""Statements that give variables values: `=`, `load`, `var` and calls with a result."""
+"""Statements that assign variables: `=`, `load`, `var` and calls with a result."""
 
 from ropsim.core import maker
 from ropsim.language.check.calls import arguments as calls
@@ -73,14 +73,14 @@ def load(body: Body, node: syntax.Load) -> Block:
     result: list[Assign] = [*before]
     for name, (expression, kind) in zip(node.names, parts, strict=False):
         variable = target(body, name, kind)
-        body.read.add(variable.name)  # the form of `load` asks for all names, also where one is of no use
+        body.read.add(variable.name)  # the form of `load` uses all names, including unused ones
         fitted = convert.to(body, Value(expression, kind), variable.type, name, f"`{name.text}`")
         result.append(Assign(variable.name, fitted, body.statement_span))
     return tuple(result)
 
 
 def _read_once(body: Body, source: Expression) -> tuple[Expression, tuple[Assign, ...]]:
-    """Return a location to take numbers from, and what keeps it where its parts may change meanwhile."""
+    """Return a location to take numbers from, and the assignment that stores it if its parts may change."""
     inner = fold.numbers_of(source)
     if isinstance(inner, Constant | VariableExpression):
         return source, ()
@@ -129,7 +129,7 @@ def target(body: Body, name: nodes.Name, kind: AnyType) -> Variable:
 
 
 def _what(symbol: Symbol) -> str:
-    """Return what a name stands for that cannot be assigned."""
+    """Return the kind of an entity that cannot be assigned."""
     match symbol:
         case Variable():
             return "the counter of a loop"
@@ -208,7 +208,7 @@ def _assign_call(body: Body, node: syntax.Assign, call: nodes.Function) -> Block
 
 
 def _type_of(body: Body, value: Value) -> AnyType:
-    """Return the type that a first assignment gives; in a classic text a bare number leaves it to use."""
+    """Return the type of a first assignment; in a classic text a bare number leaves it to use."""
     if not value.is_bare or not body.world.is_classic:
         return value.type
     if value.type == INT and not fold.number_of(value.expression) is not None:

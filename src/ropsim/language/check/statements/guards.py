@@ -19,7 +19,7 @@ _SWAPPED = {Comparison.BELOW: Comparison.ABOVE, Comparison.ABOVE: Comparison.BEL
 
 
 def guard(body: Body, node: syntax.Motion) -> Guard | None:
-    """Return what ends a motion before its target.
+    """Return the condition that ends a motion before its target.
 
     Raises:
         RejectedError: the condition is not on one signal, or the timeout does not fit.
@@ -63,14 +63,14 @@ def _condition(body: Body, node: nodes.Node) -> tuple[str, Comparison, Expressio
         case nodes.Binary(op="<=" | ">="):
             hint = f"write `{node.op[0]}`: the motion ends when the signal goes past the value"
             body.fail(kinds.WRONG_TYPE, node, f"`until` of a motion does not compare by `{node.op}`", hint)
-    values.check(body, node)  # reports a name that nobody knows
+    values.check(body, node)  # reports an unknown name
     _refuse(body, node)
 
 
 def _level(body: Body, node: nodes.Node, value: Expression) -> tuple[str, Comparison, Expression]:
     signal = _signal(body, node)
     if signal is None:
-        values.check(body, node)  # reports a name that nobody knows
+        values.check(body, node)  # reports an unknown name
         _refuse(body, node)
     if signal.type is not ValueType.BOOL:
         message, hint = f"the signal `{signal.name}` is analog", f"compare it: `until {signal.name} > 2.5`"

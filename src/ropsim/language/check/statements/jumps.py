@@ -14,7 +14,7 @@ from ropsim.program import Assign, Block, Break, Continue, Return
 def jump(body: Body, node: syntax.Jump) -> Block:
     """Return `break` or `continue` of the innermost loop.
 
-    A `for each` is several loops for the machine, so leaving it sets a flag that the outer ones look at.
+    A `for each` is several loops for the machine, so leaving it sets a flag that the outer ones test.
     """
     if not body.loops:
         body.fail(kinds.MISPLACED, node, f"`{node.word}` outside of a loop", "use `return` to leave a task")

@@ -33,7 +33,7 @@ def statement(body: Body, node: syntax.Statement | None) -> Block:
 
 
 def poison_targets(body: Body, node: syntax.Statement | None) -> None:
-    """Give the names that a wrong line would have made a meaning, so that they are not reported as well."""
+    """Mark the names that a wrong line would have defined, so that they are not reported as well."""
     match node:
         case syntax.Assign(name=name) | syntax.For(name=name):
             body.poison(name.text)
@@ -45,7 +45,7 @@ def poison_targets(body: Body, node: syntax.Statement | None) -> None:
             for name in names:
                 body.poison(name.text)
         case syntax.Broken(head=head, name=name):
-            if head not in RESERVED:  # no name, so nobody would look it up
+            if head not in RESERVED:  # no name, so a look-up is useless
                 body.poison(head)
             if name and head == "for":
                 body.poison(name)

@@ -93,7 +93,7 @@ def _refuse_declared(body: Body, name: Name) -> None:
     """Report a loop variable with the name of something that is declared.
 
     Raises:
-        RejectedError: it has such a name.
+        RejectedError: the name is taken.
     """
     taken = hidden.declared_as(body.world, name.text)
     if taken:
@@ -105,10 +105,10 @@ def for_each(body: Body, node: syntax.ForEach, walk: Walk) -> Block:
     """Return nested loops over layers, rows and columns of a pattern.
 
     The body sees `name` (the location) and `name.row`, `name.col`, `name.layer`, counted from 1; they are
-    variables of this loop alone, whatever `name` means around it.
+    variables of this loop alone, regardless of the outer meaning of `name`.
 
     Raises:
-        RejectedError: there is no such pattern.
+        RejectedError: the pattern is unknown.
     """
     pattern = body.find(node.pattern.text)
     if isinstance(pattern, Poison):

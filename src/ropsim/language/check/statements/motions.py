@@ -1,4 +1,4 @@
-"""Motions: the target, the points on the way, and what holds for this motion only."""
+"""Motions: the target, the points on the way, and modifiers of this motion only."""
 
 from ropsim.core import maker
 from ropsim.flow import MotionKind, PostureRequest, Side
@@ -137,7 +137,7 @@ def _refuse_coordinate(body: Body, place: Node, kind: AnyType) -> None:
 
 
 def _refuse_own(body: Body, node: syntax.Motion, place: Node, point: Expression, target: Expression) -> None:
-    """Report a via point of an arc or curve with external values or a posture other than those of the target.
+    """Report a via point of an arc or curve with external values or a posture different from the target's.
 
     Raises:
         RejectedError: it is written with such.

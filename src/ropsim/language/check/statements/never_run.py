@@ -1,4 +1,4 @@
-"""Loops and branches that never run, which the numbers written there tell before the program runs."""
+"""Loops and branches that never run, as constant expressions show before the run."""
 
 import re
 
@@ -58,7 +58,7 @@ def check_way(body: Body, node: syntax.For, first: Expression, last: Expression,
     if start is None or end is None or not way or (end - start) * way >= 0:
         return
     if body.line.fault is not None:
-        return  # what was meant is told with that
+        return  # that finding names the intended statement
     limits = _shown(body, node.first), _shown(body, node.last)
     values = f"`{limits[0]} to {limits[1]}`" if all(limits) else "from the first value to the last one it"
     message = f"the lines of this loop never run: {values} counts "
@@ -81,7 +81,7 @@ def check_way(body: Body, node: syntax.For, first: Expression, last: Expression,
 
 
 def _shown(body: Body, node: nodes.Node) -> str:
-    """Return a value as it is written, where that is one word or a number with a unit; else nothing.
+    """Return a value as written, if it is one word or a number with a unit; else an empty text.
 
     It does not depend on the blanks that are written.
     """
@@ -96,7 +96,7 @@ def _shown(body: Body, node: nodes.Node) -> str:
 
 
 def _is_always(body: Body, condition: nodes.Node, found: Expression, truth: Constant) -> bool:
-    """Return whether a condition is known as it stands there.
+    """Return whether a condition has a constant value.
 
     One that names a constant of the text is a switch, which is there to be off now and then.
     """
@@ -104,7 +104,7 @@ def _is_always(body: Body, condition: nodes.Node, found: Expression, truth: Cons
 
 
 def _is(found: Expression, truth: Constant) -> bool:
-    """Return whether a condition has this value whatever signals and variables say."""
+    """Return whether a condition has this value for all values of signals and variables."""
     match found:
         case Constant(value=value):
             return value is truth.value
@@ -128,7 +128,7 @@ def _with_step(body: Body, node: syntax.For, step: str) -> str:
 
 
 def _turned(body: Body, node: syntax.For) -> str:
-    """Return the step with the other sign as it is written, empty where it is no number alone."""
+    """Return the step with the other sign as written, empty if it is not a single number."""
     match node.step:
         case None:
             return "-1"

@@ -66,7 +66,7 @@ def gather(
 
 
 def of_motion(body: Body, motion: Motion) -> Settings:
-    """Return the record of the modifiers of a motion, and warn about those that it does not use (T309).
+    """Return the record of the modifiers of a motion, and warn about modifiers that it does not use (T309).
 
     Raises:
         RejectedError: a value has the wrong dimension or is out of range.
@@ -142,7 +142,7 @@ def _wanted(body: Body, setting: Setting, value: Value) -> Type:
     """Return the type that the value of a setting is taken for.
 
     Raises:
-        RejectedError: there is no such setting.
+        RejectedError: the setting is unknown.
     """
     assert setting.value is not None
     kind = known(value.type)

@@ -1,4 +1,4 @@
-"""What the walk that finds types passes by: statements that can tell it nothing."""
+"""Statements that the inference pass skips, since they contain no evidence for types."""
 
 import re
 
@@ -14,9 +14,9 @@ _ACTING = frozenset({syntax.Gripper, syntax.SetSignal, syntax.WaitTime, syntax.P
 
 
 def tells_nothing(body: Body, line: Line) -> bool:
-    """Return whether a statement makes no variable, and nothing in it has a type that use tells.
+    """Return whether a statement makes no variable, and nothing in it has an open type.
 
-    Whatever else is wrong with it is found by the walk that reports it.
+    Other errors in it are found by the checking pass.
     """
     return _makes_nothing(body, line.statement) and not _has_open(body, line.logical.text)
 
@@ -27,7 +27,7 @@ def words_of(text: str) -> list[str]:
 
 
 def _makes_nothing(body: Body, node: syntax.Statement | None) -> bool:
-    """Return whether a statement makes no variable, moves no frame, and gives no parameter a type."""
+    """Return whether a statement makes no variable, moves no frame, and determines no type of a parameter."""
     match node:
         case syntax.Motion(store=store):
             return store is None
@@ -48,7 +48,7 @@ def _makes_nothing(body: Body, node: syntax.Statement | None) -> bool:
 
 
 def _has_open(body: Body, text: str) -> bool:
-    """Return whether a line may name something of a type that use tells, or tell the count of `joints(…)`."""
+    """Return whether a line may name something of open type, or determine the count of `joints(…)`."""
     names, untyped = body.names, body.world.untyped
     for word in words_of(text):
         symbol = names.get(word)

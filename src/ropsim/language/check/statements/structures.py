@@ -42,7 +42,7 @@ def walk_part(body: Body, items: Iterable[Line | SyntaxBlock]) -> Block:
                 _block(body, item) if isinstance(item, SyntaxBlock) else lines.statement(body, line.statement)
             )
         except RejectedError:
-            body.in_force.is_read = True  # what the line would have read is not known
+            body.in_force.is_read = True  # the frame that the line would have read is unknown
             body.has_gaps |= isinstance(line.statement, syntax.Return | syntax.Call)
             lines.poison_targets(body, line.statement)
     body.depth -= 1
@@ -78,7 +78,7 @@ def _block(body: Body, tree: SyntaxBlock) -> Block:
 
 
 def _poison_dropped(body: Body, sections: Iterable[Section]) -> None:
-    """Give names a meaning that statements on the lines of headers make: those are wrong and left out."""
+    """Mark names made by statements on header lines: these statements are wrong and left out."""
     for header in (section.header for section in sections):
         if header.fault is None:
             continue

@@ -1,4 +1,4 @@
-"""What corrects the path of a motion: an analog signal, the value that it is to have, and how."""
+"""Corrections of the path of a motion: an analog signal, its set value, and the direction."""
 
 from ropsim.flow import STANDARD_GAIN, ToolDirection
 from ropsim.language.check.expressions import values
@@ -14,7 +14,7 @@ from ropsim.program import Expression, SignalUse, Tracking, ValueType
 
 
 def tracking(body: Body, node: syntax.Motion) -> Tracking | None:
-    """Return what corrects the path of a motion.
+    """Return the correction of the path of a motion.
 
     Raises:
         RejectedError: the motion has no path of its own, or signal, value or gain do not fit.

@@ -31,11 +31,11 @@ TYPES = (
     "frame", "tool", "signal",
 )  # fmt: skip
 _GIVING = frozenset(("return", "returns", "as", ":"))
-"""What stands elsewhere before the type of the result."""
+"""Signs of other languages before the type of the result."""
 _ORDERS = ("row", "column", "snake")
 _UNIT_NAMES = frozenset(UNITS)
 _OTHERS = {**dict.fromkeys(("real", "float", "double"), ""), "string": "str"}
-"""Types of other languages, and what they are here; empty where the value or the task tells it."""
+"""Types of other languages and their equivalents; empty if the value or the task determines the type."""
 _TYPES = frozenset((*TYPES, *_OTHERS))
 
 

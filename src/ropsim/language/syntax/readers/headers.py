@@ -1,4 +1,4 @@
-"""What stands behind the header of a block and belongs elsewhere; what was meant is read all the same."""
+"""Words of other languages behind the header of a block; the intended header is read nevertheless."""
 
 from ropsim.core import did_you_mean
 from ropsim.language.findings import syntax as kinds
@@ -12,14 +12,14 @@ from ropsim.language.syntax.words import ACTIONS, END, OPENERS, RESERVED
 
 _OR_EQUAL = {">": ">=", "<": "<="}
 _TIMES = frozenset(("times", "do", "loop", "x"))
-"""What stands behind a count elsewhere."""
+"""Words of other languages behind a count."""
 _ENDED = {
     **{opener: closers[0] for opener, closers in OPENERS.items()},
     **dict.fromkeys(("proc", "procedure", "function", "func", "sub", "def"), "endp"),
     **dict.fromkeys(("switch", "select", "case"), "endif"),
     "loop": END,
 }
-"""What ends a block, by the word that stands behind `end` elsewhere."""
+"""End of a block, by the word behind `end` in other languages."""
 
 
 CLOSERS = frozenset(word for words in OPENERS.values() for word in words if word != "until") | {END}
@@ -27,7 +27,7 @@ CLOSERS = frozenset(word for words in OPENERS.values() for word in words if word
 
 
 def begins_statement(cursor: Cursor) -> bool:
-    """Return whether a statement begins with the next token, as far as its words tell."""
+    """Return whether a statement begins with the next token, by its words."""
     token = cursor.token
     is_assigned = token.kind == "word" and cursor.look(1).word in ("=", ":=") and token.word not in RESERVED
     return token.word in ACTIONS or is_assigned
@@ -82,12 +82,12 @@ def _is_unit(cursor: Cursor) -> bool:
 
 
 def loop_body(cursor: Cursor, closer: str) -> None:
-    """Step over `do`, and over what is done where it stands behind it on the line."""
+    """Step over `do`, and over statements behind it on the line."""
     _body_below(cursor, "" if cursor.accept("do") else "do", closer)
 
 
 def repeated(cursor: Cursor) -> None:
-    """Step over what stands behind the count of a `repeat`."""
+    """Step over words behind the count of a `repeat`."""
     token, count = cursor.token, cursor.look(-1)
     if token.word in _TIMES:
         message = f"expected the end of the line, found `{token.text}`"
@@ -98,7 +98,7 @@ def repeated(cursor: Cursor) -> None:
 
 
 def section_body(cursor: Cursor, closer: str) -> None:
-    """Step over what is done where it stands on the line of a header without `do`."""
+    """Step over statements on the line of a header without `do`."""
     _body_below(cursor, "", closer)
 
 
@@ -112,7 +112,7 @@ def _body_below(cursor: Cursor, missing: str, closer: str) -> None:
     end = _end_behind(cursor)
     message = f"expected {expected}, found `{token.text}`"
     fix, last = missing + f"{cursor.below}  {token.text}", token
-    if end is not None:  # it stands on the line, too
+    if end is not None:  # it is on the same line
         body = cursor.line[token.start : end.start].rstrip()
         last = cursor.tokens[cursor.length - 1]
         fix = missing + f"{cursor.below}  {body}{cursor.below}{cursor.line[end.start : last.end]}"
@@ -131,7 +131,7 @@ def _end_behind(cursor: Cursor) -> Token | None:
 
 
 def without_end(cursor: Cursor) -> None:
-    """Leave out an `endif` or `end if` behind the statement of an `if … then` on its line, which has none."""
+    """Leave out an `endif` or `end if` behind the statement of a one-line `if … then`, which has no end."""
     last, before = cursor.tokens[cursor.length - 1], cursor.tokens[cursor.length - 2]
     if last.word == "endif":
         count = 1
@@ -161,7 +161,7 @@ def ended_again(cursor: Cursor, head: Token) -> None:
 
 
 def ended(cursor: Cursor, head: Token) -> Closer | None:
-    """Read what ends a block in two words, as `end while`; None where it is something else."""
+    """Read the end of a block in two words, as `end while`; None if it is something else."""
     kind = cursor.token
     if kind.word in ("program", "module") and cursor.look(1).kind == "end":
         cursor.fail("the end of the line", END_OF_PROGRAM)

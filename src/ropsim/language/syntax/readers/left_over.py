@@ -1,4 +1,4 @@
-"""What stands behind the end of a statement, and what to do with it."""
+"""Text behind the end of a statement, and the hint for it."""
 
 from collections.abc import Mapping
 
@@ -14,17 +14,17 @@ from ropsim.language.syntax.readers.headers import CLOSERS, begins_statement, na
 from ropsim.language.syntax.words import ACTIONS, END, INSIDE, MOTIONS, NOT_YET_MODIFIERS, RESERVED
 
 _POSTURE_WORDS = {"config": "(left, up)", "turns": "(0, -1)"}
-"""Terms of a location, which people look for behind it; each with an example."""
+"""Terms of a location that users write behind it; each with an example."""
 _SETTINGS = frozenset(("speed", "acc", "blend", "fine", "frame", "tool"))
 _BEHIND_TARGETS = _SETTINGS - {"frame"} | {"angle", "at", "until", "store", "track"}
 _HOLDING = frozenset(("if", "elseif", "else", "wait"))
-"""What holds a statement on its line: whether it holds the next one as well, nobody knows."""
+"""Words that execute a statement on their line: whether they include the next one is ambiguous."""
 _WORDS: Mapping[str, str] = {
     "else": "an `else` stands on a line of its own: `if … then`, below it `else`, below that `endif`",
     "then": "leave the `then` out",
     "do": "leave the `do` out",
 }
-"""What to do with words that belong to other statements."""
+"""Hints for words that belong to other statements."""
 
 
 def finish(cursor: Cursor) -> None:
@@ -76,7 +76,7 @@ def _setting_of_other_languages(cursor: Cursor, token: Token, head: Token) -> Fa
 
 
 def _second_setting(cursor: Cursor, token: Token, head: Token) -> Fault | None:
-    """Return the fault of what stands behind the setting of a `set`."""
+    """Return the fault of the words behind the setting of a `set`."""
     if head.word != "set":
         return None
     behind, is_output = cursor.look(1), cursor.tokens[1].word not in _SETTINGS
@@ -92,7 +92,7 @@ def _second_setting(cursor: Cursor, token: Token, head: Token) -> Fault | None:
 
 
 def _comma(cursor: Cursor, comma: Token, head: Token) -> Fault | None:
-    """Return the fault of a comma between a target and what stands behind it."""
+    """Return the fault of a comma between a target and the words behind it."""
     behind = cursor.look(1)
     if comma.word != "," or head.word not in MOTIONS or behind.kind != "word":
         return None

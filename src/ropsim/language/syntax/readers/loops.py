@@ -59,7 +59,7 @@ def for_statement(cursor: Cursor, head: Token) -> Statement:
 
 
 def _in(cursor: Cursor, head: Token, name: Name) -> Statement:
-    """Read `for name in`, which is a counting loop or one over a pattern, as what follows tells."""
+    """Read `for name in`: a counting loop or one over a pattern, depending on the following words."""
     behind = cursor.look(2)
     if behind.word == "to":
         cursor.mend(cursor.unexpected("`=`", FOR, "="))

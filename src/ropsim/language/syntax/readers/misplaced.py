@@ -14,7 +14,7 @@ _OPENING, _CLOSING = ("(", "["), (")", "]")
 
 
 def refuse(cursor: Cursor, head: Token, modifier: Token | None) -> None:
-    """Refuse what comes next in a motion, if it belongs before what has been read.
+    """Refuse the next word of a motion if it belongs before the words already read.
 
     Args:
         cursor: behind the target and its modifiers.
@@ -44,7 +44,7 @@ def _further_point(cursor: Cursor, head: Token) -> None:
 
 
 def _points(cursor: Cursor) -> Iterator[str]:
-    """Yield what stands between the words `to` of a motion, up to the next token."""
+    """Yield the points after the words `to` of a motion, up to the next token."""
     depth, start, end = 0, -1, 0
     for token in cursor.tokens[1 : cursor.index]:
         if start < 0 and token.word in (VIA, "to"):

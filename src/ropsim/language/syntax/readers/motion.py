@@ -112,7 +112,7 @@ def _tracking(cursor: Cursor, given: Tracking | None) -> Tracking:
 
 @dataclass(slots=True)
 class _Ending:
-    """What a motion says about its end: `until condition`, `timeout t`, `store name`, each once."""
+    """End conditions of a motion: `until condition`, `timeout t`, `store name`, each once."""
 
     condition: Node | None = None
     timeout: Node | None = None

@@ -19,7 +19,7 @@ QUANTITIES = ("speed", "acc", "blend")
 
 
 UNLIKE = {"on": "high", "off": "low"}
-"""What stands for levels of other languages: the checker refuses them, as it knows which outputs have any."""
+"""Levels of other languages: the checker refuses them, since it knows the levels of outputs."""
 
 _SETTINGS = (*QUANTITIES, "frame", "tool", "fine")
 
@@ -43,7 +43,7 @@ def set_statement(cursor: Cursor, head: Token) -> Statement:
 
 
 def _refuse(cursor: Cursor, name: Name) -> NoReturn:
-    """Refuse what stands behind the name of an output, or a setting that is misspelt."""
+    """Refuse the words behind the name of an output, or a setting that is misspelt."""
     state = cursor.token
     word = called(name.text.lower()) if state.kind == "number" else ""
     if fix := word or data(name.text):

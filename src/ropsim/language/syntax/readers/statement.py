@@ -45,7 +45,7 @@ _SIMPLE = (
 
 
 _CONDITIONAL = frozenset(("timeout", "and", "or", "is", "=", "==", "<", ">", "<=", ">=", "<>", "!="))
-"""What stands in a condition, or behind one."""
+"""Words in a condition, or behind one."""
 
 
 _START = "start with a statement word, a task or a variable"
@@ -136,7 +136,7 @@ def wait(cursor: Cursor, head: Token) -> Statement:
 
 
 def _wait_time(cursor: Cursor, head: Token) -> Statement:
-    """Read the time of a wait; a condition there is told as one."""
+    """Read the time of a wait; a condition there is reported."""
     first = cursor.token
     if first.word == "not":
         _condition(cursor, first)

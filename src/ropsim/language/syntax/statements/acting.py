@@ -52,8 +52,8 @@ class Tracking:
 class Motion:
     """`mov`, `lin`, `circ` or `spline` to a target, through points on the way.
 
-    `condition` and `timeout` end it before, `store` is a variable for the pose at its end,
-    `tracking` what corrects its path.
+    `condition` and `timeout` end it before, `store` is a variable for the pose at its end, `tracking` the
+    correction of its path.
     """
 
     word: str

@@ -145,8 +145,8 @@ SYMBOLS = (
     VariableDeclaration,
     PatternDeclaration,
 )
-"""Declarations of what expressions can name."""
+"""Declarations of entities that expressions can name."""
 NAMED = (*SYMBOLS, FrameDeclaration, ToolDeclaration)
-"""Declarations that give something a name."""
+"""Declarations that name an entity."""
 DECLARATIONS = (*NAMED, ProgramHeader, Units, Mode)
-"""All that stands outside of tasks and tells something."""
+"""All declarations outside tasks."""
