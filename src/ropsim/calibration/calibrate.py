@@ -31,11 +31,11 @@ def calibrate(
     trace: Trace,
     planning: Callable[[], None] = lambda: None,
 ) -> tuple[Calibration | None, tuple[Diagnostic, ...]]:
-    """Return the limits under which a program lasts as long as in a trace, and what was found on the way.
+    """Return the limits under which a program lasts as long as in a trace, and the findings.
 
-    The trace is cut at its stops and matched with the stretches of the program; how long the robot stands
-    between them does not count. Each stretch is fitted alone, limits for all of them are taken from what it
-    asks, and these are refined on all stretches at once.
+    The trace is cut at its stops and matched with the motion sequences of the program; standstill between
+    them does not count. Each sequence is fitted alone, common limits follow from the required limits of all,
+    and these are refined on all sequences at once.
 
     Args:
         cell: static model.
@@ -45,7 +45,7 @@ def calibrate(
         planning: called before each stretch that is planned again.
 
     Returns:
-        The calibration, None where the trace is not one of this program; and the findings.
+        The calibration, None if the trace does not belong to this program; and the findings.
     """
     known = settings_of(station)
     replan = replanner(cell, station, orders, planning)
@@ -111,7 +111,7 @@ def _left_out(
     why: Mapping[int, Reason],
     lasted: Mapping[int, float],
 ) -> tuple[StretchTimes, ...]:
-    """Return the stretches that are not compared, in order, with what is known of their times."""
+    """Return the motion sequences that are not compared, in order, with their known times."""
     logged, found = {one.number: one for one in problem.logged}, []
     for number, reason in sorted(why.items()):
         first, last = (problem.orders[number].moves[end].origin for end in (0, -1))

@@ -1,4 +1,4 @@
-"""What calibration found: limits before and after, and the times of each stretch."""
+"""Result of calibration: limits before and after, and the times of each motion sequence."""
 
 import math
 
@@ -46,10 +46,10 @@ class Calibration:
         station: name of the station.
         axes: names of its axes.
         before: limits of the project.
-        after: limits that were found; those that the trace does not tell are as before.
-        known: what the trace says of each limit.
-        look_ahead: what it says of the look-ahead.
-        stretches: times of those that were compared, in order.
+        after: limits found; limits that the trace does not determine are as before.
+        known: evidence of the trace for each limit.
+        look_ahead: evidence for the look-ahead.
+        stretches: times of the compared motion sequences, in order.
         made: how many stretches with a motion the program has.
         findings: of the calibration.
         left_out: stretches that were not compared, each with its reason; how long it lasted is NaN where the
@@ -102,7 +102,8 @@ class Calibration:
     def error(self) -> float:
         """Return how far the joints are from the trace at equal times, root of the mean square [rad | m].
 
-        It is that of all stretches of which it is known: one that stood on its way has none.
+        It is the error of all sequences with a known one: a sequence with a standstill on its way has no
+            error.
         """
         known = [one for one in self.in_trace if math.isfinite(one.error)]
         whole = sum(one.logged for one in known)

@@ -1,4 +1,4 @@
-"""Limits of all joints and of the tool, from what many stretches ask of them."""
+"""Limits of all joints and of the tool, required by many motion sequences."""
 
 from collections.abc import Iterator, Sequence
 
@@ -39,13 +39,13 @@ class _Guess:
 def common_limits(
     replan: Replan, known: MotionSettings, fits: Sequence[StretchFit], demands: Sequence[Demand]
 ) -> MotionSettings:
-    """Return one set of limits that lets all stretches go as they were fitted.
+    """Return one set of limits that allows all motion sequences as fitted.
 
-    No limit is below what any stretch asks. Where the time of a stretch is set by a speed, acceleration or
-    jerk of the joints, one joint is at its limit. It is one that is asked for as much nowhere else; of
-    several the one that has to be changed least from what is known: most robots differ from their model by
-    a factor that is near for all axes. A limit is lowered only where a stretch is too quick without it,
-    those that change least first.
+    No limit is below the requirement of any sequence. If the time of a sequence is set by a speed,
+    acceleration or jerk of the joints, one joint is at its limit. It is a joint with its greatest utilisation
+    there; of several the one whose limit changes least from the known value: most robots differ from their
+    model by a factor that is near for all axes. A limit is lowered only if a sequence is too quick without
+    it, the smallest change first.
 
     Args:
         replan: plans the stretches.
@@ -113,7 +113,7 @@ def _of_tool(fit: StretchFit, one: Demand, known: MotionSettings) -> Iterator[_G
 
 
 def _raised(limits: Array, known: MotionSettings, guesses: Sequence[Sequence[_Guess]]) -> Array:
-    """Return limits with those of the tool raised that are guessed to be higher."""
+    """Return limits with tool limits raised where they are guessed to be higher."""
     raised = limits.copy()
     for limit in range(known.joints.size, len(limits)):
         values = [one.value for some in guesses for one in some if one.limit == limit]

@@ -27,7 +27,7 @@ _LEAST = 2
 """Stretches that a trace must have that is of a part of the program."""
 _TOLD = 3
 _NAMED = 8
-"""Motions that are not compared are named with their reasons up to so many."""
+"""Number of motions not compared that are named with their reasons."""
 
 
 class Reason(StrEnum):
@@ -43,7 +43,7 @@ class Reason(StrEnum):
 
 @frozen_dataclass
 class Held:
-    """What a trace holds of a program.
+    """Part of a trace that belongs to a program.
 
     Attributes:
         motions: the stretches that move, as planned, by their numbers.
@@ -56,7 +56,7 @@ class Held:
     passages: Mapping[int, Passage]
 
     def lasted(self, number: int, trace: Trace) -> float:
-        """Return how long the robot moved between the two stops of a stretch [s]; NaN where it has none."""
+        """Return the time between the two stops of a motion sequence [s]; NaN without stops."""
         passage = self.passages.get(number)
         if passage is None:
             return math.nan
@@ -73,7 +73,7 @@ def held(
 ) -> Held:
     """Return which stretches of a program a trace holds.
 
-    Arguments are those of `compared`.
+    Arguments as in `compared`.
 
     Raises:
         CalibrationError: X889, the program has no motion.
@@ -93,9 +93,9 @@ def reasons(found: Held, orders: Sequence[MotionSequence], compared: Collection[
     """Return why stretches are not compared, by their numbers.
 
     Args:
-        found: what the trace holds.
+        found: the matched trace.
         orders: the stretches.
-        compared: numbers of those that are.
+        compared: numbers of the compared sequences.
     """
     last = max(found.passages, default=-1)
     return {
@@ -124,7 +124,7 @@ def compared(
     joints: Sequence[Joint],
     trace: Trace,
 ) -> tuple[list[LoggedStretch], int, tuple[Diagnostic, ...]]:
-    """Return what the trace has of the stretches, how many move, and X894 for those that are missing.
+    """Return the logged motion sequences, the number of moving ones, and X894 for missing ones.
 
     Args:
         replan: plans the stretches.

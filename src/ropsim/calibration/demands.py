@@ -1,4 +1,4 @@
-"""What a motion asks of limits: from it follows what they are at least, and which of them it is at."""
+"""Limits required by a motion: lower bounds, and the limits that it reaches."""
 
 import numpy as np
 
@@ -12,18 +12,18 @@ from ropsim.spatial import Array, frozen, record
 RAISED = 1.1
 """Factor by which a limit is raised to see whether the motion is at it."""
 _NOISE, _LEAST = 3.0, 2e-5
-"""By how much the joints are elsewhere then: so many steps of the encoders, and so much more [rad | m]."""
+"""By how much the joints are elsewhere then: a number of encoder steps, and a tolerance [rad | m]."""
 
 
 @record
 class Demand:
-    """What a motion asks of the limits.
+    """Limits required by a motion.
 
     Attributes:
         joints: largest speed, acceleration and jerk of each axis, by the shares that the program allows of
             the limits [rad | m, by s, s², s³], shape (3, n): no limit can be lower.
         at_joints: whether common speeds, accelerations, jerks of the joints set its time, shape (3,).
-        at_tool: whether those of TCP and orientation do, shape (3, 2).
+        at_tool: whether limits of TCP and orientation are reached, shape (3, 2).
     """
 
     joints: Array
@@ -36,7 +36,7 @@ class Demand:
 
 
 def demand(replan: Replan, fit: StretchFit) -> Demand:
-    """Return what a fitted stretch asks of the limits."""
+    """Return the limits required by a fitted motion sequence."""
     settings = fit.settings
     at_joints, at_tool = np.zeros(ORDERS), np.zeros((ORDERS, 2))
     for order in range(ORDERS):
@@ -52,11 +52,11 @@ def demand(replan: Replan, fit: StretchFit) -> Demand:
 
 
 def is_felt(logged: LoggedStretch, motion: MotionPlan, higher: MotionPlan) -> bool:
-    """Return whether a motion with a higher limit is another one, as far as a trace tells.
+    """Return whether a motion with a higher limit differs measurably in a trace.
 
     Args:
         logged: the stretch.
-        motion: as it is.
+        motion: with the present limit.
         higher: the same with a limit that is `RAISED`.
     """
     least = _NOISE * float(logged.noise.max()) + _LEAST

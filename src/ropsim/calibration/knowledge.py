@@ -1,4 +1,4 @@
-"""What a trace says of each limit: its value, that it is no less, or nothing."""
+"""Evidence of a trace for each limit: its value, a lower bound, or nothing."""
 
 from collections.abc import Sequence
 from enum import Enum
@@ -40,11 +40,11 @@ class Knowledge(Enum):
 
 @record
 class LimitKnowledge:
-    """What is known of all limits, in the order of `MotionSettings.all`.
+    """Evidence for all limits, in the order of `MotionSettings.all`.
 
     Attributes:
         kinds: how each is known.
-        values: it, or what it is at least; 0 where it was not seen, shape (3n + 6,).
+        values: value or lower bound; 0 if not seen, shape (3n + 6,).
     """
 
     kinds: tuple[Knowledge, ...]
@@ -74,7 +74,7 @@ def felt(replan: Replan, logged: Sequence[LoggedStretch], settings: MotionSettin
 
 
 def _may_be_at(replan: Replan, logged: LoggedStretch, settings: MotionSettings) -> Array:
-    """Return which limits a stretch may be at, shape (3n + 6,): those it comes near, and all of the tool."""
+    """Return which limits a sequence may reach, shape (3n + 6,): near ones, and all of the tool."""
     motion = replan(logged.number, settings)
     if motion is None:
         return np.zeros(len(settings.all))
@@ -98,7 +98,7 @@ def knowledge(
     fitted: npt.NDArray[np.intp],
     spread: Array,
 ) -> LimitKnowledge:
-    """Return what is known of each limit.
+    """Return the evidence for each limit.
 
     Args:
         replan: plans the stretches.

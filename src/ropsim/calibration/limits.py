@@ -1,4 +1,4 @@
-"""The limits that calibration looks for, and a controller under them."""
+"""The limits that calibration determines, and a controller under them."""
 
 from dataclasses import replace
 
@@ -13,7 +13,7 @@ ORDERS = 3
 
 @record
 class MotionSettings:
-    """What a controller keeps to.
+    """Limits of a controller.
 
     Attributes:
         joints: speed, acceleration and jerk of each axis [rad | m, by s, s², s³], shape (3, n).
@@ -47,7 +47,7 @@ class MotionSettings:
 
 
 def settings_of(station: Station) -> MotionSettings:
-    """Return what the controller of a station keeps to."""
+    """Return the limits of the controller of a station."""
     robot, path = station.robot, station.controller.path
     tool = [
         [path.speed, path.orientation_speed],

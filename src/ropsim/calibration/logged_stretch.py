@@ -12,11 +12,11 @@ from ropsim.planning import MotionPlan
 from ropsim.spatial import Array, frozen, record
 
 _AROUND = 0.15
-"""Longest time before and behind a stretch that is looked at [s]."""
+"""Longest time before and behind a motion sequence that is evaluated [s]."""
 _MOST_SAMPLES = 500
 """Samples of a stretch that are compared at most; more are thinned out."""
 _LONGEST_STAND = 0.1
-"""Longest stand on the way of a stretch [s]; beyond it somebody held the robot."""
+"""Longest stand on the way of a motion sequence [s]; a longer one is a hold of the robot."""
 _NOISE = 6.0
 """The same in steps of the encoders."""
 _BEGUN = 0.01
@@ -25,7 +25,7 @@ _BEGUN = 0.01
 
 @record
 class LoggedStretch:
-    """What was logged of a stretch.
+    """Log of a motion sequence.
 
     Attributes:
         number: of the stretch.
@@ -58,10 +58,10 @@ class LoggedStretch:
 def logged_stretch(
     trace: Trace, rests: Rests, passage: Passage, motion: MotionPlan, number: int
 ) -> LoggedStretch | None:
-    """Return what was logged of a stretch, None where the robot stood on its way.
+    """Return the log of a motion sequence, None if the robot stood on its way.
 
-    Encoders, zero positions and tools differ a little from the model, so both ends of the stretch are put
-    where the program has them, and what lies between is shifted in proportion to its way.
+    Encoders, zero positions and tools differ a little from the model, so both ends of the sequence are set to
+    the positions of the program, and samples between are shifted in proportion to their distance.
 
     Args:
         trace: whole.
@@ -92,8 +92,8 @@ def logged_stretch(
 def duration(logged: LoggedStretch, motion: MotionPlan, start: float) -> float:
     """Return how long a stretch lasted in the trace [s].
 
-    Its first and last hundredth are hidden by the steps of the encoders: there it is taken to last as long
-    as a planned motion does that fits it; only what lies between is measured.
+    Its first and last hundredth are hidden by the steps of the encoders: there the duration of a fitted
+    planned motion is used; only the part between is measured.
 
     Args:
         logged: the stretch.

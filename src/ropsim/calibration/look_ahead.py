@@ -1,4 +1,4 @@
-"""How many moves ahead the controller of a trace knows."""
+"""Look-ahead of the controller of a trace, in moves."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -12,7 +12,7 @@ from ropsim.core import frozen_dataclass
 from ropsim.planning import MotionSequence
 
 MOST = 40
-"""Largest look-ahead that is told from a larger one."""
+"""Largest look-ahead that is distinguished from a larger one."""
 
 _TICKS = 1.5
 _AS_GOOD = 1.02
@@ -21,11 +21,11 @@ _AS_GOOD = 1.02
 
 @frozen_dataclass
 class FoundLookAhead:
-    """A look-ahead that was looked for.
+    """Result of the search for the look-ahead.
 
     Attributes:
         value: number of moves.
-        kind: whether it is that, at least that, or not told by the trace.
+        kind: whether it is exact, a lower bound, or not determined by the trace.
     """
 
     value: int
@@ -44,7 +44,7 @@ def choices(orders: Sequence[MotionSequence], numbers: Sequence[int]) -> range:
 
 
 def depends(replan: Replan, number: int, settings: MotionSettings, most: int) -> bool:
-    """Return whether a stretch lasts longer where the controller knows less of it."""
+    """Return whether a motion sequence lasts longer with a shorter look-ahead."""
     least, all_of_it = (
         replan(number, with_look_ahead(settings, value)) for value in (0, max(most, settings.look_ahead))
     )

@@ -1,4 +1,4 @@
-"""What is to be fitted, and how: settings from stretches, with any look-ahead."""
+"""The fitting problem: settings from motion sequences, with any look-ahead."""
 
 from collections.abc import Sequence
 
@@ -36,7 +36,7 @@ _ROUNDS = 3
 
 @frozen_dataclass
 class Problem:
-    """What is to be fitted.
+    """The fitting problem.
 
     Attributes:
         replan: plans the stretches.
@@ -86,7 +86,7 @@ class Problem:
         return _unfelt_restored(known, better, felt(self.replan, used, better))
 
     def fits(self, logged: Sequence[LoggedStretch], settings: MotionSettings) -> list[StretchFit]:
-        """Return the fit of each stretch alone, without those that went another way."""
+        """Return the fit of each motion sequence alone, without sequences on another path."""
         found = (fit_stretch(self.replan, one, settings, self._groups(one)) for one in logged)
         return [fit for fit in found if fit and goes_there(fit)]
 
@@ -102,7 +102,7 @@ class Problem:
         return sorted((one for _, _, one in ranked[:_MOST_FITTED]), key=lambda one: one.number)
 
     def _tell_all(self, free: Sequence[LoggedStretch], bound: Sequence[LoggedStretch]) -> bool:
-        """Return whether stretches without look-ahead have all the kinds of paths that those with it have."""
+        """Return whether sequences without look-ahead contain all kinds of paths of the sequences with it."""
         groups = [{group for one in some for group in self._groups(one)} for some in (free, bound)]
         return groups[0] >= groups[1]
 
@@ -116,7 +116,7 @@ class Problem:
         return found[int(np.argmin(errors))]
 
     def _groups(self, logged: LoggedStretch) -> tuple[int, ...]:
-        """Return which limits a stretch may tell: 0 those of the joints, 1 those of the tool."""
+        """Return the groups of limits that a sequence may determine: 0 of the joints, 1 of the tool."""
         kinds = {move.kind == MotionKind.PTP for move in self.orders[logged.number].moves}
         return (0,) if kinds == {True} else (0, 1)
 
@@ -124,7 +124,7 @@ class Problem:
 def _unfelt_restored(
     known: MotionSettings, found: MotionSettings, fitted: npt.NDArray[np.intp]
 ) -> MotionSettings:
-    """Return the limits that were found; those that no stretch is at are not lower than they were known."""
+    """Return the limits that were found; limits that no sequence reaches are not below their known values."""
     kept = np.isin(np.arange(len(found.all)), fitted)
     return found.with_all(np.where(kept, found.all, np.maximum(found.all, known.all)))
 

@@ -19,7 +19,7 @@ _ENOUGH = 1e-3
 _ROUNDED = 1.0 / math.sqrt(12.0)
 """Standard deviation of rounding, in steps."""
 _AT_ROUNDING = 1.5
-"""Error in terms of that of rounding up to which nothing but rounding is wrong."""
+"""Error in terms of that of rounding up to which it counts as rounding."""
 _ROUNDED_ALIKE = 100
 """Samples that count as one where only rounding is wrong: it stays alike while an axis is slow."""
 _NO_EFFECT = 1e-9
@@ -94,7 +94,7 @@ def _slopes(
     """Return how the joints of a stretch change with the logarithms of limits, its start aside.
 
     Returns:
-        [rad | m], shape (k, m), and what is wrong now, shape (k,), for all samples of all axes.
+        [rad | m], shape (k, m), and the present error, shape (k,), for all samples of all axes.
     """
     times = fit.logged.time - fit.start
     here, late = coordinates(fit.motion, times).ravel(), speeds(fit.motion, times).ravel()
@@ -114,13 +114,13 @@ def _slopes(
 def spreads(
     replan: Replan, logged: Sequence[LoggedStretch], settings: MotionSettings, free: npt.NDArray[np.intp]
 ) -> Array:
-    """Return how far limits may be from their values for all that the trace tells, as shares, shape (m,).
+    """Return the uncertainty of limits given the trace, as shares, shape (m,).
 
-    They are standard deviations of the logarithms, from the slopes of the joints at the solution and what is
-    left of the error, at least that of rounding to a step of the encoder (Seber & Wild 2003, Nonlinear
-    Regression, 2.1). What is wrong in a stretch beyond rounding is wrong in the same way all along, so its
-    samples count as one. A stretch that is met counts no more than a typical one: it may be met by wrong
-    limits. Limits that have an effect only together with others are as uncertain as these leave them.
+    They are standard deviations of the logarithms, from the slopes of the joints at the solution and the
+    residual error, at least that of rounding to a step of the encoder (Seber & Wild 2003, Nonlinear
+    Regression, 2.1). Errors of a sequence beyond rounding are correlated, so its samples count as one. A
+    sequence with a small error counts no more than a typical one: wrong limits may also fit it. Limits that
+    have an effect only together with others are as uncertain as these leave them.
 
     Args:
         replan: plans the stretches.

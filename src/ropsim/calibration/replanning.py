@@ -30,19 +30,19 @@ def replanner(
     orders: Sequence[MotionSequence],
     planning: Callable[[], None] = lambda: None,
 ) -> Replan:
-    """Return what plans the stretches of a program under any settings, from where they were begun.
+    """Return a function that plans the motion sequences of a program under any settings, from their starts.
 
     Args:
         cell: static model.
         station: that makes the moves.
         orders: the stretches.
-        planning: called before each stretch that is planned: that is what takes the time.
+        planning: called before each planning of a sequence, which takes most of the time.
     """
     made_for = standard_chain(cell, station)
 
     @lru_cache(maxsize=_KEPT)
     def robot_under(joints: bytes) -> RobotModel:
-        """Return one arm for all settings with these joint limits, so that it is looked at once."""
+        """Return one arm for all settings with these joint limits, so that it is analysed once."""
         return with_axis_limits(station.robot, *np.frombuffer(joints).reshape(ORDERS, -1))
 
     @lru_cache(maxsize=_KEPT)

@@ -12,7 +12,7 @@ from ropsim.planning import MotionPlan
 from ropsim.spatial import Array, record
 
 _STEP = 0.03
-"""Change of a factor by which its effect is seen; downward, since raising a limit may have none."""
+"""Change of a factor by which its effect is seen; downward, since raising a limit may have no effect."""
 _ROUNDS = 14
 _TRIALS = 7
 _FARTHEST = math.log(30.0)
@@ -20,7 +20,7 @@ _LARGEST_STEP = 0.5
 _IN_NOISE = 0.4
 """Error in steps of the encoders below which nothing is left to fit; rounding alone is 0.29 of them."""
 _ALL_AGAIN = 4
-"""Rounds after which factors without an effect are looked at again."""
+"""Rounds after which factors without an effect are tried again."""
 _ENOUGH = 1e-3
 """Improvement of the error below which a fit has ended."""
 
@@ -79,7 +79,7 @@ def fit_stretch(
         replan: plans the stretch.
         logged: the stretch.
         settings: where to begin.
-        groups: which limits may change: 0 those of the joints, 1 those of the tool.
+        groups: which limits may change: 0 of the joints, 1 of the tool.
     """
     free = [group * ORDERS + order for group in groups for order in range(ORDERS)]
     best: StretchFit | None = None
@@ -159,7 +159,7 @@ def _slopes(
 
 
 def _beginnings(replan: Replan, logged: LoggedStretch, settings: MotionSettings) -> Array:
-    """Return factors to begin with, shape (m, 6): none, and those that bring the time of the trace."""
+    """Return factors to begin with, shape (m, 6): ones, and factors that reproduce the time of the trace."""
     found = [np.zeros(2 * ORDERS)]
     motion = replan(logged.number, settings)
     if motion is not None:

@@ -1,4 +1,4 @@
-"""The cell file: `cell.toml` to a cell, every mistake told by its place, and where names stand in it."""
+"""The cell file: `cell.toml` to a cell, every mistake with its place, and places of names in it."""
 
 from ropsim.cellfile.cell import asked_in_cell_file as asked_in_cell_file
 from ropsim.cellfile.cell import read_cell as read_cell

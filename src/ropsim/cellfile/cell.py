@@ -55,12 +55,12 @@ def read_cell(
 
     Args:
         text: content of `cell.toml`; any text is allowed.
-        folder_name: name of the cell where the file gives none.
-        robot_files: robots by the paths that the file gives for them (`robot_files`).
+        folder_name: name of the cell if the file has none.
+        robot_files: robots by their paths in the file (`robot_files`).
 
     Returns:
-        The cell, or None when there is an error; and the findings in order of their place, those of the files
-        of its robots after its own.
+        The cell, or None when there is an error; and the findings in order of their place, findings of its
+        robot files last.
     """
     root, syntax = read_document(text)
     if root is None:
@@ -74,14 +74,14 @@ def read_cell(
 def asked_in_cell_file(
     text: SourceText, robot_files: Mapping[str, ReadRobot] = NO_FILES
 ) -> tuple[Mapping[Path, Question], frozenset[Path]]:
-    """Return what the reader of a cell file asks for, there or not, by path, and what of it must be there.
+    """Return the questions of the reader of a cell file by path, and the required paths.
 
-    It is asked for in the sections that are there: what a key of a gripper may be is known where one begins.
-    Nothing where the text is no TOML.
+    Only present sections have questions: for example, the keys of a gripper are known once its section
+    exists. Empty if the text is no TOML.
 
     Args:
         text: content of `cell.toml`; any text is allowed.
-        robot_files: robots by the paths that the file gives for them.
+        robot_files: robots by their paths in the file.
     """
     root, _ = read_document(text)
     if root is None:

@@ -1,4 +1,4 @@
-"""The task frames of a cell file: `[frames.NAME]`, in the world or on what an external axis moves."""
+"""The task frames of a cell file: `[frames.NAME]`, in the world or on a body moved by an external axis."""
 
 from collections.abc import Collection, Mapping
 

@@ -1,8 +1,8 @@
-"""What the keys of the cell file mean, one sentence each; their forms and defaults come from its reader."""
+"""Meanings of the keys of the cell file, one sentence each; forms and defaults come from its reader."""
 
 from collections.abc import Mapping, Sequence
 
-#: By the end of the dotted name, the longest one that is here; `*` stands for a name that the user gives.
+# By the end of the dotted name, the longest one that is here; `*` stands for a name chosen by the user.
 MEANINGS: Mapping[str, str] = {
     "cell": "The work cell as a whole.",
     "cell.name": "Shown in reports; without it the name of the folder.",
@@ -171,12 +171,12 @@ MEANINGS: Mapping[str, str] = {
     "classic.frame": "Frame of the locations of classic programs.",
 }
 
-#: Sections in which the user gives names to things.
+# Sections whose entries are named by the user.
 NAMED = ("stations", "devices", "tools", "frames", "locations", "signals")
 
 
 def meaning_of(path: Sequence[str | int]) -> str:
-    """Return what the key at a path means; empty where nobody has said."""
+    """Return the meaning of the key at a path; empty if undocumented."""
     parts = [part for part in path if isinstance(part, str)]
     if len(parts) > 1 and parts[0] in NAMED:
         parts[1] = "*"

@@ -1,4 +1,4 @@
-"""On what things of a cell file can hang beside objects: devices, and what external axes move."""
+"""Mounts of entities of a cell file other than objects: devices, and bodies moved by external axes."""
 
 from collections.abc import Mapping
 from typing import TypeAlias
@@ -11,10 +11,10 @@ Mount: TypeAlias = tuple[str, Pose]
 
 
 def mounts_of(stations: Mapping[str, Station | None], devices: Mapping[str, Device]) -> dict[str, Mount]:
-    """Return all names but those of objects that `parent` can have in a cell file.
+    """Return all names except of objects that `parent` can have in a cell file.
 
-    These are `track` and `positioner` of each station that has one, behind the name of the station where it
-    has one of its own (`left/positioner`), the names of stations of one axis, and those of devices.
+    These are `track` and `positioner` of each station, with the prefix of the station if it has a name
+    (`left/positioner`), the names of stations of one axis, and the names of devices.
 
     Args:
         stations: by name, None for one whose robot is unknown.

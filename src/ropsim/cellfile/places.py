@@ -1,4 +1,4 @@
-"""Where the cell file gives names to things."""
+"""Places where the cell file names entities."""
 
 from collections.abc import Iterable, Sequence
 
@@ -14,7 +14,7 @@ def place_in_cell_file(text: SourceText, name: str, tables: Iterable[str] = _TAB
 
     Args:
         text: the cell file.
-        name: of what is looked for.
+        name: name of the requested entity.
         tables: in which it may stand, in this order.
     """
     try:
@@ -25,7 +25,7 @@ def place_in_cell_file(text: SourceText, name: str, tables: Iterable[str] = _TAB
 
 
 def program_in_cell_file(text: SourceText | None, station: str) -> Span | None:
-    """Return where a valid cell file says what a station runs, or else describes it; None without a text."""
+    """Return where a valid cell file names the program of a station, else the station; else None."""
     if text is None:
         return None
     places = positions(text)
@@ -41,7 +41,7 @@ def mesh_in_files(texts: Sequence[SourceText], file: str) -> Span | None:
 
     Args:
         texts: the cell file, then files of robots.
-        file: path of the mesh as they give it.
+        file: path of the mesh as written.
     """
     found = (_mesh(text, file) for text in texts)
     return next((span for span in found if span), texts[0].span(1) if texts else None)

@@ -1,4 +1,4 @@
-"""The bodies of a cell made ready, so that many configurations can be looked at."""
+"""The bodies of a cell prepared for the check of many configurations."""
 
 from collections.abc import Hashable, Iterable, Mapping
 from dataclasses import replace
@@ -27,12 +27,12 @@ Coordinates: TypeAlias = "npt.ArrayLike | Mapping[str, npt.ArrayLike]"
 
 @frozen_dataclass
 class Looked:
-    """Which bodies are looked at, for one way in which they hang on each other.
+    """Bodies that are checked, for one state of attachments.
 
     Attributes:
         rows: pairs of convex bodies.
         pairs: of bodies.
-        left_out: why others are not looked at, by pair.
+        left_out: why others are not checked, by pair.
     """
 
     rows: Rows
@@ -43,14 +43,14 @@ class Looked:
 class Collisions:
     """Distances between the bodies of a cell.
 
-    Poses are in the world frame W. What is not visible at the start, such as a tool that is not mounted or a
-    part in its supply, is there only where it is said on what it hangs. Pairs that touch by the way they are
-    built are left out, see `left_out`, and so are bodies of one robot or device that are in each other while
-    it rests: they are drawn so.
+    Poses are in the world frame W. A body that is invisible at the start, such as an unmounted tool or a part
+    in its supply, is present only if its attachment is passed. Pairs that touch by the way they are built are
+    left out, see `left_out`, and so are bodies of one robot or device that are in each other while it rests:
+    they are drawn so.
 
     Args:
         cell: its bodies.
-        meshes: points of its meshes; one without them, or with one that is not finite, is not looked at.
+        meshes: points of its meshes; one without them, or with one that is not finite, is not checked.
     """
 
     def __init__(self, cell: Cell, meshes: MeshPoints = NO_MESHES) -> None:
@@ -74,17 +74,17 @@ class Collisions:
 
     @property
     def at_rest(self) -> tuple[Pair, ...]:
-        """Return the pairs of one robot or device that are not looked at: they meet at rest."""
+        """Return the pairs of one robot or device that are not checked: they overlap at rest."""
         return tuple(sorted(self._at_rest))
 
     def separation(
         self, q: Coordinates, elsewhere: Elsewhere = AS_AT_START, absent: Iterable[str] = ()
     ) -> Separation:
-        """Return the smallest distance between bodies, with what was looked at.
+        """Return the smallest distance between bodies, with the checked pairs.
 
         Args:
             q: joint coordinates; mechanisms that are not named stand as at the start.
-            elsewhere: what hangs elsewhere than at the start.
+            elsewhere: attachments that differ from the start.
             absent: names of bodies that are not there.
 
         Raises:
@@ -102,8 +102,8 @@ class Collisions:
 
         Args:
             q: as with `separation`.
-            elsewhere: likewise.
-            absent: likewise.
+            elsewhere: attachments that differ from the start.
+            absent: bodies that are not present.
 
         Raises:
             ArrayShapeError: M551, coordinates have another shape.

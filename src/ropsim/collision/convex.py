@@ -1,4 +1,4 @@
-"""Convex bodies: what distances are computed between."""
+"""Convex bodies, between which distances are computed."""
 
 from collections.abc import Sequence
 
@@ -10,7 +10,7 @@ from ropsim.spatial import Array, Pose, frozen, record
 
 @record
 class Convex:
-    """The convex hull of corners, or of circles about its own z axis, with all that is near to it.
+    """The convex hull of corners, or of circles about its own z axis, with all points within a margin.
 
     Attributes:
         points: corners (x, y, z), or circles (radius, height, 0) where it is round [m], shape (k, 3).

@@ -12,7 +12,7 @@ def convex_parts(outline: Sequence[Point2]) -> tuple[tuple[Point2, ...], ...]:
     """Return convex polygons that fill an outline (Hertel and Mehlhorn 1983, at most four times too many).
 
     Args:
-        outline: simple polygon [m], counter-clockwise. One that crosses itself is returned as it is.
+        outline: simple polygon [m], counter-clockwise. One that crosses itself is returned unchanged.
     """
     triangles = _ears(outline)
     if triangles is None:

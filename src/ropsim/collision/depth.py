@@ -10,8 +10,8 @@ from ropsim.collision.polytope import Face, Polytope
 from ropsim.spatial import Array
 
 MOST = 120
-"""Points that are added; bodies with corners take about twenty. Round ones about one axis take more: those
-of 2 m were up to 1 mm too deep, never too little."""
+"""Maximum number of added points; bodies with corners take about twenty. Round bodies take more: for 2 m,
+depths were up to 1 mm too large, never too small."""
 FINE = 1e-9
 """A depth is found so finely [m]."""
 ROUGH = 5e-5
@@ -47,7 +47,7 @@ def depth_of(one: Support, other: Support, fine: float = FINE) -> Depth:
     Args:
         one: of the first body.
         other: of the second body.
-        fine: so much too great it may be [m].
+        fine: allowed excess [m].
     """
     seeds = [(one(d), other(-d)) for d in _AROUND]
     polytope = Polytope.within(np.array([a - b for a, b in seeds]))

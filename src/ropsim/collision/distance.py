@@ -1,4 +1,4 @@
-"""How near the bodies of a cell are to each other, asked once."""
+"""Distance between the bodies of a cell at one configuration."""
 
 from ropsim.collision.collisions import Collisions, Coordinates
 from ropsim.collision.separation import Separation
@@ -15,7 +15,7 @@ def distance(cell: Cell, q: Coordinates, meshes: MeshPoints = NO_MESHES) -> Sepa
         cell: with its bodies as at the start.
         q: joint coordinates of the first station [rad | m], shape (n,), or of mechanisms by their names; all
             others stand as at the start.
-        meshes: points of meshes [m], shape (k, 3) each; one without them is not looked at.
+        meshes: points of meshes [m], shape (k, 3) each; one without them is not checked.
     """
     return Collisions(cell, meshes).separation(q)
 
@@ -25,7 +25,7 @@ def in_collision(cell: Cell, q: Coordinates, meshes: MeshPoints = NO_MESHES) -> 
 
     Args:
         cell: as with `distance`.
-        q: likewise.
-        meshes: likewise.
+        q: coordinates of the joints.
+        meshes: points of meshes.
     """
     return bool(Collisions(cell, meshes).meetings(q))

@@ -13,7 +13,7 @@ from ropsim.spatial import Array
 MOST = 200
 """Steps; bodies with corners take about ten."""
 NEAR = 1e-11
-"""Between what is known from above and from below a distance is left so uncertain [m]."""
+"""Remaining gap between the upper and the lower bound of a distance [m]."""
 ZERO = 1e-12
 """Bodies that are nearer than this meet [m]; where their difference is larger than 1 m, this share of it."""
 
@@ -36,7 +36,7 @@ def distances(
         bodies: first of its points, the one behind its last, 1 where it is round, margin [m]; shape (n, 4).
         poses: R_W by rows and p_W [m] of each, shape (n, 12).
         pairs: numbers of two bodies, shape (p, 2).
-        bounds: what the distance with margins is never less than [m], shape (p,).
+        bounds: lower bounds of the distance with margins [m], shape (p,).
         limits: pairs whose bound is more than the first number are left out; it becomes the least distance
             with margins that was found, plus the second number [m]; shape (2,).
         room: shape (16, 4).
@@ -58,12 +58,12 @@ def pair_distance(
 ) -> None:
     """Find the distance of one pair: 0 where no step saw a plane between the two.
 
-    It is what the best of these planes proves, so never too great; at the end the nearest points are as far
-    apart, to 1e-11 m, but where rounding ends the steps early: among needles and tubes of many corners.
-    Where it does that, the simplex is near to the origin and no such plane was seen, two
-    bodies may meet; how deep they are in each other, if at all, is for `depth_of` to say.
+    It is the bound of the best of these planes, so never too great; at the end the distance of the nearest
+    points equals it to 1e-11 m, except where rounding ends the steps early: with needles and tubes of many
+    corners. In that case, if the simplex is near to the origin and no separating plane was found, the bodies
+    may overlap; `depth_of` computes the depth, if any.
 
-    Rows of `room`: 0 to 3 the corners of the simplex, 4 to 7 and 8 to 11 those of the two bodies behind
+    Rows of `room`: 0 to 3 the corners of the simplex, 4 to 7 and 8 to 11 the corners of the two bodies behind
     them, 12 the point v of the simplex nearest to the origin, 13 the shares of the corners in it, 14 shares
     that are tried, 15 a direction.
     """
@@ -136,7 +136,7 @@ def _nearest(room: Array, size: int, square: float) -> float:
     """Put the point of a simplex nearest to the origin, and its shares, where it is nearer than before.
 
     Returns:
-        Square of its distance [m²]; what it was before where none is nearer.
+        Square of its distance [m²]; the previous one if none is nearer.
     """
     for chosen in range(1, 1 << size):
         if not _foot(room, size, chosen):

@@ -1,4 +1,4 @@
-"""Which bodies of a cell are looked at against which, and why others are not."""
+"""Pairs of bodies of a cell that are checked, and reasons for omitted pairs."""
 
 from collections.abc import Collection, Iterator, Mapping
 from enum import StrEnum
@@ -14,7 +14,7 @@ Elsewhere = Mapping[str, tuple[str, Pose]]
 
 
 class LeftOut(StrEnum):
-    """Why two bodies are not looked at against each other."""
+    """Reason why two bodies are not checked against each other."""
 
     FIXED = "nothing moves between them"
     NEIGHBOURS = "a joint is between them"
@@ -23,18 +23,18 @@ class LeftOut(StrEnum):
 
 
 def left_out(tree: BodyTree, names: Collection[str], elsewhere: Elsewhere) -> dict[Pair, LeftOut]:
-    """Return the pairs that touch by the way they are built or held, whatever the joints do.
+    """Return the pairs that touch by the way they are built or held, for all joint coordinates.
 
-    - What stands still on one and the same moving body, or in the world: a base and its pedestal, a part and
-      what it lies on, a tool and the flange, a gripper and the part that hangs on it.
+    - Bodies fixed to the same moving body, or to the world: a base and its pedestal, a part and its support,
+      a tool and the flange, a gripper and the part that hangs on it.
     - Links of one mechanism with a joint between them; links without a shape in between do not count; barrel
       and rod of one cylinder.
     - Fingers, their tool, and the part that hangs on it.
 
     Args:
         tree: the bodies.
-        names: of those that have a shape and are there.
-        elsewhere: what hangs elsewhere than in the tree.
+        names: names of bodies that have a shape and are present.
+        elsewhere: attachments that differ from the tree.
     """
     bodies = tree.by_name()
     parents = {name: parent for name, (parent, _) in elsewhere.items()}
@@ -57,7 +57,7 @@ def left_out(tree: BodyTree, names: Collection[str], elsewhere: Elsewhere) -> di
 
 
 def owners(tree: BodyTree, names: Collection[str]) -> dict[str, str]:
-    """Return the mechanism of bases, links, tools and fingers, and of what hangs on links, by name."""
+    """Return the mechanism of bases, links, tools and fingers, and of bodies attached to links, by name."""
     bodies = tree.by_name()
     first = [body for body in tree.bodies if body.mover and body.kind is not BodyKind.FINGER]
     bases = {body.parent: body.mover.mechanism for body in reversed(first) if body.mover}
@@ -73,7 +73,7 @@ def _owner(bodies: Mapping[str, Body], bases: Mapping[str, str], name: str) -> s
 
 
 def _is_gripped(finger: Body, other: Body, parents: Mapping[str, str]) -> bool:
-    """Return whether one body is a finger, and the other its tool, a finger of it, or what hangs on that."""
+    """Return whether one body is a finger, and the other its tool, another finger, or a body on the tool."""
     if finger.kind is not BodyKind.FINGER:
         return False
     tool = finger.parent

@@ -8,9 +8,9 @@ import numpy as np
 from ropsim.spatial import Array
 
 FLAT = 1e-10
-"""What lies so near to the plane of a face counts as in it, as a share of the size."""
+"""Distance from the plane of a face within which a point counts as in it, as a share of the size."""
 SLIGHT = 1e-6
-"""What is thinner than this share of its size gets so thick."""
+"""Least thickness as a share of the size; thinner bodies are thickened."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -86,9 +86,9 @@ class Polytope:
         return number
 
     def add(self, point: Array, seen: int) -> tuple[list[int], list[int]]:
-        """Take a point in; return the numbers of the faces that are gone, and of those that are new.
+        """Take a point in; return the numbers of the faces that were removed, and of the new ones.
 
-        Faces that see the point go, and those in whose plane it lies; the rim of the hole is joined to it
+        Faces that see the point, or whose plane contains it, are removed; the rim of the hole is joined to it
         (Barber, Dobkin & Huhdanpaa 1996). Nothing is done where the rim is no simple ring, for rounding.
 
         Args:

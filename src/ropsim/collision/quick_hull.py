@@ -1,8 +1,8 @@
-"""The convex hull of many points, of bounded size: what is left out of it is told by a margin.
+"""The convex hull of many points, of bounded size: omitted points lie within a margin.
 
-Quickhull (Barber, Dobkin & Huhdanpaa 1996): always the point that lies farthest outside is added, so that
-few corners come near to the hull of a million points. It grows among points stretched to unit extent, so
-that thin bodies are no slivers; which point is next, and the margin, are told by true distances. Each point
+Quickhull (Barber, Dobkin & Huhdanpaa 1996): always the point that lies farthest outside is added, so that few
+corners come near to the hull of a million points. It grows among points stretched to unit extent, so that
+thin bodies are no slivers; which point is next, and the margin, are measured by true distances. Each point
 that is still outside belongs to a face from which it can be seen, and its distance from that triangle bounds
 its distance from the hull.
 """
@@ -20,7 +20,7 @@ from ropsim.spatial import Array
 MOST = 400
 """Corners of a hull."""
 ROUNDING = 1e-13
-"""What is above a face by less than this share of the size is in its plane."""
+"""Points above a face by less than this share of the size count as in its plane."""
 
 
 def bounded_hull(points: npt.ArrayLike, most: int = MOST) -> tuple[Array, float]:
@@ -95,7 +95,7 @@ class _Growing:
         return np.concatenate(rows), np.concatenate(triangles)
 
     def _deal(self, rows: npt.NDArray[np.intp], faces: list[int]) -> None:
-        """Give each point to the face above which it is highest; one that is above none is inside."""
+        """Assign each point to the face above which it is highest; one that is above none is inside."""
         planes = [self.polytope.faces[number] for number in faces]
         normals = np.array([face.normal for face in planes])
         heights = self.unit.points[rows] @ normals.T - [face.offset for face in planes]

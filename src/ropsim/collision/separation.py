@@ -1,4 +1,4 @@
-"""What is found between the bodies of a cell."""
+"""Distances between the bodies of a cell."""
 
 from collections.abc import Mapping
 
@@ -37,11 +37,11 @@ class Nearness:
 
 @record
 class Separation:
-    """How near the bodies of a cell are to each other, and what was looked at.
+    """Distances between the bodies of a cell, and the checked pairs.
 
     Attributes:
-        nearest: the pair with the smallest distance; None where no pair was looked at.
-        pairs: of bodies that were looked at against each other.
+        nearest: the pair with the smallest distance; None if no pair was checked.
+        pairs: checked pairs.
         left_out: why others were not, by pair.
         unseen: names of the bodies that have no solid shape, so that nothing is known of them.
     """

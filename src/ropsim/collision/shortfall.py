@@ -6,19 +6,19 @@ from ropsim.collision.gjk_kernel import distances
 from ropsim.spatial import Array
 
 AT_ONCE = 64
-"""Distances that are found before somebody looks whether they are enough."""
+"""Distances that are computed before they are compared with the bound."""
 
 
 def shortfall(corners: Array, points: Array, bounds: Array) -> float:
     """Return the greatest distance of points from the hull of corners [m].
 
-    The distances are exact; points are looked at by what their distance is at most, until no other one can be
-    farther.
+    The distances are exact; points are evaluated in order of the upper bound of their distance, until no
+    other one can be farther.
 
     Args:
         corners: [m], shape (c, 3).
         points: [m], shape (k, 3).
-        bounds: what the distance of each is at most [m], shape (k,).
+        bounds: upper bound of the distance of each [m], shape (k,).
     """
     order = np.argsort(-bounds, kind="stable")
     greatest = 0.0

@@ -15,7 +15,7 @@ from ropsim.spatial import Array
 Rows = npt.NDArray[np.intp]
 """Numbers of two convex bodies each, shape (p, 2)."""
 _APART = 1e-4
-"""Bodies are parted by so much more than their depth, so that their nearest points are known [m]."""
+"""Bodies are parted by this distance more than their depth, so that their nearest points are known [m]."""
 
 
 class SolidBodies:
@@ -52,7 +52,7 @@ class SolidBodies:
         return np.ascontiguousarray(np.hstack([X[:, :3, :3].reshape(-1, 9), X[:, :3, 3]]))
 
     def bounds(self, placed: Array, pairs: Rows) -> Array:
-        """Return what distances are never less than, by boxes along x, y, z [m], shape (p,)."""
+        """Return lower bounds of distances, by boxes along x, y, z [m], shape (p,)."""
         R = placed[:, :9].reshape(-1, 3, 3)
         centres = np.einsum("kij,kj->ki", R, self._centres) + placed[:, 9:]
         halves = np.einsum("kij,kj->ki", np.abs(R), self._halves)
@@ -105,13 +105,13 @@ class SolidBodies:
         )
 
     def nearness(self, placed: Array, pair: Sequence[int], row: Array, fine: float = FINE) -> Nearness:
-        """Return what is found of a pair, with its margins; where hulls meet, how deep they are.
+        """Return the nearness of a pair, with its margins; if hulls overlap, with their depth.
 
         Args:
             placed: where all are.
             pair: two numbers.
             row: distance and nearest points of their hulls, shape (7,).
-            fine: so much too great a depth may be [m].
+            fine: allowed excess of a depth [m].
         """
         i, j = pair
         margins = float(self._bodies[i, 3]), float(self._bodies[j, 3])

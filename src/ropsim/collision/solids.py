@@ -1,4 +1,4 @@
-"""From shapes to convex bodies: which of them are exact, and which are looked at as their convex hull."""
+"""From shapes to convex bodies: some are exact, others are replaced by their convex hull."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise, product
@@ -13,7 +13,7 @@ from ropsim.model import Box, Cylinder, Mesh, Point2, Polyline, Prism, Revolve, 
 from ropsim.spatial import Array, Pose
 
 MeshPoints = Mapping[Mesh, Array]
-"""Points of meshes [m], shape (k, 3) each; a mesh without them is not looked at."""
+"""Points of meshes [m], shape (k, 3) each; a mesh without them is not checked."""
 NO_MESHES: MeshPoints = MappingProxyType({})
 
 
@@ -23,12 +23,12 @@ def readable(meshes: MeshPoints) -> MeshPoints:
 
 
 def convexes(shape: Shape, meshes: MeshPoints = NO_MESHES) -> tuple[Convex, ...]:
-    """Return the convex bodies of a shape; a line, and a mesh that is not known, have none.
+    """Return the convex bodies of a shape; a line, and a mesh without points, has none.
 
     Boxes, cylinders, cones, spheres and prisms are exact. A body of revolution is cut where its profile bends
     inward, and exact where its profile goes up throughout; else, as in a ring or a cup, its hollow is filled.
-    A mesh is taken as its convex hull. What is filled is no room for others, and what is said to be free is
-    free.
+    A mesh is taken as its convex hull. A filled hollow counts as occupied, so a configuration reported free
+    is free.
 
     Args:
         shape: in the frame of its body.

@@ -6,18 +6,18 @@ from ropsim.collision.polytope import far_points
 from ropsim.spatial import Array, frozen, record
 
 FINE = 1e-9
-"""What is thinner than this share of the size is flat."""
+"""Points thinner than this share of the size count as flat."""
 
 
 @record
 class UnitPoints:
-    """Points stretched to 1 along three axes, with apexes beside them where they are flat.
+    """Points stretched to 1 along three axes, with additional apexes where they are flat.
 
-    A hull of few corners is sound only where its body is no sliver. The axes are those of four points far
+    A hull of few corners is sound only where its body is no sliver. The axes are defined by four points far
     from each other, so that thin plates, needles and slender triangles become bodies about as thick as long.
 
     Attributes:
-        points: those that were given, and behind them two apexes for each axis without extent, shape (k, 3).
+        points: the given ones, and behind them two apexes for each axis without extent, shape (k, 3).
         given: how many were given.
         scale: extent along each axis, of an axis without extent the size [m], shape (3,).
         size: largest extent [m].
@@ -57,7 +57,7 @@ def unit_points(points: Array) -> UnitPoints | None:
 
 
 def _across(vector: Array, unit: Array) -> Array:
-    """Return what of a vector is square to a unit vector."""
+    """Return the component of a vector perpendicular to a unit vector."""
     return np.asarray(vector - (vector @ unit) * unit)
 
 

@@ -10,12 +10,12 @@ from ropsim.spatial import Array, record
 ROOM = 256
 """Episodes that are expected."""
 AT_ONCE = 2000
-"""So many pairs are followed before progress is told: compiled code is not interrupted."""
+"""Number of pairs that are followed between progress reports: compiled code is not interrupted."""
 
 
 @record
 class Carriers:
-    """What moves over the rows of a run.
+    """Bodies that move over the rows of a run.
 
     Attributes:
         frames: R_W by rows and p_W [m] of each carrier by rows, shape (c, k, 12).
@@ -29,10 +29,10 @@ class Carriers:
 
 @record
 class Approach:
-    """What was found of pairs.
+    """Result for pairs.
 
     Attributes:
-        least: least distance of the pairs that count [m]; inf where none was looked at.
+        least: least distance of the pairs that count [m]; inf if none was checked.
         gaps: least distance that was found of each pair [m], shape (p,); inf where another one was nearer.
         rows: where that was, shape (p,).
         near: numbers of the rows behind which a pair may come nearer still.
@@ -75,14 +75,14 @@ def closest(
 
     Args:
         bodies: the convex bodies.
-        items: those on carriers, as `carried` makes them, shape (t, 22).
+        items: items on carriers, made by `carried`, shape (t, 22).
         pairs: numbers of two items, first row, the one behind the last, 1 where the least distance counts, 0
-            where only episodes count, row of `travel` that tells how the carrier of the second moves as the
-            first sees it, -1 where the motions of both are added, distance at which an episode begins [m];
-            shape (p, 7).
-        carriers: what moves.
-        least: a distance that some pair is known to have [m]; nothing beyond it is looked at closely.
-        progress: told which share of the pairs has been followed.
+            where only episodes count, row of `travel` with the motion of the second carrier relative to the
+            first, -1 where the motions of both are added, distance at which an episode begins [m]; shape (p,
+            7).
+        carriers: moving bodies.
+        least: a known distance of some pair [m]; larger distances are not refined.
+        progress: called with the share of the pairs that has been followed.
     """
     near = np.zeros(carriers.frames.shape[1])
     parts, told = [np.empty((0, 2))], [np.empty((0, 3))]

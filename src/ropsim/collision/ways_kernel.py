@@ -1,4 +1,4 @@
-"""How near pairs of convex bodies come while what carries them moves, in compiled code."""
+"""Distance of pairs of convex bodies during the motion of their carriers, in compiled code."""
 
 from math import inf, sqrt
 
@@ -22,34 +22,33 @@ def closest_on_ways(
     near: Array1,
     episodes: Array2,
 ) -> None:
-    """Find how near pairs of convex bodies come while what carries them moves: conservative advancement.
+    """Find the least distance of pairs of convex bodies on moving carriers: conservative advancement.
 
-    From a distance d on nothing has to be looked at until both have moved by d together (Mirtich 1996).
+    After a distance d no evaluation is needed until both have moved by d together (Mirtich 1996).
 
     Args:
         points: as for `distances`.
-        bodies: likewise.
+        bodies: bodies of the points.
         items: convex bodies on carriers: number of the body, of the carrier (-1 for the world), centre and
             radius of a ball around it in the frame of the carrier [m], how far it reaches from the origin of
             that [m], R by rows and p of its pose there [m], half edges of the box around it [m]; shape
             (t, 22).
         pairs: numbers of two items, first row, the one behind the last, 1 where the least distance counts, 0
-            where only episodes count; row of `travel` that tells how the carrier of the second moves as the
-            first sees it, -1 where the motions of both are added; distance at which an episode begins [m];
-            shape (p, 7).
+            where only episodes count; row of `travel` with the motion of the second carrier relative to the
+            first, -1 where the motions of both are added; distance at which an episode begins [m]; shape (p,
+            7).
         frames: R_W by rows and p_W [m] of the carriers by rows, shape (c, k, 12).
         travel: how far the origin of each carrier has come at most at each row [m], how far it has turned
             [rad]; then the same of carriers as others see them; shape (t, 2, k).
         poses: room, shape (n, 12).
         room: room, shape (19, 4).
-        least: least distance so far [m], becomes that of these pairs, too; then how many episodes there were,
-            shape (2,).
-        found: least distance of each pair that was found [m], inf where it was never looked at, and its row;
-            the last row is room; shape (p + 1, 7).
+        least: least distance so far [m], updated with these pairs; then the number of episodes, shape (2,).
+        found: least distance of each pair that was found [m], inf if never checked, and its row; the last row
+            is room; shape (p + 1, 7).
         near: becomes 1 where a pair that counts may come nearer than the least distance before the next row,
             shape (k,).
-        episodes: pair, first and last row of each episode in which two are that near, shape (m, 3); what does
-            not fit is counted only.
+        episodes: pair, first and last row of each episode in which two are that near, shape (m, 3); excess
+            ones are only counted.
     """
     least[1] = 0.0
     for p in range(pairs.shape[0]):
@@ -87,7 +86,7 @@ def closest_on_ways(
 
 
 def _rough_gap(items: Array, frames: Array, room: Array, a: int, b: int, k: int) -> float:
-    """Return what the distance of two items at a row is at least, by the balls and boxes around them [m]."""
+    """Return a lower bound of the distance of two items at a row, by the balls and boxes around them [m]."""
     for side in range(2):
         t = a if side == 0 else b
         carrier = int(items[t, 1])

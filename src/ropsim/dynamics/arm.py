@@ -39,7 +39,7 @@ def inverse_dynamics(
     Raises:
         StateShapeError: an array has another shape.
         NotFiniteError: an array holds NaN or infinity.
-        JointCountError: the arm has no joints, or not one link and one drive for each.
+        JointCountError: the arm has no joints, or not exactly one link and one drive for each.
         ModelNumberError: a number of the model is not finite.
         MissingMassError: no link of the arm has a mass.
     """
@@ -59,7 +59,7 @@ def rigid_inverse_dynamics(
 ) -> Array:
     """Return the joint torques of the rigid bodies alone, shape (n,): no friction, no motor inertia.
 
-    Arguments and errors are those of `inverse_dynamics`.
+    Arguments and errors as in `inverse_dynamics`.
     """
     check_masses(robot)
     tau = np.empty(robot.n)
@@ -70,7 +70,7 @@ def rigid_inverse_dynamics(
 def gravity(robot: Mechanism, q: npt.ArrayLike, payload: Payload | None = None) -> Array:
     """Return the joint torques that hold the arm still against gravity, shape (n,) [N·m | N].
 
-    Arguments and errors are those of `inverse_dynamics`.
+    Arguments and errors as in `inverse_dynamics`.
     """
     rest = np.zeros(robot.n)
     return rigid_inverse_dynamics(robot, q, rest, rest, payload)
@@ -79,7 +79,7 @@ def gravity(robot: Mechanism, q: npt.ArrayLike, payload: Payload | None = None) 
 def bias(robot: Mechanism, q: npt.ArrayLike, qd: npt.ArrayLike, payload: Payload | None = None) -> Array:
     """Return the joint torques of gravity, centrifugal and Coriolis forces, shape (n,); no friction.
 
-    Arguments and errors are those of `inverse_dynamics`.
+    Arguments and errors as in `inverse_dynamics`.
     """
     return rigid_inverse_dynamics(robot, q, qd, np.zeros(robot.n), payload)
 
@@ -103,7 +103,7 @@ def forward_dynamics(
     Raises:
         StateShapeError: an array has another shape.
         NotFiniteError: an array holds NaN or infinity.
-        JointCountError: the arm has no joints, or not one link and one drive for each.
+        JointCountError: the arm has no joints, or not exactly one link and one drive for each.
         ModelNumberError: a number of the model is not finite.
         MissingMassError: no link has a mass, or an axis moves nothing that has an inertia.
     """
@@ -123,7 +123,7 @@ def forward_dynamics(
 def mass_matrix(robot: Mechanism, q: npt.ArrayLike, payload: Payload | None = None) -> Array:
     """Return the mass matrix with motor inertia on its diagonal, shape (n, n) [kg·m² | kg·m | kg].
 
-    Arguments and errors are those of `inverse_dynamics`.
+    Arguments and errors as in `inverse_dynamics`.
     """
     check_masses(robot)
     n = robot.n
@@ -135,7 +135,7 @@ def mass_matrix(robot: Mechanism, q: npt.ArrayLike, payload: Payload | None = No
 def friction(robot: Mechanism, q: npt.ArrayLike, qd: npt.ArrayLike) -> Array:
     """Return the torques that friction exerts on the joints, shape (n,) [N·m | N]: against the motion.
 
-    What the rod of a cylinder takes as its lever changes is among them.
+    They include the force on the rod of a cylinder due to its changing lever.
 
     Args:
         robot: the arm; without drives there is no friction, and behind an elastic gear it acts on the motor.

@@ -1,4 +1,4 @@
-"""The generated functions of an arm, made when they are first asked for."""
+"""The generated functions of an arm, made on the first request."""
 
 from collections.abc import Callable
 from functools import lru_cache
@@ -19,8 +19,8 @@ class ArmFunctions:
     """Compiled functions of one arm; each is generated and compiled (or loaded from disk) at its first use.
 
     All arrays are one-dimensional, contiguous float64; the last argument receives the result. The numbers of
-    the arm are filled in; every arm of the same structure shares the code. Friction and motor inertia are
-    those of the robot's drives, none without.
+    the arm are filled in; every arm of the same structure shares the code. Friction and motor inertia come
+    from the robot's drives, zero without.
 
     Args:
         robot: the arm.
@@ -83,7 +83,8 @@ def compiled(
         engine: who runs the code; None takes numba where it is installed.
 
     Raises:
-        JointCountError: the arm has no joints, or not one link for each of them and one drive for each axis.
+        JointCountError: the arm has no joints, or not exactly one link for each of them and one drive for
+            each axis.
         MechanismError: the mechanism cannot be, or has closed chains.
         ModelNumberError: a number of the model is not finite.
     """
@@ -125,7 +126,7 @@ def trace_forward(
     """Return the joint accelerations.
 
     Args:
-        arm: as it stands.
+        arm: the arm.
         qd: joint speeds.
         tau: torques of the drives at the joints, before friction.
         sides: friction and inertia of the drives at the joints; empty without drives.

@@ -58,7 +58,7 @@ def mass_matrices(robot: Mechanism, Q: npt.ArrayLike) -> Array:
 
 
 def rotor_inertias(robot: Mechanism, Q: npt.ArrayLike) -> Array:
-    """Return what motors add to the inertias of their axes, shape (k, n) [kg·m² | kg]; 0 without drives.
+    """Return the reflected inertias of the motors at their axes, shape (k, n) [kg·m² | kg]; 0 without drives.
 
     Args:
         robot: the arm.
@@ -77,7 +77,7 @@ def rotor_inertias(robot: Mechanism, Q: npt.ArrayLike) -> Array:
 def axis_inertias(robot: Mechanism, Q: npt.ArrayLike) -> Array:
     """Return the inertia that each axis moves while the others stand still, shape (k, n) [kg·m² | kg].
 
-    Arguments and errors are those of `mass_matrices`, whose diagonals these are.
+    Arguments and errors as in `mass_matrices`, whose diagonals these are.
     """
     return np.asarray(np.einsum("kii->ki", mass_matrices(robot, Q)))
 
@@ -85,7 +85,8 @@ def axis_inertias(robot: Mechanism, Q: npt.ArrayLike) -> Array:
 def free_inertias(robot: Mechanism, Q: npt.ArrayLike) -> Array:
     """Return the inertia that each axis moves while the others are free, shape (k, n) [kg·m² | kg].
 
-    It is 1 / (M⁻¹)ᵢᵢ, what a torque meets at once; arguments and errors are those of `mass_matrices`.
+    It is 1 / (M⁻¹)ᵢᵢ, the inertia seen by a torque with the other axes free; arguments and errors as in
+    `mass_matrices`.
 
     Raises:
         MissingMassError: M591, an axis moves nothing that has an inertia.

@@ -1,4 +1,4 @@
-"""What can be wrong with calls of the dynamics."""
+"""Errors in calls of the dynamics."""
 
 from ropsim.core import RopsimError, Severity, define
 
@@ -86,7 +86,7 @@ class StateShapeError(RopsimError):
 
 
 class JointCountError(RopsimError):
-    """The lists of the robot model do not have one entry for each joint."""
+    """The lists of the robot model do not have exactly one entry per joint."""
 
 
 class ModelNumberError(RopsimError):

@@ -1,4 +1,4 @@
-"""How much torque the joints of an arm may be asked for."""
+"""Effort limits of the joints of an arm."""
 
 from functools import lru_cache
 from math import isfinite
@@ -11,17 +11,18 @@ from ropsim.spatial import Array, frozen
 
 @lru_cache(maxsize=256)
 def effort_limits(robot: Mechanism) -> Array:
-    """Return the largest torque or force that each joint may be asked for, shape (n,) [N·m | N], read-only.
+    """Return the largest torque or force of each joint, shape (n,) [N·m | N], read-only.
 
     It counts at the joint and before friction, as `effort_rows` and recordings do: the least of the limit of
-    the joint and of what its drive can keep up at standstill wherever the joint is; infinite where neither is
-    known.
+    the joint and of the continuous effort of its drive at standstill at any joint coordinate; infinite where
+    neither is known.
 
     Args:
         robot: the arm, with drives or without.
 
     Raises:
-        JointCountError: the arm has no joints, or not one link for each of them and one drive for each axis.
+        JointCountError: the arm has no joints, or not exactly one link for each of them and one drive for
+            each axis.
         MechanismError: the mechanism cannot be, or has closed chains.
         ModelNumberError: a drive cannot exist.
     """
@@ -36,7 +37,7 @@ def effort_limits(robot: Mechanism) -> Array:
 
 @lru_cache(maxsize=1024)
 def _kept_up(drive: Drive, lower: float, upper: float) -> float:
-    """Return what a drive can keep up at standstill [N·m | N].
+    """Return the continuous effort of a drive at standstill [N·m | N].
 
     It is the least in the range of its joint: a lever is shortest at one of the ends.
     """

@@ -56,13 +56,13 @@ class EffortRows:
     function: Compiled
 
     def __call__(self, q: Array, qd: Array, qdd: Array) -> Array:
-        """Return for each row what `inverse_dynamics` returns, shape (k, n) [N·m | N].
+        """Return for each row the result of `inverse_dynamics`, shape (k, n) [N·m | N].
 
-        It is the torque that a drive has to give at its joint, before friction is taken off, as limits and
-        recordings count it: for the rigid bodies with the payload, the inertia of the motor, and friction.
-        Coulomb friction is |G|·Tc·tanh(q̇/v_s): at standstill it is 0, as the simulated arm has it, whichever
-        way the arm is about to go. All numbers are to be finite; a row with NaN gives NaN and leaves the
-        others alone.
+        It is the torque that a drive must produce at its joint, before subtraction of friction, as in limits
+        and recordings: for the rigid bodies with the payload, the inertia of the motor, and friction. Coulomb
+        friction is |G|·Tc·tanh(q̇/v_s): at standstill it is 0, as in the simulated arm, for both directions
+        of the next motion. All numbers are to be finite; a row with NaN yields NaN and leaves the others
+        alone.
 
         Args:
             q: joint coordinates [rad | m], shape (k, n).
@@ -95,7 +95,8 @@ def effort_rows(robot: Mechanism, payload: Payload | None = None, engine: Engine
         engine: who runs the code; None takes numba where it is installed.
 
     Raises:
-        JointCountError: the arm has no joints, or not one link for each of them and one drive for each axis.
+        JointCountError: the arm has no joints, or not exactly one link for each of them and one drive for
+            each axis.
         MechanismError: the mechanism cannot be, or has closed chains.
         ModelNumberError: a number of the model is not finite.
     """

@@ -35,9 +35,9 @@ def link_parameters(link: Link) -> Array:
 
 @lru_cache(maxsize=256)
 def step_bodies(mechanism: Mechanism) -> tuple[Array, ...]:
-    """Return the barycentric parameters of what each step of a mechanism carries, m arrays of shape (10,).
+    """Return the barycentric parameters of the body on each step of a mechanism, m arrays of shape (10,).
 
-    A step that carries no link, as all but the last of a joint with several freedoms, has ten zeros; links
+    A step that carries no link, as all except the last of a joint with several freedoms, has ten zeros; links
     that are fixed to each other ride on one step together.
     """
     tree = joint_tree(mechanism)

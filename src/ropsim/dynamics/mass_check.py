@@ -20,7 +20,7 @@ _STEP = 0.6180339887498949
 def check_masses(robot: Mechanism) -> None:
     """Make sure that an arm has masses at all; without any, its torques are not zero but unknown.
 
-    A single link without mass is allowed: frames and crossed axes have none.
+    A single link without mass is allowed: frames and crossed axes are massless.
 
     Raises:
         MissingMassError: M590, no link has a mass or an inertia.
@@ -70,7 +70,7 @@ def missing_inertia(robot: Mechanism, idle: tuple[int, ...]) -> MissingMassError
 
 
 def idle_axes(M: Array) -> tuple[int, ...]:
-    """Return the axes, from 0, that move nothing while those before are held and those behind are free."""
+    """Return the axes, from 0, that move no mass while earlier axes are held and later ones are free."""
     left, idle = M.copy(), []
     for k in range(len(M) - 1, -1, -1):
         pivot = left[k, k]

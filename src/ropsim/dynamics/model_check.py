@@ -14,7 +14,7 @@ def check_model(robot: Mechanism) -> None:
     """Make sure that the dynamics of an arm can be computed.
 
     Raises:
-        JointCountError: the arm has no joints, or not one link and one drive for each.
+        JointCountError: the arm has no joints, or not exactly one link and one drive for each.
         MechanismError: the mechanism cannot be, or has closed chains that are cut.
         ModelNumberError: a drive cannot exist.
     """

@@ -1,4 +1,4 @@
-"""What generated code of an arm depends on, and the numbers that it is given at run time.
+"""Structure on which generated code of an arm depends, and the numbers passed at run time.
 
 The structure holds joints, geometry, the blocks of the drives, and which inertial parameters are zero; arms
 of one structure share their code. Masses, inertias, payload, gravity, motors, gears, friction are numbers.
@@ -69,7 +69,7 @@ class ArmStructure:
     def is_long(self) -> bool:
         """Return whether loops over its steps are shorter than straight-line code: of a long serial arm.
 
-        What has branches or couplings is straight-line code at any length.
+        Arms with branches or couplings are straight-line code at any length.
         """
         serial = not self.spread and self.parents == tuple(range(-1, self.m - 1)) and self.tip == self.m - 1
         return serial and self.m > MOST_JOINTS
@@ -135,12 +135,12 @@ def arm_numbers(robot: Mechanism, payload: Payload | None = None) -> Array:
 
 
 def traced_numbers(tracer: Tracer, structure: ArmStructure) -> TracedNumbers:
-    """Return the numbers of an arm of this structure as scalars; those that are zero are constants."""
+    """Return the numbers of an arm of this structure as scalars; zeros are constants."""
     return split_numbers(structure, given(tracer, structure.present))
 
 
 def split_numbers(structure: ArmStructure, numbers: list[Scalar]) -> TracedNumbers:
-    """Return scalars in the order of `arm_numbers` as what they stand for."""
+    """Return scalars in the order of `arm_numbers` as named fields."""
     first = 3 + BODY * structure.m
     bodies = [numbers[k : k + BODY] for k in range(3, first, BODY)]
     drives = []

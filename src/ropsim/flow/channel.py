@@ -8,7 +8,7 @@ from ropsim.spatial import Array, record
 
 
 class ChannelGroup(Enum):
-    """Under what lists show a channel."""
+    """Heading of a channel in lists."""
 
     JOINTS = "joints"
     TCP = "tcp"
@@ -26,9 +26,9 @@ class Channel:
             (m,), the value from each change on.
         unit: SI unit as text, empty for counts and codes.
         columns: names of the k columns; empty for a single column.
-        description: what it is, in which frame.
-        group: under what lists show it.
-        subject: name of the station or device that it is of; empty for what belongs to the cell.
+        description: meaning and frame.
+        group: heading in lists.
+        subject: name of the station or device that it is of; empty for a channel of the cell.
         times: when a held channel changed [s], shape (m,), ascending; None for a sampled one.
     """
 
@@ -41,7 +41,7 @@ class Channel:
     times: Array | None = None
 
     def __repr__(self) -> str:
-        """Return one line: what it is, its shape and unit; no arrays."""
+        """Return one line: name, shape and unit; no arrays."""
         shape = " × ".join(str(one) for one in np.shape(self.values))
         held = " changes" if self.held else ""
         unit = f" [{self.unit}]" if self.unit else ""
@@ -55,8 +55,8 @@ class Channel:
     def rows(self, time: Array) -> Array:
         """Return the channel at the rows of its recording: its samples, or the values in force.
 
-        The row at time t tells of the control period that ends at t, so a change at t is in force in the next
-        row only.
+        The row at time t belongs to the control period that ends at t, so a change at t is in force in the
+        next row only.
 
         Args:
             time: of the rows [s], shape (n,).

@@ -6,7 +6,7 @@ from ropsim.core import frozen_dataclass
 
 
 class LimitQuantity(Enum):
-    """What a limit bounds; in a bend, acceleration or jerk of the joint or the tool allow no more speed."""
+    """Quantity of a limit; in a bend, acceleration or jerk limits of joints or tool bound the speed."""
 
     SPEED = "speed"
     ACCELERATION = "acceleration"
@@ -21,7 +21,7 @@ class CriticalLimit:
 
     Attributes:
         joint: name of the axis; empty for a limit of the tool on its path.
-        quantity: what is limited.
+        quantity: limited quantity.
         share: of the time of the move during which the limit is reached, in (0, 1].
     """
 

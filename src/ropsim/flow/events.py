@@ -1,4 +1,4 @@
-"""What happened in a run, one record for each kind of event; texts for people are made by views."""
+"""Events of a run, one record for each kind; texts for users are made by views."""
 
 from collections.abc import Mapping
 from dataclasses import KW_ONLY
@@ -15,11 +15,11 @@ class Event:
     """Something that happened from one time on.
 
     Attributes:
-        kind: word for what it is, the same for all events of a class.
+        kind: word of the event, the same for all events of a class.
         time: [s], a whole control tick.
         duration: [s], 0 for an instant.
-        station: name of the station whose program made it; empty for what belongs to the cell.
-        origin: statement and pass of the instruction; None for what no instruction made.
+        station: name of the station whose program made it; empty for events of the cell.
+        origin: statement and pass of the instruction; None for an event without an instruction.
     """
 
     kind: ClassVar[str] = ""
@@ -46,7 +46,7 @@ class Event:
 
     @property
     def visit(self) -> int:
-        """Return the loop pass, 0 for what no instruction made."""
+        """Return the loop pass, 0 for an event without an instruction."""
         return self.origin.visit if self.origin else 0
 
 
@@ -63,13 +63,12 @@ class MoveEvent(Event):
         flown: distance from the target at which the path went on to the next move [m]; 0 where it stopped.
         blending: part of `travel` within its own zone or that of the move before [s].
         critical: limit that sets its time; None where it reaches none, as in a zone.
-        path_speed: that in force for its path of the tool, of program or cell [m/s]; None where it has none.
+        path_speed: that in force for its path of the tool, of program or cell [m/s]; None without one.
         path_error_max: largest distance of the TCP from the path of the tool [m]; None where there is none.
         target: where the command puts the TCP if the move goes to its end, in the base frame [m], three
             numbers; empty where it is not known.
-        out_of_position: largest error of a joint at its end, as a share of what the controller calls in
-            position: up to 1 the arm was; None where the move went on to the next one, or the run was cut
-            short.
+        out_of_position: largest error of a joint at its end, as a share of `in_position` of the controller:
+            up to 1 the arm was; None where the move went on to the next one, or the run was cut short.
     """
 
     kind: ClassVar[str] = "move"
@@ -101,11 +100,11 @@ class SkipEvent(Event):
 
 @frozen_dataclass
 class WaitEvent(Event):
-    """The program stood still for a time, or as long as it looked again and again and did nothing else.
+    """The program stood still for a time, or for a polling loop without other actions.
 
     Attributes:
         pause: how long it was to stand [s]; the event is shorter where the run was cut short.
-        looked: channels at which the program looks again and again, waiting so until they change.
+        looked: channels that the program polls until they change.
     """
 
     kind: ClassVar[str] = "wait"
@@ -151,7 +150,7 @@ class OutputEvent(Event):
 
 @frozen_dataclass
 class MessageEvent(Event):
-    """The program told its operator something.
+    """The program printed a message for its operator.
 
     Attributes:
         text: as the program made it; any characters.
@@ -168,7 +167,7 @@ class GripEvent(Event):
     """A gripper closed.
 
     Attributes:
-        part: name of what it took, empty for nothing.
+        part: name of the gripped part, empty for none.
     """
 
     kind: ClassVar[str] = "grip"
@@ -182,7 +181,7 @@ class ReleaseEvent(Event):
     """A gripper opened.
 
     Attributes:
-        part: name of what it let go, empty for nothing.
+        part: name of the released part, empty for none.
     """
 
     kind: ClassVar[str] = "release"
@@ -242,4 +241,4 @@ EVENTS: Mapping[str, type[Event]] = MappingProxyType(
         )
     }
 )
-"""All kinds of events by their words; readers and writers know no other ones."""
+"""All kinds of events by their words; readers and writers support only these."""

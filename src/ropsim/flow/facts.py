@@ -1,4 +1,4 @@
-"""What a recording says about its run: who ran what, on which arm, with which limits."""
+"""Facts of a recording about its run: stations and programs, arms, limits."""
 
 from enum import Enum
 from math import inf, nan
@@ -9,11 +9,11 @@ from ropsim.flow.parameter_origin import ParameterOrigin
 from ropsim.flow.way_facts import WayFacts
 
 ROBOT = "robot"
-"""Name of the station of a cell that has one; its bodies and channels are called without it."""
+"""Name of the station of a cell with a single one; its bodies and channels are called without it."""
 
 
 class Fidelity(Enum):
-    """What follows the references."""
+    """Model that follows the references."""
 
     DYNAMIC = "dynamic"
     KINEMATIC = "kinematic"
@@ -51,7 +51,7 @@ class AxisFacts:
 
 @frozen_dataclass
 class CalledTask:
-    """A task of a knowledge base that a program calls, or that such a task calls.
+    """A task of a knowledge base that a program calls, or that another such task calls.
 
     Attributes:
         name: its name.
@@ -111,7 +111,7 @@ class Destinations:
     """The parts that have a destination in the cell.
 
     Attributes:
-        wanted: how many there are.
+        wanted: required number.
         reached: how many of them are there when the run ends.
     """
 
@@ -121,22 +121,22 @@ class Destinations:
 
 @frozen_dataclass
 class RunFacts:
-    """Who ran what, where and how.
+    """Programs, stations and settings of a run.
 
     Attributes:
         ropsim: version that made the run.
         project: name of the project.
         fidelity: with drives and masses or without.
         record_hz: recorded rows per second [Hz]; NaN where unknown.
-        checked: what the run looked at beside motion, limits and, with drives, torques, drives and servo,
+        checked: checks of the run in addition to motion, limits and, with drives, torques, drives and servo,
             such as `collisions`.
-        inputs: changes of inputs that the run was given beside those of the cell, in order of time.
+        inputs: changes of inputs of interventions in addition to those of the cell, in order of time.
         overrides: changes of the override, in order of time.
         stopped: when the run was ended by hand [s]; None where it came to its own end.
         parts_left: names of the parts that have left by a sink, in that order.
-        destinations: of parts; none are wanted in a run that was cut short.
+        destinations: of parts; empty for a run that was cut short.
         stations: each with its program, in the order of the cell.
-        ways: what was seen on them; null where nobody looked for collisions.
+        ways: results of collision checks; null if there was none.
     """
 
     ropsim: str = ""
@@ -154,7 +154,7 @@ class RunFacts:
 
     @property
     def interventions(self) -> Interventions:
-        """Return all that somebody did to the run."""
+        """Return all interventions in the run."""
         return Interventions(self.inputs, self.overrides, self.stopped)
 
     @property
@@ -177,5 +177,5 @@ def channel_name(quantity: str, owner: str) -> str:
 
 
 def prefix_of(owner: str) -> str:
-    """Return what stands before the names of channels and bodies of a station or device."""
+    """Return the prefix of the names of channels and bodies of a station or device."""
     return "" if owner == ROBOT else f"{owner}/"

@@ -18,7 +18,7 @@ class Guard:
     """A guarded move ends where its condition is true.
 
     Attributes:
-        channel: what is looked at.
+        channel: monitored channel.
         comparison: the channel has the value, exceeds it or is less than it.
         value: truth value of a digital channel, number of an analog one; fixed when the move begins.
         timeout: the move ends after this time even if its condition has not come true [s]; None for none.

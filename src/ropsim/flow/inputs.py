@@ -1,4 +1,4 @@
-"""What somebody gives to a run while it goes on: inputs, the override, its end."""
+"""Interventions in a running program: inputs, the override, its end."""
 
 from collections.abc import Iterable
 from dataclasses import dataclass
@@ -48,7 +48,7 @@ def in_time(changes: Iterable[Change]) -> tuple[Change, ...]:
 
 @frozen_dataclass
 class Interventions:
-    """All that somebody did to a live run; a run that is given the same does the same.
+    """All interventions in a live run; a run with the same interventions has the same result.
 
     Attributes:
         inputs: changes of inputs.

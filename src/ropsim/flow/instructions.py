@@ -25,7 +25,7 @@ class MotionKind(StrEnum):
 
 
 class GripAction(Enum):
-    """What a gripper does."""
+    """Action of a gripper."""
 
     OPEN = "open"
     CLOSE = "close"
@@ -53,18 +53,18 @@ class MoveInstruction:
     """Go to a target.
 
     Attributes:
-        kind: kind of path, one of `MotionKind` or the name of another one that the controller knows.
+        kind: kind of path, one of `MotionKind` or the name of another one that the controller supports.
         target: pose of the tool in the task frame (X_KT), joint coordinates [rad | m], or None for the
             home position of the arm.
         modal: snapshot of the modal state.
         origin: source line and loop pass.
-        external: values of the external axes that a pose is reached with [rad | m], in the order of the axes;
-            empty to leave them where they are, as it is for joint coordinates and home.
+        external: values of the external axes at a pose [rad | m], in the order of the axes; empty to leave
+            them unchanged, and for joint coordinates and home.
         via: poses of the tool that the path leads through (X_KT), in the frame of the target: one of an arc,
             any number of a curve, none of other kinds.
         angle: how far an arc goes on its circle [rad], > 0, instead of ending at the target; None ends there.
         triggers: outputs that are set on the way, in the order of the program.
-        guard: condition that ends the move before its target; None where it has none.
+        guard: condition that ends the move before its target; None without one.
         posture: in which posture the target is to be reached; None leaves it to the planner.
         tracking: signal that corrects the path; None where it is made as planned.
     """

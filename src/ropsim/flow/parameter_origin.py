@@ -8,7 +8,7 @@ class ParameterOrigin:
     """Where a group of parameters comes from.
 
     Attributes:
-        parameters: what it covers, such as `motor constants`.
+        parameters: covered parameters, such as `motor constants`.
         kind: `published`, `derived` or `estimated`.
         source: paper, table or reasoning.
     """

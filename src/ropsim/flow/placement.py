@@ -1,4 +1,4 @@
-"""Placements: where a body hangs, told at each change, so that nobody has to play a run again to know it."""
+"""Placements: attachment of a body, recorded at each change, so that no replay is needed to find it."""
 
 from ropsim.spatial import Pose, record
 
@@ -12,7 +12,7 @@ class Placement:
         body: its name.
         parent: name of the body that it hangs on, empty for the world.
         X_PB: its frame in that of the parent; of a body that a joint moves, at joint coordinate 0.
-        visible: False while it is not there: a tool not mounted, a part in its supply or gone by a sink.
+        visible: False while it is absent: a tool not mounted, a part in its supply or removed by a sink.
     """
 
     time: float

@@ -1,11 +1,11 @@
-"""In which posture, and with which turns of its axes, a program wants a target to be reached."""
+"""Posture and turns of the axes that a program requests at a target."""
 
 from ropsim.core import frozen_dataclass
 
 
 @frozen_dataclass
 class PostureRequest:
-    """What a target asks of the branch of the inverse kinematics that reaches it.
+    """Request of a target to the branch of the inverse kinematics.
 
     Attributes:
         words: words of a posture in the order in which they were written, such as `("left", "up")`; a part of

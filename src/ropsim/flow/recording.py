@@ -21,9 +21,9 @@ E = TypeVar("E", bound=Event)
 
 @record
 class Recording:
-    """What a run leaves behind.
+    """Result of a run.
 
-    Look at `ok` first: a move that could not be made was skipped, and the run went on.
+    Check `ok` first: a move that could not be made was skipped, and the run went on.
 
     Attributes:
         time: [s], shape (n,), equally spaced.
@@ -31,9 +31,9 @@ class Recording:
         events: in order of time.
         findings: diagnostics of the run.
         duration: simulated time [s].
-        facts: who ran what, on which arm, with which limits.
+        facts: stations and programs, arms, limits.
         placements: where each body hung at the start, and every change since, in order of time.
-        content: of what the run was made.
+        content: content from which the run was made.
     """
 
     time: Array
@@ -86,10 +86,10 @@ class Recording:
         """Return a channel at the recorded rows, shape (n,) or (n, k).
 
         Args:
-            name: of the channel; what it holds between changes is told as it is in force at each row.
+            name: of the channel; held values are expanded to each row.
 
         Raises:
-            KeyError: there is no such channel.
+            KeyError: the channel is unknown.
         """
         return self.channels[name].rows(self.time)
 
@@ -101,7 +101,7 @@ class Recording:
             time: [s]; outside the recording its nearest end counts.
 
         Raises:
-            KeyError: there is no such channel.
+            KeyError: the channel is unknown.
         """
         channel = self.channels[name]
         if channel.held:

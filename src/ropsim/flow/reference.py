@@ -11,7 +11,7 @@ class PoseSetpoints:
     Attributes:
         length: of the path, in its own unit [m | rad].
         matrices: shape (k, 4, 4); row 0 is the start of the path, the last row its end. X_BT for the inverse
-            transform; an interpolator gives them in the reference frame of the path.
+            transform; an interpolator returns them in the reference frame of the path.
         external: where the external axes are at these places [rad | m], shape (k, m); None where they stand.
     """
 
@@ -27,7 +27,7 @@ class JointSamples:
     Attributes:
         length: of the path, in its own unit [m | rad].
         q: [rad | m], shape (k, n); row 0 is the start of the path, the last row its end.
-        findings: what the inverse transform has to say about them.
+        findings: findings of the inverse transform about them.
     """
 
     length: float
@@ -37,7 +37,7 @@ class JointSamples:
 
 @record
 class JointReference:
-    """What the joint controller is given at each control tick.
+    """Input of the joint controller at each control tick.
 
     Row 0 is for one control period from now; it comes into force when the present control tick is over.
 

@@ -1,4 +1,4 @@
-"""Of what a run was made, so that what it says can be told of the same content alone."""
+"""Content from which a run was made, so that its results are used for the same content only."""
 
 from collections.abc import Mapping
 from dataclasses import field
@@ -8,13 +8,13 @@ from ropsim.core import frozen_dataclass
 
 @frozen_dataclass
 class RunContent:
-    """What a run was made of, beside the identities of its programs.
+    """Content from which a run was made, in addition to the identities of its programs.
 
     Attributes:
         cell: `content` of the work cell; empty where unknown.
         lines: by station, the source line of each instruction of its program, in the order of
             `ropsim.icr.code_lines`; 0 where unknown.
-        results: by station, what the result of each line of its program hangs on, by the number of the line
+        results: by station, the content on which each line of its program depends, by the number of the line
             in the order of `ropsim.icr.line_contents`.
     """
 

@@ -1,4 +1,4 @@
-"""What settling after moves costs a run."""
+"""Time that settling after moves costs a run."""
 
 import math
 from collections.abc import Iterable
@@ -36,7 +36,7 @@ class Settling:
 
 
 def settling_of(events: Iterable[Event], cycle_time: float) -> Settling:
-    """Return what settling cost.
+    """Return the cost of settling.
 
     Args:
         events: of a run.

@@ -40,7 +40,7 @@ class PathTracking:
     """A move is shifted along a direction of its tool so that a channel comes to have a value.
 
     Attributes:
-        channel: what is measured, a number.
+        channel: measured channel, a number.
         value: which it is to have; fixed when the move begins.
         direction: along which the tool goes where the channel reads too much.
         gain: speed of that for each unit of the difference, > 0: [1/s] where the channel is a length [m],

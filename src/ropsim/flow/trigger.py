@@ -18,7 +18,7 @@ class Trigger:
 
     Attributes:
         channel: output that is set.
-        value: what it is set to.
+        value: new value.
         side: end of the move from which is counted.
         distance: way of the TCP from there [m], ≥ 0; None where a time is given.
         time: time from there, as planned [s], ≥ 0; None where a distance is given.

@@ -12,12 +12,12 @@ _SAME = 1e-9
 
 @frozen_dataclass
 class Waiting:
-    """Time in which programs stood at a `wait`, for a time, a signal or a condition, or looked in a loop.
+    """Time in which programs stood at a `wait`, for a time, a signal or a condition, or polled in a loop.
 
     Attributes:
         total: over all waits [s].
         share: of the cycle time; 0 for a run of no length.
-        longest: of a single wait [s]; a condition that is looked at again and again is one.
+        longest: of a single wait [s]; a condition that is polled counts as one.
         time: when that wait began [s]; NaN without waits.
         line: its source line, 0 where unknown.
         visit: its loop pass, 0 where unknown.
@@ -37,7 +37,7 @@ def waiting_of(events: Iterable[Event], cycle_time: float) -> Waiting:
     """Return how long programs stood at waits.
 
     Args:
-        events: of a run, those of each station in order of time.
+        events: of a run, for each station in order of time.
         cycle_time: of the run [s]; of several stations together the sum of theirs.
     """
     waits = [event for event in events if isinstance(event, WaitEvent | AwaitEvent)]

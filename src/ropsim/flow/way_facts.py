@@ -1,4 +1,4 @@
-"""Collision facts of a run: contacts, the least distance, and what was not checked."""
+"""Collision facts of a run: contacts, the least distance, and omitted checks."""
 
 from ropsim.core import frozen_dataclass
 
@@ -36,7 +36,7 @@ class Contact:
         distance: least distance in between [m]; negative: the depth of the penetration.
         time: when that was [s].
         place: where that was, in the world frame [m], three numbers.
-        bodies: what findings call the two, such as `jaws – pallet`; a part of a supply by the name of that.
+        bodies: names of the two in findings, such as `jaws – pallet`; a part of a supply by the name of that.
         station: whose arm it was; empty for none.
         line: its source line at the beginning, from 1; 0 for none.
         visit: loop pass of that line, from 1; 0 where unknown.
@@ -70,7 +70,7 @@ class BodyPair:
 
 @frozen_dataclass
 class WayFacts:
-    """Contacts and the least distance of a run, and what was not checked.
+    """Contacts and the least distance of a run, and omitted checks.
 
     Attributes:
         clearance: least distance of the run, bodies of one robot against each other left out; null where
@@ -93,6 +93,6 @@ class WayFacts:
 
 
 def body_title(name: str) -> str:
-    """Return what a finding calls a body: a tool `left/tool:jaws` is `left/jaws`."""
+    """Return the name of a body in findings: a tool `left/tool:jaws` is `left/jaws`."""
     station, mark, tool = name.rpartition("tool:")
     return f"{station}{tool}" if mark else name

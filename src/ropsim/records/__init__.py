@@ -1,4 +1,4 @@
-"""What is kept of runs: recording files, inputs, packs, and findings as documents."""
+"""Files of runs: recording files, inputs, packs, and findings as documents."""
 
 from ropsim.records.diagnostic_json import diagnostic_document as diagnostic_document
 from ropsim.records.diagnostics import InputsError as InputsError

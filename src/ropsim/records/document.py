@@ -13,7 +13,7 @@ from ropsim.spatial import Pose, PoseError, frozen
 
 FORMAT = "ropsim-recording"
 VERSION = 4
-"""Written; `older` knows the versions before."""
+"""Written; `older` handles earlier versions."""
 
 Entry = Mapping[str, object]
 T = TypeVar("T")
@@ -33,7 +33,7 @@ class ChannelFacts:
 
 @frozen_dataclass
 class Document:
-    """What the JSON header says; see `ropsim.flow.Recording` for the meaning of the entries."""
+    """Content of the JSON header; see `ropsim.flow.Recording` for the meaning of the entries."""
 
     duration: float
     facts: RunFacts
@@ -90,7 +90,7 @@ def read_document(plain: object) -> Document:
 
 
 def _content(entry: Entry) -> RunContent:
-    """Return of what a run was made; nothing is known of those that were recorded without it."""
+    """Return the content of a run; empty for runs recorded without it."""
     lines = _mapping(entry.get("lines", {}), "lines")
     results = _mapping(entry.get("results", {}), "results")
     return RunContent(

@@ -43,7 +43,7 @@ _AGAIN = "make the recording again with `ropsim run … --record FILE`"
 
 
 def write_recording(recording: Recording, path: str | Path) -> None:
-    """Write a recording in one step; equal recordings give equal bytes.
+    """Write a recording in one step; equal recordings have equal bytes.
 
     Raises:
         RecordingFileError: X876, it holds a value that no file can keep; X877, the disk refuses.

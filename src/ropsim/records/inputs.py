@@ -1,4 +1,4 @@
-"""What a live run was given: from a recording or a file, to be given to a run again, and as text."""
+"""Interventions of a live run: read from a recording or a file, for another run, and as text."""
 
 import json
 import stat
@@ -22,7 +22,7 @@ LONGEST = 4 * 3600.0
 
 
 def inputs_of(recording: Recording) -> Interventions:
-    """Return what a run was given.
+    """Return the interventions of a run.
 
     Raises:
         InputsError: X878, a time or value in the recording is none.
@@ -43,8 +43,8 @@ def inputs_of(recording: Recording) -> Interventions:
 def with_inputs(options: "RunOptions", given: Interventions) -> "RunOptions":
     """Return options of a run that is given the same as a live run was, and lasts longer for it.
 
-    A live run waits for a key, and at a low override for a move, as long as it takes; what it was given must
-    find the program where it found it then.
+    A live run waits for a key, and at a low override for a move, as long as needed; its interventions must
+    meet the program at the same place again.
     """
     times = [*(one.time for one in given.inputs), *(one.time for one in given.overrides)]
     later = max([*times, given.stopped or 0.0])
@@ -61,14 +61,14 @@ def with_inputs(options: "RunOptions", given: Interventions) -> "RunOptions":
 
 
 def inputs_text(given: Interventions) -> bytes:
-    """Return what a run was given as a JSON list in order of time, one entry a line, for `read_inputs`."""
+    """Return the interventions of a run as a JSON list in order of time, one per line, for `read_inputs`."""
     entries = [json.dumps(entry, ensure_ascii=False) for entry in plain_from_inputs(given)]
     inside = ",\n".join(f"  {entry}" for entry in entries)
     return f"[\n{inside}\n]\n".encode() if entries else b"[]\n"
 
 
 def read_inputs(path: str | Path) -> Interventions:
-    """Return what a JSON file, or the recording (`.npz`) of a live run, gives to a run.
+    """Return the interventions of a JSON file, or of the recording (`.npz`) of a live run.
 
     Raises:
         InputsError: X878, the file cannot be read or holds something else.

@@ -1,7 +1,7 @@
 """NPZ archives that can be trusted: no pickles, bounded memory, the same bytes for the same arrays.
 
-The archives are those of `numpy.savez_compressed`, so `numpy.load` reads them. Reading is done here
-with every size checked before memory is taken, because a file may come from anywhere.
+The archives have the form of `numpy.savez_compressed`, so `numpy.load` reads them. Reading is done here with
+every size checked before memory is taken, because a file may come from anywhere.
 """
 
 import ast
@@ -44,7 +44,7 @@ _BROKEN = (
     RuntimeError,
     MemoryError,
 )
-"""What the ZIP reader of the standard library raises on damaged archives, as found by fuzzing."""
+"""Exceptions of the ZIP reader of the standard library on damaged archives, as found by fuzzing."""
 
 
 class ForeignFileError(ValueError):
@@ -119,8 +119,8 @@ def _array(archive: zipfile.ZipFile, entry: zipfile.ZipInfo) -> AnyArray:
 def _parts(content: bytes, name: str) -> tuple[tuple[int, ...], bool, np.dtype[Any], bytes]:
     """Return shape, order, type and numbers of an entry of format 1.0.
 
-    Numpy's own reader of the header mends what is damaged with a second parser, which warns and raises in
-    ways of its own.
+    Numpy's own reader of the header repairs damage with a second parser, which has other warnings and
+    exceptions.
     """
     magic = np.lib.format.magic(1, 0)
     if not content.startswith(magic) or len(content) < len(magic) + 2:

@@ -1,8 +1,8 @@
 """Recordings of older formats: their document becomes one of the present format.
 
-Version 3 told of changes of inputs only, not of the override; but for that it is the present form. Version 1
-had no placements. Versions 1 and 2 had the facts as an untyped mapping, of each event the figures
-as one, and rows for what a channel holds between changes.
+Version 3 contained changes of inputs only, not of the override; otherwise it is the present form. Version 1
+had no placements. Versions 1 and 2 had the facts as an untyped mapping, of each event the figures as one, and
+rows for values of a channel between changes.
 """
 
 from collections.abc import Mapping
@@ -20,7 +20,7 @@ UNTYPED = (WITHOUT_PLACEMENTS, 2)
 """Versions whose document has to become one of the present form."""
 
 OLDER = (*UNTYPED, 3)
-"""Versions that are read beside the present one."""
+"""Versions that are read in addition to the present one."""
 
 _STATION = "robot"
 _HELD = ("line", "move", "gripper", "payload")
@@ -34,7 +34,7 @@ Entry = Mapping[str, object]
 
 
 def upgraded(plain: Entry) -> dict[str, object]:
-    """Return the document of an older recording in the present form; what is odd in it stays odd."""
+    """Return the document of an older recording in the present form; errors in it are kept."""
     header = _mapping(plain.get("header"))
     channels = {name: _channel(name, _mapping(one)) for name, one in _mapping(plain.get("channels")).items()}
     events = [_event(_mapping(one)) for one in _list(plain.get("events"))]
@@ -59,7 +59,7 @@ def held(rows: Channel, time: Array) -> Channel:
     When a change was between two rows is not known: it counts from halfway.
 
     Args:
-        rows: the channel; one that has no row, or several columns, stays as it is.
+        rows: the channel; one that has no row, or several columns, stays unchanged.
         time: of the rows [s], shape (n,).
     """
     values = rows.values
@@ -108,7 +108,7 @@ def _channel(name: str, entry: Entry) -> dict[str, object]:
 
 
 def _event(entry: Entry) -> dict[str, object]:
-    """Return an event with its figures as fields; an origin it has where it told of a pass."""
+    """Return an event with its figures as fields; it has an origin if it has a pass."""
     data, kind, text = _mapping(entry.get("data")), entry.get("kind"), entry.get("text")
     fields = {**data, **_kept(entry, ("time", "duration", "kind"))}
     if "visit" in data:
@@ -137,7 +137,7 @@ def _event(entry: Entry) -> dict[str, object]:
 
 
 def _value(text: str) -> object:
-    """Return the value of an output, which the text of the event told; None where it is none."""
+    """Return the value of an output, from the text of the event; None if it is no value."""
     if text in _WORDS:
         return _WORDS[text]
     for kind in (int, float):

@@ -22,15 +22,15 @@ EFFORT = 5
 def pack_bytes(
     cell: Cell, recording: Recording, summary: "Summary", findings: Iterable[Diagnostic] = ()
 ) -> bytes:
-    """Return the pack of a run; equal recordings give equal bytes.
+    """Return the pack of a run; equal recordings have equal bytes.
 
     docs/reference/pack.md describes the content.
 
     Args:
         cell: in which the run took place.
-        recording: as it was simulated.
+        recording: the recording.
         summary: of the recording and these findings.
-        findings: of compiling, listed before those of the run.
+        findings: of compiling, listed before findings of the run.
     """
     from ropsim.views import pack
 
@@ -38,5 +38,5 @@ def pack_bytes(
     text = json.dumps(
         numeric(made.header), allow_nan=False, ensure_ascii=False, separators=(",", ":")
     ).encode("utf-8", "replace")
-    # No time stamp, so that equal runs give equal bytes.
+    # No time stamp, so that equal runs have equal bytes.
     return gzip.compress(MAGIC + struct.pack("<I", len(text)) + text + made.body, EFFORT, mtime=0)

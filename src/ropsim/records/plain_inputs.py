@@ -1,4 +1,4 @@
-"""What somebody gave to a run as plain values, as files of inputs hold it, and back."""
+"""Interventions in a run as plain values of input files, and back."""
 
 import math
 from collections.abc import Mapping
@@ -16,7 +16,7 @@ _FORM = (
 
 
 def plain_from_inputs(given: Interventions) -> list[Mapping[str, object]]:
-    """Return what was given as plain values, in order of time; `inputs_from_plain` takes them."""
+    """Return interventions as plain values, in order of time; `inputs_from_plain` takes them."""
     entries: list[tuple[float, Mapping[str, object]]] = [
         *((one.time, {"signal": one.signal, "time": one.time, "value": one.value}) for one in given.inputs),
         *((one.time, {"override": one.value, "time": one.time}) for one in given.overrides),
@@ -27,7 +27,7 @@ def plain_from_inputs(given: Interventions) -> list[Mapping[str, object]]:
 
 
 def inputs_from_plain(plain: object, source: str) -> Interventions:
-    """Return what plain values describe.
+    """Return the interventions of plain values.
 
     Args:
         plain: list of mappings: of `signal`, `time` [s] and `value`; of `override`, 0 to 1, and `time`; once
@@ -75,13 +75,13 @@ def share(value: float, source: str) -> float:
 
 
 def unreadable(source: str, reason: str) -> InputsError:
-    """Return the error that what is from a source cannot be read."""
+    """Return the error for unreadable interventions of a source."""
     hint = "record the inputs again, or correct the file; docs/reference/recording.md tells its form"
     return InputsError(INPUTS_UNREADABLE.at(None, f"inputs from `{source}`: {reason}", hint=hint))
 
 
 def _entry(entry: object, source: str) -> InputChange | OverrideChange | float:
-    """Return what an entry says; a stop by its time."""
+    """Return the intervention of an entry; a stop by its time."""
     if not isinstance(entry, dict):
         raise unreadable(source, f"found a `{type(entry).__name__}`, needed is {_FORM}")
     kinds = [key for key in ("signal", "override", "stop") if key in entry]

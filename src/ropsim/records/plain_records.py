@@ -1,7 +1,7 @@
 """Typed records as plain values for strict JSON, and back: the types of their fields are the only rule.
 
-A record becomes a mapping of its fields, a tuple a list, an enum its value. Reading is strict: what is
-missing and has no default, or is of another type, is named. Unknown entries are passed over.
+A record becomes a mapping of its fields, a tuple a list, an enum its value. Reading is strict: entries that
+are missing without a default, or of another type, are named. Unknown entries are passed over.
 """
 
 from collections.abc import Callable, Mapping
@@ -22,7 +22,7 @@ class DocumentError(ValueError):
 
 @frozen_dataclass
 class _Form:
-    """How values of one type are written and read; `read` is given the name of the entry, too."""
+    """How values of one type are written and read; `read` also takes the name of the entry."""
 
     write: Callable[[Any], object]
     read: Callable[[object, str], Any]
@@ -70,7 +70,7 @@ def _field_forms(kind: type[Any]) -> Mapping[str, tuple["Field[Any]", _Form]]:
     return _known[kind]
 
 
-def _form(hint: Any) -> _Form:  # noqa: ANN401 - a type or what stands for one, such as `int | None`
+def _form(hint: Any) -> _Form:  # noqa: ANN401 - a type or type expression, such as `int | None`
     """Return the form of the values of a type."""
     if hint in _SCALARS:
         return _SCALARS[hint]

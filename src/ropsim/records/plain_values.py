@@ -1,4 +1,4 @@
-"""Plain values for JSON: what a mapping of figures becomes, numbers that are not finite included.
+"""Plain values for JSON: mappings of figures, including numbers that are not finite.
 
 JSON has no NaN and no infinity. For people and other programs they become the texts `NaN`,
 `Infinity` and `-Infinity`; in files that ropsim reads again, the mapping `{"$number": "NaN"}`.
@@ -44,7 +44,7 @@ def tagged(value: object) -> object:
     Sequences and arrays become lists.
 
     Raises:
-        NotPlainError: the value, or one inside it, has no such form.
+        NotPlainError: the value, or one inside it, has no plain form.
     """
     return _plain(value, (), _TAGGED)
 

@@ -1,4 +1,4 @@
-"""A device at work: it looks at its signals, moves, carries parts and tells by its inputs where it is."""
+"""A device at work: it reads its signals, moves, carries parts and reports its position by inputs."""
 
 import math
 from bisect import bisect_right

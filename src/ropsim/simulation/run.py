@@ -1,7 +1,7 @@
 """The programs of a cell: interpreters, controllers, drives, arms and parts against one clock.
 
-`run` is the main loop: whoever is least far works on, at one time in the order of the names. A station
-carries out its program; within it the parts work as in the generic controller's block diagram: the
+`run` is the main loop: the station that is least far continues, at equal times in the order of the names. A
+station executes its program; within it the parts work as in the generic controller's block diagram: the
 interpreter hands over instructions, the slow side of the controller turns a move into joint references, the
 plant follows them.
 """
@@ -25,8 +25,8 @@ from ropsim.simulation.waiting.endless_waits import are_endless, end_waits
 def run(cell: Cell, programs: Mapping[str, Program], options: RunOptions) -> Recording:
     """Run verified programs in a cell and return the recording with all findings.
 
-    A move that cannot be made becomes a finding on its source line and is skipped; the program goes on,
-    so that one run shows every such line.
+    A move that cannot be made becomes a finding on its source line and is skipped; the program goes on, so
+    that one run shows all these lines.
 
     Args:
         cell: static model.

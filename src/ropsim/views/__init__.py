@@ -1,4 +1,4 @@
-"""What people see of a run: summary, terminal report, HTML report, diagnostics as text."""
+"""Output of a run for users: summary, terminal report, HTML report, diagnostics as text."""
 
 from ropsim.views.comparison import Alternative as Alternative
 from ropsim.views.comparison import Comparison as Comparison

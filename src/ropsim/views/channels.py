@@ -1,4 +1,4 @@
-"""Safe reading of channels, station by station: what is absent, misshapen or not finite reads as NaN."""
+"""Safe reading of channels, station by station: absent, misshapen or infinite values read as NaN."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""A run beside what it would be with changes: table for a terminal and for the HTML report."""
+"""A run compared with runs with changes: table for a terminal and for the HTML report."""
 
 import math
 
@@ -14,13 +14,13 @@ _SHOWN_CODES = 3
 
 @frozen_dataclass
 class Alternative:
-    """What a run would be with one change.
+    """Result of a run with one change.
 
     Attributes:
         change: as people write it.
         cycle_time: with it [s].
         valid: whether the whole program was carried out, so that the cycle time is that of the program.
-        findings: that the run as it is does not have, each once.
+        findings: not in the unchanged run, each once.
     """
 
     change: str
@@ -31,11 +31,11 @@ class Alternative:
 
 @frozen_dataclass
 class Comparison:
-    """A run beside others with a change each.
+    """A run compared with others with one change each.
 
     Attributes:
-        cycle_time: of the run as it is [s].
-        alternatives: in the order in which they were asked for.
+        cycle_time: of the unchanged run [s].
+        alternatives: in the order of the requests.
         notes: why others were not tried.
     """
 
@@ -97,7 +97,7 @@ def comparison_section(comparison: Comparison | None) -> str:
 
 
 def _figures(comparison: Comparison, one: Alternative) -> tuple[str, str, str]:
-    """Return time, difference and its share of the time as it is."""
+    """Return time, difference and its share of the unchanged time."""
     difference = comparison.difference(one)
     if not math.isfinite(difference):
         return seconds(one.cycle_time), "not valid", UNKNOWN

@@ -12,7 +12,7 @@ from ropsim.views.words.figures import seconds
 COLUMNS = 80
 INDENT = 13
 MOST = 100
-"""So many contacts are listed in a report."""
+"""Maximum number of contacts listed in a report."""
 NOTHING = "no body with a known shape is beside the robot"
 UNSEEN = "no shape is known of"
 MET = "not checked, in each other at the start or drawn so"
@@ -103,7 +103,7 @@ def _when(near: Clearance, facts: RunFacts) -> Iterator[str]:
 
 
 def _unchecked(ways: WayFacts) -> Iterator[str]:
-    """Yield sentences without their stops on what was not checked."""
+    """Yield sentences without their stops on omitted checks."""
     if ways.unseen:
         yield f"{UNSEEN} {', '.join(ways.unseen)}"
     if ways.met:

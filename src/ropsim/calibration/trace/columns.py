@@ -1,4 +1,4 @@
-"""Which column of a trace holds what, in which unit."""
+"""Columns of a trace: quantity and unit."""
 
 import math
 import re
@@ -52,7 +52,7 @@ def columns_of(titles: Sequence[str], joints: Sequence[Joint], name: str, line: 
     found = [number for number in named if number is not None]
     if len(found) < len(joints):
         found = [number for number in range(len(titles)) if number != time]
-    else:  # columns of more axes tell of another robot, all others do no harm
+    else:  # columns of more axes belong to another robot, others do no harm
         found += [k for k, word in enumerate(words) if _AXIS.fullmatch(word) and k not in found]
     if len(found) != len(joints) or len(set(found)) != len(found):
         raise wrong_count(len(found), joints, name, line)

@@ -11,9 +11,9 @@ from ropsim.spatial import Array
 
 _NEAR_TURN, _NEAR_SLIDE = 0.02, 0.01  # [rad], [m]
 _FAR_REST = 0.05
-"""What a stop of the trace costs that is none of the program, of the worth of a stop that fits."""
+"""Cost of a stop in the trace only, relative to the worth of a matching stop."""
 _ABSENT = 0.3
-"""What a stop of the program costs that is not in the trace."""
+"""Cost of a stop in the program only."""
 _ROUNDING = 1e-9
 """Difference of two scores that is none."""
 _MOST_CELLS = 30_000_000

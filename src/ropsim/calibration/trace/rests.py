@@ -12,7 +12,7 @@ SMOOTHING = 0.016
 _VALLEY = 8.0
 """How many times faster the robot is before and behind a stop than in it."""
 _NOISE = 3.0
-"""Speeds up to so many times that of the noise are none."""
+"""Speeds up to this multiple of the noise count as zero."""
 _LOUDEST = 1e-3
 """Largest speed of the noise of an axis, as a share of the speed that counts as its largest."""
 _LEAST_SPEED = 1e-4
@@ -50,8 +50,8 @@ def rests_of(trace: Trace) -> Rests:
 
     The speed is that of the axis that is nearest to its own largest one. A valley is a stop where the robot
     is much faster before and behind it, so that stops of a single sample are found between quick moves, and
-    slow moves between long ones. A robot that only slows down gives a stop too many; where the program
-    stands tells them apart.
+    slow moves between long ones. A robot that only slows down causes an additional stop; comparison with the
+    program removes it.
 
     Args:
         trace: of n axes.

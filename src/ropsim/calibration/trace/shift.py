@@ -1,4 +1,4 @@
-"""A trace whose joints count from other zeros: by how much it stands beside the program at its stops."""
+"""A trace whose joints count from other zeros: its offset from the program at the stops."""
 
 from collections.abc import Sequence
 
@@ -10,15 +10,15 @@ from ropsim.model import Joint, JointType
 from ropsim.spatial import Array
 
 _FAR_TURN, _FAR_SLIDE = 0.35, 0.2
-"""Largest shift of a joint that is looked for: 20° [rad], [m]."""
+"""Largest shift of a joint that is searched: 20° [rad], [m]."""
 _FEWEST = 4
 """Different places of the program that have to fit: few fit others by chance."""
 _SHARE = 0.6
 """Share of the different places of the program that have to fit."""
 _FINE = 0.25
-"""Share of what is near to a stop within which places have to fit a shift: it is the same everywhere."""
+"""Share of the nearness tolerance within which stops must agree with one common shift."""
 _MOST_PLACES, _MOST_RESTS = 100, 200
-"""Different places and stops of the trace that are looked at, at most, the first ones of each."""
+"""Different places and stops of the trace that are evaluated at most, the first ones of each."""
 _TRIED = 4
 """Places of the program that are laid on stops of the trace."""
 _SAME = 1e-6
@@ -26,7 +26,7 @@ _SAME = 1e-6
 
 
 def shift_of(rests: Rests, ends: Array, joints: Sequence[Joint]) -> Array | None:
-    """Return by how much the trace stands beside the program, the same everywhere; None where it does not.
+    """Return the common offset of the trace from the program; None if there is none.
 
     A few places of the program are laid on each stop of the trace that is not too far away, and the shift is
     taken with which most places of the program have a stop of the trace (a consensus after Fischler and

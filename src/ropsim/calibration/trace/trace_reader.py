@@ -21,14 +21,14 @@ _MOST_MISSING = 0.1
 _SLOWEST, _QUICKEST = 20.0, 2000.0  # [1/s]
 _MOST = 1e4  # [rad | m]
 _UNBELIEVABLE = 1e15
-"""Numbers beyond this, and those that are none, count as missing."""
+"""Numbers beyond this, and NaN, count as missing."""
 _ABSENT = frozenset({"", "-", "nan", "na", "n/a", "null", "none", "inf", "-inf", "+inf"})
 
 
 def read_trace(
     content: bytes, joints: Sequence[Joint], name: str
 ) -> tuple[Trace | None, tuple[Diagnostic, ...]]:
-    """Return the trace that a table holds, and what was found in it.
+    """Return the trace in a table, and the findings.
 
     Args:
         content: of the file; any bytes are allowed.

@@ -1,4 +1,4 @@
-"""Zeros of joints: whether an axis stands beside the program by the same amount at all stops."""
+"""Zeros of joints: whether an axis has the same offset from the program at all stops."""
 
 import math
 from collections.abc import Sequence
@@ -13,7 +13,7 @@ from ropsim.model import Joint, JointType
 from ropsim.spatial import Array
 
 _LEAST_TURN, _LEAST_SLIDE = math.radians(0.1), 1e-3
-"""Amount from which on it is told [rad], [m]: encoders and tools always differ a little."""
+"""Amount from which an offset is reported [rad], [m]: encoders and tools always differ a little."""
 _NOISE = 6.0
 """The same in steps of the encoders."""
 _ALIKE = 0.25

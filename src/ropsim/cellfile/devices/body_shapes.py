@@ -1,4 +1,4 @@
-"""What the moving body of a device or of a station of one axis looks like: `size`, `diameter` or `shapes`."""
+"""Shapes of the moving body of a device or of a station of one axis: `size`, `diameter` or `shapes`."""
 
 from ropsim.model import Box, Cylinder, Shape
 from ropsim.spatial import Pose, frozen
@@ -8,7 +8,7 @@ _SMALL = 0.05  # [m], stands in while a wrong size is being reported
 
 
 def read_body_shapes(table: TomlTable, units: Units) -> tuple[Shape, ...]:
-    """Return what the moving body looks like: `shapes`, or a block or disc whose top is at its frame."""
+    """Return the shapes of the moving body: `shapes`, or a block or disc whose top is at its frame."""
     look = read_look(table, Look())
     given = [key for key in ("size", "diameter", "shapes") if key in table]
     if len(given) > 1:

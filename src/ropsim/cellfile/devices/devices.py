@@ -1,4 +1,4 @@
-"""The devices of a cell file: `[devices.NAME]`, what moves beside the robots."""
+"""The devices of a cell file: `[devices.NAME]`, moving devices other than robots."""
 
 from collections.abc import Mapping
 

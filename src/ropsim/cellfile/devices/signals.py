@@ -13,7 +13,7 @@ _TRAVEL = 0.01  # [m]
 
 
 def read_sensor(table: TomlTable, stations: Mapping[str, object], units: Units) -> Sensor | None:
-    """Return what measures a signal; None where its kind is missing or unknown, which is noted.
+    """Return the sensor of a signal; None if its kind is missing or unknown (noted).
 
     Args:
         table: `sensor` of the signal.
@@ -40,7 +40,7 @@ def _force(table: TomlTable, station: str, units: Units) -> Sensor:
 
 
 KINDS: dict[str, Callable[[TomlTable, str, Units], Sensor]] = {"distance": _distance, "force": _force}
-"""Word of the file -> what reads the rest of its table."""
+"""Word of the file -> reader of the rest of its table."""
 
 
 _SWITCH = Quantity("", 1.0, 0.0, 1.0)

@@ -10,16 +10,16 @@ from ropsim.spatial import Array, Pose
 from ropsim.tomltext import CONFLICTING_KEYS, WRONG_VALUE_COUNT, TomlTable, Units, read_pose
 
 DISTANCE, TURN = 0.005, 0.08726646259971647
-"""What counts as there where the file says nothing: 5 mm, 5°."""
+"""Default tolerance of a destination: 5 mm, 5°."""
 
 
 @frozen_dataclass
 class Surroundings:
-    """What readers of parts need to know of the rest of the file.
+    """Data of the rest of the file for readers of parts.
 
     Attributes:
         units: of the file.
-        locations: X_WT by name; of those in a frame that moves X_KT.
+        locations: X_WT by name; of locations in a moving frame X_KT.
         located: names of the frames that move in which locations are given, by the name of the location.
     """
 
@@ -31,11 +31,11 @@ class Surroundings:
 def read_destinations(
     table: TomlTable, around: Surroundings, shifts: Sequence[Array]
 ) -> Sequence[Destination | None]:
-    """Return the destination of each of the parts that a table makes; None for each where it gives none.
+    """Return the destination of each of the parts that a table makes; None for each without one.
 
     Args:
         table: of `[[parts]]` or `[[supplies]]`.
-        around: what the rest of the file says.
+        around: data of the rest of the file.
         shifts: by how much each part is away from the first [m], shape (3,) each; so are their destinations
             where these have no grid of their own.
     """

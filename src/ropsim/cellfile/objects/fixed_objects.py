@@ -22,7 +22,7 @@ def read_objects(
     Args:
         tables: `[[objects]]`.
         taken: who has them, for names that no object may have.
-        mounts: on what else objects can hang: body, and the frame in it, by name.
+        mounts: further mounts of objects: body, and the frame in it, by name.
         units: of the file.
     """
     parents = dict.fromkeys((*(str(table.values.get("name", "")) for table in tables), *mounts))
@@ -58,7 +58,7 @@ def _object(
 def _without_rings(
     objects: tuple[FixedObject, ...], tables: tuple[TomlTable, ...]
 ) -> tuple[FixedObject, ...]:
-    """Return the objects, those that hang on themselves in the end noted and put into the world."""
+    """Return the objects, with cyclic mounts noted and put into the world."""
     parents = {thing.name: thing.parent for thing in objects}
     ringed = _ringed(parents)
     kept = []

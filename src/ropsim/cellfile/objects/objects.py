@@ -50,7 +50,7 @@ def read_parts(
         parts: the tables `[[parts]]`.
         supplies: the tables `[[supplies]]`.
         taken: who has them, for names that no part may have.
-        around: what the rest of the file says.
+        around: data of the rest of the file.
     """
     groups = (
         *(PartGroup(table, tuple(_parts_of(table, around))) for table in parts),
@@ -144,7 +144,7 @@ def report_doubles(
 
     Args:
         findings: get the notes.
-        named: names with the tables that give them.
+        named: names with their tables.
         taken: who has them, for names that are in use elsewhere.
     """
     seen: dict[str, TomlTable] = {}

@@ -27,7 +27,7 @@ def note_standings(cell: Cell, groups: Iterable[PartGroup]) -> None:
     things = {
         *(one.name for one in cell.objects),
         *(one.name for one in cell.parts),
-    }  # a pin may stand in what holds it
+    }  # a pin may stand inside its support
     for group in groups:
         there = [(part.name, found[part.name]) for part in group.parts if part.name in found]
         _note_in_the_air(group.table, [name for name, one in there if one.on is None], cell.supports)

@@ -46,7 +46,7 @@ def written_limits(text: SourceText, axes: Sequence[JointType], limits: Limits) 
 
 
 def with_limits(text: SourceText, station: str, values: Mapping[str, str]) -> SourceText:
-    """Return a valid cell file whose controller of a station has limits, all else as it was.
+    """Return a valid cell file whose controller of a station has limits, otherwise unchanged.
 
     Args:
         text: the file.

@@ -1,4 +1,4 @@
-"""The external axes of a station in a cell file: the `track` of its arm, and a `positioner` beside it."""
+"""The external axes of a station in a cell file: the `track` of its arm, and a `positioner` next to it."""
 
 from dataclasses import replace
 
@@ -18,12 +18,12 @@ _RISE = 10.0  # [1/s], greatest jerk over greatest acceleration, as in the libra
 
 @record
 class ExternalAxes:
-    """What a station moves beside its arm.
+    """Axes that a station moves in addition to its arm.
 
     Attributes:
         track: carries the arm; None for an arm that stands still.
         X_LB: base of the arm in the frame of its carriage.
-        positioner: stands beside the arm; None for none.
+        positioner: stands next to the arm; None for none.
         X_WP: its base frame in the world frame.
     """
 
@@ -36,7 +36,7 @@ class ExternalAxes:
         """Return an arm with its external axes behind its own: first the track, then the positioner.
 
         Args:
-            arm: by itself.
+            arm: the arm alone.
             X_WB: base frame of the whole, the foot of the track where there is one, in the world frame.
         """
         robot = arm if self.track is None else on_track(arm, self.track, self.X_LB)
@@ -95,7 +95,7 @@ def _gantry(table: TomlTable, units: Units) -> Mechanism:
 
 
 def _limited(mechanism: Mechanism, table: TomlTable, units: Units) -> Mechanism:
-    """Return a mechanism with the speed and acceleration that the file gives for all its axes."""
+    """Return a mechanism with the speed and acceleration of the file for all its axes."""
     axes = mechanism.axis_joints
     if "speed" in table:
         speed = table.number("speed", units.rate(axes[0].type, 1), axes[0].max_speed)

@@ -1,4 +1,4 @@
-"""The robot of a cell file: model, start and what the file changes in its controller."""
+"""The robot of a cell file: model, start and changes of its controller."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -40,7 +40,7 @@ _ROUNDING = 1e-9  # [rad | m], start written with decimals may touch a limit
 
 @record
 class RobotSection:
-    """What `[robot]` and `[controller]` say.
+    """Contents of `[robot]` and `[controller]`.
 
     Attributes:
         model: the arm, with the external axes of its station.
@@ -58,8 +58,8 @@ def read_robot(
 ) -> RobotSection | None:
     """Return the robot of a section under the controller that its settings change.
 
-    Keys that other readers ask for (`base`, `tool`) must have been asked for before; both sections are
-    finished here. Returns None where there is no robot.
+    Keys of other readers (`base`, `tool`) must have been read before; both sections are finished here.
+    Returns None where there is no robot.
 
     Args:
         table: section `[robot]` or `[stations.NAME]`.
@@ -205,7 +205,7 @@ def _controller(
 
 
 def _limited(table: TomlTable, model: RobotModel, units: Units) -> RobotModel:
-    """Return the model with the limits of the joints that the settings give; the standard gains stay."""
+    """Return the model with joint limits from the settings; the standard gains stay."""
     known = (model.max_speeds, model.max_accelerations, model.max_jerks)
     limits = [
         _per_joint(table, key, [units.rate(joint.measure, order) for joint in model.axis_joints], own, model)
@@ -219,7 +219,7 @@ def _limited(table: TomlTable, model: RobotModel, units: Units) -> RobotModel:
 
 
 def _with_given(origin: ParameterOrigin, given: Sequence[str]) -> ParameterOrigin:
-    """Return the origin of the gains, saying which of them the cell file gives."""
+    """Return the origin of the gains, naming those from the cell file."""
     if not given:
         return origin
     return replace(origin, source=f"{', '.join(given)} as in the cell file; the others {origin.source}")

@@ -33,7 +33,7 @@ def robot_files(text: SourceText | None) -> tuple[str, ...]:
 
 @frozen_dataclass
 class RobotLibrary:
-    """Robots that a cell file can name, beside the built-in ones.
+    """Robots that a cell file can name, in addition to the built-in ones.
 
     Attributes:
         files: robots of the project by the paths of their files.
@@ -58,7 +58,7 @@ class RobotLibrary:
             return None
 
     def placed_findings(self) -> tuple[Diagnostic, ...]:
-        """Return what was found in the files, at places in them."""
+        """Return the findings in the files, at places in them."""
         return tuple(one for read in self.files.values() for one in read.findings if one.span is not None)
 
     def _note_unplaced(self, table: TomlTable, key: str) -> None:

@@ -90,7 +90,7 @@ def _one_axis(table: TomlTable, settings: TomlTable, X_WB: Pose, units: Units) -
 
 
 def _tools(table: TomlTable, tool: str, tools: Mapping[str, Tool]) -> dict[str, Tool]:
-    """Return the tools of a station: those of the key `tools`, else the one it begins with."""
+    """Return the tools of a station: from the key `tools`, else its initial tool."""
     table.ask("tools", Question(Sort.TEXTS, names="tool"))
     if "tools" not in table:
         return {tool: tools[tool]} if tool else {}

@@ -1,4 +1,4 @@
-"""Drives as chains of blocks: what each block adds to the equations of an arm, as traced formulas."""
+"""Drives as chains of blocks: contributions of each block to the equations of an arm, as traced formulas."""
 
 from ropsim.dynamics.drives.block import Carried as Carried
 from ropsim.dynamics.drives.block import Column as Column

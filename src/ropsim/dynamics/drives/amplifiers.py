@@ -1,4 +1,4 @@
-"""Amplifiers: they clip what the joint controller puts out; one of them looks at its motor, too."""
+"""Amplifiers: they clip the output of the joint controller; one of them also reads its motor."""
 
 from collections.abc import Callable
 
@@ -17,9 +17,9 @@ def _within(p: Numbers, output: Scalar, keeping: Callable[[Scalar], Scalar]) -> 
 
     L·di/dt = u' - R·i - Ke·ω <= R·(i_max - i): the distance from the limit shrinks by its own rate R/L at the
     fastest, so that a current within ±i_max stays there, however the motor is turned. The classical
-    Runge-Kutta method keeps to that, too, with steps h of which h·R/L <= 1.29: there 1 - z + z²/2 - z³/4, the
-    least of the weights with which it adds up what u' stays below its bound, is not negative.
-    Where the back-EMF is so high that the largest voltage does not reach the band, that voltage is all.
+    Runge-Kutta method also keeps to that with steps h of which h·R/L <= 1.29: there 1 - z + z²/2 - z³/4, the
+    least of the weights of the amounts by which u' stays below its bound, is not negative. Where the back-EMF
+    is so high that the largest voltage does not reach the band, that voltage is all.
     """
     voltage, current = p
     held = minimum(maximum(output, keeping(-current)), keeping(current))

@@ -1,4 +1,4 @@
-"""What a block of a drive tells about itself: numbers, states, formulas, log columns, limits.
+"""Description of a block of a drive: numbers, states, formulas, log columns, limits.
 
 A block is static: it holds functions, not numbers. The numbers of one drive are attributes of its record in
 `model`; formulas read them as traced scalars, in the order in which the block names them.
@@ -22,7 +22,7 @@ class Column(NamedTuple):
     Attributes:
         name: of the channel.
         unit: SI unit; `{q}` stands for that of the joint coordinate, `{tau}` for that of its effort.
-        text: what it is.
+        text: description.
         least: below this the quantity cannot be; a model that has it there says too much.
     """
 
@@ -44,7 +44,7 @@ class Limit(NamedTuple):
 
     Attributes:
         column: name of the recorded quantity that it is about, such as `current`.
-        sort: what breaks it.
+        sort: condition that violates it.
         number: attribute of the amplifier that holds the largest magnitude.
         near: share of that magnitude from which on a lasting value counts as one at its limit.
     """
@@ -56,7 +56,7 @@ class Limit(NamedTuple):
 
 
 class Torque(NamedTuple):
-    """What a motor does: torque at its shaft and the rates of its states."""
+    """Effect of a motor: torque at its shaft and the rates of its states."""
 
     torque: Scalar
     rates: tuple[Scalar, ...]
@@ -75,14 +75,14 @@ class Movement(NamedTuple):
 
 
 class Turning(NamedTuple):
-    """A motor at its amplifier: what it is given now, and what it does with that."""
+    """A motor at its amplifier: its present input, and its effect."""
 
     given: Scalar
     does: Torque
 
 
 class Steady(NamedTuple):
-    """A block in a steady state: its states and what it needs from the block before it."""
+    """A block in a steady state: its states and the required output of the block before it."""
 
     states: tuple[float, ...]
     needs: float
@@ -93,15 +93,15 @@ class AmplifierBlock:
     """An amplifier.
 
     Attributes:
-        kind: of what it takes and puts out.
+        kind: kind of its input and output.
         numbers: attributes of its record that the formulas take, the largest magnitude of its output first.
         positive: attributes that must be positive.
         output: how its output is recorded.
         trace: `(numbers, command)` to the output, which holds until the next control tick.
         limits: that its record holds.
-        within: `(numbers, output, keeping)` to what the motor is given at any instant of the tick, where
-            `keeping(value)` is what would keep the first state of the motor at a value; None where the output
-            holds whatever the motor does.
+        within: `(numbers, output, keeping)` to the input of the motor at any instant of the tick, where
+            `keeping(value)` is the input that would keep the first state of the motor at a value; None if the
+            output does not depend on the motor.
     """
 
     kind: InputKind
@@ -118,18 +118,18 @@ class MotorBlock:
     """A motor.
 
     Attributes:
-        takes: what its amplifier has to put out.
+        takes: required output of its amplifier.
         numbers: attributes of its record that the formulas take.
-        positive: those of them that must be positive.
-        states: what it remembers.
+        positive: numbers that must be positive.
+        states: its states.
         trace: `(numbers, states, input, movement of the shaft)` to torque and rates.
         inertia: `numbers` to the rotor inertia.
         steady: `(record, torque, shaft speed)` to the states, and the input, that go on giving the torque.
         pole: `record` to the rate at which its torque follows its input [rad/s].
         keeping: `(numbers, value, shaft speed)` to the input that would keep its first state at a value; None
-            for a motor without states, or one whose amplifier does not look at it.
-        most: `record` to the largest torque that it can give at standstill, whatever it is given; None where
-            its amplifier alone sets that.
+            for a motor without states, or one whose amplifier does not read it.
+        most: `record` to the largest torque at standstill for any input; None if the amplifier alone limits
+            it.
     """
 
     takes: InputKind
@@ -145,12 +145,12 @@ class MotorBlock:
 
 
 class Shaft(NamedTuple):
-    """What a transmission lies between.
+    """The two sides of a transmission.
 
     Attributes:
         q: joint coordinate.
         qd: joint speed.
-        motor: movement of the shaft to what the motor is given and does.
+        motor: maps the movement of the shaft to the input and effect of the motor.
         inertia: of the rotor.
         friction: ratio G and speed seen at the joint, to the torque at the joint that friction takes.
     """
@@ -163,15 +163,16 @@ class Shaft(NamedTuple):
 
 
 class Carried(NamedTuple):
-    """What a transmission brings to the joint.
+    """Effect of a transmission on the joint.
 
     Attributes:
         effort: torque or force of the drive at the joint, before friction that acts there.
-        friction: torque or force that friction takes at the joint, and with it what the mass of a motor takes
-            as its ratio changes; None where it acts on the motor alone.
-        inertia: that the joint feels in addition to its links; None where the motor moves by itself.
+        friction: torque or force that friction takes at the joint, including the inertial force of the motor
+            due to its changing ratio; None where it acts on the motor alone.
+        inertia: reflected inertia at the joint in addition to its links; None if the motor moves
+            independently.
         rates: of the states of the motor, then of the transmission.
-        given: what the motor is given by its amplifier, in its own sense.
+        given: input of the motor from its amplifier, in the sense of the motor.
     """
 
     effort: Scalar
@@ -187,9 +188,9 @@ class TransmissionBlock:
 
     Attributes:
         numbers: attributes of its record that the formula takes.
-        positive: those of them that must be positive.
-        states: what it remembers.
-        trace: `(numbers, states, shaft)` to what it brings to the joint.
+        positive: numbers that must be positive.
+        states: its states.
+        trace: `(numbers, states, shaft)` to its effect on the joint.
         rest: `(record, joint coordinate, effort)` to its states, and the motor torque, at standstill.
     """
 

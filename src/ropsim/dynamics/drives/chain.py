@@ -24,7 +24,7 @@ class DriveChain:
 
     Attributes:
         amplifier: takes the command of the joint controller.
-        motor: takes what the amplifier puts out.
+        motor: takes the output of the amplifier.
         transmission: brings the torque of the motor to the joint.
     """
 
@@ -52,24 +52,24 @@ class DriveChain:
         )
 
     def amplified(self, p: Numbers, command: Scalar) -> Scalar:
-        """Return what the amplifier puts out, in the sense of the motor.
+        """Return the output of the amplifier, in the sense of the motor.
 
         Args:
             p: numbers of the drive.
-            command: of the joint controller; positive drives the joint forward, whatever the sign of G.
+            command: of the joint controller; positive drives the joint forward, for any sign of G.
         """
         amplifier, _, gear, _ = self._parts(p)
         return self.amplifier.trace(amplifier, command) * (gear[0] / abs(gear[0]))
 
     def trace(self, p: Numbers, q: Scalar, qd: Scalar, states: Numbers, u: Scalar) -> Carried:
-        """Return what the drive brings to its joint.
+        """Return the effect of the drive on its joint.
 
         Args:
             p: numbers of the drive.
             q: joint coordinate.
             qd: joint speed.
             states: of motor and transmission.
-            u: what the amplifier puts out, unless it looks at its motor.
+            u: output of the amplifier, unless it reads its motor.
         """
         _, motor, gear, friction = self._parts(p)
         own = len(self.motor.states)
@@ -85,7 +85,7 @@ class DriveChain:
         return self.transmission.trace(gear, states[own:], shaft)
 
     def _given(self, p: Numbers, u: Scalar, speed: Scalar) -> Scalar:
-        """Return what the motor is given at an instant at which its shaft has a speed."""
+        """Return the input of the motor at a speed of its shaft."""
         within, keeping = self.amplifier.within, self.motor.keeping
         if within is None or keeping is None:
             return u

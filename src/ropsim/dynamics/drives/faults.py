@@ -1,4 +1,4 @@
-"""What makes a drive impossible."""
+"""Faults that make a drive impossible."""
 
 from math import inf, isfinite
 
@@ -14,14 +14,14 @@ from ropsim.model import (
 )
 
 Fault = tuple[str, str]
-"""What of a drive is impossible, and why."""
+"""Impossible value of a drive, and the reason."""
 
 _OPEN = frozenset({"max_effort", "max_current"})
 """Limits that may be infinite."""
 
 
 def drive_fault(drive: Drive) -> Fault | None:
-    """Return what of a drive is impossible and why, None for a drive that can exist.
+    """Return the impossible value of a drive and the reason, None for a valid drive.
 
     Args:
         drive: the drive.

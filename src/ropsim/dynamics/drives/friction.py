@@ -12,9 +12,9 @@ def trace_friction(p: Numbers, ratio: Scalar, qd: Scalar) -> Scalar:
 
     It is B·G²·q̇ + |G|·Tc·tanh(q̇/v_s), where Tc is the Coulomb torque of the direction of motion, taken as a
     magnitude; friction itself acts on the joint with the opposite sign. Near standstill tanh takes the place
-    of the jump, so that the equations can be integrated with a fixed step. P. I. Corke,
-    B. Armstrong-Hélouvry: A search for consensus among model parameters reported for the PUMA 560 robot,
-    ICRA 1994, give both directions.
+    of the jump, so that the equations can be integrated with a fixed step. P. I. Corke, B.
+    Armstrong-Hélouvry: A search for consensus among model parameters reported for the PUMA 560 robot, ICRA
+    1994, have both directions.
 
     Args:
         p: numbers of the friction.

@@ -16,7 +16,7 @@ from ropsim.dynamics.drives.servo_valve import (
 from ropsim.model import HydraulicCylinder, InputKind
 
 _ROUNDS = 60
-"""Enough for leaks that are small beside what the piston sweeps."""
+"""Enough for leaks that are small compared with the flow of the piston."""
 
 
 def _trace(p: Numbers, states: Numbers, current: Scalar, rod: Movement) -> Torque:
@@ -58,7 +58,7 @@ def _steady(cylinder: HydraulicCylinder, force: float, speed: float) -> Steady:
 def _pressures(
     cylinder: HydraulicCylinder, force: float, share: float, ends: tuple[float, float]
 ) -> tuple[float, float]:
-    """Return the pressures of both chambers [Pa] that give a force [N].
+    """Return the pressures of both chambers [Pa] that produce a force [N].
 
     Args:
         cylinder: the cylinder.
@@ -71,7 +71,7 @@ def _pressures(
 
 
 def _most(cylinder: HydraulicCylinder) -> float:
-    """Return the force [N] with which it pushes and pulls, whichever is less."""
+    """Return the force [N] with which it pushes and pulls, the smaller of the two."""
     supply, back = cylinder.supply_pressure, cylinder.return_pressure
     push = cylinder.area_a * supply - cylinder.area_b * back
     return float(min(push, cylinder.area_b * supply - cylinder.area_a * back))

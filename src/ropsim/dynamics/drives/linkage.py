@@ -1,7 +1,7 @@
 """A cylinder between two links: its force has a lever that changes as the joint turns.
 
-The triangle of pins and axis and its derivatives: `model.Linkage`. What moves with the rod has the energy
-m·(G·q̇)²/2, so that the joint feels m·G² as inertia and m·G·G'·q̇² besides (Lagrange).
+The triangle of pins and axis and its derivatives: `model.Linkage`. Mass that moves with the rod has the
+energy m·(G·q̇)²/2, so that the joint feels m·G² as inertia and m·G·G'·q̇² besides (Lagrange).
 """
 
 from ropsim.codegen import Scalar, cos, sin, sqrt

@@ -1,4 +1,4 @@
-"""A servo valve with four edges: what flows into two chambers, and how its spool moves.
+"""A servo valve with four edges: flow into two chambers, and motion of its spool.
 
 H. E. Merritt: Hydraulic Control Systems, Wiley 1967, chapter 5.
 """
@@ -12,7 +12,7 @@ from ropsim.model import Hydraulic
 LAMINAR = 1e5
 """Below this fall of pressure [Pa] the flow through an edge goes over from its root to a straight line."""
 VACUUM = -1.01325e5
-"""Pressure over that of the air at which there is none any more [Pa]; oil gives way before."""
+"""Gauge pressure of a vacuum [Pa]; real oil cavitates before."""
 
 VALVE_NUMBERS = (
     "return_pressure",
@@ -23,7 +23,7 @@ VALVE_NUMBERS = (
     "natural_frequency",
     "damping_ratio",
 )
-"""Attributes of a hydraulic motor or cylinder that these formulas take; all but the first are positive."""
+"""Attributes of a hydraulic motor or cylinder in these formulas; all except the first are positive."""
 VALVE_STATES = (
     Column("pressure_a", "Pa", "pressure of the chamber that drives the motor forward", VACUUM),
     Column("pressure_b", "Pa", "pressure of the other chamber", VACUUM),
@@ -33,7 +33,7 @@ VALVE_STATES = (
 
 
 def trace_flows(valve: Numbers, a: Scalar, b: Scalar, opening: Scalar) -> tuple[Scalar, Scalar]:
-    """Return what flows into chamber a and into chamber b [m³/s].
+    """Return the flow into chamber a and into chamber b [m³/s].
 
     Positive openings lead the supply to chamber a and chamber b to the return.
 

@@ -1,4 +1,4 @@
-"""A drive in a steady state: what its controller has to command for an effort at the joint."""
+"""A drive in a steady state: the command of its controller for an effort at the joint."""
 
 from collections.abc import Sequence
 from math import inf
@@ -10,7 +10,7 @@ from ropsim.model import Drive
 
 
 class SteadyDrive(NamedTuple):
-    """What goes on giving an effort at a joint.
+    """Steady state of a drive with a constant effort at a joint.
 
     Attributes:
         states: of motor and transmission.
@@ -24,7 +24,7 @@ class SteadyDrive(NamedTuple):
 
 
 def steady_drive(drive: Drive, q: float, qd: float, effort: float) -> SteadyDrive:
-    """Return the drive as it gives an effort at constant speed; friction is a part of the effort.
+    """Return the drive with an effort at constant speed; friction is a part of the effort.
 
     Args:
         drive: the drive.
@@ -51,13 +51,13 @@ def command_limit(drive: Drive) -> float:
 
 
 class CommandBand(NamedTuple):
-    """The commands that an amplifier which looks at its motor puts out as they are, at one joint speed.
+    """The commands that an amplifier which reads its motor passes unclipped, at one joint speed.
 
     They lie between per_speed·q̇ - span and per_speed·q̇ + span.
 
     Attributes:
         per_speed: [V·s/rad | V·s/m].
-        span: [V]; inf where the amplifier does not look at its motor.
+        span: [V]; inf if the amplifier does not read its motor.
     """
 
     per_speed: float
@@ -65,7 +65,7 @@ class CommandBand(NamedTuple):
 
 
 def command_band(drive: Drive) -> CommandBand:
-    """Return which commands the amplifier of a drive puts out as they are, besides its largest output.
+    """Return the commands that the amplifier of a drive passes unclipped, within its largest output.
 
     Of a DC motor with a current limit it is |G|·Ke·q̇ ± R·i_max.
 
@@ -85,10 +85,10 @@ def command_band(drive: Drive) -> CommandBand:
 def largest_effort(drive: Drive, q: float) -> float:
     """Return the largest torque or force that a drive can keep up at its joint at standstill [N·m | N].
 
-    What its motor remembers and what its amplifier puts out grow in proportion to the effort; the first of
-    them that comes to a limit of the drive sets the bound. Of a DC motor it is |G|·Kt times the smaller of
-    the largest current and the one that the largest voltage drives through the resistance, of a hydraulic
-    motor what its supply presses.
+    The states of its motor and the output of its amplifier are proportional to the effort; the first of them
+    that comes to a limit of the drive sets the bound. Of a DC motor it is |G|·Kt times the smaller of the
+    largest current and the one that the largest voltage drives through the resistance, of a hydraulic motor
+    the force of its supply pressure.
 
     Args:
         drive: the drive; friction is no part of the effort.

@@ -66,7 +66,7 @@ def chain_accelerations(q: Array, qd: Array, tau: Array, inertia: Array, chain: 
     Args:
         q: joint coordinates [rad | m], shape (n,).
         qd: joint speeds, shape (n,).
-        tau: what moves the joints: drives less friction [N·m | N], shape (n,).
+        tau: joint efforts: drives less friction [N·m | N], shape (n,).
         inertia: that the drives add at the joints [kg·m² | kg], shape (n,).
         chain: see above.
         qdd: gets the accelerations, shape (n,).

@@ -50,7 +50,7 @@ def carry_force(R: Array, p: Array, f: Array, into: Array) -> None:
 
 
 def move_joint(chain: Array, b: int, qd: float, v: Array, c: Array) -> None:
-    """Add the speed of a joint to the motion of its frame; add v × S·q̇, what that accelerates, to `c`."""
+    """Add the speed of a joint to the motion of its frame; add the acceleration v × S·q̇ to `c`."""
     if chain[b] != 0.0:
         v[5] += qd
         c[3] += v[1] * qd
@@ -77,7 +77,7 @@ def momentum(chain: Array, b: int, v: Array, h: Array) -> None:
 
 
 def turn_momentum(v: Array, h: Array, f: Array) -> None:
-    """Add v ×* h to a force: what it takes to turn a momentum with its body."""
+    """Add v ×* h to a force: the rate of a momentum that turns with its body."""
     f[0] += v[1] * h[2] - v[2] * h[1] + v[4] * h[5] - v[5] * h[4]
     f[1] += v[2] * h[0] - v[0] * h[2] + v[5] * h[3] - v[3] * h[5]
     f[2] += v[0] * h[1] - v[1] * h[0] + v[3] * h[4] - v[4] * h[3]

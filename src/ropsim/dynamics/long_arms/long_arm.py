@@ -20,7 +20,7 @@ _TYPES = {"chain": "f8[::1]", "b": "i8", "q": "f8", "qd": "f8", "R": "f8[:,::1]"
 
 
 def _source(function: Callable[..., None], **types: str) -> SourceFunction:
-    """Return a function as it stands in its file; an argument without a type is a vector."""
+    """Return a function with its source text; an argument without a type is a vector."""
     module = ast.parse(getsource(function))
     (definition,) = module.body
     assert isinstance(definition, ast.FunctionDef)
@@ -81,7 +81,7 @@ def chain_numbers(structure: ArmStructure, numbers: Array) -> Array:
 
 
 class LongArmFunctions:
-    """What `ArmFunctions` is for arms of more than `MOST_JOINTS` joints: the same functions.
+    """Counterpart of `ArmFunctions` for arms of more than `MOST_JOINTS` joints: the same functions.
 
     Torques and accelerations cost time in proportion to the number of joints, the mass matrix to its square.
 

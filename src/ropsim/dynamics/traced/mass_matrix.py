@@ -40,7 +40,7 @@ def _of_axes(arm: TracedArm, rows: list[list[Scalar]]) -> list[list[Scalar]]:
 
 
 def _unit_acceleration(arm: TracedArm, i: int, body: Body) -> tuple[Vector, Vector]:
-    """Return force and moment that give the composite body a unit acceleration of joint i."""
+    """Return force and moment that cause for the composite body a unit acceleration of joint i."""
     zero = arm.tracer.constant(0.0)
     h = body.moment
     if arm.types[i] is JointType.REVOLUTE:

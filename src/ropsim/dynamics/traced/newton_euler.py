@@ -30,10 +30,10 @@ def trace_inverse(
     """Return the torques of the rigid bodies at the axes, n of them: no friction, no motor inertia.
 
     Args:
-        arm: the arm as it stands.
+        arm: the arm.
         qd: speeds of the axes, n of them.
         qdd: accelerations of the axes, n of them.
-        tip: what the mechanical interface exerts on its surroundings, in its own frame.
+        tip: force and moment of the mechanical interface on its surroundings, in its own frame.
     """
     wrenches = _outward(arm, arm.of_steps(qd), arm.of_steps(qdd))
     if tip is not None and arm.tip >= 0:
@@ -99,7 +99,7 @@ def _inward(arm: TracedArm, wrenches: list[Wrench]) -> list[Scalar]:
 
 
 def _spin(w: Vector, wd: Vector) -> Matrix:
-    """Return [ẇ]× + [w]×[w]×, which gives the acceleration of a body point over that of the origin."""
+    """Return [ẇ]× + [w]×[w]×, which determines the acceleration of a body point over that of the origin."""
     xx, yy, zz = w[0] * w[0], w[1] * w[1], w[2] * w[2]
     xy, xz, yz = w[0] * w[1], w[0] * w[2], w[1] * w[2]
     return (

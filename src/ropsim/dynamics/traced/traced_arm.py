@@ -35,7 +35,7 @@ class TracedArm:
         spread: rows of T, empty where step i is axis i.
         rotations: from the frame of each step to that of its parent, as the arm stands.
         origins: origin of its frame in that of its parent, as the arm stands.
-        bodies: what each step carries.
+        bodies: body on each step.
         base_acceleration: of the base in its own axes: minus free fall, which stands for gravity.
         tip: step that carries the mechanical interface, -1 for the base.
         interface_rotation: from the mechanical interface to the frame of that step.
@@ -65,7 +65,7 @@ class TracedArm:
         return len(self.spread[0]) if self.spread else self.m
 
     def of_steps(self, values: Sequence[Scalar]) -> list[Scalar]:
-        """Return speeds or accelerations of the steps for those of the axes: T times them."""
+        """Return speeds or accelerations of the steps from those of the axes: T times them."""
         return [_sum(self.tracer, row, values) for row in self.spread] if self.spread else list(values)
 
     def of_axes(self, efforts: Sequence[Scalar]) -> list[Scalar]:

@@ -1,4 +1,4 @@
-"""The drives of an arm in its equations: what they bring to the joints, and the rates of their states."""
+"""The drives of an arm in its equations: their effect on the joints, and the rates of their states."""
 
 from collections.abc import Callable, Sequence
 from functools import lru_cache
@@ -21,14 +21,14 @@ def trace_drives(
     states: Sequence[Sequence[Scalar]],
     u: Sequence[Scalar],
 ) -> list[Carried]:
-    """Return what each drive brings to its joint.
+    """Return the effect of each drive on its joint.
 
     Args:
         structure: of the arm.
         numbers: of each drive.
         joints: coordinates and speeds.
         states: of each drive.
-        u: what each amplifier puts out.
+        u: output of each amplifier.
     """
     return [
         chain.trace(numbers[k], joints[0][k], joints[1][k], states[k], u[k])
@@ -75,12 +75,12 @@ def sides_code(structure: ArmStructure) -> GivenCode:
 
 
 def drive_sides(structure: ArmStructure, numbers: Array) -> Callable[[Array, Array], tuple[Array, Array]]:
-    """Return the function from joint coordinates and speeds to what drives bring to the joints, (n,) each.
+    """Return the function from joint coordinates and speeds to friction and inertia of drives, (n,) each.
 
     That are friction and inertia.
 
     Friction has the sign of the motion [N·m | N]; inertia is in kg·m² | kg. The function is plain Python: it
-    has one line for each joint, and compiling them takes longer than many calls.
+    has a line for each joint, and compiling them takes longer than many calls.
 
     Args:
         structure: of the arm.

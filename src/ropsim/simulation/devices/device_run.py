@@ -1,4 +1,4 @@
-"""The running state of one device, and what all kinds of drives have in common."""
+"""The running state of one device, and the common part of all kinds of drives."""
 
 import math
 from collections.abc import Callable, Iterable
@@ -32,12 +32,12 @@ class Carried:
 
 @frozen_dataclass
 class Now:
-    """What a drive is told when it acts.
+    """Input of a drive when it acts.
 
     Attributes:
         time: [s].
         signals: returns whether a signal is on.
-        carried: what moves with the device.
+        carried: parts that move with the device.
     """
 
     time: float
@@ -47,7 +47,7 @@ class Now:
 
 @frozen_dataclass
 class Told:
-    """What a drive says after it has acted.
+    """Result of an action of a drive.
 
     Attributes:
         levels: inputs of the cell that it sets, by name.
@@ -64,7 +64,7 @@ class Driving(Protocol):
     """The running state of one kind of drive."""
 
     def act(self, course: Course, now: Now) -> Told:
-        """Look at the signals, change the course from now on, and tell what there is to tell."""
+        """Read the signals, change the course from now on, and return new levels and lost parts."""
         ...
 
 
@@ -80,7 +80,7 @@ class DeviceRun:
         scripted: ticks at which the cell changes a signal that it follows, ascending.
         due: tick of the cell's clock at which it acts next, `NEVER` for none.
         acted: tick at which it acted last.
-        levels: of the inputs that it sets, as told last.
+        levels: last levels of the inputs that it sets.
     """
 
     device: Device
@@ -106,7 +106,7 @@ class DeviceRun:
         self.due = soonest if self.due == NEVER else min(self.due, soonest)
 
     def heard(self, told: Iterable[tuple[str, bool]]) -> list[tuple[str, bool]]:
-        """Return which of the levels that it tells are new."""
+        """Return which of the levels that are new."""
         news = [(name, level) for name, level in told if name and self.levels.get(name) is not level]
         self.levels.update(news)
         return news

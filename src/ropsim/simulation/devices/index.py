@@ -14,7 +14,7 @@ class Index:
     Attributes:
         drive: static model.
         steps: made or begun.
-        was_on: level of the signal when it was looked at last.
+        was_on: level of the signal at the last reading.
     """
 
     drive: IndexDrive

@@ -23,7 +23,7 @@ class Switch:
         self.target = self.drive.off
 
     def act(self, course: Course, now: Now) -> Told:
-        """Go to the position that the signal asks for; also from the middle of the way to the other one."""
+        """Go to the position that the signal selects; also from the middle of the way to the other one."""
         drive = self.drive
         wanted = drive.on if now.signals(drive.signal) else drive.off
         if wanted != self.target:

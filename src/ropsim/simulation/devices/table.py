@@ -1,6 +1,6 @@
-"""What moves the drives of devices: a file and an entry here for each kind.
+"""Motions of the drives of devices: a file and an entry here for each kind.
 
-A new kind is a member of `DeviceDrive`, too; mypy then names each `match` that has to say what it does.
+A new kind is a member of `DeviceDrive`; mypy then reports each `match` without a case for it.
 """
 
 from collections.abc import Callable, Mapping

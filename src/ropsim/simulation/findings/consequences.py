@@ -14,18 +14,18 @@ from ropsim.simulation.diagnostics.part_diagnostics import (
 )
 
 _AT_HAND = {NOTHING_GRASPED.code, RELEASED_IN_THE_AIR.code, RELEASED_INSIDE.code}
-"""What a gripper finds where the arm has not gone."""
+"""Findings of grippers where an arm has not arrived."""
 
 _AT_THE_END = {NOT_AT_DESTINATION.code, WAITS_IN_VAIN.code}
-"""What is found when the run ends."""
+"""Findings at the end of a run."""
 
 
 def with_causes(findings: Iterable[Diagnostic], events: Sequence[Event]) -> list[Diagnostic]:
-    """Return the findings; those that likely follow from an earlier line have it in their data.
+    """Return the findings; consequences of an earlier line have it in their data.
 
-    The keys are `follows_source` and `follows_line`. What a gripper finds follows from a move that was left
-    out where its station has made no move since; what is found at the end of the run from the first move that
-    was left out, a part that is not at its destination else from the first grip that took nothing.
+    The keys are `follows_source` and `follows_line`. A finding of a gripper follows from a skipped move if
+    its station has made no move since; a finding at the end of the run from the first skipped move; a part
+    that is not at its destination otherwise from the first grip that took nothing.
 
     Args:
         findings: of a run.

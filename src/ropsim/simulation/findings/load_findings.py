@@ -1,4 +1,4 @@
-"""What an arm carried against what its maker allows."""
+"""Load of an arm compared with its rated payload."""
 
 from math import isfinite
 
@@ -37,6 +37,6 @@ def load_findings(robot: RobotModel, loads: Track, lines: Track, hz: int, source
 
 
 def has_rated_payloads(robots: list[RobotModel]) -> bool:
-    """Return whether the loads of all arms can be looked at, and there is one."""
+    """Return whether the loads of all arms can be checked, and there is one."""
     arms = [robot for robot in robots if robot.has_arm]
     return bool(arms) and all(isfinite(robot.rated_payload) for robot in arms)

@@ -1,4 +1,4 @@
-"""Programs that several stations run: what is found in one says at which of them."""
+"""Programs that several stations run: findings in one name the stations."""
 
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
@@ -13,7 +13,7 @@ def told_at(station: str, programs: Mapping[str, Program], found: Iterable[Diagn
     Args:
         station: its name.
         programs: verified ICR by station.
-        found: what has been found there.
+        found: findings of the station.
     """
     sources = [program.source for program in programs.values()]
     if station not in programs or sources.count(programs[station].source) == 1:

@@ -1,4 +1,4 @@
-"""What a run proves against the oil of hydraulic drives: pressures that no oil bears."""
+"""Violations of oil pressure in hydraulic drives: pressures that no oil can have."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""Robots without drives: they are where their references are, which is told once for each run."""
+"""Robots without drives: they are where their references are, which is reported once per run."""
 
 from collections.abc import Iterator
 
@@ -27,7 +27,7 @@ def undriven(cell: Cell, fidelity: Fidelity) -> Iterator[Diagnostic]:
 
     Args:
         cell: that is run.
-        fidelity: that was asked for.
+        fidelity: that was requested.
     """
     if fidelity is Fidelity.KINEMATIC:
         return

@@ -1,4 +1,4 @@
-"""What a run proves against the limits of the arm: torque, current, speed, range, voltage."""
+"""Limit violations of a run: torque, current, speed, range, voltage."""
 
 from collections.abc import Mapping
 from typing import TypeAlias
@@ -41,7 +41,7 @@ _UNITS = {
     JointType.REVOLUTE: {"q": "rad", "tau": "N·m"},
     JointType.PRISMATIC: {"q": "m", "tau": "N"},
 }
-"""What stands in the units of columns for those of coordinate and effort."""
+"""Placeholders for coordinate and effort in the units of columns."""
 
 _DRIVE_LIMITS = {
     ("current", LimitSort.PEAK): CURRENT_EXCEEDED,
@@ -49,7 +49,7 @@ _DRIVE_LIMITS = {
     ("voltage", LimitSort.LASTING): VOLTAGE_SATURATED,
     ("command", LimitSort.LASTING): COMMAND_SATURATED,
 }
-"""How the limits of drives are told that have a page of their own."""
+"""Messages for limits of drives with their own diagnostic page."""
 _ANY = {LimitSort.PEAK: DRIVE_EXCEEDED, LimitSort.LASTING: DRIVE_SATURATED}
 
 
@@ -117,7 +117,7 @@ def _checks(robot: RobotModel, tally: Tally, hz: int) -> list[_Check]:
 def _drive_check(robot: RobotModel, limit: Limit, axes: list[int], tally: Tally, hz: int) -> _Check:
     """Return the check of a limit of the drives of some joints."""
     kind = _DRIVE_LIMITS.get((limit.column, limit.sort), _ANY[limit.sort])
-    places = [tally.axes(limit.column).index(axis) for axis in axes]  # others may have the quantity, too
+    places = [tally.axes(limit.column).index(axis) for axis in axes]  # other axes may have the quantity also
     if limit.sort is LimitSort.PEAK:
         values, ticks = (one[places] for one in tally.worst(limit.column))
         bounds = np.array([getattr(robot.drives[axis].amplifier, limit.number) for axis in axes])
@@ -130,7 +130,7 @@ def _drive_check(robot: RobotModel, limit: Limit, axes: list[int], tally: Tally,
 
 
 def _shown(robot: RobotModel, limit: Limit, axis: int) -> _Shown:
-    """Return the unit of a quantity of drives, as it is recorded."""
+    """Return the unit of a recorded quantity of drives."""
     columns = recorded(chain_of(robot.drives[axis]))
     (unit,) = {column.unit for column in columns if column.name == limit.column}
     return {kind: (1.0, unit.format(**units)) for kind, units in _UNITS.items()}

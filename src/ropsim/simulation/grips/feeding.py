@@ -1,4 +1,4 @@
-"""Supplies beside grippers: the next part comes when a device has carried the one before off its place."""
+"""Supplies in a cell: the next part comes when a device has carried the one before off its place."""
 
 import math
 from collections import deque
@@ -23,8 +23,8 @@ def feed(run: CellRun, tick: int) -> None:
     """Let the next part of each supply come whose place is free at a tick of the cell's clock.
 
     The one before has been carried away by a device, or has left the cell at the end of one; one that a
-    gripper takes makes room at once (`parts.close_on`). Something must carry the part that comes: a belt, or
-    what stands.
+    gripper takes makes room at once (`parts.close_on`). The new part needs a support: a belt, or a body at
+    rest.
     """
     time = tick / run.hz
     for part in _expected(run):
@@ -43,7 +43,7 @@ def room_at(run: CellRun, device: DeviceRun, time: float) -> float:
 
     Args:
         run: the cell.
-        device: that has its course now; others than belts are looked at where they stand.
+        device: that has its course now; other devices than belts are checked at their place.
         time: from which on [s].
     """
     found = math.inf
@@ -91,7 +91,7 @@ def _expected(run: CellRun) -> Iterator[Part]:
 
 
 def _poses(run: CellRun, time: float) -> Mapping[str, Pose]:
-    """Return X_WO of each part that rests or moves with a device, by name; what is in a hand goes away."""
+    """Return X_WO of each part that rests or moves with a device, by name; held parts are excluded."""
     bodies = {name: pose for device in run.devices.values() for name, pose in device.poses(time).items()}
     found = {}
     for name, seat in run.parts.seats.items():
@@ -113,7 +113,7 @@ def _turns(run: CellRun, body: str, time: float) -> bool:
 def _meet(one: Part, pose: Pose, other: Part, other_pose: Pose) -> bool:
     """Return whether the boxes of two parts reach into each other.
 
-    They do not where a face of one of them separates them; edges that do so alone are not looked at.
+    They do not where a face of one of them separates them; separation by edges alone is not checked.
     """
     blocks: Blocks = part_blocks([(one, pose), (other, other_pose)])
     between = blocks.centres[1] - blocks.centres[0]

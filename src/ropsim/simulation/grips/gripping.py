@@ -64,7 +64,7 @@ def _move_fingers(run: CellRun, at: StationRun, tool: Tool, action: GripAction) 
 
 
 def _picked_up(run: CellRun, at: StationRun, tool: Tool) -> Placements:
-    """Return the placements after the fingers have closed; what a supply brings lies on what is there."""
+    """Return the placements after the fingers have closed; parts from a supply lie on present bodies."""
     hand = tool_body(tool.name, at.station.name)
     if run.parts.held({hand}):
         return run.parts

@@ -17,7 +17,7 @@ from ropsim.simulation.state.station_run import StationRun
 from ropsim.spatial import Array, Pose
 
 LOOKS = 250
-"""How often it is looked whether a part is pulled [Hz]."""
+"""Rate of the check whether a part is pulled [Hz]."""
 
 
 def let_go(run: CellRun, at: StationRun, tool: Tool) -> None:

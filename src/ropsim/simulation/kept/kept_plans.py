@@ -1,4 +1,4 @@
-"""Plans that are kept by the content of their stretches: what was planned before is not planned again."""
+"""Plans that are kept by the content of their motion sequences, so that nothing is planned twice."""
 
 from collections.abc import Hashable
 
@@ -11,10 +11,10 @@ from ropsim.simulation.records.planned_sequence import PlannedStretch, planned_a
 from ropsim.spatial import bits_of, bits_without, fingerprint
 
 MOST_BYTES = 200_000_000
-"""So much of references is kept: 20 minutes of motion of six axes at a control rate of 1 kHz."""
+"""Number of reference rows that are kept: 20 minutes of motion of six axes at a control rate of 1 kHz."""
 
 _OF_A_MOVE = 10_000
-"""What a move takes beside its reference rows, about [bytes]."""
+"""Approximate memory of a move in addition to its reference rows [bytes]."""
 
 _MOST_MOVES = 100
 """Keys of moves that are remembered from stretch to stretch."""
@@ -25,10 +25,9 @@ _content = bits_without(MoveInstruction, "origin", "modal")
 class KeptPlans:
     """Plans of the stations of a cell, each with the standard entities of its controller.
 
-    A plan depends on the moves of its stretch and on how often they have been made, on those that are known
-    to come behind them, on where the arm stands before it and on its payload; on nothing else, so that one
-    that is kept is the one that would be made. Where the lines of its moves have moved in their text, so have
-    those of its findings.
+    A plan depends on the moves of its sequence and their passes, on the moves known to follow, on the
+    position of the arm before it and on its payload; on nothing else, so that a kept plan equals a new one.
+    If the lines of its moves have moved in their text, the lines of its findings move also.
 
     Args:
         cell: whose stations are planned for.

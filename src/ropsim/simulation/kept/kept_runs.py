@@ -1,4 +1,4 @@
-"""What is kept of the runs in a cell: plans, and what drives and arms did."""
+"""Kept results of runs in a cell: plans, and responses of drives and arms."""
 
 from dataclasses import replace
 
@@ -9,7 +9,7 @@ from ropsim.simulation.state.run_options import RunOptions
 
 
 class KeptRuns:
-    """Plans and slices, so that a run behind an edit works out only what is new in it.
+    """Plans and slices, so that a run behind an edit computes only its new parts.
 
     Args:
         cell: in which the programs run.
@@ -34,5 +34,5 @@ class KeptRuns:
         self.drives.begin()
 
     def used_in(self, options: RunOptions) -> RunOptions:
-        """Return options of a run that takes what is known and leaves what it works out."""
+        """Return options of a run that uses kept results and keeps new ones."""
         return replace(options, plan=self.plans.plan, drive=self.drives.drive)

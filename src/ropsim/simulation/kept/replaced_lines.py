@@ -20,7 +20,7 @@ def on_lines_of(moves: Moves, before: Moves, planned: PlannedStretch) -> Planned
         planned: the plan.
 
     Returns:
-        the plan; None where nobody can tell on which line a finding stands now.
+        the plan; None if the present line of a finding is unknown.
     """
     if all(one.origin == other.origin for one, other in zip(moves, before, strict=True)):
         return planned

@@ -1,1 +1,1 @@
-"""Parts of a cell: where they are, and on what they stand."""
+"""Parts of a cell: their poses and supports."""

@@ -13,15 +13,15 @@ from ropsim.simulation.parts.placements import Exit, Placements
 from ropsim.spatial import Pose
 
 _STILL = 1e-3
-"""Parts that are moved by less are where they were, but for how exactly a drive stands [m | rad]."""
+"""Parts moved by less count as unmoved, since drives do not stop exactly [m | rad]."""
 
 
 @frozen_dataclass
 class Arrivals:
-    """What became of the parts that have a destination.
+    """State of the parts with a destination.
 
     Attributes:
-        wanted: how many have one.
+        wanted: their number.
         findings: one for each that is not there.
     """
 
@@ -32,7 +32,7 @@ class Arrivals:
 def arrivals(
     state: Placements, parts: Mapping[str, Part], tools: Collection[str], moment: Moment
 ) -> Arrivals:
-    """Return what became of the parts that have a destination.
+    """Return the state of the parts with a destination.
 
     Args:
         state: where the parts are at the end.
@@ -46,7 +46,7 @@ def arrivals(
 
 
 def are_untouched(state: Placements, parts: Mapping[str, Part], moment: Moment) -> bool:
-    """Return whether all parts are where they were at the start; those that wait in a supply count.
+    """Return whether all parts are where they were at the start; parts waiting in a supply count.
 
     Args:
         state: where the parts are at the end.
@@ -65,7 +65,7 @@ def _is_there(pose: Pose, X_WO: Pose) -> bool:
 def _finding(
     state: Placements, name: str, destination: Destination, tools: Collection[str], moment: Moment
 ) -> Diagnostic | None:
-    """Return what keeps a part from being at its destination, None where it is there."""
+    """Return the reason why a part is not at its destination, None if it is there."""
     seat = state.seats.get(name)
     if seat is None:
         where = _departure(state.left[name]) if name in state.left else "still waits in its supply"

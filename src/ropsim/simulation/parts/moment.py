@@ -15,7 +15,7 @@ class Moment:
 
     Attributes:
         carriers: X_WC of each body with which parts move, by name: of a tool the mechanical interface.
-        solids: of what moves and can carry parts, where it is now.
+        solids: moving bodies that can carry parts, at their present poses.
     """
 
     carriers: Mapping[str, Pose]
@@ -34,5 +34,5 @@ class Moment:
         }
 
     def on(self, carrier: str, X_WO: Pose) -> Pose:
-        """Return the pose of a part in the frame of what it moves with."""
+        """Return the pose of a part in the frame of its carrier."""
         return X_WO if carrier == WORLD else self.carriers[carrier].inverse() @ X_WO

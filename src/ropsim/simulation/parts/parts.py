@@ -1,4 +1,4 @@
-"""Parts in the cell: what a gripper takes and leaves, and what that does to the payload."""
+"""Parts in the cell: grasp and release by a gripper, and the effect on the payload."""
 
 import math
 from collections.abc import Collection, Mapping
@@ -13,7 +13,7 @@ from ropsim.simulation.parts.placements import Exit, Placements, Seat
 from ropsim.spatial import Pose, PoseTuple
 
 _DIGITS = 6
-"""Digits behind the point of a pose [m] with which a part counts for what is carried."""
+"""Digits behind the point of a pose [m] with which a part enters the payload."""
 
 
 def initial_parts(cell: Cell) -> Placements:
@@ -26,7 +26,7 @@ def initial_parts(cell: Cell) -> Placements:
 def close_on(state: Placements, cell: Cell, tool: Tool, hand: str, moment: Moment) -> Placements:
     """Return the placements after the fingers have closed: the nearest part within the capture is held.
 
-    It hangs on the tool now, also where another tool held it; what lies on it comes along.
+    It hangs on the tool now, also where another tool held it; parts on it come along.
 
     Args:
         state: before; the tool holds nothing.
@@ -77,8 +77,8 @@ def release(state: Placements, cell: Cell, hands: Collection[str], moment: Momen
 def payload(carried: Mapping[str, Pose], parts: Mapping[str, Part], tool: Tool | None) -> Payload:
     """Return the one rigid body that tool and carried parts form at the mechanical interface.
 
-    Parts count as they lie in it to the micrometre: so what is carried is the same body whichever way the arm
-    has come to where it took them, which tells in the last digits of the pose that it attained.
+    Parts count as they lie in it to the micrometre: so the payload does not depend on the last digits of the
+    attained pose, which depend on the path of the arm to the grasp.
 
     Args:
         carried: pose X_MO of each part that it carries, by name.
@@ -105,7 +105,7 @@ def _loaded(tool: Tool | None, carried: tuple[tuple[float, tuple[float, ...], Po
 
 
 def _to_the_micrometre(X: Pose) -> PoseTuple:
-    """Return the numbers of a pose rounded to millionths; the sign of its quaternion tells no body."""
+    """Return the numbers of a pose rounded to millionths; the sign of its quaternion has no effect."""
     numbers = np.round(np.concatenate((X.position, X.orientation)), _DIGITS) + 0.0  # no zero has a sign
     x, y, z, qw, qx, qy, qz = numbers.tolist()
     return (x, y, z, qw, qx, qy, qz)

@@ -1,4 +1,4 @@
-"""Where the parts of a running cell are: on what each one hangs, and with what it moves."""
+"""Where the parts of a running cell are: the parent of each one, and its carrier."""
 
 from collections.abc import Collection, Iterator, Mapping
 from dataclasses import field
@@ -15,12 +15,12 @@ class Seat:
     """Where one part or object is.
 
     The pose is kept in the frame of the body that moves it, so that no bit of it changes while it stays where
-    it is, on whatever it hangs.
+    it is, for any parent.
 
     Attributes:
         parent: name of the body that it hangs on, `WORLD` for none.
-        rides: name of the body with which it moves: a tool that holds it or what it hangs on, or a body that
-            a device or an external axis moves; `WORLD` while it rests.
+        rides: name of the body with which it moves: a tool that holds it or its parent, or a body that a
+            device or an external axis moves; `WORLD` while it rests.
         pose: X_WO while it rests, else in the frame of that body; of a tool that is the mechanical interface.
     """
 
@@ -63,13 +63,13 @@ class Placements:
         return next((name for name, seat in self.seats.items() if seat.parent in hands), "")
 
     def carried(self, hands: Collection[str]) -> dict[str, Pose]:
-        """Return the pose X_MO of the part that some tools hold and of all that rides on it, by name."""
+        """Return the poses X_MO of the part that some tools hold and of all bodies on it, by name."""
         return {name: seat.pose for name, seat in self.seats.items() if seat.rides in hands}
 
     def family(self, *names: str) -> tuple[str, ...]:
         """Return the names of parts and of all parts that hang on them, directly or not, each one once.
 
-        Behind each part comes what hangs on it, before the next one.
+        Each part is followed by the parts attached to it.
         """
         if {seat.parent for seat in self.seats.values()}.isdisjoint(names):
             return tuple(dict.fromkeys(names))
@@ -100,7 +100,7 @@ def at_start(tree: BodyTree, placements: Placements, objects: Mapping[str, Seat]
     Args:
         tree: the bodies.
         placements: of the parts.
-        objects: on what each object hangs.
+        objects: parent of each object.
     """
     for body in tree.bodies:
         if body.name in placements.seats:
@@ -118,7 +118,7 @@ def changes(
         time: when that came to be [s].
         before: where the parts were.
         after: where they are.
-        objects: on what each object hangs.
+        objects: parent of each object.
     """
     for name, gone in after.left.items():
         if name not in before.left:

@@ -1,4 +1,4 @@
-"""What stays as it is in a cell while parts are moved: made once for a cell."""
+"""Fixed data of a cell while parts are moved: made once per cell."""
 
 from collections.abc import Mapping
 from dataclasses import field
@@ -26,15 +26,15 @@ from ropsim.spatial import Pose
 
 @frozen_dataclass
 class Scenery:
-    """What a run looks up again and again.
+    """Data that a run needs repeatedly.
 
     Attributes:
         tree: the bodies at time 0.
         parts: of the cell, by name.
-        ground: what stands still.
-        objects: on what each object and each base of a device hangs, and with what it moves.
+        ground: bodies at rest.
+        objects: parent and carrier of each object and each base of a device.
         belts: the body with which parts on a belt move, by the name of the base that carries them.
-        surfaces: shapes of what devices and external axes move, by the name of the body or object.
+        surfaces: shapes moved by devices and external axes, by the name of the body or object.
         tools: names of the bodies of all tools.
         largest: greatest extent of a part [m].
     """
@@ -72,7 +72,7 @@ class _Described:
 
 
 def scenery_of(cell: Cell, content: str) -> Scenery:
-    """Return what stays as it is in a cell, for cells of the same content the same.
+    """Return the fixed data of a cell, shared by cells of the same content.
 
     Args:
         cell: it.
@@ -109,7 +109,7 @@ def _scenery(described: _Described) -> Scenery:
 
 
 def _belts(cell: Cell) -> dict[str, str]:
-    """Return what moves the parts on each conveyor: its belt stands still to look at."""
+    """Return the carrier of the parts on each conveyor: its belt, which is drawn at rest."""
     devices = cell.devices.values()
     return {link_name(0, one.name): link_name(1, one.name) for one in devices if one.is_belt}
 

@@ -1,4 +1,4 @@
-"""On what parts stand that have come into the cell or have been released."""
+"""Supports of parts that have come into the cell or have been released."""
 
 from collections.abc import Collection, Mapping
 
@@ -16,16 +16,16 @@ from ropsim.spatial import Pose
 def stood(
     state: Placements, names: Collection[str], scenery: Scenery, limits: SupportLimits, moment: Moment
 ) -> tuple[Placements, dict[str, Standing]]:
-    """Return placements in which some parts hang on what carries them, and how each one stands.
+    """Return placements in which some parts are attached to their supports, and the support of each.
 
-    A part keeps its pose, however far it is above or in its support; what nothing carries hangs on the world.
-    It moves with what carries it.
+    A part keeps its pose, however far it is above or in its support; a part without support is attached to
+    the world. It moves with its support.
 
     Args:
         state: where the parts are.
         names: of parts that rest.
-        scenery: what stands still.
-        limits: what counts as standing on something.
+        scenery: fixed data of the cell.
+        limits: tolerances for support.
         moment: where everything is now.
     """
     poses = moment.poses(state)
@@ -39,7 +39,7 @@ def stood(
             for name, one in found.items()
         }
     )
-    family = state.family(*names)  # what lies on them rides along
+    family = state.family(*names)  # parts on them ride along
     carriers = {name: _carrier(state, name, scenery, moment) for name in family}
     moved = {
         name: Seat(state.seats[name].parent, carrier, moment.on(carrier, poses[name]))
@@ -50,12 +50,12 @@ def stood(
 
 
 def _parent(standing: Standing, scenery: Scenery) -> str:
-    """Return on what a part hangs that stands so."""
+    """Return the parent of a part with this support."""
     return scenery.belts.get(standing.on or WORLD, standing.on or WORLD)
 
 
 def _carrier(state: Placements, name: str, scenery: Scenery, moment: Moment) -> str:
-    """Return with what a part moves, by what it hangs on."""
+    """Return the carrier of a part, by its parent."""
     while name in state.seats:
         name = state.seats[name].parent
     if name in moment.carriers:
@@ -72,14 +72,14 @@ def release_findings(
     moment: Moment,
     origin: Origin,
 ) -> list[Diagnostic]:
-    """Return what is wrong with the place where a part has been released; nothing where nobody can know.
+    """Return the findings on the place where a part has been released; none if it cannot be checked.
 
     Args:
         state: after the release.
         name: of the part.
         standing: how it stands.
-        scenery: what stands still.
-        cell: of the run; its limits say what counts as standing on something, and as being in it.
+        scenery: fixed data of the cell.
+        cell: of the run; with tolerances for support and overlap.
         moment: where everything is now.
         origin: of the instruction.
     """
@@ -87,7 +87,7 @@ def release_findings(
         return []
     data: dict[str, object] = {"pass": origin.visit, "part": name}
     if standing.depth > cell.supports.depth:
-        return [_inside(name, standing, cell, origin, data)]  # what is held by a body does not fall
+        return [_inside(name, standing, cell, origin, data)]  # a part held by a body does not fall
     if standing.on is not None:
         return []
     poses = moment.poses(state)
@@ -124,7 +124,7 @@ def _inside(
 
 
 def _others(state: Placements, poses: Mapping[str, Pose], scenery: Scenery, moment: Moment) -> Blocks:
-    """Return what can carry parts: objects, devices, and parts that no tool holds."""
+    """Return the possible supports of parts: objects, devices, and parts that no tool holds."""
     held, seats, parts = scenery.tools, state.seats, scenery.parts
     resting = part_blocks([(parts[one], X_WO) for one, X_WO in poses.items() if seats[one].rides not in held])
     return stacked([scenery.ground.blocks, moment.solids, resting])

@@ -1,4 +1,4 @@
-"""What a run that still goes on would record at one time: the same channels, one row."""
+"""Record of a running program at one time: the same channels, one row."""
 
 from collections.abc import Mapping
 
@@ -22,8 +22,8 @@ from ropsim.spatial import quaternions_from_matrices
 def live_sample(run: RunView, time: float) -> Mapping[str, Channel]:
     """Return the channels at a time up to the present one, each with one row.
 
-    Names, units and columns are those of the recording that the run will leave; `path_error` is not there,
-    it is known when a move is over.
+    Names, units and columns are as in the recording of the run; `path_error` is missing, since it is known
+    only after a move.
 
     Args:
         run: still going on.
@@ -39,7 +39,7 @@ def live_sample(run: RunView, time: float) -> Mapping[str, Channel]:
     for name, device in run.devices.items():
         q = device.course.rows(np.array([time]))
         channels[channel_name("q", name)] = device_channel(device.device, q)
-    tracks = {"override": Track([0], [1.0]), **run.tracks}  # somebody may change it at any time
+    tracks = {"override": Track([0], [1.0]), **run.tracks}  # it may change at any time
     for name in sorted(tracks):
         channels[name] = _held("", name, tracks[name], time * run.hz)
     return channels

@@ -22,13 +22,13 @@ def corrections(paths: Sequence[PathSpan], ticks: Array) -> Array:
 
 
 def without_corrections(paths: Sequence[PathSpan], ticks: Array, points: Array, turned: Array) -> Array:
-    """Return where the TCP would be on the paths as they were planned [m], shape (k, 3).
+    """Return where the TCP would be on the planned paths [m], shape (k, 3).
 
     Args:
         paths: as followed, in order of time.
         ticks: recorded ticks, shape (k,).
         points: attained TCP positions in the base frame [m], shape (k, 3).
-        turned: orientations R_BT of the command pose, which a correction leaves as they are, shape (k, 3, 3).
+        turned: orientations R_BT of the command pose, which a correction leaves unchanged, shape (k, 3, 3).
     """
     if all(span.correction is None for span in paths):
         return points

@@ -101,10 +101,10 @@ def recording_of(run: CellRun, programs: Mapping[str, Program], options: RunOpti
 
 
 def _line_contents(run: CellRun, programs: Mapping[str, Program]) -> Mapping[str, Mapping[int, str]]:
-    """Return what the results of lines hang on, once asked for: the text and the cell.
+    """Return the content on which the results of lines depend, on request: the text and the cell.
 
-    What a hand did, key presses and overrides, belongs to the run and is no change of the text. Where a run
-    was ended before a program was, the line under way and those that it never came to have no result.
+    Manual interventions, key presses and overrides, belong to the run and are no change of the text. If a run
+    ends before a program, its present line and later lines have no result.
     """
     content, channels = run.content, run.input_changes
     done = {
@@ -130,14 +130,15 @@ def _done_lines(run: CellRun, at: StationRun, source: str) -> frozenset[int]:
     ends = {event.line: event.end for event in sorted(events, key=lambda one: one.end)}  # of the last pass
     passed = [int(line) for line in at.tracks.get("line", Track()).values]
     lines = {*passed, *ends}
-    # What is cut off ends with the run; a run that is held between two instructions has nothing under way.
+    # Activities that are cut off end with the run; a run that is held between two instructions has nothing
+    # under way.
     if passed and ends.get(passed[-1], run.time) > run.time - 1.0 / run.hz:
         lines.remove(passed[-1])
     return frozenset(lines)
 
 
 def _rows(run: CellRun, logs: Mapping[str, Mapping[str, Array]]) -> Array:
-    """Return the ticks of the cell's clock that have a row, those of the station that has the fewest."""
+    """Return the ticks of the cell's clock that have a row, rows of the station with the fewest."""
     ticks = [logs[name]["tick"] * at.cell_ticks for name, at in run.stations.items()]
     return min(ticks, key=len)
 
@@ -180,7 +181,7 @@ def _station_channels(at: StationRun, logged: Mapping[str, Array], rows: Array) 
 
 
 def _facts(run: CellRun, programs: Mapping[str, Program], options: RunOptions, arrived: Arrivals) -> RunFacts:
-    """Return what the recording says about its run."""
+    """Return the facts of the recording about its run."""
     slowest = min(run.stations.values(), key=lambda at: at.hz / at.plant.record_ticks)
     return RunFacts(
         ropsim=__version__,
@@ -198,13 +199,13 @@ def _facts(run: CellRun, programs: Mapping[str, Program], options: RunOptions, a
 
 
 def _checked(run: CellRun) -> tuple[str, ...]:
-    """Return what a run checks itself."""
+    """Return the checks made by a run."""
     rated = has_rated_payloads([at.station.robot for at in run.stations.values()])
     return ("rated payload",) if rated else ()
 
 
 def _fidelity(run: CellRun, options: RunOptions) -> Fidelity:
-    """Return what the run was: one of robots without drives is kinematic, whatever was asked for."""
+    """Return the fidelity of the run: kinematic for robots without drives, regardless of the request."""
     driven = any(station.robot.drives for station in run.cell.stations.values())
     return options.fidelity if driven else Fidelity.KINEMATIC
 
@@ -224,7 +225,7 @@ def _station_facts(run: CellRun, name: str, program: Program | None, options: Ru
 
 
 def _arrivals(run: CellRun, programs: Mapping[str, Program]) -> Arrivals:
-    """Return what became of the parts with a destination.
+    """Return the state of the parts with a destination.
 
     Nothing is said where the run did not come to its end, and of programs that have nothing to do with parts:
     none has an instruction for a gripper, the cell has no devices, and all parts are where they were.
@@ -275,7 +276,7 @@ def path_errors(paths: list[PathSpan], ticks: Array, q: Array, attained: Array) 
         if last <= first:
             continue
         if isinstance(span.path, Line) and not span.frame:
-            lines.append(span.path)  # of these there are many: they are looked at together
+            lines.append(span.path)  # many lines: they are checked together
             spans.append((first, last))
             continue
         points = attained[first:last]

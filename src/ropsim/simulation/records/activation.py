@@ -42,7 +42,7 @@ class Activations:
         return [self.event(serial, station, control_hz) for serial in below]
 
     def around(self, origin: Origin, station: str, control_hz: int) -> list[TaskEvent]:
-        """Return the activations below `main` around an instruction, each as long as it is so far."""
+        """Return the activations below `main` around an instruction, each with its duration so far."""
         return [
             self.event(serial, station, control_hz)
             for serial in origin.call_serials

@@ -1,4 +1,4 @@
-"""Moves of a program with other settings than it gives: what would be if it said so."""
+"""Moves of a program with other settings than in the program, for what-if runs."""
 
 from collections.abc import Callable
 
@@ -6,20 +6,20 @@ from ropsim.flow import MoveInstruction
 from ropsim.simulation.records.steps import Step
 
 Adaptation = Callable[[MoveInstruction], MoveInstruction]
-"""From a move as the program gives it to the one that is made."""
+"""From a move as programmed to the one that is made."""
 
 
 def as_programmed(move: MoveInstruction) -> MoveInstruction:
-    """Return a move as it is."""
+    """Return a move unchanged."""
     return move
 
 
 def adapted(advance: Callable[[], Step], adapt: Adaptation) -> Callable[[], Step]:
-    """Return what hands out the steps of a program with its moves adapted.
+    """Return a function that returns the steps of a program with its moves adapted.
 
     Args:
         advance: returns the next step of the program.
-        adapt: what becomes of a move.
+        adapt: maps a move to its adapted form.
     """
 
     def step() -> Step:

@@ -27,7 +27,7 @@ def fields(names_of_axes: tuple[tuple[str, ...], ...], first: int) -> tuple[Fiel
     """Return a field for every name, one behind the other.
 
     Args:
-        names_of_axes: for each joint, what it has.
+        names_of_axes: entities of each joint.
         first: where the first field begins.
     """
     found: list[Field] = []

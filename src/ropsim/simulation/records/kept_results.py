@@ -1,4 +1,4 @@
-"""Results that are kept from run to run by what they are the results of, within a room."""
+"""Results that are kept from run to run by their inputs, within a memory limit."""
 
 from collections import Counter
 from collections.abc import Hashable
@@ -10,7 +10,7 @@ V = TypeVar("V")
 
 @dataclass(slots=True)
 class _Entry(Generic[V]):
-    """A result, how much room it takes [bytes], and the newest run that has asked for it."""
+    """A result, its memory [bytes], and the newest run that has requested it."""
 
     value: V
     size: int
@@ -18,13 +18,13 @@ class _Entry(Generic[V]):
 
 
 _RUNS = 4
-"""A result goes that as many runs have not asked for: so what is kept does not grow from edit to edit."""
+"""A result is removed after this number of runs without a request, so results do not pile up."""
 
 
 class KeptResults(Generic[V]):
     """Results by their keys.
 
-    When there is no room, those go that neither this run nor the one before it has asked for.
+    Beyond the limit, results are removed that neither this run nor the one before has requested.
 
     Args:
         most: room [bytes].
@@ -36,7 +36,7 @@ class KeptResults(Generic[V]):
         self._run = 0
         self._dropped = 0
         self._entries: dict[Hashable, _Entry[V]] = {}
-        self._of_run = Counter[int]()  # how many entries each run has asked for last
+        self._of_run = Counter[int]()  # number of entries last requested by each run
 
     @property
     def used(self) -> int:
@@ -63,7 +63,7 @@ class KeptResults(Generic[V]):
         """Keep a result, instead of another one with its key, where there is room.
 
         Args:
-            key: what it is the result of.
+            key: its inputs.
             value: the result.
             size: how much room it takes [bytes].
         """
@@ -80,7 +80,7 @@ class KeptResults(Generic[V]):
             self._room -= size
 
     def _drop(self, since: int) -> None:
-        """Forget what no run from one on has asked for."""
+        """Forget results that no run from one on has requested."""
         older = [run for run in self._of_run if run < since]
         if not sum(self._of_run.pop(run) for run in older):
             return

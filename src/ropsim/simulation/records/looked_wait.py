@@ -9,7 +9,7 @@ class LookedWait:
     """A wait that may go on.
 
     Attributes:
-        event: that tells it, as long as it is now.
+        event: its event, with its present duration.
         since: control tick at which it began.
         until: control tick up to which it has lasted.
     """

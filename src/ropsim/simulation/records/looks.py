@@ -1,4 +1,4 @@
-"""Where a program has looked at what depends on time since time passed last."""
+"""Places at which a program has read time-dependent data since time last advanced."""
 
 from dataclasses import dataclass, field
 
@@ -7,21 +7,21 @@ from ropsim.icr import CodePlace
 
 @dataclass(slots=True)
 class Looks:
-    """Tells where a program looks again without that time has passed.
+    """Detects that a program reads again before time has advanced.
 
-    All that it looks at in one pass it sees at one instant, and that takes no time. Where it comes to a place
-    once more at the same tick, it would see the same: it stands there, so time passes in every loop.
+    All readings of one pass are made at one instant and take no time. If the program comes to a place again
+    at the same tick, it would read the same values: it pauses there, so time advances in every loop.
 
     Attributes:
-        tick: control tick at which it looked last.
-        places: of the program from which it has looked at that tick.
+        tick: control tick of the last reading.
+        places: places of the program that have read at that tick.
     """
 
     tick: int = -1
     places: set[CodePlace] = field(default_factory=set)
 
     def comes_round(self, place: CodePlace, tick: int) -> bool:
-        """Return whether the program has looked from a place at this tick already."""
+        """Return whether the program has already read at a place at this tick."""
         return tick == self.tick and place in self.places
 
     def add(self, place: CodePlace, tick: int) -> None:

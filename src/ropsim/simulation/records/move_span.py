@@ -1,4 +1,4 @@
-"""Moves of a run, and the paths that they took, as they were carried out."""
+"""Moves of a run, and the paths that they took, as executed."""
 
 import numpy as np
 
@@ -10,7 +10,7 @@ from ropsim.spatial import Array, record
 
 @record
 class MoveSpan:
-    """A move as it was carried out.
+    """An executed move.
 
     Attributes:
         move: the instruction.
@@ -46,7 +46,7 @@ class FollowedCorrection:
 
 @record
 class PathSpan:
-    """A part of a path of the tool as it was followed.
+    """A followed part of a path of the tool.
 
     Attributes:
         path: in the base frame, or in that which external axes move meanwhile.

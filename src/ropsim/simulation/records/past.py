@@ -8,11 +8,11 @@ from ropsim.spatial import Array
 
 
 class Past:
-    """Joint coordinates at every control tick since one that others may still ask for.
+    """Joint coordinates at every control tick from the first tick that others may still request.
 
-    A station computes a whole move at a time and is ahead of the others then; what they do meanwhile to a
-    part in its gripper needs its pose at their tick. Recorded rows are too coarse for that, and how many
-    there are must change nothing.
+    A station computes a whole move at a time and is ahead of the others then; their actions on a part in its
+    gripper need its pose at their tick. Recorded rows are too coarse for that, and their number must not
+    affect results.
 
     Args:
         tick: control tick at which it begins.
@@ -27,14 +27,14 @@ class Past:
         self._blocks.append((tick, q))
 
     def forget(self, tick: int) -> None:
-        """Drop what is before a tick, as far as whole entries are."""
+        """Drop whole entries before a tick."""
         while len(self._blocks) > 1 and self._blocks[1][0] <= tick:
             self._blocks.popleft()
 
     def at(self, tick: float) -> Array:
         """Return the coordinates at a tick [rad | m], shape (n,): between two ticks linear.
 
-        Before the first tick that is kept, and after the last one, they are those of that tick.
+        Before the first tick that is kept, and after the last one, the value of that tick is returned.
         """
         whole = int(tick // 1)
         before, share = self._row(whole), tick - whole

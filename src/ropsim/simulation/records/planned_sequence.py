@@ -1,4 +1,4 @@
-"""A stretch as it is planned, with what a run needs to know of its motion."""
+"""A planned motion sequence, with the data that a run needs on its motion."""
 
 from collections.abc import Callable
 from typing import TypeAlias
@@ -27,19 +27,19 @@ _LEAST_SPEED = 1e-3
 """Share of the greatest speed of a joint below which its own one says nothing of how it brakes."""
 
 _SPEED_WITH_CORRECTION = 0.5
-"""Least share of the greatest speeds by which a corrected motion is braked: so what the correction adds, at
-the most a tenth of them, takes less than a sixth of the accelerations."""
+"""Least share of the greatest speeds for braking of a corrected motion: then the correction, at most a tenth of
+them, takes less than a sixth of the accelerations."""
 
 
 @record
 class PlannedMotion:
-    """The plan of a stretch, and what follows from it.
+    """The plan of a motion sequence, and derived data.
 
     Attributes:
         plan: the motion.
         critical: the limit that each move is at for longest, None where it reaches none.
         places: where the TCP is at the end of each move, in the base frame [m].
-        joints: what the joints can do.
+        joints: capabilities of the joints.
     """
 
     plan: MotionPlan
@@ -52,7 +52,7 @@ class PlannedMotion:
         top, joints = np.empty(len(self.joints.speed)), self.joints
         peaks(np.ascontiguousarray(self.plan.reference.qd), top)
         speeds, accelerations = np.maximum(top, _LEAST_SPEED * joints.speed), joints.acceleration
-        if self.plan.is_corrected:  # what a sensor adds is braked with it
+        if self.plan.is_corrected:  # the correction is braked with it
             speeds = np.maximum(speeds, _SPEED_WITH_CORRECTION * joints.speed)
             accelerations = accelerations * PLANNED_ACCELERATION
         return clock_limits(speeds, accelerations, joints.jerk)
@@ -60,7 +60,7 @@ class PlannedMotion:
 
 @record
 class PlannedStretch:
-    """What came of planning a stretch.
+    """Result of planning a motion sequence.
 
     Attributes:
         motion: through the moves up to the first one that cannot be made, None where that is the first.
@@ -76,7 +76,7 @@ Planning: TypeAlias = Callable[[str, MotionChain, MotionSequence], PlannedStretc
 
 
 def planned_anew(station: str, chain: MotionChain, order: MotionSequence) -> PlannedStretch:
-    """Plan a stretch, whatever was planned before."""
+    """Plan a motion sequence without using kept plans."""
     del station
     planned, refusal = ordered(chain, order)
     return PlannedStretch(_motion(planned, chain.robot, order.payload) if planned else None, refusal)

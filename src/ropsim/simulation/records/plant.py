@@ -1,4 +1,4 @@
-"""What follows joint references: the servo-driven arm, or the ideal arm of a kinematic run."""
+"""Followers of joint references: the servo-driven arm, or the ideal arm of a kinematic run."""
 
 from typing import Protocol
 
@@ -54,15 +54,15 @@ class Plant(Protocol):
         ...
 
     def forget(self, tick: int) -> None:
-        """Take notice that nobody asks any more where the arm was before a tick."""
+        """Allow discarding positions of the arm before a tick."""
         ...
 
     def log(self) -> dict[str, Array]:
-        """Return what was recorded: arrays (rows, n) by channel name, and `tick` (rows,)."""
+        """Return the recorded data: arrays (rows, n) by channel name, and `tick` (rows,)."""
         ...
 
     def at(self, tick: float) -> dict[str, Array]:
-        """Return what `log` holds at a tick, linear between two rows: arrays (n,) by channel name."""
+        """Return the data of `log` at a tick, linear between two rows: arrays (n,) by channel name."""
         ...
 
 

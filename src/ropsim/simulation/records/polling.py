@@ -1,4 +1,4 @@
-"""A program that goes round in a loop and does nothing but look at channels and stand."""
+"""A program in a loop that only reads channels and pauses."""
 
 from dataclasses import dataclass, field, replace
 from typing import NamedTuple
@@ -15,10 +15,10 @@ from ropsim.icr import Machine, MachineState
 
 
 class Polled(NamedTuple):
-    """What a pass of such a loop looked at.
+    """Readings of one pass of a polling loop.
 
     Attributes:
-        reads: what each channel read; empty where the loop looks at none.
+        reads: values of the channels; empty if the loop reads none.
         origin: of the standing in the loop.
     """
 
@@ -30,18 +30,18 @@ class Polled(NamedTuple):
 class Polling:
     """Compares the state of a program at each pause with that at the pause before.
 
-    A pause is a wait for a time, or the tick for which it stands where it looks again (`Looks`). Where the
-    state is the same, and nothing but channels was looked at in between, the next pass will be the same as
-    long as the channels are.
+    A pause is a wait for a time, or the tick for which it pauses before reading again (`Looks`). If the state
+    is unchanged, and only channels were read in between, the next pass will be the same while the channels
+    stay the same.
 
     Attributes:
         reads: channels read since the last pause.
-        looked: names of the channels looked at before the step that is carried out, where the program stands
-            there because it looks again and again; whether it asks for the time does not matter.
+        looked: names of the channels read before the present step, if the program pauses there in a polling
+            loop; reading the time does not matter.
         waited: control tick at which it began its last wait for a time.
-        timed: whether the program has asked for the time since then.
+        timed: whether the program has read the time since then.
         state: of the program at the last pause; None where it has done something else since.
-        found: what was looked at before the last pause, where the state was the same; it may be nothing.
+        found: readings before the last pause with the same state; possibly none.
     """
 
     reads: dict[str, bool | float] = field(default_factory=dict)
@@ -52,13 +52,13 @@ class Polling:
     found: Polled | None = None
 
     def look(self, machine: Machine, step: Instruction, tick: int, *, again: bool) -> Polled | None:
-        """Return what was looked at since a pause of the same state, None where the program goes on.
+        """Return the readings since a pause with the same state, None if the program continues.
 
         Args:
             machine: which has come to the step.
             step: that is carried out next.
             tick: control tick now.
-            again: whether it looks from where the program has looked at this tick already.
+            again: whether it reads at a place that has already read at this tick.
         """
         self.looked = tuple(sorted(self.reads)) if again else ()
         if not isinstance(step, WaitInstruction | SyncInstruction):
@@ -83,5 +83,5 @@ class Polling:
 
 
 def _bare(state: MachineState) -> MachineState:
-    """Return a state without what only counts."""
+    """Return a state without its counters."""
     return replace(state, call_serials=(), visits=(), activations=0, steps=0)

@@ -1,4 +1,4 @@
-"""A growing table of recorded rows that never takes more than so much memory."""
+"""A growing table of recorded rows with bounded memory."""
 
 import numpy as np
 
@@ -61,7 +61,7 @@ class RowLog:
         self._rows = 1
 
     def claim(self, tick: int, ticks: int) -> tuple[Array, int]:
-        """Return the table and the row where those of the next `ticks` ticks begin; they count from now on.
+        """Return the table and the first row of the next `ticks` ticks; these rows count from now on.
 
         Args:
             tick: tick at which they start.

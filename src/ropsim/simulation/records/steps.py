@@ -11,10 +11,10 @@ Step: TypeAlias = Instruction | Finished
 
 
 class Steps:
-    """What a program does, step by step.
+    """Steps of a program.
 
-    To look at steps ahead lets the interpreter run to them; so nobody may look behind one that needs what
-    comes before it done, as an input that is read does: `ropsim.icr.Machine.advance`.
+    Reading steps ahead lets the interpreter run to them; so a caller must not read behind a step that
+    requires earlier ones to be executed, such as reading an input: `ropsim.icr.Machine.advance`.
 
     Args:
         advance: lets the interpreter run to its next step.
@@ -29,7 +29,7 @@ class Steps:
         return self._known.popleft() if self._known else self._advance()
 
     def ahead(self, number: int) -> Step:
-        """Return the step behind so many that come first, which all stay to be taken."""
+        """Return the step behind a number of first ones, which all stay to be taken."""
         while len(self._known) <= number:
             self._known.append(self._advance())
         return self._known[number]

@@ -1,4 +1,4 @@
-"""The worst of what a run is judged by, over all control ticks: how large it was, and when."""
+"""Extreme values of the judged quantities, over all control ticks: magnitude and time."""
 
 import numpy as np
 
@@ -21,7 +21,7 @@ class Tally:
 
     @property
     def table(self) -> Array:
-        """Return what who judges writes into, shape (4, width).
+        """Return the table for a judge to write into, shape (4, width).
 
         The rows are the largest magnitude so far, its control tick, the number of ticks at the limit, and the
         last one of these.
@@ -29,7 +29,7 @@ class Tally:
         return self._table
 
     def axes(self, name: str) -> tuple[int, ...]:
-        """Return the joints that have a quantity; none where nobody has it."""
+        """Return the joints that have a quantity; empty if none has it."""
         return self._fields[name].axes if name in self._fields else ()
 
     def worst(self, name: str) -> tuple[Array, Array]:
@@ -51,7 +51,7 @@ class Tally:
         return np.asarray(self._table - np.array([[0.0], [tick], [0.0], [tick]]))
 
     def merge(self, tick: int, table: Array) -> None:
-        """Enter another tally, of ticks behind those that have been entered.
+        """Enter another tally, of later ticks.
 
         Args:
             tick: from which the ticks of the other one are counted.

@@ -1,4 +1,4 @@
-"""Running maxima of what a run is judged by, in plain loops that numba compiles."""
+"""Running maxima of the judged quantities, in plain loops that numba compiles."""
 
 from ropsim.codegen import Array1, Array2, kernel
 
@@ -59,7 +59,7 @@ def enter_rows(
 
 @kernel
 def merge_tables(table: Array2, other: Array2, tick: float) -> None:
-    """Enter the table of another tally, of ticks behind those that have been entered.
+    """Enter the table of another tally, of later ticks.
 
     Args:
         table: of the tally, shape (4, width); see `Tally.table`.
@@ -81,8 +81,8 @@ def greatest(values: Array1, spans: Array2, found: Array1) -> None:
 
     Args:
         values: none of them below 0; NaN counts as 0, shape (k,).
-        spans: numbers of the first value to look at, and behind the last one, shape (m, 2).
-        found: where the answers go, 0 where there are none to look at, shape (m,).
+        spans: number of the first value to check, and behind the last one, shape (m, 2).
+        found: where the answers go, 0 if there are none to check, shape (m,).
     """
     for m in range(spans.shape[0]):
         most = 0.0

@@ -36,7 +36,7 @@ class ToolFrames:
 
     @classmethod
     def beginning_with(cls, X_MT: Pose) -> "ToolFrames":
-        """Return those of a run that begins with a tool frame."""
+        """Return the tool frames of a run that begins with one tool frame."""
         return cls([0], [X_MT])
 
     def set(self, tick: int, X_MT: Pose) -> None:

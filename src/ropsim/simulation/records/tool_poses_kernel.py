@@ -7,7 +7,7 @@ from ropsim.codegen import Array1, Array2, Array3, kernel
 
 @kernel
 def tool_poses(poses: Array3, tools: Array3, which: Array1, square: Array2, quaternions: Array2) -> None:
-    """Make poses of the tool of those of the flange, and write their orientations as unit quaternions.
+    """Compute poses of the tool from poses of the flange, and write their orientations as unit quaternions.
 
     The largest of the four components is found first and divides the others (Shepperd 1978), so that no
     rotation loses accuracy.

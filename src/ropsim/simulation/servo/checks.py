@@ -97,11 +97,11 @@ def check_rates(rates: Rates) -> None:
 
 
 def check_law(law: CompiledLaw, robot: RobotModel) -> None:
-    """Make sure that a law fits the arm: its parameters, what it puts out, what it says about its state.
+    """Make sure that a law fits the arm: its parameters, its output, its state.
 
     Raises:
         ServoArrayError: its parameters do not.
-        LawError: what it says about itself does not.
+        LawError: its traits do not fit.
     """
     misfit = _misfit(law.traits, robot)
     if misfit:
@@ -115,7 +115,7 @@ def check_law(law: CompiledLaw, robot: RobotModel) -> None:
 
 
 def _misfit(traits: LawTraits, robot: RobotModel) -> str:
-    """Return what of the traits of a law does not go together with an arm, empty for nothing."""
+    """Return the traits of a law that do not fit an arm, as text; empty if all fit."""
     for joint, drive in zip(robot.axis_joints, robot.drives, strict=True):
         takes = chain_of(drive).amplifier.kind
         if traits.u_kind not in (None, takes):
@@ -180,7 +180,7 @@ def check_vector(name: str, values: npt.ArrayLike, n: int) -> Array:
 
 
 def check_output(values: npt.ArrayLike, n: int, tick: int, control_hz: int) -> Array:
-    """Return what a law in Python puts out at a control tick, n finite numbers.
+    """Return the output of a law in Python at a control tick, n finite numbers.
 
     Raises:
         ServoArrayError: it has another shape or a number is not finite; the tick is named.

@@ -1,4 +1,4 @@
-"""What can be wrong with a servo simulation."""
+"""Errors of a servo simulation."""
 
 from ropsim.core import RopsimError, Severity, define
 

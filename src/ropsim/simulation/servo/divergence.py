@@ -1,4 +1,4 @@
-"""What is said of a state that has become NaN or infinite: when that was, and what of it came first."""
+"""Report of a state that has become NaN or infinite: the time, and the first faulty part."""
 
 from collections.abc import Callable
 
@@ -11,21 +11,21 @@ from ropsim.spatial import Array
 
 
 def first_fault(values: Array, ticks: int, advance: Callable[[int], None]) -> int:
-    """Return after how many ticks a state vector is not finite any more; it is left as it is there.
+    """Return the number of ticks after which a state vector is not finite any more; it keeps its state there.
 
-    A slice is one call, and a NaN shows at its end only; so it is gone through again, tick by tick. What is
-    not finite may become finite again (a counter that is set back), so every tick is looked at.
+    A slice is one call, and a NaN shows at its end only; so it is repeated tick by tick. A value may become
+    finite again (a counter that is reset), so every tick is checked.
 
     Args:
-        values: the state vector, shape (m,), as it was before the first tick; it is advanced.
+        values: the state vector, shape (m,), before the first tick; it is advanced.
         ticks: of the slice.
         advance: advances the vector by the tick of a number, from 0; an `ArithmeticError` or a `ValueError`
-            is a fault, too.
+            is also a fault.
     """
     for k in range(ticks):
         try:
             advance(k)
-        except (ArithmeticError, ValueError):  # plain Python raises where compiled code gives NaN
+        except (ArithmeticError, ValueError):  # plain Python raises where compiled code yields NaN
             return k + 1
         if not np.isfinite(values).all():
             return k + 1
@@ -51,7 +51,7 @@ def diverged(robot: RobotModel, state: ServoState, control_hz: int) -> DivergedE
 
 
 def _first(robot: RobotModel, layout: StateLayout, values: Array) -> str:
-    """Return what of a state vector is not finite: what the others follow from comes first."""
+    """Return the part of a state vector that is not finite: causes come first."""
     every = tuple(range(layout.n))
     places = [
         ("output of the joint controller", every, layout.output),

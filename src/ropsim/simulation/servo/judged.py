@@ -1,4 +1,4 @@
-"""What of a servo simulation is judged at every control tick, and from which value on it is at its limit."""
+"""Quantities of a servo simulation that are judged at every control tick, and their limits."""
 
 from dataclasses import replace
 
@@ -11,7 +11,7 @@ from ropsim.simulation.servo.log import REFERENCE_COLUMNS, LogLayout, floors
 from ropsim.spatial import Array
 
 BELOW = "below "
-"""Begins the names of what says by how much a quantity of a drive is below what it can be."""
+"""Prefix of the names of margins: the distance of a drive's quantity from its lower bound."""
 
 
 def judged(chains: tuple[DriveChain, ...]) -> tuple[Field, ...]:

@@ -1,4 +1,4 @@
-"""What drives and arm did, kept by the state in which they began, the reference and the payload.
+"""Responses of drives and arm, kept by the state in which they began, the reference and the payload.
 
 A servo-driven arm forgets: some seconds behind an edit its state is that of the run before, to the bit, and
 from there on nothing need be simulated that is known.
@@ -19,7 +19,7 @@ Driving: TypeAlias = Callable[[str, Servo, ServoState, JointReference, Payload, 
 """Lets the servo of the station of a name follow a reference; see `Servo.run`."""
 
 MOST_BYTES = 200_000_000
-"""So much of rows and references is kept: 7 minutes of motion of six axes at a control rate of 1 kHz."""
+"""Number of rows and references that are kept: 7 minutes of motion of six axes at a control rate of 1 kHz."""
 
 
 def driven_anew(
@@ -31,7 +31,7 @@ def driven_anew(
     recorder: Recorder,
     aux: Array,
 ) -> ServoState:
-    """Follow a reference, whatever was followed before."""
+    """Follow a referencewithout using kept responses."""
     del station
     after = servo.run(state, reference, payload, recorder, aux)
     recorder.take()
@@ -46,7 +46,7 @@ class _Driven:
         reference: that was followed, mostly rows of a plan that is kept as well.
         aux: signals that the law read, shape (ticks, a).
         rows: of the log, at every control tick, shape (ticks, w).
-        tally: what was judged, ticks counted from where it began, shape (4, w).
+        tally: judged quantities, ticks counted from where it began, shape (4, w).
         values: the state vector at its end.
     """
 
@@ -91,7 +91,7 @@ class KeptDrives:
         recorder: Recorder,
         aux: Array,
     ) -> ServoState:
-        """Follow a reference, or enter into the recording what came of that before.
+        """Follow a reference, or enter its kept response into the recording.
 
         Args:
             station: name of the station in the cell.
@@ -120,7 +120,7 @@ def _are_same(one: JointReference, other: JointReference) -> bool:
 
 
 def _same(one: Array, other: Array) -> bool:
-    """Return whether two arrays have the same bits; where they lie at one place nobody need look."""
+    """Return whether two arrays have the same bits; arrays at the same address are equal."""
     if one.shape != other.shape:
         return False
     place, same = one.__array_interface__, other.__array_interface__

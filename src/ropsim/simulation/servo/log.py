@@ -1,4 +1,4 @@
-"""What a servo simulation records at a tick: the fields of a row of its log."""
+"""Data that a servo simulation records at a tick: the fields of a row of its log."""
 
 from math import inf
 
@@ -15,7 +15,7 @@ REFERENCE_COLUMNS = (
     Column("q_ref", "{q}", "joint references"),
     Column("qd_ref", "{q}/s", "reference joint speeds"),
 )
-"""What every arm has."""
+"""Columns of every arm."""
 
 
 @frozen_dataclass
@@ -49,7 +49,7 @@ class LogLayout:
 
 
 def recorded(chain: DriveChain) -> tuple[Column, ...]:
-    """Return what is recorded of a drive: its states and what its amplifier puts out."""
+    """Return the recorded columns of a drive: its states and the output of its amplifier."""
     return (*chain.states, chain.amplifier.output)
 
 

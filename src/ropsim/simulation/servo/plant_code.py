@@ -28,7 +28,7 @@ from ropsim.spatial import Array
 
 @frozen_dataclass
 class LongPlantCode:
-    """What `GivenCode` is, for an arm that is too long for straight-line code.
+    """Counterpart of `GivenCode` for an arm that is too long for straight-line code.
 
     Attributes:
         structure: of the arm.
@@ -57,7 +57,7 @@ def derivative(x, u, constants, dx):
         return (*self.drives.functions, *chain_acceleration_code(), derivative)
 
     def constants(self, numbers: Array) -> Array:
-        """Return what the functions take for the numbers of an arm of this structure."""
+        """Return the constants of the functions for the numbers of an arm of this structure."""
         return np.concatenate([self.drives.constants(numbers), chain_numbers(self.structure, numbers)])
 
 
@@ -69,9 +69,9 @@ class _Traced:
         tracer: the graph.
         layout: of the state.
         x: integrated part of the state.
-        u: what the amplifiers put out.
-        outputs: what they put out for a command.
-        carried: what each drive brings to its joint.
+        u: output of the amplifiers.
+        outputs: output of the amplifiers for a command.
+        carried: effect of each drive on its joint.
     """
 
     tracer: Tracer
@@ -111,9 +111,9 @@ class _Traced:
 def plant_code(structure: ArmStructure) -> GivenCode | LongPlantCode:
     """Return `amplify`, `derivative`, `efforts` and `observe` of arm and drives.
 
-    `amplify(command, constants, u)` gives what the amplifiers put out; `derivative(x, u, constants, dx)` the
-    rates of the integrated part of the state; `efforts(x, u, constants, tau)` the torques of the drives at
-    the joints; `observe(x, u, constants, row)` a row of the log without the reference.
+    `amplify(command, constants, u)` computes the output of the amplifiers; `derivative(x, u, constants, dx)`
+    the rates of the integrated part of the state; `efforts(x, u, constants, tau)` the torques of the drives
+    at the joints; `observe(x, u, constants, row)` a row of the log without the reference.
     """
     tracer = Tracer()
     drives = _Traced.of(tracer, structure)
@@ -138,14 +138,14 @@ def observe(robot: RobotModel, x: Array, u: Array, row: Array) -> None:
     Args:
         robot: arm with drives.
         x: integrated part of the state vector.
-        u: what the amplifiers put out.
+        u: output of the amplifiers.
         row: of the log; written in place.
     """
     _evaluated(robot, "observe", x, u, row)
 
 
 def efforts(robot: RobotModel, x: Array, u: Array, tau: Array) -> None:
-    """Enter the torques of the drives at the joints into `tau`; arguments are those of `observe`."""
+    """Enter the torques of the drives at the joints into `tau`; arguments as in `observe`."""
     _evaluated(robot, "efforts", x, u, tau)
 
 
@@ -162,7 +162,7 @@ def _constants(robot: RobotModel) -> Array:
 
 
 def _sides(drives: _Traced) -> list[tuple[str, Scalar]]:
-    """Return what moves the joints beside the links, the inertia of the drives there, and their rates."""
+    """Return the efforts on the joints, the inertia of the drives there, and their rates."""
     sides = sides_of(drives.tracer, drives.carried)
     n = len(sides)
     net = [
@@ -174,7 +174,7 @@ def _sides(drives: _Traced) -> list[tuple[str, Scalar]]:
 
 
 def _row(structure: ArmStructure, drives: _Traced) -> list[tuple[str, Scalar]]:
-    """Return what `observe` enters: everything but the reference."""
+    """Return the entries of `observe`: everything except the reference."""
     layout, x = drives.layout, drives.x
     known = {"q": x[layout.q], "qd": x[layout.qd], "tau": drives.tau}
     states = {field.name: field for field in layout.drives}

@@ -17,9 +17,9 @@ from ropsim.spatial import Array
 class Recorder:
     """Collects a row at every control tick that is a multiple of the decimation, the start included.
 
-    A row holds what is at the end of a tick: the state of arm and drives at time tick / control_hz and the
-    reference of the same instant, beside what the amplifiers put out until then. What a run is judged by is
-    looked at on every control tick, however few have a row.
+    A row holds the values at the end of a tick: the state of arm and drives at time tick / control_hz and the
+    reference of the same instant, and the output of the amplifiers until then. Judged quantities are checked
+    at every control tick, regardless of the number of rows.
 
     Args:
         robot: the arm; it must have drives.
@@ -64,7 +64,7 @@ class Recorder:
         return self._log.ticks
 
     def claim(self, tick: int, ticks: int) -> tuple[Array, int]:
-        """Return the log and the row at which those of the next `ticks` ticks begin; they count from now on.
+        """Return the log and the first row of the next `ticks` ticks; these rows count from now on.
 
         Args:
             tick: tick at which they start.
@@ -76,11 +76,11 @@ class Recorder:
         """Take notice that the rows claimed have been written."""
 
     def slice_log(self) -> SliceLog:
-        """Return a log for a slice by itself, of the same width."""
+        """Return a log for a single slice, of the same width."""
         return SliceLog(self._tally.empty(), self._layout.width)
 
     def enter(self, tick: int, rows: Array, tally: Array) -> None:
-        """Enter a slice that was written before: of its rows those that are due.
+        """Enter a slice that was written before: only its due rows.
 
         Args:
             tick: tick at which it starts.
@@ -95,22 +95,22 @@ class Recorder:
         return self.at(tick)["q"]
 
     def forget(self, tick: int) -> None:
-        """Take notice that nobody asks any more for coordinates before a tick."""
+        """Allow discarding coordinates before a tick."""
 
     def channels(self) -> dict[str, Array]:
-        """Return what was recorded by name: views of the log, a column for each joint that has the quantity.
+        """Return the recorded data by name: views of the log, a column for each joint that has the quantity.
 
-        `servo_log` lists the quantities; those of drives, such as `current`, are there for the joints whose
+        `servo_log` lists the quantities; quantities of drives, such as `current`, exist for the joints whose
         drives have them.
         """
         return self._named(self._log.table)
 
     def at(self, tick: float) -> dict[str, Array]:
-        """Return what `channels` holds at a tick, linear between two rows: one number for each column."""
+        """Return the data of `channels` at a tick, linear between two rows: one number for each column."""
         return {name: values[0] for name, values in self._named(self._log.at(tick)[np.newaxis]).items()}
 
     def _keep(self, tick: int, rows: Array) -> None:
-        """Keep what is due of the rows of the ticks behind `tick`, shape (ticks, w)."""
+        """Keep the due rows of the ticks behind `tick`, shape (ticks, w)."""
         table, begin = self._log.claim(tick, len(rows))
         decimation = self._log.decimation
         table[begin : self._log.rows] = rows[-(tick + 1) % decimation :: decimation]

@@ -50,7 +50,7 @@ class Servo:
     output holds over the tick, and the amplifier clips it. Drives and arm are one system of equations (joint
     coordinates, speeds, states of the drives) that the classical Runge-Kutta method of fourth order
     integrates with `plant_steps` equal steps per tick. Nothing is random and sums keep their order: the same
-    calls give the same bits, however a reference is cut into slices.
+    calls yield the same bits, independent of the slices of a reference.
 
     Attributes:
         robot: the arm.
@@ -60,7 +60,7 @@ class Servo:
         control_hz: control ticks per second.
         plant_steps: integration steps per control tick.
         kernel: the compiled slice.
-        bench: what its calls share.
+        bench: arrays shared by its calls.
     """
 
     robot: RobotModel
@@ -95,7 +95,7 @@ class Servo:
             OptionError: a rate is not a whole number of at least 1.
             ServoArrayError: the parameters of the law do not fit the arm.
             LawError: a law of your own does not work, or does not fit the drives.
-            JointCountError: the arm has no joints, or not one link and one drive for each.
+            JointCountError: the arm has no joints, or not exactly one link and one drive for each.
             ModelNumberError: a number of the model is not finite.
         """
         check_drives(robot)
@@ -171,7 +171,7 @@ class Servo:
         One compiled call, however long the reference is. Standing still is a reference with constant `q`.
 
         Args:
-            state: where to start; it stays as it is.
+            state: initial state; it stays unchanged.
             reference: one row per control tick; row 0 is where the arm should be one control period from now.
                 Row k comes into force at the end of tick k; the last one is in force in the state returned.
             payload: body at the mechanical interface, constant over the call.
@@ -201,7 +201,7 @@ class Servo:
         call = self.bench.slices.get(payload) or self._slice(payload)
         try:
             call(*reference, signals, log, state.tick, recorder.decimation, log_row, recorder.tally.table)
-        except (ArithmeticError, ValueError) as error:  # plain Python raises where compiled code gives NaN
+        except (ArithmeticError, ValueError) as error:  # plain Python raises where compiled code yields NaN
             raise self._diverged(state, reference, signals, call, recorder) from error
         except (IndexError, StoppedError) as error:
             raise failed(self.law, error) from error
@@ -254,7 +254,7 @@ class Servo:
                 answer = law.step(now, memory)
             except RopsimError:
                 raise
-            except Exception as error:  # whatever the code of a user raises is told
+            except Exception as error:  # any exception of a user's code is reported
                 raise failed(self.law, error) from error
             self.bench.parameters[0] = check_output(answer, n, before.tick, self.control_hz)
             q, qd, qdd = (array[k : k + 1] for array in reference)
@@ -278,7 +278,7 @@ _Rows = tuple[Array, Array, Array]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Bench:
-    """What the calls of a slice share; nothing of it lasts from one call to the next.
+    """Arrays shared by the calls of a slice; their contents do not persist between calls.
 
     Attributes:
         values: the state vector while it is worked on.

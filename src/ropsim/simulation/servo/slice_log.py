@@ -1,4 +1,4 @@
-"""The rows of one slice at every control tick, and what is judged on it by itself."""
+"""The rows of one slice at every control tick, and its judged quantities."""
 
 from typing import Protocol
 
@@ -9,7 +9,7 @@ from ropsim.spatial import Array
 
 
 class Log(Protocol):
-    """What a slice is written into."""
+    """Destination of the rows of a slice."""
 
     @property
     def decimation(self) -> int:
@@ -22,7 +22,7 @@ class Log(Protocol):
         ...
 
     def claim(self, tick: int, ticks: int) -> tuple[Array, int]:
-        """Return a table and the row at which those of the next `ticks` ticks begin; they count from now on.
+        """Return a table and the first row of the next `ticks` ticks; these rows count from now on.
 
         Args:
             tick: tick at which they start.
@@ -32,7 +32,7 @@ class Log(Protocol):
 
 
 class SliceLog:
-    """A log of a slice alone; whoever has a run of which it is a part may enter it there.
+    """A log of a slice alone; it may be entered into the log of a run.
 
     Args:
         tally: with nothing in it.

@@ -27,13 +27,13 @@ def servo_functions(structure: ArmStructure, law: CompiledLaw) -> tuple[SourceFu
 def _slice_text(structure: ArmStructure, traits: LawTraits) -> str:
     """Return `run_slice`: law, amplifiers and `plant_steps` Runge-Kutta steps for every tick, log and tally.
 
-    The steps are those of the classical method. The law is given what holds at the beginning of a tick: the
+    The steps are as in the classical method. The law receives the values at the beginning of a tick: the
     reference in force and the measurement. At its end the next row of the reference comes into force. A row
-    of the log is what holds then, beside what the amplifiers put out over the tick. `values` is the state
-    vector; `ref`, `pending` and `memory` are parts of it by rows; `frame` (4, n), `stages` (5, m) and `now`
-    (w,) are room to work in. Every tick enters the tally (4, w): `ends` (2, n) are the ranges of the joints,
-    `full` (w,) is from where on values count as at their limits; of pressures counts by how much they are
-    below what they can be. What is the same in many calls comes first.
+    of the log holds the values at that time, and the output of the amplifiers over the tick. `values` is the
+    state vector; `ref`, `pending` and `memory` are parts of it by rows; `frame` (4, n), `stages` (5, m) and
+    `now` (w,) are work arrays. Every tick enters the tally (4, w): `ends` (2, n) are the ranges of the
+    joints, `full` (w,) are the values that count as limits; for pressures, the judged quantity is the
+    distance below the limit. Arguments that rarely change come first.
     """
     n = structure.n
     layout = StateLayout.of(structure.drives, traits)

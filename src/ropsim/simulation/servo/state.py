@@ -7,16 +7,16 @@ from ropsim.simulation.records.fields import Field, fields
 from ropsim.spatial import Array, record
 
 MOTOR_SPEED = "motor_speed"
-"""Name of the state of drives behind whose gears the motor turns by itself: its speed over the gear ratio."""
+"""Name of the state of drives with elastic gears: the speed of the motor over the gear ratio."""
 
 
 @frozen_dataclass
 class StateLayout:
     """Where things stand in the state vector.
 
-    In order: q, qd, what the drives remember, what their amplifiers put out, the reference in force, outputs
-    of the law that do not act yet, what the law remembers. The first three are integrated; the others change
-    at control ticks.
+    In order: q, qd, states of the drives, outputs of their amplifiers, the reference in force, outputs of the
+    law that do not act yet, states of the law. The first three are integrated; the others change at control
+    ticks.
 
     Attributes:
         n: number of joints.
@@ -58,7 +58,7 @@ class StateLayout:
 
     @property
     def output(self) -> slice:
-        """Return the place of what the amplifiers put out, in the sense of the motors."""
+        """Return the place of the output of the amplifiers, in the sense of the motors."""
         return slice(self.integrated, self.integrated + self.n)
 
     @property
@@ -75,7 +75,7 @@ class StateLayout:
 
     @property
     def law(self) -> slice:
-        """Return the place of what the law remembers, by rows."""
+        """Return the place of the states of the law, by rows."""
         return slice(self.pending.stop, self.size)
 
     def in_force(self, values: Array) -> Array:
@@ -87,12 +87,12 @@ class StateLayout:
         return values[self.pending].reshape(self.delay, self.n)
 
     def memory(self, values: Array) -> Array:
-        """Return what the law remembers, shape (law_rows, n); a view of a state vector."""
+        """Return the states of the law, shape (law_rows, n); a view of a state vector."""
         return values[self.law].reshape(self.law_rows, self.n)
 
     @property
     def measured_speeds(self) -> tuple[int, ...]:
-        """Return the places of the speeds that a law is given: of the motor where it has one of its own."""
+        """Return the places of the speeds measured for a law: of the motor if it is a separate state."""
         motors = {
             axis: field.first + number
             for field in self.drives
@@ -135,28 +135,28 @@ class ServoState:
 
     @property
     def output(self) -> Array:
-        """Return what the amplifiers put out over the last tick, in the sense of the motors, shape (n,)."""
+        """Return the output of the amplifiers over the last tick, in the sense of the motors, shape (n,)."""
         return self.values[self.layout.output]
 
     @property
     def reference(self) -> Array:
         """Return the reference of this tick, shape (3, n).
 
-        Its rows are coordinates [rad | m], speeds and accelerations; the law is given it at the beginning of
-        the next tick, beside what is measured there.
+        Its rows are coordinates [rad | m], speeds and accelerations; the law receives it at the beginning of
+        the next tick, together with the measurement there.
         """
         return self.layout.in_force(self.values)
 
     @property
     def law(self) -> Array:
-        """Return what the law remembers, shape (rows, n)."""
+        """Return the states of the law, shape (rows, n)."""
         return self.layout.memory(self.values)
 
     def drive(self, name: str) -> Array:
         """Return a state of the drives that have it, such as `current` [A], in the order of the joints.
 
         Raises:
-            KeyError: no drive has such a state.
+            KeyError: no drive has this state.
         """
         for field in self.layout.drives:
             if field.name == name:

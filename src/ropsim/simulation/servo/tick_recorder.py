@@ -1,4 +1,4 @@
-"""A recorder that also knows where the arm was at every control tick of its immediate past."""
+"""A recorder that also keeps the position of the arm at every control tick of its immediate past."""
 
 import numpy as np
 
@@ -11,7 +11,7 @@ from ropsim.spatial import Array
 
 
 class TickRecorder(Recorder):
-    """Has a row written at every control tick and keeps those that are due; they are the same bits.
+    """Has a row written at every control tick and keeps the due ones; the bits are the same.
 
     Args:
         robot: the arm; it must have drives.
@@ -51,7 +51,7 @@ class TickRecorder(Recorder):
         self._past.forget(tick)
 
     def take(self) -> None:
-        """Keep what is due of the rows that have been written since the last call."""
+        """Keep the due ones of the rows that have been written since the last call."""
         if not self._written:
             return
         tick, rows = self._written[0][0], np.concatenate([rows for _, rows in self._written])
@@ -59,6 +59,6 @@ class TickRecorder(Recorder):
         self._keep(tick, rows)
 
     def _keep(self, tick: int, rows: Array) -> None:
-        """Keep what is due of rows, and all coordinates for a while."""
+        """Keep the due rows, and all coordinates for a while."""
         self._past.enter(tick + 1, rows[:, self._layout.field("q").place].copy())
         super()._keep(tick, rows)

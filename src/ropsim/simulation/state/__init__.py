@@ -1,1 +1,1 @@
-"""The running state of a cell and its stations, its inputs and what its sensors see."""
+"""The running state of a cell and its stations, its inputs and the inputs of its sensors."""

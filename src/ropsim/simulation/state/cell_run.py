@@ -33,30 +33,30 @@ class CellRun:
     Attributes:
         cell: static model.
         content: its fingerprint, `Cell.content`.
-        input_changes: of the cell as it was given, without the inputs of the run: `Cell.input_changes`.
+        input_changes: of the original cell, without the inputs of the run: `Cell.input_changes`.
         stations: their running states by name.
         devices: theirs.
         sensors: channels of the cell.
-        scenery: what stays as it is while parts are moved.
+        scenery: fixed data while parts are moved.
         parts: where the parts are.
         hz: ticks of the cell's clock per second; every control tick of every station is one of them.
-        progress: is told after every move what was done.
-        ordered: is told of every stretch before it is planned, with the name of its station.
+        progress: called after every move with a text.
+        ordered: called with every motion sequence before it is planned, and the name of its station.
         plan: plans a stretch.
         moved: how many moves have been done.
         at_work: the programs that have not ended, by station.
         watch: looks on.
-        events: what happened.
-        findings: what was found.
+        events: events so far.
+        findings: findings so far.
         planned_findings: first pass, as labels say it, of each kind of finding of plans, by station, code
             and place (else words).
         placements: where each body hung at the start, and every change since.
         tracks: signals by the name of their channel, over ticks of the cell's clock.
         stop_tick: tick of the cell's clock from which on the run is ended by hand; None for its own end.
         overrides: changes of the speed override in order of time: tick of the cell's clock, value of 0 to 1.
-        asked: the last tick for which somebody has asked for the override.
+        asked: the last tick for which the override was requested.
         inputs: changes of inputs that are not from the cell.
-        supplies: of each supply the part that has come last, and those that are still to come.
+        supplies: of each supply the part that has come last, and the parts still to come.
         clasps: grippers that are closed on a part which hangs on another one, by the body of the tool.
     """
 
@@ -127,14 +127,14 @@ class CellRun:
             self._weigh(at)
 
     def _weigh(self, at: StationRun) -> None:
-        """Let the payload of a station be what its tools carry now, in its hands or taken out of them."""
+        """Let the payload of a station be the present load of its tools, after a grasp or a release."""
         load = payload(self.parts.carried(at.hands), self.scenery.parts, at.tool)
         if load != at.payload:
             at.payload = load
             at.track("payload", load.mass)
 
     def place(self, parts: Placements, due: int) -> None:
-        """Let the parts be where `parts` says from a tick of the cell's clock on; devices look at them."""
+        """Let the parts be where `parts` says from a tick of the cell's clock on; devices check them."""
         if parts is self.parts:
             return
         self.placements += changes(due / self.hz, self.parts, parts, self.scenery.objects)
@@ -150,7 +150,7 @@ class CellRun:
         return sample.valid and bool(sample.value)
 
     def note_reading(self, channel: str, tick: int, sample: Sample) -> None:
-        """Enter into the recording what a sensor was found to measure at a tick of the cell's clock."""
+        """Enter into the recording the measurement of a sensor at a tick of the cell's clock."""
         signal = self.cell.signals.get(channel)
         if signal and signal.sensor and sample.valid:
             track = self.tracks.setdefault(f"signal.{channel}", Track([0], [signal.initial]))
@@ -172,7 +172,7 @@ class CellRun:
         self._rouse(signal, tick)
 
     def _rouse(self, signal: str, tick: int) -> None:
-        """Let the devices that follow a signal look at it at a tick of the cell's clock."""
+        """Let the devices that follow a signal read it at a tick of the cell's clock."""
         for device in self.devices.values():
             if signal in device.device.listens:
                 device.wake(tick)
@@ -199,7 +199,7 @@ class CellRun:
         return self.overrides[number - 1][1] if number else 1.0
 
     def slice(self, at: StationRun) -> int:
-        """Return for how many control ticks a station may move on before somebody looks or intervenes."""
+        """Return the number of control ticks until the next observation or intervention."""
         if not self.overrides and self.stop_tick is None:
             return at.stride
         number = bisect_right(self.overrides, (at.due, math.inf))
@@ -217,7 +217,7 @@ class CellRun:
     def override_from(self, tick: int, value: float) -> None:
         """Let the speed override have a value from a tick of the cell's clock on, not before the last change.
 
-        Nobody may have come beyond that tick, or have asked for the override there. A value with which no
+        No station may have passed that tick, or have requested the override there. A value with which no
         program would come to its end counts as 0.
         """
         value = value if value >= SLOWEST else 0.0
@@ -227,16 +227,16 @@ class CellRun:
         self.tracks.setdefault("override", Track([0], [1.0])).set(tick, value)
 
     def stop(self) -> int:
-        """End the run at the first tick to which nobody has come; return that tick."""
+        """End the run at the first tick that no station has reached; return that tick."""
         tick = self.farthest + 1
         if self.stop_tick is None:
             self.stop_from(tick)
         return tick
 
     def stop_from(self, tick: int) -> None:
-        """End the run at a tick of the cell's clock to which nobody has come.
+        """End the run at a tick of the cell's clock that no station has reached.
 
-        Arms that stand then stay where they are, those that move are braked on their paths.
+        Arms that stand then stay where they are, moving ones are braked on their paths.
         """
         for station in self.stations.values():
             station.last_tick = min(station.last_tick, -(-tick // station.cell_ticks))
@@ -256,7 +256,7 @@ class CellRun:
     def note_looking(self, at: StationRun, since: int, event: WaitEvent) -> None:
         """Take down that a station looks again and has stood from its tick `since` up to now.
 
-        It is entered once the program does something else, as one event with all that it goes on from.
+        It is entered once the program does something else, as one event that covers the whole wait.
         """
         known = at.looked
         if known is not None and known.goes_on_in(event, since):

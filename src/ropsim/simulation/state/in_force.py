@@ -1,4 +1,4 @@
-"""What an instruction lets be in force: its source line and its tool."""
+"""State set by an instruction: its source line and its tool."""
 
 from ropsim.flow import Instruction, ModalState
 from ropsim.model import Station, Tool
@@ -7,7 +7,7 @@ from ropsim.simulation.state.station_run import StationRun
 
 
 def put_in_force(run: CellRun, at: StationRun, step: Instruction) -> None:
-    """Let origin, line and tool of an instruction be those of a station from now on."""
+    """Let origin, line and tool of an instruction be in force at a station from now on."""
     at.origin, span = step.origin, step.origin.span
     at.is_busy = True
     at.activations.begin(step.origin, at.tick)

@@ -1,4 +1,4 @@
-"""What somebody gave to a run beside the signal changes of the cell: keys, or a record of them."""
+"""Interventions in a run in addition to the signal changes of the cell: keys, or a record of them."""
 
 import math
 from collections.abc import Iterable
@@ -38,7 +38,7 @@ def with_inputs(cell: Cell, inputs: Iterable[InputChange]) -> Cell:
 
     Args:
         cell: has every signal that is named, as an input.
-        inputs: in any order; of those of one signal at one time the last one holds.
+        inputs: in any order; of several changes of one signal at one time the last one holds.
     """
     signals = dict(cell.signals)
     for change in in_time(inputs):
@@ -47,7 +47,7 @@ def with_inputs(cell: Cell, inputs: Iterable[InputChange]) -> Cell:
 
 
 def signal_track(signal: Signal, control_hz: int) -> Track:
-    """Return the course of a signal as its changes tell it."""
+    """Return the course of a signal from its changes."""
     track = Track([0], [0.0])
     track.set(0, signal.initial)
     for time, value in signal.changes:
@@ -74,7 +74,7 @@ def check_interventions(options: RunOptions) -> None:
 
 
 def _wrong(cell: Cell, change: InputChange) -> tuple[str, str]:
-    """Return why a cell cannot take a change, and what to do; both empty where it can."""
+    """Return why a cell cannot take a change, and the hint; both empty if it can."""
     signal = cell.signals.get(change.signal)
     inputs = sorted(one.name for one in cell.signals.values() if one.is_input)
     known = (

@@ -15,7 +15,7 @@ from ropsim.simulation.state.watch import NobodyWatches, Watch
 
 
 def unheard(station: str, order: MotionSequence) -> None:
-    """Take no notice of what is planned."""
+    """Ignore planned sequences."""
     del station, order
 
 
@@ -32,21 +32,21 @@ class RunOptions:
         fidelity: servo drives and arm dynamics, or the ideal arm.
         record_hz: recorded rows per second; every row falls on a control tick, so it may be a few more.
         longest: simulated time after which a program is stopped [s].
-        progress: is told after every move what was done.
-        ordered: is told of every stretch before it is planned, with the name of its station.
+        progress: called after every move with a text.
+        ordered: called with every motion sequence before it is planned, and the name of its station.
         plan: plans a stretch; one that keeps plans takes the standard entities for granted.
         drive: lets an arm under the joint controller of its model follow a reference.
         chains: other entities between instruction and joint controller, by station; the others take the
             standard ones.
-        laws: other joint controllers than those of the cell, by station.
+        laws: joint controllers in place of those in the cell, by station.
         sensors: delivers the channels that the program reads; None takes the signals of the cell.
-        inputs: changes of inputs beside those of the cell, as an earlier run was given them.
+        inputs: changes of inputs in addition to those in the cell, from an earlier run.
         overrides: changes of the speed override, in order of time, as an earlier run was given them.
         stopped: when the run is ended by hand, as an earlier one was [s]; None for its own end.
         longest_wait: simulated time after which a wait for a signal ends the program [s].
         most_rows: recorded rows beyond which every second one is dropped, so that memory stays bounded.
-        adapt: what becomes of each move of a program; as it is given where nothing is changed.
-        watch: looks on, may hold the run up and give it inputs.
+        adapt: maps each move of a program to the executed one; identity without changes.
+        watch: observes the run, may hold it and press inputs.
     """
 
     fidelity: Fidelity = Fidelity.DYNAMIC

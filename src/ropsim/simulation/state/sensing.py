@@ -1,4 +1,4 @@
-"""What the sensors of a run see: its arms and surfaces at the time at which a station reads."""
+"""Surroundings of the sensors of a run: its arms and surfaces at the time at which a station reads."""
 
 import math
 from dataclasses import dataclass, field, replace
@@ -29,7 +29,7 @@ class SensedRun:
         """Return an arm; of one that is ahead, or whose program has ended, where it is at this tick.
 
         Raises:
-            KeyError: the cell has no such station.
+            KeyError: the station is unknown.
         """
         name = station or self.at.station.name
         other = self.run.stations[name]
@@ -54,7 +54,7 @@ class SensedRun:
         return found if found <= most else math.inf
 
     def _seen_by(self, name: str) -> Blocks:
-        """Return all surfaces but those of an arm with its tools and what it holds."""
+        """Return all surfaces except of an arm with its tools and held parts."""
         run = self.run
         moment, scenery = run.moment(self.at.due), run.scenery
         hands = run.stations[name].hands
@@ -85,7 +85,7 @@ class Senses:
     run: CellRun | None = None
 
     def read(self, channel: str, time: float) -> Sample:
-        """Return the reading of a channel at a time [s]: the cell is as it is when the station reads."""
+        """Return the reading of a channel at a time [s], from the present state of the cell."""
         assert self.run is not None, "a station reads only while it runs"
         seen = SensedRun(self.run, self.run.stations[self.name])
         sample = self._asked(channel, time, seen)
@@ -93,10 +93,10 @@ class Senses:
         return sample
 
     def _asked(self, channel: str, time: float, seen: SensedRun) -> Sample:
-        """Return what the sensors answer; no valid reading where those of a user fail, which is told."""
+        """Return the reading of the sensors; invalid if sensors of a user fail, which is reported."""
         try:
             sample: object = self.sensors.read(channel, time, seen)
-        except Exception as error:  # whatever the code of a user raises is told
+        except Exception as error:  # any exception of a user's code is reported
             if is_our_own(self.sensors):
                 raise
             return self._failed(channel, f"{raised(error)}, when it was asked for `{channel}`", seen)
@@ -110,7 +110,7 @@ class Senses:
         return sample
 
     def _failed(self, channel: str, found: str, seen: SensedRun) -> Sample:
-        """Return a reading that is not valid; that the sensors failed is told once for a channel and line."""
+        """Return a reading that is not valid; the failure is reported once for a channel and line."""
         span, findings = seen.at.origin.span, seen.run.findings
         told = ((one.code, one.span, one.data.get("channel")) for one in findings)
         if (ENTITY_FAILS.code, span, channel) not in told:

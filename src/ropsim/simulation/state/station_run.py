@@ -21,7 +21,7 @@ _SLICE = 1_000
 """Longest reference of an arm that stands still [control ticks]."""
 
 _STRIDE = 100_000
-"""Control ticks that a station moves on at a time where nobody looks."""
+"""Control ticks that a station moves on at a time without an observer."""
 
 
 @dataclass(slots=True)
@@ -34,26 +34,26 @@ class StationRun:
         plant: joint controller, drives and arm, advanced by references.
         q_command: command coordinates reached so far, shape (n,).
         tool: tool in force.
-        tool_frames: X_MT that were in force, also of tools that only the program knows.
-        payload: tool and grasped part as one body; one object as long as it does not change.
+        tool_frames: X_MT that were in force, also of tools defined only by the program.
+        payload: tool and grasped part as one body; the same object until it changes.
         last_tick: control tick at which standing still ends at the latest.
         cell_ticks: ticks of the cell's clock in one control tick.
         stride: control ticks that it moves on at a time at the longest.
         tick: control ticks done.
         moves: moves done.
-        paths: of the tool, as far as they have been followed.
+        paths: followed parts of the tool paths.
         tracks: piecewise constant channels by name, over control ticks.
         activations: times of the tasks.
         fingers: courses of the fingers of its tools, by the name of the body of the tool.
-        awaits: what it stands for, where it waits for a channel.
-        polled: what it looks at again and again, where it does nothing else.
-        looked: its wait by looking again and again, as long as that may go on.
+        awaits: its wait, if it waits for a channel.
+        polled: its polled readings, if it only polls.
+        looked: its wait by polling, while it lasts.
         origin: of the instruction in force.
         modal: the modal state whose tool is in force.
         is_busy: whether that is still being carried out.
         is_held: whether it stands because the override is 0.
-        in_vain: whether it stands for what will never come; the program is over then.
-        dismissed: whether it has served those of other stations, which have ended; the program is over then.
+        in_vain: whether its wait is endless; the program is over then.
+        dismissed: whether the stations that it served have ended; the program is over then.
         unfinished: whether the run was ended, by hand or by its longest time, before the program.
         cut_short: whether `last_tick` ended its standing still, or a hand its move; the program is over then.
         hands: names of the bodies of its tools.
@@ -115,11 +115,11 @@ class StationRun:
         return tool_body(self.tool.name, self.station.name) if self.tool else ""
 
     def carriers(self, due: int) -> dict[str, Pose]:
-        """Return the attained poses X_WC of what carries parts at a tick of the cell's clock, by name.
+        """Return the attained poses X_WC of the carriers of parts at a tick of the cell's clock, by name.
 
         These are its tools, with the pose of the mechanical interface, and the links that external axes move.
-        From the tick on that the station has come to they are those of the arm now, before it those of its
-        past, which is kept from the least tick on that any station has come to.
+        From the tick on that the station has come to they are the present ones of the arm, before it past
+        ones, which is kept from the least tick on that any station has come to.
         """
         hands, robot, X_WB = self.hands, self.station.robot, self.station.X_WB
         moved = external_links(robot) if robot.external else ()
@@ -149,7 +149,7 @@ class StationRun:
     def stand(self, ticks: int) -> Iterator[None]:
         """Hold the command position for a number of control ticks, at the longest until `last_tick`.
 
-        However long that is, it takes the memory of `_SLICE` ticks only; it yields after so many.
+        Its memory is that of `_SLICE` ticks for any duration; it yields after each slice.
         """
         until = self.tick + ticks
         while (left := min(until, self.last_tick) - self.tick) > 0:  # who watches may end the run
@@ -158,7 +158,7 @@ class StationRun:
         self.cut_short |= self.tick < until
 
     def rest(self, ticks: int) -> None:
-        """Hold the command position for a number of control ticks, whoever else waits meanwhile."""
+        """Hold the command position for a number of control ticks, while others wait."""
         until = self.tick + ticks
         while self.tick < until:
             slice_ = min(until - self.tick, _SLICE)

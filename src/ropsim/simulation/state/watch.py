@@ -1,4 +1,4 @@
-"""What may look on while a program runs, hold it up, and give it inputs."""
+"""Observer of a running program, which may hold it and press inputs."""
 
 from collections.abc import Mapping, Sequence
 from typing import Protocol
@@ -12,7 +12,7 @@ from ropsim.simulation.state.station_run import StationRun
 
 
 class RunView(Protocol):
-    """A run while it goes on; what is read here must not be changed."""
+    """View of a running program; its data must not be changed."""
 
     @property
     def cell(self) -> Cell:
@@ -51,7 +51,7 @@ class RunView(Protocol):
 
     @property
     def scenery(self) -> Scenery:
-        """Return what stays as it is while parts are moved."""
+        """Return the fixed data while parts are moved."""
         ...
 
     @property
@@ -61,7 +61,7 @@ class RunView(Protocol):
 
     @property
     def events(self) -> Sequence[Event]:
-        """Return what happened."""
+        """Return the events so far."""
         ...
 
     @property
@@ -70,18 +70,18 @@ class RunView(Protocol):
         ...
 
     def press(self, signal: str, tick: int, value: float) -> None:
-        """Let an input have a value from a tick on that the program has not looked at yet."""
+        """Let an input have a value from a tick on that the program has not read yet."""
         ...
 
     def set_override(self, value: float) -> int:
         """Let the speed override be a value from 0 (hold) to 1 from the next tick on; return that tick.
 
-        It is the first one to which nobody has come: within an interpolation tick after `tick`.
+        It is the first one that no station has reached: within an interpolation tick after `tick`.
         """
         ...
 
     def stop(self) -> int:
-        """End the run at the next tick, which is returned; what was recorded stays.
+        """End the run at the next tick, which is returned; the recording so far stays.
 
         Arms that move are braked on their paths.
         """
@@ -89,11 +89,11 @@ class RunView(Protocol):
 
 
 class Watch(Protocol):
-    """Looks on. Every call may take its time, and may raise to give the run up."""
+    """An observer. Every call may block, and may raise to abandon the run."""
 
     @property
     def may_press(self) -> bool:
-        """Return whether it may give the run inputs: then no wait for a signal is in vain."""
+        """Return whether it may press inputs of the run: then no wait for a signal is endless."""
         ...
 
     def advanced(self, run: RunView) -> None:
@@ -101,7 +101,7 @@ class Watch(Protocol):
         ...
 
     def reading(self, run: RunView) -> None:
-        """Take notice: the program is about to look at a channel at the present time."""
+        """Notification: the program is about to read a channel at the present time."""
         ...
 
     def ended(self, run: RunView) -> None:

@@ -1,4 +1,4 @@
-"""What the interpreter of a station sees of the simulated cell: time and channels."""
+"""View of the interpreter of a station on the simulated cell: time and channels."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
@@ -20,12 +20,12 @@ class SimulatedWorld:
         now: returns the simulated time of the station [s].
         look: is called before each reading.
         longest_wait: a wait without a timeout ends after this time [s].
-        arm: tells poses of the arm of the station.
+        arm: returns poses of the arm of the station.
         came: whether the channel that was waited for last came to have its value.
         guard_met: whether the condition of the guarded move that was carried out last ended it.
         q_met: attained coordinates at the tick at which it was seen to be true [rad | m], shape (n,); None
             where the move that was carried out last had no condition, or was not ended by it.
-        polling: is told what the program looks at.
+        polling: notified of the readings of the program.
     """
 
     channel: Callable[[str, float], Sample]

@@ -30,9 +30,9 @@ from ropsim.simulation.state.world import SimulatedWorld
 from ropsim.spatial import Array
 
 _LOOK_AHEAD = 0.2
-"""Motion time for which it is looked ahead whether the arm can be shifted [s]."""
+"""Motion time of the look-ahead for shifts of the arm [s]."""
 _NEARLY_STILL = 0.1
-"""Share of the speed of a correction below which the arm is what stops it."""
+"""Share of the speed of a correction below which the arm counts as its limit."""
 
 
 @dataclass(slots=True)
@@ -43,17 +43,17 @@ class Correcting:
         at: the station.
         world: reads the signal.
         planned: the move.
-        tracking: what it asks for.
+        tracking: its settings.
         rows: planned references of the move.
         now: the correction.
-        added: what it adds to the reference now.
+        added: its present shift of the reference.
         ticks: control ticks at which it was known, the start first.
-        values: what it was at these [m].
+        values: its value at these [m].
         by_size: time at which the limit of its size was reached first [s]; None where it was not.
-        by_arm: the same for what the joints allow.
+        by_arm: the same for limits of the joints.
         no_number: time at which a valid reading was no finite number first [s]; None where none was.
-        is_lost: whether the joints could not keep what the path is shifted by; the motion is to end then.
-        faults: what the corrector did wrong, at the most once.
+        is_lost: whether the joints could not hold the shift of the path; the motion is to end then.
+        faults: faults of the corrector, each once.
     """
 
     at: StationRun
@@ -108,18 +108,18 @@ class Correcting:
         return shifted_reference(reference, before, added, period)
 
     def _can_be(self, q: Array, before: ShiftedJoints, after: ShiftedJoints, time: float) -> bool:
-        """Return whether joints may be at a reference q, shape (n,), with what is added after a slice [s]."""
+        """Return whether joints may be at a reference q, shape (n,), with the shift after a slice [s]."""
         robot, there = self.at.station.robot, q + after.q
         inside = (there >= robot.lower_limits) & (there <= robot.upper_limits)
         return bool(inside.all()) and is_within_limits(before, after, time, robot)
 
     def followed(self) -> FollowedCorrection:
-        """Return the correction over the ticks of the station, as far as it has come."""
+        """Return the correction over the ticks of the stationso far."""
         direction = np.array(self.tracking.direction.vector)
         return FollowedCorrection(np.array(self.ticks, dtype=float), np.array(self.values), direction)
 
     def findings(self) -> tuple[Diagnostic, ...]:
-        """Return S747, S748 where limits were reached, S753, and what the corrector did wrong."""
+        """Return S747, S748 where limits were reached, S753, and faults of the corrector."""
         limits = self.at.station.controller.correction
         found = list(self.faults)
         if self.by_size is not None:
@@ -153,7 +153,7 @@ class Correcting:
         return next_correction(self.now, speed, room, left, walked)
 
     def _room(self, speed: float, reference: JointReference, left: float) -> CorrectionRoom:
-        """Return what limits and arm leave to the correction, here and some time ahead."""
+        """Return the room for the correction within limits and arm, here and some time ahead."""
         limits, value = self.at.station.controller.correction, self.now.value
         here = self.arm.room(limits, reference.q[-1] + self.added.q, value)
         ahead = self.rows.ticks - round(max(left - _LOOK_AHEAD, 0.0) * self.at.hz)
@@ -162,9 +162,9 @@ class Correcting:
         return replace(here, lower=max(here.lower, bounds[0]), upper=min(here.upper, bounds[1]))
 
     def _wanted(self, sample: Sample, reference: JointReference) -> float:
-        """Return the speed that the corrector asks for [m/s]; 0 once it has failed."""
+        """Return the speed requested by the corrector [m/s]; 0 once it has failed."""
         corrector, move, value = self.at.chain.corrector, self.planned.move, self.now.value
-        if not math.isfinite(float(sample.value)):  # what is no number is no measurement
+        if not math.isfinite(float(sample.value)):  # a value that is not finite is no measurement
             if sample.valid and self.no_number is None:
                 self.no_number = self.at.time
             return 0.0

@@ -1,4 +1,4 @@
-"""Following a plan in slices: the motion clock walks through it, the plant follows."""
+"""Following a plan in slices: the motion clock advances along it, the plant follows."""
 
 import math
 from bisect import bisect_right
@@ -50,10 +50,10 @@ class Follower:
         run: the cell.
         at: the station.
         motion: of the plan.
-        limits: how quickly the override may act; None as long as nobody intervenes.
+        limits: bounds of changes of the override; None without interventions.
         clock: where it is.
         correcting: corrects the path of the move that is made by a sensor; None where nothing does.
-        lookout: looks at the condition of the move that is made; None where it has none.
+        lookout: checks the condition of the present move; None without one.
         ended: whether a condition has ended the move, or a correction that the joints cannot keep; it brakes.
         ended_at: place at which the condition of the move was seen to end it, negative for none.
         passed: places to which it has come [control ticks of motion time], each with its tick.
@@ -133,7 +133,7 @@ class Follower:
         return at.in_vain or self.run.is_stopped(at.due) or (at.is_over and override < 1.0)
 
     def _slice(self, place: int, override: float) -> None:
-        """Go on towards a place at the rate that is asked for, until somebody has to be looked at again."""
+        """Go on towards a place at the requested rate, until the next observation or intervention."""
         run, at = self.run, self.at
         every = at.station.controller.rates.interpolation_ticks
         reads = self.lookout is not None or self.correcting is not None
@@ -162,7 +162,7 @@ class Follower:
         at.follow(self._corrected(reference, before))
 
     def _corrected(self, reference: JointReference, before: float) -> JointReference:
-        """Return the references of a slice with what a sensor adds; it began at a place of the plan."""
+        """Return the references of a slice with a sensor's correction; `before` is its start in the plan."""
         if self.correcting is None:
             return reference
         period, place = self.plan.period, self.clock.place

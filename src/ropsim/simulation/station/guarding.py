@@ -1,4 +1,4 @@
-"""Guarded moves: a condition on a channel is looked at while the arm moves."""
+"""Guarded moves: a condition on a channel is checked while the arm moves."""
 
 from ropsim.core import Diagnostic, frozen_dataclass
 from ropsim.flow import Comparison, Guard, MoveInstruction
@@ -10,11 +10,11 @@ from ropsim.simulation.state.world import SimulatedWorld
 
 @frozen_dataclass
 class Lookout:
-    """Looks at the condition of a guarded move.
+    """Checks the condition of a guarded move.
 
     Attributes:
         guard: the condition.
-        world: reads the channel, and is told how the move ended.
+        world: reads the channel, and records how the move ended.
         at: the station whose arm moves.
         since: when the move began [s].
         sensor: measures the channel; None where no sensor does.
@@ -27,7 +27,7 @@ class Lookout:
     sensor: Sensor | None = None
 
     def ends(self) -> bool:
-        """Return whether the move ends now: its condition is true, or its time is over; the world is told."""
+        """Return whether the move ends now by its condition or its timeout; notify the world."""
         guard = self.guard
         self.world.guard_met = guard.holds(self.world.read(guard.channel))
         if self.world.guard_met:
@@ -55,7 +55,7 @@ class Lookout:
 
         Args:
             move: the instruction.
-            came: what the arm did then.
+            came: the reason why the move ended.
         """
         return GUARD_HELD_BEFORE.at(
             move.origin.span,

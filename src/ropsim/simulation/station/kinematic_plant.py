@@ -32,7 +32,7 @@ class KinematicPlant:
         self._past = Past(0, self._q)
         self._tally = Tally(fields((("overrun", "qd"),) * len(q), 0), 2 * len(q))
         self._worst = np.empty((2, len(q)))
-        self._row = np.concatenate([q, np.zeros(len(q))])  # as it stands
+        self._row = np.concatenate([q, np.zeros(len(q))])  # standing still
         self._log.begin(self._row)
 
     @property
@@ -71,7 +71,7 @@ class KinematicPlant:
         self._tick += reference.ticks
 
     def hold(self, q: Array, ticks: int, payload: Payload) -> None:
-        """Stand still at `q` for `ticks` control ticks: one row tells all of them, and of all holds there."""
+        """Stand still at `q` for `ticks` control ticks: a single row represents all holds there."""
         del payload
         table, row = self._log.claim(self._tick, ticks)
         if not (self._stands and np.array_equal(q, self._q)):
@@ -102,7 +102,7 @@ class KinematicPlant:
         return self._past.at(tick)
 
     def forget(self, tick: int) -> None:
-        """Take notice that nobody asks any more where the arm was before a tick."""
+        """Allow discarding positions of the arm before a tick."""
         self._past.forget(tick)
 
     def log(self) -> dict[str, Array]:

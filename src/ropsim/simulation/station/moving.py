@@ -30,9 +30,9 @@ from ropsim.spatial import Pose
 
 
 def move(run: CellRun, at: StationRun, stretch: Stretch, world: SimulatedWorld) -> Iterator[None]:
-    """Plan the moves of a stretch and follow them; those that cannot be planned are skipped.
+    """Plan the moves of a motion sequence and follow them; moves that cannot be planned are skipped.
 
-    What lies behind a skipped move is planned anew from where the arm stands.
+    Moves behind a skipped one are planned again from the position of the arm.
     """
     done, moves = 0, stretch.moves
     while done < len(moves) and not at.is_over:
@@ -56,7 +56,7 @@ def move(run: CellRun, at: StationRun, stretch: Stretch, world: SimulatedWorld) 
 
 
 def _report(run: CellRun, at: StationRun, findings: Sequence[Diagnostic]) -> None:
-    """Add findings of a plan to those of the run: each kind of a line only of the first pass that has it."""
+    """Add findings of a plan to the run: each kind of finding of a line only for its first pass."""
     for one in findings:
         key = (at.station.name, one.code, one.span or one.message)
         if run.planned_findings.setdefault(key, one.label) == one.label:  # the label says the pass
@@ -132,7 +132,7 @@ def _lookout(run: CellRun, at: StationRun, world: SimulatedWorld, guard: Guard) 
 
 
 def _told_by(lookout: Lookout, follower: Follower, one: TimedMove, first: float) -> tuple[Diagnostic, ...]:
-    """Return what is found of the condition of a move that has ended; it began at a place of the plan."""
+    """Return the findings on the condition of a move that has ended; it began at a place of the plan."""
     if follower.at.cut_short:
         return ()
     if follower.ended_at == first and lookout.world.guard_met:
@@ -142,7 +142,7 @@ def _told_by(lookout: Lookout, follower: Follower, one: TimedMove, first: float)
 
 
 def _path_speed(at: StationRun, move: MoveInstruction) -> float | None:
-    """Return the speed that program or cell give for the path of the tool [m/s]; None in joint space."""
+    """Return the speed set by program or cell for the path of the tool [m/s]; None in joint space."""
     if move.kind == MotionKind.PTP:
         return None
     controller, given = at.station.controller, move.modal.path_speed
@@ -155,7 +155,7 @@ def _commanded(at: StationRun, X_MT: Pose) -> tuple[float, ...]:
 
 
 def _to(run: CellRun, at: StationRun, follower: Follower, one: TimedMove) -> Iterator[None]:
-    """Follow the plan to the end of a move; what is to be set on its way is set."""
+    """Follow the plan to the end of a move; outputs on its way are set."""
     for trigger in one.triggers:
         yield from follower.until(trigger.tick)
         if at.cut_short or follower.ended:

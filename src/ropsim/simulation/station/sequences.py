@@ -19,9 +19,9 @@ from ropsim.icr import Finished
 from ropsim.simulation.records.steps import Step, Steps
 
 MOST_AHEAD = 50
-"""Paths of the tool that are looked at behind a stretch at most: a program may go on without an end."""
+"""Paths of the tool that are read behind a motion sequence at most: a program may be endless."""
 _MOST_STEPS = 1000
-"""Steps that are looked at for them: it may also tell the operator something without an end."""
+"""Steps that are read for them: a program may also print messages endlessly."""
 
 _NEEDED_FOR = {
     "HALT": "the program ends",
@@ -37,15 +37,15 @@ _NEEDED_FOR = {
 
 @frozen_dataclass
 class Stretch:
-    """Moves of which all but the last have a zone, and what the program says on its way.
+    """Moves of which all except the last have a zone, and messages of the program on the way.
 
     Attributes:
         moves: one or more, in order.
         messages: texts for the operator, each with the number of the move that begins when it is shown;
             behind the last move it is the number of moves.
-        next: what the program does then.
+        next: the next step of the program.
         ahead: paths of the tool that follow upon the stop at its end, in the posture that its last PTP move
-            takes; none where it has none.
+            takes; none without a PTP move.
     """
 
     moves: tuple[MoveInstruction, ...]
@@ -54,7 +54,7 @@ class Stretch:
     ahead: tuple[MoveInstruction, ...] = ()
 
     def said_before(self, number: int) -> tuple[MessageInstruction, ...]:
-        """Return what is said when a move begins; for the number of moves, when the last one has ended."""
+        """Return the messages when a move begins; for the number of moves, when the last one has ended."""
         if not self.messages:
             return ()
         return tuple(text for before, text in self.messages if before == number)
@@ -63,9 +63,9 @@ class Stretch:
 def gather(first: MoveInstruction, steps: Steps) -> Stretch:
     """Return the stretch that begins with a move; the interpreter runs ahead to its end, and to the next PTP.
 
-    A stretch ends with a move without a zone or with a condition that ends it, before and behind a move that
-    a sensor corrects, and before anything that needs the arm to stand: an output, a gripper, a wait, an input
-    that is read, the end of the program. What then comes stays to be taken.
+    A motion sequence ends with a move without a zone or with a condition that ends it, before and behind a
+    move that a sensor corrects, and before anything that needs the arm to stand: an output, a gripper, a
+    wait, an input that is read, the end of the program. The next step stays to be taken.
 
     Args:
         first: the move.
@@ -88,8 +88,8 @@ def gather(first: MoveInstruction, steps: Steps) -> Stretch:
 def _ahead(moves: Sequence[MoveInstruction], steps: Steps) -> tuple[MoveInstruction, ...]:
     """Return the paths of the tool that follow upon moves in the posture that the last PTP of them takes.
 
-    They go up to the next PTP. Nothing is known of what comes behind a move that a condition ends or a sensor
-    corrects, which is no PTP, nor behind anything for which the arm has to stand.
+    They go up to the next PTP. Steps are unknown behind a move that a condition ends or a sensor corrects,
+    which is no PTP, and behind anything for which the arm has to stand.
     """
     found: list[MoveInstruction] = []
     if moves[-1].guard or not any(one.kind == MotionKind.PTP for one in moves):

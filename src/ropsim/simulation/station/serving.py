@@ -1,4 +1,4 @@
-"""Stations whose programs serve those of other stations, and are over when these have ended."""
+"""Stations whose programs serve programs of other stations, and are over when these have ended."""
 
 from dataclasses import dataclass, field
 
@@ -15,19 +15,19 @@ def is_needed(run: CellRun, at: StationRun) -> bool:
 
 @dataclass(slots=True)
 class Serving:
-    """What a serving program still does when those that it served have ended.
+    """Remaining steps of a serving program after the programs that it served have ended.
 
-    It ends where it waits for a signal that is not there (`working`). What waits in other ways, a loop that
-    looks at signals, or does a whole round because its signal stays, ends where it looks a second time.
+    It ends where it waits for a signal that is not there (`working`). A program that waits in other ways, by
+    a loop that reads signals, or by a whole round because its signal stays, ends at its second reading.
 
     Attributes:
-        looks: places of the program at which it has looked at channels since then.
+        looks: places of the program that have read channels since then.
     """
 
     looks: set[CodePlace] = field(default_factory=set)
 
     def comes_round(self, machine: Machine, step: Instruction) -> bool:
-        """Return whether a program that is not needed any more looks at channels at one place again."""
+        """Return whether a program that is not needed any more reads channels at one place again."""
         if not isinstance(step, SyncInstruction):
             return False
         place = machine.code_place

@@ -101,11 +101,11 @@ class ServoPlant:
         return self._recorder.q_at(tick)
 
     def forget(self, tick: int) -> None:
-        """Take notice that nobody asks any more where the arm was before a tick."""
+        """Allow discarding positions of the arm before a tick."""
         self._recorder.forget(tick)
 
     def _signals(self, ticks: int) -> Array:
-        """Return what the law reads at the next ticks, shape (ticks, a); 0 where a signal is not valid.
+        """Return the signals of the law at the next ticks, shape (ticks, a); 0 where a signal is not valid.
 
         All of a slice is read before it, when the arm is where it begins.
         """

@@ -125,7 +125,7 @@ def _station_run(
         last_tick=round(options.longest * control_hz),
         cell_ticks=hz // control_hz,
     )
-    if options.watch.may_press:  # whatever is done acts within an interpolation tick
+    if options.watch.may_press:  # any intervention acts within an interpolation tick
         at.stride = station.controller.rates.interpolation_ticks
     for name, tool in station.tools.items():
         if tool.fingers:

@@ -1,4 +1,4 @@
-"""What a recording says of one station: its robot, the limits of the axes, its controller."""
+"""Facts of one station in a recording: its robot, the limits of the axes, its controller."""
 
 from dataclasses import replace
 
@@ -12,7 +12,7 @@ _TYPES = {JointType.REVOLUTE: AxisType.REVOLUTE, JointType.PRISMATIC: AxisType.P
 
 
 def station_facts(name: str, robot: RobotModel, controller: ControllerModel) -> StationFacts:
-    """Return what is known of a station before it runs a program."""
+    """Return the facts of a station before it runs a program."""
     rates = controller.rates
     return StationFacts(
         name,

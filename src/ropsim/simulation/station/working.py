@@ -44,7 +44,7 @@ def work(run: CellRun, at: StationRun, program: Program, options: RunOptions) ->
     """Carry out a program at a station to its end.
 
     Where it yields, time has passed for the station; it goes on when all others have come to that time, so
-    whatever it reads, sets, grips or leaves is in order of time with what the others do.
+    its readings, outputs, grips and releases are in order of time with those of the others.
 
     Args:
         run: the cell.
@@ -90,7 +90,7 @@ def work(run: CellRun, at: StationRun, program: Program, options: RunOptions) ->
                 yield
                 yield from _while_held(run, at)
     if at.in_vain or at.dismissed:
-        return  # who ended the wait has told why; those that it served have ended
+        return  # the end of the wait has been reported; the served programs have ended
     if isinstance(step, Finished) and not at.cut_short:
         run.findings += filter(None, (step.trap,))
         return
@@ -124,7 +124,7 @@ def _carry_out(
     run: CellRun, at: StationRun, step: Instruction, world: SimulatedWorld, *, again: bool
 ) -> Iterator[None]:
     put_in_force(run, at, step)
-    if again:  # a program that does nothing but look must see time pass
+    if again:  # time must advance for a program that only polls
         since, rates = at.tick, at.station.controller.rates
         yield from at.stand(rates.interpolation_ticks)
         _stood(run, at, since, step, rates.interpolation_period, world)
@@ -152,7 +152,7 @@ def _carry_out(
 
 
 def _await(run: CellRun, at: StationRun, step: AwaitInstruction, world: SimulatedWorld) -> Iterator[None]:
-    """Stand until a channel has a value, or its timeout is over; tell the program which it was."""
+    """Stand until a channel has a value, or its timeout is over; report to the program which it was."""
     start, period = at.time, at.station.controller.rates.interpolation_period
     limit = world.longest_wait if step.timeout is None else step.timeout
     world.came = True
@@ -170,7 +170,7 @@ def _await(run: CellRun, at: StationRun, step: AwaitInstruction, world: Simulate
 
 @contextmanager
 def _blamed(at: StationRun) -> Iterator[None]:
-    """Put the source line and the pass of the instruction in force on what the servo raises."""
+    """Put the source line and the pass of the instruction in force on exceptions of the servo."""
     try:
         yield
     except (DivergedError, LawError, ServoArrayError) as error:

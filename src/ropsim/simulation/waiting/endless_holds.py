@@ -1,4 +1,4 @@
-"""Holds that nobody ends: found at once, instead of stood out."""
+"""Endless holds: found at once, without waiting."""
 
 from ropsim.core import Diagnostic
 from ropsim.flow import SLOWEST
@@ -10,7 +10,7 @@ from ropsim.simulation.state.station_run import StationRun
 def is_endless_hold(run: CellRun, at: StationRun) -> bool:
     """Return whether a station stands because the override is 0, and no change of it is to come.
 
-    Whoever looks on may still change it.
+    An observer may still change it.
     """
     if at.in_vain or not (at.is_held and run.overrides):
         return False

@@ -20,18 +20,18 @@ from ropsim.simulation.waiting.setters import device_note, program_setters
 def are_endless(run: CellRun, options: RunOptions) -> bool:
     """Return whether every program at work is held or waits for a channel, and nothing changes that any more.
 
-    Nobody may press keys, and no end by hand lies ahead. A program is held for ever where the override is 0
-    and no change of it is to come. A wait is endless when it has no timeout, its channel has not its value,
-    no script of the cell changes that later, and no device has anything left to do. A program that does
-    nothing but look at channels in a loop, and has found the same twice, waits too. What a sensor interface
-    of a user's own delivers cannot be foreseen. A serving program that is not needed any more ends by itself.
+    This requires that no keys can be pressed, and that no manual end lies ahead. A program is held for ever
+    if the override is 0 and no change of it is to come. A wait is endless when it has no timeout, its channel
+    has not its value, no script of the cell changes that later, and no device has anything left to do. A
+    program that only reads channels in a loop, and has found the same twice, also waits. The readings of a
+    user's sensor interface cannot be foreseen. A serving program that is not needed any more ends regularly.
 
     Args:
         run: the cell, between two steps of its stations.
         options: of the run.
     """
     waiting = []
-    for name in run.at_work:  # asked at every step, of which nearly all find one that goes on
+    for name in run.at_work:  # evaluated at every step; nearly always some program goes on
         at = run.stations[name]
         if not is_endless_hold(run, at):
             if not (_waits(at) and is_needed(run, at)):
@@ -47,7 +47,7 @@ def are_endless(run: CellRun, options: RunOptions) -> bool:
 
 
 def end_waits(run: CellRun, programs: Mapping[str, Program]) -> None:
-    """End the programs at work, each with a finding (S742, S762) but for those that serve."""
+    """End the programs at work, each with a finding (S742, S762) except serving ones."""
     standing = [run.stations[name] for name in run.at_work]
     run.findings += [
         hold_finding(run, at) if at.is_held else _finding(run, at, programs)
@@ -65,7 +65,7 @@ def _waits(at: StationRun) -> bool:
 
 
 def _stays(run: CellRun, at: StationRun) -> bool:
-    """Return whether the channels stay as they are, and the one that is waited for has not come."""
+    """Return whether the channels stay unchanged, and the one that is waited for has not come."""
     for channel in _channels(at):
         sample = run.sensors.read(channel, at.time, SensedRun(run, at))
         value = sample.value if sample.valid else False
@@ -138,7 +138,7 @@ def _notes(
 
 
 def _level(at: StationRun, channel: str) -> bool:
-    """Return to what a channel would have to come for the program to go on."""
+    """Return the value of a channel for which the program would continue."""
     return bool(at.awaits.value) if at.awaits else not _reads(at)[channel]
 
 

@@ -1,4 +1,4 @@
-"""Who sets a signal, to which level, and what would make it do so: told where somebody waits in vain."""
+"""Sources of a signal, their levels and conditions: reported for an endless wait."""
 
 from collections.abc import Mapping
 from itertools import pairwise
@@ -33,7 +33,7 @@ def program_setters(programs: Mapping[str, Program], channel: str, *levels: bool
 
 
 def device_note(run: CellRun, at: DeviceRun, channel: str, level: object, time: float) -> tuple[str, str]:
-    """Return why a device does not bring a signal to a level, and a hint what would.
+    """Return why a device does not bring a signal to a level, and a hint.
 
     Args:
         run: the cell.

@@ -1,4 +1,4 @@
-"""The pairs of tracks that are looked at, and how near they come."""
+"""Checked pairs of tracks, and their distances."""
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 
@@ -29,13 +29,13 @@ Rows = npt.NDArray[np.intp]
 """Numbers of rows."""
 
 COARSE = 0.02
-"""At first rows so far apart are looked at [s]; where anything may be near, all of them."""
+"""Interval of the rows that are checked first [s]; where bodies may be near, all rows are."""
 GLANCE = 16
-"""Of these at first only each so many-th one: it tells about how near the nearest come."""
+"""Every this many of these rows are checked at the very first: they show the least distance approximately."""
 GLANCED, SEEN = 0.15, 0.85
 """Shares of the whole: the first look, and that at all rows that are far apart."""
 SLACK = 1.1
-"""Between two rows a body moves by so much more than straight."""
+"""Allowance for motion between two rows beyond a straight line."""
 
 
 @record
@@ -46,8 +46,8 @@ class Looked:
         tracks: all of them.
         items: convex bodies on carriers, see `closest`.
         owner: number of the track of each item, shape (t,).
-        carriers: names of what moves, by number.
-        seen: numbers of two carriers, of which the second one is looked at as the first one sees it.
+        carriers: names of carriers, by number.
+        seen: numbers of two carriers, of which the second one is expressed relative to the first.
         pairs: items, times from and until [s], 1 where the least distance counts, the row of `travel`, and
             the distance at which an episode begins [m]; shape (p, 7).
     """
@@ -62,7 +62,7 @@ class Looked:
 
 @frozen_dataclass
 class Motion:
-    """What the joints of a run do.
+    """Motion of the joints in a run.
 
     Attributes:
         time: of the recorded rows [s], shape (k,).
@@ -101,9 +101,10 @@ def looked_at(
 ) -> Looked:
     """Return the pairs that are checked.
 
-    Left out is what `left_out` of `ropsim.collision` names, what was in each other at the start, and what is
-    gripped while it is. Distances within one robot, its tool and what that holds do not count as the least
-    one: they are about the same all the time. Nor do those of a part and what it is taken from or put on.
+    Omitted are the pairs of `left_out` of `ropsim.collision`, pairs that overlap at the start, and gripped
+    parts during the grip. Distances within one robot, its tool and held parts do not count as the least one:
+    they are nearly constant. The same holds for distances between a part and the body that it is taken from
+    or put on.
 
     Args:
         solids: the bodies of the cell.
@@ -150,9 +151,9 @@ def nearest(
 
     Args:
         solids: the bodies of the cell.
-        looked: the pairs.
+        looked: the checked pairs.
         recording: of the run.
-        progress: told which share of the ways has been looked at.
+        progress: called with the share of the paths that has been checked.
     """
     time = recording.time
     Q = {
@@ -222,7 +223,7 @@ def _in_rows(episodes: Rows, rows: Rows) -> Rows:
 
 
 def _wiggle(motion: Motion, rows: Rows) -> Array:
-    """Return how far joints have gone there and back between rows [rad | m], shape (k - 1,)."""
+    """Return the travel of joints back and forth between rows [rad | m], shape (k - 1,)."""
     total = np.zeros(len(rows) - 1)
     for name, q in motion.Q.items():
         gone = np.add.reduceat(motion.steps[name], rows[:-1], axis=0) if len(rows) > 1 else q[:0]
@@ -284,7 +285,7 @@ def _both(one: Track, other: Track) -> tuple[Pair, Pair]:
 
 
 def _without(span: Span, gone: Sequence[Span]) -> Iterator[Span]:
-    """Yield what is left of a span."""
+    """Yield the remaining parts of a span."""
     start, end = span
     for first, last in sorted(gone):
         if first > start and min(first, end) > start:

@@ -19,8 +19,7 @@ TOUCHING = 5e-4
 """Bodies that are no deeper in each other touch [m]: an arm keeps to its path to some tenths of a millimetre,
 and shapes are drawn no finer."""
 MOST = 400
-"""So many depths are computed for one contact; what is deeper than the deepest of them by more than `ROUGH`
-is found long before."""
+"""Maximum number of depths computed for one contact; the search usually ends much earlier."""
 
 PARALLEL = 1e-9
 """A line whose direction is no more across a face is parallel to it."""
@@ -65,10 +64,10 @@ def contacts_of(
 
     Args:
         solids: the bodies of the cell.
-        looked: the pairs.
+        looked: the checked pairs.
         seen: how near they come.
         recording: of the run.
-        cell: as it was simulated.
+        cell: simulated cell.
         at_start: pairs that are in each other at the start; one that never parts is drawn so.
     """
     bodies = solids.tree.by_name()
@@ -122,7 +121,7 @@ def _bodies_of(looked: Looked, pair: int) -> Pair:
 
 
 def _ordered(looked: Looked, bodies: Mapping[str, Body], pair: int) -> Pair:
-    """Return the names of the bodies of a pair: what moves first, tools before arms, arms before parts."""
+    """Return the names of the bodies of a pair: moving ones first, tools before arms, arms before parts."""
     tracks = [looked.tracks[looked.owner[int(item)]] for item in looked.pairs[pair, :2]]
     tracks.sort(key=lambda one: (one.carrier == WORLD, _RANK.index(bodies[one.body].kind), one.body))
     return tracks[0].body, tracks[1].body
@@ -151,9 +150,9 @@ def _deepest(
 ) -> tuple[PairRows, int, Nearness] | None:
     """Return where a contact is the deepest: its convex bodies, a row of them, how near they are there.
 
-    Branch and bound: bounds of the depth tell at which row it is computed next, and a depth bounds those of
-    the rows around it by the way in between. The answer is the greatest one to `ROUGH`; None where no depth
-    is more than allowed.
+    Branch and bound: bounds of the depth determine the next row to compute, and a depth bounds the depths of
+    nearby rows by the distance moved. The result is the greatest one to `ROUGH`; None where no depth is more
+    than allowed.
     """
     most = [one.most.copy() for one in parts]
     best: tuple[PairRows, int, Nearness] | None = None
@@ -181,7 +180,7 @@ def _nearest(solids: Collisions, looked: Looked, parts: Sequence[PairRows]) -> t
 def _place(solids: Collisions, looked: Looked, one: PairRows, row: int, near: Nearness) -> Array:
     """Return a point in both bodies, or half way between two that are apart, in W [m], shape (3,).
 
-    It is the middle of what the boxes around both have in common on the line along which they are parted.
+    It is the middle of the common part of both bounding boxes on the line along which they are parted.
     """
     start, way = near.point_one, near.point_other - near.point_one
     length = float(np.linalg.norm(way))
@@ -256,7 +255,7 @@ def _passes(events: Iterable[Event]) -> Mapping[tuple[str, int], tuple[list[floa
 def line_of(
     looked: Looked, pair: int, time: float, recording: Recording, bodies: Mapping[str, Body]
 ) -> tuple[int, str]:
-    """Return source line and station of what moves in a pair, at a time."""
+    """Return source line and station of the moving body of a pair, at a time."""
     facts = recording.facts
     for item in looked.pairs[pair, :2].astype(int):
         name = looked.tracks[looked.owner[int(item)]].carrier

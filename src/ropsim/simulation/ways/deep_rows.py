@@ -9,7 +9,7 @@ from ropsim.simulation.ways.approaches import Looked
 from ropsim.simulation.ways.episodes import PairRows
 
 MOST_ROWS = 400
-"""At so many rows of a contact the depth is computed; rows that are not decided by then count as deep."""
+"""Maximum number of rows of a contact at which the depth is computed; undecided rows count as deep."""
 
 
 def deep_rows(
@@ -22,7 +22,7 @@ def deep_rows(
 
     Args:
         solids: the bodies of the cell.
-        looked: the pairs.
+        looked: the checked pairs.
         parts: the convex bodies of two bodies, at rows at which they touch.
         allowed: how deep they may be in each other [m].
     """
@@ -52,9 +52,9 @@ def nearness_at(solids: Collisions, looked: Looked, one: PairRows, row: int) -> 
 
     Args:
         solids: the bodies of the cell.
-        looked: the pairs.
+        looked: the checked pairs.
         one: the two.
-        row: number of the row among those of the two.
+        row: number of the row among the rows of the two.
     """
     numbers = [int(number) for number in looked.items[looked.pairs[one.pair, :2].astype(int), 0]]
     poses = np.zeros((len(solids.bodies.convexes), 12))

@@ -62,7 +62,7 @@ def pair_rows(
 
     Args:
         solids: the bodies of the cell.
-        looked: the pairs.
+        looked: the checked pairs.
         seen: their episodes.
         recording: of the run.
         allowed: returns how deep the bodies of a pair may be in each other [m].

@@ -1,4 +1,4 @@
-"""Bodies that touch on purpose: a hand and the part that it grips, a part and what carries it."""
+"""Bodies that touch on purpose: a hand and the part that it grips, a part and its support."""
 
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -20,9 +20,9 @@ class Intents:
     """When bodies touch on purpose, by pair in either order.
 
     Attributes:
-        gripped: when one grips the other: such pairs are not checked then.
-        carried: when one is taken from the other or put on it: such pairs come near on purpose, so only
-            penetrations count then.
+        gripped: when one grips the other: the pair is not checked then.
+        carried: when one is taken from the other or put on it: the approach is intended, so only penetrations
+            count then.
     """
 
     gripped: Mapping[Pair, Sequence[Span]]
@@ -34,12 +34,12 @@ def intended(cell: Cell, tree: BodyTree, recording: Recording, made: Sequence[Tr
 
     That is from the beginning of the last move before a part is gripped or released until the end of the
     first move after it. The part may be in the hand and its fingers then, and in fingers as long as their
-    tool holds it; it comes near to what it is taken from or put on. Parts that come out of a supply while
-    another one is lifted out of its place, or follow it on a belt, may be in that one and the hand until
-    then.
+    tool holds it; it comes near to the body that it is taken from or put on. Parts that come out of a supply
+    while another one is lifted out of its place, or follow it on a belt, may be in that one and the hand
+    until then.
 
     Args:
-        cell: as it was simulated.
+        cell: simulated cell.
         tree: of its bodies.
         recording: of the run.
         made: tracks of all bodies.
@@ -74,7 +74,7 @@ def intended(cell: Cell, tree: BodyTree, recording: Recording, made: Sequence[Tr
             for one in (held.hand, *fingers[held.hand], held.body):
                 found[one, new].append((held.start, taken[1]))
         if before is not None:
-            for one in _device_of(before.hand, belongs):  # what lies on a belt lies on its frame, too
+            for one in _device_of(before.hand, belongs):  # a part on a belt also lies on its frame
                 carried[one, held.body].append(taken)
         if after is not None and after.hand in hands:
             found[after.hand, held.body].append(left)
@@ -100,7 +100,7 @@ def _device_of(hand: str, belongs: Mapping[str, str]) -> list[str]:
 def _beside(
     held: Track, before: Track | None, until: float, made: Iterable[Track], first: Iterable[Track]
 ) -> Iterator[str]:
-    """Yield the parts that come while one is lifted, and those that lie on the same moving thing."""
+    """Yield the parts that come while one is lifted, and parts on the same moving body."""
     yield from (one.body for one in first if 0.0 < held.start <= one.start < until)
     if before is not None and before.carrier != WORLD:
         for one in made:

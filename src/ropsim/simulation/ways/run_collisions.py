@@ -1,4 +1,4 @@
-"""Check the ways of a run for collisions: contacts, the least distance, and what is left unchecked."""
+"""Check the ways of a run for collisions: contacts, the least distance, and omitted checks."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -16,7 +16,7 @@ from ropsim.simulation.ways.intents import intended
 from ropsim.simulation.ways.tracks import tracks
 
 COLLISIONS = "collisions"
-"""What `checked` of a recording calls the check."""
+"""Name of the check in `checked` of a recording."""
 
 
 @frozen_dataclass
@@ -26,7 +26,7 @@ class RunCollisions:
     Attributes:
         findings: an error S751 for each two bodies and line that collide, a warning S770 for each that come
             too near.
-        facts: the contacts, the least distance, and what was not checked.
+        facts: the contacts, the least distance, and omitted checks.
     """
 
     findings: tuple[Diagnostic, ...] = ()
@@ -34,7 +34,7 @@ class RunCollisions:
 
 
 def with_collisions(recording: Recording, found: RunCollisions) -> Recording:
-    """Return a recording with its contacts, their findings behind those of the run.
+    """Return a recording with its contacts, their findings behind the findings of the run.
 
     Args:
         recording: of a run.
@@ -63,12 +63,12 @@ def run_collisions(
 ) -> RunCollisions:
     """Return the contacts of a run, and the least distance between bodies.
 
-    Every body of the robots and devices, with what it holds, is checked against everything else at all
-    recorded rows at which the two may meet.
+    Every body of the robots and devices, with held parts, is checked against everything else at all recorded
+    rows at which the two may meet.
 
     Args:
         recording: of a run in the cell.
-        cell: as it was simulated.
+        cell: simulated cell.
         meshes: points of its meshes; bodies with others are not checked.
         progress: receives the share that has been checked, from 0 to 1; an exception of it ends the check.
     """

@@ -18,7 +18,7 @@ class Track:
         end: [s]; inf for the last one.
         carrier: the body nearest to it that a joint moves, itself included; `WORLD` where none does.
         X_CB: its pose in the frame of that, shape (4, 4).
-        hand: what it hangs on.
+        hand: parent.
     """
 
     body: str
@@ -34,7 +34,7 @@ def tracks(tree: BodyTree, placements: Iterable[Placement]) -> list[Track]:
 
     Args:
         tree: the bodies at time 0.
-        placements: what changes, in order of time.
+        placements: changes, in order of time.
     """
     playing = _Playing(tree)
     for one in placements:
@@ -55,7 +55,7 @@ class _Playing:
         self.made: dict[str, list[Track]] = defaultdict(list)
 
     def take(self, one: Placement) -> None:
-        """Let a body hang elsewhere from a time on; what hangs on it goes along."""
+        """Attach a body elsewhere from a time on, with the bodies attached to it."""
         family = [one.body]
         for name in family:
             family += [

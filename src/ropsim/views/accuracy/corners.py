@@ -13,7 +13,7 @@ from ropsim.views.accuracy.polyline import at, nearest
 from ropsim.views.channels import StationView
 
 _MOST_ROWS = 400
-"""Rows of a corner that are looked at; of more every second, third, … one."""
+"""Maximum number of rows of a blend that are evaluated; of more every second, third, … one."""
 
 _ALONG = 1e-6
 """Sine of the angle of a corner below which it has no outer side."""
@@ -32,7 +32,7 @@ class CornerFigures:
         planned: least distance of the commanded path from the corner point [m].
         rounding: CR, that of the attained path [m]; NaN without drives, as is CO.
         overshoot: CO, largest distance of the attained path beyond the commanded one behind the corner, on
-            its outer side [m]; NaN where the corner has none.
+            its outer side [m]; NaN without one.
     """
 
     station: str
@@ -48,7 +48,7 @@ class CornerFigures:
 def cornering(corner: Array, zone: float, middle: int, command: Array, attained: Array) -> tuple[float, ...]:
     """Return how a corner is passed.
 
-    The outer side is the one on which the path before would go on; only what lies there overshoots.
+    The outer side is the one on which the path before would go on; only points there overshoot.
 
     Args:
         corner: point [m], shape (3,).

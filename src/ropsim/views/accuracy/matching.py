@@ -19,8 +19,8 @@ def largest_angle(time: Array, command: tuple[Array, Array], attained: tuple[Arr
     """Return the path accuracy in orientation of one pass [rad], ISO 9283:1998, 8.2.
 
     The attained pose is compared with the commanded one at the nearest place of the path, so that the delay
-    of the servo does not count. The standard gives a figure for each of three angles; the angle of the
-    rotation between both orientations is at least as large as each of them.
+    of the servo does not count. The standard has a figure for each of three angles; the angle of the rotation
+    between both orientations is at least as large as each of them.
 
     Args:
         time: of the rows [s], shape (k,).
@@ -49,7 +49,7 @@ def largest_angle(time: Array, command: tuple[Array, Array], attained: tuple[Arr
     wanted /= np.linalg.norm(wanted, axis=1)[:, None]
     had = attained[1][rows]
     apart = np.linalg.norm(had * _sides(wanted, had) - wanted, axis=1)
-    return float(4.0 * np.arcsin(np.minimum(apart / 2.0, 1.0)).max())  # exact for small angles, too
+    return float(4.0 * np.arcsin(np.minimum(apart / 2.0, 1.0)).max())  # exact also for small angles
 
 
 def _sides(some: Array, others: Array) -> Array:

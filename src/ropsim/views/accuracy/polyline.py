@@ -48,7 +48,7 @@ def _dot(some: Array, others: Array) -> Array:
 
 
 def at(corners: Array, places: Array) -> Array:
-    """Return what lies at places of a polyline, linear between its corners; shape (m, 3)."""
+    """Return the points at distances along a polyline, linear between its corners; shape (m, 3)."""
     numbers = np.arange(len(corners))
     return np.column_stack([np.interp(places, numbers, column) for column in corners.T])
 

@@ -61,7 +61,7 @@ def stopping(
 
     Returns:
         `time`, `stabilization` and `overshoot` as in `StopFigures`, all of them NaN where the arm never came
-        to its place; times are those of rows.
+        to its place; times are times of rows.
     """
     place = command[-1] if place is None else place
     came = _arrival(command, attained, place)
@@ -87,9 +87,9 @@ def _arrival(command: Array, attained: Array, place: Array) -> int | None:
     """Return the row at which the arm first came to its place, None where it never did.
 
     The arm comes there within the limit band, or it passes by: between two rows, or at a distance. It has
-    passed by where the way that it had left lies behind it, and where it goes more than twice as far away
-    again as it was nearest. This counts from when the command has come to its end, so that a path may pass
-    its end before; an arm that is ahead of its command may be beyond its place then.
+    passed by if its remaining distance lies behind it, or if it moves away to more than twice its least
+    distance. This counts from when the command has come to its end, so that a path may pass its end before;
+    an arm that is ahead of its command may be beyond its place then.
     """
     to_go = np.flatnonzero(_distances(command, command[-1]) > BAND)
     ended = int(to_go[-1]) + 1 if to_go.size else 0
@@ -122,7 +122,7 @@ def _unit(way: Array) -> Array:
 def stop_figures(station: StationView) -> tuple[StopFigures, ...]:
     """Return the stops of a station, in order of time; moves within the limit band are left out if reached.
 
-    An arm without drives has none: it is where its reference is.
+    An arm without drives has no figures: it follows its reference exactly.
     """
     if not station.is_driven:
         return ()
@@ -151,7 +151,7 @@ def _in_position(move: MoveEvent) -> bool | None:
 
 
 def _stop(move: MoveEvent, time: Array, command: Array, attained: Array) -> StopFigures:
-    """Return the figures of a stop; command and attained positions are those of its rows."""
+    """Return the figures of a stop; command and attained positions are at its rows."""
     away = float(np.linalg.norm(attained[-1] - command[-1]))
     known = _in_position(move)
     is_reached = away <= _REACHED if known is None else known

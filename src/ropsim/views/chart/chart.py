@@ -19,14 +19,14 @@ POINTS = 1000
 """Samples drawn per trace at most."""
 
 REACH = 0.3
-"""A limit is drawn where the data come to this share of it; else it is named beside the row."""
+"""A limit is drawn where the data come to this share of it; else it is named next to the row."""
 
 Stretch = tuple[float, float]
 
 
 @record
 class Trace:
-    """One curve: values (n,) in the unit of its row and the class that gives its colour (`c1`, `c2`)."""
+    """One curve: values (n,) in the unit of its row and the class of its colour (`c1`, `c2`)."""
 
     name: str
     values: Array
@@ -68,7 +68,7 @@ class TimeChart:
     Attributes:
         ident: unique name inside the page.
         title: for readers who cannot see the picture.
-        description: what the picture shows, in a sentence.
+        description: content of the picture, in a sentence.
         time: [s], shape (n,).
         rows: from top to bottom.
         bands: stretches of time to shade [s].
@@ -120,7 +120,7 @@ def _range(traces: tuple[Trace, ...]) -> Stretch:
 
 
 def _near_limits(row: TraceRow) -> list[float]:
-    """Return the limits that are worth the room: those of which the data reach a fair share."""
+    """Return the limits worth drawing: limits of which the data reach a fair share."""
     low, high = _range(row.traces)
     finite = [limit for limit in row.limits if math.isfinite(limit)]
     return [limit for limit in finite if (high if limit > 0.0 else -low) >= REACH * abs(limit)]
@@ -148,7 +148,7 @@ def _spans(row: SpanRow, frame: Frame) -> str:
 
 
 def _bars(stretches: Sequence[Stretch], frame: Frame) -> list[Stretch]:
-    """Return left edge and width of bars; those that touch on the picture are joined."""
+    """Return left edge and width of bars; bars that touch on the picture are joined."""
     joined: list[list[float]] = []
     for start, end in sorted(stretches):
         x1, x2 = frame.x(max(start, 0.0)), frame.x(min(end, frame.end))

@@ -36,7 +36,7 @@ class PlaneChart:
     Attributes:
         ident: unique name inside the page.
         title: such as `top view`.
-        description: what the picture shows, in a sentence.
+        description: content of the picture, in a sentence.
         axes: names of the horizontal and the vertical axis, with units.
         x: shape (n,).
         y: shape (n,).

@@ -1,4 +1,4 @@
-"""Of what the cycle time of a station consists: parts, tasks, source lines, the limits that set it."""
+"""Composition of the cycle time of a station: parts, tasks, source lines, the limits that set it."""
 
 from ropsim.views.cycle.cycle_time import CycleTime as CycleTime
 from ropsim.views.cycle.cycle_time import summarize_cycle as summarize_cycle

@@ -11,14 +11,14 @@ from ropsim.views.cycle.parts import CycleParts, Kind
 from ropsim.views.cycle.spent import Spent, spent, ticks_of
 
 _FINE_HZ = 1e6
-"""Ticks per second by which times are told apart where the control rate is not known [Hz]."""
+"""Ticks per second for distinguishing times if the control rate is unknown [Hz]."""
 
 
 @frozen_dataclass
 class CycleTime:
-    """Of what the cycle time of a station consists.
+    """Composition of the cycle time of a station.
 
-    The parts of the whole, those of all tasks and those of all lines sum to the cycle time, to the tick.
+    The parts of the whole, of all tasks and of all lines each sum to the cycle time, to the tick.
 
     Attributes:
         whole: all of it.
@@ -32,12 +32,12 @@ class CycleTime:
 
 
 def summarize_cycle(recording: Recording, facts: StationFacts) -> CycleTime:
-    """Return of what the cycle time of a station consists.
+    """Return the composition of the cycle time of a station.
 
     Time between events, in which the program did nothing that is recorded, is `other` and of no line.
 
     Args:
-        recording: of the whole run: what programs of other stations set tells waits for them.
+        recording: of the whole run: outputs of other stations' programs identify waits for them.
         facts: of the station.
     """
     alone = len(recording.facts.stations) == 1

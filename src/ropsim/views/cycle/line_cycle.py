@@ -1,4 +1,4 @@
-"""What each source line and each task of a program spent its time on, and which limit sets it."""
+"""Time of each source line and each task of a program by part, and the limit that sets it."""
 
 from collections import Counter
 from collections.abc import Iterable
@@ -15,7 +15,7 @@ class CriticalShare:
 
     Attributes:
         joint: name of the axis; empty for a limit of the tool on its path.
-        quantity: what is limited.
+        quantity: limited quantity.
         share: of the travel of all moves of the line during which this limit is reached, in (0, 1].
     """
 
@@ -29,9 +29,9 @@ class LineCycle:
     """The time of all passes of a source line.
 
     Attributes:
-        line: its number, 0 for what no statement made.
+        line: its number, 0 for events without a statement.
         passes: how many instructions took time there.
-        parts: of what its time consists.
+        parts: composition of its time.
         zone: largest one that was flown at its targets [m]; 0 where all moves stop.
         critical: limit that sets the time of its moves; None where they reach none.
     """
@@ -44,7 +44,7 @@ class LineCycle:
 
 
 def lines_of(all_spent: Iterable[Spent], hz: float) -> tuple[LineCycle, ...]:
-    """Return what each line spent its time on, the longest first.
+    """Return the time of each line by part, the longest first.
 
     Args:
         all_spent: by the events of a station.
@@ -83,11 +83,11 @@ def _critical(moves: list[MoveEvent]) -> CriticalShare | None:
 
 @frozen_dataclass
 class TaskCycle:
-    """The time of all activations of a task, without what the tasks that it called took.
+    """The time of all activations of a task, without the time of called tasks.
 
     Attributes:
-        name: of the task; `main` for what stands in none, empty for what no statement made.
-        parts: of what its time consists.
+        name: of the task; `main` for statements outside tasks, empty for events without a statement.
+        parts: composition of its time.
     """
 
     name: str
@@ -95,7 +95,7 @@ class TaskCycle:
 
 
 def tasks_of(all_spent: Iterable[Spent], hz: float) -> tuple[TaskCycle, ...]:
-    """Return what each task spent its time on, the longest first.
+    """Return the time of each task by part, the longest first.
 
     Args:
         all_spent: by the events of a station.

@@ -7,7 +7,7 @@ from ropsim.core import frozen_dataclass
 
 
 class Kind(Enum):
-    """On what a station spends its time."""
+    """Kind of time of a station."""
 
     MOTION = "motion"
     BLENDING = "blending"
@@ -20,12 +20,12 @@ class Kind(Enum):
 
 
 Ticks = Mapping[Kind, int]
-"""Control ticks by what they were spent on."""
+"""Control ticks by kind."""
 
 
 @frozen_dataclass
 class CycleParts:
-    """Of what a time consists; every part is a whole number of control ticks.
+    """Composition of a time; every part is a whole number of control ticks.
 
     Attributes:
         total: the time itself [s]; to the tick the sum of the others.
@@ -33,7 +33,7 @@ class CycleParts:
         blending: on the way within zones [s].
         settling: at stops, until the arm was in position [s].
         gripper: while a gripper opened or closed [s].
-        signals: at waits for signals that nobody's program sets, loops that only look at them among them [s].
+        signals: at waits for signals that no program sets, including loops that only read them [s].
         partners: at waits for signals that the program of another station sets [s].
         timers: at waits for a time [s].
         other: everything else, such as standing held by hand between two statements [s].

@@ -1,4 +1,4 @@
-"""On what a station spent its control ticks, event by event."""
+"""Control ticks of a station by kind, event by event."""
 
 import math
 from collections.abc import Iterable, Iterator, Set
@@ -10,7 +10,7 @@ from ropsim.views.cycle.parts import Kind, Ticks
 
 @frozen_dataclass
 class Spent:
-    """What one event took.
+    """Time of one event.
 
     Attributes:
         event: the event.
@@ -22,7 +22,7 @@ class Spent:
 
 
 def spent(events: Iterable[Event], hz: float, partners: Set[str]) -> Iterator[Spent]:
-    """Yield what each event of a station took; events without time of their own are left out.
+    """Yield the time of each event of a station; events without time of their own are left out.
 
     Ends of parts are rounded to ticks, not their lengths, so the parts of an event sum to it exactly.
 

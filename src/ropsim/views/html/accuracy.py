@@ -29,7 +29,7 @@ def accuracy_section(figures: Figures, of: str, source: SourceText | None) -> st
 
     Args:
         figures: of the station.
-        of: what follows its title, such as ` of left`.
+        of: suffix of its title, such as ` of left`.
         source: text of its program, None where it is not known.
     """
     tables = (

@@ -75,7 +75,7 @@ _QUANTITIES = (
 
 
 def figures(recording: Recording, summary: Summary) -> list[str]:
-    """Return the figures of the report in their order; a quantity without a finite sample has none."""
+    """Return the figures of the report in their order; a quantity without a finite sample has no figure."""
     stations = station_views(recording)
     candidates = [
         schedule(recording, summary),
@@ -147,7 +147,7 @@ def _path_accuracy(station: StationView) -> str:
 
 
 def _suffix(station: StationView) -> str:
-    """Return what makes names inside the page differ between stations."""
+    """Return the suffix of names inside the page that distinguishes stations."""
     stations = station.recording.facts.stations
     return "" if len(stations) == 1 else f"-{stations.index(station.facts) + 1}"
 

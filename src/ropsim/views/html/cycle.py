@@ -1,4 +1,4 @@
-"""Of what the cycle time consists, as tables of the HTML report."""
+"""Composition of the cycle time, as tables of the HTML report."""
 
 from collections.abc import Callable
 
@@ -22,7 +22,7 @@ _WHERE_ANY: tuple[tuple[str, Callable[[CycleParts], float]], ...] = (
     ("timers<br>[s]", lambda parts: parts.timers),
     ("other<br>[s]", lambda parts: parts.other),
 )
-"""A column of nothing but zeros is left out: the tables are no wider than the page."""
+"""A column of zeros is left out: the tables are no wider than the page."""
 
 
 def cycle_section(cycle: CycleTime, source: SourceText | None, of: str) -> str:
@@ -31,7 +31,7 @@ def cycle_section(cycle: CycleTime, source: SourceText | None, of: str) -> str:
     Args:
         cycle: of a station.
         source: text of its program, None where it is not known.
-        of: what is added to the heading, where there are several stations; HTML.
+        of: suffix of the heading, where there are several stations; HTML.
     """
     if not cycle.whole.total > 0.0:
         return ""

@@ -1,4 +1,4 @@
-"""What the figures of a report mean; short HTML texts by name."""
+"""Meanings of the figures of a report; short HTML texts by name."""
 
 from collections.abc import Mapping
 from types import MappingProxyType

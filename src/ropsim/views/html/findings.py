@@ -78,7 +78,7 @@ SHOWN_MESSAGES = 500
 
 
 def messages_section(told: Sequence[Message]) -> str:
-    """Return what `print` showed; empty where it showed nothing."""
+    """Return the section on messages of `print`; empty without messages."""
     if not told:
         return ""
     rows = [

@@ -12,7 +12,7 @@ NO_SCRIPT = "The replay needs a browser that runs the script of this page; the r
 
 @frozen_dataclass
 class Replay:
-    """What the viewer needs, as texts that fit into a page.
+    """Data of the viewer, as texts that fit into a page.
 
     Attributes:
         script: program of the viewer.

@@ -1,4 +1,4 @@
-"""Figures of the HTML report, and those of what is on or off: tasks, instructions, gripper, signals."""
+"""Figures of the HTML report, and of on/off states: tasks, instructions, gripper, signals."""
 
 import numpy as np
 

@@ -43,15 +43,15 @@ def min_max(values: Array, points: int) -> list[Indices]:
 def along_curve(x: Array, y: Array, tolerance: float, points: int, kept: Indices) -> Indices:
     """Return indices that draw a plane curve, which is nowhere further from their polygon than a tolerance.
 
-    The tolerance is doubled until at most `points` samples are left, those of `kept` not counted. After
+    The tolerance is doubled until at most `points` samples are left, not counting those in `kept`. After
     Douglas and Peucker (1973), between each two samples that are kept anyway.
 
     Args:
         x: shape (n,), finite.
         y: shape (n,), finite.
         tolerance: in the unit of x and y, > 0.
-        points: at most so many.
-        kept: samples that stay, such as the ends of moves; the first and the last one do so, too.
+        points: maximum number.
+        kept: samples that stay, such as the ends of moves; the first and the last one always stay.
     """
     if x.size == 0:
         return np.empty(0, dtype=np.intp)

@@ -13,7 +13,7 @@ def text(value: str) -> str:
 
 
 def prose(value: str) -> str:
-    """Return user text for HTML content, with what stands between backticks as code."""
+    """Return user text for HTML content, with text between backticks as code."""
     return re.sub("`([^`]+)`", r"<code>\1</code>", text(value))
 
 
@@ -34,7 +34,7 @@ def table(
     """Return a table; header and cells are HTML already, the first cell of a row is its header.
 
     Args:
-        caption: what the table shows.
+        caption: content of the table.
         header: titles of the columns.
         rows: as many cells each as there are titles.
         kind: class of the table; `words` sets all columns as running text.

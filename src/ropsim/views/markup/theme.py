@@ -1,8 +1,8 @@
 """Colours and layout of the HTML report.
 
-The two trace colours are a blue and an orange that stay apart for all common kinds of colour blindness;
-what matters is never said by colour alone. Text has a contrast of at least 4.5 : 1, traces of 3 : 1
-(WCAG 2.1 AA), in the light and in the dark scheme.
+The two trace colours are a blue and an orange that stay apart for all common kinds of colour blindness; no
+information is carried by colour alone. Text has a contrast of at least 4.5 : 1, traces of 3 : 1 (WCAG 2.1
+AA), in the light and in the dark scheme.
 """
 
 LIGHT = """

@@ -1,4 +1,4 @@
-"""Bodies of a pack: what joints move has world poses, parts ride on what carries them, all else stays."""
+"""Bodies of a pack: bodies on joints have world poses, parts move with their carriers, others are fixed."""
 
 from collections import defaultdict
 
@@ -19,7 +19,7 @@ def packed_bodies(recording: Recording, cell: Cell, times: Array, body: Body) ->
 
     Args:
         recording: of a run in this cell.
-        cell: as it was simulated.
+        cell: simulated cell.
         times: of the samples [s], shape (n,).
         body: gets the bytes of the columns.
     """
@@ -53,7 +53,7 @@ def _coordinates(recording: Recording, mechanism: str, times: Array) -> Array:
 
 
 def _placements(recording: Recording, tree: BodyTree) -> dict[str, list[dict[str, object]]]:
-    """Return the placements of every part that the recording tells of, by name."""
+    """Return the placements of every part in the recording, by name."""
     shown, parts = ShownPlacements(tree), set(tree.names(BodyKind.PART))
     found: dict[str, list[dict[str, object]]] = defaultdict(list)
     for placement in recording.placements:

@@ -9,7 +9,7 @@ from ropsim.views.pack.columns import Body, Code, smooth, steps
 QUATERNION_STEP = 2.0**-15
 
 _STEPS = (("rad/s", 1e-4), ("m/s", 1e-4), ("rad", 1e-6), ("m", 1e-6), ("N", 1e-3), ("A", 1e-3), ("V", 1e-3))
-"""Coarsest rounding by unit; `rad | m` counts as its first one. All are far below what a plot shows."""
+"""Coarsest rounding by unit; `rad | m` counts as its first one. All are below the resolution of a plot."""
 
 
 def packed_channels(recording: Recording, times: Array, body: Body) -> list[dict[str, object]]:

@@ -1,7 +1,7 @@
 """Columns of a pack: how one quantity over time becomes a few bytes.
 
 Three codes: a constant; steps, which hold from exact times on; and a smooth column, rounded to whole
-multiples of a step of which only the second differences are kept, because those of a mechanism are small.
+multiples of a step of which only the second differences are kept, because they are small for a mechanism.
 """
 
 from dataclasses import dataclass, field
@@ -53,7 +53,7 @@ def steps(times: Array, values: Array) -> Code:
 
     Args:
         times: of the changes [s], shape (m,), ascending.
-        values: from each one on, shape (m,), in the unit of the column; what is not finite becomes a gap.
+        values: from each one on, shape (m,), in the unit of the column; infinite and NaN values become gaps.
     """
     held = [float(value) if np.isfinite(value) else None for value in values]
     if len(held) == 1:
@@ -68,7 +68,7 @@ def smooth(values: Array, step: float, body: Body) -> Code:
     fewer than `LEVELS` levels.
 
     Args:
-        values: shape (n,), in the unit of the column; what is not finite becomes a gap.
+        values: shape (n,), in the unit of the column; infinite and NaN values become gaps.
         step: coarsest rounding, in that unit.
         body: gets the bytes.
     """
@@ -118,7 +118,7 @@ def varints(numbers: npt.NDArray[np.uint64]) -> bytes:
 
 
 def _held(values: Array, known: npt.NDArray[np.bool_]) -> Array:
-    """Return the values with gaps filled by what stood before; before the first value by that."""
+    """Return the values with gaps filled by the value before; before the first value by that one."""
     last = np.maximum.accumulate(np.where(known, np.arange(len(values)), -1))
     return np.asarray(values[np.where(last < 0, int(np.argmax(known)), last)])
 

@@ -1,4 +1,4 @@
-"""Events of a pack: what a page is told of everything that happened."""
+"""Events of a pack: data of all events for a page."""
 
 from dataclasses import asdict, fields, is_dataclass
 from enum import Enum
@@ -8,11 +8,11 @@ from ropsim.views.words.event_text import event_text
 
 _COMMON = {field.name for field in fields(Event)}
 _NAMES: dict[type, tuple[str, ...]] = {}
-"""Names of the fields by kind: asking a record for them takes longer than all else."""
+"""Names of the fields by kind: reading them from a record dominates the time."""
 
 
 def packed_event(event: Event) -> dict[str, object]:
-    """Return an event as plain values: when, what, whose, where in the text, and its own figures."""
+    """Return an event as plain values: time, kind, station, place in the text, and its figures."""
     own = {name: getattr(event, name) for name in _names(type(event)) if name not in _COMMON}
     passes = {"visit": event.origin.visit, "calls": event.origin.calls} if event.origin else {}
     return {

@@ -29,7 +29,7 @@ RATE = 60
 
 
 class Stage(Enum):
-    """What made a finding: compiling the texts, or carrying the program out."""
+    """Origin of a finding: compiling the texts, or carrying the program out."""
 
     COMPILING = "compiling"
     RUN = "run"
@@ -40,7 +40,7 @@ class Pack:
     """A pack before it becomes a file.
 
     Attributes:
-        header: plain values; numbers may be NaN or infinite in what the recording brought along.
+        header: plain values; numbers may be NaN or infinite in data of the recording.
         body: bytes of the smooth columns.
     """
 
@@ -53,9 +53,9 @@ def pack(recording: Recording, cell: Cell, summary: Summary, findings: Iterable[
 
     Args:
         recording: of a run in this cell; it must have the channel `q` of every mechanism.
-        cell: as it was simulated.
+        cell: simulated cell.
         summary: of the recording and these findings.
-        findings: of compiling, shown before those of the run.
+        findings: of compiling, shown before findings of the run.
     """
     body = Body()
     times = sample_times(recording.duration)
@@ -81,7 +81,7 @@ def run_findings(recording: Recording, before: Iterable[Diagnostic]) -> list[Map
 
     Args:
         recording: of the run.
-        before: of compiling, listed before those of the run.
+        before: of compiling, listed before findings of the run.
     """
     return [
         *(plain_finding(one) for one in before),
@@ -116,7 +116,7 @@ def plain_finding(
     Args:
         finding: of compiling or of a run.
         stage: that made it.
-        time: at which it arose [s]; None where it has none.
+        time: at which it arose [s]; None without a time.
     """
     return {
         "code": finding.code,

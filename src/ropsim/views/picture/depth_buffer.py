@@ -1,4 +1,4 @@
-"""Triangles into a depth buffer: what is nearest to the eye at each point of a picture (Catmull 1974)."""
+"""Triangles into a depth buffer: the nearest surface at each point of a picture (Catmull 1974)."""
 
 import numpy as np
 
@@ -9,7 +9,7 @@ class DepthBuffer:
     """A picture while it is drawn; x goes to the right, y down, and depth towards the eye.
 
     Attributes:
-        depth: of what is seen, shape (height, width); -inf where nothing is.
+        depth: of the visible surface, shape (height, width); -inf if there is none.
         seen: number of the triangle that is seen there, shape (height, width); -1 for none.
     """
 

@@ -15,8 +15,8 @@ _STACKS = 20  # of a sphere
 def facets(shape: Shape) -> Array:
     """Return the triangles of a shape in the frame of its body [m], shape (k, 3, 3).
 
-    Lines have none, nor have meshes, which are files of a project. Corners go counter-clockwise as seen from
-    outside.
+    Lines have no triangles, nor have meshes, which are files of a project. Corners go counter-clockwise as
+    seen from outside.
     """
     made = _facets(shape.solid)
     X = shape.pose.matrix()

@@ -19,7 +19,7 @@ DRAWING = "1"
 _LIGHT = np.array([0.35, -0.55, 0.76])
 _FILL = np.array([-0.6, -0.3, 0.3])
 _AMBIENT, _KEY, _BACK = 0.42, 0.55, 0.16
-_EDGE = 0.62  # what is left of the light at an edge
+_EDGE = 0.62  # share of the light at an edge
 _STEP = 0.02  # of depth that makes an edge, as a share of the picture
 _SHADOW = 0.3  # opacity of the shadow
 
@@ -45,7 +45,7 @@ DEFAULT = PictureOptions()
 
 
 def picture_print(robot: RobotModel, options: PictureOptions = DEFAULT) -> str:
-    """Return what changes when the picture of a robot does."""
+    """Return a key that changes with the picture of a robot."""
     cylinders = tuple(_cylinders(robot))
     return fingerprint(
         (DRAWING, options, robot.base_shapes, robot.links, robot.joints, robot.home, *cylinders)

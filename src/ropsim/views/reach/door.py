@@ -16,7 +16,7 @@ def workspace_page(study: "Study") -> str:
 
 
 def workspace_text(study: "Study", style: Style) -> str:
-    """Return what the terminal shows of a study of workspaces."""
+    """Return the terminal text of a study of workspaces."""
     from ropsim.views.reach.terminal import workspace_text as written
 
     return written(study, style)

@@ -1,4 +1,4 @@
-"""What is drawn of a workspace: its section, and the task seen from above."""
+"""Drawings of a workspace: its section, and the task seen from above."""
 
 import numpy as np
 
@@ -12,7 +12,7 @@ POINTS = 1200
 TOLERANCE = 0.3
 """By how much of a pixel a drawn line may be off."""
 LEVELS = 8
-"""Steps in which shares are told apart."""
+"""Steps in which shares are distinguished."""
 _AXES = {
     SweepKind.TURN: ("radius from axis 1 [mm]", "height [mm]"),
     SweepKind.SLIDE: ("across axis 1 [mm]", "across axis 1 [mm]"),
@@ -87,7 +87,7 @@ def _mark(plane: Plane, place: tuple[float, float], check: PointCheck) -> str:
 def _at_home(arm: ArmStudy) -> Array:
     """Return the origins of the joint frames at home and the point itself, in the base frame, (k, 3)."""
     robot, space = arm.robot, arm.workspace
-    assert space is not None  # who draws it has one
+    assert space is not None  # its callers have a workspace
     frames = frames_batch(robot, robot.home[np.newaxis])[0]
     point = space.point.positions(robot, robot.home[np.newaxis])
     return np.concatenate((np.zeros((1, 3)), frames[:-1, :3, 3], point))

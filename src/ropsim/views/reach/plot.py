@@ -1,4 +1,4 @@
-"""A plane plot with equal scales on both axes: grid, ticks, and what is drawn into it in metres."""
+"""A plane plot with equal scales on both axes: grid, ticks, and drawings in metres."""
 
 from collections.abc import Iterable
 
@@ -84,7 +84,7 @@ class Plane:
             ident: unique name inside the page.
             words: title and a sentence about the picture.
             axes: names of the axes, with units.
-            parts: what is drawn, made by the other functions.
+            parts: drawings, made by the other functions.
         """
         middle = f'x="{(LEFT + RIGHT) / 2:g}" y="{HEIGHT - 6:g}"'
         turned = f'transform="translate(14 {(TOP + BOTTOM) / 2:g}) rotate(-90)"'

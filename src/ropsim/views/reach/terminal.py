@@ -12,7 +12,7 @@ SHOWN = 12
 
 
 def workspace_text(study: Study, style: Style) -> str:
-    """Return what was found of arms and of the points of a task."""
+    """Return the results for arms and the points of a task."""
     parts = [_arm(one, study, style) for one in study.arms]
     if len(study.standings) > 1:
         parts.append(_ranking(study.standings, style))

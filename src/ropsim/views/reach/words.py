@@ -6,7 +6,7 @@ from ropsim.model import Joint, JointType, RobotModel
 from ropsim.workspace import DIRECTIONS, ArmStudy, PointCheck, Reachable, SweepKind
 
 LEAST, LEAST_ANGLE = 5e-5, 1e-3
-"""What is missing and less than this [m, rad] is not told."""
+"""Misses below this [m, rad] are not reported."""
 
 
 def volume_text(volume: float, error: float, unit: str) -> str:
@@ -18,7 +18,7 @@ def volume_text(volume: float, error: float, unit: str) -> str:
 
 
 def extent_texts(workspace: Reachable) -> tuple[tuple[str, str], ...]:
-    """Return the extremes of a workspace: what they are of, and from where to where [mm]."""
+    """Return the extremes of a workspace: names, and ranges [mm]."""
     ends = [f"{1e3 * one.value + 0.0:.1f}" for one in workspace.extremes]
     names = {
         SweepKind.TURN: ("radius from axis 1", "height above the base"),
@@ -43,7 +43,7 @@ def dexterity_texts(study: ArmStudy) -> tuple[tuple[str, str], ...]:
 
 
 def left_text(robot: RobotModel, check: PointCheck) -> str:
-    """Return what is left to the nearest limit of a joint."""
+    """Return the margin to the nearest limit of a joint."""
     if check.reach is None:
         return "–"
     margin = check.reach.margin
@@ -54,7 +54,7 @@ def left_text(robot: RobotModel, check: PointCheck) -> str:
 
 
 def miss_text(check: PointCheck) -> str:
-    """Return why a point is not reached, and what is missing."""
+    """Return why a point is not reached, and the distance missed."""
     if check.miss is None:
         return ""
     beyond = [f"joint {one.name} by {_measured(one.model, one.excess)}" for one in check.miss.violations]

@@ -1,1 +1,1 @@
-"""What a cell looks like: bodies with shapes, frames."""
+"""Scene of a cell: bodies with shapes, frames."""

@@ -1,7 +1,7 @@
 """How an arm is drawn: by its own shapes, or by hubs at its joints and rods between them.
 
-The stand-in needs nothing but the joints: a cylinder along each axis and a tapered rod from each joint to the
-next, as paper 1 draws an arm from its Denavit–Hartenberg table.
+The stand-in needs only the joints: a cylinder along each axis and a tapered rod from each joint to the next,
+as paper 1 draws an arm from its Denavit–Hartenberg table.
 """
 
 import numpy as np
@@ -18,7 +18,7 @@ _LONGEST_SLIDE = 5.0  # [m], stands in for a slide without limits
 
 
 def base_shapes(robot: RobotModel) -> tuple[Shape, ...]:
-    """Return what the part of a robot looks like that stands still, in the base frame."""
+    """Return the shapes of the fixed part of a robot, in the base frame."""
     if robot.base_shapes:
         return robot.base_shapes
     radius = _radius(robot, 0)
@@ -30,7 +30,7 @@ def base_shapes(robot: RobotModel) -> tuple[Shape, ...]:
 
 
 def link_shapes(robot: RobotModel, number: int) -> tuple[Shape, ...]:
-    """Return what link `number`, from 1, looks like in the frame of its joint.
+    """Return the shapes of link `number`, from 1, in the frame of its joint.
 
     Of a crank that only counts an axis, without mass and with nothing on it, and of a step between two joints
     of an arm with shapes, nothing is drawn.
@@ -65,7 +65,7 @@ def _way(robot: RobotModel) -> list[int]:
 
 
 def _only_counts(robot: RobotModel, link: int) -> bool:
-    """Return whether a link, from 0, is nothing but an axis that other joints follow."""
+    """Return whether a link, from 0, is only an axis that other joints follow."""
     carries = link == robot.tip or any(joint.parent == link for joint in robot.joints)
     followed = any(number == link for one in robot.couplings for number, _ in one.terms)
     return followed and not carries and not robot.links[link].mass

@@ -1,4 +1,4 @@
-"""The bodies of a scene in the order of the body tree, as they are drawn at the start of a run."""
+"""The bodies of a scene in the order of the body tree, at the start of a run."""
 
 from ropsim.core import frozen_dataclass
 from ropsim.kinematics import body_poses
@@ -7,7 +7,7 @@ from ropsim.spatial import Pose
 from ropsim.views.scene.arm import base_shapes, link_shapes
 
 NO_BODY = -1
-"""Place of the parent of what is fixed on no moving body: its pose is in the world frame."""
+"""Place of the parent of a body fixed on no moving body: its pose is in the world frame."""
 
 
 @frozen_dataclass
@@ -17,7 +17,7 @@ class SceneBody:
     Attributes:
         name: `base`, `link1`, `tool:NAME`, such as `left/link1` where the station or device has a name of its
             own, or the name of an object or part.
-        kind: what it is.
+        kind: kind of body.
         parent: place of the link that carries a tool, `NO_BODY` for all others.
         pose: in the frame of the parent, or in the world frame.
         shapes: in its own frame; that of a link is the frame of its joint.

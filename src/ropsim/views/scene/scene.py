@@ -1,4 +1,4 @@
-"""The scene description: what a cell looks like, as plain values for the page that draws it.
+"""The scene description of a cell, as plain values for the page that draws it.
 
 All poses are in the world frame W, z up, or in the frame of the body that carries the thing; lengths in m.
 """
@@ -23,7 +23,7 @@ def scene(cell: Cell, meshes: Mapping[Mesh, MeshSource] = NO_MESHES) -> dict[str
     """Return the scene description of a cell: plain values, without NaN or infinity.
 
     Args:
-        cell: with or without shapes; what has none gets a stand-in.
+        cell: with or without shapes; bodies without shapes get a stand-in.
         meshes: where the page finds each mesh of the cell; one that is not there is drawn as missing.
 
     Returns:

@@ -27,7 +27,7 @@ class MeshSource:
 
 
 NOT_READ = MeshSource("", "the file has not been read")
-"""Stands in for meshes that nobody has read."""
+"""Points of meshes if no mesh was read."""
 
 
 _CORNERS = np.array([[(k >> axis) & 1 for axis in range(3)] for k in range(8)], dtype=np.bool_)

@@ -10,10 +10,10 @@ from ropsim.views.scene.shapes import plain_pose
 
 
 class ShownPlacements:
-    """Takes placements one after the other and tells where the page has to show bodies.
+    """Takes placements one after the other and yields the poses at which the page shows bodies.
 
-    A page knows where links are, not what hangs on what. So a body is told again when something
-    that it hangs on is moved, and its pose is that in the frame of the link with which it moves.
+    A page has the poses of links, not the attachments. So a body is sent again when one of its parents moves,
+    and its pose is expressed in the frame of the link with which it moves.
 
     Args:
         tree: the bodies of the cell.
@@ -33,7 +33,7 @@ class ShownPlacements:
             self._on[parent][name] = None
 
     def take(self, placement: Placement) -> Iterator[tuple[str, dict[str, object]]]:
-        """Yield the body, and each that hangs on it, with what the page is told of it.
+        """Yield the body, and each body attached to it, with the data for the page.
 
         `time` [s], `parent` (place of the link in the scene, -1 for none), `pose` in its frame or in the
         world, `visible`. Bodies that the cell does not have are passed over.
@@ -47,7 +47,7 @@ class ShownPlacements:
         self._seen[name] = placement.visible
         family = [name]
         for one in family:
-            if self._bodies[one].mover is None:  # where a link is and what hangs on it, the page knows
+            if self._bodies[one].mover is None:  # the page has the poses of links and their bodies
                 family += self._on[one]
                 yield one, self._told(one, placement.time)
 

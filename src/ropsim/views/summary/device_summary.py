@@ -1,4 +1,4 @@
-"""What each device of a run did, and how long each task took."""
+"""Summary of each device of a run, and times of tasks."""
 
 import math
 
@@ -46,7 +46,7 @@ def summarize_devices(recording: Recording) -> tuple[DeviceSummary, ...]:
 
 
 def device_text(device: DeviceSummary) -> str:
-    """Return what a device did, such as `door went 1700.0 mm, between 0.0 and 850.0 mm`.
+    """Return the activity of a device, such as `door went 1700.0 mm, between 0.0 and 850.0 mm`.
 
     Of one that only went on from 0, as belts do, the way says all.
     """

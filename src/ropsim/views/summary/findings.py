@@ -1,4 +1,4 @@
-"""Findings put together: what repeats in every loop pass is said once and counted."""
+"""Grouped findings: a finding that repeats in every loop pass is listed once and counted."""
 
 from collections.abc import Iterable
 
@@ -7,7 +7,7 @@ from ropsim.core import Diagnostic, Severity, frozen_dataclass, plural
 PASS = "pass"
 """Key of the loop pass in the data of a finding."""
 FOLLOWS = "follows_line"
-"""Key of the line from which a finding likely follows, in its data; `follows_source` is beside it."""
+"""Key of the line from which a finding likely follows, in its data; `follows_source` is next to it."""
 STATION = "station"
 """Key of the station in the data of a finding: a program may run at several."""
 
@@ -34,16 +34,16 @@ class FindingGroup:
 
     @property
     def cause_text(self) -> str:
-        """Return in words from where it likely follows; empty for what stands alone."""
+        """Return the likely cause in words; empty for a finding without one."""
         return f"likely follows from line {self.follows}" if self.follows else ""
 
 
 def group_findings(findings: Iterable[Diagnostic]) -> tuple[FindingGroup, ...]:
     """Return groups of equal code and place, in the order of their first member.
 
-    Findings of a run (those with a loop `pass` in their data) are one group when code, span, station, cause
-    and joint agree, whatever figures their messages quote; all others only when the message agrees as well,
-    so two different mistakes on one word stay two.
+    Findings of a run (with a loop `pass` in their data) are one group when code, span, station, cause and
+    joint agree, regardless of figures in their messages; all others only when the message agrees as well, so
+    two different mistakes on one word stay two.
     """
     groups: dict[tuple[object, ...], list[Diagnostic]] = {}
     for finding in findings:
@@ -56,7 +56,7 @@ def group_findings(findings: Iterable[Diagnostic]) -> tuple[FindingGroup, ...]:
 
 
 def below_causes(groups: Iterable[FindingGroup]) -> tuple[FindingGroup, ...]:
-    """Return the groups in their order, each that likely follows from a line behind what is found there."""
+    """Return the groups in their order, each that likely follows from a line behind the findings there."""
     found = list(groups)
     placed = [one for one in found if not one.follows]
     for one in found:
@@ -67,7 +67,7 @@ def below_causes(groups: Iterable[FindingGroup]) -> tuple[FindingGroup, ...]:
 
 
 def _belongs(one: FindingGroup, other: FindingGroup) -> bool:
-    """Return whether a group stands below another: its cause, or what follows from the same."""
+    """Return whether a group stands below another: its cause, or a finding with the same cause."""
     cause = (one.first.data.get("follows_source"), one.follows)
     span = other.first.span
     here = (span.source, span.line) if span else None

@@ -1,4 +1,4 @@
-"""What each joint did in a run, measured against its limits."""
+"""Motion of each joint in a run, compared with its limits."""
 
 import math
 from collections.abc import Iterable
@@ -101,7 +101,7 @@ class JointSummary:
     def speed_closeness(self) -> Closeness:
         """Return how the peak speed stands to its limit; an overshoot of 2 % counts as within it.
 
-        A good plan uses all of the speed that a joint has, so being near the limit is nothing to look at.
+        A good plan uses all of the speed that a joint has, so being near the limit is no finding.
         """
         return Closeness.BEYOND if self.speed_share > 1.0 + SPEED_OVERSHOOT else Closeness.FAR
 

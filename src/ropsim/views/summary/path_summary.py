@@ -1,8 +1,8 @@
 """Accuracy of the moves with a path of the tool (lines, arcs, curves, corners), in the words of ISO 9283.
 
-A simulated run attains each move once, so the path error of a sample stands where ISO 9283 has the
-barycentre of several cycles: the largest one is the path accuracy AT_p of that single cycle. How the others
-are made is told in `views/accuracy`.
+A simulated run attains each move once, so the path error of a sample replaces that of the barycentre of
+several cycles in ISO 9283: the largest one is the path accuracy AT_p of that single cycle. The other figures
+are defined in `views/accuracy`.
 """
 
 import math
@@ -22,7 +22,7 @@ REACHED = 0.99
 """Share of a given speed from which on it is reached."""
 
 NEAR = 1e-3
-"""Distance from its target from which on a command has come to it, beside that of one sample [m]."""
+"""Distance from its target within which a command has arrived, in addition to the step of one sample [m]."""
 
 Indices = npt.NDArray[np.intp]
 
@@ -43,7 +43,7 @@ class PathMove:
         max_angle: largest angle between attained and commanded orientation at one place of the path [rad];
             NaN where it is not known.
         speeds: AV and FV.
-        given: path speed that program or cell give [m/s]; NaN where the recording does not tell it.
+        given: path speed of program or cell [m/s]; NaN if it is not recorded.
         is_early: whether its command stopped before its target, as a condition ended it.
     """
 
@@ -93,7 +93,7 @@ class PathLine:
 
     @property
     def worst_speed(self) -> PathMove | None:
-        """Return the move whose AV is the largest in magnitude, None where no move has one."""
+        """Return the move whose AV is the largest in magnitude, None without any."""
         return largest_speed_error(self.moves)
 
 
@@ -102,8 +102,8 @@ class PathSummary:
     """The moves of a run that have a path of the tool: lines, arcs, curves and the corners between them.
 
     Attributes:
-        lines: by source line, in the order of stations and lines; empty where the run has none.
-        mean_error: mean distance from the path of the tool over all samples that have one [m].
+        lines: by source line, in the order of stations and lines; empty without any.
+        mean_error: mean distance from the path of the tool over all its samples [m].
         rms_error: root of its mean square [m].
         p95_error: its 95th percentile [m].
     """
@@ -143,7 +143,7 @@ class PathSummary:
 
     @property
     def worst_speed(self) -> PathMove | None:
-        """Return the move whose AV is the largest in magnitude, None where no move has one."""
+        """Return the move whose AV is the largest in magnitude, None without any."""
         return largest_speed_error(self.moves)
 
     @property
@@ -156,19 +156,19 @@ class PathSummary:
 
     @property
     def mean_speed_accuracy(self) -> float:
-        """Return the mean AV of the moves that have one, a share; NaN where none has."""
+        """Return the mean AV of the moves with AV, a share; NaN without any."""
         known = [move.speeds.accuracy for move in self.moves if math.isfinite(move.speeds.accuracy)]
         return sum(known) / len(known) if known else math.nan
 
     @property
     def largest_fluctuation(self) -> float:
-        """Return the largest FV of the moves [m/s]; NaN where none has one."""
+        """Return the largest FV of the moves [m/s]; NaN without any."""
         known = [move.speeds.fluctuation for move in self.moves if math.isfinite(move.speeds.fluctuation)]
         return max(known, default=math.nan)
 
 
 def largest_speed_error(moves: tuple[PathMove, ...]) -> PathMove | None:
-    """Return the move whose AV is the largest in magnitude, None where no move has one."""
+    """Return the move whose AV is the largest in magnitude, None without any."""
     known = [move for move in moves if math.isfinite(move.speeds.accuracy)]
     return max(known, key=lambda move: abs(move.speeds.accuracy), default=None)
 
@@ -270,7 +270,7 @@ def _move(run: _Run, piece: Indices, ordinal: int, event: MoveEvent | None) -> P
 
 
 def _commanded(move: PathMove, station: StationView, first: int) -> PathMove:
-    """Return what is known of a move of an arm without drives, which begins at row `first`."""
+    """Return the figures of a move of an arm without drives, which begins at row `first`."""
     return replace(
         move,
         line=station.line(first),
@@ -296,7 +296,7 @@ def _is_early(run: _Run, piece: Indices, event: MoveEvent) -> bool:
 
 
 def _events(station: StationView) -> dict[int, MoveEvent]:
-    """Return the moves of a station as they were carried out, by their ordinals."""
+    """Return the moves of a station as executed, by their ordinals."""
     return {
         event.ordinal: event
         for event in station.recording.events

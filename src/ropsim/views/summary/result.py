@@ -1,4 +1,4 @@
-"""The result of a run as a strip shows it: verdict, what it leaves open, the worst figure of each kind."""
+"""The result of a run as a strip shows it: verdict, open points, the worst figure of each kind."""
 
 from typing import Literal
 
@@ -92,19 +92,18 @@ class PathFigure:
 
 @frozen_dataclass
 class ResultFigures:
-    """The result of a run: what a strip shows of it.
+    """The result of a run for a strip.
 
     Attributes:
         verdict: how far the run can be relied on.
-        given: what was done to the run by hand, in words; empty for nothing. It stands in `unchecked`, too.
-        unchecked: one line: what the verdict did not look at. It stands beside the verdict, wherever that is
-            shown.
+        given: manual interventions, in words; empty for none. It is also part of `unchecked`.
+        unchecked: one line: omitted checks of the verdict. It is shown with every verdict.
         cycle_time: end of the last motion or instruction [s].
         cycle_time_valid: false where a move was skipped or a program did not come to its end: the cycle time
             is not that of the program then.
         cycle_time_by_hand: how long the run was held and slowed within it, in words; empty for nothing. It
             stands at the cycle time, wherever that is shown.
-        settling: what settling after moves cost; None without drives.
+        settling: time of settling after moves; None without drives.
         peak_torque: None where no limit is known.
         peak_speed: None where no limit is known.
         closest_limit: None where no margin is known.
@@ -113,7 +112,7 @@ class ResultFigures:
         warnings: number of them.
         hints: number of them.
         moves: number of moves carried out.
-        destinations: of the parts that have one; None where none has.
+        destinations: of the parts; None without any.
     """
 
     verdict: VerdictText

@@ -1,4 +1,4 @@
-"""The figures of one station of a run: what its program did, and its arm."""
+"""The figures of one station of a run: of its program and its arm."""
 
 import math
 from collections import Counter
@@ -34,7 +34,7 @@ class StationSummary:
     """The figures of one station.
 
     Attributes:
-        facts: who ran what on which arm.
+        facts: program, arm and limits.
         cycle_time: end of its last motion or instruction [s].
         moves: number of moves carried out, by kind (`PTP`, `LIN`).
         grips: number of times that a gripper closed on a part.
@@ -43,14 +43,14 @@ class StationSummary:
         skipped: moves that were refused and left out.
         share_in_motion: share of its cycle time in which its moves were on their way, outside of zones and
             within them; NaN for no time.
-        settling: what settling after moves cost.
+        settling: time of settling after moves.
         waiting: how long its program stood at waits.
         tasks: time per task.
         joints: extremes per joint.
         path: accuracy of the moves with a path of the tool.
         corners: how corners are passed that are rounded, in order of time.
         stops: how moves come to rest, in order of time; of a kinematic run there are none.
-        cycle: of what its cycle time consists.
+        cycle: composition of its cycle time.
         is_driven: whether drives moved its arm; without them it is where its reference is, exactly, and
             nothing is known of settling, torques and accuracy.
     """
@@ -75,7 +75,7 @@ class StationSummary:
 
 
 class Figures(Protocol):
-    """What a whole run and one of its stations have both: time, moves, settling, waits."""
+    """Figures of a whole run and of each of its stations: time, moves, settling, waits."""
 
     @property
     def cycle_time(self) -> float:
@@ -94,7 +94,7 @@ class Figures(Protocol):
 
     @property
     def settling(self) -> Settling:
-        """Return what settling after moves cost."""
+        """Return the time of settling after moves."""
         ...
 
     @property
@@ -157,7 +157,7 @@ def end_of(events: Iterable[Event]) -> float:
 
 
 def moves_by_kind(events: Iterable[Event]) -> dict[str, int]:
-    """Return how many moves of each kind were carried out: those of the joints first, then tool paths."""
+    """Return how many moves of each kind were carried out: moves of the joints first, then tool paths."""
     counts = Counter(event.motion for event in events if isinstance(event, MoveEvent))
     known = [kind.value for kind in MotionKind if kind.value in counts]
     return {kind: counts[kind] for kind in (*known, *sorted(counts.keys() - known))}
@@ -173,7 +173,7 @@ def share_in_motion(cycles: Sequence[CycleTime]) -> float:
 
 
 def _part(recording: Recording, facts: StationFacts) -> Recording:
-    """Return what a recording has of one station; all of it where there is no other one."""
+    """Return the data of one station in a recording; all of it if there is only one."""
     if len(recording.facts.stations) == 1:
         return recording
     events = tuple(event for event in recording.events if event.station == facts.name)

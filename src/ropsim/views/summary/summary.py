@@ -1,4 +1,4 @@
-"""The figures of a run on one page: what `ropsim run` prints and the report shows first."""
+"""The figures of a run on one page: printed by `ropsim run` and shown first in the report."""
 
 from collections.abc import Iterable, Mapping
 
@@ -46,7 +46,7 @@ class Summary:
     """The figures of one run.
 
     Attributes:
-        facts: who ran what on which arm.
+        facts: stations and programs, arms, limits.
         duration: simulated time [s].
         cycle_time: end of the last motion or instruction of all stations [s].
         moves: number of moves carried out, by kind (`PTP`, `LIN`).
@@ -56,24 +56,24 @@ class Summary:
         skipped: moves that were refused and left out; with any, the cycle time is not valid.
         share_in_motion: share of the cycle times of all stations together in which their moves were on
             their way, outside of zones and within them; NaN for no time.
-        settling: what settling after moves cost, as a share of the cycle times of all stations together.
+        settling: settling after moves, as a share of the cycle times of all stations together.
         waiting: how long programs stood at waits, as a share of the same.
         tasks: time per task.
         joints: extremes per joint.
         path: accuracy of the moves with a path of the tool.
         corners: how corners are passed that are rounded, in order of time.
         stops: how moves come to rest, in order of time; of a kinematic run there are none.
-        findings: grouped findings of compiling and of the run, worst severity first; what likely follows from
-            a line stands behind what is found there.
+        findings: grouped findings of compiling and of the run, worst severity first; consequences of a line
+            follow the findings there.
         error_count: number of findings of severity error, repeats included.
         warning_count: number of warnings, repeats included.
         hint_count: number of hints, repeats included.
         invalid_samples: number of samples of q, qd and tau that are not finite.
         by_hand: how long it was held and slowed; the cycle time has it within.
-        unchecked: what all this leaves open.
-        destinations: how many parts are at their destinations; None where no part has one.
+        unchecked: omitted checks.
+        destinations: how many parts are at their destinations; None without any.
         stations: the figures of each one; those above are of all together.
-        devices: what they did.
+        devices: summaries of devices.
     """
 
     facts: RunFacts
@@ -148,11 +148,11 @@ class Summary:
 
 
 def summarize(recording: Recording, before: Iterable[Diagnostic] = ()) -> Summary:
-    """Return the figures of a recording; absent channels and samples that are not finite give NaN.
+    """Return the figures of a recording; absent channels and infinite samples yield NaN.
 
     Args:
         recording: of the run.
-        before: findings of reading and compiling; they count as those of the run do.
+        before: findings of reading and compiling; they count as findings of the run.
     """
     events, stations = recording.events, summarize_stations(recording)
     cycle_time = end_of(events)

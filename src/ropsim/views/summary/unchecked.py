@@ -1,4 +1,4 @@
-"""What a verdict leaves unchecked, in the same words everywhere, and what slowing by hand has cost."""
+"""Omitted checks of a verdict, in the same words everywhere, and the time lost by manual slowing."""
 
 from collections.abc import Iterable, Iterator, Sequence
 
@@ -15,9 +15,10 @@ class ByHand:
     Attributes:
         held: time at an override of 0 [s].
         slowed: time at an override between 0 and 1 [s].
-        slowest: least override that was asked for, the holds apart; 1 where it was never below.
+        slowest: least override requested, except holds; 1 if never below.
         is_held: whether it was held at all, be it for no time or behind the end of the cycle.
-        held_in_all: time at an override of 0 until the run ended, behind the end of the cycle, too [s].
+        held_in_all: time at an override of 0 until the run ended, including time behind the end of the cycle
+            [s].
     """
 
     held: float = 0.0
@@ -28,9 +29,9 @@ class ByHand:
 
     @property
     def mark(self) -> str:
-        """Return a few words for beside the cycle time; empty where nothing of it is by hand.
+        """Return a few words to be shown next to the cycle time; empty without manual interventions.
 
-        Both times are those of the override as set: braking to a hold is in them, speeding up after it not.
+        Both times follow the override as set: they include braking to a hold, not speeding up after it.
         """
         times = (("held", self.held), ("slowed", self.slowed))
         parts = [f"{word} for {seconds(time)} s" for word, time in times if shown(time)]
@@ -38,7 +39,7 @@ class ByHand:
 
 
 def by_hand(changes: Sequence[OverrideChange], cycle_time: float, duration: float) -> ByHand:
-    """Return what changes of the override did to a run until the end of its cycle.
+    """Return the effect of override changes on a run until the end of its cycle.
 
     Args:
         changes: of the override; before the first one it is 1.
@@ -71,27 +72,27 @@ def percentage(override: float) -> str:
 
 
 def shown(time: float) -> bool:
-    """Return whether a time is told: not where it would read 0.00 s."""
+    """Return whether a time is shown: not if it would read 0.00 s."""
     return time >= 0.005
 
 
 CHECKED_IF_SAID = ("collisions", "rated payload")
-"""What a run has checked only where its recording says so."""
+"""Checks that depend on the run: omitted unless its recording lists them."""
 
 WITHOUT_DYNAMICS = ("torques", "drives", "servo")
-"""What a kinematic run does not look at, beside that."""
+"""Further omitted checks of a kinematic run."""
 
 SHORT = 40
-"""Groups of estimated parameters are named if their names take at most so many characters, else counted."""
+"""Greatest length of the names of groups of estimated parameters; longer lists are counted."""
 
 
 @frozen_dataclass
 class Unchecked:
-    """What the figures and the verdict of a run leave open.
+    """Open points of the figures and the verdict of a run.
 
     Attributes:
-        given: what was done to the run by hand, in words; the cycle time is that of the program only without.
-        aspects: not looked at, such as `collisions`.
+        given: manual interventions, in words; with them the cycle time is not that of the program.
+        aspects: not checked, such as `collisions`.
         estimated: groups of parameters that are estimates, as the model names them.
         fine_stops: source lines with a finding that a zone is not flown (a fine stop), text after text.
     """
@@ -117,7 +118,7 @@ class Unchecked:
 
 
 def unchecked(facts: RunFacts, findings: Iterable[Diagnostic], hand: ByHand) -> Unchecked:
-    """Return what a run did not look at.
+    """Return the omitted checks of a run.
 
     Args:
         facts: of the run.
@@ -141,7 +142,7 @@ def _is_fine_stop(finding: Diagnostic) -> bool:
 
 
 def _on_ways(facts: RunFacts) -> Iterator[str]:
-    """Yield what a look for collisions did not see."""
+    """Yield omissions of the collision check."""
     if facts.ways is None:
         return
     if unseen := facts.ways.unseen:
@@ -152,7 +153,7 @@ def _on_ways(facts: RunFacts) -> Iterator[str]:
 
 
 def given_text(facts: RunFacts, hand: ByHand) -> str:
-    """Return what was done to a run, such as `by hand: 2 inputs, override down to 50 %, held 3.20 s`."""
+    """Return manual interventions, such as `by hand: 2 inputs, override down to 50 %, held 3.20 s`."""
     parts = [plural(len(facts.inputs), "input")] if facts.inputs else []
     if hand.slowest < 1.0:
         parts.append(f"override down to {percentage(hand.slowest)}")

@@ -11,7 +11,7 @@ from ropsim.views.words.figures import coordinate_scale, with_unit
 COLLISION = "S751"
 """Code of a penetration."""
 NAMED = 4
-"""Lines with collisions are named up to so many, else counted."""
+"""Lines with collisions are named up to this number, else counted."""
 
 
 class Verdict(Enum):
@@ -24,7 +24,7 @@ class Verdict(Enum):
 
 @frozen_dataclass
 class VerdictText:
-    """A verdict and the sentence that gives its reasons."""
+    """A verdict and the sentence with its reasons."""
 
     kind: Verdict
     text: str

@@ -24,7 +24,7 @@ _OFF = 1e-3
 
 
 def accuracy_lines(figures: Figures, style: Style) -> list[str]:
-    """Return the accuracy of paths, corners and stops; nothing of what the run does not have."""
+    """Return the accuracy of paths, corners and stops; without sections that the run does not have."""
     if not figures.is_driven:
         return [*_commanded(figures.path, style), *_planned(figures.corners, style)]
     return [
@@ -35,7 +35,7 @@ def accuracy_lines(figures: Figures, style: Style) -> list[str]:
 
 
 def _commanded(path: PathSummary, style: Style) -> list[str]:
-    """Return what is said of the tool paths of an arm without drives."""
+    """Return the lines on tool paths of an arm without drives."""
     if not path.moves:
         return []
     title = paint(f"path error of tool paths ({plural(len(path.moves), 'move')})", Tone.QUIET, style)
@@ -43,7 +43,7 @@ def _commanded(path: PathSummary, style: Style) -> list[str]:
 
 
 def _planned(corners: tuple[CornerFigures, ...], style: Style) -> list[str]:
-    """Return what is said of the corners of an arm without drives."""
+    """Return the lines on blends of an arm without drives."""
     if not corners:
         return []
     title = paint(f"rounded corners ({len(corners)})", Tone.QUIET, style)

@@ -16,7 +16,7 @@ class Style(Enum):
 
 
 class Tone(Enum):
-    """What a piece of text means; the value is its ANSI SGR code."""
+    """Meaning of a piece of text; the value is its ANSI SGR code."""
 
     ERROR = "1;31"
     WARNING = "1;33"

@@ -1,4 +1,4 @@
-"""Of what the cycle time consists, as text for a terminal."""
+"""Composition of the cycle time, as text for a terminal."""
 
 import math
 from collections.abc import Callable, Sequence

@@ -27,7 +27,7 @@ from ropsim.views.words.figures import (
 
 COLUMNS = 80
 RANGE_LEGEND = "  ! less than 1° or 1 mm of the range left, !! beyond its end"
-"""What the signs of a range mean; it stands below `LEGEND` where there is one."""
+"""Meanings of the signs of a range; printed below `LEGEND` if there is one."""
 LEGEND = (
     "  largest torque and speed, their share of the limit: ! torque from 90 % on,",
     "  !! beyond it (speeds: 2 %); range left: least distance to the end of a joint's",
@@ -51,7 +51,7 @@ def cycle_time_line(figures: Figures, summary: Summary, style: Style) -> str:
 
 
 def effort_lines(figures: Figures, summary: Summary) -> list[str]:
-    """Return how much of the time an arm moves, what settling and waits cost, and what it did."""
+    """Return the lines on motion time, settling and waits of an arm, and its moves."""
     moves = " + ".join(f"{count} {clean(kind)}" for kind, count in figures.moves.items()) or "none"
     return [
         f"in motion    {percent(figures.share_in_motion)} of the cycle time",
@@ -114,7 +114,7 @@ def task_lines(tasks: tuple[TaskSummary, ...], style: Style) -> list[str]:
 
 
 def joint_lines(joints: tuple[JointSummary, ...], style: Style) -> list[str]:
-    """Return what the joints did as a table, whose signs `LEGEND` explains; nothing without joints."""
+    """Return the motion of the joints as a table, whose signs `LEGEND` explains; nothing without joints."""
     if not joints:
         return []
     rows = [_joint_row(joint) for joint in joints]
@@ -124,7 +124,7 @@ def joint_lines(joints: tuple[JointSummary, ...], style: Style) -> list[str]:
 
 
 def legend(joints: tuple[JointSummary, ...]) -> list[str]:
-    """Return what the signs in the table of joints mean; nothing without joints."""
+    """Return the meanings of signs in the table of joints; empty without joints."""
     if not joints:
         return []
     is_marked = any(one.margin_closeness is not Closeness.FAR for one in joints)

@@ -36,7 +36,7 @@ _VERDICT_TONES = {Verdict.FAILED: Tone.ERROR, Verdict.DOUBTFUL: Tone.WARNING, Ve
 def terminal_report(summary: Summary, style: Style) -> str:
     """Return the report of a run, about 40 lines of at most 80 columns, ending in a line feed.
 
-    Where the run has several stations each has a block of its own, below what they came to together.
+    Where the run has several stations each has a separate block, below the totals.
     """
     several = len(summary.stations) > 1
     sections = [
@@ -60,7 +60,7 @@ def _whole(summary: Summary, style: Style) -> list[list[str]]:
 
 
 def _blocks(summary: Summary, style: Style) -> list[list[str]]:
-    """Return the sections of a run with several stations: those of the cell, then those of each one."""
+    """Return the sections of a run with several stations: first the cell, then each station."""
     sections = [[cycle_time_line(summary, summary, style), *_cell_lines(summary)]]
     for one in summary.stations:
         sections += [
@@ -85,7 +85,7 @@ def _station_title(station: StationSummary) -> str:
 
 
 def _cell_lines(summary: Summary) -> list[str]:
-    """Return what is said of the parts and devices of the cell."""
+    """Return the lines on the parts and devices of the cell."""
     parts = [f"parts        {destinations_text(summary.destinations)}"] if summary.destinations else []
     names = ["devices", *[""] * len(summary.devices)]
     return parts + [
@@ -114,7 +114,7 @@ def _stations(summary: Summary) -> str:
 
 
 def _unchecked(text: str) -> list[str]:
-    """Return the line on what was not looked at; where it is too long it breaks between its parts."""
+    """Return the line on omitted checks; a long one breaks between its parts."""
     glued = (part.replace(" ", "\u00a0") if len(part) < COLUMNS - 2 else part for part in text.split(" · "))
     whole = "\u00a0· ".join(glued)
     return textwrap.wrap(whole, COLUMNS, subsequent_indent="  ")

@@ -12,7 +12,7 @@ LINE_WIDTH = 100
 """Terminal columns of source text that are shown; longer lines are cut around the first mark."""
 
 EXCERPT = 2000
-"""Characters of one line that are looked at, around the mark."""
+"""Characters of one line that are shown, around the mark."""
 
 
 @frozen_dataclass
@@ -20,7 +20,7 @@ class Mark:
     """A stretch to underline.
 
     Attributes:
-        span: what to mark.
+        span: place to mark.
         text: words after the mark, may be empty.
         sign: the character to draw with.
         tone: its colour.
@@ -46,8 +46,8 @@ def snippet(source: SourceText, span: Span, marks: tuple[Mark, ...], gutter: int
 
     Args:
         source: the text.
-        span: what to quote; every mark lies on its lines.
-        marks: what to underline, in the order of drawing.
+        span: place to quote; every mark lies on its lines.
+        marks: places to underline, in the order of drawing.
         gutter: width of the line number column.
         style: plain or with ANSI colours.
     """
@@ -84,7 +84,7 @@ def _shown_lines(span: Span, count: int) -> list[int]:
 
 
 def _excerpt_start(text: str, number: int, span: Span) -> int:
-    """Return the first character worth looking at: lines of megabytes are not rendered whole."""
+    """Return the first character to show: lines of megabytes are not rendered whole."""
     if len(text) <= EXCERPT or number != span.line:
         return 0
     return max(min(span.column - 1, len(text)) - EXCERPT // 2, 0)

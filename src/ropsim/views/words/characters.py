@@ -1,4 +1,4 @@
-"""Characters as a terminal shows them: widths, tabs, and what is invisible made visible."""
+"""Characters as a terminal shows them: widths, tabs, and invisible ones made visible."""
 
 import unicodedata
 
@@ -8,7 +8,7 @@ _INVISIBLE = {"Cc", "Cf", "Cs", "Co", "Cn", "Zl", "Zp"}
 
 
 def visible(character: str, column: int) -> str:
-    """Return what to show for one character that stands at display column `column` (from 0).
+    """Return the text to show for one character at display column `column` (from 0).
 
     Tabs become spaces up to the next tab stop, control characters their Unicode picture (U+2400…), and
     other characters without a look of their own (zero width, direction marks, surrogates) their number.

@@ -1,4 +1,4 @@
-"""What happened, in the words that people read on timelines and lists."""
+"""Events in words, for timelines and lists."""
 
 from ropsim.flow import (
     AwaitEvent,
@@ -16,7 +16,7 @@ from ropsim.flow import (
 
 
 def event_text(event: Event) -> str:
-    """Return an event as a few words, such as `LIN pass 3`; a message is what the program made it."""
+    """Return an event as a few words, such as `LIN pass 3`; a message has the text of the program."""
     match event:
         case MoveEvent(motion=motion):
             return f"{motion} pass {event.visit}"

@@ -7,9 +7,9 @@ from ropsim.core import frozen_dataclass
 from ropsim.flow import AxisType
 
 UNKNOWN = "–"
-"""What stands in place of a number that is not known."""
+"""Placeholder for an unknown number."""
 WITHOUT_DRIVES = f"{UNKNOWN}, without drives"
-"""What stands in place of figures of an arm that is where its reference is, exactly."""
+"""Placeholder for figures of an arm that follows its reference exactly."""
 
 
 @frozen_dataclass
@@ -32,17 +32,17 @@ METRES = Scale(1.0, "m")
 
 
 def coordinate_scale(joint: AxisType) -> Scale:
-    """Return how coordinates of such a joint are shown."""
+    """Return how coordinates of a joint of this kind are shown."""
     return DEGREES if joint is AxisType.REVOLUTE else MILLIMETRES
 
 
 def speed_scale(joint: AxisType) -> Scale:
-    """Return how speeds of such a joint are shown."""
+    """Return how speeds of a joint of this kind are shown."""
     return DEGREES_PER_SECOND if joint is AxisType.REVOLUTE else MILLIMETRES_PER_SECOND
 
 
 def effort_scale(joint: AxisType) -> Scale:
-    """Return how torques or forces of such a joint are shown."""
+    """Return how torques or forces of a joint of this kind are shown."""
     return TORQUE if joint is AxisType.REVOLUTE else FORCE
 
 

@@ -1,4 +1,4 @@
-"""What a program told its operator with `print`, in order of time."""
+"""Messages of a program to its operator by `print`, in order of time."""
 
 from collections.abc import Sequence
 
