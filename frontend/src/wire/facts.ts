@@ -1,5 +1,5 @@
 /**
- * What a recording says about its run: who ran what, on which arm, with which limits.
+ * Facts of a recording about its run: stations and programs, arms, limits.
  *
  * Written by `tools/wire_types.py` from `ropsim.flow.facts`: change the records there.
  */
@@ -24,7 +24,7 @@ export interface OverrideChange {
 
 /** The parts that have a destination in the cell. */
 export interface Destinations {
-  /** How many there are. */
+  /** Required number. */
   readonly wanted: number
   /** How many of them are there when the run ends. */
   readonly reached: number
@@ -50,7 +50,7 @@ export interface AxisFacts {
 
 /** Where a group of parameters comes from. */
 export interface ParameterOrigin {
-  /** What it covers, such as `motor constants`. */
+  /** Covered parameters, such as `motor constants`. */
   readonly parameters: string
   /** `published`, `derived` or `estimated`. */
   readonly kind: string
@@ -58,7 +58,7 @@ export interface ParameterOrigin {
   readonly source: string
 }
 
-/** A task of a knowledge base that a program calls, or that such a task calls. */
+/** A task of a knowledge base that a program calls, or that another such task calls. */
 export interface CalledTask {
   /** Its name. */
   readonly name: string
@@ -140,7 +140,7 @@ export interface Contact {
   readonly time: number
   /** Where that was, in the world frame [m], three numbers. */
   readonly place: readonly number[]
-  /** What findings call the two, such as `jaws – pallet`; a part of a supply by the name of that. */
+  /** Names of the two in findings, such as `jaws – pallet`; a part of a supply by the name of that. */
   readonly bodies: string
   /** Whose arm it was; empty for none. */
   readonly station: string
@@ -150,7 +150,7 @@ export interface Contact {
   readonly visit: number
 }
 
-/** Contacts and the least distance of a run, and what was not checked. */
+/** Contacts and the least distance of a run, and omitted checks. */
 export interface WayFacts {
   /**
    * Least distance of the run, bodies of one robot against each other left out; null where nothing moved
@@ -171,7 +171,7 @@ export interface WayFacts {
   readonly filled: readonly string[]
 }
 
-/** Who ran what, where and how. */
+/** Programs, stations and settings of a run. */
 export interface RunFacts {
   /** Version that made the run. */
   readonly ropsim: string
@@ -182,11 +182,11 @@ export interface RunFacts {
   /** Recorded rows per second [Hz]; null where unknown. */
   readonly record_hz: number | null
   /**
-   * What the run looked at beside motion, limits and, with drives, torques, drives and servo, such as
+   * Checks of the run in addition to motion, limits and, with drives, torques, drives and servo, such as
    * `collisions`.
    */
   readonly checked: readonly string[]
-  /** Changes of inputs that the run was given beside those of the cell, in order of time. */
+  /** Changes of inputs of interventions in addition to those of the cell, in order of time. */
   readonly inputs: readonly InputChange[]
   /** Changes of the override, in order of time. */
   readonly overrides: readonly OverrideChange[]
@@ -194,10 +194,10 @@ export interface RunFacts {
   readonly stopped: number | null
   /** Names of the parts that have left by a sink, in that order. */
   readonly parts_left: readonly string[]
-  /** Of parts; none are wanted in a run that was cut short. */
+  /** Of parts; empty for a run that was cut short. */
   readonly destinations: Destinations
   /** Each with its program, in the order of the cell. */
   readonly stations: readonly StationFacts[]
-  /** What was seen on them; null where nobody looked for collisions. */
+  /** Results of collision checks; null if there was none. */
   readonly ways: WayFacts | null
 }

@@ -1,11 +1,11 @@
 /**
- * The result of a run as a strip shows it: verdict, what it leaves open, the worst figure of each kind.
+ * The result of a run as a strip shows it: verdict, open points, the worst figure of each kind.
  *
  * Written by `tools/wire_types.py` from `ropsim.views.summary.result`: change the records there.
  */
 import type { Destinations } from './facts'
 
-/** A verdict and the sentence that gives its reasons. */
+/** A verdict and the sentence with its reasons. */
 export interface VerdictText {
   readonly kind: 'good' | 'doubtful' | 'failed'
   readonly text: string
@@ -73,13 +73,13 @@ export interface PathFigure {
   readonly time: number
 }
 
-/** The result of a run: what a strip shows of it. */
+/** The result of a run for a strip. */
 export interface ResultFigures {
   /** How far the run can be relied on. */
   readonly verdict: VerdictText
-  /** What was done to the run by hand, in words; empty for nothing. It stands in `unchecked`, too. */
+  /** Manual interventions, in words; empty for none. It is also part of `unchecked`. */
   readonly given: string
-  /** One line: what the verdict did not look at. It stands beside the verdict, wherever that is shown. */
+  /** One line: omitted checks of the verdict. It is shown with every verdict. */
   readonly unchecked: string
   /** End of the last motion or instruction [s]. */
   readonly cycle_time: number
@@ -93,7 +93,7 @@ export interface ResultFigures {
    * wherever that is shown.
    */
   readonly cycle_time_by_hand: string
-  /** What settling after moves cost; null without drives. */
+  /** Time of settling after moves; null without drives. */
   readonly settling: SettlingFigure | null
   /** Null where no limit is known. */
   readonly peak_torque: PeakFigure | null
@@ -111,6 +111,6 @@ export interface ResultFigures {
   readonly hints: number
   /** Number of moves carried out. */
   readonly moves: number
-  /** Of the parts that have one; null where none has. */
+  /** Of the parts; null without any. */
   readonly destinations: Destinations | null
 }

@@ -27,8 +27,8 @@ _LEAST_SPEED = 1e-3
 """Share of the greatest speed of a joint below which its own one says nothing of how it brakes."""
 
 _SPEED_WITH_CORRECTION = 0.5
-"""Least share of the greatest speeds for braking of a corrected motion: then the correction, at most a tenth of
-them, takes less than a sixth of the accelerations."""
+"""Least share of the greatest speeds for braking of a corrected motion: then the correction, at most a tenth
+of them, takes less than a sixth of the accelerations."""
 
 
 @record
