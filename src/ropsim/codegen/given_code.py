@@ -61,7 +61,7 @@ class GivenCode:
         return cls(functions, parts.prologue, parts.count)
 
     def constants(self, numbers: Array) -> Array:
-        """Return what the functions take for given numbers, shape (count,).
+        """Return the constants of the functions for given numbers, shape (count,).
 
         Args:
             numbers: in the order in which the formulas read them.
@@ -77,7 +77,7 @@ class GivenCode:
         """Return the last function with its constants filled in.
 
         Args:
-            name: Python identifier that tells what the module is about.
+            name: Python identifier that names the module.
             numbers: in the order in which the formulas read them.
             engine: who runs it.
         """

@@ -33,9 +33,8 @@ def kernel(function: F) -> F:
     The annotations of its arguments are `int`, `float`, `Array1`, `Array2`, `Array3` or a `NamedTuple` class
     of these. The machine code is cached on disk and made or loaded at the first call. Functions of the same
     module that it calls are compiled with it, and kernels of other modules with their own functions; they,
-    like the kernel, allocate nothing.
-    Division by zero gives inf or nan as in numpy arrays, and sums keep the order in which they are written
-    (no fastmath), so that runs can be repeated bit by bit.
+    like the kernel, allocate nothing. Division by zero yields inf or nan as in numpy arrays, and sums keep
+    the order in which they are written (no fastmath), so that runs can be repeated bit by bit.
     """
     return cast("F", Kernel(function))
 
@@ -122,7 +121,7 @@ def _reached(function: FunctionType) -> list[FunctionType]:
 
 
 def _values(function: FunctionType) -> str:
-    """Return the numbers and the fields of records among the globals of a function: they decide, too."""
+    """Return the numbers and fields of records among the globals of a function: they affect the code."""
     found = []
     for name, value in sorted(function.__globals__.items()):
         if isinstance(value, int | float):

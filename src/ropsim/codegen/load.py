@@ -38,10 +38,10 @@ def load(name: str, functions: Sequence[SourceFunction], engine: Engine) -> Comp
 
     With numba the machine code is kept in the cache folder under a name that holds the hash of the source:
     the next process loads it from there. Sums are compiled in the order in which they are written (no
-    fastmath), so that the same source gives the same bits.
+    fastmath), so that the same source yields the same bits.
 
     Args:
-        name: Python identifier that tells what the module is about.
+        name: Python identifier that names the module.
         functions: in order; later ones may call earlier ones.
         engine: the way to execute them.
     """
@@ -75,7 +75,7 @@ def compiled_functions(functions: Sequence[SourceFunction], compiler: Compiler) 
 def _inside(
     function: SourceFunction, before: Sequence[SourceFunction], compiler: Compiler, scope: dict[str, Any]
 ) -> Compiled:
-    """Return a function for callers in compiled code; it may call those before it, which are in the scope."""
+    """Return a function for callers in compiled code; it may call earlier ones, which are in the scope."""
     if compiler.writes_instructions and function.form is not Form.ANY:
         from ropsim.codegen.vector.straight_line import straight_line, straight_rows
 
@@ -94,7 +94,8 @@ def _inside(
 def _lone(compiler: Compiler, name: str, text: str, signature: str, bounds: Bounds) -> Compiled:
     """Return a function that calls no other one: compiled once in a process for all modules.
 
-    The law of a joint controller is the same for many an arm, what moves the links of a long one for all.
+    The law of a joint controller is the same for many arms, and the functions for links of long arms are the
+    same for all.
     """
     function = _run(text, name, {"math": math, "np": np})[name]
     return compiler.inside_as(function, signature, bounds)

@@ -1,4 +1,4 @@
-"""What every package may use: spans, source texts, diagnostics and their catalogue, the file door."""
+"""Common base of all packages: spans, source texts, diagnostics and their catalogue, the file door."""
 
 from ropsim.core.catalogue import Kind as Kind
 from ropsim.core.catalogue import catalogue as catalogue

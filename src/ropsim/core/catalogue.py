@@ -22,7 +22,7 @@ class Kind:
         slug: the pattern found, in kebab case.
         severity: default severity.
         summary: one line for lists.
-        explanation: Markdown paragraphs: what it means, why it matters, how to mend it.
+        explanation: Markdown paragraphs: meaning, importance, remedy.
     """
 
     code: str

@@ -1,4 +1,4 @@
-"""A diagnostic: what is wrong, where, what was allowed and what to do next.
+"""A diagnostic: the fault, its place, the allowed values and the next action.
 
 Diagnostics are values. Every one is made from a `Kind`, which owns the code, the slug and the
 explanation that `ropsim explain` prints; see `ropsim.core.catalogue`.
@@ -49,12 +49,12 @@ class Diagnostic:
         code: stable code such as `M502`.
         slug: the pattern found, such as `joint-out-of-range`.
         severity: error, warning or hint.
-        message: one line: what was found and what is allowed, with units.
+        message: one line: the found and the allowed values, with units.
         span: the place, or None where there is no text.
         label: words under the marked text.
         secondary: further places.
         notes: whole sentences that explain.
-        hint: what to do next.
+        hint: next action.
         fix: a replacement, where one is certain.
         data: figures behind the message; keys carry the unit (`limit_rad`).
     """
@@ -82,7 +82,7 @@ class Diagnostic:
 
 
 class RopsimError(Exception):
-    """Wrong use of the API; carries the diagnostic that says what was wrong.
+    """Wrong use of the API; carries the diagnostic that describes the error.
 
     Mistakes in programs, cells and models are diagnostics (values), not exceptions.
     """

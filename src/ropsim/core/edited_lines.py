@@ -1,4 +1,4 @@
-"""Which lines of a text are others than before: found by its characters, so that nobody cuts the text."""
+"""Changed lines of a text: found by comparing characters, without splitting the text."""
 
 from ropsim.core.frozen_dataclass import frozen_dataclass
 
@@ -8,11 +8,11 @@ _STEP = 65_536
 
 @frozen_dataclass
 class EditedLines:
-    """The lines between those that begin a text as before and those that end it as before.
+    """The lines between the unchanged begin and the unchanged end of a text.
 
     Attributes:
-        above: how many lines above are what they were.
-        below: how many lines below are what they were.
+        above: number of unchanged lines above.
+        below: number of unchanged lines below.
         between: the lines between them, at least one.
         begin: where these begin in both texts.
         end: where they end.

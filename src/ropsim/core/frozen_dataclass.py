@@ -9,13 +9,14 @@ P = ParamSpec("P")
 T = TypeVar("T")
 
 _MANY = 4
-"""So many fields are set in less time while an object is of another class: that costs as much as three."""
+"""Number of fields from which setting them while the object has another class is faster; the change costs as
+much as three."""
 _become = vars(object)["__class__"].__set__
 
 
 @dataclass_transform(frozen_default=True, field_specifiers=(field,))
 def frozen_dataclass(cls: type[T]) -> type[T]:
-    """Make what `dataclass(frozen=True, slots=True)` makes; objects of a class are equal by their fields."""
+    """Make the same class as `dataclass(frozen=True, slots=True)`, with equality by class and fields."""
     made: type[T] = dataclass(slots=True, init=False, eq=False, repr=False)(cls)
     return _completed(made, _METHODS | _EQUALITY, cls)
 
@@ -43,7 +44,7 @@ def maker(cls: Callable[P, T]) -> Callable[P, T]:
 
 
 def _completed(made: type[T], methods: dict[str, Callable[..., object]], written: type) -> type[T]:
-    """Give a class its constructor and the methods that it does not say itself."""
+    """Add to a class its constructor and the methods that it does not define."""
     late: dict[str, object] = {"__init__": _LateConstructor(made)}
     for name, method in (late | methods).items():
         said = written.__dict__.get(name)  # a class that says `__eq__` is given `__hash__ = None` by Python
@@ -53,7 +54,7 @@ def _completed(made: type[T], methods: dict[str, Callable[..., object]], written
 
 
 class _LateConstructor:
-    """Makes the constructor of a class when it is first looked at: most classes never have an object."""
+    """Makes the constructor of a class at its first use: most classes never have an object."""
 
     def __init__(self, cls: type) -> None:
         self.cls = cls
@@ -140,7 +141,7 @@ def _equal(self: object, other: object) -> bool:
 
 
 def _hash(self: object) -> int:
-    """Return the hash of an object, the first of its class of which somebody wants it."""
+    """Return the hash of an object, the first of its class that is hashed."""
     cls = _made_here(self, "__hash__", _hash)
     names = [one.name for one in _parts(cls) if (one.compare if one.hash is None else one.hash)]
     source = f"def __hash__(self):\n return hash({_content(names, 'self')})"

@@ -1,4 +1,4 @@
-"""A mapping that is made when somebody first asks for it."""
+"""A mapping that is made on first use."""
 
 from collections.abc import Callable, Iterator, Mapping
 from typing import TypeVar
@@ -8,7 +8,7 @@ V = TypeVar("V")
 
 
 class LateMapping(Mapping[K, V]):
-    """What `make` returns, once it is asked for; equal to every mapping of the same items.
+    """Result of `make`, called on first use; equal to every mapping of the same items.
 
     Copies for other processes hold the items.
 

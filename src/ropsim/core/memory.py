@@ -15,7 +15,7 @@ MANY = 200_000
 a tenth of a second."""
 
 SELDOM = 200_000
-"""New objects between two searches for garbage where what is made stays; a compilation makes fewer."""
+"""Number of new objects between two garbage collections for persistent data; a compilation makes fewer."""
 _LARGEST = 32_000_000
 """Bytes; the C library of Linux counts blocks up to 32 MiB."""
 OUT_OF_MEMORY = define(
@@ -36,17 +36,17 @@ _WINDOWS = (8, 14, 1455)
 
 
 def collect_seldom() -> None:
-    """Let this process look for garbage after so many new objects that it costs next to nothing.
+    """Let this process collect garbage so rarely that the cost is negligible.
 
-    What is compiled and what a run records stays: to look through it after every 700 new objects, as Python
-    does, takes a fifteenth of a run.
+    Compiled code and recordings persist: traversing them after every 700 new objects, as Python does, takes a
+    fifteenth of a run.
     """
     gc.set_threshold(SELDOM, 10, 10)
 
 
 @contextmanager
 def without_collection() -> Iterator[None]:
-    """Let what is made meanwhile be looked at for garbage once, at the end, in place of again and again.
+    """Collect garbage once at the end of the block instead of repeatedly.
 
     The compiler makes a million small records that are all kept or freed at once; looking through them for
     circles took up to half of its time. Where others have switched the search off it stays off.
@@ -62,10 +62,10 @@ def without_collection() -> Iterator[None]:
 
 @contextmanager
 def kept_from_collection() -> Iterator[None]:
-    """Let what is made meanwhile never be looked at for garbage, where it is much.
+    """Exclude objects made in the block from garbage collection if they are many.
 
-    For processes that keep what they have compiled. Records go as before when nobody holds them any more;
-    only a circle of them would stay. All else that there is at the end is not looked at any more, either.
+    For processes that keep compilation results. Unreferenced records are freed as before; only a circle of
+    them would stay. All other objects that exist at the end are also excluded.
     """
     with without_collection():
         yield
@@ -74,10 +74,10 @@ def kept_from_collection() -> Iterator[None]:
 
 
 def keep_from_collection() -> None:
-    """Let all that there is never be looked at for garbage again; circles that nobody holds go before.
+    """Exclude all present objects from garbage collection, after one collection.
 
-    For a process that waits for work, when it has answered: what it remembers from job to job is looked
-    through once, then, and not while somebody waits for the next answer.
+    For a process that waits for work, after an answer: its persistent data are traversed once, then, and not
+    during the next job.
     """
     gc.collect()
     gc.freeze()
@@ -85,11 +85,11 @@ def keep_from_collection() -> None:
 
 @lru_cache(maxsize=1)
 def keep_freed_memory() -> None:
-    """Let the C library keep what is freed, up to 64 MB, for the next arrays.
+    """Let the C library keep freed memory, up to 64 MB, for the next arrays.
 
-    That of Linux gives memory back above twice the largest block that has been freed so far; the system then
-    clears each page anew, which takes longer than the arithmetic on it. So a large block, which nobody writes
-    to, is freed once. Elsewhere nothing changes.
+    The library of Linux returns memory above twice the largest block that has been freed so far; the system
+    then clears each page anew, which takes longer than the arithmetic on it. So a large block, which is never
+    written to, is freed once. Elsewhere nothing changes.
     """
     bytearray(_LARGEST)
 

@@ -1,4 +1,4 @@
-"""A named text: what readers read and what diagnostics quote."""
+"""A named text: input of readers, quoted by diagnostics."""
 
 from bisect import bisect_right
 from dataclasses import field
@@ -25,7 +25,7 @@ class SourceText:
 
     @property
     def lines(self) -> tuple[str, ...]:
-        """Return the text cut into lines, without line ends; it is cut when somebody asks first."""
+        """Return the text cut into lines, without line ends; computed on the first request."""
         if self._lines is None:
             object.__setattr__(self, "_lines", tuple(self.with_line_feeds().split("\n")))
         found = self._lines

@@ -33,7 +33,7 @@ class Span:
 
     @classmethod
     def whole_line(cls, source: str, line: int) -> "Span":
-        """Return the span of a line of which nobody knows the columns, as in an executed program."""
+        """Return the span of a line with unknown columns, as in an executed program."""
         return cls(source, line, 1, line, 1)
 
     @property

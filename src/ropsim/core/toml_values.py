@@ -12,7 +12,7 @@ _PART = re.compile(r"[ \t]*[\w-]+[ \t]*")
 
 
 def toml_values(text: str) -> dict[str, object]:
-    """Return what a TOML text says.
+    """Return the values of a TOML text.
 
     Raises:
         tomllib.TOMLDecodeError: it is no TOML, or one of its keys has too many parts.
@@ -23,12 +23,12 @@ def toml_values(text: str) -> dict[str, object]:
 
 
 def _without_dots(quoted: re.Match[str]) -> str:
-    """Return as many letters for a text in quotes, and one that is not closed as it is."""
+    """Return as many letters for a text in quotes, and an unclosed one unchanged."""
     return "q" * len(quoted.group()) if quoted.group(1) or quoted.group(2) else quoted.group()
 
 
 def _check_keys(text: str) -> None:
-    """Refuse keys of too many parts; what lies between two dots of a key is one part and nothing else."""
+    """Refuse keys of too many parts; each text between two dots of a key is one part."""
     between = _QUOTED.sub(_without_dots, text).split(".")
     parts, at = 0, 0
     for piece in between:

@@ -7,7 +7,7 @@ from heapq import merge
 from itertools import islice
 
 MANY = 150
-"""So many candidates are compared letter by letter; among more of them those that look alike at a glance."""
+"""Number of candidates up to which all are compared letter by letter; of more only similar ones."""
 
 _LONGEST = 64
 _Index = Mapping[tuple[str, int], list[str]]
@@ -37,14 +37,14 @@ def _nearest(name: str, candidates: tuple[str, ...], limit: int, but: str | None
 
 
 def _at_a_glance(wanted: str, candidates: tuple[str, ...]) -> Iterable[str]:
-    """Return all candidates; of very many those of a like length that begin or end with the same letter."""
+    """Return all candidates; of very many, those with similar length and an equal first or last letter."""
     if len(candidates) <= MANY:
         return candidates
     return islice(_alike(wanted, _index(candidates)), MANY)
 
 
 def _alike(wanted: str, index: _Index) -> Iterator[str]:
-    """Yield the candidates that begin or end with the same letter as a word, those of its length first."""
+    """Yield the candidates that begin or end with the same letter as a word, the ones of its length first."""
     keys = (f"{wanted[:1]}…", f"…{wanted[-1:]}")
     for distance in range(_LONGEST):
         lengths = {len(wanted) - distance, len(wanted) + distance}
@@ -58,7 +58,7 @@ def _alike(wanted: str, index: _Index) -> Iterator[str]:
 
 @lru_cache(maxsize=8)
 def _index(candidates: tuple[str, ...]) -> _Index:
-    """Return candidates by first or last letter and length: many words are looked for among the same ones."""
+    """Return candidates by first or last letter and length: many words are searched among the same ones."""
     index: dict[tuple[str, int], list[str]] = {}
     for one in sorted(set(candidates)):
         word = one.lower()
@@ -72,7 +72,7 @@ def _begins(one: str, other: str) -> bool:
 
 
 def did_you_mean(name: str, candidates: Iterable[str]) -> str:
-    """Return "did you mean `x`?", or an empty string where nothing but the name itself is near."""
+    """Return "did you mean `x`?", or an empty string if only the name itself is near."""
     close = _nearest(name, tuple(candidates), 1, but=name)
     return f"did you mean `{close[0]}`?" if close else ""
 

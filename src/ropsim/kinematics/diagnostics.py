@@ -1,4 +1,4 @@
-"""What can go wrong in the kinematics (codes M550 to M569)."""
+"""Errors in the kinematics (codes M550 to M569)."""
 
 from ropsim.core import RopsimError, Severity, define
 

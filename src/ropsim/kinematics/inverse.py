@@ -28,7 +28,7 @@ TURN = 2.0 * np.pi
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Desk:
-    """What a question about one arm needs, and sheets that questions before it have left.
+    """Data for solving one arm, and free sheets of earlier calls.
 
     Attributes:
         solver: of the arm.
@@ -37,7 +37,7 @@ class _Desk:
         limits: lower and upper limits [rad | m] and 1.0 for joints that turn, shape (3, n).
         rest: zeros, shape (n,).
         coupled: limits of joints that are no axes.
-        sheets: that nobody writes on: of threads each takes its own.
+        sheets: sheets that are not in use: each thread takes its own.
         named: postures of listed branches, by the sum of 2^row of them.
     """
 
@@ -51,7 +51,7 @@ class _Desk:
     named: dict[float, tuple[Posture, ...]]
 
     def sheet(self) -> Sheet:
-        """Return a sheet that nobody writes on; it is to be laid back."""
+        """Return a sheet that is not in use; it must be returned."""
         try:
             return self.sheets.pop()
         except IndexError:
@@ -65,8 +65,8 @@ def inverse_batch(robot: RobotModel, T: npt.ArrayLike, held: npt.ArrayLike | Non
         robot: arm with n axes.
         T: poses X_BM of the mechanical interface as homogeneous matrices, shape (k, 4, 4).
         held: coordinates of the axes [rad | m], shape (n,), or (k, n) with a row for each pose, at whose
-            external ones the arm is solved, and at which a redundant one holds what a pose leaves free
-            (`RedundantSolver`); None for those of the home position.
+            external ones the arm is solved, and at which a redundant one holds its free coordinate
+            (`RedundantSolver`); None for the home position.
 
     Returns:
         Joint coordinates [rad | m], revolute ones in (-π, π], shape (k, b, n); row i has the posture
@@ -93,14 +93,14 @@ def inverse_batch(robot: RobotModel, T: npt.ArrayLike, held: npt.ArrayLike | Non
 def inverse(robot: RobotModel, pose: Pose, options: IkOptions | None = None) -> IkResult:
     """Return all joint coordinates that bring the mechanical interface to a pose.
 
-    The solver is that of the arm's class, see `solver_of`. External axes stay where `options.near` has them,
-    without one at home. Every answer reaches the pose to 1e-9 m and per
-    entry of the rotation matrix, by forward kinematics; for arms with fewer than six joints, what they
-    cannot choose of a pose may be off by `TASK_SLACK`.
+    The solver is that of the arm's class, see `solver_of`. External axes keep their values of `options.near`,
+    by default of the home position. Every answer reaches the pose to 1e-9 m and per entry of the rotation
+    matrix, by forward kinematics; for arms with fewer than six joints, coordinates of the pose that they
+    cannot choose may be off by `TASK_SLACK`.
 
     Args:
         robot: arm with n joints.
-        pose: X_BM; for a tool pose give `X_BT @ tool.X_MT.inverse()`.
+        pose: X_BM; for a tool pose pass `X_BT @ tool.X_MT.inverse()`.
         options: limits are respected where nothing is said.
 
     Raises:
@@ -181,7 +181,7 @@ def _solve(robot: RobotModel, desk: _Desk, one: Sheet, near: Array) -> None:
 def _with_free_coordinate(
     robot: RobotModel, desk: _Desk, solver: RedundantSolver, asked: tuple[Array, Array], options: IkOptions
 ) -> IkResult:
-    """Return the answer of a redundant arm to what is asked, pose (4, 4) and `near` (n,)."""
+    """Return the answer of a redundant arm for a pose (4, 4) and `near` (n,)."""
     T, near = asked
     beside = None if near is desk.rest or options.free is not None else _next_to(robot, desk, T, near)
     free = solver.free(near if beside is None else beside)
@@ -234,14 +234,14 @@ def _answer(robot: RobotModel, desk: _Desk, T: Array, one: Sheet, limits: Limits
 
 
 def _out_of_limits(robot: RobotModel, branches: Array, names: tuple[Posture, ...]) -> IkResult:
-    """Return the answer where every branch breaks a limit, with what the one that does so least breaks."""
+    """Return the answer where every branch breaks a limit, with the violations of the best one."""
     outside = [limit_violations(robot, q) for q in branches if q[0] == q[0]]
     nearest = min((one for one in outside if one), key=lambda violations: violations[0].excess)
     return IkResult(IkStatus.OUT_OF_LIMITS, branches[:0].copy(), (), (), branches, names, nearest)
 
 
 def _within(robot: RobotModel, coupled: CoupledLimits, found: IkResult) -> IkResult:
-    """Return an answer without what is beyond the limits of joints that follow axes by couplings."""
+    """Return an answer without branches beyond the limits of joints that follow axes by couplings."""
     kept = []
     for first, posture_, turns in zip(found.solutions, found.postures, found.turns, strict=True):
         variants = np.vstack((first, turns))
@@ -268,7 +268,7 @@ def _with_held_axes(robot: RobotModel, pose: Pose, options: IkOptions) -> IkResu
 
 
 def _external(robot: RobotModel, held: npt.ArrayLike | None) -> Array:
-    """Return the coordinates at which external axes are held, those of the others beside them, shape (n,)."""
+    """Return the coordinates at which external axes are held, with the other coordinates, shape (n,)."""
     return robot.home if held is None else joint_vector(robot, held)
 
 

@@ -20,7 +20,7 @@ STARTS = 64
 
 @record
 class Nearest:
-    """A pose that an arm can take beside one that was asked for.
+    """A pose that an arm can take, near a requested one.
 
     Attributes:
         q: joint coordinates that take it, within the limits where the search found any there [rad | m], shape
@@ -37,7 +37,7 @@ class Nearest:
 
 
 def nearest(robot: RobotModel, pose: Pose, near: npt.ArrayLike | None = None) -> Nearest:
-    """Return the pose nearest to one that was asked for, found numerically from many starts.
+    """Return the pose nearest to a requested one, found numerically from many starts.
 
     A metre between positions counts as much as a radian between orientations. External axes stay where `near`
     has them. Poses within the limits are preferred; there may be a nearer one that was not found.

@@ -1,4 +1,4 @@
-"""Inverse kinematics along a path, from what is known to be near: the pose before, or a guess for each."""
+"""Inverse kinematics along a path, from a known neighbour: the pose before, or a guess for each."""
 
 import numpy as np
 import numpy.typing as npt
@@ -24,8 +24,8 @@ def inverse_path(
         robot: arm with n joints.
         T: poses X_BM along the path, one a small step from the other, shape (k, 4, 4).
         q_start: joint coordinates one step before the first pose [rad | m], shape (n,).
-        held: coordinates of the axes at each pose, of which those of the external ones count [rad | m], shape
-            (k, n); None for those of `q_start`.
+        held: coordinates of the axes at each pose, of which only the external ones count [rad | m], shape (k,
+            n); None for the values of `q_start`.
 
     Returns:
         Joint coordinates [rad | m] without whole turns between them, shape (k, n); NaN from the first pose

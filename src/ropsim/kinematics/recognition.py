@@ -24,7 +24,8 @@ CLASSES: tuple[tuple[str, Callable[[RobotModel], InverseSolver | str]], ...] = (
     ("general six-axis", general_six_axis.recognise),
     ("general seven-axis", general_seven_axis.recognise),
 )
-"""The classes of arms of which all branches are found; each returns its solver, or what an arm misses."""
+"""Classes of arms with all branches; each returns its solver, or the reason why an arm does not belong to
+it."""
 
 
 @lru_cache(maxsize=64)

@@ -14,7 +14,7 @@ from ropsim.model import RobotModel, held_arm
 
 @frozen_dataclass
 class SingularDistances:
-    """What is left to each kind of singularity; 0 is singular.
+    """Distance to each kind of singularity; 0 is singular.
 
     |det J| = L2·L3·|sin elbow|·|shoulder|·|sin wrist| with the lengths L2, L3 of upper arm and forearm.
 

@@ -1,4 +1,4 @@
-"""A speed that no motion of an arm exceeds, whatever its posture."""
+"""A speed that no motion of an arm exceeds, in any posture."""
 
 from math import hypot, inf
 
@@ -14,8 +14,8 @@ def speed_bound(robot: RobotModel, p_M: Array) -> float:
     """Return a speed [m/s] that a point of the mechanical interface never exceeds in the base frame.
 
     v ≤ Σ q̇ᵢ·rᵢ over the turning joints, rᵢ the length of the chain from axis i to the point, and Σ q̇ᵢ over
-    those that slide, each q̇ᵢ the speed limit of its joint. The parts of a chain are seldom all stretched
-    and moving the same way, so an arm attains less.
+    the sliding ones, each q̇ᵢ the speed limit of its joint. The parts of a chain are seldom all stretched and
+    moving the same way, so an arm attains less.
 
     Args:
         robot: the arm, its external axes included.
@@ -47,7 +47,7 @@ def speed_bound(robot: RobotModel, p_M: Array) -> float:
 
 
 def _travel(joint: Joint) -> float:
-    """Return how far a joint takes what it carries from where it is drawn [m]."""
+    """Return the travel of the link of a joint from its drawn place [m]."""
     if joint.type is not JointType.PRISMATIC:
         return 0.0
     return max(abs(joint.lower + joint.offset), abs(joint.upper + joint.offset))

@@ -1,4 +1,4 @@
-"""Mesh files: read once, as GLB bytes under their own hash; what cannot be drawn is a finding."""
+"""Mesh files: read once, as GLB bytes under their own hash; meshes that cannot be drawn are findings."""
 
 from ropsim.meshes.library import MeshLibrary as MeshLibrary
 from ropsim.meshes.library import load_meshes as load_meshes

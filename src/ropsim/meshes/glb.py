@@ -11,7 +11,7 @@ _JSON, _BIN = 0x4E4F534A, 0x004E4942
 
 
 def glb_bytes(triangles: Triangles) -> bytes:
-    """Return a GLB file; the same triangles give the same bytes."""
+    """Return a GLB file; equal triangles have equal bytes."""
     columns = [("POSITION", triangles.points.astype("<f4"), "VEC3", _FLOAT)]
     columns.append(("NORMAL", triangles.normals.astype("<f4"), "VEC3", _FLOAT))
     if triangles.colours is not None:

@@ -40,7 +40,7 @@ class MeshLibrary:
     Attributes:
         addresses: where the page finds each mesh, or why it cannot be had; for `views.scene`.
         contents: GLB bytes by address.
-        diagnostics: findings, at the place that was told for the mesh.
+        diagnostics: findings, at the place passed for the mesh.
         triangles: number of triangles by mesh.
         sources: hash of the file that each mesh was read from, by mesh.
     """
@@ -65,14 +65,14 @@ def _nowhere(_: str) -> None:
 def load_meshes(
     folder: Path, cell: Cell, place_of: PlaceOf = _nowhere, known: MeshLibrary = NOTHING_KNOWN
 ) -> MeshLibrary:
-    """Return the mesh files of a cell; what cannot be read is a finding, never an exception.
+    """Return the mesh files of a cell; an unreadable file is a finding, never an exception.
 
     The bytes are untrusted and large: call this in a process that may be lost.
 
     Args:
         folder: of the project; nothing outside it is read.
-        cell: whose shapes are looked through.
-        place_of: tells where the cell file names a mesh file, for the places of findings.
+        cell: whose shapes are searched.
+        place_of: returns where the cell file names a mesh file, for the places of findings.
         known: an earlier library; files that have not changed since are not converted again.
     """
     made = _Making(folder.resolve(), place_of, known)
@@ -103,7 +103,7 @@ class _Making:
     sources: dict[Mesh, str] = field(default_factory=dict)
 
     def add(self, mesh: Mesh) -> None:
-        """Read one mesh; note it, or what is wrong with it."""
+        """Read one mesh; note it, or its error."""
         from ropsim.views import MeshSource
 
         try:
@@ -139,7 +139,7 @@ class _Making:
 
 
 def cell_meshes(cell: Cell) -> Iterator[Mesh]:
-    """Return the meshes of the shapes of a cell, one as often as it is used."""
+    """Return the meshes of the shapes of a cell, with repetitions."""
     shapes = (shape for body in body_tree(cell).bodies for shape in body.shapes)
     return (shape.solid for shape in shapes if isinstance(shape.solid, Mesh))
 

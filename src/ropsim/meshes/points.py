@@ -13,11 +13,11 @@ from ropsim.spatial import Array
 
 
 def mesh_points(folder: Path, cell: Cell) -> Mapping[Mesh, Array]:
-    """Return the points of the mesh files of a cell [m], shape (k, 3); those that cannot be read are missing.
+    """Return the points of the mesh files of a cell [m], shape (k, 3); unreadable ones are missing.
 
     Args:
         folder: of the project; nothing outside it is read.
-        cell: whose shapes are looked through.
+        cell: whose shapes are searched.
     """
     root = folder.resolve()
     found: dict[Mesh, Array] = {}

@@ -25,7 +25,7 @@ class MeshFormat(NamedTuple):
 
     Attributes:
         read: bytes of a file to corners of triangles.
-        unit: metres per unit of the file that hold where the cell file gives no `scale`.
+        unit: metres per unit of the file if the cell file has no `scale`.
         colours: its colours to linear ones, as glTF has them.
     """
 
@@ -58,7 +58,7 @@ MESH_FORMATS: Mapping[str, MeshFormat] = MappingProxyType(
         ".glb": MeshFormat(_read_glb, 1.0, _as_they_are),
     }
 )
-"""What is read, by the ending of the file: each of `ropsim.model.MESH_ENDINGS`, in that order."""
+"""Readers by the ending of the file: each of `ropsim.model.MESH_ENDINGS`, in that order."""
 
 _LARGEST, _SMALLEST = 1e3, 1e-5  # [m]
 _GAMMA = 2.2
@@ -74,10 +74,10 @@ def read_mesh(content: bytes, mesh: Mesh) -> Triangles:
 
     Args:
         content: of the file; any bytes are allowed.
-        mesh: name, whose ending tells the format, and scale.
+        mesh: name, whose ending determines the format, and scale.
 
     Raises:
-        MeshFileError: damaged, without triangles, too many of them, or of an impossible size.
+        MeshFileError: damaged, without triangles, with too many of them, or of an impossible size.
     """
     format_ = MESH_FORMATS[mesh_ending(mesh.file)]
     with np.errstate(all="ignore"):  # wild numbers in the file are found below

@@ -10,7 +10,7 @@ from ropsim.spatial import record
 _CREASE = cos(radians(40.0))
 """Faces that meet at a greater angle keep their edge; chords of rounded faces are nearly always below."""
 
-_MOST_NEIGHBOURS = 64  # faces about one point that are looked at; cones of more chords look the same
+_MOST_NEIGHBOURS = 64  # maximum number of faces checked about one point; cones of more chords look the same
 
 Floats = npt.NDArray[np.float32]
 Indices = npt.NDArray[np.uint32]
@@ -19,7 +19,7 @@ Colours = npt.NDArray[np.uint8]
 
 @record
 class Triangles:
-    """What is sent to the page.
+    """Mesh data sent to the page.
 
     Attributes:
         points: [m], shape (k, 3).
@@ -38,7 +38,7 @@ def shaded(soup: npt.NDArray[np.float64], colours: Colours | None = None) -> Tri
     """Return triangles with normals, corners that agree in everything merged.
 
     Args:
-        soup: the three corners of every triangle [m], shape (m, 3, 3); those without an area are left out.
+        soup: the three corners of every triangle [m], shape (m, 3, 3); degenerate ones are left out.
         colours: of every corner, shape (m, 3, 4).
     """
     areas = np.cross(soup[:, 1] - soup[:, 0], soup[:, 2] - soup[:, 0])
@@ -82,7 +82,7 @@ def _corner_normals(
         angles: of each corner [rad], shape (3·m,).
     """
     own = np.repeat(faces, 3, axis=0)
-    order = np.argsort(point_of, kind="stable")  # corners, those of one point side by side
+    order = np.argsort(point_of, kind="stable")  # corners, grouped by point
     counts = np.bincount(point_of)
     starts = np.concatenate([[0], np.cumsum(counts)])[point_of]
     total = np.zeros_like(own)

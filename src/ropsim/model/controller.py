@@ -12,8 +12,8 @@ class OrientationMode(Enum):
     """Which of the ways from one orientation to another the tool takes.
 
     With wrist angles the joints of the wrist turn evenly along a line or an arc, on a curve smoothly from
-    point to point, and how the tool turns follows from the arm; a path by itself, which knows no arm, has a
-    fixed axis then.
+    point to point, and how the tool turns follows from the arm; a path alone, without an arm, has a fixed
+    axis then.
     """
 
     FIXED_AXIS = "fixed axis"
@@ -22,7 +22,7 @@ class OrientationMode(Enum):
 
 
 class Synchronisation(Enum):
-    """What the joints of a PTP move share beside start and end.
+    """Properties common to the joints of a PTP move in addition to start and end.
 
     With the phase they share one profile: at each time all have the same share of their way behind them, and
     the way is straight in joint space. With the time alone each has a profile of its own, as fast as its
@@ -121,8 +121,8 @@ class ComputedTorqueGains:
 
     u = D(q, qd, qdd_ref + kd·(qd_ref - qd) + kp·(q_ref - q)), the torque or force that the model of the arm
     with its drives, its tool and the grasped part needs for that acceleration; friction is taken at the speed
-    of the reference. As far as the model is true the
-    error of each axis obeys ë + kd·ė + kp·e = 0, whatever the others do (Luh, Walker & Paul 1980).
+    of the reference. As far as the model is true the error of each axis obeys ë + kd·ė + kp·e = 0,
+    independent of the others (Luh, Walker & Paul 1980).
 
     Attributes:
         kp: [1/s²].
@@ -152,7 +152,7 @@ def gain_names(gains: Gains) -> tuple[str, ...]:
 
 @frozen_dataclass
 class PathDefaults:
-    """What holds on LIN paths where the program says nothing.
+    """Default settings of LIN paths.
 
     Attributes:
         speed: [m/s].
@@ -178,7 +178,7 @@ class ControllerModel:
     Attributes:
         kind: law of the joint controller.
         rates: periods.
-        gains: gains of the joint controller, those of its law.
+        gains: gains of the joint controller, for its law.
         path: defaults on LIN paths.
         in_position: a fine stop is over when every joint is this near its target [rad | m], and not faster
             than this way in 20 ms, shape (n,).
@@ -186,7 +186,7 @@ class ControllerModel:
         settle_timeout: longest wait for that [s]; beyond it a finding is made and the program goes on.
         speed_override: factor on all speeds, in (0, 1].
         look_ahead: how many moves beyond the present one are known while it is made; with 0 no zone is flown.
-        via_zone: distance at which via points are passed where the program gives no zone [m].
+        via_zone: distance at which via points are passed if the program sets no zone [m].
         orientation: how the tool turns on its paths.
         ptp: how the joints go together on PTP moves.
         correction: how far and how quickly a sensor may shift a path.

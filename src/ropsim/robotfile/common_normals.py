@@ -1,9 +1,9 @@
 """Any serial chain of turning and sliding joints as a modified DH table.
 
-Frame i lies on axis i with its x axis along the common normal from axis i to axis i+1 (Craig, Introduction
-to Robotics, 1986, section 3.4). Where axes are parallel the normal through the origin that the row before
-left is taken, where they meet x is across both. What a table cannot say of the first and last frames is
-left to the base and to the flange.
+Frame i lies on axis i with its x axis along the common normal from axis i to axis i+1 (Craig, Introduction to
+Robotics, 1986, section 3.4). Where axes are parallel the normal through the origin of the row before is used,
+where they intersect x is perpendicular to both. Freedoms of the first and last frames that a table cannot
+express is left to the base and to the flange.
 """
 
 from collections.abc import Sequence

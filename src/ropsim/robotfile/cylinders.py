@@ -75,7 +75,7 @@ def _ring(table: TomlTable) -> float:
 
 
 def _mending(joint: Joint, gear: Linkage) -> tuple[str, str]:
-    """Return the key to look at where a cylinder cannot turn its joint, and how to mend that."""
+    """Return the key of the cause if a cylinder cannot turn its joint, and the remedy."""
     if joint.type is not JointType.REVOLUTE or not isfinite(joint.upper - joint.lower):
         return "kind", _TURNS
     if gear.is_about_axis:

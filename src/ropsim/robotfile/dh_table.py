@@ -23,7 +23,7 @@ from ropsim.tomltext import MOMENT, VALUE_OUT_OF_RANGE, Quantity, TomlTable, Uni
 MOST_JOINTS = 32
 
 SPEEDS = {JointType.REVOLUTE: pi / 2.0, JointType.PRISMATIC: 0.25}
-"""Estimated where a row gives none [rad/s | m/s]."""
+"""Estimated if a row has none [rad/s | m/s]."""
 TO_FULL_SPEED = 0.25
 """Estimated acceleration: full speed is reached in this time [s]."""
 RISE = 10.0
@@ -34,7 +34,7 @@ _EFFORT = MOMENT.within(1e-6, 1e7)
 
 @frozen_dataclass
 class DhTable:
-    """What the rows say.
+    """Contents of the rows.
 
     Attributes:
         convention: `standard` or `modified`.
@@ -59,7 +59,7 @@ class DhTable:
         return Pose.from_matrix(fixed_part(self.rows[number]))
 
     def carrier(self, number: int) -> Pose:
-        """Return frame i - 1 of the table in that of what carries joint i, for i from 0: base or joint."""
+        """Return frame i - 1 of the table in the frame of the carrier (base, joint) of joint i, i from 0."""
         return self.frame(number - 1) if number else self.X_B0
 
     @property
@@ -69,7 +69,7 @@ class DhTable:
 
 
 def read_dh_table(root: TomlTable, convention: str, units: Units, X_B0: Pose) -> DhTable | None:
-    """Return the joints of a file; None where it has none, or too many.
+    """Return the joints of a file; None without any, or too many.
 
     Args:
         root: the file.
@@ -140,7 +140,7 @@ def _range(table: TomlTable, way: Quantity) -> tuple[float, float]:
 
 
 def _names(tables: tuple[TomlTable, ...]) -> list[str]:
-    """Return the names of the joints, those that are there twice noted."""
+    """Return the names of the joints, with duplicates noted."""
     names: list[str] = []
     for number, table in enumerate(tables, start=1):
         name = table.text("name", str(number)) or str(number)

@@ -1,4 +1,4 @@
-"""The kinds of mistakes in robot files (X900 to X909, X915, X916); those of all TOML files: `tomltext`."""
+"""The kinds of mistakes in robot files (X900 to X909, X915, X916); mistakes of all TOML files: `tomltext`."""
 
 from ropsim.core import Severity, define
 

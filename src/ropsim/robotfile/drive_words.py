@@ -36,7 +36,7 @@ class PinFrames:
 
 
 def drive_keys(drive: Drive, frames: PinFrames) -> dict[str, str] | None:
-    """Return the keys of a drive; None where it is made of other blocks than a robot file knows."""
+    """Return the keys of a drive; None where it is made of other blocks than a robot file supports."""
     match drive.amplifier, drive.motor:
         case VoltageAmplifier() | CurrentLimitedAmplifier(), DcMotor():
             keys = _dc(drive.amplifier, drive.motor)

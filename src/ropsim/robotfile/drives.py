@@ -32,7 +32,7 @@ _SMOOTHING = 5e-3  # [rad/s | m/s], far below any programmed speed
 
 
 def read_drives(root: TomlTable, dh: DhTable) -> tuple[Drive, ...]:
-    """Return the drives of a file, one per joint; empty where it has none, or they are wrong.
+    """Return the drives of a file, one per joint; empty without any, or if they are invalid.
 
     Args:
         root: the file, with the key `drives`.

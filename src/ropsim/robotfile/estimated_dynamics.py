@@ -1,18 +1,18 @@
-"""Masses and drives for an arm of which nobody has published any: estimates, and said to be.
+"""Masses and drives for an arm without published ones: estimates, marked as such.
 
 Torques are of the right size with them, not more: they let a program be run with dynamics before the data of
-the maker are there. What is known of the arm stays; only what is missing is made.
+the maker are available. Known data of the arm stay; only missing ones are estimated.
 
 - Masses: the moving links together have `MASS_SHARE` times the rated payload (arms from 3 to 210 kg payload
   weigh 4 to 11 times that with their base), in cylinders from joint to joint as in robot files.
-- Greatest torques, where none are published or the published one does not hold what the estimates weigh
-  (springs and weights that balance large arms are not known): `MARGIN` times what gravity and full
-  acceleration take at the worst of many postures with the rated payload, a cube of water on the interface.
-  Where they are published
-  and accelerations are estimates, these are brought down to what such a torque allows.
+- Greatest torques, where none are published or the published one does not carry the estimated weights
+  (springs and weights that balance large arms are not known): `MARGIN` times the torque of gravity and full
+  acceleration at the worst of many postures with the rated payload, a cube of water on the interface. Where
+  they are published and accelerations are estimates, these are brought down to the value that this torque
+  allows.
 - Gears: the motor turns at `MOTOR_SPEED` where the joint has its greatest speed; rotor and gear input have
-  `ROTOR_SHARE` of the greatest inertia of the axis; friction is `FRICTION_SHARE` of what gravity and full
-  acceleration take, half of it dry and half at full speed.
+  `ROTOR_SHARE` of the greatest inertia of the axis; friction is `FRICTION_SHARE` of the torque of gravity and
+  full acceleration, half of it dry and half at full speed.
 """
 
 from dataclasses import replace
@@ -58,9 +58,10 @@ _SAMPLES = 256
 
 
 def estimated_dynamics(robot: RobotModel) -> RobotModel | Diagnostic:
-    """Return an arm with masses and drives, estimated where it has none; or why they cannot be.
+    """Return an arm with masses and drives, estimated if missing; or the reason why that is impossible.
 
-    Axes that move their joints together with others get the drive of the joint, and rods beside them no mass.
+    Axes that move their joints together with others get the drive of the joint, and rods next to them no
+    mass.
 
     Args:
         robot: a serial arm of turning and sliding joints, with drives or without; its axes may be coupled.

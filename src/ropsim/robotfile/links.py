@@ -1,4 +1,4 @@
-"""The rows of `links`: masses, centres of mass, inertias and looks of what each joint moves."""
+"""The rows of `links`: masses, centres of mass, inertias and looks of the link of each joint."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -16,7 +16,7 @@ from ropsim.tomltext import MASS, ORIGIN, Look, TomlTable, Units, read_look, rea
 
 @frozen_dataclass
 class Links:
-    """What the rows say.
+    """Contents of the rows.
 
     Attributes:
         links: of the arm, in the frames of their joints.
@@ -33,7 +33,7 @@ class Links:
 
 
 def read_links(root: TomlTable, table: DhTable, X_nM: Pose, units: Units) -> Links:
-    """Return the links of a file; without masses where it gives none.
+    """Return the links of a file; without masses if it has none.
 
     Args:
         root: the file, with the keys `links` and `mass`.
@@ -60,7 +60,7 @@ def read_links(root: TomlTable, table: DhTable, X_nM: Pose, units: Units) -> Lin
 def _masses(
     root: TomlTable, tables: Sequence[TomlTable], stand_ins: Sequence[Cylindrical], guessed: dict[str, None]
 ) -> list[float]:
-    """Return the masses [kg]: those of the file, and for the others shares of that of the whole arm."""
+    """Return the masses [kg]: from the file, and for the others shares of that of the whole arm."""
     given = [table.number("mass", MASS, 0.0) if "mass" in table else None for table in tables]
     missing = [k for k, mass in enumerate(given) if mass is None]
     known = sum(mass for mass in given if mass is not None)

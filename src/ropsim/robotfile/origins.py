@@ -12,7 +12,7 @@ _KINDS = ("published", "derived", "estimated")
 
 
 def read_origins(root: TomlTable, name: str) -> tuple[ParameterOrigin, ...]:
-    """Return what the keys `source` and `origins` say.
+    """Return the contents of the keys `source` and `origins`.
 
     Args:
         root: the file.

@@ -23,7 +23,7 @@ _KEYS: Mapping[Attribute, tuple[str, str]] = MappingProxyType(
 
 
 def robot_file_places(source: SourceText) -> PlaceOf:
-    """Return where the numbers of a robot stand in its file, or what is nearest around them.
+    """Return where the numbers of a robot stand in its file, or the nearest entry around them.
 
     Args:
         source: a robot file that is valid TOML.

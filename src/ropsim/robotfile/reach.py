@@ -9,9 +9,9 @@ from ropsim.spatial import Array
 from ropsim.tomltext import TomlTable, Units
 
 SLACK = 0.1
-"""Share by which a data sheet may differ: sheets round, and what is sampled is a little less."""
+"""Share by which a data sheet may differ: sheets round, and a sampled reach is a little less."""
 _SAMPLES = 1000
-_WRIST = 3  # joints at whose frames a data sheet may count the reach, beside the interface
+_WRIST = 3  # joints at whose frames a data sheet may count the reach, in addition to the interface
 
 
 def check_reach(root: TomlTable, robot: RobotModel, units: Units) -> None:

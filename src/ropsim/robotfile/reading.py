@@ -110,7 +110,7 @@ def _robot(root: TomlTable, source: SourceText) -> RobotModel | None:
 
 
 def _base(table: TomlTable, units: Units) -> tuple[Pose, tuple[Shape, ...]]:
-    """Return frame 0 of the table in the base frame, and what the foot looks like, in the base frame."""
+    """Return frame 0 of the table in the base frame, and the shapes of the foot, in the base frame."""
     X_B0, shapes = read_pose(table, units), read_shapes(table, units, read_look(table, Look()))
     table.finish()
     return X_B0, shapes
@@ -150,6 +150,6 @@ def _coordinate(joint: Joint, units: Units) -> Quantity:
 
 
 def _pass_over(root: TomlTable) -> None:
-    """Say nothing of what has no meaning without joints."""
+    """Mark keys that have no meaning without joints as read."""
     for key in root.values:
         root.asked[key] = None

@@ -40,7 +40,7 @@ def row(values: Iterable[str]) -> str:
 
 
 def pose_keys(pose: Pose) -> dict[str, str]:
-    """Return the keys that give a pose; none where it is that of the surrounding frame."""
+    """Return the keys of a pose; none if it is that of the surrounding frame."""
     keys = {}
     if np.abs(pose.position).max() > _SAME:
         keys["position"] = row(map(length, pose.position.tolist()))

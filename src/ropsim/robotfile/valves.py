@@ -19,7 +19,7 @@ _MOST_RETURN = 0.99
 
 
 def read_valve(table: TomlTable) -> dict[str, float]:
-    """Return what hydraulic motors and cylinders have in common, by the names of their attributes."""
+    """Return the common data of hydraulic motors and cylinders, by the names of their attributes."""
     valve = {key: table.number(key, HYDRAULIC, 1.0) for key in VALVE_NEEDED}
     return {
         "leakage": table.number("leakage", _FROM_ZERO, 0.0),

@@ -43,7 +43,7 @@ _ANYWHERE = PinFrames(Pose(), Pose())
 
 @frozen_dataclass
 class _Table:
-    """A DH table and where things stand in it: frame 0, own frames of the joints in those of the table."""
+    """A DH table and where things stand in it: frame 0, own frames of the joints in frames of the table."""
 
     convention: str
     rows: tuple[DhRow, ...]
@@ -58,7 +58,7 @@ def write_robot_file(robot: RobotModel) -> WrittenRobot:
     normals of its axes. Read again it has the same kinematics, masses and drives.
 
     Args:
-        robot: to be written; where a file cannot say what it is, the text is empty and the losses name why.
+        robot: to be written; if a file cannot represent it, the text is empty and the losses name why.
     """
     undrawn = without_drawn_bodies(robot)
     robot, coupled = without_coupled_axes(undrawn.robot)
@@ -135,7 +135,7 @@ def _refusals(robot: RobotModel) -> Iterator[Diagnostic]:
 
 
 def _losses(robot: RobotModel, undrawn: Sequence[str]) -> Iterator[Diagnostic]:
-    """Yield what a file does not say of a robot that it holds; `undrawn` are bodies that are only drawn."""
+    """Yield the losses of a robot in a file; `undrawn` are bodies that are only drawn."""
     if undrawn:
         names = ", ".join(f"`{name}`" for name in undrawn)
         message = f"rods and cranks of `{robot.name}` that only follow its axes are not drawn: {names}"

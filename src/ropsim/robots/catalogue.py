@@ -1,4 +1,4 @@
-"""What there is to choose from, without reading a robot: the index that tools/robot_library.py writes."""
+"""Catalogue of robots, without reading them: the index that tools/robot_library.py writes."""
 
 from functools import lru_cache
 from importlib.resources import files
@@ -8,7 +8,7 @@ from pathlib import Path
 from ropsim.core import frozen_dataclass, read_bytes
 
 INDEX = "index.tsv"
-"""Name of the file beside those of the robots."""
+"""Name of the file next to the files of the robots."""
 COLUMNS = ("name", "maker", "model", "axes", "payload_kg", "reach_mm", "inverse_kinematics", "data", "source")
 
 
@@ -17,15 +17,15 @@ class CatalogueEntry:
     """A built-in robot in a line.
 
     Attributes:
-        name: by which it is asked for.
-        maker: empty for one that nobody sells.
-        model: name that the maker gives it, or what it is.
+        name: name in the library.
+        maker: empty for a robot that is not sold.
+        model: name by the maker, or description.
         axes: how many.
         rated_payload: mass that the maker allows at the interface [kg]; inf where unknown.
         reach: of the wrist, or of the interface of an arm without one, from axis 1 [m].
         solver: class of its inverse kinematics.
-        data: what is there of it, such as `masses`, all of it published or derived but for what `estimated`
-            names.
+        data: available data, such as `masses`, all of it published or derived except for entries in
+            `estimated`.
         source: of its axes.
     """
 

@@ -7,7 +7,7 @@ from ropsim.model import Box, Joint, JointType, Link, Material, Mechanism, Shape
 from ropsim.spatial import Pose, frozen
 
 _FREE = 1e9
-"""Limit of an axis that has none [rad | m]."""
+"""Limit of an axis without a limit [rad | m]."""
 
 _ALONG_X = Pose(frozen([0.0, 0.0, 0.0]), frozen([math.sqrt(0.5), 0.0, math.sqrt(0.5), 0.0]))
 """Turns z into x: the axis of a joint is its z axis."""
@@ -18,7 +18,7 @@ _DARK, _STEEL = "#3d4248", "#9aa0a6"
 def conveyor(length: float, width: float, height: float, colour: str = _DARK) -> Mechanism:
     """Return a conveyor: its base frame is at the start of the belt, amid its surface, x along it.
 
-    What lies on it moves with its one link; the belt itself is drawn as standing still.
+    Parts on it move with its one link; the belt itself is drawn as standing still.
 
     Args:
         length: of the belt [m].

@@ -1,4 +1,4 @@
-"""What can go wrong when a robot is asked for by name (codes X860 and X861)."""
+"""Errors when a robot is requested by name (codes X860 and X861)."""
 
 from collections.abc import Iterable
 
@@ -38,7 +38,7 @@ Give the model drives, make a `ControllerModel` with gains of your own, or use a
 
 
 class UnknownRobotError(RopsimError):
-    """No robot of the library has the name asked for."""
+    """No robot of the library has the requested name."""
 
     def __init__(self, name: str, known: Iterable[str]) -> None:
         names = tuple(known)

@@ -23,7 +23,7 @@ from ropsim.robots.devices import rotary, slide
 from ropsim.spatial import frozen, record
 
 _GRAVITY = 9.81  # [m/s²], a slide may stand upright
-_RESERVE = 1.5  # of the drive over what load, rotor and friction need
+_RESERVE = 1.5  # of the drive over the torque for load, rotor and friction
 _ROTOR = 0.3  # of the load, inertia of the rotor seen at the axis
 _DRY = 0.02  # of the weight of the load, dry friction of a slide
 _DRY_TURNING = 0.05  # of the torque that accelerates the load, dry friction of a turntable
@@ -38,14 +38,15 @@ _ESTIMATE = (
 
 @record
 class AxisData:
-    """What one axis has to move, and how.
+    """Load of one axis, and its motion.
 
     Attributes:
         low: lower limit [rad | m].
         high: upper limit [rad | m].
         speed: limit [rad/s | m/s].
         acceleration: limit [rad/s² | m/s²].
-        load: mass [kg] of what slides, or inertia about the axis [kg·m²] of what turns, with what lies on it.
+        load: mass [kg] of the sliding bodies, or inertia about the axis [kg·m²] of the turning ones, with
+            parts on them.
     """
 
     low: float
@@ -93,7 +94,7 @@ def _driven(
         axis: limits and load.
         body: mass and inertia of the link.
         dry: friction at the axis [N·m | N].
-        weight: what the axis may have to hold [N·m | N].
+        weight: greatest static load of the axis [N·m | N].
     """
     (joint,), (link,) = mechanism.joints, mechanism.links
     ratio = _RATIOS[joint.type]

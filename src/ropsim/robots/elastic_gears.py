@@ -1,11 +1,11 @@
-"""What elastic gears leave to the loops of a controller: how fast the arm swings on them.
+"""Bandwidth limits of a controller with elastic gears: the lowest frequency of the arm on them.
 
-A law is given coordinates of the joints and speeds of the motors. A loop of the motor speed damps the arm on
-its springs, as long as it is slower than the arm swings while motors are held (W. Leonhard, Control of
+A law receives coordinates of the joints and speeds of the motors. A loop of the motor speed damps the arm on
+its springs, while it is slower than the oscillation of the arm with held motors (W. Leonhard, Control of
 Electrical Drives, 3rd ed., Springer 2001, on drives with elastic couplings), and the loop of the joint
-coordinate lets it swing where it is stiffer than the gear: the motor about a joint that swings is at
-θ/q = (k - kv·kp + i·ki·kp/ω) / (k + ki - J·ω² + i·ω·kv), so that a slow loop takes energy out of the swing
-for kv·kp < k.
+coordinate lets it swing where it is stiffer than the gear: the motor about a joint that swings is at θ/q = (k
+- kv·kp + i·ki·kp/ω) / (k + ki - J·ω² + i·ω·kv), so that a slow loop takes energy out of the swing for kv·kp <
+k.
 """
 
 import numpy as np
@@ -34,13 +34,13 @@ def gear_stiffnesses(robot: Mechanism) -> Array:
 def elastic_frequencies(robot: Mechanism, Q: Array) -> Array:
     """Return how fast each axis swings on its gear while all motors are held [rad/s], shape (n,).
 
-    For one axis by itself that is sqrt(k/M) with the stiffness k of its gear and the greatest inertia M of
-    the links about it; together they swing slower, K·v = ω²·M·v, so all are brought down by as much as the
-    lowest frequency of the arm is below the lowest one of its axes.
+    For a single axis that is sqrt(k/M) with the stiffness k of its gear and the greatest inertia M of the
+    links about it; together they swing slower, K·v = ω²·M·v, so all are brought down by as much as the lowest
+    frequency of the arm is below the lowest one of its axes.
 
     Args:
         robot: the arm with its drives.
-        Q: configurations at which it is looked at [rad | m], shape (k, n).
+        Q: configurations at which it is evaluated [rad | m], shape (k, n).
 
     Returns:
         inf for rigid gears, and where a gear carries no mass.

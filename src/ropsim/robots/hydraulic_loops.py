@@ -1,12 +1,12 @@
-"""Loops of hydraulic axes: a valve gives an axis its speed, and the arm swings on the oil of its chambers.
+"""Loops of hydraulic axes: a valve sets the speed of an axis, and the arm swings on the oil of its chambers.
 
-Each axis gets a PI regulator of its own: in the terms of the cascade kv = 0, so that
-u = ki·(e + kp·∫e) + ke·q̇_ref. With the oil spring k = β·(A_a²/V_a + A_b²/V_b)·G² of every axis the arm
-swings at the frequencies ω of k against its masses; what leaks takes d = β·L·(1/V_a + 1/V_b) from that, per
-second; of a motor A is its displacement, and both chambers are alike. Of one axis s³ + d·s² + ω²·s + c·ω² =
-0 is stable up to a crossover c = d (H. E. Merritt, Hydraulic Control Systems, 1967, chapter 6): half of that
-is taken. A cylinder has another lever at each place, and another speed out than in for one opening of its
-valve: ki is that of where an opening moves the axis fastest, ke the middle of the range.
+Each axis gets a PI regulator of its own: in the terms of the cascade kv = 0, so that u = ki·(e + kp·∫e) +
+ke·q̇_ref. With the oil spring k = β·(A_a²/V_a + A_b²/V_b)·G² of every axis the arm swings at the frequencies
+ω of k against its masses; leakage takes d = β·L·(1/V_a + 1/V_b) from that, per second; of a motor A is its
+displacement, and both chambers are alike. Of one axis s³ + d·s² + ω²·s + c·ω² = 0 is stable up to a crossover
+c = d (H. E. Merritt, Hydraulic Control Systems, 1967, chapter 6): half of that is taken. A cylinder has
+another lever at each place, and another speed out than in for one opening of its valve: ki is that of where
+an opening moves the axis fastest, ke the middle of the range.
 """
 
 from dataclasses import replace
@@ -31,7 +31,7 @@ from ropsim.spatial import Array
 SWING_SHARE = 0.25
 """Most of a crossover over the lowest frequency at which the arm swings on its oil."""
 LEAST_SHARE = 0.03
-"""Least of it: valves that are open damp, too."""
+"""Least of it: open valves also damp."""
 VALVE_SHARE = 0.2
 """Most of a crossover over the natural frequency of a valve, and over the control rate [Hz]."""
 CORNER_SHARE = 0.5
@@ -39,11 +39,11 @@ CORNER_SHARE = 0.5
 SAMPLES = 64
 WINDOW = pi / 360.0
 """Window of a fine stop of a hydraulic axis [rad | m], half a degree: within it the arm swings for long, and
-what a valve lets pass is not made up for."""
+leakage of a valve is not compensated."""
 LONGEST_SETTLING = 3.0
 """Longest wait for that [s]: arms swing on their oil for a second or two."""
 PLACES = 33
-"""Places at which the lever of a cylinder is looked at."""
+"""Places at which the lever of a cylinder is evaluated."""
 
 
 def hydraulic_axes(robot: Mechanism) -> list[int]:
@@ -87,7 +87,7 @@ def _valve(drive: Drive) -> float:
 
 
 def with_hydraulic_axes(gains: CascadedGains, robot: Mechanism, crossover: float) -> CascadedGains:
-    """Return gains with those of hydraulic axes put in."""
+    """Return gains with the gains of hydraulic axes inserted."""
     axes = hydraulic_axes(robot)
     rows = {name: np.array(getattr(gains, name)) for name in gain_names(gains)}
     per_speed = np.array([_per_speed(robot, axis) for axis in axes])
@@ -108,7 +108,7 @@ def with_hydraulic_axes(gains: CascadedGains, robot: Mechanism, crossover: float
 def _per_speed(robot: Mechanism, axis: int) -> Array:
     """Return current over speed of an axis without load, forward and back, over its range [A·s/rad].
 
-    What leaks is left out: it does not grow with the speed, and where it flows against a slow rod the current
+    Leakage is neglected: it does not grow with the speed, and where it flows against a slow rod the current
     would have the other sign.
     """
     drive, joint = robot.drives[axis], robot.axis_joints[axis]

@@ -1,4 +1,4 @@
-"""The built-in robots by name: four that are written in Python, and those of the package's NIROX files."""
+"""The built-in robots by name: four that are written in Python, and robots of the package's NIROX files."""
 
 from collections.abc import Callable, Mapping
 from functools import lru_cache
@@ -19,7 +19,7 @@ _MODELS: Mapping[str, Callable[[], RobotModel]] = MappingProxyType(
     }
 )
 STANDARD_RATES = Rates()
-"""Rates of a controller for which nobody says others."""
+"""Rates of a controller by default."""
 
 
 def names() -> tuple[str, ...]:

@@ -1,10 +1,9 @@
 """A palletizer with four axes whose rods keep the flange level: parallelograms as exact couplings.
 
-In the plane of the arm: the lower arm leans at the angle q2 over the horizontal. A crank beside it, driven
+In the plane of the arm: the lower arm leans at the angle q2 over the horizontal. A crank next to it, driven
 from the same place, stands at q3; with the lower arm, the rear end of the forearm and a rod it forms a
-parallelogram, so that the forearm has the angle q3 too, whatever q2 is. Two more parallelograms, over a
-triangle at the elbow, keep the wrist as level as the column. So all angles between bodies are sums of q2 and
-q3.
+parallelogram, so that the forearm has the angle q3 too, for any q2. Two more parallelograms, over a triangle
+at the elbow, keep the wrist as level as the column. So all angles between bodies are sums of q2 and q3.
 """
 
 from functools import lru_cache
@@ -78,7 +77,7 @@ _ORIGINS = (
 
 @lru_cache(maxsize=1)
 def model() -> RobotModel:
-    """Return the palletizer: base frame at the foot, z up; the flange looks down, whatever the axes do.
+    """Return the palletizer: base frame at the foot, z up; the flange looks down, for all axis values.
 
     Axis 1 turns the column, axis 2 is the angle of the lower arm and axis 3 that of the forearm over the
     horizontal, both raising it for positive turns; axis 4 turns the flange about the line that points down.

@@ -1,4 +1,4 @@
-"""What the palletizer looks like: slats and rods around its link lengths, by eye."""
+"""Shapes of the palletizer: slats and rods around its link lengths, by eye."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""What the PUMA 560 looks like: primitives around its published dimensions, by eye where none are published.
+"""Shapes of the PUMA 560: primitives around its published dimensions, by eye where none are published.
 
 Each list stands in the frame of its joint (see `Link`). The axis of joint 1 is the middle of the trunk, its
 frame lies at the floor. Link 2 lies outside the shoulder, along x of frame 2, about 0.23 m from the trunk's

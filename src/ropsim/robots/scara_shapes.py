@@ -1,4 +1,4 @@
-"""What the SCARA arm looks like: primitives around its link lengths, by eye."""
+"""Shapes of the SCARA arm: primitives around its link lengths, by eye."""
 
 import numpy as np
 

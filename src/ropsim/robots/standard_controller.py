@@ -2,9 +2,8 @@
 
 An arm with geared motors gets cascaded loops, joint by joint. Where motors act on the joints directly,
 without an inertia of their own, the links push each other as hard as the motors do, and loops of single
-joints have to be slow; such an arm gets the computed-torque law. An arm without drives is where its
-reference is. Elastic gears keep the speed loops of their axes below the frequency at which the arm swings on
-them.
+joints have to be slow; this arm gets the computed-torque law. An arm without drives follows its reference
+exactly. Elastic gears keep the speed loops of their axes below the frequency at which the arm swings on them.
 """
 
 from functools import lru_cache
@@ -52,7 +51,7 @@ CONTROL_SHARE = 1.0 / 5.0
 """Crossover of the speed loop [rad/s] over the control rate [Hz]: the held output costs about 6 degrees."""
 
 COUPLED_SHARE = 1.0 / 3.0
-"""The same where the other joints give way: their couplings make an axis lighter, which quickens its loop."""
+"""The same with the other joints free: their couplings make an axis lighter, which quickens its loop."""
 
 POSITION_SHARE = 0.3
 """Bandwidth of the position loop over that of the speed loop: no overshoot of the cascade."""
@@ -73,7 +72,7 @@ SETTLE_TIMEOUT = 1.0
 """Longest wait for a fine stop [s]."""
 
 SAMPLES = 512
-"""Configurations at which the inertias of the axes are looked at."""
+"""Configurations at which the inertias of the axes are evaluated."""
 
 
 @record
@@ -103,7 +102,9 @@ def standard_bandwidths(robot: Mechanism, rates: Rates) -> LoopBandwidths:
     poles = np.array([chain_of(drive).motor.pole(drive.motor) for drive in robot.drives])
     design, free, swing = _inertias(robot)
     coupled = COUPLED_SHARE * rates.control_hz * free / design
-    lag = np.where(is_elastic, free / design, 1.0)  # beyond its swing the motor turns by itself, lighter
+    lag = np.where(
+        is_elastic, free / design, 1.0
+    )  # beyond its oscillation frequency the motor turns separately, with less inertia
     speed = np.minimum(np.minimum(ELECTRICAL_SHARE * poles * lag, CONTROL_SHARE * rates.control_hz), coupled)
     softer = np.sqrt(SOFTER * gear_stiffnesses(robot) / (POSITION_SHARE * design))  # kv·kp = 0.3·ω_s²·M
     speed = np.minimum(speed, np.minimum(ELASTIC_SHARE * swing, softer))  # both are inf for rigid gears
@@ -111,15 +112,15 @@ def standard_bandwidths(robot: Mechanism, rates: Rates) -> LoopBandwidths:
 
 
 def standard_gains(robot: Mechanism, rates: Rates) -> CascadedGains:
-    """Return gains that give an arm with drives its standard bandwidths.
+    """Return gains with the standard bandwidths for an arm with drives.
 
-    Below its electrical pole, the drive of a joint with inertia M takes u = ka·q̈ + ke·q̇; for a DC motor
-    ka = R·M/(Kt·|G|) and ke = Ke·|G| + R·B·|G|/Kt, for an ideal one ka = M/|G| and ke = B·|G|. The speed gain
-    gives that the crossover ω_s, kv = ω_s·ka; the feed-forward gains are the two coefficients, so that the
-    loops have to correct only what differs from the drive that was designed for: gravity, Coulomb friction,
-    coupling of the joints. M is the geometric mean of the least and the greatest inertia of the axis over the
-    range of the joints. Cascades with feed-forward of the reference: W. Leonhard, Control of Electrical
-    Drives, 3rd ed., Springer 2001.
+    Below its electrical pole, the drive of a joint with inertia M takes u = ka·q̈ + ke·q̇; for a DC motor ka
+    = R·M/(Kt·|G|) and ke = Ke·|G| + R·B·|G|/Kt, for an ideal one ka = M/|G| and ke = B·|G|. The speed gain
+    sets the crossover ω_s, kv = ω_s·ka; the feed-forward gains are the two coefficients, so that the loops
+    have to correct only deviations from the nominal drive: gravity, Coulomb friction, coupling of the joints.
+    M is the geometric mean of the least and the greatest inertia of the axis over the range of the joints.
+    Cascades with feed-forward of the reference: W. Leonhard, Control of Electrical Drives, 3rd ed., Springer
+    2001.
 
     Raises:
         NoControllerError: X861, the arm has no drives.

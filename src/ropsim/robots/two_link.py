@@ -23,7 +23,10 @@ from ropsim.model import (
 from ropsim.spatial import Pose, frozen
 
 _DH = (DhRow(a=1.0, alpha=0.0, d=0.0), DhRow(a=1.0, alpha=0.0, d=0.0))
-_MOST = (120.0, 50.0)  # torques [N·m]: three times what holds the stretched arm with 1 kg at its end
+_MOST = (
+    120.0,
+    50.0,
+)  # torques [N·m]: three times the torque that holds the stretched arm with 1 kg at its end
 _LIMITS = tuple(
     JointLimits(-pi, pi, max_speed=3.0, max_acceleration=10.0, max_jerk=100.0, max_effort=most)
     for most in _MOST

@@ -17,8 +17,8 @@ _UPRIGHT = 1e-9  # rad; an approach direction that is nearer than that to the ve
 def roll_pitch_yaw(X: Pose) -> tuple[float, float, float]:
     """Return the angles (roll, pitch, yaw) [rad] of the orientation of a pose.
 
-    Pitch and roll are taken from what is left of the rotation when yaw has been taken back, so that the three
-    give the rotation to its last bits in every position, upright ones too.
+    Pitch and roll are taken from the rotation remaining without yaw, so that the three reproduce the rotation
+    to its last bits in every position, including upright ones.
     """
     (xx, xy, xz), (yx, yy, yz), (zx, _, _) = X.rotation().tolist()
     yaw = _snapped(atan2(yx, xx)) if hypot(yx, xx) > 1e-15 else 0.0

@@ -1,4 +1,4 @@
-"""What tells a value from others of its kind, to the bit: a key that takes little time to make."""
+"""Key that identifies a value among others of its kind, to the bit, and is quick to make."""
 
 from collections.abc import Callable, Hashable, Mapping
 from dataclasses import fields, is_dataclass
@@ -43,7 +43,7 @@ def bits_of(value: object) -> Hashable:
 
 
 def bits_without(kind: type, *left_out: str) -> Callable[[Any], Hashable]:
-    """Return what makes the key of dataclasses of a kind without some of their fields.
+    """Return the function that makes the key of dataclasses of a kind without some of their fields.
 
     Args:
         kind: the class.
@@ -53,7 +53,7 @@ def bits_without(kind: type, *left_out: str) -> Callable[[Any], Hashable]:
 
 
 def _maker(kind: type) -> Callable[[Any], Hashable]:
-    """Return what makes the key of a value of a class, and keep it."""
+    """Return the function that makes the key of a value of a class, and keep it."""
     if issubclass(kind, np.ndarray):
         made: Callable[[Any], Hashable] = _of_array
     elif issubclass(kind, tuple | list):

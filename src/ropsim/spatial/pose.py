@@ -48,7 +48,7 @@ class Pose:
     def from_tuple(cls, values: quaternion.PoseTuple) -> "Pose":
         """Return the pose of (x, y, z, qw, qx, qy, qz)."""
         x, y, z, *turn = values
-        made = cls.__new__(cls)  # numbers are known to be some: half the time of looking at two arrays
+        made = cls.__new__(cls)  # the numbers are valid: half the time of checking two arrays
         object.__setattr__(made, "position", frozen((x, y, z)))
         object.__setattr__(made, "orientation", _direction(turn))
         return made
@@ -57,7 +57,7 @@ class Pose:
     def of_units(cls, values: Array) -> "Pose":
         """Return the pose of (x, y, z, qw, qx, qy, qz), shape (7,), which becomes read-only.
 
-        The quaternion is one of length 1 with w >= 0; nobody looks.
+        The quaternion must have length 1 with w >= 0; this is not checked.
         """
         values.flags.writeable = False
         made = cls.__new__(cls)
@@ -109,7 +109,7 @@ class Pose:
         return Pose.from_tuple(quaternion.invert(self.as_tuple()))
 
     def __matmul__(self, other: "Pose") -> "Pose":
-        """Return X_AC = X_AB @ X_BC; an identity leaves every bit of the other pose as it is."""
+        """Return X_AC = X_AB @ X_BC; an identity leaves every bit of the other pose unchanged."""
         if self.is_identity:
             return other
         if other.is_identity:

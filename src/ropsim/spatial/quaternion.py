@@ -32,7 +32,7 @@ def normalize(q: Quaternion) -> Quaternion:
 
 
 def unit(q: Quaternion) -> Quaternion:
-    """Return the unit quaternion along `q`, with w >= 0; one that is so but for rounding keeps its bits.
+    """Return the unit quaternion along `q`, with w >= 0; one that is so within rounding keeps its bits.
 
     Raises:
         ValueError: the length is zero or not finite.

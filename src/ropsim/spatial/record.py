@@ -22,17 +22,17 @@ T = TypeVar("T")
 
 _records: set[type] = set()
 _names: dict[type, tuple[str, ...]] = {}
-"""Fields of the classes that were asked for so far."""
+"""Fields of the classes requested so far."""
 _prints: dict[int, tuple["ref[object]", str, int, bytes]] = {}
-"""Fingerprint, hash and what is fed of records that live, by identity; of those that nobody can change."""
+"""Fingerprint, hash and fed bytes of live records, by identity; only of immutable ones."""
 
 
 @dataclass_transform(frozen_default=True, field_specifiers=(field,))
 def record(cls: type[T]) -> type[T]:
     """Make a frozen, slotted dataclass that is equal to others by content.
 
-    Two records are equal where they are of one class and have the same fingerprint; a class that says itself
-    what equal means keeps that. Arrays are read-only again after a record has been pickled.
+    Two records are equal where they are of one class and have the same fingerprint; a class with its own
+    equality keeps it. Arrays are read-only again after a record has been pickled.
     """
     is_own = "__eq__" in cls.__dict__
     made = frozen_without_equality(cls)
@@ -44,7 +44,7 @@ def record(cls: type[T]) -> type[T]:
 
 
 def fingerprint(value: object) -> str:
-    """Return 64 hexadecimal digits that tell a value from any other one, in every process the same.
+    """Return 64 hexadecimal digits that identify a value, the same in every process.
 
     It is the SHA-256 of class names, field names and the bits of numbers; `0.0` and `-0.0` are one number,
     all NaN are one, `1` and `1.0` are two, and a member of a `StrEnum` is its text, to which it is equal.
@@ -60,7 +60,7 @@ def fingerprint(value: object) -> str:
 
 
 def _printed(value: object) -> tuple[str, bool]:
-    """Return the fingerprint of a value, and whether it stays as it is."""
+    """Return the fingerprint of a value, and whether it is immutable."""
     if type(value) in _SCALARS:
         return _scalar_print(value), True
     known = _prints.get(id(value))
@@ -77,7 +77,7 @@ def _scalar_print(value: object) -> str:
 
 
 def _feed(hasher: "_Hash", value: object) -> bool:
-    """Put a value into the hash; return whether nobody can change it."""
+    """Put a value into the hash; return whether it is immutable."""
     kind = type(value)
     entry = _SCALARS.get(kind)
     if entry:

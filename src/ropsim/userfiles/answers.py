@@ -3,4 +3,4 @@
 from ropsim.core import KeptFiles
 
 KEPT_ANSWERS = KeptFiles("answers", most=64_000_000, largest=16_000_000)
-"""Bytes under the names of what they were made of; see `ropsim.core.disk.kept_files`."""
+"""Bytes under the digests of their inputs; see `ropsim.core.disk.kept_files`."""

@@ -14,7 +14,7 @@ SKIPPED = frozenset({"out", "node_modules", "__pycache__"})
 """Folders that are not part of a project's content; hidden ones are not either."""
 
 MOST_ENTRIES = 20_000
-"""Further entries are not looked at: no project is that large, but a home folder may be."""
+"""Further entries are not read: no project is that large, but a home folder may be."""
 
 
 def code_in(folder: Path) -> tuple[str, ...]:

@@ -1,13 +1,13 @@
-"""The example projects that come with ropsim: their names, and of what each is."""
+"""The example projects that come with ropsim: their names, and purposes."""
 
 from pathlib import Path
 
-#: What `ropsim new` copies when no example is named.
+# Example that `ropsim new` copies when no example is named.
 STARTER = "first_cell"
 
 
 def examples_folder() -> Path:
-    """Return the folder of the examples: inside an installed package, or beside `src` in a checkout."""
+    """Return the folder of the examples: inside an installed package, or next to `src` in a checkout."""
     package = Path(__file__).parents[1]
     installed = package / "examples"
     return installed if installed.is_dir() else package.parents[1] / "examples"

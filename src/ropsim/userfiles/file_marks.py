@@ -36,8 +36,8 @@ def has_moved(marks: Mapping[str, Mark], before: Path, now: Path) -> bool:
     """Return whether a folder holds the files that another one held, and that one does not any more.
 
     A move within a file system keeps number and last change of each file: one of them is enough. A move to
-    another disk keeps what a copy keeps: then `cell.toml` must have the same time and size, and not be at its
-    former place. A project that is back where it was has moved, too.
+    another disk keeps the attributes of a copy: then `cell.toml` must have the same time and size, and not be
+    at its former place. A project that is back at its former place has also moved.
     """
     return _is_of(marks, now) and (before == now or not _is_of(marks, before))
 

@@ -26,10 +26,10 @@ VERSION = 1
 MOST_SLOTS = 16
 """Sessions that may have the same project open at once, each with a journal of its own."""
 LARGEST = 1_000_000_000
-"""Bytes of a journal: far above those of all texts that a session can have open."""
+"""Bytes of a journal: far above the size of all texts that a session can have open."""
 
 MOST_JOURNALS = 1_000
-"""Journals of all projects that are looked through for one of a project that was moved."""
+"""Maximum number of journals searched for that of a moved project."""
 MOST_DAMAGED = 100
 """Journals of a place that can be set aside."""
 
@@ -48,7 +48,7 @@ class Draft:
 
 
 class Journal:
-    """Unsaved texts of one session, in a place of its own among those of the project.
+    """Unsaved texts of one session, in a separate file among the journals of the project.
 
     Of the free places one is taken that an earlier session has left texts in, else the first. Places have
     their names from the path of the folder. If none has texts, those are taken over that a session has left
@@ -79,7 +79,7 @@ class Journal:
         return self._place
 
     def read(self) -> tuple[Mapping[str, Draft], tuple[Diagnostic, ...]]:
-        """Return what an earlier session has left, by the names of the documents.
+        """Return the texts left by an earlier session, by the names of the documents.
 
         Raises:
             OSError: it cannot be read, and stays where it is.
@@ -129,7 +129,7 @@ class Journal:
         )
 
     def _set_aside(self) -> Path:
-        """Give a damaged journal a name of its own, and return that."""
+        """Rename a damaged journal, and return the new name."""
         endings = (".damaged", *(f".damaged-{number}" for number in range(2, MOST_DAMAGED + 1)))
         places = [self._place.with_suffix(ending) for ending in endings]
         aside = next((one for one in places if not one.exists()), None)
@@ -148,7 +148,7 @@ class Journal:
             self._place.unlink(missing_ok=True)
             return
         entries = {name: {"text": draft.text, "base": draft.base} for name, draft in drafts.items()}
-        self._marks |= marks_of(self._folder, drafts)  # those of a folder that is gone stay
+        self._marks |= marks_of(self._folder, drafts)  # marks of a removed folder stay
         document = {
             "version": VERSION,
             "folder": str(self._folder),
@@ -163,7 +163,7 @@ class Journal:
 
 
 def _document(content: bytes) -> dict[str, Any]:
-    """Return what a journal holds, empty where it is damaged."""
+    """Return the content of a journal, empty if it is damaged."""
     try:
         document = json.loads(content)
     except (ValueError, RecursionError):

@@ -74,7 +74,7 @@ def read_program_file(path: Path, name: str) -> tuple[bytes | None, tuple[Diagno
 
 
 def missing_file(path: Path, name: str) -> Diagnostic:
-    """Return the finding that `path` does not exist or is a link into nowhere, with a near name beside it."""
+    """Return the finding for a missing `path` or a dead link, with a near name in its folder."""
     if path.is_symlink():
         message = f"`{name}` is a link, and what it leads to is not there"
         return MISSING_PATH.at(None, message, hint="link to a file that is there, or remove the link")

@@ -47,7 +47,7 @@ def set_trust(folder: Path, trust: Trust) -> None:
 
 
 def inert_code(folder: Path) -> tuple[Diagnostic, ...]:
-    """Return a finding that names the code of a project that nobody has trusted, if it has any."""
+    """Return a finding that names the code of a project that is not trusted, if it has any."""
     code = code_in(folder)
     if not code or trust_in(folder) is Trust.GIVEN:
         return ()

@@ -1,4 +1,4 @@
-"""Workspaces of arms: what a point reaches, in which directions, and where to put the base."""
+"""Workspaces of arms: reach of a point, its directions, and placement of the base."""
 
 from ropsim.workspace.checking import DIRECTIONS as DIRECTIONS
 from ropsim.workspace.checking import Look as Look

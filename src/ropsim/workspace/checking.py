@@ -39,7 +39,7 @@ class Reach:
 
     Attributes:
         q: axes of the way that keeps farthest from the limits [rad | m], shape (n,).
-        posture: its name, empty where the arm's class has none.
+        posture: its name, empty if the arm's class has no names.
         margin: to the limits there.
         manipulability: there, see `margins.manipulability`.
         ways: postures that reach it, within limits.
@@ -60,8 +60,8 @@ class Miss:
         why: in words.
         distance: from it to the nearest place that the arm takes [m].
         angle: between the two orientations [rad]; 0 where any will do.
-        violations: joints that would be beyond their limits, in the way that breaks them least; the arm then
-            reaches the point but for them, and distance and angle are 0.
+        violations: joints that would be beyond their limits, with the least violation; the arm then reaches
+            the point except for them, and distance and angle are 0.
     """
 
     why: str
@@ -72,7 +72,7 @@ class Miss:
 
 @frozen_dataclass
 class PointCheck:
-    """A point and what an arm makes of it.
+    """A point and the result of an arm for it.
 
     Attributes:
         point: in the frame of the task.
@@ -89,19 +89,19 @@ class PointCheck:
 
 
 class Look(Enum):
-    """How closely a point is looked at: WHY tells what is missing, too, WHETHER leaves that out."""
+    """Depth of the check of a point: WHY includes the distance missed, WHETHER omits it."""
 
     WHY = "why"
     WHETHER = "whether"
 
 
 NOT_LOOKED_FOR = Miss("not reached", 0.0, 0.0)
-"""Of points that are looked at for `Look.WHETHER`."""
+"""Miss of unreached points checked with `Look.WHETHER`."""
 
 
 @frozen_dataclass
 class Setting:
-    """What the points are to be reached with.
+    """Arm, base and tool with which the points are to be reached.
 
     Attributes:
         robot: the arm.
@@ -117,7 +117,7 @@ class Setting:
 
 
 def checked(setting: Setting, point: TaskPoint, look: Look = Look.WHY) -> PointCheck:
-    """Return what an arm makes of a point of a task.
+    """Return the result of an arm for a point of a task.
 
     Args:
         setting: arm, base and tool.
@@ -184,7 +184,7 @@ def _best(setting: Setting, rows: Array) -> Reach | None:
 
 
 def _why(robot: RobotModel, X_BM: Pose) -> Miss:
-    """Return why a pose is not reached, and what is nearest to it."""
+    """Return why a pose is not reached, and the nearest pose."""
     found = inverse(robot, X_BM)
     if found.violations:
         return Miss(found.status.value, 0.0, 0.0, found.violations)

@@ -16,7 +16,7 @@ from ropsim.workspace.volume.extremes import extremes
 from ropsim.workspace.volume.sweep import SweepKind, sweep_of
 
 CLOSELY = 8
-"""Candidates that are looked at closely, the best ones of many."""
+"""Number of best candidates that are examined in detail."""
 
 
 @frozen_dataclass
@@ -36,7 +36,7 @@ class Candidate:
 
 @frozen_dataclass
 class Standing:
-    """What a candidate makes of the points of a task.
+    """Result of a candidate for the points of a task.
 
     Attributes:
         candidate: arm and place.
@@ -70,11 +70,11 @@ class Standing:
 def compared(
     candidates: Sequence[Candidate], points: Sequence[TaskPoint], X_MT: Pose
 ) -> tuple[Standing, ...]:
-    """Return what candidates make of the points of a task, the best one first.
+    """Return the results of candidates for the points of a task, the best one first.
 
     First counts how many points are reached, then the least margin to the limits of the joints, then the
-    least manipulability; candidates that are equal keep their order. What is missing to points is only looked
-    for of the first `CLOSELY` ones.
+    least manipulability; candidates that are equal keep their order. Distances missed are only computed for
+    the first `CLOSELY` ones.
 
     Args:
         candidates: arms and places of their bases.
@@ -103,7 +103,7 @@ def _rank(standing: Standing) -> tuple[int, float, float]:
 def size_of(robot: RobotModel, X_MT: Pose) -> float:
     """Return the reach of an arm: the greatest distance of its TCP from the first axis [m].
 
-    Where the first axis does not turn it, half of the diagonal of what the TCP reaches.
+    Where the first axis does not turn it, half of the diagonal of the section reached by the TCP.
     """
     ranges = axis_ranges(robot)
     point = moved_point(robot, PointKind.TCP, X_MT)
@@ -119,7 +119,7 @@ def placements(points: Sequence[TaskPoint], reach: float, height: float, across:
 
     Args:
         points: of the task.
-        reach: of the arm [m]; the grid covers so much to all sides of the middle of the points.
+        reach: of the arm [m]; the grid extends by it to all sides of the middle of the points.
         height: of the base in the frame of the task [m].
         across: places along a side.
     """

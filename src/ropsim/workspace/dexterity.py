@@ -20,14 +20,14 @@ MOST_POSES, MOST_CELLS = 40_000, 1_000
 SLACK = 1e-9
 """Rounding of a coordinate that stands on its limit [rad | m]."""
 HELD = 6
-"""Values of what a pose leaves free of an arm of seven axes."""
+"""Sampled values of the free coordinate of an arm of seven axes at a pose."""
 FEW = 6
 """Axes below which an arm cannot turn its tool in all directions."""
 
 
 @record
 class Directions:
-    """The tool directions that are asked for.
+    """The tool directions that are requested.
 
     They are turned with the azimuth of the place, as the arm is by its first axis.
 
@@ -42,17 +42,17 @@ class Directions:
 
 @record
 class Dexterity:
-    """What share of the directions is reached, in square cells of the section.
+    """Share of the directions that is reached, in square cells of the section.
 
     Attributes:
-        directions: that were asked for; of an arm with fewer than six axes only the one that it has at home.
+        directions: that were requested; of an arm with fewer than six axes only the one that it has at home.
         size: side of a cell [m].
         centres: radius and height of the cells that are reached [m], shape (k, 2).
         share: of directions, the mean over the azimuths at which the cell is reached, shape (k,).
         volume: where all directions are reached [m³].
-        error: difference to cells of twice the side, and what cells leave open along the border [m³].
+        error: difference to cells of twice the side, and the open area of cells along the border [m³].
         half: where half of the directions or more are reached [m³].
-        half_error: of that, likewise [m³].
+        half_error: of that, in the same way [m³].
     """
 
     directions: Directions
@@ -75,7 +75,7 @@ def dexterity(
         robot: the arm.
         workspace: of the TCP of the tool, or of the flange without one.
         X_MT: tool frame in the frame of the mechanical interface.
-        directions: that are asked for; None for the usual ones.
+        directions: that are requested; None for the usual ones.
 
     Raises:
         WorkspaceError: W105, the arm has no solver that finds all branches, or its first axis turns nothing.
@@ -113,7 +113,7 @@ def _tools(robot: RobotModel, workspace: Reachable, X_MT: Pose, directions: Dire
 
 
 def _cells(workspace: Reachable, count: int) -> tuple[float, Array]:
-    """Return side and centres of about so many cells of the section that are reached, shape (k, 2)."""
+    """Return side and centres of about `count` cells of the section that are reached, shape (k, 2)."""
     section = workspace.section
     area = float(section.covered.sum()) * section.spacing**2
     size = max((area / max(count, 1)) ** 0.5, section.spacing)
@@ -147,7 +147,7 @@ def _shares(
 
 
 def _first_axes(robot: RobotModel, workspace: Reachable, T: Array) -> Array:
-    """Return places of the first axis, in whatever turn, for poses (k, 4, 4) that the others can take.
+    """Return places of the first axis, in any turn, for poses (k, 4, 4) that the others can take.
 
     Returns:
         [rad], NaN where a limit of another axis is broken, shape (k, m).
@@ -168,7 +168,7 @@ def _first_axes(robot: RobotModel, workspace: Reachable, T: Array) -> Array:
 
 
 def _held(robot: RobotModel, workspace: Reachable) -> list[Array | None]:
-    """Return axes at which a redundant arm holds what a pose leaves free; None for another arm."""
+    """Return axes at which a redundant arm holds its free coordinate; None for another arm."""
     if redundant_solver_of(robot) is None:
         return [None]
     ranges = workspace.ranges
@@ -184,7 +184,7 @@ def _volume(size: float, centres: Array, arcs: Array) -> float:
 
 
 def _left_open(size: float, centres: Array, arcs: Array) -> float:
-    """Return what cells leave open along the border, as `reachable` does: about 4·√k of k cells lie there."""
+    """Return the open area of cells along the border, as in `reachable`: about 4·√k of k cells lie there."""
     there = arcs > 0.0
     if not there.any():
         return 0.0

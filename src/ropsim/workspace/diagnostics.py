@@ -1,4 +1,4 @@
-"""What can be wrong when a workspace is asked for (codes W101 to W129)."""
+"""Errors in requests of a workspace (codes W101 to W129)."""
 
 from ropsim.core import Diagnostic, RopsimError, Severity, define
 

@@ -34,14 +34,15 @@ def orientations(directions: Array, rolls: int) -> Array:
 
 
 ROUNDING = 12
-"""Digits of a share that are kept: a sum of widths is a whole turn but for the last ones."""
+"""Digits of a share that are kept: a sum of widths is a whole turn except for the last ones."""
 
 
 def azimuth_shares(first: Array, extent: float) -> Array:
-    """Return what a first axis with limits makes of the places that it would have to take at azimuth 0.
+    """Return the reached azimuths for a first axis with limits, from its coordinates at azimuth 0.
 
-    From a place the axis lets through azimuths as wide as its range, so that those of a direction begin at
-    its places: each lasts over the range, or until the next one begins. Where they begin and end is exact.
+    From a place the axis lets through azimuths as wide as its range, so that the azimuths of a direction
+    begin at its coordinates: each lasts over the range, or until the next one begins. Where they begin and
+    end is exact.
 
     Args:
         first: places of the axis by which a direction is reached [rad], NaN for none, shape (k, d, m).

@@ -1,4 +1,4 @@
-"""How good a configuration is: what is left to the limits of its joints, and in how many ways it can move."""
+"""Quality of a configuration: margins to the limits of its joints, and manipulability."""
 
 import numpy as np
 
@@ -12,7 +12,7 @@ class Margin:
     """The joint that is nearest to a limit.
 
     Attributes:
-        share: what is left to it, as a share of half of the range: 0 at a limit, 1 in the middle.
+        share: margin to it, as a share of half of the range: 0 at a limit, 1 in the middle.
         joint: number of the axis from 0; -1 where no axis has limits.
         left: the same [rad | m].
     """
@@ -33,7 +33,7 @@ def margin(robot: RobotModel, q: Array) -> Margin:
 
 
 def shares(robot: RobotModel, Q: Array) -> Array:
-    """Return what is left to the limits as shares of half ranges, (..., n); inf for axes without any."""
+    """Return the margins to the limits as shares of half ranges, (..., n); inf for axes without any."""
     left = np.minimum(Q - robot.lower_limits, robot.upper_limits - Q)
     half = 0.5 * (robot.upper_limits - robot.lower_limits)
     limited = np.isfinite(half) & (half > 0.0)
@@ -44,7 +44,7 @@ def manipulability(robot: RobotModel, q: Array, X_MT: Pose, reach: float) -> flo
     """Return √det(J·Jᵀ) of Yoshikawa (1985) with lengths in units of the reach of the arm.
 
     So it has no unit and arms of different size can be compared; it is 0 where the arm is singular. Of an arm
-    with fewer than six axes it is √det(Jᵀ·J), the volume of what its axes can do.
+    with fewer than six axes it is √det(Jᵀ·J), the volume of the velocities of its axes.
 
     Args:
         robot: the arm.

@@ -1,4 +1,4 @@
-"""The point of an arm whose workspace is asked for: wrist centre, flange or TCP."""
+"""The point of an arm whose workspace is requested: wrist centre, flange or TCP."""
 
 from enum import Enum
 
@@ -28,7 +28,7 @@ class MovedPoint:
     """A point that is fixed to a link of an arm.
 
     Attributes:
-        kind: what it is.
+        kind: kind of point.
         frame: number of the frame in which it stands still: a link from 0, or `INTERFACE`.
         p: its coordinates there [m], shape (3,).
     """

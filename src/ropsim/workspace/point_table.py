@@ -29,7 +29,7 @@ _TITLE = re.compile(r"\s*([a-z_ ]+?)\s*(?:[\[(]\s*([a-z]+)\s*[\])])?\s*", re.IGN
 
 @frozen_dataclass
 class _Column:
-    """What a column holds, and the factor to metres or radians."""
+    """Quantity of a column, and the factor to metres or radians."""
 
     name: str
     factor: float
@@ -44,13 +44,13 @@ class _TableError(Exception):
 
 
 def read_points(text: SourceText) -> tuple[tuple[TaskPoint, ...], tuple[Diagnostic, ...]]:
-    """Return the points of a table, and what is wrong with it; wrong lines are left out.
+    """Return the points of a table, and its errors; wrong lines are left out.
 
-    The first line may tell the columns, `name, x, y, z, roll, pitch, yaw` in any order and with units as in
-    `x [m]`; the second one may tell units. Without titles they are `x, y, z` or `x, y, z, roll, pitch, yaw`,
-    behind a name or not. Lengths are in millimetres and angles in degrees. The tool is turned by roll about
-    the fixed x, by pitch about y and by yaw about z; without these columns any orientation will do. A
-    table with `pitch` before `roll` is a list of points of a project, whose angles are those of
+    The first line may name the columns, `name, x, y, z, roll, pitch, yaw` in any order and with units as in
+    `x [m]`; the second one may contain units. Without titles they are `x, y, z` or `x, y, z, roll, pitch,
+    yaw`, behind a name or not. Lengths are in millimetres and angles in degrees. The tool is turned by roll
+    about the fixed x, by pitch about y and by yaw about z; without these columns any orientation will do. A
+    table with `pitch` before `roll` is a list of points of a project, with angles as in
     `approach_orientation`.
     """
     try:
@@ -87,7 +87,7 @@ def _cells(text: SourceText, number: int, line: str) -> list[str]:
 def _columns(
     text: SourceText, rows: Sequence[tuple[int, list[str]]]
 ) -> tuple[tuple[_Column, ...], Sequence[tuple[int, list[str]]]]:
-    """Return the columns and the lines behind those that tell them."""
+    """Return the columns and the lines behind the lines that define them."""
     if not rows:
         return (), rows
     number, cells = rows[0]
@@ -138,7 +138,7 @@ def _column(text: SourceText, number: int, name: str, unit: str) -> _Column:
 def _point(
     text: SourceText, number: int, cells: Sequence[str], columns: Sequence[_Column], name: str
 ) -> TaskPoint | Diagnostic:
-    """Return the point of a line, or what is wrong with it."""
+    """Return the point of a line, or its error."""
     span = Span.whole_line(text.name, number)
     beyond = next((cell for cell in cells[len(columns) :] if cell), None)
     if beyond is not None:
@@ -183,9 +183,9 @@ def _is_point_list(columns: Sequence[_Column]) -> bool:
 
 
 def _number(cell: str) -> float | None:
-    """Return the number in a cell; NaN and infinity are numbers here, to be told later.
+    """Return the number in a cell; NaN and infinity are numbers here, to be reported later.
 
-    Digits are those of tables: Python's own `1_000` and digits of other scripts are no numbers.
+    Digits are plain digits of tables: Python's own `1_000` and digits of other scripts are no numbers.
     """
     if "_" in cell or not cell.isascii():
         return None

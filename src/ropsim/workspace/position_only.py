@@ -1,4 +1,4 @@
-"""Configurations that bring a point of an arm to a place, in whatever orientation, within the limits."""
+"""Configurations that bring a point of an arm to a place, in any orientation, within the limits."""
 
 import numpy as np
 
@@ -9,7 +9,7 @@ from ropsim.workspace.ranges import AxisRanges, axis_ranges, even_rows
 from ropsim.workspace.volume.sweep import point_jacobian
 
 SAMPLES, STARTS, STEPS = 2048, 24, 60
-"""Configurations that are looked at, those that steps begin at, and steps, at most."""
+"""Configurations that are sampled, that are starts, and steps, at most."""
 DAMPING = 0.5
 """Of the steps, times the square of the distance that is left [m²]."""
 LEAST, EASED, STIFFENED = 0.01, 3.0, 4.0
@@ -46,9 +46,9 @@ def reaching(robot: RobotModel, p_M: Array, place: Array) -> tuple[Array, float]
 
     Damped least squares from many starts, among them the nearest of many configurations; the damping follows
     the distance that is left (Sugihara 2011) and rises where a step comes no nearer, which is then not taken
-    (Marquardt 1963), so that arms that are stretched towards a place come to rest.
-    Steps end at the first limit that they meet and go along those that they would push against, so that the
-    other axes come as near as they can (active sets: Nocedal & Wright, Numerical Optimization, 16.5).
+    (Marquardt 1963), so that arms that are stretched towards a place come to rest. Steps end at the first
+    limit that they meet and slide along limits that they would violate, so that the other axes approach as
+    far as possible (active sets: Nocedal & Wright, Numerical Optimization, 16.5).
 
     Args:
         robot: the arm.
@@ -93,7 +93,7 @@ def _walls(robot: RobotModel, ranges: AxisRanges) -> Walls:
 
 
 def _starts(robot: RobotModel, point: MovedPoint, ranges: AxisRanges, place: Array) -> Array:
-    """Return configurations that fill the ranges, half of them those that are nearest to a place."""
+    """Return configurations that fill the ranges, half of them the nearest to a place."""
     Q = even_rows(ranges, SAMPLES)
     allowed = (coupled_limits(robot).excess(Q) == 0.0).all(axis=1)
     Q = Q[allowed] if allowed.any() else Q

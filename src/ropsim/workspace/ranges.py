@@ -54,7 +54,7 @@ def axis_ranges(robot: RobotModel) -> AxisRanges:
 def even_rows(ranges: AxisRanges, count: int) -> Array:
     """Return axis vectors that fill ranges, by the rule of `kinematics.configurations`, shape (count, n).
 
-    Other than there the ranges are those of the workspace, which are finite for axes without limits.
+    Other than there the ranges equal those of the workspace, which are finite for axes without limits.
     """
     n = len(ranges.lower)
     phi = 2.0

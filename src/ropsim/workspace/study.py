@@ -1,4 +1,4 @@
-"""All that is asked of arms at once: their workspaces, and what they make of the points of a task."""
+"""Complete study of arms: their workspaces, and results for the points of a task."""
 
 from collections.abc import Sequence
 
@@ -15,13 +15,13 @@ from ropsim.workspace.volume.reachable import Reachable, reachable
 
 @frozen_dataclass
 class ArmStudy:
-    """An arm by itself.
+    """A single arm.
 
     Attributes:
         robot: the arm.
-        workspace: of the point that was asked for; None where it cannot be computed.
-        dexterity: of its tool; None where it cannot be computed, or another point was asked for.
-        findings: why not, and what was assumed.
+        workspace: of the requested point; None where it cannot be computed.
+        dexterity: of its tool; None where it cannot be computed, or another point was requested.
+        findings: reasons, and assumptions.
     """
 
     robot: RobotModel
@@ -32,7 +32,7 @@ class ArmStudy:
 
 @frozen_dataclass
 class Study:
-    """Arms, and what they make of a task.
+    """Arms, and their results for a task.
 
     Attributes:
         kind: which point the workspaces are of.
@@ -52,7 +52,7 @@ class Study:
 def studied(
     candidates: Sequence[Candidate], kind: PointKind, X_MT: Pose, points: Sequence[TaskPoint]
 ) -> Study:
-    """Return the workspaces of arms and, where there are points, what they make of these.
+    """Return the workspaces of arms and, where there are points, the results for these.
 
     Args:
         candidates: arms and places of their bases; an arm may stand in several.

@@ -1,1 +1,1 @@
-"""Formulas: traced expressions, straight-line source, and what depends on given numbers alone."""
+"""Formulas: traced expressions, straight-line source, and parts that depend on given numbers alone."""

@@ -21,7 +21,7 @@ _INLINE_LENGTH = 72
 
 
 class Form(Enum):
-    """What the lines of a function may be."""
+    """Form of the lines of a function."""
 
     ANY = "any"
     STRAIGHT_LINE = "straight line"
@@ -37,8 +37,8 @@ class SourceFunction:
         signature: numba signature, such as `void(f8[::1], f8[::1])`.
         text: `def` statement without decorators; may use `math`, `np` and functions before it.
         bounds: CHECKED for a text that is not ours; an index beyond an array then ends the call.
-        form: STRAIGHT_LINE for what `emit` writes; it is compiled in a third of the time. ROW_BY_ROW for what
-            `row_by_row` makes of the function before it.
+        form: STRAIGHT_LINE for functions written by `emit`; they are compiled in a third of the time.
+            ROW_BY_ROW for functions made by `row_by_row` of the function before.
     """
 
     name: str
@@ -51,10 +51,10 @@ class SourceFunction:
 def emit(name: str, arguments: Sequence[str], results: Sequence[tuple[str, Scalar]]) -> SourceFunction:
     """Return the function of one-dimensional float64 arrays that assigns every result.
 
-    Operations that no result needs are left out. A value that is used once is written in place, others get
-    a name. All inputs are read before the first result is written, so that results may overwrite inputs.
-    Names are numbered as they come, so that the same operations give the same text whatever was traced
-    beside them: what is compiled of it is found again.
+    Operations that no result needs are left out. A value that is used once is written in place, others get a
+    name. All inputs are read before the first result is written, so that results may overwrite inputs. Names
+    are numbered as they come, so that the same operations have the same text, independent of other traced
+    operations: its compiled code is found again.
 
     Args:
         name: of the function.
@@ -91,7 +91,7 @@ def row_by_row(name: str, function: SourceFunction, shared: str) -> SourceFuncti
     """Return the function of arrays of rows that calls another one for every row; it must stand behind it.
 
     Compiled code takes several rows at a time, see `ropsim.codegen.vector.straight_line`: elementary
-    functions agree with those of Python's `math` to rounding. No row depends on another one.
+    functions agree with Python's `math` to rounding. No row depends on another one.
 
     Args:
         name: of the function.

@@ -1,8 +1,9 @@
-"""What a formula does with given numbers alone, done once: the constants of its generated code.
+"""Hoisting: operations of a formula on given numbers alone are done once, as constants of generated code.
 
-A formula reads numbers of a model beside what changes at every call. Its operations on those numbers alone
-move into a formula of their own, which is evaluated when the numbers are known; in the generated code their
-results stand as `constants[k]`. So other numbers need no other code, and cost nearly nothing while it runs.
+A formula reads numbers of a model and arguments that change at every call. Its operations on those numbers
+alone move into a formula of their own, which is evaluated when the numbers are known; in the generated code
+their results stand as `constants[k]`. So other numbers need no other code, and cost nearly nothing while it
+runs.
 """
 
 from collections.abc import Mapping, Sequence
@@ -12,9 +13,9 @@ from ropsim.codegen.formulas.tracer import Scalar, Tracer, reachable
 from ropsim.core import frozen_dataclass
 
 NUMBERS = "numbers"
-"""Name of the array from which a formula reads what is given."""
+"""Name of the array from which a formula reads the given numbers."""
 CONSTANTS = "constants"
-"""Name of the array from which generated code reads what has been made of it."""
+"""Name of the array from which generated code reads the constants."""
 
 
 @frozen_dataclass
@@ -33,13 +34,13 @@ class Hoisted:
 
 
 def given(tracer: Tracer, present: Sequence[bool]) -> list[Scalar]:
-    """Return the given numbers as scalars: those that are not `present` are the constant 0."""
+    """Return the given numbers as scalars: numbers that are not `present` are the constant 0."""
     zero = tracer.constant(0.0)
     return [tracer.variable(f"{NUMBERS}[{k}]") if there else zero for k, there in enumerate(present)]
 
 
 def hoisted(results: Sequence[Scalar]) -> Hoisted:
-    """Split a formula into what depends on given numbers alone and the rest.
+    """Split a formula into the part that depends on given numbers alone and the rest.
 
     Args:
         results: of the formula; all of one tracer.
@@ -55,7 +56,7 @@ def hoisted(results: Sequence[Scalar]) -> Hoisted:
 
 
 def _known(nodes: Sequence[Scalar]) -> set[int]:
-    """Return the nodes that read nothing but given numbers."""
+    """Return the nodes that read only given numbers."""
     found: set[int] = set()
     for node in nodes:
         leaf = node.value is not None or node.text.startswith(f"{NUMBERS}[")

@@ -56,7 +56,7 @@ class Scalar:
         tracer: the graph it belongs to.
         index: order of creation; arguments always come before their operation.
         op: `const`, `var`, `add`, `sub`, `mul`, `div`, `min`, `max` or a key of `UNARY`.
-        args: what the operation works on.
+        args: operands.
         text: where a variable is read from.
         value: the number of a constant, else None.
     """
@@ -194,7 +194,7 @@ def maximum(a: Scalar, b: Scalar) -> Scalar:
 
 
 def reachable(roots: Sequence[Scalar]) -> list[Scalar]:
-    """Return what the roots need, themselves included; arguments first."""
+    """Return the nodes that the roots need, the roots included; arguments first."""
     found: dict[int, Scalar] = {}
     stack = list(roots)
     while stack:

@@ -62,8 +62,8 @@ def column_lines(text: str, known: dict[str, float], places: dict[str, int]) -> 
         places: whole numbers by name.
 
     Raises:
-        ValueError: lines are none of columns, or what all columns share is of an array that they change, or
-            when the function is written, of one with two axes.
+        ValueError: the lines do not have the form of columns, or a value shared by all columns belongs to an
+            array that they change, or, for the generated function, to one with two axes.
     """
     (function,) = ast.parse(text).body
     assert isinstance(function, ast.FunctionDef)
@@ -148,7 +148,7 @@ class _Numbered(ast.NodeTransformer):
         self.changed: set[str] = set()
 
     def visit_Subscript(self, node: ast.Subscript) -> ast.Subscript | ast.Name:  # as ast calls it
-        """Return the subscript with the number of the row alone, or the name of what all columns share."""
+        """Return the subscript with the number of the row alone, or the name of the shared value."""
         if isinstance(node.ctx, ast.Store) and isinstance(node.value, ast.Name):
             self.changed.add(node.value.id)
         match node.slice:

@@ -12,7 +12,7 @@ VECTOR = ir.VectorType(REAL, LANES)
 _LANE = ir.IntType(32)
 _OPERATIONS = {ast.Add: "fadd", ast.Sub: "fsub", ast.Mult: "fmul", ast.Div: "fdiv"}
 _FOREIGN = ("sin", "cos", "tanh", "atan2")
-"""Functions of the C library, which Python's `math` calls, too."""
+"""Functions of the C library, which Python's `math` also calls."""
 _COMPARED = {"min": "<", "max": ">"}
 _CONDITIONS = {ast.Lt: "<", ast.LtE: "<=", ast.Gt: ">", ast.GtE: ">=", ast.Eq: "=="}
 _INTRINSIC = {"abs": "llvm.fabs", "sqrt": "llvm.sqrt", "rint": "llvm.rint"}
@@ -26,7 +26,7 @@ class Instructions:
     Args:
         builder: at its end.
         arrays: address of the first element by name.
-        values: those of names that stand for themselves.
+        values: values of names that represent themselves.
     """
 
     kind: ir.Type = REAL
@@ -90,14 +90,14 @@ class Instructions:
         return ir.Constant(REAL, number)
 
     def foreign(self, name: str, values: list[ir.Value]) -> ir.Value:
-        """Return what a function of the C library makes of numbers."""
+        """Return the result of a function of the C library."""
         found = self.builder.module.globals.get(name)
         if found is None:
             found = ir.Function(self.builder.module, ir.FunctionType(REAL, [REAL] * len(values)), name)
         return self.builder.call(found, values)
 
     def intrinsic(self, name: str, values: list[ir.Value]) -> ir.Value:
-        """Return what an instruction of the processor makes of values."""
+        """Return the result of an instruction of the processor."""
         kind = ir.FunctionType(self.kind, [self.kind] * len(values))
         return self.builder.call(
             self.builder.module.declare_intrinsic(f"{name}.{self.suffix}", (), kind), values

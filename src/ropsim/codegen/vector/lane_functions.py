@@ -1,8 +1,8 @@
 """Elementary functions of eight numbers at a time.
 
-Angles are taken off in multiples of π/2, whose first 99 bits stand in three numbers, and what is left goes
+Angles are taken off in multiples of π/2, whose first 99 bits stand in three numbers, and the remainder goes
 into polynomials (Sun Microsystems 1993, fdlibm: k_sin.c, k_cos.c, e_rem_pio2.c); farther out than a million
-the C library is asked. The hyperbolic tangent is m/(m + 2) with m = exp(2·|x|) - 1, by powers of 2 and the
+the C library is called. The hyperbolic tangent is m/(m + 2) with m = exp(2·|x|) - 1, by powers of 2 and the
 series of exp between them. The direction of (x, y) is a multiple of π/4 and an angle of less than π/8 on one
 side of it, by the polynomial of s_atan.c there. Errors are below 3e-16 of sine and cosine, and of the tangent
 as a share of it; of the direction below 4e-16 as a share.
@@ -33,7 +33,7 @@ u = z * (2.48015872894767294178e-05 + z * u) - 1.38888888888741095749e-03
 u = 4.16666666666666019037e-02 + z * u
 c = 1.0 - (0.5 * z - (z * z) * u)
 """
-"""Sine and cosine of what is left, and in the last bits of b the number of right angles taken off."""
+"""Sine and cosine of the remainder, and in the last bits of b the number of right angles taken off."""
 _SERIES = 13
 _GROWTH = f"""\
 y = min(2.0 * abs(x), 44.0)
@@ -146,7 +146,7 @@ def direction(module: ir.Module) -> ir.Function:
 
 
 class LaneFunctions(LaneValues):
-    """Lines of vectors in which elementary functions are asked for.
+    """Lines of vectors with elementary functions.
 
     Args:
         builder: at the end of the function.
@@ -178,8 +178,7 @@ def _turned(builder: ir.IRBuilder, value: ir.Value, quarters: ir.Value) -> ir.Va
     Args:
         builder: at the end of the function.
         value: of the angle in its quarter.
-        quarters: whole numbers whose last two bits tell the quarter; in the last two of four the sign
-            changes.
+        quarters: whole numbers whose last two bits are the quarter; in the last two of four the sign changes.
     """
     sign = builder.shl(builder.and_(quarters, _whole(2)), _whole(62))
     return builder.bitcast(builder.xor(builder.bitcast(value, _WHOLES), sign), VECTOR)
@@ -191,7 +190,7 @@ def _whole(number: int) -> ir.Value:
 
 
 def _of_each(lines: LaneValues, name: str, x: ir.Value) -> ir.Value:
-    """Return what a function of the C library makes of each number of a vector."""
+    """Return the results of a function of the C library for each number of a vector."""
     found = ir.Constant(VECTOR, ir.Undefined)
     for lane in range(LANES):
         found = lines.with_lane(found, lane, lines.foreign(name, [lines.lane(x, lane)]))

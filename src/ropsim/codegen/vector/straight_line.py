@@ -1,8 +1,8 @@
 """Straight-line source to instructions of LLVM, without numba's stages for programs of any kind.
 
-A formula of hundreds of lines has one type and no branch. Written down directly it is compiled in a third of
-the time. For arrays of rows each of its values becomes a vector, a lane for each row: processors work on four
-or eight numbers with one instruction, and no row depends on another one.
+A formula of hundreds of lines has a single type and no branch. Written down directly it is compiled in a
+third of the time. For arrays of rows each of its values becomes a vector, a lane for each row: processors
+work on four or eight numbers with one instruction, and no row depends on another one.
 """
 
 import ast
@@ -16,7 +16,7 @@ from ropsim.codegen.vector.lane_functions import LaneFunctions
 
 
 def straight_line(text: str) -> Callable[..., None]:
-    """Return a function for code that numba compiles; nobody else can call it.
+    """Return a function for code that numba compiles; other code cannot call it.
 
     Args:
         text: of a function of one-dimensional arrays of float64, as `emit` writes it.
@@ -76,7 +76,7 @@ def _written(module: ir.Module, function: ast.FunctionDef, names: list[str]) -> 
 
 
 class _Lanes(LaneFunctions):
-    """The lines of a function whose arrays are rows of eight lanes, but for one that they share.
+    """The lines of a function whose arrays are rows of eight lanes, except one that they share.
 
     Args:
         builder: at the end of the function.

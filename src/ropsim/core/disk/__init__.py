@@ -1,1 +1,1 @@
-"""Files, locks, folders of the user, and what is kept between processes."""
+"""Files, locks, folders of the user, and files kept between processes."""

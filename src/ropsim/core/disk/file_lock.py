@@ -10,12 +10,12 @@ from typing import IO, Self
 
 
 class LockState(Enum):
-    """What became of an attempt to lock a file.
+    """Result of an attempt to lock a file.
 
     Attributes:
         HELD: this process has the lock.
         BUSY: another process has it, or another handle of this one.
-        UNSUPPORTED: the file system has no locks: others may use the file, too.
+        UNSUPPORTED: the file system has no locks: other processes may also use the file.
     """
 
     HELD = "held"
@@ -27,7 +27,7 @@ def lock_handle(handle: int) -> LockState:
     """Lock an open file without waiting; the lock ends when its last handle is closed.
 
     Args:
-        handle: of a file. Windows locks its first byte, which nobody else can read meanwhile.
+        handle: of a file. Windows locks its first byte, which other processes cannot read meanwhile.
     """
     try:
         from filelock import lock_descriptor
@@ -41,7 +41,7 @@ class FileLock:
     """A lock on a file at a path; see `FileLock.taken`.
 
     Attributes:
-        state: HELD, or UNSUPPORTED where others may have the lock, too.
+        state: HELD, or UNSUPPORTED if others may also have the lock.
     """
 
     def __init__(self, stream: IO[bytes], state: LockState) -> None:

@@ -13,11 +13,11 @@ from ropsim.core.disk.temporary_file import temporary_file
 MOST_BYTES = 64_000_000
 """Bytes that a file may have where its reader names no other bound."""
 _WITHOUT_WAITING = getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
-"""A pipe is opened at once, whether somebody writes to it or not; ordinary files are read as ever."""
+"""Open pipes without waiting for a writer; no effect on ordinary files."""
 
 
 class NoOrdinaryFileError(OSError):
-    """What a path names is a folder, a device, a pipe or a socket."""
+    """A path names a folder, a device, a pipe or a socket."""
 
 
 class LongFileError(OSError):
@@ -25,7 +25,7 @@ class LongFileError(OSError):
 
 
 def read_bytes(path: Path, most: int = MOST_BYTES) -> bytes:
-    """Return the content of an ordinary file; nobody waits for a pipe, and no device is read without end.
+    """Return the content of an ordinary file; refuse pipes and devices, which could block or be endless.
 
     Args:
         path: of the file; links are followed.
@@ -40,9 +40,9 @@ def read_bytes(path: Path, most: int = MOST_BYTES) -> bytes:
 
 
 def read_own_bytes(path: Path, most: int = MOST_BYTES) -> bytes:
-    """Return the content of an ordinary file that nobody but the user could have written.
+    """Return the content of an ordinary file that only the user could have written.
 
-    A link to such a file will do: settings often lie elsewhere.
+    A link to the file is accepted: settings often lie elsewhere.
 
     Raises:
         OSError: as `read_bytes`; `PermissionError` where others may write the file.
@@ -54,14 +54,14 @@ def read_own_bytes(path: Path, most: int = MOST_BYTES) -> bytes:
 
 
 def _read(path: Path, most: int) -> tuple[bytes, os.stat_result]:
-    """Return what is in a file and what the system tells of the same file."""
+    """Return the content of a file and the system's facts on the same file."""
     handle = os.open(path, os.O_RDONLY | _WITHOUT_WAITING)
     with stream_of(handle, "rb") as stream:
         facts = os.fstat(handle)
         if not stat.S_ISREG(facts.st_mode):
             raise NoOrdinaryFileError(errno.EINVAL, "it is no ordinary file", str(path))
         content = stream.read(most + 1) if facts.st_size <= most else b""
-        if facts.st_size > most or len(content) > most:  # some files of the system do not tell their size
+        if facts.st_size > most or len(content) > most:  # some files of the system report no size
             raise LongFileError(errno.EFBIG, f"it has more than {_size(most)}", str(path))
     return content, facts
 
@@ -73,8 +73,8 @@ def _size(count: int) -> str:
 def replace_file(path: Path, content: bytes) -> None:
     """Write `content` to `path` in one step: a crash leaves the old file, never half a new one.
 
-    A link stays a link, its target is replaced. A replaced file keeps its permissions; a new one has those
-    that the system gives to new files. A device or a pipe, such as `/dev/null`, is written to, because it
+    A link stays a link, its target is replaced. A replaced file keeps its permissions; a new one has the
+    default permissions of the system. A device or a pipe, such as `/dev/null`, is written to, because it
     cannot be replaced.
 
     Raises:
@@ -91,7 +91,7 @@ def replace_file(path: Path, content: bytes) -> None:
 
 
 def _replace(place: Path, content: bytes, permissions: int | None) -> None:
-    """Put a file with these permissions in the place of another one; None for those of a new file."""
+    """Put a file with these permissions in the place of another one; None for the default permissions."""
     with temporary_file(place.parent, content, permissions, on_disk) as name:
         retried(partial(Path(name).replace, place))
 
@@ -103,7 +103,7 @@ def on_disk(stream: IO[bytes]) -> None:
 
 
 def replace_private_file(path: Path, content: bytes) -> None:
-    """Write `content` to `path` in one step; at no time can other users read it, nor look into a new folder.
+    """Write `content` to `path` in one step; at no time can other users read it, nor list a new folder.
 
     Raises:
         OSError: the folder cannot be written.
@@ -114,7 +114,7 @@ def replace_private_file(path: Path, content: bytes) -> None:
 
 
 def _mode(path: Path) -> int | None:
-    """Return type and permissions of what is at a path, None where nothing is."""
+    """Return type and permissions of the entry at a path, None without one."""
     try:
         return path.stat().st_mode
     except FileNotFoundError:

@@ -9,7 +9,7 @@ from typing import IO
 PAUSES = (0.01, 0.02, 0.04, 0.08, 0.16)
 """Before each further attempt [s]: a virus scanner or a reader holds a file about as long."""
 _HELD = (5, 32)
-"""What Windows reports: ERROR_ACCESS_DENIED and ERROR_SHARING_VIOLATION."""
+"""Error codes of Windows: ERROR_ACCESS_DENIED and ERROR_SHARING_VIOLATION."""
 
 
 @contextlib.contextmanager

@@ -2,7 +2,7 @@
 
 A path is resolved first. The place must lie in the folder, which may be reached by a link itself. Then each
 folder on the way is opened in the one before it, without following links: a link that another program puts
-there meanwhile is an error. Windows has no such handles: there the resolved path is used as it was checked.
+there meanwhile is an error. Windows has no handles of folders: there the checked resolved path is used.
 """
 
 import contextlib
@@ -25,7 +25,7 @@ _FOLDER = os.O_RDONLY | getattr(os, "O_DIRECTORY", 0)
 _READ = os.O_RDONLY | _BINARY | _NOFOLLOW | getattr(os, "O_NONBLOCK", 0)  # an empty pipe must not block
 _NEW = os.O_WRONLY | os.O_CREAT | os.O_EXCL | _BINARY | _NOFOLLOW
 _NO_LINKS = (errno.EPERM, errno.ENOTSUP, errno.EOPNOTSUPP, errno.ENOSYS, errno.EMLINK)
-"""What file systems without hard links say."""
+"""Error numbers of file systems without hard links."""
 OUTSIDE_PROJECT = define(
     "U962",
     "outside-project",
@@ -74,7 +74,7 @@ def place_inside(folder: Path, name: str | PurePath) -> Path:
 
 
 def stated_inside(folder: Path, path: str) -> Path:
-    """Return where a path leads that somebody has written into a file of the folder.
+    """Return the target of a path that is written in a file of the folder.
 
     It must be one on every system: neither absolute nor with a drive or `..`.
 
@@ -93,7 +93,7 @@ def read_inside(folder: Path, name: str | PurePath, most: int) -> bytes:
 
     Raises:
         LeadsOutError: the path leads out of the folder.
-        OSError: there is no such file, or it cannot be read.
+        OSError: the file does not exist, or cannot be read.
     """
     place = place_inside(folder, name)
     with _folder_of(folder, place) as around:
@@ -116,7 +116,8 @@ def replace_inside(
         folder: root.
         name: path inside of it.
         content: of the file from now on.
-        may_replace: called at the last moment, when the content is on the disk; raises what forbids it.
+        may_replace: called at the last moment, when the content is on the disk; raises an exception to forbid
+            it.
 
     Raises:
         LeadsOutError: the path leads out of the folder.
@@ -141,7 +142,7 @@ def create_inside(folder: Path, name: str | PurePath, content: bytes) -> None:
 
     Raises:
         LeadsOutError: the path leads out of the folder.
-        FileExistsError: there is such a file.
+        FileExistsError: the file exists.
         OSError: the file cannot be written.
     """
     place = place_inside(folder, name)
@@ -176,7 +177,7 @@ def _made(part: str, around: int) -> int:
 
 @contextlib.contextmanager
 def _folder_of(folder: Path, place: Path, enter: Callable[[str, int], int] = _opened) -> Iterator[int | None]:
-    """Hold the folder in which a resolved place is by a handle; None on systems without such handles."""
+    """Hold the folder of a resolved place by a handle; None on systems without handles of folders."""
     root = Path(os.path.realpath(folder))
     inside = place.relative_to(root)
     if enter is _made:

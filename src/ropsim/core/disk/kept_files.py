@@ -1,9 +1,9 @@
 """The one door to everything that is kept between processes because it can be made again.
 
 Compiled kernels, Prolog's machine code and started images, and answers of the compiler lie in rooms of the
-user's cache folder. Each entry is sealed; each room has a largest size, beyond which the entries go that
-were not used for longest. A process without such a folder, or with a full or read-only disk, works without:
-it makes everything anew.
+user's cache folder. Each entry is sealed; each room has a largest size, beyond which the least recently used
+entries are removed. A process without this folder, or with a full or read-only disk, works without it: it
+makes everything anew.
 
 Two guards keep foreign machine code from being run:
 
@@ -11,7 +11,7 @@ Two guards keep foreign machine code from being run:
   can have written anything is not read at all.
 - *The seal* finds damage and mix-ups: it is a digest of room, name and content, so that a file that was cut
   off, changed, or copied under another name is no entry. It is no signature. A secret key would add nothing:
-  who can write into a folder of the user with permissions 0700 can read a key with permissions 0600, too.
+  who can write into a folder of the user with permissions 0700 can read a key with permissions 0600.
 
 An entry is read once, through the descriptor that was checked, and these bytes are used.
 """
@@ -34,7 +34,7 @@ _TURN = "turn-"
 _TURNS = 64
 """Number of these files: two things of one file wait for each other, which costs time only."""
 _findings: dict[str, Diagnostic] = {}
-"""Why folders are not used in this process, by what is wrong."""
+"""Why folders are not used in this process, by reason."""
 FOREIGN_CACHE = define(
     "X918",
     "cache-not-your-own",
@@ -77,7 +77,7 @@ class KeptFiles:
         self._room, self._most, self._largest, self._around = room, most, largest, around
 
     def find(self, name: str) -> bytes | None:
-        """Return an entry as it was given; None where none is there, whole and the user's own."""
+        """Return an entry as stored; None unless there is an intact one owned by the user."""
         try:
             with self._opened() as room:
                 content = room.read(name, _SEAL + self._largest)

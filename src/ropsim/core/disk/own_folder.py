@@ -79,7 +79,7 @@ class OwnFolder:
 
     @classmethod
     def made_at(cls, path: Path) -> "OwnFolder":
-        """Return the folder at an absolute path; what of the path is missing is made for the user alone.
+        """Return the folder at an absolute path; missing folders of the path are made for the user alone.
 
         Raises:
             ForeignFolderError: as `at`; or root would make it in the folder of another user, who could not
@@ -104,7 +104,7 @@ class OwnFolder:
         return OwnFolder(self.path / name, _opened_folder(self.path / name, self._at(name), self._handle))
 
     def made_inner(self, name: str) -> "OwnFolder":
-        """Return a folder in this one, made where it is missing; others cannot look into it.
+        """Return a folder in this one, made where it is missing; others cannot read it.
 
         Raises:
             ForeignFolderError: as `inner`.
@@ -150,7 +150,7 @@ class OwnFolder:
             retried(lambda: os.replace(new, self._at(name), src_dir_fd=around, dst_dir_fd=around))
 
     def remove(self, name: str) -> None:
-        """Remove a file; one that is gone, or cannot be removed, stays so."""
+        """Remove a file; a missing or undeletable one is ignored."""
         with contextlib.suppress(OSError):
             os.unlink(self._at(name), dir_fd=self._handle)
 
@@ -176,7 +176,7 @@ class OwnFolder:
 
 
 def _opened_folder(path: Path, name: str, around: int | None) -> int | None:
-    """Return the descriptor of a folder that is the user's own; None where folders have none."""
+    """Return the descriptor of the user's own folder; None on systems without such descriptors."""
     if not _HAS_OWNERS:
         facts = os.lstat(path)
         if not stat.S_ISDIR(facts.st_mode) or getattr(facts, "st_reparse_tag", False):
@@ -199,7 +199,7 @@ def _opened_folder(path: Path, name: str, around: int | None) -> int | None:
 
 
 def _check_not_of_others(around: Path) -> None:
-    """Raise `ForeignFolderError` where root would make a folder among those of another user."""
+    """Raise `ForeignFolderError` where root would make a folder among folders of another user."""
     if _HAS_OWNERS and os.geteuid() == 0:
         owner = around.stat().st_uid
         if owner != 0:
@@ -207,5 +207,5 @@ def _check_not_of_others(around: Path) -> None:
 
 
 def _is_own(facts: os.stat_result) -> bool:
-    """Return whether something belongs to the user, and nobody else can write to it."""
+    """Return whether something belongs to the user, and no other user can write to it."""
     return not _HAS_OWNERS or (facts.st_uid == os.geteuid() and not facts.st_mode & _OTHERS_WRITE)

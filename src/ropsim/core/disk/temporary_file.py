@@ -1,8 +1,8 @@
-"""Temporary files next to the files that they become, and the removal of those that a killed process left.
+"""Temporary files next to the files that they become, and the removal of files left by a killed process.
 
 A process holds a lock on its temporary file until the file has its final name. The system frees the lock when
-the process ends, so a file that can be locked is left over. Systems without such locks, as Windows, and file
-systems without them keep what a kill leaves.
+the process ends, so a file that can be locked is left over. Systems without these locks, such as Windows, and
+file systems without them keep files left by a kill.
 """
 
 import contextlib
@@ -28,7 +28,7 @@ _ATTEMPTS = 5
 
 
 def _nothing(_: IO[bytes]) -> None:
-    """Leave the stream as it is."""
+    """Leave the stream unchanged."""
 
 
 @contextlib.contextmanager
@@ -38,15 +38,15 @@ def temporary_file(
     permissions: int | None = 0o600,
     finish: Callable[[IO[bytes]], None] = _nothing,
 ) -> Iterator[str]:
-    """Write a file for the block to rename or to link; it is gone afterwards unless it was renamed.
+    """Write a file for the block to rename or to link; it is removed afterwards unless it was renamed.
 
     Files that killed processes have left in the folder are removed first.
 
     Args:
         folder: path, or handle of a folder that is open.
         content: of the file.
-        permissions: of the file once it is written; until then only the user can open it. None for those that
-            the system gives to new files: then it has them from the start.
+        permissions: of the file once it is written; until then only the user can open it. None for the
+            default permissions of the system, in force from the start.
         finish: called with the written stream before it is closed.
 
     Yields:
@@ -75,7 +75,7 @@ def temporary_file(
 
 
 def _set_permissions(handle: int, name: str, permissions: int) -> None:
-    """Give an open file its permissions if it shows others: not every file system can change them."""
+    """Set the permissions of an open file if they differ: not every file system can change them."""
     if stat.S_IMODE(os.fstat(handle).st_mode) != permissions:
         os.chmod(handle if _CHANGED_BY_HANDLE else name, permissions)  # noqa: PTH101 - paths have no handle
 
@@ -97,7 +97,7 @@ def remove_left_files(folder: Path | int) -> None:
 
 
 def _remove_left(folder: Path | int, name: str) -> None:
-    """Remove a file of the user that nobody holds; others stay.
+    """Remove a file of the user that no process holds; others stay.
 
     Raises:
         OSError: the system does not let it be removed.

@@ -2,7 +2,7 @@
 
 A variable of the environment counts only where it names an absolute path, as the XDG base directory
 specification demands: an empty or relative one would lead into the working folder, and so into a project that
-somebody else wrote. `platformdirs` knows the rules of each system. It is imported with the first folder that
+another person wrote. `platformdirs` has the rules of each system. It is imported with the first folder that
 no variable of ropsim names, because `ropsim --version` needs none.
 """
 
@@ -22,7 +22,7 @@ _MAC = "~/Library/Application Support"
 
 
 def cache_folder() -> Path:
-    """Return the folder of what can be made again, such as compiled code; see `ropsim.core.disk.kept_files`.
+    """Return the folder of reproducible data, such as compiled code; see `ropsim.core.disk.kept_files`.
 
     Raises:
         OSError: the user has no home folder.
@@ -40,7 +40,7 @@ def configuration_folder() -> Path:
 
 
 def state_folder() -> Path:
-    """Return the folder of what a program wants to find again, such as unsaved texts.
+    """Return the folder of persistent data of a program, such as unsaved texts.
 
     Raises:
         OSError: the user has no home folder.

@@ -1,1 +1,1 @@
-"""Poses of all bodies of a cell, rays, ground, and on what parts lie."""
+"""Poses of all bodies of a cell, rays, ground, and supports of parts."""

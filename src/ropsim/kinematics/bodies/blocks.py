@@ -1,4 +1,4 @@
-"""Blocks: solids of the cell as boxes in the world, many at a time, to see what stands on what."""
+"""Blocks: solids of the cell as boxes in the world, many at a time, to find supports."""
 
 from collections.abc import Iterable, Mapping
 
@@ -80,7 +80,7 @@ def part_blocks(parts: Iterable[tuple[Part, Pose]]) -> Blocks:
 
 
 def shape_blocks(shapes: Mapping[str, Iterable[Shape]], poses: Mapping[str, Pose]) -> Blocks:
-    """Return the blocks of the shapes of bodies; lines and meshes have none.
+    """Return the blocks of the shapes of bodies; lines and meshes have no blocks.
 
     Args:
         shapes: of each body, by name.
@@ -113,7 +113,7 @@ def _radius(solid: Solid, pose: Pose) -> float:
 
 
 def _bounds(solid: Solid) -> tuple[list[float], list[float]] | None:
-    """Return the corners of the box around a solid in its own frame [m]; None where it has none."""
+    """Return the corners of the box around a solid in its own frame [m]; None if it is unbounded."""
     match solid:
         case Box(size):
             return [-edge / 2.0 for edge in size], [edge / 2.0 for edge in size]

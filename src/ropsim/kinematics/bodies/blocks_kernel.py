@@ -15,7 +15,8 @@ TURN, HALF, RADIUS, LOW, HIGH = 3, 12, 15, 16, 19
 LINES = 7
 """Lines along each side of the footprint."""
 INSET = 0.002
-"""The outermost lines are so far within the footprint [m]: what touches a part at its side is not below."""
+"""Inset of the outermost lines from the footprint [m]: a body that touches a part at its side is not
+below."""
 TOUCH = 1e-9
 """Up to this depth bodies touch: it is the rounding of poses [m]."""
 FLAT = 1e-12
@@ -60,7 +61,7 @@ def pair_gaps(parts: Array2, others: Array2, pairs: Array2, room: Array2, found:
 
     Args:
         parts: boxes of parts, shape (k, `WIDTH`).
-        others: boxes of what may be below, shape (m, `WIDTH`).
+        others: boxes of bodies that may be below, shape (m, `WIDTH`).
         pairs: numbers of a part, in order, and of the other, shape (p, 2).
         room: room to work in, shape (4, `LINES`²).
         found: gap [m], infinite where the other is not below: it must begin lower than the part, as a whole
@@ -86,13 +87,13 @@ def stand_rows(
 
     Args:
         parts: boxes of parts, shape (k, `WIDTH`).
-        others: boxes of all that can carry, shape (m, `WIDTH`).
+        others: boxes of all possible supports, shape (m, `WIDTH`).
         owners: which part each of these is, -1.0 for none: it does not carry itself, shape (m,).
-        pairs: numbers of a part, in order, and of what may carry it, shape (p, 2).
+        pairs: numbers of a part, in order, and of its possible support, shape (p, 2).
         gap: greatest height above a support that counts as standing on it [m].
         room: room to work in, shape (4, `LINES`²).
-        found: the number of what carries each part, -1.0 for nothing; that of what it is in, -1.0 for
-            nothing; how deep [m]; shape (k, 3).
+        found: the number of the support of each part, -1.0 for none; of the body that it overlaps, -1.0 for
+            none; the depth [m]; shape (k, 3).
     """
     for i in range(parts.shape[0]):
         found[i, 0] = found[i, 1] = -1.0

@@ -19,7 +19,7 @@ def strut_frames(mechanism: Mechanism, strut: Strut, frames: Array) -> Array:
 
     Args:
         mechanism: that has the joint of the linkage.
-        strut: which pin, and of what.
+        strut: number of the pin, and drive.
         frames: of all links, as `frames_batch` returns them, shape (k, links + 1, 4, 4).
     """
     joint = mechanism.joints[strut.joint]
@@ -56,7 +56,7 @@ def body_poses(
 ) -> dict[str, Array]:
     """Return the poses X_WB of bodies for k configurations as homogeneous matrices, by name.
 
-    X_WB = X_WP · X_PB for what stands still on its parent P; a link follows its joint.
+    X_WB = X_WP · X_PB for a body fixed on its parent P; a link follows its joint.
 
     Args:
         tree: the bodies at time 0.
@@ -65,7 +65,7 @@ def body_poses(
         elsewhere: parent and X_PB of the bodies that hang elsewhere than in the tree, by name.
 
     Returns:
-        Matrices of shape (k, 4, 4); those of a body that no joint moves are one matrix seen k times.
+        Matrices of shape (k, 4, 4); for a body that no joint moves, one matrix as a view of k rows.
 
     Raises:
         ArrayShapeError: M551, coordinates have another shape.

@@ -1,4 +1,4 @@
-"""What stands still around the parts of a cell, and how the parts stand when a run starts."""
+"""Fixed bodies around the parts of a cell, and supports of the parts at the start of a run."""
 
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
@@ -12,13 +12,13 @@ from ropsim.spatial import Array, Pose, record
 
 @record
 class Ground:
-    """What stands still in a cell: fixed objects, and the bases of devices.
+    """Fixed bodies of a cell: fixed objects, and the bases of devices.
 
     Attributes:
         poses: X_WB by name.
         blocks: of their shapes.
-        known: whether it is known what carries the parts: something but the carriages of arms is there,
-            nothing of it drawn by a mesh.
+        known: whether the supports of parts are known: there are bodies other than the carriages of arms,
+            none of them drawn by a mesh.
     """
 
     poses: Mapping[str, Pose]
@@ -27,7 +27,7 @@ class Ground:
 
 
 def ground_of(tree: BodyTree) -> Ground:
-    """Return what stands still in a cell.
+    """Return the fixed bodies of a cell.
 
     Args:
         tree: the bodies of the cell.
@@ -45,7 +45,7 @@ def ground_of(tree: BodyTree) -> Ground:
 def standings_at_start(cell: Cell) -> tuple[tuple[Part, Standing], ...]:
     """Return how each part stands at time 0, of a supply the first one.
 
-    Nothing where it is not known what stands around.
+    None if the surroundings are unknown.
     """
     there = [part for part in cell.parts if part.turn == 0]
     bearing = bearing_at_start(cell)
@@ -57,7 +57,7 @@ def standings_at_start(cell: Cell) -> tuple[tuple[Part, Standing], ...]:
 
 
 def bearing_at_start(cell: Cell) -> Blocks | None:
-    """Return what can carry parts at time 0, but for parts; None where it is not known what stands around."""
+    """Return the supports of parts at time 0, except parts; None if the surroundings are unknown."""
     tree = body_tree(replace(cell, parts=()))
     ground = ground_of(tree)
     if not ground.known:

@@ -9,9 +9,9 @@ from ropsim.spatial import Array
 def nearest_along(blocks: Blocks, origin: Array, direction: Array) -> float:
     """Return the distance along a ray to the nearest block [m]; infinite where it meets none.
 
-    A box is what lies between three pairs of planes: the ray is in it from the last one that it enters until
-    the first one that it leaves (slabs, Kay & Kajiya 1986). An upright cylinder is the box along z cut by a
-    round wall. A ray that begins in a block is at distance 0.
+    A box is the intersection of three pairs of planes: the ray is in it from the last one that it enters
+    until the first one that it leaves (slabs, Kay & Kajiya 1986). An upright cylinder is the box along z cut
+    by a round wall. A ray that begins in a block is at distance 0.
 
     Args:
         blocks: boxes and upright cylinders in the world frame W.

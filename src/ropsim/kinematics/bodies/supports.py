@@ -1,7 +1,7 @@
-"""Supports: what a part stands on, and what it is in.
+"""Supports: the body below a part, and bodies that it overlaps.
 
-A part is looked at along vertical lines through its footprint. The gap on a line is the height of its lower
-end above the upper end of what is below. The floor is the plane z = 0 of the world.
+A part is tested along vertical lines through its footprint. The gap on a line is the height of its lower end
+above the upper end of the body below. The floor is the plane z = 0 of the world.
 """
 
 from collections import defaultdict
@@ -19,7 +19,7 @@ from ropsim.spatial import Array, frozen
 FEW = 4
 """Fewer parts than this are compared with everything."""
 MOST_CELLS = 256
-"""What covers more cells of the grid than this is compared with every part."""
+"""A body that covers more cells of the grid than this is compared with every part."""
 
 
 @frozen_dataclass
@@ -42,7 +42,7 @@ def standings(parts: Blocks, others: Blocks, gap: float) -> list[Standing]:
 
     Args:
         parts: one block for each part.
-        others: all that can carry; a part that is among them does not carry itself.
+        others: possible supports; a part that is among them does not carry itself.
         gap: greatest height above a support that counts as standing on it [m].
     """
     pairs = (_every_pair if len(parts.owners) < FEW else _side_by_side)(parts, others)
@@ -57,7 +57,7 @@ def standings(parts: Blocks, others: Blocks, gap: float) -> list[Standing]:
 
 
 def height_above(parts: Blocks, row: int, others: Blocks) -> tuple[float, str]:
-    """Return the height of a part above what is next below it [m], and its name: `WORLD` for the floor.
+    """Return the height of a part above the nearest body below it [m], and its name: `WORLD` for the floor.
 
     The floor is meant below it only where nothing else is: the height is negative then.
     """
@@ -79,7 +79,7 @@ def height_above(parts: Blocks, row: int, others: Blocks) -> tuple[float, str]:
 def _standing(
     names: tuple[str, ...], on: int, inside: int, depth: float, height: float, gap: float
 ) -> Standing:
-    """Return how a part stands, by the numbers of what carries it and of what it is in, negative for none."""
+    """Return how a part stands, by the numbers of its support and an overlapped body, negative for none."""
     below = WORLD if abs(height) <= gap else None
     return Standing(names[on] if on >= 0 else below, names[inside] if inside >= 0 else "", depth)
 
@@ -99,7 +99,7 @@ def _side_by_side(parts: Blocks, others: Blocks) -> Array:
     """Return the pairs (part, other) whose footprints may meet, in order, shape (p, 2).
 
     Footprints are entered into a grid whose cells are as large as half of the parts, so that a part is only
-    compared with what is in its own cells.
+    compared with bodies in its cells.
     """
     low, high = parts.low, parts.high
     low_others, high_others = others.low, others.high

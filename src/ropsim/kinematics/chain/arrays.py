@@ -1,4 +1,4 @@
-"""What kernels need of a robot as plain arrays, made once per robot, and checks of arrays at the door."""
+"""Data of a robot for kernels as plain arrays, made once per robot, and checks of input arrays."""
 
 from functools import lru_cache
 
@@ -59,7 +59,7 @@ class ChainArrays:
         return len(self.spread) == 0 and len(self.slides) == self.n
 
     def steps(self, rows: Array) -> Array:
-        """Return the coordinates of the steps for those of the axes, shape (k, m) for (k, n)."""
+        """Return the coordinates of the steps for coordinates of the axes, shape (k, m) for (k, n)."""
         return rows if self.parallel else np.asarray(rows @ self.spread[:, :-1].T + self.spread[:, -1])
 
 

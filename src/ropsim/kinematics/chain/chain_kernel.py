@@ -1,11 +1,11 @@
 """The chain of an arm in plain loops that numba compiles: forward kinematics, and steps to poses.
 
 The steps are for six turning joints whose model is off its class by rounding, and whose closed form thus
-gives nearly an answer. The error e of `polish_kernel.py`, of which the small angles are the vector part, is
-measured on the arm as it is; J·Δq = e is solved as if it were exactly of its class, where J falls into a
+yields nearly an answer. The error e of `polish_kernel.py`, of which the small angles are the vector part, is
+measured on the actual arm; J·Δq = e is solved as if it were exactly of its class, where J falls into a
 number, two links in a plane and three turns. A step leaves an error of the snap of the arm times Δq, and of
-half of the second derivative of the pose times the squares of Δq: after one that is small enough for both
-nothing has to be looked at again.
+half of the second derivative of the pose times the squares of Δq: after one that is small enough for both no
+further check is needed.
 """
 
 from math import ceil, pi
@@ -14,7 +14,7 @@ from ropsim.codegen import Array1, Array2, Array3, kernel
 from ropsim.spatial import Array
 
 PER_QUARTER = 0.6366197723675814
-"""2/π: so many quarter turns has an angle of 1 rad."""
+"""2/π: number of quarter turns in 1 rad."""
 ROUNDING = 6755399441055744.0
 """1.5·2^52: a number added to it and taken away again is rounded to a whole one."""
 HIGH, MIDDLE, LOW = 1.5707963267341256, 6.077100506303966e-11, 2.0222662487959506e-21
@@ -32,14 +32,14 @@ LANES = 8
 FRAME, COS, SIN = 112, 96, 104
 ERROR, STEP, SIZE, BEND, ANGLES, TURNS, ROOM = 896, 968, 1016, 1024, 1032, 1080, 1176
 """Where numbers lie in `room`, eight of each: eight frames, the first one the base, each as rows of R with p
-behind each, and cosine and sine of the turn to the next one; what is left to move and to turn, and the place
-of P; steps, how far they go; angles, and cosines and sines of them. At fixed distances a compiler sees that
+behind each, and cosine and sine of the turn to the next one; the remaining displacement and rotation, and the
+place of P; steps, their sizes; angles, and cosines and sines of them. At fixed distances a compiler sees that
 loops over the eight may be taken side by side.
 """
 WIDE = 16
 """Poses that are computed side by side: fewer do not keep the processor busy."""
 POSE, POSES = 12 * WIDE, 15 * WIDE
-"""Of each R by rows and p, and behind them what moves it. How many numbers that is."""
+"""Number of values per joint: R by rows, p, and the data of its motion."""
 Three = tuple[float, float, float]
 BENT = 1e-9
 """A matrix whose turn from the arm's frame is farther from a rotation [sum of entries] is no pose."""
@@ -81,7 +81,7 @@ def _go_on(chain: Array, at: int, room: Array) -> None:
 
     Args:
         chain: `ChainArrays.flat`, shape (14·n + 12,).
-        at: where the joint begins in it; what is next has the same places behind it.
+        at: where the joint begins in it; the next one has the same places behind it.
         room: R by rows and p of each pose, and the coordinates [rad | m], shape (`POSES`,).
     """
     slides, offset = chain[at + 12], chain[at + 13]
@@ -255,7 +255,7 @@ def _level_steps(room: Array) -> None:
 def _first_step(
     room: Array, lane: int
 ) -> tuple[float, float, float, float, float, float, float, float, float, float]:
-    """Return the step of axis 1, the direction u of axis 2, and what is left to move and to turn.
+    """Return the step of axis 1, the direction u of axis 2, and the remaining displacement and rotation.
 
     P moves along u by axis 1 only.
     """

@@ -1,6 +1,6 @@
 """Closed chains: the coordinates that they determine, found by Newton's method from the home position.
 
-A cut holds two frames together in some directions. What is left between them is made zero by Gauss and
+A cut holds two frames together in some directions. The residual between them is made zero by Gauss and
 Newton, in small steps of the axes from the home position, so that a chain that can be assembled in several
 ways stays in the one nearest to passive coordinates of zero at home.
 """
@@ -35,11 +35,11 @@ def step_frames(tree: TreeArrays, rows: Array) -> Array:
 
 
 def closure(tree: TreeArrays, loops: Loops, q: Array) -> tuple[Array, Array]:
-    """Return how well closed chains close at axes q (n,), and how that depends on what they determine.
+    """Return the residuals of closed chains at axes q (n,), and their slopes by the dependent coordinates.
 
     Returns:
-        What is left between the frames of all cuts [m, rad], shape (6·cuts,), 0 in directions not held; and
-        its slopes by the p coordinates that the chains determine, shape (6·cuts, p).
+        Residuals between the frames of all cuts [m, rad], shape (6·cuts,), 0 in directions not held; and its
+        slopes by the p coordinates that the chains determine, shape (6·cuts, p).
     """
     moved = tree.steps(q[np.newaxis])[0]
     return _left_and_slopes(tree, loops, moved, _closed(tree, loops, q))
@@ -66,7 +66,7 @@ def _assembled(tree: TreeArrays, loops: Loops, moved: Array, z: Array) -> Array:
 
 
 def _left_and_slopes(tree: TreeArrays, loops: Loops, moved: Array, z: Array) -> tuple[Array, Array]:
-    """Return what is left at z (p,), shape (6·cuts,), and its slopes by z, shape (6·cuts, p)."""
+    """Return the residuals at z (p,), shape (6·cuts,), and its slopes by z, shape (6·cuts, p)."""
     apart = DIFFERENCE * np.eye(len(z))
     beside = np.concatenate((z[np.newaxis], z + apart, z - apart))
     left = _left(loops, placed_steps(tree, moved + beside @ loops.P.T))
@@ -74,7 +74,7 @@ def _left_and_slopes(tree: TreeArrays, loops: Loops, moved: Array, z: Array) -> 
 
 
 def _left(loops: Loops, frames: Array) -> Array:
-    """Return what is left between the frames of all cuts [m, rad], shape (k, 6·cuts); 0 where not held."""
+    """Return the residuals between the frames of all cuts [m, rad], shape (k, 6·cuts); 0 where not held."""
     found = []
     for (one, other), (X_1, X_2), held in zip(loops.carriers, loops.frames, loops.held, strict=True):
         first = X_1 if one == BASE_LINK else frames[:, one] @ X_1

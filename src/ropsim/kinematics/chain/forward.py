@@ -75,7 +75,7 @@ def forward_batch(robot: Mechanism, Q: npt.ArrayLike) -> Array:
 
     Args:
         robot: mechanism with n axes.
-        Q: coordinates of the axes [rad | m], shape (k, n); a row with NaN gives a matrix with NaN.
+        Q: coordinates of the axes [rad | m], shape (k, n); a row with NaN yields a matrix with NaN.
 
     Raises:
         ArrayShapeError: M551, Q has another shape.

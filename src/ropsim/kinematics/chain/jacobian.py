@@ -49,7 +49,7 @@ def jacobian_at(robot: Mechanism, q: npt.ArrayLike, X_MT: Pose) -> Array:
 
 
 def frame_and_jacobian(robot: Mechanism, q: npt.ArrayLike, X_MT: Pose) -> tuple[Array, Array]:
-    """Return X_BT of a tool, homogeneous (4, 4), and what `jacobian_at` returns, at once.
+    """Return X_BT of a tool, homogeneous (4, 4), and the result of `jacobian_at`, in one call.
 
     Args:
         robot: mechanism with n axes.

@@ -1,10 +1,9 @@
 """Whether the closed chains of a mechanism leave its axes, and only these, free.
 
 A mechanism has as many axes as freedoms: each coordinate is an axis, follows axes by a coupling, or is
-determined by a closed chain. The last is a question of rank: of the slopes of what is left between the
+determined by a closed chain. The last is a question of rank: of the slopes of the residuals between the
 frames of the cuts, at the home position, by the coordinates that the chains are to determine. Counting
-directions that are held (Grübler, Kutzbach) does not answer it: it takes a planar linkage in space for
-stiff.
+directions that are held (Grübler, Kutzbach) does not answer it: it takes a planar linkage in space for stiff.
 """
 
 from collections.abc import Iterator
@@ -27,7 +26,7 @@ NUDGE = 1e-3
 
 
 def loop_freedom(mechanism: Mechanism) -> tuple[Diagnostic, ...]:
-    """Return what keeps closed chains from following the axes, at the home position.
+    """Return the reasons why closed chains do not follow the axes, at the home position.
 
     Args:
         mechanism: without contradictions (`ropsim.model.mechanism_findings`).

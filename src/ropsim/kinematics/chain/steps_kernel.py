@@ -27,7 +27,7 @@ def frames_and_jacobians(
         frames: room to work in, shape (m + 1, 12).
         lanes: room to work in, shape (7, m).
         T: where the frames X_BT go, homogeneous, shape (k, 4, 4).
-        J: zeros, where the Jacobians go; those of axes that do not move the tool stay, shape (k, 6, n).
+        J: zeros, where the Jacobians go; columns of axes that do not move the tool stay, shape (k, 6, n).
     """
     last = frames.shape[0] - 1
     M = frames[last]
@@ -48,7 +48,7 @@ def frames_and_jacobians(
 
 @kernel
 def spread_over(spread: Array2, q: Array1, steps: Array1) -> None:
-    """Write the coordinates of the steps (m,) for those of the axes, the first n numbers of q."""
+    """Write the coordinates of the steps (m,) from coordinates of the axes, the first n numbers of q."""
     n = spread.shape[1] - 1
     for i in range(steps.shape[0]):
         if spread.shape[0] == 0:

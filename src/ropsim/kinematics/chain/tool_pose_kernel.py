@@ -33,18 +33,18 @@ def write_tool_pose(
 
 @kernel
 def write_pose_product(X_AB: Array1, X_BC: Array1, X_AC: Array1) -> None:
-    """Write the product of two poses, bit by bit as `Pose` does; neither is looked at whether it is none.
+    """Write the product of two poses, bit by bit as `Pose` does; the poses are not checked.
 
     Args:
         X_AB: position [m] and unit quaternion (w, x, y, z), shape (7,).
-        X_BC: likewise.
-        X_AC: where the product goes, likewise.
+        X_BC: 4x4 pose as X_AB.
+        X_AC: product, in the same form.
     """
     _write_product(X_AB, X_BC[:3], X_BC[3:], X_AC)
 
 
 def _write_product(X_AB: Array, position: Array, orientation: Array, X_AC: Array) -> None:
-    """Write a product, maybe over its first factor."""
+    """Write a product, possibly over its first factor."""
     w, x, y, z = X_AB[3], X_AB[4], X_AB[5], X_AB[6]
     a, b, c = position[0], position[1], position[2]
     tx, ty, tz = 2.0 * (y * c - z * b), 2.0 * (z * a - x * c), 2.0 * (x * b - y * a)
@@ -68,7 +68,7 @@ def write_tool_places(chain: Array1, Q: Array2, points: Array2, X_BM: Array3, ro
     Args:
         chain: `ChainArrays.flat`.
         Q: coordinates of the steps [rad | m], shape (k, m).
-        points: in M [m], become those in the base frame, shape (k, 3).
+        points: in M [m], replaced by points in the base frame, shape (k, 3).
         X_BM: where the poses of M go, shape (k, 4, 4).
         room: room to work in, shape (`POSES`,).
     """

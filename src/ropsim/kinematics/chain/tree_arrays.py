@@ -24,7 +24,7 @@ class Loops:
         P: coordinates of the steps for those, shape (m, p).
         home: coordinates of the axes where the search begins [rad | m], shape (n,).
         carriers: the two steps that each cut holds together, -1 for the base.
-        frames: the two frames in those of their steps, shape (cuts, 2, 4, 4).
+        frames: the two frames in the frames of their steps, shape (cuts, 2, 4, 4).
         held: directions that are held, 1.0 or 0.0: along x, y, z and about them, shape (cuts, 6).
     """
 
@@ -53,7 +53,7 @@ class TreeArrays:
         direct: whether link i is step i, and its frame that of the step.
         interface: number of the link that carries the interface.
         X_LM: interface in the frame of that link, shape (4, 4).
-        loops: what closes loops; None without any.
+        loops: loop data; None without any.
     """
 
     R: Array
@@ -72,7 +72,7 @@ class TreeArrays:
     loops: Loops | None
 
     def steps(self, rows: Array) -> Array:
-        """Return the coordinates of the steps for those of the axes, shape (count, m) for (count, n)."""
+        """Return coordinates of the steps, shape (count, m), from coordinates of the axes (count, n)."""
         return rows if self.parallel else np.asarray(rows @ self.spread[:, :-1].T + self.spread[:, -1])
 
 

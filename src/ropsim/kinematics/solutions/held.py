@@ -16,8 +16,8 @@ def in_arm_base(robot: RobotModel, held: HeldArm, q: Array, T: Array) -> Array:
     Args:
         robot: with external axes.
         held: its arm.
-        q: coordinates of the axes, those of the external ones count [rad | m], shape (n,) for all poses or
-            (k, n) for each of them.
+        q: coordinates of the axes, only the external ones count [rad | m], shape (n,) for all poses or (k, n)
+            for each of them.
         T: poses in the base frame of the robot, shape (k, 4, 4).
     """
     if held.carrier == BASE_LINK:
@@ -31,12 +31,12 @@ def in_arm_base(robot: RobotModel, held: HeldArm, q: Array, T: Array) -> Array:
 
 
 def of_robot(held: HeldArm, q: Array, found: Array) -> Array:
-    """Return coordinates of all axes for those of the arm.
+    """Return coordinates of all axes from coordinates of the arm.
 
     Args:
         held: the arm.
-        q: coordinates of all axes, those of the external ones are kept [rad | m], shape (n,), or (k, n) with
-            a row for each of the k rows of `found`.
+        q: coordinates of all axes, the external ones are kept [rad | m], shape (n,), or (k, n) with a row for
+            each of the k rows of `found`.
         found: of the arm, NaN rows stay NaN, shape (..., axes of the arm).
     """
     if q.ndim == 2:

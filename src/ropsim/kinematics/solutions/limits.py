@@ -1,4 +1,4 @@
-"""Joint limits seen from a branch: in which turn it comes nearest to them, and what it exceeds."""
+"""Joint limits seen from a branch: its turns nearest to them, and its violations."""
 
 import numpy as np
 import numpy.typing as npt
@@ -29,7 +29,7 @@ def turned_to_limits(robot: RobotModel, q: npt.ArrayLike) -> Array:
 def limit_violations(robot: RobotModel, q: npt.ArrayLike) -> tuple[LimitViolation, ...]:
     """Return the joints that are outside their limits in every turn, worst first.
 
-    Joints that follow axes by couplings are looked at in the turns of the axes nearest to their limits.
+    Joints that follow axes by couplings are checked in the turns of the axes nearest to their limits.
 
     Args:
         robot: arm with n joints.

@@ -1,4 +1,4 @@
-"""Joint coordinates improved and checked on the arm itself, whatever its geometry."""
+"""Joint coordinates improved and checked on the arm itself, for any geometry."""
 
 from math import inf
 
@@ -14,8 +14,8 @@ from ropsim.spatial import Array, frozen
 POSE_SLACK = 1e-9
 """Largest sum of the errors of an accepted row [m, entries of the rotation matrix]: the promised accuracy."""
 TASK_SLACK = 1e-5
-"""The same for arms with fewer than six joints, which cannot choose all coordinates of a pose: those that
-they cannot may be off by what people and files round, 0.01 mm or 0.0002°."""
+"""The same for arms with fewer than six joints, which cannot choose all coordinates of a pose: the others may
+be off by the rounding of users and files, 0.01 mm or 0.0002°."""
 SURE = 1e-8
 """A step whose joints move less [rad] leaves less than 1e-14 [m, rad] on arms of some metres."""
 LEFT = 1e-15
@@ -50,7 +50,7 @@ def refining(chain: ChainArrays, point: list[float], parallel: int, snap: float)
 
 
 def shape_of(point: list[float], parallel: int, snap: float) -> Array:
-    """Return what the kernel for `refine` takes of an arm beside its chain, shape (5,).
+    """Return the data of an arm for the kernel of `refine` in addition to its chain, shape (5,).
 
     Args:
         point: where its last axes meet, in M [m].

@@ -20,7 +20,7 @@ far from their answer though the hand is at its pose."""
 LONGEST_STEP = 0.7
 """No joint moves farther in one step [rad | m]; beyond, the Jacobian says little."""
 STALLS = 6
-"""So many steps in a row that hardly help end the search."""
+"""Number of consecutive steps without progress that ends the search."""
 
 
 @kernel

@@ -1,4 +1,4 @@
-"""What a pose leaves free of a redundant arm: held where it is, or where limits and reach allow."""
+"""Free coordinate of a redundant arm at a pose: held at its value, or as near as limits and reach allow."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -12,7 +12,7 @@ from ropsim.spatial import Array
 APART = np.pi / 18.0
 """Values are tried so far apart [rad]."""
 TRIED = 18
-"""So many to either side."""
+"""Number of samples to either side."""
 HALVINGS = 8
 """So often the step to the first value with an answer is halved, towards where the arm stands."""
 
@@ -20,7 +20,7 @@ HALVINGS = 8
 def nearest_answer(
     solver: RedundantSolver, T: Array, near: Array, first: IkResult, answer: Callable[[Array], IkResult]
 ) -> IkResult:
-    """Return the answer with what is free as near as possible to where it is at `near`.
+    """Return the answer with the free coordinate as near as possible to its value at `near`.
 
     Args:
         solver: of the arm.

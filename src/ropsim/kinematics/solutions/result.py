@@ -9,7 +9,7 @@ from ropsim.spatial import Array, frozen, record
 
 @frozen_dataclass
 class Posture:
-    """The name of a branch, in the words of the arm's class; `InverseSolver.parts` says what about.
+    """The name of a branch, in the words of the arm's class; `InverseSolver.parts` names their subjects.
 
     Attributes:
         words: such as `("left", "up", "noflip")`; none where branches are found numerically.
@@ -50,9 +50,9 @@ class IkOptions:
         near: joint coordinates [rad | m], shape (n,), that a singular pose may keep: joints that it leaves
             free stay there. Where branches have no names, the one nearest to them comes first. None stands
             for zeros.
-        free: of an arm whose solver is a `RedundantSolver`, where to hold what a pose leaves free [rad]. None
-            stands for where it is in the answer next to `near`, if the pose is a neighbour of that of `near`,
-            else for where it is at `near`, or as near to that as limits and reach allow.
+        free: of an arm whose solver is a `RedundantSolver`, value of its free coordinate [rad]. None stands
+            for the value in the answer next to `near`, if the pose is a neighbour of that of `near`, else for
+            the value at `near`, or the nearest one within limits and reach.
     """
 
     limits: Limits = Limits.RESPECT
@@ -71,7 +71,7 @@ class LimitViolation:
     Attributes:
         joint: index of the axis from 0; `NO_AXIS` for a joint that follows axes by a coupling.
         model: the joint itself.
-        value: what the branch needs, in the turn nearest to the limits [rad | m].
+        value: coordinate of the branch, in the turn nearest to the limits [rad | m].
         limit: the limit that it passes [rad | m].
     """
 
@@ -98,7 +98,7 @@ class Reach:
     Attributes:
         point: of the arm, such as `wrist centre`.
         axis: the axis from which it is measured, such as `2`.
-        distance: that the pose asks for, in the better posture.
+        distance: required by the pose, in the better posture.
         shortest: least distance that the arm can fold to.
         longest: largest distance; inf where it has no bound.
     """
@@ -115,7 +115,7 @@ class Miss:
     """How far the best that the arm can do is from a pose.
 
     Attributes:
-        why: what the arm lacks, as a sentence without full stop.
+        why: the missing property of the arm, as a sentence without full stop.
         distance: between the two positions [m].
         angle: between the two orientations [rad].
     """
@@ -127,7 +127,7 @@ class Miss:
 
 @frozen_dataclass
 class Free:
-    """What a pose leaves free of a redundant arm, and where it was held.
+    """Free coordinate of a redundant arm at a pose, and its held value.
 
     Attributes:
         name: such as `swivel angle` or `joint 3`.
@@ -144,8 +144,8 @@ class Shortfall:
 
     Attributes:
         status: OUT_OF_REACH or OUT_OF_TASK_SPACE.
-        reach: the distance that cannot be had, where the class of the arm knows one.
-        miss: what stays between the arm and the pose, where that is known instead.
+        reach: the missing distance, if the class of the arm defines one.
+        miss: the residual between the arm and the pose, if known instead.
     """
 
     status: IkStatus
@@ -171,8 +171,9 @@ class IkResult:
         names: the posture of each row of `branches`, b of them.
         violations: with OUT_OF_LIMITS, the joints outside their limits in the branch that violates them
             least, worst first.
-        shortfall: with OUT_OF_REACH and OUT_OF_TASK_SPACE, what is missing.
-        free: of an arm with a `RedundantSolver`, what the pose leaves free, and where it is in `branches`.
+        shortfall: the shortfall, with OUT_OF_REACH and OUT_OF_TASK_SPACE.
+        free: of an arm with a `RedundantSolver`, the free coordinate of the pose, and its value in
+            `branches`.
     """
 
     status: IkStatus
@@ -186,7 +187,7 @@ class IkResult:
     free: Free | None = None
 
     def __repr__(self) -> str:
-        """Return one line: what was found, and the postures within limits; no arrays."""
+        """Return one line: the outcome, and the postures within limits; no arrays."""
         within = "; ".join(str(one) for one in self.postures) or "none"
         reaching = plural(self.reaching, "posture")
         return f"<IkResult {self.status.value}: {reaching} of the arm, within its limits {within}>"

@@ -12,9 +12,9 @@ LIMIT_SLACK = 1e-9
 TURN_VARIANTS = 64
 """Most variants of one branch that are listed, itself included."""
 MOST_TURNS = 32.0
-"""Turns beyond so many are not looked at; a joint without limits has them all."""
+"""Turns beyond this number are not checked; a joint without limits has them all."""
 HEAD = 4
-"""So many numbers say how much was found."""
+"""Number of values with the counts of the result."""
 
 
 @kernel
@@ -110,7 +110,7 @@ def _turns(q: float, limits: Array, j: int) -> tuple[int, int]:
 
 
 def _turn(fewest: int, most: int, place: int) -> int:
-    """Return the number of turns at a place, 0, -1, 1, -2, 2 … as far as they are between two bounds."""
+    """Return the number of turns at a place, 0, -1, 1, -2, 2 … within two bounds."""
     seen = 0
     for size in range(max(abs(fewest), abs(most)) + 1):
         for turn in (-size, size):

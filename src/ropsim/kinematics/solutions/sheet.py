@@ -1,4 +1,4 @@
-"""Where one pose is solved: arrays that keep their places, so that compiled code is told of them once."""
+"""Work arrays for solving one pose, kept so that compiled code gets their addresses once."""
 
 from dataclasses import dataclass
 from math import nan
@@ -18,7 +18,7 @@ class Sheet:
     Attributes:
         X_BM: the pose, shape (4, 4).
         branches: of it, limits ignored [rad | m], NaN rows for absent ones, shape (m, n).
-        found: what the selection says of them, see `selection_kernel.select`.
+        found: the result of the selection, see `selection_kernel.select`.
         solve: writes the branches of the pose, given `near`.
         select: chooses among them.
     """
@@ -45,7 +45,7 @@ def sheet(solver: InverseSolver, limits: Array) -> Sheet:
 
 
 def _copied(solver: InverseSolver, T: Array, rows: Array) -> Solve:
-    """Return what asks a solver for one of many poses."""
+    """Return the call of a solver for one of many poses."""
 
     def solve(near: Array) -> None:
         rows[:] = solver.branches(T, near)

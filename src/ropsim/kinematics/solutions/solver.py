@@ -1,4 +1,4 @@
-"""What stands behind the door of the inverse kinematics: one solver for each class of arms."""
+"""Interface of the solvers of inverse kinematics: one solver for each class of arms."""
 
 from collections.abc import Callable
 from enum import Enum
@@ -54,7 +54,7 @@ class InverseSolver(Protocol):
 
     @property
     def parts(self) -> tuple[str, ...]:
-        """Return what each word of a posture is about, such as `("shoulder", "elbow", "wrist")`."""
+        """Return the subject of each word of a posture, such as `("shoulder", "elbow", "wrist")`."""
 
     @property
     def postures(self) -> tuple[Posture, ...]:
@@ -77,7 +77,7 @@ class InverseSolver(Protocol):
 
         Returns:
             Joint coordinates [rad | m], revolute ones in (-π, π], shape (k, m, n); NaN rows where a branch is
-            absent. Each row reaches its pose, as forward kinematics of the arm itself has told.
+            absent. Each row reaches its pose, as checked by forward kinematics of the arm itself.
         """
 
     def posture(self, q: Array) -> Posture:
@@ -86,7 +86,8 @@ class InverseSolver(Protocol):
     def may_stay(self, q: Array) -> bool:
         """Return whether poses next to that of joint coordinates (n,) may leave some of them free.
 
-        That is near to singular configurations; `inverse` then looks for the answer next to where the arm is.
+        That is near to singular configurations; `inverse` then searches the answer next to the present
+        position of the arm.
         """
 
     def shortfall(self, X_BM: Array) -> Shortfall:
@@ -98,10 +99,10 @@ class RedundantSolver(InverseSolver, Protocol):
     """Inverse kinematics of an arm of which a pose leaves something free: m branches for each value."""
 
     def free(self, q: Array) -> Free:
-        """Return what is free, and its value at joint coordinates [rad | m], shape (n,)."""
+        """Return the free coordinate, and its value at joint coordinates [rad | m], shape (n,)."""
 
     def branches_at(self, T: Array, near: Array, free: Array) -> Array:
-        """Return all branches as `branches` does, with what is free at `free` for each pose [rad], (k,)."""
+        """Return all branches as `branches` does, with the free coordinates `free` [rad], shape (k,)."""
 
 
 @runtime_checkable
@@ -109,4 +110,4 @@ class SheetSolver(InverseSolver, Protocol):
     """A solver that writes the branches of one pose to a given place, sooner than it returns them."""
 
     def solving(self, T: Array, branches: Array) -> Solve:
-        """Return what writes all branches of the pose in T (1, 4, 4) to `branches`, shape (1, m, n)."""
+        """Return the function that writes all branches of T (1, 4, 4) to `branches`, shape (1, m, n)."""

@@ -1,4 +1,4 @@
-"""The axes of an arm at coordinate zero, and axes turned the little that a class of arms asks for."""
+"""The axes of an arm at coordinate zero, and axes turned slightly to satisfy a class of arms exactly."""
 
 import numpy as np
 
@@ -13,7 +13,7 @@ LENGTH_SLACK = 1e-5
 NEAR_SINGULAR = 0.15
 """Configurations this near to a singular one [m, rad] may have a singular pose in their neighbourhood."""
 COUPLED = "its interface is moved by couplings, or not by each of its axes alone"
-"""What an arm misses in every class of serial arms."""
+"""Reason why an arm belongs to no class of serial arms."""
 EXACT = 1e-12
 """A model this near to its class [rad, m] needs no polishing: poses are promised to 1e-9."""
 
@@ -62,7 +62,7 @@ class ZeroFrames:
 
 
 def snap(angle: float, length: float) -> Snap:
-    """Return the deviation of a model from its class, without what is mere rounding."""
+    """Return the deviation of a model from its class, without rounding errors."""
     return Snap(angle, length) if max(angle, length) > EXACT else Snap()
 
 
@@ -85,7 +85,7 @@ def across(direction: Array, axis: Array) -> Array:
 
 
 def along(direction: Array, axis: Array) -> Array:
-    """Return `axis` or its opposite, whichever is nearer to `direction`."""
+    """Return `axis` or its opposite, the one nearer to `direction`."""
     return axis if float(direction @ axis) >= 0.0 else -axis
 
 

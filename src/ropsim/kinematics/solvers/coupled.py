@@ -1,10 +1,10 @@
-"""Arms whose joints follow their axes by couplings: what the joints alone make is solved and taken back.
+"""Arms whose joints follow their axes by couplings: the arm of the joints is solved, answers are converted.
 
 A pendant that counts joint 3 from the horizontal, as a parallelogram moves it, says q3 where the joint itself
 stands at s3 = q3 ± q2. In general the joints on the way to the interface are at s = T·q + c. The arm of these
-joints, the *plain* arm, has no couplings and belongs to one of the classes; each of its branches is taken
-back by q = T⁻¹·(s - c). Where T and its inverse are whole numbers for all that turns, whole turns of the
-joints are whole turns of the axes and the other way round, so that no branch and no turn is lost.
+joints, the *plain* arm, has no couplings and belongs to one of the classes; each of its branches is converted
+by q = T⁻¹·(s - c). If T and its inverse are whole numbers for all turning joints, whole turns of the joints
+are whole turns of the axes and the other way round, so that no branch and no turn is lost.
 """
 
 from functools import lru_cache
@@ -48,12 +48,12 @@ class CoupledSolver:
 
     @property
     def parts(self) -> tuple[str, ...]:
-        """Return what each word of a posture is about."""
+        """Return the subject of each word of a posture."""
         return self.plain.parts
 
     @property
     def postures(self) -> tuple[Posture, ...]:
-        """Return the names of the branches, those of the plain arm."""
+        """Return the names of the branches, the names of the plain arm."""
         return self.plain.postures
 
     @property
@@ -67,7 +67,7 @@ class CoupledSolver:
         return self.plain.slack
 
     def joints(self, q: Array) -> Array:
-        """Return the coordinates of the joints [rad | m], shape (n,), for those of the axes, shape (n,)."""
+        """Return coordinates of the joints [rad | m], shape (n,), from coordinates of the axes, (n,)."""
         return np.ascontiguousarray(self.chain.steps(q[np.newaxis])[0])
 
     def branches(self, T: Array, near: Array) -> Array:
@@ -91,14 +91,14 @@ class CoupledSolver:
 
 @lru_cache(maxsize=64)
 def plain_arm(robot: RobotModel) -> RobotModel | None:
-    """Return the arm that the joints on the way to the interface make by themselves.
+    """Return the arm that the joints on the chain to the interface form without couplings.
 
     Args:
         robot: arm with n axes.
 
     Returns:
-        Its n joints are axes, with the limits of the joint and what those of the axes let it have. None for
-        an arm without couplings on that way, and for one whose coordinates cannot be taken back.
+        Its n joints are axes, with the limits of the joint and those implied by the axes. None for an arm
+        without couplings on that chain, and for one whose coordinates cannot be converted back.
     """
     chain = chain_arrays(robot)
     if chain.parallel or back_to_axes(chain) is None:

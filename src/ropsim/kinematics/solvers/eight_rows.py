@@ -19,13 +19,13 @@ class EightRows:
     """The compiled functions of one arm with six turning joints.
 
     Attributes:
-        chain: the arm as it is.
+        chain: the actual arm.
         strict: closed form of the arm of the class, `strict(room, T, out)`.
-        keeping: the same, but that a pose near to a singular one counts as singular and its free joints are
-            kept: other starts where refining those of `strict` ends nowhere.
-        refined: the kernel that brings answers of the closed form to the arm as it is, None where it is
-            exactly of its class.
-        room: numbers that the closed form takes as room to work in, the first six those of `near`.
+        keeping: the same, except that a pose near to a singular one counts as singular and its free joints
+            are kept: other starts if refining the answers of `strict` fails.
+        refined: the kernel that brings answers of the closed form to the actual arm, None if it is exactly of
+            its class.
+        room: work array of the closed form, its first six values from `near`.
     """
 
     chain: ChainArrays
@@ -47,7 +47,7 @@ class EightRows:
         return found
 
     def solving(self, T: Array, branches: Array) -> Solve:
-        """Return what writes all branches of the pose in T (1, 4, 4) to `branches` (1, 8, 6)."""
+        """Return a function that writes all branches of the pose in T (1, 4, 4) to `branches` (1, 8, 6)."""
         room = np.zeros(self.room)
         held, closed = room[:6], bound(self.strict, room, T, branches)
         if self.refined is None:

@@ -15,9 +15,9 @@ from ropsim.model import RobotModel
 from ropsim.spatial import Array, frozen, record
 
 STARTS = 64
-"""Starts that fill the range of the joints evenly, beside the one that the caller is near to."""
+"""Starts that fill the range of the joints evenly, in addition to the caller's `near`."""
 ROWS = 16
-"""Most answers that are given; six revolute joints have no more (Primrose 1986)."""
+"""Maximum number of answers, also the maximum for six revolute joints (Primrose 1986)."""
 SAME = 1e-6
 """Answers nearer than this [rad | m] are one: near singularities rounding moves them by its square root."""
 TURN = 2.0 * np.pi
@@ -91,7 +91,7 @@ def distinct(answers: Array, near: Array, turning: Array, most: int = ROWS) -> A
         most: answers that are given.
 
     Returns:
-        At most so many answers for each pose, NaN rows behind them, shape (k, most, n).
+        Up to `most` answers for each pose, NaN rows behind them, shape (k, most, n).
     """
     turns = TURN * turning
     out = np.full((len(answers), most, answers.shape[2]), np.nan)
@@ -108,7 +108,7 @@ def distinct(answers: Array, near: Array, turning: Array, most: int = ROWS) -> A
 
 
 def numeric(robot: RobotModel) -> NumericSolver:
-    """Return the numeric solver of an arm, whatever it is."""
+    """Return the numeric solver of an arm, of any kind."""
     return NumericSolver(chain_arrays(robot), frozen(configurations(robot, STARTS)))
 
 

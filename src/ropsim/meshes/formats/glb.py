@@ -1,4 +1,4 @@
-"""GLB files (glTF 2.0, binary): triangles of the scene with plain colours; textures are not looked at."""
+"""GLB files (glTF 2.0, binary): triangles of the scene with plain colours; textures are ignored."""
 
 import struct
 from dataclasses import dataclass, field

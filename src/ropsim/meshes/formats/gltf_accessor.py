@@ -28,7 +28,7 @@ Row = TypeVar("Row")
 
 @dataclass(slots=True)
 class Accessors:
-    """The accessors of a document; what has been read is kept, for many primitives share it.
+    """The accessors of a document; read ones are kept, since many primitives share them.
 
     Attributes:
         document: JSON part.

@@ -23,7 +23,7 @@ Place = Annotated[int, msgspec.Meta(ge=0, lt=2**31)]
 
 
 class Buffer(msgspec.Struct, rename="camel"):
-    """Bytes; those of the file itself where there is no address."""
+    """Bytes; the file's own binary chunk if there is no address."""
 
     uri: str | None = None
 
@@ -72,7 +72,7 @@ class Paint(msgspec.Struct, rename="camel"):
 
 
 class Material(msgspec.Struct, rename="camel"):
-    """What a primitive is made of."""
+    """Material of a primitive."""
 
     pbr_metallic_roughness: Paint = msgspec.field(default_factory=Paint)
 
@@ -112,7 +112,7 @@ def read_document(text: bytes) -> Document:
     """Return the JSON part of a GLB file.
 
     Raises:
-        MeshFileError: it is none, too long, or needs an extension that hides the triangles.
+        MeshFileError: it is not a document, is too long, or needs an extension that hides the triangles.
     """
     if len(text) > LARGEST:
         found = f"has a description of {len(text) / 1e6:.0f} MB, at most {LARGEST / 1e6:.0f} MB are read"

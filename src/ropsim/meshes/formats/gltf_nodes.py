@@ -36,7 +36,7 @@ def placed_meshes(document: Document) -> Iterator[tuple[int, Floats]]:
 
 
 def _roots(document: Document) -> list[int]:
-    """Return the nodes of the scene; without a scene those that hang below no other."""
+    """Return the nodes of the scene; without a scene the nodes without a parent."""
     if document.scenes:
         return at(document.scenes, document.scene, "scenes").nodes
     below = {child for node in document.nodes for child in node.children}

@@ -1,4 +1,4 @@
-"""OBJ files: points and faces; materials, textures, normals and curves in them are not looked at."""
+"""OBJ files: points and faces; materials, textures, normals and curves in them are ignored."""
 
 from __future__ import annotations
 

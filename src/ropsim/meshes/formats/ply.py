@@ -1,4 +1,4 @@
-"""PLY files: points and faces of text and binary ones; textures in them are not looked at."""
+"""PLY files: points and faces of text and binary ones; textures in them are ignored."""
 
 import numpy as np
 import numpy.typing as npt

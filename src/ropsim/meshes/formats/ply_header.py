@@ -58,7 +58,7 @@ class Element:
 
 @frozen_dataclass
 class Header:
-    """What a file announces; `size` is the place of the first row [bytes]."""
+    """Header of a file; `size` is the place of the first row [bytes]."""
 
     encoding: Encoding
     elements: tuple[Element, ...]

@@ -69,7 +69,7 @@ def _even(source: Source, element: Element, lengths: list[int]) -> Rows | None:
         kinds.append((one.number, length))
     try:
         columns = iter(source.table(kinds, element.count))
-    except MeshFileError:  # lists of this length are more than what is left
+    except MeshFileError:  # lists of this length exceed the rest
         return None
     rows = Rows(element.count)
     for one, length in zip(element.properties, lengths, strict=True):

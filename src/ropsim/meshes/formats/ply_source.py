@@ -113,7 +113,9 @@ class TextSource:
         """
         try:
             with warnings.catch_warnings():
-                warnings.simplefilter("error", DeprecationWarning)  # what it says of text it cannot read on
+                warnings.simplefilter(
+                    "error", DeprecationWarning
+                )  # a warning about text that it cannot read on
                 self._values = np.fromstring(text.decode("ascii"), sep=" ")
         except (ValueError, DeprecationWarning) as error:
             raise damaged("has something among its numbers that is none") from error

@@ -1,4 +1,4 @@
-"""What every mesh reader returns, and how it refuses."""
+"""Result and refusal of every mesh reader."""
 
 from typing import NamedTuple
 
@@ -14,7 +14,7 @@ MOST_TRIANGLES = 500_000
 COARSER = "export it with a coarser tolerance"
 
 UNCOLOURED = (150, 156, 163, 255)
-"""Red, green, blue and opaqueness of what has no colour in a file where other things have one."""
+"""Red, green, blue and opaqueness of entities without a colour in a file with colours."""
 
 NO_TRIANGLES = "holds no triangles"
 
@@ -36,7 +36,7 @@ class Soup(NamedTuple):
 
 
 class MeshFileError(Exception):
-    """A mesh file that cannot be drawn: its kind, what was found, what to do next."""
+    """A mesh file that cannot be drawn: its kind, the finding, the hint."""
 
     def __init__(self, kind: Kind, found: str, hint: str = "") -> None:
         super().__init__(found)
@@ -46,11 +46,11 @@ class MeshFileError(Exception):
 
 
 def damaged(found: str, hint: str = "export it again") -> MeshFileError:
-    """Return the error of a file that is not what its ending says.
+    """Return the error of a file whose content does not match its ending.
 
     Args:
-        found: what was found, after the name of the file.
-        hint: what to do next.
+        found: the finding, after the name of the file.
+        hint: next action.
     """
     return MeshFileError(MESH_DAMAGED, found, hint)
 
@@ -72,7 +72,7 @@ def check_points(count: int, most: int, noun: str) -> None:
     Args:
         count: how many there are.
         most: how many are read.
-        noun: what is counted, in the plural.
+        noun: name of the counted entities, in the plural.
 
     Raises:
         MeshFileError: X883.
@@ -86,7 +86,8 @@ def fans(starts: Indices, lengths: Indices) -> tuple[Indices, Indices]:
 
     Args:
         starts: place of the first corner of each polygon in a list of corners, shape (k,).
-        lengths: number of corners of each polygon, shape (k,); below three it gives no triangle.
+        lengths: number of corners of each polygon, shape (k,); a polygon with fewer than three corners has no
+            triangle.
 
     Returns:
         Places of the corners, shape (m, 3), and the polygon of each triangle, shape (m,).

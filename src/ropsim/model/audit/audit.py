@@ -1,4 +1,4 @@
-"""Look a mechanism over: what cannot be right, what is doubtful, what is only estimated."""
+"""Audit of a mechanism: contradictions, doubts, estimates."""
 
 from collections.abc import Iterator
 from itertools import chain
@@ -22,11 +22,11 @@ def audit(robot: Mechanism, place_of: PlaceOf = nowhere) -> tuple[Diagnostic, ..
 
     Errors are contradictions (missing links, circles of couplings, a home position out of range); numbers
     that cannot be are refused where the mechanism is made. Warnings are numbers that no rigid body can have
-    but that published sets contain (A + B < C), and numbers that are seldom those of an arm (`doubts`). Hints
+    but that published sets contain (A + B < C), and numbers that are unusual for an arm (`doubts`). Hints
     name massless links, limits that look copied and estimates. An impossible structure ends the check.
 
     Args:
-        robot: that is looked over.
+        robot: audited mechanism.
         place_of: where its numbers stand in the file that it was read from.
     """
     structure = mechanism_findings(robot)

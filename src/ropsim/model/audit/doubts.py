@@ -1,6 +1,6 @@
 """Numbers of an arm that could be and are most often slips: units, columns, stand-ins for the unknown.
 
-Bounds are those of arms that are sold, with room: from table-top arms of 4 kg to arms of 9 t that reach 4 m.
+Bounds are those of commercial arms, with a margin: from table-top arms of 4 kg to arms of 9 t that reach 4 m.
 """
 
 from collections.abc import Iterator, Sequence
@@ -26,15 +26,15 @@ HEAVIEST = 2000.0
 NARROWEST = 1e-2
 """Least range of a joint [rad | m]."""
 SAME = 3
-"""From so many links on, equal numbers are no accident."""
+"""Number of links from which equal numbers are no coincidence."""
 _AXIS_SLACK = 1e-9  # [m, sine of an angle] of two axes that are one
 
 
 def doubts(robot: Mechanism, place_of: PlaceOf) -> Iterator[Diagnostic]:
-    """Yield what is doubtful in a mechanism whose structure can be.
+    """Yield the doubts about a mechanism with a valid structure.
 
     Args:
-        robot: that is looked over.
+        robot: audited mechanism.
         place_of: where its numbers stand in the file that it was read from.
     """
     yield from _size(robot, place_of)
@@ -101,7 +101,7 @@ def _extent(number: int, link: Link, length: float, place_of: PlaceOf) -> Iterat
 
 
 def _placeholders(links: Sequence[Link], place_of: PlaceOf) -> Iterator[Diagnostic]:
-    """Yield the first of several links that all have one mass, or one tensor of inertia."""
+    """Yield the first of several links with the same mass, or the same tensor of inertia."""
     bodies = [(number, link) for number, link in enumerate(links) if link.mass > 0.0]
     if len(bodies) < SAME:
         return

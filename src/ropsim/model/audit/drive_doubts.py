@@ -1,7 +1,7 @@
 """Numbers of drives that are most often in another unit than the model has.
 
-Bounds are those of motors, cylinders and valves that arms are built of, with room: from motors of 10 W to
-cylinders of excavators. A number beyond them is told with the unit in which it would be usual.
+Bounds cover motors, cylinders and valves of arms, with a margin: from motors of 10 W to cylinders of
+excavators. A number beyond them is reported with the unit in which it would be usual.
 """
 
 from collections.abc import Iterator
@@ -16,7 +16,7 @@ from ropsim.model.mechanism.mechanism import Mechanism
 
 @frozen_dataclass
 class _Usual:
-    """What is usual of a quantity.
+    """Usual range of a quantity.
 
     Attributes:
         unit: of the model.
@@ -67,10 +67,10 @@ _USUAL = {
 
 
 def drive_doubts(robot: Mechanism, place_of: PlaceOf) -> Iterator[Diagnostic]:
-    """Yield the numbers of drives that are beyond what is usual.
+    """Yield the numbers of drives beyond the usual range.
 
     Args:
-        robot: that is looked over.
+        robot: audited mechanism.
         place_of: where its numbers stand in the file that it was read from.
     """
     for axis, (joint, drive) in enumerate(zip(robot.axis_joints, robot.drives, strict=False)):

@@ -1,4 +1,4 @@
-"""On which bodies of a cell parts can lie, and what messages call its bodies."""
+"""Bodies of a cell that can support parts, and names of its bodies in messages."""
 
 from ropsim.model.cell.body import WORLD, Body, BodyKind
 from ropsim.model.cell.body_tree import BodyTree
@@ -13,16 +13,16 @@ def bearers(tree: BodyTree) -> tuple[str, ...]:
     """Return the names of the bodies on which parts can lie, in the order of the tree.
 
     Raises:
-        MechanismError: the robot of a station has a coupling that mixes external axes with those of its arm.
+        MechanismError: the robot of a station has a coupling that mixes external axes with axes of its arm.
     """
     return tuple(body.name for body in tree.bodies if _bears(tree, body))
 
 
 def carriages(tree: BodyTree) -> frozenset[str]:
-    """Return the names of the links that carry the arm of a station: what moves the arm, and nothing else.
+    """Return the names of the links that carry the arm of a station: links that move the arm only.
 
     Raises:
-        MechanismError: the robot of a station has a coupling that mixes external axes with those of its arm.
+        MechanismError: the robot of a station has a coupling that mixes external axes with axes of its arm.
     """
     return frozenset(body.name for body in tree.bodies if _carries_an_arm(tree, body))
 
@@ -46,7 +46,7 @@ def _carries_an_arm(tree: BodyTree, body: Body) -> bool:
 
 
 def spoken_body(cell: Cell, name: str) -> str:
-    """Return what a message calls a body that carries parts: "the belt `feeder`", "the floor".
+    """Return the name in messages of a body that carries parts: "the belt `feeder`", "the floor".
 
     Args:
         cell: the cell.
@@ -73,5 +73,5 @@ def _spoken_axis(tree: BodyTree, owner: str, joint: int, cell: Cell) -> str:
 
 
 def lying_words(limits: SupportLimits) -> str:
-    """Return from what height on a part lies on nothing, as a clause."""
+    """Return a clause with the height above which a part is unsupported."""
     return f"a part counts as lying on what is at most {limits.gap * 1e3:g} mm below it"

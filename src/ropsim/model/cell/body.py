@@ -1,4 +1,4 @@
-"""A body: what moves, or stands still, as one rigid thing."""
+"""A body: a rigid entity that moves or stands still as one."""
 
 from enum import StrEnum
 
@@ -7,11 +7,11 @@ from ropsim.model.geometry.elements import Shape
 from ropsim.spatial import Pose, record
 
 WORLD = ""
-"""Parent of a body that hangs on nothing but the world."""
+"""Parent of a body that is attached only to the world."""
 
 
 class BodyKind(StrEnum):
-    """What a body is in its cell."""
+    """Kind of a body in its cell."""
 
     BASE = "base"
     LINK = "link"
@@ -45,7 +45,7 @@ class StrutEnd(StrEnum):
 
 @record
 class Strut:
-    """What moves a body that hangs on one pin of a linkage and points along it: barrel or rod of a cylinder.
+    """Mover of a body attached to one pin of a linkage and pointing along it: barrel or rod of a cylinder.
 
     Its z axis goes from the pin on the carrier to that on the link, its x axis is as near to the axis of the
     joint as that allows.
@@ -69,11 +69,11 @@ class Body:
 
     Attributes:
         name: unique in the cell.
-        kind: what it is.
+        kind: kind of body.
         parent: name of the body that it hangs on, `WORLD` for none.
         X_PB: its frame in that of the parent; of a moved body at joint coordinate 0.
-        shapes: what it looks like, in its own frame; without any, views draw a stand-in for arms.
-        mover: what moves it; None where it stands still on its parent.
+        shapes: shapes in its own frame; without any, views draw a stand-in for arms.
+        mover: source of its motion; None if it is fixed on its parent.
         visible: False for a tool that is not mounted and for a part that waits in its supply.
     """
 

@@ -48,7 +48,7 @@ def carrier(bodies: Mapping[str, Body], parents: Mapping[str, str], name: str) -
 
     Args:
         bodies: by name.
-        parents: what bodies hang on that no longer hang where `bodies` has them, by name.
+        parents: parents of bodies whose attachment differs from `bodies`, by name.
         name: of a body, or `WORLD`.
     """
     while name != WORLD and bodies[name].mover is None:

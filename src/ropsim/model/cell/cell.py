@@ -1,4 +1,4 @@
-"""The work cell: stations, what stands around them, and where external axes stand at a named location."""
+"""The work cell: stations, their surroundings, and values of external axes at named locations."""
 
 from collections.abc import Mapping
 from dataclasses import field, replace
@@ -53,20 +53,20 @@ class Cell:
     Attributes:
         name: of the project.
         stations: robots under their controllers, by name, at least one.
-        devices: what moves beside the robots, by name.
+        devices: moving devices other than robots, by name.
         frames: task frames by name.
         locations: named points (tool poses X_WT) by name; of one that is given in a frame that moves X_KT.
         located: names of the frames that move in which locations are given, by the name of the location.
-        given: names of the frames that stand still in which locations are given, likewise.
-        parts: what can be grasped.
-        objects: what stands around.
+        given: names of the frames that stand still in which locations are expressed, by location.
+        parts: graspable parts.
+        objects: fixed objects.
         sinks: where parts leave.
         supports: when a part lies on something.
         signals: by name.
         classic: settings for classic files.
-        external: where external axes stand at a location, by its name, for those that say so.
-        tools: names of all tools, also of those that no station has.
-        clearance: distance required between what moves and all else in a run [m]; 0 for none.
+        external: values of external axes at locations that define them, by name.
+        tools: names of all tools, including tools without a station.
+        clearance: required distance between moving bodies and all others in a run [m]; 0 for none.
     """
 
     name: str
@@ -104,14 +104,14 @@ class Cell:
 
     @property
     def content(self) -> str:
-        """Return the fingerprint of all but its name, programs of its stations, and when inputs change."""
+        """Return the fingerprint of all except its name, programs of its stations, and changes of inputs."""
         stations = {name: replace(one, program="") for name, one in self.stations.items()}
         signals = {name: replace(one, changes=()) for name, one in self.signals.items()}
         return fingerprint(replace(self, name="", stations=stations, signals=signals))
 
     @property
     def input_changes(self) -> str:
-        """Return the fingerprint of when its inputs change by themselves, and to what."""
+        """Return the fingerprint of the scripted changes of its inputs."""
         return fingerprint({name: one.changes for name, one in self.signals.items() if one.changes})
 
     def external_at(self, location: str, station: Station) -> tuple[float, ...]:

@@ -23,8 +23,8 @@ BASE = "base"
 def body_tree(cell: Cell) -> BodyTree:
     """Return all bodies of a cell: base, links and tools of each station, devices, fixed objects, parts.
 
-    The links are called `link1` to `linkN`, the tools `tool:NAME`, behind the name of their station where it
-    has one of its own (`left/link1`); objects and parts as in the cell.
+    The links are called `link1` to `linkN`, the tools `tool:NAME`, with the prefix of their station if it has
+    a name (`left/link1`); objects and parts as in the cell.
     """
     width = grip_width(cell)
     stations = [body for one in cell.stations.values() for body in (*_robot(one), *_tools(one, width))]

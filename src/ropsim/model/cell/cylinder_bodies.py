@@ -15,7 +15,7 @@ _WALL = 1.15
 _BARREL, _ROD = 0.9, 0.97
 """Lengths of barrel and rod, in lengths from pin to pin while the rod is in."""
 _THINNEST = 0.3
-"""Radius of a rod, in radii of its piston, where both of its areas are all but equal."""
+"""Radius of a rod, in radii of its piston, if both of its areas are nearly equal."""
 _PAINT, _CHROME = "#4c535c", "#d7dce1"
 _ACROSS = Pose(frozen([0.0, 0.0, 0.0]), frozen([sqrt(0.5), 0.0, sqrt(0.5), 0.0]))
 """A cylinder about x."""
@@ -25,7 +25,7 @@ def cylinder_bodies(mechanism: Mechanism, name: str, links: tuple[str, ...]) -> 
     """Yield barrel and rod of each cylinder that turns a joint between two pins.
 
     Args:
-        mechanism: whose drives are looked at.
+        mechanism: mechanism with the drives.
         name: of it.
         links: names of the bodies of its links, the base first.
     """

@@ -1,4 +1,4 @@
-"""Devices: what moves in a cell beside its robots, told by signals: belts, doors, turntables."""
+"""Devices: moving entities of a cell other than robots, controlled by signals: belts, doors, turntables."""
 
 from typing import TypeAlias
 
@@ -22,7 +22,7 @@ class Barrier:
 
 @frozen_dataclass
 class BeltDrive:
-    """Moves a belt, and what lies on it, along x as long as a signal is on.
+    """Moves a belt, with the parts on it, along x while a signal is on.
 
     Attributes:
         speed: [m/s].
@@ -67,7 +67,7 @@ class IndexDrive:
     """Moves an axis on by one step each time that a signal comes on: an indexing table.
 
     Attributes:
-        signal: name of the signal; what comes while it moves is not kept.
+        signal: name of the signal; requests during a motion are dropped.
         step: [rad | m].
         speed: [rad/s | m/s].
         acceleration: [rad/s² | m/s²].
@@ -90,8 +90,8 @@ class Device:
 
     Attributes:
         name: unique among the stations and devices of the cell.
-        mechanism: what moves; parts and objects can lie on it.
-        drive: what moves it.
+        mechanism: its moving bodies; parts and objects can lie on it.
+        drive: its drive.
         X_WB: its base frame in the world frame.
     """
 

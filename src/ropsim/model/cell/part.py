@@ -1,4 +1,4 @@
-"""Parts: what can be grasped, and where it is to be in the end."""
+"""Parts: graspable bodies, and their destinations."""
 
 from ropsim.model.geometry.elements import Material
 from ropsim.model.mechanism.number_check import check_finite, check_mass

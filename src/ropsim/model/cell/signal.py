@@ -14,7 +14,7 @@ class DistanceSensor:
 
     Attributes:
         station: at whose tool it is; empty for the arm whose program reads it.
-        range: the most that it sees, and what it reads where it sees nothing [m].
+        range: its greatest distance, also the reading without a target [m].
         behind: how far behind the tool centre point it looks from [m]; distances count from the point on, and
             are negative, down to this, where the point is in something.
     """
@@ -36,7 +36,7 @@ class ForceSensor:
 
     Attributes:
         station: at whose tool it is; empty for the arm whose program reads it.
-        stiffness: of the tip and what it touches [N/m].
+        stiffness: of the tip and the touched body [N/m].
         travel: of the tip: so deep it goes in at the most [m].
     """
 
@@ -49,7 +49,8 @@ class ForceSensor:
 
 
 Sensor = DistanceSensor | ForceSensor
-"""Every kind of sensor that a cell file knows; each says what an analog reading measures, and its SI unit."""
+"""Every kind of sensor supported by a cell file; each defines the measured quantity of an analog reading, and
+its SI unit."""
 
 
 @frozen_dataclass

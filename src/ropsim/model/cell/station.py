@@ -25,7 +25,7 @@ class Station:
         default_tool: tool at program start, empty for none.
         start: joint coordinates at time 0 [rad | m], shape (n,); empty for the rest position.
         program: name of the program that it runs where the user names none.
-        serves: whether its program works for those of other stations, and is over when they are.
+        serves: whether its program serves programs of other stations, and is over when they are.
     """
 
     name: str
@@ -48,5 +48,5 @@ class Station:
 
     @property
     def prefix(self) -> str:
-        """Return what stands before the names of its bodies and channels: nothing for `ROBOT`."""
+        """Return the prefix of the names of its bodies and channels: empty for `ROBOT`."""
         return prefix_of(self.name)

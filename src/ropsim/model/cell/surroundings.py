@@ -1,4 +1,4 @@
-"""What stands around in a cell: fixed objects, sinks, and when a part lies on something."""
+"""Surroundings in a cell: fixed objects, sinks, and tolerances for support."""
 
 from ropsim.core import frozen_dataclass
 from ropsim.model.geometry.elements import Shape
@@ -12,7 +12,7 @@ class FixedObject:
     Attributes:
         name: unique among the bodies of the cell.
         X_PO: its frame in that of its parent; in the world frame without one.
-        shapes: what it looks like, in its frame.
+        shapes: shapes, in its frame.
         parent: name of the object, or of the body of a device, that it hangs on; empty for none.
     """
 

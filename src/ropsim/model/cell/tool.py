@@ -51,7 +51,7 @@ class ToolPart:
         name: unique in its tool.
         X_MP: its frame in the mechanical interface frame.
         load: mass, centre of mass and inertia in its frame.
-        shapes: what it looks like, in its frame.
+        shapes: shapes, in its frame.
     """
 
     name: str
@@ -71,9 +71,9 @@ class Tool:
         com: centre of mass in the mechanical interface frame [m], shape (3,).
         inertia: about the centre of mass, in axes of the mechanical interface [kg·m²], shape (3, 3).
         gripper: None for a tool that cannot grasp.
-        shapes: what it looks like, in the mechanical interface frame; where neither it nor its parts have
-            any, `tool_shapes` makes a stand-in.
-        parts: what else it is made of.
+        shapes: shapes, in the mechanical interface frame; where neither it nor its parts have any,
+            `tool_shapes` makes a stand-in.
+        parts: further parts of it.
 
     Raises:
         ModelValueError: the mass or inertia is negative, the inertia asymmetric, or a number not finite.

@@ -18,7 +18,7 @@ _BRACKET = "#59626b"
 _STEEL = "#aab2ba"
 _PAD = "#2f363d"
 _SHORTEST = 2e-3  # [m]
-_WIDTH = 0.04  # [m], between the fingers where no part tells
+_WIDTH = 0.04  # [m], between the fingers if no part determines it
 _OVERLAP = 0.012  # [m], by which fingers reach beyond the TCP and so over the top face of a part
 
 

@@ -9,7 +9,7 @@ from ropsim.model.drives.linkage import Linkage
 
 
 class InputKind(StrEnum):
-    """What a joint controller puts out, and what the amplifier of a drive takes."""
+    """Output of a joint controller, and input of the amplifier of a drive."""
 
     VOLTAGE = "voltage"
     EFFORT = "effort"
@@ -85,7 +85,7 @@ class DcMotor:
 
 @frozen_dataclass
 class IdealMotor:
-    """A source of torque or force: what is commanded acts at once.
+    """A source of torque or force: the command acts at once.
 
     Attributes:
         rotor_inertia: J [kg·m²] or, of a linear motor, [kg]; rotor and gear input.
@@ -125,7 +125,7 @@ class Friction:
     """Viscous and Coulomb friction on the motor side of the gear.
 
     The torque that the drive needs against friction, at the joint, is B·G²·q̇ + |G|·|Tc±|·tanh(q̇/v_s), with
-    Tc+ for positive and Tc- for negative joint speed (Corke & Armstrong-Hélouvry 1994 give both).
+    Tc+ for positive and Tc- for negative joint speed (both in Corke & Armstrong-Hélouvry 1994).
 
     Attributes:
         viscous: B [N·m·s/rad] at the motor.
@@ -150,7 +150,7 @@ class Drive:
     """Everything between the control signal and the joint, block by block.
 
     Attributes:
-        amplifier: takes what the joint controller puts out.
+        amplifier: takes the output of the joint controller.
         motor: turns that into torque at its shaft.
         transmission: brings the torque to the joint.
         friction: of motor and gear, on the motor side.
@@ -174,7 +174,7 @@ class Drive:
 
 
 def ideal_drive(max_effort: float = inf) -> Drive:
-    """Return the drive that needs no data: what the joint controller commands acts on the joint at once.
+    """Return the drive that needs no data: the command of the joint controller acts on the joint at once.
 
     Args:
         max_effort: largest torque or force [N·m | N].

@@ -50,7 +50,7 @@ class HydraulicCylinder:
     Its rod is out by s, from 0 to the stroke. The chamber behind the piston holds V_a = V_0a + A_a·s, that
     around the rod V_b = V_0b + A_b·(stroke - s); p_a' = β/V_a·(Q_a - A_a·s' - leak), p_b' = β/V_b·(Q_b +
     A_b·s' + leak), and the force that drives the rod out is A_a·p_a - A_b·p_b (H. E. Merritt, Hydraulic
-    Control Systems, Wiley 1967). Valve and flows are those of `HydraulicMotor`.
+    Control Systems, Wiley 1967). Valve and flows as in `HydraulicMotor`.
 
     Attributes:
         area_a: A_a, of the piston [m²].
@@ -90,7 +90,7 @@ class HydraulicCylinder:
 
     @property
     def rotor_inertia(self) -> float:
-        """Return the inertia of what moves with the shaft, here a mass [kg]."""
+        """Return the inertia that moves with the shaft, here a mass [kg]."""
         return self.moving_mass
 
     def volumes(self, out: float) -> tuple[float, float]:

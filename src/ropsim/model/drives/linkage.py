@@ -7,7 +7,8 @@ from ropsim.core import frozen_dataclass
 Point = tuple[float, float, float]
 
 WAY = 1e-6
-"""By so much a rod may be short or long at the ends of the range of its joint: lengths are rounded [m]."""
+"""Tolerance by which a rod may be short or long at the ends of the range of its joint: lengths are rounded
+[m]."""
 
 
 @frozen_dataclass
@@ -81,7 +82,7 @@ class Linkage:
     def dead_centre(self, lower: float, upper: float) -> float | None:
         """Return the first coordinate of a range [rad] at which the pins and the axis are in line, if any.
 
-        A range without an end has one.
+        A range without an end always contains one.
         """
         if not isfinite(upper - lower):
             return -self.angle

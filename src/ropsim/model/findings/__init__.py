@@ -1,1 +1,1 @@
-"""Kinds of findings on models of robots, and what each finding is about."""
+"""Kinds of findings on models of robots, and the subject of each finding."""

@@ -1,4 +1,4 @@
-"""What can be wrong with a robot model (codes X850 to X859, X862, X974, X975)."""
+"""Errors of a robot model (codes X850 to X859, X862, X974, X975)."""
 
 from ropsim.core import Severity, define
 

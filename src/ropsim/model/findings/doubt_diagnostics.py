@@ -1,4 +1,4 @@
-"""What is most often a slip in the numbers of an arm (codes X863 to X869)."""
+"""Doubts about numbers of an arm that are usually slips (codes X863 to X869)."""
 
 from ropsim.core import Severity, define
 

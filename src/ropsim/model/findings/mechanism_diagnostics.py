@@ -1,4 +1,4 @@
-"""What can be wrong with the joints, axes, couplings and loops of a mechanism (codes X828 to X839)."""
+"""Errors of the joints, axes, couplings and loops of a mechanism (codes X828 to X839)."""
 
 from ropsim.core import Severity, define
 

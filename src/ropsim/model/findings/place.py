@@ -1,4 +1,4 @@
-"""What a finding of an audit is about, and where that stands in the file of a robot."""
+"""Subject of a finding of an audit, and its place in the file of a robot."""
 
 from collections.abc import Callable
 from enum import StrEnum
@@ -8,7 +8,7 @@ from ropsim.core import Span, frozen_dataclass
 
 
 class Attribute(StrEnum):
-    """Of a joint or link, what a finding is about."""
+    """Attribute of a joint or link that a finding is about."""
 
     LIMITS = "limits"
     MAX_SPEED = "max_speed"
@@ -39,9 +39,9 @@ class AuditPlace:
 
 
 PlaceOf: TypeAlias = Callable[[AuditPlace], Span | None]
-"""Tells where something of a robot stands in its file; None where there is none."""
+"""Returns the place of an entity of a robot in its file; None without one."""
 
 
 def nowhere(place: AuditPlace) -> None:
-    """Tell no place, as for a robot that comes from no file."""
+    """Return no place, as for a robot that comes from no file."""
     del place

@@ -10,11 +10,11 @@ Point2 = tuple[float, float]
 Point3 = tuple[float, float, float]
 
 LIGHT_GREY = "#c9ced3"
-"""Colour of what has been given none."""
+"""Colour of entities without one."""
 
 
 class Material(StrEnum):
-    """What a surface looks as if it were made of: it says how the colour takes the light, nothing of mass."""
+    """Visual material of a surface: it defines the reflection of light, not the mass."""
 
     PAINT = "paint"
     STEEL = "steel"

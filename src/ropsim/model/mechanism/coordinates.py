@@ -1,4 +1,4 @@
-"""Coordinates of all joints out of those of the axes: couplings solved once."""
+"""Coordinates of all joints from coordinates of the axes: couplings solved once."""
 
 from functools import lru_cache
 from typing import NamedTuple
@@ -26,7 +26,7 @@ class Coordinates(NamedTuple):
 
 @lru_cache(maxsize=256)
 def coordinates(mechanism: Mechanism) -> Coordinates:
-    """Return how the coordinates of all joints follow from those of the axes.
+    """Return how the coordinates of all joints follow from the coordinates of the axes.
 
     In a mechanism with closed chains the coordinates that are neither driven nor coupled are unknown: z.
 

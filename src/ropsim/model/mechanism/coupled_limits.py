@@ -1,4 +1,4 @@
-"""Limits of joints that are no axes: their coordinates follow from those of the axes by couplings."""
+"""Limits of joints that are no axes: their coordinates follow from those of axes by couplings."""
 
 from functools import lru_cache
 

@@ -1,4 +1,4 @@
-"""What is wrong with the couplings of a mechanism."""
+"""Errors in the couplings of a mechanism."""
 
 from collections.abc import Iterator
 from math import isfinite
@@ -10,7 +10,7 @@ from ropsim.model.mechanism.mechanism import Mechanism, first_coordinates
 
 
 def coupling_findings(mechanism: Mechanism) -> tuple[Diagnostic, ...]:
-    """Return what is wrong with couplings; only where that is nothing, which coordinates nobody moves."""
+    """Return the errors in couplings; without any, the coordinates that nothing moves."""
     wrong = (*_impossible(mechanism), *_circle(mechanism))
     return wrong or tuple(_free(mechanism))
 

@@ -1,9 +1,9 @@
-"""The joints of a mechanism taken apart into steps of one freedom each: what all algorithms walk.
+"""The joints of a mechanism taken apart into steps of one freedom each: the common input of all algorithms.
 
 A step turns about or slides along the z axis of its own frame, as a joint of a serial arm does. A joint with
 one freedom is one step, a screw is a turn and a slide with one coordinate, a joint with more freedoms is one
 step for each, and a fixed joint is none: its link rides on the step that carries its parent. The coordinates
-of the steps are a constant linear function of those of the axes.
+of the steps are a constant linear function of the coordinates of the axes.
 """
 
 from collections.abc import Iterator

@@ -15,7 +15,7 @@ class Link:
         mass: [kg].
         com: centre of mass [m], shape (3,).
         inertia: inertia tensor about the centre of mass [kg·m²], shape (3, 3).
-        shapes: what it looks like; without any, views draw a stand-in.
+        shapes: its shapes; without any, views draw a stand-in.
     """
 
     mass: float
@@ -36,7 +36,7 @@ PREVIOUS = -2
 
 
 class JointType(Enum):
-    """The pair that a joint forms, and what its coordinates move, in order.
+    """The pair that a joint forms, and the motions of its coordinates, in order.
 
     A UNIVERSAL joint turns about its z axis, then about the turned x axis; a SPHERICAL one about z, the
     turned y, the turned x; a CYLINDRICAL one turns about z and slides along it; a PLANAR one slides along x
@@ -151,7 +151,7 @@ class LoopCut:
         X_first: frame on it.
         second: number of another link.
         X_second: frame on that one.
-        held: directions in which the two frames cannot part; the others are those of the joint that was cut.
+        held: directions in which the two frames cannot part; the others are the freedoms of the cut joint.
     """
 
     first: int

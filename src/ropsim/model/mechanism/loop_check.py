@@ -1,4 +1,4 @@
-"""What is wrong with the closed chains of a mechanism."""
+"""Errors in the closed chains of a mechanism."""
 
 from collections.abc import Iterator
 

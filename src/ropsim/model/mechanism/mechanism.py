@@ -12,26 +12,26 @@ from ropsim.spatial import Array, Pose, frozen, record
 
 @record
 class Mechanism:
-    """Bodies, the joints that move them, and what drives the joints; immutable, shared by all runs.
+    """Bodies, the joints that move them, and the drives of the joints; immutable, shared by all runs.
 
-    A joint moves the link of the same number; links hang on each other as the parents of the joints say, and
-    a parent comes before its children. Users see and command the axes, n of them: limits, speeds, drives,
-    home and recordings have one entry for each axis. All other coordinates follow through couplings.
+    A joint moves the link of the same number; links are attached to each other by the parents of the joints,
+    and a parent comes before its children. Users see and command the axes, n of them: limits, speeds, drives,
+    home and recordings have an entry for each axis. All other coordinates follow through couplings.
 
     Attributes:
         name: short name.
         title: maker and model.
         joints: of the tree.
         links: the body moved by each joint.
-        drives: what moves each axis, in the order of the axes, n of them; empty without drive data.
+        drives: drive of each axis, in the order of the axes, n of them; empty without drive data.
         home: coordinates of the axes in the rest position [rad | m], shape (n,).
-        axes: numbers of the joints, from 0, that are driven, in the order in which users see them; each has
-            one freedom. Where none are given, all joints with one freedom that no coupling determines.
+        axes: numbers of the joints, from 0, that are driven, in the order in which users see them; each with
+            a single freedom. Where none are given, all joints with one freedom that no coupling determines.
         couplings: coordinates that follow others.
         cuts: closed chains.
         gravity: acceleration of free fall in the base frame [m/s²], shape (3,).
         origins: where the numbers come from.
-        base_shapes: what the part that stands still looks like, in the base frame.
+        base_shapes: shapes of the fixed part, in the base frame.
 
     Raises:
         ModelValueError: a limit, mass, inertia or placement is not finite, or not positive where it must be.

@@ -56,13 +56,13 @@ def check_open(mechanism: Mechanism) -> None:
 
 
 def mechanism_findings(mechanism: Mechanism) -> tuple[Diagnostic, ...]:
-    """Return the contradictions of a mechanism: of its counts, and those of `tree_findings`."""
+    """Return the contradictions of a mechanism: of its counts, and the result of `tree_findings`."""
     return (*_counts(mechanism), *tree_findings(mechanism))
 
 
 @lru_cache(maxsize=256)
 def tree_findings(mechanism: Mechanism) -> tuple[Diagnostic, ...]:
-    """Return what is wrong with joints, axes, couplings and loops; without that kinematics has a meaning."""
+    """Return the errors in joints, axes, couplings and loops; without errors kinematics is defined."""
     tree = (
         *name_findings(mechanism),
         *parent_findings(mechanism),

@@ -71,7 +71,7 @@ def check_finite(what: str, numbers: Iterable[float]) -> None:
     """Make sure that numbers of a mechanism are finite.
 
     Args:
-        what: of the mechanism they are.
+        what: kind of the checked numbers.
         numbers: any.
 
     Raises:
@@ -122,8 +122,8 @@ def number_findings(
     The limits of an axis are ordered, its largest speed, acceleration, jerk and effort positive; only the
     effort may be infinite. A mass is 0 or more, an inertia symmetric. The moments of a body with mass are not
     negative; an inertia without mass is an effective one, as identification finds it, and may be. Zeros are
-    allowed: published sets leave out what cannot matter. The limits of a drive are positive; what moves in
-    it has a mass or inertia of 0 or more. Its gear ratio is not 0; all its numbers are finite.
+    allowed: published sets omit irrelevant values. The limits of a drive are positive; its moving parts have
+    a mass or inertia of 0 or more. Its gear ratio is not 0; all its numbers are finite.
 
     Args:
         joints: of a mechanism.

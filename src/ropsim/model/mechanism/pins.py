@@ -1,4 +1,4 @@
-"""The pins of a cylinder, between the frames in which files have them and those of the model."""
+"""The pins of a cylinder, between the frames in which files have them and the frames of the model."""
 
 import numpy as np
 
@@ -7,7 +7,7 @@ from ropsim.model.mechanism.links import Joint
 from ropsim.spatial import Array, Pose
 
 DIGITS = 12
-"""Pins are kept to a picometre, and written finer, so that they come back from any frame as they were."""
+"""Pins are kept to a picometre, and written finer, so that conversion to any frame and back is exact."""
 WRITTEN = 15
 """Decimals of a pin in a file [m]."""
 

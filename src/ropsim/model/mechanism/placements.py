@@ -1,7 +1,7 @@
 """The fixed rotations and shifts of a mechanism as matrices, with the exact zeros and ones of the drawing.
 
-A quaternion of a right angle gives cosines such as 2e-16. Code generators drop a term only where the
-factor is exactly zero, so entries that are 0 or ±1 to rounding are set so here.
+A quaternion of a right angle yields cosines such as 2e-16. Code generators drop a term only where the factor
+is exactly zero, so entries that are 0 or ±1 to rounding are set so here.
 """
 
 from functools import lru_cache
@@ -12,7 +12,7 @@ from ropsim.model.mechanism.joint_tree import JointTree
 from ropsim.spatial import Array, Pose, frozen
 
 SNAP = 1e-15
-"""Entries this near to -1, 0 or 1 are rounding, not geometry: no drawing gives angles to 1e-15 rad."""
+"""Entries this near to -1, 0 or 1 are rounding, not geometry: no drawing specifies angles to 1e-15 rad."""
 
 
 def snapped(matrix: Array) -> Array:

@@ -1,4 +1,4 @@
-"""What is wrong with the joints of a mechanism as a tree, and with its axes."""
+"""Errors in the joints of a mechanism as a tree, and in its axes."""
 
 from collections.abc import Iterator
 
@@ -50,7 +50,7 @@ def parent_findings(mechanism: Mechanism) -> Iterator[Diagnostic]:
 
 
 def way_up(mechanism: Mechanism, number: int) -> set[int]:
-    """Return the links that a joint hangs on, as far as they can be followed."""
+    """Return the links above a joint, up to the first error."""
     found: set[int] = set()
     link = mechanism.joints[number].parent
     while 0 <= link < len(mechanism.joints) and link not in found:

@@ -1,8 +1,8 @@
-"""Mechanisms joined to one: an arm on a track, a positioner beside an arm.
+"""Mechanisms joined to one: an arm on a track, a positioner next to an arm.
 
 A station drives its arm and its external axes together, so they are one mechanism. The axes of the arm come
 first, then the external ones, whose joints are named E1, E2 and so on. Where one of the two has no drives,
-the whole has none.
+the whole has no drives.
 """
 
 from dataclasses import replace
@@ -24,7 +24,7 @@ def on_track(arm: RobotModel, track: Mechanism, X_LB: Pose = _HERE) -> RobotMode
 
     Args:
         arm: whose base frame is B; it may have external axes already.
-        track: what carries it.
+        track: mechanism that carries it.
         X_LB: base frame of the arm in the frame of the interface of the track: of its last link.
 
     Raises:
@@ -63,9 +63,9 @@ def on_track(arm: RobotModel, track: Mechanism, X_LB: Pose = _HERE) -> RobotMode
 
 
 def beside(arm: RobotModel, positioner: Mechanism, X_BP: Pose) -> RobotModel:
-    """Return an arm and a mechanism that stands beside it, as one.
+    """Return an arm and a mechanism that stands next to it, as one.
 
-    The base frame and the interface are those of the arm.
+    The base frame and the interface belong to the arm.
 
     Args:
         arm: whose base frame is B; it may have external axes already.
@@ -129,7 +129,7 @@ def _recut(cut: LoopCut, count: int, carrier: int, X: Pose) -> LoopCut:
 
 
 def _drives(arm: Mechanism, other: Mechanism) -> tuple[Drive, ...]:
-    """Return the drives of both; none where one of them has none, as a mechanism has all of them or none."""
+    """Return the drives of both; empty if one has no drives, since a mechanism has all of them or none."""
     return (*arm.drives, *other.drives) if arm.drives and other.drives else ()
 
 

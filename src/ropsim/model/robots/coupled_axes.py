@@ -1,4 +1,4 @@
-"""Serial arms whose makers count a joint with others: each such axis is a crank without mass beside the arm.
+"""Serial arms whose makers count a joint with others: each coupled axis is a massless crank next to the arm.
 
 FANUC counts joint 3 from the horizontal, and in arms with a parallelogram the motor of axis 3 holds the
 forearm against the column: the joint between lower arm and forearm turns by its axis and by axis 2. The axis
@@ -70,7 +70,7 @@ def with_coupled_axes(robot: RobotModel, axes: tuple[CoupledAxis, ...]) -> Robot
 def without_coupled_axes(robot: RobotModel) -> tuple[RobotModel, tuple[CoupledAxis, ...]]:
     """Return the serial arm and the axes of which `with_coupled_axes` makes a robot.
 
-    The robot itself and none, where it makes no such robot.
+    The robot itself and no axes, if the result is not a robot of this kind.
     """
     n, places = robot.n, robot.axes
     numbers = {place: axis for axis, place in enumerate(places)}
@@ -100,7 +100,7 @@ def _sum(robot: RobotModel, axis: CoupledAxis) -> str:
 
 
 def _crank(robot: RobotModel, axis: CoupledAxis) -> Pose:
-    """Return the frame of a crank on the link that carries the joint beside it, turned as its joint is."""
+    """Return the frame of a crank on the link that carries the coupled joint, turned as its joint is."""
     beside = axis.others[0][0]
     X = robot.joints[beside].placement
     turned = X

@@ -1,4 +1,4 @@
-"""What a reader of robot files gives, and what a writer of them gives."""
+"""Results of readers and writers of robot files."""
 
 from ropsim.core import Diagnostic, frozen_dataclass
 from ropsim.model.robots.robot import RobotModel
@@ -10,8 +10,8 @@ class ReadRobot:
 
     Attributes:
         robot: the model; nothing where an error forbids one.
-        findings: what was found, in the order of the file: errors, doubtful numbers, and what the file says
-            and the model cannot hold (losses, one code of their own).
+        findings: findings in the order of the file: errors, doubtful numbers, and data of the file that the
+            model cannot hold (losses, with a separate code).
     """
 
     robot: RobotModel | None
@@ -24,7 +24,7 @@ class WrittenRobot:
 
     Attributes:
         text: of the file, in its one canonical form.
-        losses: what the model holds and the format cannot say, in the order of the model.
+        losses: data of the model that the format cannot represent, in the order of the model.
     """
 
     text: str

@@ -1,4 +1,4 @@
-"""The arm of a robot with external axes: what inverse kinematics solves while they stand still."""
+"""The arm of a robot with external axes: inverse kinematics solves it with external axes at rest."""
 
 from dataclasses import replace
 from functools import lru_cache
@@ -17,9 +17,9 @@ class HeldArm:
     """The arm of a robot with external axes.
 
     Attributes:
-        arm: by itself; its base frame is the frame of `carrier`.
+        arm: the arm alone; its base frame is the frame of `carrier`.
         carrier: link of the robot on which it hangs, `BASE_LINK` where its base stands still.
-        axes: number of each axis of the arm among those of the robot.
+        axes: number of each axis of the arm among the axes of the robot.
     """
 
     arm: RobotModel
@@ -31,11 +31,11 @@ class HeldArm:
 def held_arm(robot: RobotModel) -> HeldArm:
     """Return the arm of a robot whose external axes stand still.
 
-    It is what hangs on the last link on the way to the interface that external axes move.
+    It is the part behind the last link, on the chain to the interface, that external axes move.
 
     Raises:
-        MechanismError: the robot cannot be or has no arm, or a coupling mixes external axes with those of the
-            arm.
+        MechanismError: the robot is impossible or has no arm, or a coupling mixes external axes with axes of
+            the arm.
     """
     check_mechanism(robot)
     if not robot.has_arm:
@@ -85,7 +85,7 @@ def carrying_links(robot: RobotModel) -> frozenset[int]:
     """Return the numbers of the links that carry the arm of a robot: its carrier and all below.
 
     Raises:
-        MechanismError: a coupling mixes external axes with those of the arm.
+        MechanismError: a coupling mixes external axes with axes of the arm.
     """
     link, found = held_arm(robot).carrier, set()
     while link != BASE_LINK:
@@ -95,10 +95,10 @@ def carrying_links(robot: RobotModel) -> frozenset[int]:
 
 
 def external_links(robot: RobotModel) -> tuple[int, ...]:
-    """Return the numbers of the links that external axes alone move, and of those that are fixed to them.
+    """Return the numbers of the links that external axes alone move, and of links fixed to them.
 
     Raises:
-        MechanismError: a coupling mixes external axes with those of the arm.
+        MechanismError: a coupling mixes external axes with axes of the arm.
     """
     T, first = coordinates(robot).T, first_coordinates(robot.joints)
     inner = [k for k in range(robot.n) if k not in robot.external]
@@ -146,7 +146,7 @@ def axes_words(robot: RobotModel) -> str:
     The axes of a robot without external axes are not listed.
 
     Raises:
-        MechanismError: a coupling of the robot mixes external axes with those of its arm.
+        MechanismError: a coupling of the robot mixes external axes with axes of its arm.
     """
     if not robot.external or not robot.has_arm:
         return f"{robot.n}"
@@ -157,7 +157,7 @@ def external_words(robot: RobotModel) -> str:
     """Return the external axes of a robot with an arm by their names: "E1 (track), E2 (positioner)".
 
     Raises:
-        MechanismError: a coupling of the robot mixes external axes with those of its arm.
+        MechanismError: a coupling of the robot mixes external axes with axes of its arm.
     """
     carrying, named = carrying_links(robot), []
     for k in robot.external:

@@ -24,7 +24,7 @@ def joints_from_modified_dh(
     """Return the joints of a modified DH table, named `1` to `n`.
 
     Args:
-        rows: the table, one row per joint; a and α of a row are those of the link before its joint.
+        rows: the table, one row per joint; a and α of a row belong to the link before its joint.
         limits: one record per joint.
         X_B0: frame 0 of the table in the base frame; None where they are the same.
 

@@ -22,8 +22,8 @@ class RobotModel(Mechanism):
         tip: number of the link that carries the interface, from 0; `LAST` stands for the last one and is
             replaced by its number.
         dh: the DH table of the standard form that the model was made from; empty otherwise.
-        external: numbers of the axes, from 0, that inverse kinematics leaves where they are, as those of a
-            track or a turntable.
+        external: numbers of the axes, from 0, that inverse kinematics leaves unchanged, such as a track or a
+            turntable.
         rated_payload: mass that the maker allows at the interface, tool and part together [kg]; inf where
             unknown.
 
@@ -52,7 +52,7 @@ class RobotModel(Mechanism):
 
     @property
     def has_arm(self) -> bool:
-        """Return whether it has axes that inverse kinematics moves; a station of one axis has none."""
+        """Return whether it has axes that inverse kinematics moves; a station of one axis has no arm."""
         return len(self.external) < self.n
 
     @property
@@ -86,7 +86,7 @@ def with_axis_limits(robot: RobotModel, speed: Array, acceleration: Array, jerk:
 def is_bare(mechanism: Mechanism, number: int) -> bool:
     """Return whether a link is only a step between two joints.
 
-    Such a link has no shape and no mass, and other links of its mechanism have shapes. In a mechanism without
+    The link has no shape and no mass, and other links of its mechanism have shapes. In a mechanism without
     any shape nothing is known of any link.
 
     Args:

@@ -1,4 +1,4 @@
-"""Mechanisms that stations have beside their arms, one file each: what carries the arm, or the workpiece."""
+"""Mechanisms of stations in addition to their arms, one file each: carriers of the arm or the workpiece."""
 
 from ropsim.robots.external_axes.gantry import gantry as gantry
 from ropsim.robots.external_axes.linear_track import linear_track as linear_track

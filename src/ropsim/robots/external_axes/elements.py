@@ -1,4 +1,4 @@
-"""What the mechanisms of this folder have in common: colours, drives, homogeneous bodies, frames."""
+"""Common elements of the mechanisms of this folder: colours, drives, homogeneous bodies, frames."""
 
 import numpy as np
 
@@ -7,7 +7,7 @@ from ropsim.spatial import Array, Pose
 
 FRAME, PLATE, STEEL, ACCENT = "#3d464f", "#cfd4d8", "#a3abb3", "#e2702b"
 ALONG_X = Pose(orientation=np.array([1.0, 0.0, 1.0, 0.0]))
-"""Ry(90°): z of a joint points along x of what carries it, and its x axis down."""
+"""Ry(90°): z of a joint points along x of its carrier, and its x axis down."""
 BACK = ALONG_X.inverse()
 ESTIMATE = (
     ParameterOrigin(

@@ -20,10 +20,11 @@ LEAST_STEP = 1e-8
 ROUNDING = 1e-12
 """Nothing is won by less than this [m]: where axes hardly move the point, searches would follow last bits."""
 GOALS = frozen(np.array([[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0]]))
-"""Of the coordinates of the section, what is to be least: the first one, its opposite, and so the second."""
+"""Of the coordinates of the section, the one to be minimised: the first one, its opposite, and so the
+second."""
 
 Worth = Callable[[Array, npt.NDArray[np.intp]], Array]
-"""What axes (k, n) are worth to the searches with these numbers (k,), shape (k,): the least is the best."""
+"""Cost of axes (k, n) for the searches with these numbers (k,), shape (k,)."""
 
 
 @record
@@ -60,7 +61,7 @@ def extremes(robot: RobotModel, point: MovedPoint, sweep: Sweep, ranges: AxisRan
 
 
 def _least(robot: RobotModel, ranges: AxisRanges, starts: Array, worth: Worth) -> tuple[Array, Array]:
-    """Return the axes to which searches from `starts` (k, n) come, (k, n), and what they are worth, (k,)."""
+    """Return the axes to which searches from `starts` (k, n) come, (k, n), and their costs, (k,)."""
     q = starts.copy()
     going = np.arange(len(q))
     best = worth(q, going)

@@ -52,7 +52,7 @@ def reached_at(workspace: Reachable, u: Array, v: Array, w: Array) -> npt.NDArra
 
 
 def gaps(sweep: Sweep, intervals: Array, value: float) -> Array:
-    """Return how far a value of the third coordinate is from what the sweep reaches, shape (k,) [rad | m].
+    """Return how far a value of the third coordinate is from the range of the sweep, shape (k,) [rad | m].
 
     Args:
         sweep: of the first axis.

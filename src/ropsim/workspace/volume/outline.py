@@ -12,8 +12,8 @@ _SIDES = ((0, 0), (1, 0), (1, 1), (0, 1))  # the corners of a square of lattice 
 def outline(section: Section) -> tuple[Array, ...]:
     """Return the closed lines along the border of a section [m], each of shape (k, 2), the longest first.
 
-    Marching squares (Lorensen & Cline 1987, in the plane) on what is covered, smoothed over three points of
-    the lattice; a line is nearer to the border than the spacing of the lattice but at sharp corners.
+    Marching squares (Lorensen & Cline 1987, in the plane) on the covered points, smoothed over three points
+    of the lattice; a line is nearer to the border than the spacing of the lattice but at sharp corners.
     """
     field = np.pad(section.covered, 1)
     for axis in (0, 1):
@@ -28,7 +28,7 @@ def outline(section: Section) -> tuple[Array, ...]:
         inside = [bool(number[i, j] >> k & 1) for k in range(4)]
         ends = [_edge(i, j, k) for k in range(4) if inside[k] != inside[(k + 1) % 4]]
         leaving = [k for k in range(4) if inside[k] and not inside[(k + 1) % 4]]
-        for k in leaving:  # with what is inside to the left, from where it ends to where it began
+        for k in leaving:  # with the inside to the left, from its end to its begin
             begin = next(m % 4 for m in range(k + 3, k - 1, -1) if not inside[m % 4] and inside[(m + 1) % 4])
             following[_edge(i, j, k)] = _edge(i, j, begin)
         assert len(ends) == 2 * len(leaving)

@@ -76,7 +76,7 @@ def rastered(
     Args:
         robot: the arm.
         point: of it.
-        sweep: what its first axis does.
+        sweep: effect of its first axis.
         ranges: of the axes.
         division: of them.
         box: least and greatest coordinates of the section [m], shape (2, 2).
@@ -102,7 +102,7 @@ def rastered(
 def _sheets(
     robot: RobotModel, point: MovedPoint, sweep: Sweep, ranges: AxisRanges, division: Division
 ) -> Iterator[tuple[Array, Array, Array]]:
-    """Yield frames of the grid (k, 12), points in them (s, 3) and what is left of coupled limits (k, c)."""
+    """Yield frames of the grid (k, 12), points in them (s, 3) and the margins of coupled limits (k, c)."""
     i, j = division.pair
     still = np.where(ranges.lower > 0.0, ranges.lower, np.minimum(ranges.upper, 0.0))
     if sweep.axis >= 0:
@@ -127,7 +127,7 @@ def _sheets(
 def _frames(robot: RobotModel, Q: Array, values: list[Array], pair: tuple[int, int]) -> Array:
     """Return the frames of the second of two axes of a serial arm on their grid Q, shape (k, 4, 4).
 
-    They are products of frames of the first axis and of those of the second one in them.
+    They are products of frames of the first axis and of frames of the second one in them.
     """
     i, j = pair
     columns = len(values[j])
@@ -138,7 +138,7 @@ def _frames(robot: RobotModel, Q: Array, values: list[Array], pair: tuple[int, i
 
 
 def _points(robot: RobotModel, point: MovedPoint, q: Array, division: Division, values: list[Array]) -> Array:
-    """Return the point in the frame of the last axis of a sheet for all values of those behind it, (s, 3)."""
+    """Return the point in the frame of the last axis of a sheet for all values of the later axes, (s, 3)."""
     outer = list(division.outer)
     rows = np.array(list(product(*(values[k] for k in outer))))
     Q = np.tile(q, (len(rows), 1))
@@ -150,7 +150,7 @@ def _points(robot: RobotModel, point: MovedPoint, q: Array, division: Division, 
 
 
 def _values(ranges: AxisRanges, division: Division, k: int) -> Array:
-    """Return the values of an axis [rad | m]: both ends and what lies evenly between."""
+    """Return the values of an axis [rad | m]: both ends and evenly spaced values between."""
     return np.linspace(ranges.lower[k], ranges.upper[k], division.steps[k] + 1)
 
 

@@ -25,15 +25,15 @@ SLACK = 1e-12
 def cover(
     lattice: Array1, F: Array2, V: Array2, slacks: Array2, corners: Array2, stack: Array2, marks: Array3
 ) -> None:
-    """Mark what the sheets of a grid of frames cover, one sheet for each row of V.
+    """Mark the points covered by the sheets of a grid of frames, one sheet for each row of V.
 
     Args:
         lattice: 1.0 where the first axis turns, else 0.0; its range [rad | m], inf where it counts not; the
-            two rows (ca, sa, a0) and (cb, sb, b0) that turn coordinates of the section [m] into those of the
-            lattice; points of the grid along its second axis; largest sag of a chord [m]; shape (10,).
+            two rows (ca, sa, a0) and (cb, sb, b0) that turn coordinates of the section [m] into coordinates
+            of the lattice; points of the grid along its second axis; largest sag of a chord [m]; shape (10,).
         F: frames of the grid in the sweep frame, as R by rows and p [m], shape (k, 12).
         V: points in each of these frames [m], shape (s, 3).
-        slacks: what is left of coupled limits at each point of the grid, shape (k, c).
+        slacks: margins of coupled limits at each point of the grid, shape (k, c).
         corners: room for them in space, shape (k, 3 + c).
         stack: room for triangles, shape (DEPTH, 3·(3 + c)).
         marks: of the lattice points: count of intervals, and their ends; shape (na, nb, 1 + 2·MOST).
@@ -55,7 +55,7 @@ def cover(
 
 
 def _triangle(lattice: Array, corners: Array, k0: int, k1: int, k2: int, stack: Array, marks: Array) -> None:
-    """Mark what a triangle covers, halved until its chords are near enough to their arcs."""
+    """Mark the points covered by a triangle, halved until its chords are near enough to their arcs."""
     width = corners.shape[1]
     for r in range(width):
         stack[0, r], stack[0, width + r], stack[0, 2 * width + r] = (

@@ -31,9 +31,9 @@ class Resolution:
 
 
 SAMPLES = 256
-"""Configurations in which it is looked how far each axis moves the point."""
+"""Configurations in which the motion of the point by each axis is measured."""
 ONE_SHEET = Resolution(500)
-"""Where two axes beside the first one move the point: 0.1 % in half a second."""
+"""If two axes in addition to the first one move the point: 0.1 % in half a second."""
 MANY_SHEETS = Resolution(240)
 """Where more of them do: about 1 % in seconds."""
 
@@ -44,10 +44,10 @@ class Reachable:
 
     Attributes:
         point: of the arm.
-        sweep: what the first axis does, and the frame of the section.
+        sweep: effect of the first axis, and the frame of the section.
         ranges: of the axes.
         volume: [m³]; an area [m²] where the point moves in a plane.
-        error: within which that is certain to be as far as computing with half of the steps can tell.
+        error: error bound, estimated by computing with half of the steps.
         section: on a lattice.
         extremes: least and greatest first coordinate of the section, then of the second one.
         findings: such as ranges that were assumed.
@@ -68,10 +68,10 @@ def reachable(robot: RobotModel, point: MovedPoint, resolution: Resolution | Non
     """Return the workspace that a point reaches within the limits of the joints.
 
     The first axis sweeps a section, so that only this is computed: sheets of triangles over two axes, one for
-    each combination of the others, are laid on a lattice, of which each point remembers what of the sweep
-    reaches it. The volume is the sum over the lattice; the border lies inside by less than the sag of the
-    sheets, and everything is done again with half of the steps: the error is the difference of the two, and
-    what a lattice leaves open along the border.
+    each combination of the others, are laid on a lattice, of which each point stores the range of the sweep
+    that reaches it. The volume is the sum over the lattice; the border lies inside by less than the sag of
+    the sheets, and everything is done again with half of the steps: the error is the difference of the two,
+    and the open area of the lattice along the border.
 
     Args:
         robot: the arm.
@@ -105,7 +105,7 @@ def _volume(section: Section, sweep: Sweep) -> float:
 
 
 def _weights(section: Section, sweep: Sweep) -> Array:
-    """Return what each lattice point stands for, [m³] per unit of its share."""
+    """Return the weight of each lattice point, [m³] per unit of its share."""
     area = section.spacing**2
     if sweep.kind is SweepKind.TURN:
         return np.asarray(area * np.maximum(section.places()[:, :, 0], 0.0))
@@ -113,7 +113,7 @@ def _weights(section: Section, sweep: Sweep) -> Array:
 
 
 def _left_open(section: Section, sweep: Sweep) -> float:
-    """Return what the lattice leaves open along the border: points beside others that differ from them.
+    """Return the open area of the lattice along the border: points next to others that differ from them.
 
     Each of them stands for an area of which a part is beyond the border, evenly from none to all, so that k
     of them are off by √(k/12) areas; the threefold of that is taken.

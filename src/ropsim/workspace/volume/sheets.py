@@ -1,8 +1,9 @@
 """How the ranges of the axes are divided: sheets of two axes, one for each combination of the others.
 
 Each sheet is a grid of triangles. A chord of an arc of radius ρ over an angle δ is at most ρ·δ²/8 away from
-it, and an envelope of sheets that are δ apart is, too: with n steps of an axis the workspace is too small by
-that at most along its border, so that half of the step leaves a quarter of the error.
+it, and an envelope of sheets that are δ apart is also within this distance: with n steps of an axis the
+workspace is too small by that at most along its border, so that half of the step leaves a quarter of the
+error.
 """
 
 import numpy as np
@@ -27,9 +28,9 @@ class Division:
 
     Attributes:
         pair: numbers of the two axes of a sheet.
-        inner: of those whose values need frames of their own.
-        outer: of those behind the pair in a serial arm, which only move the point in the frame of it.
-        steps: of each of the n axes; 0 for those that stand still.
+        inner: of axes whose values need separate frames.
+        outer: of axes behind the pair in a serial arm, which only move the point in the frame of it.
+        steps: of each of the n axes; 0 for axes at rest.
         sag: by which the border may lie too far inside for each axis [m].
     """
 
@@ -48,7 +49,7 @@ def divided(
     Args:
         robot: the arm.
         point: of it.
-        sweep: what the first axis does.
+        sweep: effect of the first axis.
         ranges: of the axes.
         Q: configurations that fill them, shape (k, n).
         budget: quadrangles of all sheets.

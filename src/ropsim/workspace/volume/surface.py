@@ -49,9 +49,7 @@ def surface(workspace: Reachable) -> tuple[Array, Faces]:
     if workspace.sweep.kind is SweepKind.TURN:
         vertex[:, :, -1] = vertex[:, :, 0]
         there = there.copy()
-        there[:, :, 0] = there[
-            :, :, 1
-        ]  # no faces across the first cell, as they are those across the last one
+        there[:, :, 0] = there[:, :, 1]  # the first cell repeats the last one, whose faces exist
     points = np.column_stack([np.interp(at[:, k], np.arange(len(g)), g) for k, g in enumerate(grids)])
     return _in_space(workspace, points), _faces(there, vertex)
 
@@ -65,7 +63,7 @@ def _grid(workspace: Reachable) -> tuple[tuple[Array, Array, Array], npt.NDArray
     u = first + size * np.arange(np.ceil((ends[1] - first) / size) + 2)
     v = ends[2] + size * (np.arange(np.ceil((ends[3] - ends[2]) / size) + 4) - 1.5)
     if turns:
-        w = -np.pi + TURN / AROUND * np.arange(-1.0, AROUND + 1)  # the first cell is the last one, too
+        w = -np.pi + TURN / AROUND * np.arange(-1.0, AROUND + 1)  # the first cell is also the last one
     else:
         starts = workspace.section.starts
         low, high = float(starts[:, :, 1].min()), float(starts[:, :, 2].max())

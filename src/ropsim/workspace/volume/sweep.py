@@ -1,4 +1,4 @@
-"""What the first axis of an arm does to a point: it turns or shifts a section of the workspace."""
+"""Effect of the first axis of an arm on a point: it turns or shifts a section of the workspace."""
 
 from enum import Enum
 
@@ -12,7 +12,7 @@ from ropsim.workspace.point import MovedPoint
 from ropsim.workspace.ranges import TURN, AxisRanges, even_rows
 
 SAMPLES = 64
-"""Configurations in which an arm is looked at."""
+"""Configurations in which an arm is sampled."""
 STEP = 1e-5
 """Of difference quotients [rad | m]."""
 FLAT = 1e-7
@@ -23,8 +23,8 @@ class SweepKind(Enum):
     """How the workspace follows from its section.
 
     TURN: the first axis turns the section about z; its coordinates are radius and height. SLIDE: it shifts it
-    along z; they are x and y. FLAT: the point moves in the plane z = 0, which is the section, and an area is
-    all that there is.
+    along z; they are x and y. FLAT: the point moves in the plane z = 0, which is the section, and the
+    workspace is an area.
     """
 
     TURN = "turn"
@@ -37,7 +37,7 @@ class Sweep:
     """The first axis and the frame S of it.
 
     Attributes:
-        kind: what it does.
+        kind: kind of effect.
         X_BS: S in the base frame, homogeneous, shape (4, 4); z is the axis, the origin that point of it which
             is next to that of the base.
         lower: begin of the range of the axis [rad | m]; 0 where flat.
@@ -55,7 +55,7 @@ class Sweep:
 
     @property
     def measure(self) -> str:
-        """Return the unit of what is measured: m³, or m² where the point moves in a plane."""
+        """Return the unit of the measure: m³, or m² where the point moves in a plane."""
         return "m²" if self.kind is SweepKind.FLAT else "m³"
 
 
@@ -69,7 +69,7 @@ def point_jacobian(robot: RobotModel, point: MovedPoint, Q: Array) -> Array:
 
 
 def sweep_of(robot: RobotModel, point: MovedPoint, ranges: AxisRanges) -> Sweep:
-    """Return what the first axis of an arm does to a point.
+    """Return the effect of the first axis of an arm on a point.
 
     Raises:
         WorkspaceError: W103, neither a turn of the whole arm nor a shift.
@@ -89,7 +89,7 @@ def sweep_of(robot: RobotModel, point: MovedPoint, ranges: AxisRanges) -> Sweep:
     if np.abs(J - expected).max() > 1e-6 * max(1.0, float(spread[0])):
         raise WorkspaceError(first_axis(robot.name, joint.name))
     kind = SweepKind.SLIDE if slides else SweepKind.TURN
-    if not slides and axis[2] < -0.5:  # the axis counted as pointing up: heights are those of people
+    if not slides and axis[2] < -0.5:  # the axis counted as pointing up: heights as in common use
         return Sweep(kind, _frame(-axis, origin), -float(ranges.upper[0]), float(ranges.extent[0]), 0, -1.0)
     return Sweep(kind, _frame(axis, origin), float(ranges.lower[0]), float(ranges.extent[0]), 0)
 
@@ -100,7 +100,7 @@ def whole_turn(sweep: Sweep) -> bool:
 
 
 def _pointing_up(normal: Array) -> Array:
-    """Return a normal or its opposite, whichever has its first large entry, from z on, positive."""
+    """Return the one of a normal and its opposite whose first large entry, from z on, is positive."""
     key = next(value for value in normal[::-1] if abs(value) > 0.5)
     return normal if key > 0.0 else -normal
 

@@ -2,15 +2,15 @@
 
 Raghavan & Roth, Inverse Kinematics of the General 6R Manipulator, 1993, with the eigenvalue problem of
 Manocha & Canny, Efficient Inverse Kinematics for General 6R Manipulators, 1994. Base and interface are joined
-to a ring of six joints, which may be cut open anywhere and walked in either sense. In the order of the walk,
-with fixed steps C0 to C5, of which one holds the pose,
+to a ring of six joints, which may be cut open anywhere and traversed in either sense. In the order of the
+traversal, with fixed steps C0 to C5, of which one holds the pose,
 
     Rz(c)·C3·Rz(d)·C4·Rz(e)·C5·Rz(f) = C2⁻¹·Rz(-b)·C1⁻¹·Rz(-a)·C0⁻¹.
 
-f changes neither origin p nor z axis l of these frames. From p and l follow 14 equations, p, l, p·p, p·l,
-p × l, (p·p)·l - 2·(p·l)·p, which are linear in the products of (sin d, cos d, 1) and (sin e, cos e, 1) on the
-left and of those of a and b on the right. With the right sides eliminated, six equations in d and e are left,
-with coefficients linear in sin c and cos c; in tangents x of half angles, and each taken times x_d, too, they
+f changes neither origin p nor z axis l of these frames. From p and l follow 14 equations, p, l, p·p, p·l, p ×
+l, (p·p)·l - 2·(p·l)·p, which are linear in the products of (sin d, cos d, 1) and (sin e, cos e, 1) on the
+left and of a and b on the right. With the right sides eliminated, six equations in d and e are left, with
+coefficients linear in sin c and cos c; in tangents x of half angles, and each also multiplied by x_d, they
 are (A·x² + B·x + C)·v = 0 of order 12. Where the geometry makes that singular for all poses, as parallel and
 meeting axes often do, another cut does not.
 """
@@ -30,11 +30,11 @@ TURN = np.diag([1.0, -1.0, -1.0, 1.0])  # Rx(π): turns about z become their opp
 
 @record
 class Elimination:
-    """One way to cut the ring of an arm open, with what all poses share.
+    """One way to cut the ring of an arm open, with the data common to all poses.
 
     Attributes:
         order: joints a to f, from 0.
-        forwards: 1.0 where the ring is walked from base to interface, else 0.0.
+        forwards: 1.0 if the ring is traversed from base to interface, else 0.0.
         steps: C0 to C5; the one that holds the pose has no meaning, shape (6, 4, 4).
         posed: place of that among them, 0, 1 or 2.
         before: interface in the frame of joint 6, shape (4, 4).
@@ -59,7 +59,7 @@ class Elimination:
 
 
 WAYS = 6
-"""So many cuts have the pose on the right side, so that the left one is computed once."""
+"""Number of cuts with the pose on the right side, so that the left one is computed once."""
 
 
 def steps_of(chain: ChainArrays) -> Array:
@@ -72,7 +72,7 @@ def steps_of(chain: ChainArrays) -> Array:
 
 
 def eliminations(C: Array, wanted: Sequence[int]) -> tuple[Elimination, ...]:
-    """Return those of the six ways that are wanted, for steps C of `steps_of`, shape (7, 4, 4)."""
+    """Return the requested ones of the six ways, for steps C of `steps_of`, shape (7, 4, 4)."""
     forwards = [np.eye(4), *C[1:6]]
     backwards = [TURN @ inverse_pose(C[i]) @ TURN for i in (5, 4, 3, 2, 1)]
     senses = (forwards, (0, 1, 2, 3, 4, 5)), ([np.eye(4), *backwards], (5, 4, 3, 2, 1, 0))

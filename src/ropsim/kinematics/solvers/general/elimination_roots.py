@@ -19,7 +19,7 @@ root."""
 TOGETHER = 5e-4
 """Roots this near to each other [rad] may share a space of vectors."""
 ONE = 1e-5
-"""Roots this near to each other [rad] are the same: the space is looked at once."""
+"""Roots this near to each other [rad] are the same: the space is used once."""
 SINGULAR = 1e-13
 """A matrix A whose least singular value is this part of its greatest one has no inverse."""
 ROOTS = 24
@@ -30,7 +30,7 @@ further on have the ratio x_d."""
 
 
 def starts(way: Elimination, T: Array) -> tuple[Array, Array]:
-    """Return what the roots of k poses give.
+    """Return the results of the roots of k poses.
 
     Args:
         way: the elimination.
@@ -64,7 +64,7 @@ def starts(way: Elimination, T: Array) -> tuple[Array, Array]:
         return out, regular
     parted = [_parted(vectors[i], int(close[i].sum())) for i in shared]
     asked = np.repeat(shared, [len(rows) for rows in parted])
-    at = place[asked]  # in order, so that the first one of a pose can be looked up
+    at = place[asked]  # in order, to find the first one of a pose
     number = np.arange(len(at)) - np.searchsorted(at, at)
     more = np.full((len(T), int(number.max()) + 1, 6), np.nan)
     more[at, number] = _coordinates(way, C[at], right[at], c[asked], np.concatenate(parted))
@@ -72,7 +72,7 @@ def starts(way: Elimination, T: Array) -> tuple[Array, Array]:
 
 
 def _sharing(close: npt.NDArray[np.bool_], angles: Array, root: npt.NDArray[np.intp]) -> npt.NDArray[np.intp]:
-    """Return which roots have others `close` by (s, 24), one of those that are the same; angles (s, 24)."""
+    """Return which roots have others `close` by (s, 24), one of equal ones; angles (s, 24)."""
     own = angles[np.arange(len(root)), root][:, np.newaxis]
     same = close & (np.abs(np.sin(0.5 * (angles - own))) < ONE)
     before = np.arange(ROOTS) < root[:, np.newaxis]
@@ -91,9 +91,9 @@ def _roots(A: Array, B: Array, C: Array) -> npt.NDArray[np.complex128]:
 def _parted(vectors: Array, count: int) -> Array:
     """Return the vectors (count, 12) of roots that share the space of the last ones of `vectors`, in rows.
 
-    In that space multiplication by x_d and by x_e are matrices, whose common eigenvectors are looked for.
-    All of them are given: which one belongs to which root is not known where some roots are one and others
-    only near.
+    In that space multiplication by x_d and by x_e are matrices, whose common eigenvectors are computed. All
+    of them are given: which one belongs to which root is not known where some roots are one and others only
+    near.
     """
     V = vectors[-count:].T
     by_d = np.linalg.lstsq(V[3:], V[:-3], rcond=None)[0]

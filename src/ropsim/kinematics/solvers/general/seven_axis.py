@@ -20,7 +20,7 @@ from ropsim.model import JointType, RobotModel
 from ropsim.spatial import Array, frozen, record
 
 HELD = (2, 4, 0, 1, 3, 5, 6)
-"""Joints that may be held, from 0; joint 3 turns the elbow of most such arms."""
+"""Joints that may be held, from 0; joint 3 turns the elbow of most arms of this kind."""
 
 
 @record
@@ -32,7 +32,7 @@ class GeneralSevenAxisSolver:
         joint: the one that is held, from 0.
         joint_name: its name.
         ways: numbers of the eliminations that are regular for the other six.
-        search: the numeric solver of the arm, for what is out of reach.
+        search: the numeric solver of the arm, for poses out of reach.
     """
 
     chain: ChainArrays

@@ -29,7 +29,7 @@ class GeneralSixAxisSolver:
     Attributes:
         chain: the arm.
         ways: eliminations that are regular for it, the best two.
-        search: the numeric solver of the arm, for what is out of reach.
+        search: the numeric solver of the arm, for poses out of reach.
     """
 
     chain: ChainArrays

@@ -12,11 +12,12 @@ from ropsim.kinematics.solvers.numeric import ROWS, distinct
 from ropsim.spatial import Array
 
 CLEAR = 1e-5
-"""Below this ratio of singular values another elimination is asked, too, and poses beside if none answers."""
+"""Below this ratio of singular values another elimination is also used, and neighbouring poses if none has an
+answer."""
 REGULAR = 1e-9
-"""Below this one poses beside the asked one are solved in any case."""
+"""Below this one poses next to the requested one are always solved."""
 BESIDE = (1e-6, 1e-4, -1e-4, 1e-3)
-"""How far beside [m, rad]."""
+"""Distance of the neighbouring poses [m, rad]."""
 MOVING = 1e-6
 """An arm whose Jacobian has a smaller singular value [m, rad] may move without moving its interface."""
 FOUND = 1e-4
@@ -24,7 +25,7 @@ FOUND = 1e-4
 TOUCHING = 1e-6
 """Poses this far beyond all links in one line [m], and entries of rotations beyond 1, are rounding."""
 FEW = 8
-"""So many poses tell whether an elimination is singular for an arm."""
+"""Number of poses to determine whether an elimination is singular for an arm."""
 AT_ONCE = 512
 """Poses whose matrices are in memory together."""
 TURN = 2.0 * np.pi
@@ -34,10 +35,10 @@ def all_answers(chain: ChainArrays, ways: tuple[Elimination, ...], T: Array, nea
     """Return all answers to many poses, those nearest to `near` first, shape (k, 16, 6).
 
     For a pose whose eigenvalue problem is singular, because the arm can move in it without moving its
-    interface, poses a little beside it are solved, too; their answers are starts. So it is where the number
-    of answers is odd: real roots of real equations come in pairs, and one is lost where two of them meet.
-    Where there are fewer answers than roots the other elimination is asked. Where roots share a space of
-    vectors because the arm can move so, answers that stand alone are sought beside the pose, too.
+    interface, neighbouring poses are also solved; their answers are starts. The same is done if the number of
+    answers is odd: real roots of real equations come in pairs, and one is lost where two of them meet. Where
+    there are fewer answers than roots the other elimination is used. Where roots share a space of vectors
+    because the arm can move so, isolated answers are also sought at neighbouring poses.
 
     Args:
         chain: of the arm.
@@ -66,8 +67,8 @@ def _possible(chain: ChainArrays, T: Array) -> npt.NDArray[np.bool_]:
 def regular_ways(chain: ChainArrays, T: Array, Q: Array) -> tuple[int, ...]:
     """Return numbers of the best two eliminations that find most of configurations Q (k, 6) of poses T.
 
-    A few poses tell which are singular for the arm. A way that loses some answers may find the few by chance,
-    so that the others are asked for all poses.
+    A few poses show which are singular for the arm. A way that loses some answers may find the few by chance,
+    so the others are used for all poses.
     """
     qualities = []
     for number, way in enumerate(eliminations(steps_of(chain), range(WAYS))):
@@ -122,8 +123,8 @@ def _moves(chain: ChainArrays, answers: Array) -> bool:
 def _kept(chain: ChainArrays, answers: Array, near: Array) -> Array:
     """Return each answer to a pose once, those nearest to `near` first, shape (k, 16, 6).
 
-    Where the arm can move without moving its interface there may be more: the nearest one is kept, then those
-    that stand alone.
+    Where the arm can move without moving its interface there may be more: the nearest one is kept, then
+    isolated ones.
     """
     found = distinct(answers, near, chain.turning, max(answers.shape[1], ROWS))
     kept = np.ascontiguousarray(found[:, :ROWS])
@@ -142,7 +143,7 @@ def _more(
     asked: npt.NDArray[np.bool_],
     tries: tuple[tuple[Elimination, float], ...],
 ) -> Array:
-    """Return answers with further ones to the poses for which `asked` is true, shape (k, more, 6)."""
+    """Return answers with further ones for the poses where `asked` is true, shape (k, more, 6)."""
     if not asked.any():
         return found
     tried = [starts(way, _beside(T[asked], step))[0] for way, step in tries]

@@ -1,8 +1,8 @@
 """Seven joints with spherical shoulder and wrist: eight branches in closed form for each swivel angle.
 
 The class (S-R-S): seven revolute joints, axes 1, 2 and 3 meeting in a point S with 1 ⟂ 2 ⟂ 3, axes 5, 6 and 7
-in a point W with 5 ⟂ 6 ⟂ 7; axis 4 lies anywhere beside both. A pose puts W in its place, and the distance
-from S tells how axis 4 is bent. What then is left free is a turn of the elbow about the line from S to W, the
+in a point W with 5 ⟂ 6 ⟂ 7; axis 4 lies anywhere else. A pose puts W in its place, and the distance from S
+determines the angle of axis 4. The remaining freedom is a turn of the elbow about the line from S to W, the
 swivel angle (Shimizu et al., Analytical Inverse Kinematic Computation for 7-DOF Redundant Manipulators With
 Joint Limits, 2008). It is 0 where the elbow is above that line, in the plane with axis 1, and grows with
 turns in the positive sense about the line from S to W. Nothing is read from a DH table: the axes are taken in
@@ -10,7 +10,7 @@ their places at coordinate zero.
 
 Frame J: placement of joint 1. With u from S to axis 4, r from there to W and turns R about the axes at
 coordinate zero, W - S = R1·R2·R3·(u + R4·r); K has the directions of axes 1 and 2 as z and y, so that
-R1·R2·R3 = K·Rz(θ1)·Ry(θ2)·Rz(θ3)·(K·Ry(μ))ᵀ, and likewise for the wrist.
+R1·R2·R3 = K·Rz(θ1)·Ry(θ2)·Rz(θ3)·(K·Ry(μ))ᵀ, and the same for the wrist.
 """
 
 from functools import lru_cache
@@ -37,7 +37,7 @@ SHORTEST_LINK = 1e-6
 TIE = 1e-9
 """A singular configuration belongs to two branches; within this [rad] it is given the first one."""
 WIDER = 3.0
-"""The slacks of a snapped arm are so many times the error that its snap can make."""
+"""The slacks of a snapped arm are this multiple of the error that its snap can make."""
 
 POSTURES = tuple(
     Posture((shoulder, elbow, wrist))
@@ -58,7 +58,7 @@ class SwivelSolver:
 
     Attributes:
         arm: its lengths, angles and frames, after snapping.
-        chain: the arm as it is.
+        chain: the actual arm.
         snapped_by: how far the two differ.
         strict: `arm` for the kernel.
     """

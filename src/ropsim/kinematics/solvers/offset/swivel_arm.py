@@ -113,7 +113,7 @@ def directions_missed(axes: Array) -> str:
 
 
 def snapped_axes(axes: Array) -> Array:
-    """Return axes that are exactly perpendicular where the class asks for it, shape (7, 3)."""
+    """Return axes that are exactly perpendicular where the class requires it, shape (7, 3)."""
     z2, z6 = across(axes[1], axes[0]), across(axes[5], axes[4])
     return np.array([axes[0], z2, across(axes[2], z2), axes[3], axes[4], z6, across(axes[6], z6)])
 

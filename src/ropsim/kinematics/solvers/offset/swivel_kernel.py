@@ -1,6 +1,6 @@
 """Closed-form inverse kinematics of arms with a swivel angle, in plain loops that numba compiles.
 
-The symbols are those of `swivel.py`. Turns of shoulder and wrist are Rz(A)·Ry(B)·Rz(C); as in
+The symbols are defined in `swivel.py`. Turns of shoulder and wrist are Rz(A)·Ry(B)·Rz(C); as in
 `spherical_wrist_kernel.py` A comes from the third column and C from the second row of Rz(-A)·N, which stays
 exact where B goes to 0 or π. Each row is checked by forward kinematics; for an arm that was snapped into the
 class the slacks are as wide as the snap, and its rows are starts for `polish.py`.
@@ -78,7 +78,7 @@ def _upper_arm(
     E: Array,
     Q: Array,
 ) -> float:
-    """Write the turn of the forearm about axis 4 to E, of the upper arm to Q; return by what w is missed."""
+    """Write the turn of the forearm about axis 4 to E, of the upper arm to Q; return the miss of w."""
     ax, ay, az = arm[AXIS], arm[AXIS + 1], arm[AXIS + 2]
     c, s = cos(bend - arm[PHI]), sin(bend - arm[PHI])
     v = 1.0 - c

@@ -1,17 +1,16 @@
 """Arms with three parallel axes: eight branches in closed form.
 
-The class: six revolute joints, axes 2, 3 and 4 parallel and perpendicular to axis 1, 4 ⟂ 5 ⟂ 6, axes 5 and
-6 meeting in a point P. Most arms made to work beside people are built so, those of Universal Robots first
-(Hawkins, Analytic Inverse Kinematics for the Universal Robots UR-5/UR-10 Arms, 2013). Nothing is read from a
-DH table: the axes are taken in their places at coordinate zero.
+The class: six revolute joints, axes 2, 3 and 4 parallel and perpendicular to axis 1, 4 ⟂ 5 ⟂ 6, axes 5 and 6
+meeting in a point P. Most collaborative arms are built this way, first by Universal Robots (Hawkins, Analytic
+Inverse Kinematics for the Universal Robots UR-5/UR-10 Arms, 2013). Nothing is read from a DH table: the axes
+are taken in their places at coordinate zero.
 
 Frame J: placement of joint 1. Shoulder basis in J: e_z = axis 1, u = axis 2, e_x = e_z × u, so that positive
 turns about u raise e_x towards e_z. P keeps its distance D from the plane through axis 1 that is
 perpendicular to u. With Θ1 = direction of e_x about axis 1, φ and φ + γ = directions of upper arm and forearm
-in the plane (e_x, e_z), and α, β, C the angles of the wrist, P is in J at
-    Rz(Θ1)·(x, -D, z),  x + iz = a + ih + L2·exp(iφ) + L3·exp(i(φ + γ)) + L4·exp(i(η - α)),
-and the hand is turned by Rz(Θ1)·Ry(α)·Rz(β)·Ry(C). P gives Θ1, the hand then its three angles, and what is
-left of x + iz two links in a plane.
+in the plane (e_x, e_z), and α, β, C the angles of the wrist, P is in J at Rz(Θ1)·(x, -D, z), x + iz = a + ih
++ L2·exp(iφ) + L3·exp(i(φ + γ)) + L4·exp(i(η - α)), and the hand is turned by Rz(Θ1)·Ry(α)·Rz(β)·Ry(C). P
+determines Θ1, the hand then its three angles, and the remainder of x + iz two links in a plane.
 """
 
 from functools import lru_cache
@@ -44,10 +43,10 @@ SHORTEST_LINK = 1e-6
 TIE = 1e-9
 """A singular configuration belongs to two branches; within this [m, rad] it is given the first one."""
 WIDER = 3.0
-"""The slacks of a snapped arm are so many times the error that its snap can make."""
+"""The slacks of a snapped arm are this multiple of the error that its snap can make."""
 TOUCHING = 1e-6
 """A cosine or a squared length [m²] this far beyond its bound is a start on an arm that was snapped: where
-the wrist or the shoulder is nearly singular, too, the snap moves a stretched elbow by many times its size."""
+the wrist or the shoulder is also nearly singular, the snap moves a stretched elbow by many times its size."""
 NEARBY = 0.02
 """A pose this near to a singular one [rad, m] may be one, on an arm that was snapped."""
 
@@ -70,11 +69,11 @@ class ThreeParallelSolver:
 
     Attributes:
         arm: its lengths, angles and frames, after snapping.
-        chain: the arm as it is.
+        chain: the actual arm.
         snapped_by: how far the two differ.
         strict: `arm` for the kernel.
-        keeping: the same, but that a pose near to a singular one counts as singular and its free joints are
-            kept: other starts where polishing those of `strict` ends nowhere.
+        keeping: the same, except that a pose near to a singular one counts as singular and its free joints
+            are kept: other starts if polishing the answers of `strict` fails.
     """
 
     arm: ThreeParallelArm
@@ -94,7 +93,7 @@ class ThreeParallelSolver:
         return eight_rows(self).branches(T, near)
 
     def solving(self, T: Array, branches: Array) -> Solve:
-        """Return what writes all branches of the pose in T (1, 4, 4) to `branches` (1, 8, 6)."""
+        """Return a function that writes all branches of the pose in T (1, 4, 4) to `branches` (1, 8, 6)."""
         return eight_rows(self).solving(T, branches)
 
     def posture(self, q: Array) -> Posture:
@@ -185,7 +184,7 @@ def recognise(robot: RobotModel) -> ThreeParallelSolver | str:
 
 
 def _flat(arm: ThreeParallelArm, by: Snap, aligned: float, on_axis: float) -> Array:
-    """Return the arm for the kernel, with slacks for what its snap can hide."""
+    """Return the arm for the kernel, with slacks for the errors of its snap."""
     if by == Snap():
         return arm.flat((POSE_SLACK, on_axis, aligned, REACH_SLACK, 0.0))
     upper, fore, end = arm.lengths[3:].tolist()

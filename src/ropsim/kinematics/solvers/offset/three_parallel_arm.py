@@ -104,7 +104,7 @@ def directions_missed(axes: Array) -> str:
 
 
 def snapped_axes(axes: Array) -> Array:
-    """Return axes that are exactly perpendicular and parallel where the class asks for it, shape (6, 3)."""
+    """Return axes that are exactly perpendicular and parallel where the class requires it, shape (6, 3)."""
     z2 = across(axes[1], axes[0])
     z5 = across(axes[4], z2)
     return np.array([axes[0], z2, along(axes[2], z2), along(axes[3], z2), z5, across(axes[5], z5)])

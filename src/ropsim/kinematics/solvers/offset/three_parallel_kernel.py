@@ -1,6 +1,6 @@
 """Closed-form inverse kinematics of arms with three parallel axes, in plain loops that numba compiles.
 
-The symbols are those of `three_parallel.py`. Angles are carried as (cosine, sine) pairs; only the answer
+The symbols are defined in `three_parallel.py`. Angles are carried as (cosine, sine) pairs; only the answer
 takes an inverse tangent. Wrist: with N = Rz(-Θ1)·R_Jᵀ·R_BM·R_M the angles solve N = Ry(α)·Rz(β)·Ry(C). C
 comes from the second row, then α from the third column of N·Ry(-C), which stays exact where β goes to 0 or π
 and C alone loses its meaning (Euler angles as in Paul 1981).
@@ -25,7 +25,7 @@ LENGTHS, ETA, SIGNS, ZEROS, X_J, X_M, SLACKS = 0, 6, 7, 13, 19, 31, 43
 """Where the fields of `ThreeParallelArm.flat` begin; frames lie by rows."""
 
 ROOM = 33
-"""So many numbers are room to work in, the first six joint coordinates that a singular pose keeps."""
+"""Size of the work array, the first six joint coordinates that a singular pose keeps."""
 
 
 @kernel
@@ -123,7 +123,7 @@ def _wrist_angles(
         ca, sa = _first_angle(N, cC, sC)
         wished = atan2(sa, ca)
         shift = _reaching(arm, x, z, wished) - wished
-        if shift != 0.0:  # α ± C is what the pose gives
+        if shift != 0.0:  # α ± C is determined by the pose
             turned = free6 - shift * cb
             cC, sC = cos(turned), sin(turned)
     else:
@@ -184,7 +184,7 @@ def _in_arm(arm: Array, X: Array, column: int, weight: float) -> tuple[float, fl
 
 
 def _direction(x: float, y: float, fallback: float) -> tuple[float, float]:
-    """Return (cos, sin) of the direction of (x, y), or of `fallback` [rad] where it has none."""
+    """Return (cos, sin) of the direction of (x, y), or of `fallback` [rad] if it is undefined."""
     length = sqrt(x * x + y * y)
     if length == 0.0:
         return cos(fallback), sin(fallback)

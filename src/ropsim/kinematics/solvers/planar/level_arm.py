@@ -15,13 +15,14 @@ class LevelArm:
 
     Attributes:
         lengths: (L2, L3) [m].
-        shoulder: (a, h) with what the level wrist adds to them [m].
+        shoulder: (a, h) including the contribution of the level wrist [m].
         lateral: D [m].
         directions: angle of e_x in J, and of the two links over e_x at coordinate zero [rad].
         sign: of axis 3 against axis 2.
         X_J: frame J in the base frame, shape (4, 4).
         R_5: orientation of axis 5 with the column at zero, in J, shape (3, 3).
-        from_steps: coordinates of the axes for those of the steps 1, 2, 3, 5, as (T⁻¹, c), shape (4, 5).
+        from_steps: coordinates of the axes from coordinates of the steps 1, 2, 3, 5, as (T⁻¹, c), shape (4,
+            5).
     """
 
     lengths: tuple[float, float]

@@ -41,7 +41,7 @@ TIE = 1e-9
 REACH_SLACK = 1e-10
 """A cosine this far beyond ±1 is rounding at the edge of reach."""
 WIDER = 3.0
-"""The slacks of a snapped arm are so many times the error that its snap can make."""
+"""The slacks of a snapped arm are this multiple of the error that its snap can make."""
 TURN = 2.0 * np.pi
 
 POSTURES = tuple(Posture((shoulder, elbow)) for shoulder in ("front", "back") for elbow in ("up", "down"))
@@ -56,7 +56,7 @@ class LevelWristSolver:
 
     Attributes:
         arm: its geometry.
-        chain: the arm as it is.
+        chain: the actual arm.
         snapped_by: how far the two differ.
         slack: largest sum of errors of an answer [m, entries of the rotation matrix].
     """
@@ -126,7 +126,7 @@ class LevelWristSolver:
         kept = float(chain.steps(near[np.newaxis])[0, 0]) + offset[0]
         rows = np.full((len(T), 4, 4), np.nan)
         with np.errstate(invalid="ignore"):
-            ahead = np.sqrt(np.abs(h) ** 2 - arm.lateral**2)  # NaN beside the column
+            ahead = np.sqrt(np.abs(h) ** 2 - arm.lateral**2)  # NaN within the offset of the column
             for row, (side, over) in enumerate(((1.0, -1.0), (1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0))):
                 X = side * ahead
                 column = np.angle(h) - arm.directions[0] - np.arctan2(-arm.lateral, X)

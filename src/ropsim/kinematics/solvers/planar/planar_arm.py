@@ -21,7 +21,7 @@ from ropsim.spatial import Array, frozen, record
 REACH_SLACK = 1e-10
 """A cosine this far beyond ±1 is rounding at the edge of reach."""
 WIDER = 3.0
-"""The slacks of a snapped arm are so many times the error that its snap can make."""
+"""The slacks of a snapped arm are this multiple of the error that its snap can make."""
 
 
 @record
@@ -30,7 +30,7 @@ class PlanarArm:
 
     Attributes:
         lengths: (L1, L2) [m].
-        bend: sign and zero of the second joint, to tell how the arm is bent.
+        bend: sign and zero of the second joint, to determine the sense of the bend.
         second: its index.
         X_J: frame J in the base frame, shape (4, 4).
         R_M: rotation of M in J at coordinate zero, shape (3, 3).
@@ -68,7 +68,7 @@ def planar_arm(chain: ChainArrays, frames: ZeroFrames, turning: Sequence[int], s
         chain: of the arm.
         frames: with all joints at zero, axes exactly parallel.
         turning: indices of the two or three revolute joints; the joint left over, if there is one, slides.
-        snapped_by: what was done to make the axes parallel.
+        snapped_by: the change that made the axes parallel.
     """
     first, second = turning[:2]
     X_J = np.eye(4)

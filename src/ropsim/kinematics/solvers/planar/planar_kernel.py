@@ -1,7 +1,7 @@
 """Two links in a plane: closed-form inverse kinematics of SCARA arms and planar two-link arms.
 
-The symbols are those of `planar_arm.py`. Rows are written wherever the point in the plane can be reached;
-whether the whole pose is, forward kinematics tells afterwards.
+The symbols are defined in `planar_arm.py`. Rows are written wherever the point in the plane can be reached;
+forward kinematics checks afterwards whether the whole pose is.
 """
 
 from math import atan2, ceil, cos, nan, pi, sin, sqrt
@@ -47,7 +47,7 @@ def planar_rows(arm: Array1, near: Array1, T: Array3, out: Array3) -> None:
             side = s_bend if row == 0 else -s_bend
             along, over, bend = L1 + L2 * c_bend, L2 * side, atan2(side, c_bend)
             theta = near[first] + arm[ZEROS]
-            if third < 0:  # the turn of a folded two-link arm tells what its place does not
+            if third < 0:  # a folded two-link arm: the rotation decides, since the position does not
                 theta = psi - bend - arm[ZEROS + 2]
             if span > beyond * beyond * L1 * L2:
                 theta = atan2(y * along - x * over, x * along + y * over)

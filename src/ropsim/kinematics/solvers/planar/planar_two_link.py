@@ -1,7 +1,7 @@
 """Planar two-link arms: two branches in closed form.
 
 The class: two revolute joints with parallel axes. Their two angles decide two of the six coordinates of a
-pose; a pose is reached where the others are what they then must be (Craig, Introduction to Robotics, section
+pose; a pose is reached if the others equal their dependent values (Craig, Introduction to Robotics, section
 4.4).
 """
 
@@ -46,7 +46,7 @@ class PlanarTwoLinkSolver:
 
     Attributes:
         arm: its two links, after snapping.
-        chain: the arm as it is.
+        chain: the actual arm.
         snapped_by: how far the two differ.
         slack: largest sum of errors of an answer [m, entries of the rotation matrix].
     """
@@ -75,7 +75,7 @@ class PlanarTwoLinkSolver:
         return abs(sin(self.arm.bend_at(q))) < NEAR_SINGULAR
 
     def shortfall(self, X_BM: Array) -> Shortfall:
-        """Return how far the pose is out of the plane, out of reach, or turned against what can be had."""
+        """Return the distance of the pose from the plane, from reach, or from the possible orientation."""
         R, p = self.arm.in_plane(X_BM)
         tilt = angle_between(R[:, 2], np.array([0.0, 0.0, 1.0]))
         beside = abs(float(p[2] - self.arm.height))

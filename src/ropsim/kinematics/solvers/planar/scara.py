@@ -1,7 +1,7 @@
 """SCARA arms: two branches in closed form.
 
-The class: four joints with parallel axes, three that turn and one that slides, the slide in any place
-(Makino & Furuya 1980). The slide moves the interface along the axes, whatever the others do, and the third
+The class: four joints with parallel axes, three that turn and one that slides, the slide in any place (Makino
+& Furuya 1980). The slide moves the interface along the axes, independent of the others, and the third
 rotation only turns it, so that two links in a plane remain (Craig, Introduction to Robotics, section 4.4).
 """
 
@@ -44,7 +44,7 @@ class ScaraSolver:
 
     Attributes:
         arm: its two links, after snapping.
-        chain: the arm as it is.
+        chain: the actual arm.
         snapped_by: how far the two differ.
         slack: largest sum of errors of an answer [m, entries of the rotation matrix]; an arm that cannot tilt
             its tool can mend no tilt of its own axes, which therefore passes.

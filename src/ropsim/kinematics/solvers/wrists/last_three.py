@@ -1,7 +1,7 @@
 """Three last joints whose axes meet in one point, each perpendicular to the one before: their angles.
 
-With N = R_34ᵀ·R_B3ᵀ·R_BM·R_6Mᵀ·Rx(π) motions of joints 4 to 6 solve N = Rz(A)·Ry(β)·Rz(C); symbols and
-both answers are those of `spherical_wrist_kernel.py`, for arrays of rotations.
+With N = R_34ᵀ·R_B3ᵀ·R_BM·R_6Mᵀ·Rx(π) motions of joints 4 to 6 solve N = Rz(A)·Ry(β)·Rz(C); symbols and both
+answers as in `spherical_wrist_kernel.py`, for arrays of rotations.
 """
 
 import numpy as np
@@ -59,7 +59,7 @@ class LastThree:
 
 
 def last_three(chain: ChainArrays, frames: ZeroFrames) -> tuple[LastThree, float] | str:
-    """Return the wrist of an arm with six joints and how far its axes miss each other [m], or what it misses.
+    """Return the wrist of an arm with six joints and the miss of its axes [m], or why it has no wrist.
 
     Args:
         chain: of the arm.

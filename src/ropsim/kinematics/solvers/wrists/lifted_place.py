@@ -1,7 +1,7 @@
 """Two turning joints with parallel axes and a slide along them, in any order: where they bring a point.
 
-The slide gives the height, and two links in a plane remain (Craig, Introduction to Robotics, section 4.4).
-All of it is in frame J of the arm.
+The slide sets the height, and two links in a plane remain (Craig, Introduction to Robotics, section 4.4). All
+of it is in frame J of the arm.
 """
 
 from math import hypot
@@ -42,12 +42,12 @@ class Lifted:
 
     @property
     def words(self) -> tuple[tuple[str, ...], ...]:
-        """Return the words, those of SCARA arms: the elbow right or left of the line to the point."""
+        """Return the words, as for SCARA arms: the elbow right or left of the line to the point."""
         return (("right",), ("left",))
 
     @property
     def parts(self) -> tuple[str, ...]:
-        """Return what the words are about."""
+        """Return the subjects of the words."""
         return ("elbow",)
 
     def motions(self, p: Array, near: Array) -> Array:

@@ -1,4 +1,4 @@
-"""Three joints of which one slides bring a point to a place: what their two classes have in common."""
+"""Three joints of which one slides bring a point to a place: the common part of their two classes."""
 
 from typing import Protocol
 
@@ -21,7 +21,7 @@ class Places(Protocol):
 
     @property
     def parts(self) -> tuple[str, ...]:
-        """Return what each of these words is about."""
+        """Return the subject of each of these words."""
 
     def motions(self, p: Array, near: Array) -> Array:
         """Return all ways to places, shape (k, ways, 3) [rad | m], NaN where absent.

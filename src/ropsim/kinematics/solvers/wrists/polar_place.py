@@ -1,8 +1,7 @@
 """Two turning joints whose axes meet, then a slide, as in the Stanford arm: where they bring a point.
 
-The slide gives the distance from the point O where the axes meet, the two turns give the direction
-(subproblem 2 of Paden, Kinematics and control of robot manipulators, Berkeley 1986). All of it is in frame J
-of the arm.
+The slide sets the distance from the point O where the axes meet, the two turns set the direction (subproblem
+2 of Paden, Kinematics and control of robot manipulators, Berkeley 1986). All of it is in frame J of the arm.
 """
 
 from math import hypot
@@ -35,7 +34,7 @@ class Polar:
 
     @property
     def parts(self) -> tuple[str, ...]:
-        """Return what the words are about."""
+        """Return the subjects of the words."""
         return ("shoulder", "boom")
 
     def motions(self, p: Array, near: Array) -> Array:

@@ -36,7 +36,7 @@ class SlidingWristSolver:
         places: how the first three joints place the wrist centre.
         wrist: the last three joints.
         frames: of the arm with all motions at zero, after snapping.
-        chain: the arm as it is.
+        chain: the actual arm.
         snapped_by: how far the two differ.
     """
 
@@ -52,7 +52,7 @@ class SlidingWristSolver:
 
     @property
     def parts(self) -> tuple[str, ...]:
-        """Return what each word of a posture is about."""
+        """Return the subject of each word of a posture."""
         return (*self.places.parts, "wrist")
 
     @property

@@ -35,10 +35,10 @@ from ropsim.spatial import Array, record
 SHORTEST_LINK = 1e-6
 """An upper arm or forearm shorter than this [m] cannot place the wrist."""
 WIDER = 3.0
-"""The slacks of a snapped arm are so many times the error that its snap can make."""
+"""The slacks of a snapped arm are this multiple of the error that its snap can make."""
 TOUCHING = 1e-6
 """A cosine or a squared length [m²] this far beyond its bound is a start on an arm that was snapped: where
-the wrist or the shoulder is nearly singular, too, the snap moves a stretched elbow by many times its size."""
+the wrist or the shoulder is also nearly singular, the snap moves a stretched elbow by many times its size."""
 NEARBY = 0.02
 """A pose this near to a singular one [rad, m] may be one, on an arm that was snapped."""
 
@@ -48,7 +48,7 @@ POSTURES = tuple(
     for elbow in ("up", "down")
     for wrist in ("noflip", "flip")
 )
-"""The words are those of Paul & Zhang (1986) and of Corke's Robotics Toolbox.
+"""The words follow Paul & Zhang (1986) and of Corke's Robotics Toolbox.
 
 RIGHT: the wrist centre lies in front of the arm, LEFT: behind it. UP: the elbow is above the line from the
 shoulder to the wrist centre, DOWN: below. FLIP: joint 5 is turned in the positive sense, NOFLIP: in the
@@ -64,11 +64,11 @@ class SphericalWristSolver:
 
     Attributes:
         arm: its lengths, angles and frames, after snapping.
-        chain: the arm as it is.
+        chain: the actual arm.
         snapped_by: how far the two differ.
         strict: `arm` for the kernel.
-        keeping: the same, but that a pose near to a singular one counts as singular and its free joints are
-            kept: other starts where polishing those of `strict` ends nowhere.
+        keeping: the same, except that a pose near to a singular one counts as singular and its free joints
+            are kept: other starts if polishing the answers of `strict` fails.
     """
 
     arm: WristArm
@@ -88,7 +88,7 @@ class SphericalWristSolver:
         return eight_rows(self).branches(T, near)
 
     def solving(self, T: Array, branches: Array) -> Solve:
-        """Return what writes all branches of the pose in T (1, 4, 4) to `branches` (1, 8, 6)."""
+        """Return a function that writes all branches of the pose in T (1, 4, 4) to `branches` (1, 8, 6)."""
         return eight_rows(self).solving(T, branches)
 
     def posture(self, q: Array) -> Posture:
@@ -178,7 +178,7 @@ def recognise(robot: RobotModel) -> SphericalWristSolver | str:
 
 
 def _flat(arm: WristArm, by: Snap, aligned: float, on_axis: float) -> Array:
-    """Return the arm for the kernel, with slacks for what its snap can hide."""
+    """Return the arm for the kernel, with slacks for the errors of its snap."""
     if by == Snap():
         return arm.flat((POSE_SLACK, on_axis, aligned, REACH_SLACK, 0.0))
     upper, fore = arm.lengths[3:].tolist()

@@ -1,6 +1,6 @@
 """Closed-form inverse kinematics of arms with spherical wrist, in loops that numba compiles.
 
-The symbols are those of `spherical_wrist.py`; what is done for each branch is in `wrist_columns.py`.
+The symbols are defined in `spherical_wrist.py`; the computation of each branch is in `wrist_columns.py`.
 """
 
 from math import cos, sin
@@ -41,9 +41,9 @@ TIE = 1e-9
 """A singular configuration belongs to two branches; within this [m, rad] it is given the first one."""
 
 ROOM_OF_ROWS = 6 + SHEET * COLUMNS
-"""So many numbers are room to work in, the first six joint coordinates that a singular pose keeps."""
+"""Size of the work array, the first six joint coordinates that a singular pose keeps."""
 _EACH = 4
-"""Branches of a pose, but for the turn of the wrist, which is no more than another sign."""
+"""Branches of a pose, not counting the flip of the wrist, which is only a change of signs."""
 
 
 @kernel
@@ -98,7 +98,7 @@ def wrist_posture(arm: Array1, q: Array1, side: float, told: Array1) -> None:
         arm: `WristArm.flat`.
         q: joint coordinates [rad], shape (6,).
         side: added to all of them [rad].
-        told: becomes the row of the branch, and the least of the distance of the wrist centre from axis 1
+        told: set to the row of the branch, and the least of the distance of the wrist centre from axis 1
             along e_x [m] and the sines of elbow and wrist, without their signs; shape (2,).
     """
     shoulder = (q[1] + side) * arm[SIGNS + 1] + arm[ZEROS + 1]
@@ -125,7 +125,7 @@ def _ask(arm: Array, X: Array, row: int, sheet: Array, column: int) -> None:
 
 
 def _answer(arm: Array, room: Array, sheet: Array) -> None:
-    """Write the joint coordinates of what is asked."""
+    """Write the joint coordinates of the requested branches."""
     free1, free4 = arm[SIGNS] * room[0] + arm[ZEROS], arm[SIGNS + 3] * room[3] + arm[ZEROS + 3]
     for c in range(4):
         a, b, d = arm[X_M + c], arm[X_M + 4 + c], arm[X_M + 8 + c]

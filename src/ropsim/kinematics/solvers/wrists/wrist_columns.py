@@ -1,9 +1,9 @@
 """The closed form of arms with spherical wrist for eight branches at a time, a column for each.
 
-The symbols are those of `spherical_wrist.py`. Angles are carried as (cosine, sine) pairs; only the answer
-takes an inverse tangent. Wrist: with N = R_F·Ry(θ23)·Rz(-θ1)·R_Jᵀ·R_BM·R_M the angles of axes 4 to 6 solve
-N = Rz(A)·Ry(β)·Rz(C). A comes from the third column, then C from the second row of Rz(-A)·N, which stays
-exact where β goes to 0 or π and A alone loses its meaning (Euler angles as in Paul 1981).
+The symbols are defined in `spherical_wrist.py`. Angles are carried as (cosine, sine) pairs; only the answer
+takes an inverse tangent. Wrist: with N = R_F·Ry(θ23)·Rz(-θ1)·R_Jᵀ·R_BM·R_M the angles of axes 4 to 6 solve N
+= Rz(A)·Ry(β)·Rz(C). A comes from the third column, then C from the second row of Rz(-A)·N, which stays exact
+where β goes to 0 or π and A alone loses its meaning (Euler angles as in Paul 1981).
 
 Each branch is checked by forward kinematics of the angles found; of one that misses the pose there is none.
 For an arm that was snapped into the class the slacks are as wide as the snap: its branches are starts for
@@ -21,12 +21,12 @@ LENGTHS, SIGNS, ZEROS, FRONT, X_J, X_M, R_F, SLACKS = 0, 5, 11, 17, 18, 30, 42, 
 """Where the fields of `WristArm.flat` begin; frames lie by rows."""
 
 COLUMNS = 8
-"""So many branches are found at a time."""
+"""Number of branches computed at a time."""
 POSE, SIDES, PLACE, PAIRS, N, ANGLES, MISS, FOUND, SHEET = 0, 12, 14, 26, 30, 39, 48, 49, 58
-"""Rows of what the columns hold: R_BM and p_BM by rows; the signs that `reach_in_columns` takes; the same
-pose with M turned by the constants, in frame J, the wrist centre last; cosine and sine of θ1 and θ23; N; the
-angles of axes 1 to 6, FLIP, then those of axes 4 to 6, NOFLIP; how far the branch is off the pose, no number
-where it is not within reach; the nine joint coordinates.
+"""Rows of the columns: R_BM and p_BM by rows; the signs that `reach_in_columns` takes; the same pose with M
+turned by the constants, in frame J, the wrist centre last; cosine and sine of θ1 and θ23; N; the angles of
+axes 1 to 6, FLIP, then the angles of axes 4 to 6, NOFLIP; how far the branch is off the pose, no number where
+it is not within reach; the nine joint coordinates.
 """
 _TURN, _PER_TURN = 2.0 * pi, 0.5 / pi
 
@@ -63,7 +63,7 @@ def reach_in_columns(count: int, arm: Array, c_free: float, s_free: float, room:
         arm: `WristArm.flat`.
         c_free: cosine of θ1 for a wrist centre on axis 1.
         s_free: sine of it.
-        room: rows as above; the two signs are those of the centre's distance along e_x and of sin θ3.
+        room: rows as above; the two signs belong to the centre's distance along e_x and of sin θ3.
     """
     for j in range(count):
         px = room[PLACE + 9, j]
@@ -125,7 +125,7 @@ def turn_in_columns(
 
 @columns
 def wrist_in_columns(count: int, arm: Array, c_free: float, s_free: float, room: Array) -> None:
-    """Write A, β >= 0, C with N = Rz(A)·Ry(β)·Rz(C), and those with β <= 0; add the sum of entry errors.
+    """Write A, β >= 0, C with N = Rz(A)·Ry(β)·Rz(C), and the one with β <= 0; add the sum of entry errors.
 
     Args:
         count: of the columns.
