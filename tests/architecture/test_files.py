@@ -46,10 +46,8 @@ def test_every_pinned_version_is_exact() -> None:
     assert any(pin.startswith("numpy==") for pin in pins)
 
 
-WIDE = {
-    "studio",
-}
-LONG = {"curve_kernel.py", "time_law_kernel.py", "documents.py", "jobs.py", "messages.py"}
+WIDE: set[str] = set()
+LONG = {"curve_kernel.py", "time_law_kernel.py"}
 SMALL_FILES = 145
 PACKAGES = ROOT / "src" / "ropsim"
 DATA = {"robots/arms"}

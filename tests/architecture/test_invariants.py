@@ -173,7 +173,7 @@ def test_machine_code_is_loaded_where_its_seal_was_checked() -> None:
 
 OWN_READERS = {
     "codegen/machine/kept_code.py",
-    "studio/pages.py",
+    "studio/web/pages.py",
     "userfiles/examples.py",
     "workbench/report.py",
 }

@@ -5,7 +5,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from ropsim.studio.desk.line import Cancelled
-from ropsim.studio.jobs import Cancel, LiveFrame, LiveMessage, Order, Report
+from ropsim.studio.wire.orders import Cancel, Order
+from ropsim.studio.wire.replies import LiveFrame, LiveMessage, Report
 
 NIGHT = 1e6
 """The user waits so long after the last order before the test gives up [s]."""

@@ -6,8 +6,8 @@ from collections.abc import Awaitable, Callable
 from pathlib import Path
 from typing import Any
 
-from ropsim.studio.session import Session
-from ropsim.studio.tab import Tab
+from ropsim.studio.session.session import Session
+from ropsim.studio.session.tab import Tab
 from support.patience import PATIENCE
 
 

@@ -25,7 +25,7 @@ def make_pages(folder: Path) -> Path:
 def main() -> int:
     """Run the command line with the page."""
     from ropsim.cli.main import main as command_line
-    from ropsim.studio import pages, sockets
+    from ropsim.studio.web import pages, sockets
 
     sockets.MOST_LANGUAGE_SERVERS = MOST_LANGUAGE_SERVERS
     folder = make_pages(Path(sys.argv[1]))

@@ -14,9 +14,9 @@ from pathlib import Path
 from typing import NamedTuple
 
 from ropsim.core import Diagnostic
-from ropsim.studio.document import Document
-from ropsim.studio.documents import Documents, Overwriting
-from ropsim.studio.keeper import Keeper
+from ropsim.studio.texts.document import Document
+from ropsim.studio.texts.documents import Documents, Overwriting
+from ropsim.studio.texts.keeper import Keeper
 from ropsim.userfiles import Journal
 from support.counted_system import counted, number
 

@@ -4,9 +4,9 @@ import os
 import time
 from multiprocessing.connection import Connection
 
-from ropsim.studio import jobs
+from ropsim.studio.wire import jobs, orders, replies
 
-GIVEN_UP: list[jobs.Request] = []
+GIVEN_UP: list[orders.Request] = []
 """What ended the first estimate that takes long; the second one does not."""
 LONG_WAYS: set[int] = set()
 """Jobs whose runs have ways that are looked at without end."""
@@ -21,7 +21,7 @@ def main(connection: Connection) -> None:
         except EOFError:
             return
         match request.content:
-            case jobs.Stop():
+            case orders.Stop():
                 return
             case (
                 jobs.OpenScene()
@@ -37,106 +37,106 @@ def main(connection: Connection) -> None:
                 | jobs.Tell()
                 | jobs.OfferWords()
             ):
-                connection.send(jobs.Answer(request.number, _reply(connection, request)))
+                connection.send(replies.Answer(request.number, _reply(connection, request)))
 
 
-def _reply(connection: Connection, request: jobs.Request) -> jobs.Reply:
+def _reply(connection: Connection, request: orders.Request) -> replies.Reply:
     match request.content:
         case jobs.OpenScene(_, texts):
-            return jobs.SceneReply({"unsaved": sorted(texts)}, (), {"abc": b"glTF"})
+            return replies.SceneReply({"unsaved": sorted(texts)}, (), {"abc": b"glTF"})
         case jobs.Simulate() | jobs.LiveStart() | jobs.SaveRun() | jobs.LookAtWays() as job:
             return _run(connection, request.number, job)
         case jobs.JogJoints(_, q, _):
-            return jobs.JogReply(q, UNIT, ((1, UNIT),), reached=True, words=(("info", "all is well"),))
+            return replies.JogReply(q, UNIT, ((1, UNIT),), reached=True, words=(("info", "all is well"),))
         case jobs.ListTasks(_, texts):
-            return jobs.TasksReply({"type": "task_list", "unsaved": sorted(texts)})
+            return replies.TasksReply({"type": "task_list", "unsaved": sorted(texts)})
         case jobs.CheckTasks(_, _, number, steps):
             return _check(number, steps)
         case jobs.EstimateTasks(_, _, _, "slow") if not GIVEN_UP:
             GIVEN_UP.append(connection.recv())
-            return jobs.Failed("given up")
+            return replies.Failed("given up")
         case jobs.EstimateTasks(_, _, number, program):
-            return jobs.TasksReply({"type": "tasks_estimated", "id": number, "program": program})
+            return replies.TasksReply({"type": "tasks_estimated", "id": number, "program": program})
         case job:
             return _tell(connection, job)
 
 
-def _run(connection: Connection, number: int, job: jobs.RunJob) -> jobs.Reply:
+def _run(connection: Connection, number: int, job: jobs.RunJob) -> replies.Reply:
     match job:
         case jobs.Simulate() as job:
             return _simulate(connection, number, job)
         case jobs.LiveStart() as job:
             return _live(connection, number, job)
         case jobs.SaveRun(kept, form):
-            return jobs.SavedRun(f"{form} {kept}".encode())
+            return replies.SavedRun(f"{form} {kept}".encode())
         case jobs.LookAtWays(kept) if kept in LONG_WAYS:
-            while not isinstance(connection.recv().content, jobs.Cancel):
+            while not isinstance(connection.recv().content, orders.Cancel):
                 pass
-            return jobs.Failed("given up")
+            return replies.Failed("given up")
         case jobs.LookAtWays(kept):
-            return jobs.WaysReply(({"code": "S751"},), {"warnings": kept})
+            return replies.WaysReply(({"code": "S751"},), {"warnings": kept})
 
 
-def _tell(connection: Connection, job: object) -> jobs.Reply:
+def _tell(connection: Connection, job: object) -> replies.Reply:
     if isinstance(job, jobs.OfferWords):
-        return jobs.OfferedReply(job.line, (*job.commands, *sorted(job.texts)))
+        return replies.OfferedReply(job.line, (*job.commands, *sorted(job.texts)))
     if not isinstance(job, jobs.Tell):
-        return jobs.Failed("this toy cannot do that")
+        return replies.Failed("this toy cannot do that")
     match job.line.split():
         case []:
-            return jobs.ToldReply(job.commands, "answered", ("it stands",))
+            return replies.ToldReply(job.commands, "answered", ("it stands",))
         case ["crash"]:
             os._exit(3)
         case ["endless"]:
-            while not isinstance(connection.recv().content, jobs.Cancel):
+            while not isinstance(connection.recv().content, orders.Cancel):
                 pass
-            return jobs.Failed("given up")
+            return replies.Failed("given up")
         case ["repeat", *_]:
-            return jobs.ToldReply(job.commands, "open")
+            return replies.ToldReply(job.commands, "open")
         case ["save", name]:
-            return jobs.ToldReply(job.commands, "answered", program=(name, "\n".join(job.commands)))
+            return replies.ToldReply(job.commands, "answered", program=(name, "\n".join(job.commands)))
         case _:
             commands = (*job.commands, job.line)
-            return jobs.ToldReply(commands, "moved", pack=" ".join(commands).encode(), since=1.0)
+            return replies.ToldReply(commands, "moved", pack=" ".join(commands).encode(), since=1.0)
 
 
-def _check(number: int, steps: jobs.TaskSteps) -> jobs.Reply:
+def _check(number: int, steps: jobs.TaskSteps) -> replies.Reply:
     if steps and steps[0].name == "crash":
         os._exit(3)
     text = " ".join(one.name for one in steps)
-    return jobs.TasksReply({"type": "tasks_checked", "id": number, "text": text})
+    return replies.TasksReply({"type": "tasks_checked", "id": number, "text": text})
 
 
-def _simulate(connection: Connection, number: int, job: jobs.Simulate) -> jobs.Reply:
+def _simulate(connection: Connection, number: int, job: jobs.Simulate) -> replies.Reply:
     text = job.texts.get("programs/main.task", "")
-    connection.send(jobs.Answer(number, jobs.Progress("half way")))
+    connection.send(replies.Answer(number, replies.Progress("half way")))
     match job.program:
         case "crash":
             os._exit(3)
         case "deaf":
             time.sleep(3600)
         case "endless":
-            while not isinstance(connection.recv().content, jobs.Cancel | jobs.Renew):
+            while not isinstance(connection.recv().content, orders.Cancel | orders.Renew):
                 pass
-            return jobs.RunReply("cancelled", job.program)
+            return replies.RunReply("cancelled", job.program)
     if job.cause == "text_beside_live":
-        return jobs.RunReply("done", job.program, made="nothing")
+        return replies.RunReply("done", job.program, made="nothing")
     if "wrong" in text:
-        return jobs.RunReply("refused", job.program, findings=({"code": "N201"},))
+        return replies.RunReply("refused", job.program, findings=({"code": "N201"},))
     if "far" in text:
         LONG_WAYS.add(number)
     pack = f"{text}|{len(job.inputs)}".encode()
-    return jobs.RunReply("done", job.program or "main", pack=pack, ways="seen" in text)
+    return replies.RunReply("done", job.program or "main", pack=pack, ways="seen" in text)
 
 
-def _live(connection: Connection, number: int, job: jobs.LiveStart) -> jobs.Reply:
+def _live(connection: Connection, number: int, job: jobs.LiveStart) -> replies.Reply:
     for payload in ({"type": "live", "state": job.begin, "speed": job.speed}, {"type": "layout"}):
-        connection.send(jobs.Answer(number, jobs.LiveMessage(payload)))
-    connection.send(jobs.Answer(number, jobs.LiveFrame(b"RS frame")))
+        connection.send(replies.Answer(number, replies.LiveMessage(payload)))
+    connection.send(replies.Answer(number, replies.LiveFrame(b"RS frame")))
     inputs: list[jobs.InputChange] = []
     while True:
         match connection.recv().content:
-            case jobs.SetSignal(name, value):
+            case orders.SetSignal(name, value):
                 inputs.append(jobs.InputChange(name, 1.0, value))
-            case jobs.LiveControl("stop") | jobs.Cancel():
-                return jobs.RunReply("done", job.program, pack=b"live", inputs=tuple(inputs))
+            case orders.LiveControl("stop") | orders.Cancel():
+                return replies.RunReply("done", job.program, pack=b"live", inputs=tuple(inputs))

@@ -1,7 +1,7 @@
 /**
  * What a page says to the server over `/ws/studio`: JSON texts, told apart by `type`.
  *
- * Written by `tools/wire_types.py` from `ropsim.studio.commands`: change the records there.
+ * Written by `tools/wire_types.py` from `ropsim.studio.wire.commands`: change the records there.
  */
 import type { Pose } from '../scene/description'
 

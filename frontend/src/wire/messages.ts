@@ -1,7 +1,7 @@
 /**
  * What the server says to a page over `/ws/studio`: JSON texts, told apart by `type`.
  *
- * Written by `tools/wire_types.py` from `ropsim.studio.messages`: change the records there.
+ * Written by `tools/wire_types.py` from `ropsim.studio.wire.messages`: change the records there.
  */
 import type { Finding, RunEvent } from '../run/run'
 import type { Pose, SceneDescription } from '../scene/description'

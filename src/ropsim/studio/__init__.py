@@ -8,18 +8,18 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from ropsim.studio.commands import Command as Command
-    from ropsim.studio.messages import Message as Message
-    from ropsim.studio.server import Browser as Browser
-    from ropsim.studio.server import StudioOptions as StudioOptions
-    from ropsim.studio.server import serve as serve
+    from ropsim.studio.web.server import Browser as Browser
+    from ropsim.studio.web.server import StudioOptions as StudioOptions
+    from ropsim.studio.web.server import serve as serve
+    from ropsim.studio.wire.commands import Command as Command
+    from ropsim.studio.wire.messages import Message as Message
 
 _HOMES = {
-    "Browser": "server",
-    "Command": "commands",
-    "Message": "messages",
-    "StudioOptions": "server",
-    "serve": "server",
+    "Browser": "web.server",
+    "Command": "wire.commands",
+    "Message": "wire.messages",
+    "StudioOptions": "web.server",
+    "serve": "web.server",
 }
 
 

@@ -12,7 +12,7 @@ import numpy as np
 from ropsim.codegen import Engine, SourceFunction, load
 from ropsim.flow import Recording
 from ropsim.records import read_recording, recording_bytes, write_recording
-from ropsim.studio.documents import Documents, Overwriting
+from ropsim.studio.texts.documents import Documents, Overwriting
 from ropsim.userfiles import Draft, Journal
 from ropsim.userfiles.trust import Trust, set_trust, trust_in
 from ropsim.workbench import open_project

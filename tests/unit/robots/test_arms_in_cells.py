@@ -14,7 +14,8 @@ from ropsim.model import Cell, RobotModel, beside, body_tree, on_track
 from ropsim.simulation import RunOptions, run
 from ropsim.spatial import Pose
 from ropsim.studio.desk.jog.jog import JoggedArm
-from ropsim.studio.jobs import JogJoints, JogReply, JogTcp
+from ropsim.studio.wire.jobs import JogJoints, JogTcp
+from ropsim.studio.wire.replies import JogReply
 from ropsim.views import scene
 from ropsim.workbench import environment_of
 from support.cells import one_station

@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from ropsim.studio.editing import Editing
-from ropsim.studio.tabs import Tabs
+from ropsim.studio.session.editing import Editing
+from ropsim.studio.session.tabs import Tabs
 
 LEFT = ".ropsim-0123456789abcdef"
 

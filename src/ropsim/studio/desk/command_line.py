@@ -10,7 +10,8 @@ from ropsim.studio.desk.finished import Shelf
 from ropsim.studio.desk.line import Line
 from ropsim.studio.desk.runnable import MOST_ROWS
 from ropsim.studio.desk.told_lines import in_program
-from ropsim.studio.jobs import OfferedReply, OfferWords, Tell, ToldReply
+from ropsim.studio.wire.jobs import OfferWords, Tell
+from ropsim.studio.wire.replies import OfferedReply, ToldReply
 from ropsim.views import plain_findings
 from ropsim.workbench import (
     Outcome,

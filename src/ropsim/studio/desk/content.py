@@ -13,7 +13,7 @@ from ropsim.flow import Channel, Contact, Event, Recording, RunFacts, WayFacts
 from ropsim.icr import Program, program_id
 from ropsim.model import Cell
 from ropsim.simulation import contact_findings, without_contact_findings
-from ropsim.studio.jobs import Fidelity, InputChange
+from ropsim.studio.wire.jobs import Fidelity, InputChange
 
 
 def content_of(

@@ -11,11 +11,10 @@ from ropsim.studio.desk.live.run import run_live
 from ropsim.studio.desk.scene import open_scene
 from ropsim.studio.desk.simulate import simulate
 from ropsim.studio.desk.ways import look_at_ways
-from ropsim.studio.jobs import (
+from ropsim.studio.wire.jobs import (
     CheckTaskForm,
     CheckTasks,
     EstimateTasks,
-    Failed,
     Job,
     JogJoints,
     JogTcp,
@@ -25,11 +24,11 @@ from ropsim.studio.jobs import (
     OfferWords,
     OpenScene,
     OpenTaskForm,
-    Reply,
     SaveRun,
     Simulate,
     Tell,
 )
+from ropsim.studio.wire.replies import Failed, Reply
 from ropsim.workbench import Workspace
 
 if TYPE_CHECKING:  # with its engine it is loaded by who chooses tasks

@@ -11,7 +11,8 @@ from ropsim.records import inputs_of, inputs_text, recording_bytes
 from ropsim.simulation import KeptRuns
 from ropsim.studio.desk.content import moved_lines, on_lines
 from ropsim.studio.desk.runnable import Runnable
-from ropsim.studio.jobs import Cause, RunForm, SavedRun
+from ropsim.studio.wire.jobs import Cause, RunForm
+from ropsim.studio.wire.replies import SavedRun
 
 
 class Origin(Enum):

@@ -3,7 +3,8 @@
 from collections.abc import Sequence
 from typing import Protocol
 
-from ropsim.studio.jobs import Order, Report
+from ropsim.studio.wire.orders import Order
+from ropsim.studio.wire.replies import Report
 
 
 class Cancelled(Exception):  # noqa: N818 - it is no error

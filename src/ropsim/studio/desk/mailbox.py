@@ -7,37 +7,35 @@ from multiprocessing.connection import Connection
 
 from ropsim.core import frozen_dataclass
 from ropsim.studio.desk.line import Cancelled
-from ropsim.studio.jobs import (
-    Answer,
-    Cancel,
+from ropsim.studio.wire.jobs import (
     CheckTaskForm,
     CheckTasks,
     EstimateTasks,
-    Failed,
     Job,
     JogJoints,
     JogTcp,
     ListTasks,
-    LiveControl,
-    LiveOverride,
-    LiveSpeed,
     LiveStart,
     LookAtWays,
     OfferWords,
     OpenScene,
     OpenTaskForm,
-    Order,
-    Renew,
-    Reply,
-    Report,
-    Request,
-    RunReply,
     SaveRun,
-    SetSignal,
     Simulate,
-    Stop,
     Tell,
 )
+from ropsim.studio.wire.orders import (
+    Cancel,
+    LiveControl,
+    LiveOverride,
+    LiveSpeed,
+    Order,
+    Renew,
+    Request,
+    SetSignal,
+    Stop,
+)
+from ropsim.studio.wire.replies import Answer, Failed, Reply, Report, RunReply
 
 
 class StopAsked(Exception):  # noqa: N818 - it is no error

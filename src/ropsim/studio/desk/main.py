@@ -7,7 +7,8 @@ from ropsim.core import RopsimError, collect_seldom, keep_from_collection, short
 from ropsim.studio.desk.desk import Desk
 from ropsim.studio.desk.line import Cancelled, Line
 from ropsim.studio.desk.mailbox import Mailbox, StopAsked, given_up
-from ropsim.studio.jobs import Failed, Job, LiveStart, Reply, RunReply, Simulate
+from ropsim.studio.wire.jobs import Job, LiveStart, Simulate
+from ropsim.studio.wire.replies import Failed, Reply, RunReply
 from ropsim.userfiles import KEPT_ANSWERS
 from ropsim.workbench import Workspace
 

@@ -9,7 +9,8 @@ from ropsim.flow import Recording
 from ropsim.model import Cell
 from ropsim.records import inputs_of
 from ropsim.simulation import needs_check
-from ropsim.studio.jobs import InputChange, LiveStart, RunReply, Simulate
+from ropsim.studio.wire.jobs import InputChange, LiveStart, Simulate
+from ropsim.studio.wire.replies import RunReply
 from ropsim.views import plain_findings
 from ropsim.workbench import Project, Workspace, found_in, open_overlaid, pack_of
 

@@ -9,7 +9,8 @@ from ropsim.core import frozen_dataclass
 from ropsim.meshes import MeshLibrary, load_meshes
 from ropsim.model import Cell
 from ropsim.records import numeric
-from ropsim.studio.jobs import OpenScene, SceneReply
+from ropsim.studio.wire.jobs import OpenScene
+from ropsim.studio.wire.replies import SceneReply
 from ropsim.views import plain_findings, scene
 from ropsim.workbench import ProjectError, Workspace, open_overlaid
 

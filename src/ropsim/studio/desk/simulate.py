@@ -14,7 +14,9 @@ from ropsim.studio.desk.content import content_of
 from ropsim.studio.desk.finished import FinishedRun, Shelf
 from ropsim.studio.desk.line import Cancelled, Line
 from ropsim.studio.desk.runnable import MOST_ROWS, Runnable, made_ready, run_job
-from ropsim.studio.jobs import Planned, Progress, Renew, Renewed, RunReply, Simulate
+from ropsim.studio.wire.jobs import Simulate
+from ropsim.studio.wire.orders import Renew
+from ropsim.studio.wire.replies import Planned, Progress, Renewed, RunReply
 from ropsim.views import Stage, plain_findings
 from ropsim.workbench import Workspace, engine_note
 

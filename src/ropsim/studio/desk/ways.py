@@ -5,7 +5,7 @@ from functools import partial
 
 from ropsim.studio.desk.finished import Shelf
 from ropsim.studio.desk.line import Line
-from ropsim.studio.jobs import WaysReply
+from ropsim.studio.wire.replies import WaysReply
 from ropsim.views import result_figures, run_findings, summarize
 
 

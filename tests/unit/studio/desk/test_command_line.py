@@ -7,7 +7,9 @@ import pytest
 
 from ropsim.studio.desk.command_line import ToldRobot
 from ropsim.studio.desk.line import Cancelled
-from ropsim.studio.jobs import Cancel, OfferWords, Tell, ToldReply
+from ropsim.studio.wire.jobs import OfferWords, Tell
+from ropsim.studio.wire.orders import Cancel
+from ropsim.studio.wire.replies import ToldReply
 from ropsim.workbench import Workspace, new_project
 from support.live import FakeLine
 

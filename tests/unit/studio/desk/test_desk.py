@@ -16,36 +16,32 @@ import pytest
 from ropsim.icr import read_text
 from ropsim.records.inputs import read_inputs
 from ropsim.studio.desk import main
-from ropsim.studio.jobs import (
-    Answer,
-    Cancel,
+from ropsim.studio.wire.jobs import (
     Cause,
-    Failed,
     Job,
     JogJoints,
-    JogReply,
     JogTcp,
-    LiveControl,
-    LiveFrame,
-    LiveMessage,
     LiveStart,
     OpenScene,
-    Order,
+    RunForm,
+    SaveRun,
+    Simulate,
+)
+from ropsim.studio.wire.orders import Cancel, LiveControl, Order, Renew, Request, SetSignal, Stop
+from ropsim.studio.wire.replies import (
+    Answer,
+    Failed,
+    JogReply,
+    LiveFrame,
+    LiveMessage,
     Planned,
     Progress,
-    Renew,
     Renewed,
     Reply,
     Report,
-    Request,
-    RunForm,
     RunReply,
     SavedRun,
-    SaveRun,
     SceneReply,
-    SetSignal,
-    Simulate,
-    Stop,
 )
 from support.live import CELL, KEYS, project
 from support.patience import PATIENCE

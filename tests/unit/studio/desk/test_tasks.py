@@ -10,7 +10,7 @@ import pytest
 from ropsim.spatial import Pose
 from ropsim.studio.desk.desk import Desk
 from ropsim.studio.desk.line import Cancelled
-from ropsim.studio.jobs import (
+from ropsim.studio.wire.jobs import (
     CheckTaskForm,
     CheckTasks,
     EstimateTasks,
@@ -18,12 +18,11 @@ from ropsim.studio.jobs import (
     Job,
     ListTasks,
     OpenTaskForm,
-    Order,
-    Report,
     TaskFormFields,
-    TasksReply,
     TaskStep,
 )
+from ropsim.studio.wire.orders import Order
+from ropsim.studio.wire.replies import Report, TasksReply
 
 CELL = """\
 [cell]

@@ -11,7 +11,9 @@ from ropsim.model import body_tree, link_name, start_of
 from ropsim.spatial import Pose
 from ropsim.studio.desk.jog.jog import JoggedArms
 from ropsim.studio.desk.live.run import Clocks, run_live
-from ropsim.studio.jobs import Failed, JogJoints, JogReply, JogTcp, LiveControl, LiveStart
+from ropsim.studio.wire.jobs import JogJoints, JogTcp, LiveStart
+from ropsim.studio.wire.orders import LiveControl
+from ropsim.studio.wire.replies import Failed, JogReply
 from ropsim.workbench import open_project
 from support.live import FakeLine
 

@@ -8,18 +8,10 @@ import pytest
 
 from ropsim.studio.desk.desk import Desk
 from ropsim.studio.desk.line import Cancelled
-from ropsim.studio.jobs import (
-    Failed,
-    LookAtWays,
-    Order,
-    Report,
-    RunReply,
-    SavedRun,
-    SaveRun,
-    Simulate,
-    WaysReply,
-)
-from ropsim.studio.messages import RunWays, wire
+from ropsim.studio.wire.jobs import LookAtWays, SaveRun, Simulate
+from ropsim.studio.wire.messages import RunWays, wire
+from ropsim.studio.wire.orders import Order
+from ropsim.studio.wire.replies import Failed, Report, RunReply, SavedRun, WaysReply
 
 CELL = """\
 [cell]

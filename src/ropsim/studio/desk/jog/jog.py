@@ -20,7 +20,8 @@ from ropsim.studio.desk.jog.choice import nearest
 from ropsim.studio.desk.jog.location import location_text, typed_text
 from ropsim.studio.desk.jog.stops import within_limits
 from ropsim.studio.desk.jog.words import Words, limit_words, refusal_words, singularity_words, worst_first
-from ropsim.studio.jobs import Failed, JogJoints, JogReply, JogTcp
+from ropsim.studio.wire.jobs import JogJoints, JogTcp
+from ropsim.studio.wire.replies import Failed, JogReply
 
 
 @frozen_dataclass

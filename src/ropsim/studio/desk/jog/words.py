@@ -17,7 +17,7 @@ from ropsim.kinematics import (
 )
 from ropsim.model import Joint, JointType, RobotModel, coupled_limits
 from ropsim.spatial import Array
-from ropsim.studio.jobs import Level
+from ropsim.studio.wire.jobs import Level
 
 Words: TypeAlias = list[tuple[Level, str]]
 """Pairs of a level and a text."""

@@ -11,8 +11,9 @@ from ropsim.kinematics import body_poses
 from ropsim.model import body_tree
 from ropsim.simulation import RunView, live_sample
 from ropsim.spatial import Array, quaternions_from_matrices
-from ropsim.studio.jobs import LiveFrame, LiveMessage
-from ropsim.studio.messages import LiveChannel, LiveLayout, LiveStation, plain
+from ropsim.studio.wire.live_messages import LiveChannel, LiveLayout, LiveStation
+from ropsim.studio.wire.messages import plain
+from ropsim.studio.wire.replies import LiveFrame, LiveMessage
 
 HEADER = struct.Struct("<2sBBIddHHI")
 """Magic, version, kind, number, simulated time [s], wall clock [ms], channel values, bodies, event bits."""

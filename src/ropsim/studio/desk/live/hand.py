@@ -5,7 +5,8 @@ from typing import Literal
 
 from ropsim.flow import Event
 from ropsim.simulation import RunView
-from ropsim.studio.jobs import LiveBegin, LiveControl, LiveOverride
+from ropsim.studio.wire.jobs import LiveBegin
+from ropsim.studio.wire.orders import LiveControl, LiveOverride
 
 
 @dataclass(slots=True)

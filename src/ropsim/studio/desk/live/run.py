@@ -14,7 +14,8 @@ from ropsim.studio.desk.line import Line
 from ropsim.studio.desk.live.hand import Hand
 from ropsim.studio.desk.live.watch import LivePace
 from ropsim.studio.desk.runnable import MOST_ROWS, Runnable, run_job, used_inputs
-from ropsim.studio.jobs import LiveStart, RunReply
+from ropsim.studio.wire.jobs import LiveStart
+from ropsim.studio.wire.replies import RunReply
 from ropsim.workbench import Workspace
 
 LONGEST = 24 * 3600.0

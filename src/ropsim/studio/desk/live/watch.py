@@ -14,8 +14,10 @@ from ropsim.studio.desk.line import Line
 from ropsim.studio.desk.live.frame import Frames
 from ropsim.studio.desk.live.hand import Hand
 from ropsim.studio.desk.live.keys import Keys, Stamp
-from ropsim.studio.jobs import LiveControl, LiveMessage, LiveOverride, LiveSpeed, Order, SetSignal
-from ropsim.studio.messages import Happened, LiveStatus, Notice, Placed, SignalStamped, notice, plain
+from ropsim.studio.wire.live_messages import Happened, LiveStatus, Placed, SignalStamped
+from ropsim.studio.wire.messages import Notice, notice, plain
+from ropsim.studio.wire.orders import LiveControl, LiveOverride, LiveSpeed, Order, SetSignal
+from ropsim.studio.wire.replies import LiveMessage
 from ropsim.views import ShownPlacements, packed_event
 
 FRAME = 1.0 / 60.0

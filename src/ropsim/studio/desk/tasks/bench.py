@@ -11,16 +11,16 @@ from ropsim.studio.desk.tasks.forms import form_checked, form_opened
 from ropsim.studio.desk.tasks.known_project import KnownProject, key_of, known_project
 from ropsim.studio.desk.tasks.listing import task_list
 from ropsim.studio.desk.tasks.stating import checked
-from ropsim.studio.jobs import (
+from ropsim.studio.wire.jobs import (
     CheckTaskForm,
     CheckTasks,
     EstimateTasks,
     ListTasks,
     OpenTaskForm,
     TasksJob,
-    TasksReply,
 )
-from ropsim.studio.messages import plain
+from ropsim.studio.wire.messages import plain
+from ropsim.studio.wire.replies import TasksReply
 from ropsim.workbench import Workspace, open_overlaid
 
 _STOPPED = "what reads the tasks has stopped in the middle of its work; it starts again when it is asked"

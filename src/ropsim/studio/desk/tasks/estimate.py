@@ -9,8 +9,9 @@ from ropsim.studio.desk.line import Cancelled, Line
 from ropsim.studio.desk.runnable import MOST_ROWS, made_ready
 from ropsim.studio.desk.simulate import LISTEN, PLANNING_ROWS
 from ropsim.studio.desk.tasks.stating import PROGRAM
-from ropsim.studio.jobs import EstimateTasks, RunReply, Simulate
-from ropsim.studio.task_messages import TasksEstimated
+from ropsim.studio.wire.jobs import EstimateTasks, Simulate
+from ropsim.studio.wire.replies import RunReply
+from ropsim.studio.wire.task_messages import TasksEstimated
 from ropsim.views import summarize
 from ropsim.workbench import Workspace
 

@@ -7,8 +7,8 @@ from pathlib import PurePosixPath
 import msgspec
 
 from ropsim.core import Diagnostic, SourceText
-from ropsim.studio.jobs import CheckTaskForm, FormParameterFields, OpenTaskForm, TaskFormFields
-from ropsim.studio.task_messages import FormFault, TaskFormChecked, TaskFormOpened
+from ropsim.studio.wire.jobs import CheckTaskForm, FormParameterFields, OpenTaskForm, TaskFormFields
+from ropsim.studio.wire.task_messages import FormFault, TaskFormChecked, TaskFormOpened
 from ropsim.tasks import (
     ClausePlaces,
     FieldFault,

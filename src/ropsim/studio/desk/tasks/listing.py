@@ -3,7 +3,14 @@
 from collections.abc import Iterator, Mapping
 
 from ropsim.studio.desk.tasks.known_project import KnownProject
-from ropsim.studio.task_messages import PartPlace, PlaceChoice, TaskChoice, TaskList, TaskParameter, WorldNow
+from ropsim.studio.wire.task_messages import (
+    PartPlace,
+    PlaceChoice,
+    TaskChoice,
+    TaskList,
+    TaskParameter,
+    WorldNow,
+)
 from ropsim.tasks import (
     UNITS,
     Given,

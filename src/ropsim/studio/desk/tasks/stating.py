@@ -8,8 +8,8 @@ from ropsim.core import RopsimError
 from ropsim.spatial import Pose, approach_orientation, pitch_roll_yaw
 from ropsim.studio.desk.tasks.known_project import KnownProject
 from ropsim.studio.desk.tasks.listing import world_now
-from ropsim.studio.jobs import TaskSteps
-from ropsim.studio.task_messages import PartPlace, ProgramPoint, SixNumbers, StepState, TasksChecked
+from ropsim.studio.wire.jobs import TaskSteps
+from ropsim.studio.wire.task_messages import PartPlace, ProgramPoint, SixNumbers, StepState, TasksChecked
 from ropsim.tasks import (
     ApproachPose,
     CallReport,

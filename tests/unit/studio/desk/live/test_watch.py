@@ -14,18 +14,9 @@ from ropsim.studio.desk.finished import Shelf
 from ropsim.studio.desk.line import Cancelled
 from ropsim.studio.desk.live.run import Clocks, run_live
 from ropsim.studio.desk.live.watch import LivePace
-from ropsim.studio.jobs import (
-    Cancel,
-    LiveBegin,
-    LiveControl,
-    LiveFrame,
-    LiveOverride,
-    LiveSpeed,
-    LiveStart,
-    Order,
-    RunReply,
-    SetSignal,
-)
+from ropsim.studio.wire.jobs import LiveBegin, LiveStart
+from ropsim.studio.wire.orders import Cancel, LiveControl, LiveOverride, LiveSpeed, Order, SetSignal
+from ropsim.studio.wire.replies import LiveFrame, RunReply
 from ropsim.views import packed_event
 from ropsim.workbench import open_overlaid
 from support.live import KEYS, FakeLine, project

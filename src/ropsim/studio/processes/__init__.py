@@ -1,0 +1,1 @@
+"""Child processes of the web process: workers, language servers, makers of projects."""

@@ -1,0 +1,1 @@
+"""The texts of a project: edited, saved, watched on the disk."""

@@ -1,0 +1,1 @@
+"""The web server: who may enter, pages, sockets, start and end."""

@@ -1,0 +1,1 @@
+"""Records that travel: between pages and server, and between server and workers."""
