@@ -8,7 +8,7 @@ from tools import robot_library
 from ropsim.core import SourceText, read_bytes
 from ropsim.nirox import read_valid_nirox
 from ropsim.nirox.schema_text import nirox_schema
-from ropsim.robots.stored import stored_names
+from ropsim.robots.library import stored_names
 
 TEXTS = tuple(
     SourceText(f"{name}.stp", read_bytes(robot_library.TARGET / f"{name}.stp").decode("ascii"))

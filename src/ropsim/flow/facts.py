@@ -5,11 +5,25 @@ from math import inf, nan
 
 from ropsim.core import frozen_dataclass
 from ropsim.flow.inputs import InputChange, Interventions, OverrideChange
-from ropsim.flow.parameter_origin import ParameterOrigin
 from ropsim.flow.way_facts import WayFacts
 
 ROBOT = "robot"
 """Name of the station of a cell with a single one; its bodies and channels are called without it."""
+
+
+@frozen_dataclass
+class ParameterOrigin:
+    """Where a group of parameters comes from.
+
+    Attributes:
+        parameters: covered parameters, such as `motor constants`.
+        kind: `published`, `derived` or `estimated`.
+        source: paper, table or reasoning.
+    """
+
+    parameters: str
+    kind: str
+    source: str
 
 
 class Fidelity(Enum):

@@ -4,12 +4,81 @@ from dataclasses import field
 from enum import Enum, StrEnum
 
 from ropsim.core import Span, frozen_dataclass
-from ropsim.flow.guard import Guard
 from ropsim.flow.modal import ModalState
-from ropsim.flow.posture_request import PostureRequest
 from ropsim.flow.tracking import PathTracking
-from ropsim.flow.trigger import Trigger
 from ropsim.spatial import Pose
+
+
+class Comparison(Enum):
+    """How the value of a channel is compared with that of a guard."""
+
+    IS = "is"
+    ABOVE = "above"
+    BELOW = "below"
+
+
+@frozen_dataclass
+class Guard:
+    """A guarded move ends where its condition is true.
+
+    Attributes:
+        channel: monitored channel.
+        comparison: the channel has the value, exceeds it or is less than it.
+        value: truth value of a digital channel, number of an analog one; fixed when the move begins.
+        timeout: the move ends after this time even if its condition has not come true [s]; None for none.
+    """
+
+    channel: str
+    comparison: Comparison
+    value: bool | float
+    timeout: float | None = None
+
+    def holds(self, found: bool | float) -> bool:  # noqa: FBT001 - a signal's value
+        """Return whether a value of the channel makes the condition true."""
+        if self.comparison is Comparison.IS:
+            return bool(found) is bool(self.value)
+        return found > self.value if self.comparison is Comparison.ABOVE else found < self.value
+
+
+class Side(Enum):
+    """From which end of a move the place of a trigger is counted."""
+
+    BEFORE_END = "before end"
+    AFTER_START = "after start"
+
+
+@frozen_dataclass
+class Trigger:
+    """Set an output channel where a move is some way or some time from one of its ends.
+
+    Attributes:
+        channel: output that is set.
+        value: new value.
+        side: end of the move from which is counted.
+        distance: way of the TCP from there [m], ≥ 0; None where a time is given.
+        time: time from there, as planned [s], ≥ 0; None where a distance is given.
+    """
+
+    channel: str
+    value: bool | int | float
+    side: Side
+    distance: float | None = None
+    time: float | None = None
+
+
+@frozen_dataclass
+class PostureRequest:
+    """Request of a target to the branch of the inverse kinematics.
+
+    Attributes:
+        words: words of a posture in the order in which they were written, such as `("left", "up")`; a part of
+            the posture of which nothing is said is free.
+        turns: for the axes of the arm from the first on, the whole turn k in which the axis is to be:
+            its angle lies in [2πk - π, 2πk + π); axes beyond the last one given are free.
+    """
+
+    words: tuple[str, ...] = ()
+    turns: tuple[int, ...] = ()
 
 
 class MotionKind(StrEnum):

@@ -1,22 +1,57 @@
 """The recording of a run: named channels over time, events and findings."""
 
 from collections.abc import Mapping
+from dataclasses import field
 from typing import TYPE_CHECKING, TypeVar
 
 import numpy as np
 
-from ropsim.core import Diagnostic, Severity
+from ropsim.core import Diagnostic, Severity, frozen_dataclass
 from ropsim.flow.channel import Channel
 from ropsim.flow.events import Event, MoveEvent, SkipEvent
 from ropsim.flow.facts import RunFacts
-from ropsim.flow.placement import Placement
-from ropsim.flow.run_content import RunContent
-from ropsim.spatial import Array, record
+from ropsim.spatial import Array, Pose, record
 
 if TYPE_CHECKING:
     import pandas as pd
 
 E = TypeVar("E", bound=Event)
+
+
+@record
+class Placement:
+    """From one time on, until the next placement of the same body.
+
+    Attributes:
+        time: [s], a whole control tick; 0 for where it is at the start.
+        body: its name.
+        parent: name of the body that it hangs on, empty for the world.
+        X_PB: its frame in that of the parent; of a body that a joint moves, at joint coordinate 0.
+        visible: False while it is absent: a tool not mounted, a part in its supply or removed by a sink.
+    """
+
+    time: float
+    body: str
+    parent: str
+    X_PB: Pose
+    visible: bool = True
+
+
+@frozen_dataclass
+class RunContent:
+    """Content from which a run was made, in addition to the identities of its programs.
+
+    Attributes:
+        cell: `content` of the work cell; empty where unknown.
+        lines: by station, the source line of each instruction of its program, in the order of
+            `ropsim.icr.code_lines`; 0 where unknown.
+        results: by station, the content on which each line of its program depends, by the number of the line
+            in the order of `ropsim.icr.line_contents`.
+    """
+
+    cell: str = ""
+    lines: Mapping[str, tuple[int, ...]] = field(default_factory=dict)
+    results: Mapping[str, Mapping[int, str]] = field(default_factory=dict)
 
 
 @record

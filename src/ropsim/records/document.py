@@ -4,9 +4,8 @@ from collections.abc import Mapping
 from typing import TypeVar
 
 from ropsim.core import Diagnostic, Label, Severity, Span, TextEdit, frozen_dataclass
-from ropsim.flow import Channel, ChannelGroup, Event, Placement, Recording, RunContent, RunFacts
+from ropsim.flow import EVENTS, Channel, ChannelGroup, Event, Placement, Recording, RunContent, RunFacts
 from ropsim.records.diagnostic_json import diagnostic_entry
-from ropsim.records.events import event_entry, read_event
 from ropsim.records.plain_records import DocumentError, number, plain_record, record_from
 from ropsim.records.plain_values import tagged, untagged
 from ropsim.spatial import Pose, PoseError, frozen
@@ -17,6 +16,7 @@ VERSION = 4
 
 Entry = Mapping[str, object]
 T = TypeVar("T")
+KIND = "kind"
 
 
 @frozen_dataclass
@@ -222,3 +222,21 @@ def _mapping(value: object, key: str) -> Mapping[str, object]:
     if not isinstance(value, dict):
         raise DocumentError(f"`{key}` is a `{type(value).__name__}`, not a mapping")
     return value
+
+
+def event_entry(event: Event) -> dict[str, object]:
+    """Return an event as plain values: its kind, and its fields by their names."""
+    return {KIND: event.kind, **plain_record(event)}
+
+
+def read_event(plain: object) -> Event:
+    """Return the event that plain values describe.
+
+    Raises:
+        DocumentError: it is of no known kind, or an entry is missing or of the wrong type.
+    """
+    word = plain.get(KIND) if isinstance(plain, dict) else None
+    kind = EVENTS.get(word) if isinstance(word, str) else None
+    if kind is None:
+        raise DocumentError(f"`{KIND}` of an event is `{str(word)[:40]}`, known are {', '.join(EVENTS)}")
+    return record_from(kind, plain, kind.kind)

@@ -2,13 +2,15 @@
 
 from collections.abc import Callable, Mapping
 from functools import lru_cache
+from importlib.resources import files
+from pathlib import Path
 from types import MappingProxyType
 
+from ropsim.core import SourceText, read_bytes
 from ropsim.model import ControllerModel, Mechanism, Rates, RobotModel
 from ropsim.robots import palletizer, puma560, scara, two_link
 from ropsim.robots.diagnostics import UnknownRobotError
 from ropsim.robots.standard_controller import standard_controller
-from ropsim.robots.stored import stored_names, stored_robot
 
 _MODELS: Mapping[str, Callable[[], RobotModel]] = MappingProxyType(
     {
@@ -20,6 +22,7 @@ _MODELS: Mapping[str, Callable[[], RobotModel]] = MappingProxyType(
 )
 STANDARD_RATES = Rates()
 """Rates of a controller by default."""
+_ENDING = ".stp"
 
 
 def names() -> tuple[str, ...]:
@@ -59,3 +62,26 @@ def default_controller(robot: str | Mechanism, rates: Rates = STANDARD_RATES) ->
 @lru_cache(maxsize=16)
 def _controller(robot: Mechanism, rates: Rates) -> ControllerModel:
     return standard_controller(robot, rates)
+
+
+@lru_cache(maxsize=1)
+def stored_names() -> tuple[str, ...]:
+    """Return the names of the robots that are there, in their order."""
+    return tuple(sorted(path.stem for path in _folder().glob(f"*{_ENDING}")))
+
+
+@lru_cache(maxsize=64)
+def stored_robot(name: str) -> RobotModel:
+    """Return a robot; its file is read once, and trusted, as the tool and the tests have checked it.
+
+    Args:
+        name: one of `stored_names`.
+    """
+    from ropsim.nirox import read_valid_nirox
+
+    file = f"{name}{_ENDING}"
+    return read_valid_nirox(SourceText(file, read_bytes(_folder() / file).decode("ascii")))
+
+
+def _folder() -> Path:
+    return Path(str(files("ropsim.robots").joinpath("arms")))

@@ -8,6 +8,7 @@ from ropsim.spatial.angles import roll_pitch_yaw as roll_pitch_yaw
 from ropsim.spatial.bits import bits_of as bits_of
 from ropsim.spatial.bits import bits_without as bits_without
 from ropsim.spatial.diagnostics import PoseError as PoseError
+from ropsim.spatial.numbers import cross as cross
 from ropsim.spatial.numbers import real_numbers as real_numbers
 from ropsim.spatial.pose import Array as Array
 from ropsim.spatial.pose import Pose as Pose
@@ -17,4 +18,3 @@ from ropsim.spatial.pose import quaternions_from_matrices as quaternions_from_ma
 from ropsim.spatial.quaternion import PoseTuple as PoseTuple
 from ropsim.spatial.record import fingerprint as fingerprint
 from ropsim.spatial.record import record as record
-from ropsim.spatial.vectors import cross as cross

@@ -12,10 +12,10 @@ from ropsim.views.cycle import summarize_cycle as summarize_cycle
 from ropsim.views.html.door import html_report as html_report
 from ropsim.views.html.replay import NoReplay as NoReplay
 from ropsim.views.html.replay import Replay as Replay
-from ropsim.views.pack.events import packed_event as packed_event
 from ropsim.views.pack.pack import Pack as Pack
 from ropsim.views.pack.pack import Stage as Stage
 from ropsim.views.pack.pack import pack as pack
+from ropsim.views.pack.pack import packed_event as packed_event
 from ropsim.views.pack.pack import plain_finding as plain_finding
 from ropsim.views.pack.pack import plain_findings as plain_findings
 from ropsim.views.pack.pack import run_findings as run_findings

@@ -11,7 +11,7 @@ from tools import robot_library, robot_page
 from ropsim import robots
 from ropsim.core import SourceText
 from ropsim.nirox import read_nirox, read_valid_nirox
-from ropsim.robots.stored import stored_names
+from ropsim.robots.library import stored_names
 
 
 def text(name: str) -> SourceText:

@@ -13,16 +13,17 @@ from ropsim.studio.desk.main import answered
 from ropsim.studio.processes.workers import Task, WorkerLink
 from ropsim.studio.session import tasks
 from ropsim.studio.session.tab import Tab
-from ropsim.studio.wire import commands, jobs, replies
+from ropsim.studio.wire import commands, jobs
+from ropsim.studio.wire.replies import Failed, Reply, TasksReply
 from ropsim.studio.wire.task_messages import TaskList
 
 
 class Worker:
     """A link to a worker that gives these replies, one after the other, and none where None stands."""
 
-    def __init__(self, replies: Sequence[replies.Reply | None]) -> None:
+    def __init__(self, replies: Sequence[Reply | None]) -> None:
         self._replies = iter(replies)
-        self._open: list[asyncio.Future[replies.Reply]] = []
+        self._open: list[asyncio.Future[Reply]] = []
 
     def submit(self, job: jobs.Job) -> Task:
         reply, future = next(self._replies), asyncio.get_running_loop().create_future()
@@ -32,7 +33,7 @@ class Worker:
         return Task(1, job, lambda _: None, future)
 
     def kill(self) -> None:
-        self._open[-1].set_result(replies.Failed("the checker of tasks has ended unexpectedly (signal 9)"))
+        self._open[-1].set_result(Failed("the checker of tasks has ended unexpectedly (signal 9)"))
 
 
 class Listening:
@@ -47,7 +48,7 @@ class Listening:
         self.told.append(message)
 
 
-def told(replies: Sequence[replies.Reply | None], times: int = 1) -> list[Any]:
+def told(replies: Sequence[Reply | None], times: int = 1) -> list[Any]:
     """Return what a tab is told that asks for the tasks so often."""
 
     async def run() -> list[Any]:
@@ -61,8 +62,8 @@ def told(replies: Sequence[replies.Reply | None], times: int = 1) -> list[Any]:
 
 
 def test_a_list_that_cannot_be_had_says_why_and_the_next_one_is_asked_for_anew() -> None:
-    lost = replies.Failed("the checker of tasks has ended unexpectedly (exit code 3)")
-    first, second = told([lost, replies.TasksReply({"type": "task_list"})], times=2)
+    lost = Failed("the checker of tasks has ended unexpectedly (exit code 3)")
+    first, second = told([lost, TasksReply({"type": "task_list"})], times=2)
     assert isinstance(first, TaskList)
     assert first.problem == lost.message
     assert (first.tasks, first.findings) == ((), ())
@@ -89,6 +90,6 @@ def test_what_happens_to_the_engine_is_told_in_words_of_who_knows_none(
 
     monkeypatch.setattr(bench, "open_overlaid", fails)
     reply = answered(Desk(), jobs.ListTasks(str(tmp_path), {}), cast(Any, None))
-    assert isinstance(reply, replies.Failed)
+    assert isinstance(reply, Failed)
     assert not any(word in reply.message for word in ("Prolog", "swipl", "bench"))
     assert "tasks" in reply.message

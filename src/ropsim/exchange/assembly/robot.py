@@ -1,12 +1,12 @@
 """A description becomes a robot: bodies fixed together become one, axes become the z axes of joint frames."""
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 from ropsim.core import SourceText, Span
 from ropsim.exchange.assembly.aligned import aligned, displaced, with_added_turns
 from ropsim.exchange.assembly.bodies import Carried, carried_names, links_of, weight_findings
 from ropsim.exchange.assembly.description import Connection, Description, Motion
-from ropsim.exchange.assembly.drives import drives_of
 from ropsim.exchange.assembly.joint_limits import limits_of, unknown_limits, unknown_names
 from ropsim.exchange.assembly.kept_joints import KeptJoints, kept_joints
 from ropsim.exchange.assembly.link_tree import LinkTree, link_tree
@@ -17,12 +17,17 @@ from ropsim.model import (
     Attribute,
     AuditPlace,
     Coupling,
+    Drive,
+    Friction,
+    IdealMotor,
     Joint,
     JointType,
+    Link,
     ParameterOrigin,
     PlaceOf,
     ReadRobot,
     RobotModel,
+    ideal_drive,
     number_findings,
 )
 from ropsim.spatial import Array, Pose, frozen
@@ -155,3 +160,32 @@ def _origins(source: SourceText, driven: list[Connection]) -> tuple[ParameterOri
     for what, names in unknown_names(driven).items():
         found.append(ParameterOrigin(what, "estimated", f"not in {source.name}: joints {', '.join(names)}"))
     return tuple(found)
+
+
+def drives_of(
+    driven: Sequence[Connection], axes: Sequence[int], joints: Sequence[Joint], links: Sequence[Link]
+) -> tuple[Drive, ...]:
+    """Return a drive for each axis; none at all where some axis moves nothing that has a weight.
+
+    Args:
+        driven: connections that are driven.
+        axes: number of the joint of each, in the same order.
+        joints: of the robot.
+        links: moved by the joints.
+    """
+    weighs = [bool(link.mass or link.inertia.any()) for link in links]
+    for number in reversed(range(len(joints))):
+        if weighs[number] and joints[number].parent != BASE_LINK:
+            weighs[joints[number].parent] = True
+    if not all(weighs[number] for number in axes):
+        return ()
+    return tuple(_drive(one, joints[number].max_effort) for one, number in zip(driven, axes, strict=True))
+
+
+def _drive(one: Connection, effort: float) -> Drive:
+    viscous, dry = one.resistance.viscous, one.resistance.dry
+    return replace(
+        ideal_drive(effort),
+        motor=IdealMotor(one.resistance.rotor),
+        friction=Friction(viscous, dry, -dry if dry else 0.0),
+    )

@@ -2,15 +2,17 @@
 
 from dataclasses import replace
 
+import numpy as np
+
 from ropsim.exchange.assembly.description import Body, Connection, Motion
 from ropsim.exchange.files.folder import RobotFolder
 from ropsim.exchange.files.names import link_name
+from ropsim.exchange.files.values import number_of, numbers_of
 from ropsim.exchange.files.xml_tree import Element
-from ropsim.exchange.losses.diagnostics import DOUBTFUL_BODY
+from ropsim.exchange.losses.diagnostics import BAD_NUMBER, DOUBTFUL_BODY, ELEMENT_MISSING
 from ropsim.exchange.losses.loss_diagnostics import LOST_DESCRIPTION, LOST_MOTION
 from ropsim.exchange.losses.notes import Notes, listed
 from ropsim.exchange.mjcf.geoms import Assets, Geometry, drawn, geometry_of
-from ropsim.exchange.mjcf.inertials import inertial_of
 from ropsim.exchange.mjcf.joints import anchor_of, connection_of, is_free
 from ropsim.exchange.mjcf.poses import pose_of
 from ropsim.exchange.mjcf.settings import MAIN, Settings, class_of
@@ -144,3 +146,23 @@ def _shifted(geometry: Geometry, X: Pose) -> Geometry:
     shapes = tuple(replace(one, pose=X @ one.pose) for one in geometry.shapes)
     weight = moved(geometry.weight, X) if geometry.weight else None
     return Geometry(shapes, weight, geometry.group)
+
+
+def inertial_of(inertial: Element, settings: Settings, notes: Notes) -> Payload:
+    """Return mass, centre of mass, and inertia about it, in the frame of the body."""
+    X = pose_of(inertial, settings, notes)
+    if "mass" not in inertial.attributes:
+        notes.add(ELEMENT_MISSING, inertial.span, "an inertial has no mass", 'write mass="..." into it')
+    mass = number_of(inertial, "mass", notes)
+    if mass < 0.0:
+        words = f"a body has a mass of {mass:g} kg, allowed is 0 kg or more"
+        notes.add(BAD_NUMBER, inertial.span, words, "check the sign")
+        return Payload()
+    if "fullinertia" in inertial.attributes:
+        xx, yy, zz, xy, xz, yz = numbers_of(inertial, "fullinertia", notes, (0.0,) * 6)
+        inertia = np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
+    else:
+        inertia = np.diag(numbers_of(inertial, "diaginertia", notes, (0.0, 0.0, 0.0)))
+    if X.orientation[0] == 1.0:
+        return Payload(mass, X.position, inertia)
+    return moved(Payload(mass, np.zeros(3), inertia), X)

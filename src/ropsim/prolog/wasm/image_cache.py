@@ -8,7 +8,7 @@ from pathlib import Path
 
 from ropsim.core import read_bytes
 from ropsim.prolog.wasm.image import Image, unpacked_image
-from ropsim.prolog.wasm.kept import KEPT
+from ropsim.prolog.wasm.module_cache import KEPT
 from ropsim.version import __version__
 
 

@@ -5,10 +5,13 @@ from hashlib import sha256
 from importlib.metadata import version
 from typing import TYPE_CHECKING
 
-from ropsim.prolog.wasm.kept import KEPT
+from ropsim.core import KeptFiles
 
 if TYPE_CHECKING:
     from wasmtime import Engine, Module
+
+KEPT = KeptFiles("prolog", most=128_000_000, largest=64_000_000)
+"""Machine code has 6 MB, an image some."""
 
 
 def compiled(engine: "Engine", settings: str, code: bytes) -> "Module":

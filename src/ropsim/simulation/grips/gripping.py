@@ -2,11 +2,13 @@
 
 from collections.abc import Iterator
 
+import numpy as np
+
 from ropsim.core import Diagnostic
 from ropsim.flow import GripAction, GripEvent, GripInstruction, ReleaseEvent
-from ropsim.model import Gripper, Tool, tool_body
+from ropsim.model import Fingers, Gripper, Part, Tool, tool_body
+from ropsim.simulation.devices.course import Course, Piece
 from ropsim.simulation.diagnostics.part_diagnostics import NOTHING_GRASPED, TOOL_CANNOT_GRASP
-from ropsim.simulation.grips.fingering import closed_on, go
 from ropsim.simulation.grips.handing import kept, let_go, take_over
 from ropsim.simulation.parts.parts import close_on, release
 from ropsim.simulation.parts.placements import Placements
@@ -118,3 +120,24 @@ def _nothing_grasped(grip: GripInstruction, tool: Tool) -> Diagnostic:
         hint="check the location, the supply of parts and the tool's `capture`",
         data={"pass": grip.origin.visit},
     )
+
+
+def go(course: Course, time: float, dwell: float, target: float) -> None:
+    """Let fingers go evenly to a coordinate [m] within the dwell [s] that begins at a time [s]."""
+    q, _ = course.at(time)
+    way = [Piece(time, q, (target - q) / dwell, 0.0)] if dwell > 0.0 else []
+    course.go([*way, Piece(time + dwell, target, 0.0, 0.0)])
+
+
+def closed_on(fingers: Fingers, part: Part | None, X_TO: Pose) -> float:
+    """Return the coordinate of fingers that have closed [m]: on the sides of a part, or on nothing.
+
+    Args:
+        fingers: its fingers, apart along y of the tool frame.
+        part: that they hold; None for nothing.
+        X_TO: object frame of the part in the tool frame.
+    """
+    if part is None:
+        return fingers.closed
+    half = float(np.abs(X_TO.rotation()[1]) @ part.size / 2.0)
+    return min(max(half, fingers.closed), fingers.opened)

@@ -5,23 +5,17 @@ from collections.abc import Mapping
 import numpy as np
 
 from ropsim.core import frozen_dataclass
-from ropsim.kinematics import (
-    IkOptions,
-    IkStatus,
-    Method,
-    body_poses,
-    forward,
-    inverse,
-    solver_of,
-)
-from ropsim.model import BodyTree, Cell, Station, body_tree, link_name, tool_body
+from ropsim.kinematics import IkOptions, IkStatus, Method, body_poses, forward, inverse, solver_of
+from ropsim.model import BodyTree, Cell, RobotModel, Station, body_tree, coupled_limits, link_name, tool_body
 from ropsim.spatial import Array, Pose
 from ropsim.studio.desk.jog.choice import nearest
 from ropsim.studio.desk.jog.location import location_text, typed_text
-from ropsim.studio.desk.jog.stops import within_limits
 from ropsim.studio.desk.jog.words import Words, limit_words, refusal_words, singularity_words, worst_first
 from ropsim.studio.wire.jobs import JogJoints, JogTcp
 from ropsim.studio.wire.replies import Failed, JogReply
+
+ROUNDS = 50
+"""How often limits of axes and of joints that follow them are met in turn."""
 
 
 @frozen_dataclass
@@ -139,3 +133,26 @@ class JoggedArms:
 
 def _known(names: Mapping[str, object]) -> str:
     return ", ".join(f"`{one}`" for one in names) or "none"
+
+
+def within_limits(robot: RobotModel, wanted: Array) -> Array:
+    """Return the coordinates within all limits that are near to some [rad | m], shape (n,).
+
+    Each axis stops at its limit. A joint that follows several axes stops at its own, by the least motion of
+    these axes; where that takes one of them beyond its limit, the others give way.
+
+    Args:
+        robot: the arm.
+        wanted: [rad | m], shape (n,).
+    """
+    lower, upper, coupled = robot.lower_limits, robot.upper_limits, coupled_limits(robot)
+    q = np.clip(wanted, lower, upper)
+    for _ in range(ROUNDS if coupled.joints else 0):
+        values = coupled.values(q)
+        over = np.clip(values, coupled.lower, coupled.upper) - values
+        if not over.any():
+            break
+        worst = int(np.argmax(np.abs(over)))
+        row = coupled.T[worst]
+        q = np.clip(q + row * (over[worst] / float(row @ row)), lower, upper)
+    return np.asarray(q)
