@@ -14,12 +14,13 @@ from pathlib import Path
 import pytest
 
 import ropsim
+from support.pages import Step, steps
 from support.sources import trees
 
 SOURCE = Path(ropsim.__file__).parent
 ROOT = Path(__file__).parents[2]
 PACKAGES = frozenset(path.parent.name for path in SOURCE.glob("*/__init__.py"))
-PYTHON = re.compile(r"^```python[^\n]*\n(.*?)^```", re.DOTALL | re.MULTILINE)
+FRONT = re.compile(r"src/ropsim/(\w+)/__init__\.py")
 
 
 @cache
@@ -125,11 +126,33 @@ def test_tools_and_examples_use_what_the_fronts_offer(folder: str) -> None:
 
 def test_pages_show_what_the_fronts_offer() -> None:
     pages = [*ROOT.glob("*.md"), *(ROOT / "docs").rglob("*.md")]
-    blocks = [(page, block) for page in pages for block in PYTHON.findall(page.read_text("utf-8"))]
-    assert len(blocks) > 10
+    assert sum(step.language == "python" for page in pages for step in steps(page)) > 10
     found = {
         f"{page.relative_to(ROOT)}: {one}"
-        for page, block in blocks
-        for one in behind_fronts(ast.parse(block))
+        for page in pages
+        for step in steps(page)
+        if step.language == "python"
+        for one in behind_fronts(ast.parse(step.text), own_package(step))
+        if one not in added_to_fronts(page)
     }
     assert found == set()
+
+
+def own_package(step: Step) -> str:
+    """Return the package of ropsim to which a file of a page belongs, empty for one of a user."""
+    parts = Path(step.path).parts
+    return parts[2] if parts[:2] == ("src", "ropsim") else ""
+
+
+def added_to_fronts(page: Path) -> set[str]:
+    """Return the names, with their packages, that the edits of a page add to fronts."""
+    return {
+        f"ropsim.{front[1]}.{alias.name}"
+        for step in steps(page)
+        if step.mode == "edit" and (front := FRONT.fullmatch(step.path))
+        for line in step.text.splitlines()
+        if line.startswith("+from")
+        for node in ast.parse(line[1:]).body
+        if isinstance(node, ast.ImportFrom)
+        for alias in node.names
+    }
