@@ -3,6 +3,7 @@
 from ropsim.core.catalogue import Kind as Kind
 from ropsim.core.catalogue import catalogue as catalogue
 from ropsim.core.catalogue import define as define
+from ropsim.core.diagnostic import Category as Category
 from ropsim.core.diagnostic import Diagnostic as Diagnostic
 from ropsim.core.diagnostic import Label as Label
 from ropsim.core.diagnostic import RopsimError as RopsimError

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from types import MappingProxyType
 
-from ropsim.core.diagnostic import Diagnostic, Label, Severity, TextEdit
+from ropsim.core.diagnostic import Category, Diagnostic, Label, Severity, TextEdit
 from ropsim.core.frozen_dataclass import frozen_dataclass
 from ropsim.core.span import Span
 
@@ -23,6 +23,7 @@ class Kind:
         severity: default severity.
         summary: one line for lists.
         explanation: Markdown paragraphs: meaning, importance, remedy.
+        category: class of its findings, for programs that treat a class of findings alike.
     """
 
     code: str
@@ -30,6 +31,7 @@ class Kind:
     severity: Severity
     summary: str
     explanation: str
+    category: Category = Category.OTHER
 
     def at(
         self,
@@ -45,17 +47,35 @@ class Kind:
     ) -> Diagnostic:
         """Return a diagnostic of this kind at `span`."""
         return Diagnostic(
-            self.code, self.slug, self.severity, message, span, label, secondary, notes, hint, fix, data or {}
+            self.code,
+            self.slug,
+            self.severity,
+            message,
+            span,
+            label,
+            secondary,
+            notes,
+            hint,
+            fix,
+            data or {},
+            self.category,
         )
 
 
-def define(code: str, slug: str, severity: Severity, summary: str, explanation: str) -> Kind:
+def define(
+    code: str,
+    slug: str,
+    severity: Severity,
+    summary: str,
+    explanation: str,
+    category: Category = Category.OTHER,
+) -> Kind:
     """Enter a kind into the catalogue and return it.
 
     Raises:
         ValueError: the code or the slug is taken by another kind.
     """
-    kind = Kind(code, slug, severity, summary, explanation.strip())
+    kind = Kind(code, slug, severity, summary, explanation.strip(), category)
     for known in (_KINDS.get(code), _BY_SLUG.get(slug)):
         if known is not None and known != kind:
             raise ValueError(f"diagnostic {code} {slug} collides with {known.code} {known.slug}")

@@ -25,6 +25,32 @@ class Severity(Enum):
         return list(Severity).index(self)
 
 
+class Category(Enum):
+    """Class of a finding for programs that treat findings of a class alike; its kind states it.
+
+    Attributes:
+        OTHER: none of the others.
+        SYNTAX: a text cannot be read, whatever the cell is.
+        USAGE: a command was called wrongly: its exit code is 2.
+        UNFINISHED: a program ended before its own end, so the cycle time does not hold.
+        STOPPED: a live run was ended by hand before the end of its program.
+        COLLISION: two bodies penetrate each other.
+        OUT_OF_TIME: the time that work may take was over.
+        ENGINE_LOST: the process that carries out the work ended.
+        DAMAGED: files of the installation are missing or changed.
+    """
+
+    OTHER = "other"
+    SYNTAX = "syntax"
+    USAGE = "usage"
+    UNFINISHED = "unfinished"
+    STOPPED = "stopped"
+    COLLISION = "collision"
+    OUT_OF_TIME = "out-of-time"
+    ENGINE_LOST = "engine-lost"
+    DAMAGED = "damaged"
+
+
 @frozen_dataclass
 class Label:
     """A second place that belongs to a diagnostic, with a few words about it."""
@@ -57,6 +83,7 @@ class Diagnostic:
         hint: next action.
         fix: a replacement, where one is certain.
         data: figures behind the message; keys carry the unit (`limit_rad`).
+        category: class of the finding, as its kind states it.
     """
 
     code: str
@@ -70,6 +97,7 @@ class Diagnostic:
     hint: str = ""
     fix: TextEdit | None = None
     data: Mapping[str, object] = field(default_factory=dict, hash=False)
+    category: Category = Category.OTHER
 
     @property
     def is_error(self) -> bool:

@@ -38,6 +38,8 @@ from ropsim.language.editing.written_places import motion_places as motion_place
 from ropsim.language.environment import NO_SIGNATURES as NO_SIGNATURES
 from ropsim.language.environment import Environment as Environment
 from ropsim.language.environment import TaskSignature as TaskSignature
+from ropsim.language.findings.hidden import HIDDEN as HIDDEN
+from ropsim.language.findings.names import UNKNOWN_TASK as UNKNOWN_TASK
 from ropsim.language.form import formatted as formatted
 from ropsim.language.report import FIRST_LINE as FIRST_LINE
 from ropsim.language.report import each_place as each_place

@@ -1,6 +1,6 @@
 """Findings about knowledge bases and the engine that reads them."""
 
-from ropsim.core import Severity, define
+from ropsim.core import Category, Severity, define
 
 CLAUSE_SYNTAX = define(
     "P101",
@@ -127,6 +127,7 @@ A goal or the loading of a text took longer than its limit and was stopped. The 
 text or the goal did meanwhile may be undone. Often a recursion does not end: the clause that ends it is
 missing or comes too late.
 """,
+    Category.OUT_OF_TIME,
 )
 
 INFERENCE_LIMIT = define(
@@ -160,6 +161,7 @@ Prolog had no memory or no stack left, or ended itself. A new one takes its plac
 functions are there again, what goals have asserted is not. A term that is nested hundreds of thousands deep
 is a usual cause.
 """,
+    Category.ENGINE_LOST,
 )
 
 ANSWER_TOO_LARGE = define(
@@ -171,6 +173,7 @@ ANSWER_TOO_LARGE = define(
 An answer has more text than is taken over (8 MiB), an integer of more than 4300 digits, goes round in a
 circle or holds a value that no term of Python stands for, such as a dict.
 """,
+    Category.ENGINE_LOST,
 )
 
 WRONG_USE = define(
@@ -183,6 +186,7 @@ An engine belongs to the thread that used it first; other threads make one of th
 Solutions of a goal cannot be asked for once the engine has been closed, another goal that was asked before
 has gone on, or Prolog has crashed.
 """,
+    Category.ENGINE_LOST,
 )
 
 ENGINE_FILES_MISSING = define(
@@ -195,6 +199,7 @@ Knowledge bases are read by SWI-Prolog, whose files are carried by every install
 are fetched together with what the pages of the studio need: `make demo`, `make test` or `python
 hatch_build.py` do that. With `ROPSIM_SKIP_FRONTEND=1` they are left out.
 """,
+    Category.DAMAGED,
 )
 
 ENGINE_FILES_CHANGED = define(
@@ -206,6 +211,7 @@ ENGINE_FILES_CHANGED = define(
 The files of SWI-Prolog were replaced or damaged. Install ropsim again; in a checkout `python
 hatch_build.py` fetches them.
 """,
+    Category.DAMAGED,
 )
 
 NO_NATIVE_PROLOG = define(
@@ -218,6 +224,7 @@ NO_NATIVE_PROLOG = define(
 has to be on the search path. Without it, use the Prolog of the package, which does the same,
 more slowly.
 """,
+    Category.USAGE,
 )
 
 NOT_FOR_NATIVE = define(

@@ -40,6 +40,7 @@ def diagnostic_entry(diagnostic: Diagnostic, form: Callable[[object], object]) -
         "code": diagnostic.code,
         "slug": diagnostic.slug,
         "severity": diagnostic.severity.value,
+        "category": diagnostic.category.value,
         "message": diagnostic.message,
         "span": span_entry(diagnostic.span),
         "label": diagnostic.label,

@@ -1,6 +1,6 @@
 """Diagnostics of recording files, X870 to X879."""
 
-from ropsim.core import RopsimError, Severity, define
+from ropsim.core import Category, RopsimError, Severity, define
 
 UNREADABLE = define(
     "X870",
@@ -110,6 +110,7 @@ file of the same name is still whole.
 
 Choose another path with `--record FILE`.
 """,
+    Category.USAGE,
 )
 
 INPUTS_UNREADABLE = define(

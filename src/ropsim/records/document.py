@@ -3,7 +3,17 @@
 from collections.abc import Mapping
 from typing import TypeVar
 
-from ropsim.core import Diagnostic, Label, Severity, Span, TextEdit, frozen_dataclass
+from ropsim.core import (
+    Category,
+    Diagnostic,
+    Kind,
+    Label,
+    Severity,
+    Span,
+    TextEdit,
+    catalogue,
+    frozen_dataclass,
+)
 from ropsim.flow import EVENTS, Channel, ChannelGroup, Event, Placement, Recording, RunContent, RunFacts
 from ropsim.records.diagnostic_json import diagnostic_entry
 from ropsim.records.plain_records import DocumentError, number, plain_record, record_from
@@ -166,7 +176,26 @@ def _finding(entry: Entry) -> Diagnostic:
         _get(entry, "hint", str),
         _fix(entry.get("fix")),
         _free(entry, "data"),
+        _category(entry),
     )
+
+
+def _category(entry: Entry) -> Category:
+    """Return the category of a finding; recordings before it was written have that of its kind."""
+    if "category" not in entry:
+        kind = _kinds_of_runs().get(_get(entry, "code", str))
+        return kind.category if kind is not None else Category.OTHER
+    word = _get(entry, "category", str)
+    if word not in {known.value for known in Category}:
+        raise DocumentError(f"`category` is `{word[:40]}`")
+    return Category(word)
+
+
+def _kinds_of_runs() -> Mapping[str, Kind]:
+    """Return the kinds of all findings of runs, by code."""
+    import ropsim.simulation  # noqa: F401  it defines them
+
+    return catalogue()
 
 
 def _label(entry: Entry) -> Label:

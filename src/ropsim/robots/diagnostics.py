@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable
 
-from ropsim.core import RopsimError, Severity, define, did_you_mean
+from ropsim.core import Category, RopsimError, Severity, define, did_you_mean
 
 UNKNOWN_ROBOT = define(
     "X860",
@@ -21,6 +21,7 @@ robot = ropsim.robots.load("puma560")
 
 The file of a robot, such as `robots/my_arm.stp`, is read by `ropsim.load_robot("robots/my_arm.stp")`.
 """,
+    Category.USAGE,
 )
 
 NO_CONTROLLER = define(

@@ -8,6 +8,7 @@ from ropsim.tasks.answers.not_defined import unknown_location as unknown_locatio
 from ropsim.tasks.answers.planning import Plan as Plan
 from ropsim.tasks.base import KnowledgeBase as KnowledgeBase
 from ropsim.tasks.findings import words as words
+from ropsim.tasks.findings.text_diagnostics import NO_COMPILING as NO_COMPILING
 from ropsim.tasks.folder import read_folder as read_folder
 from ropsim.tasks.forms.clause import FieldFault as FieldFault
 from ropsim.tasks.forms.clause import FormClause as FormClause

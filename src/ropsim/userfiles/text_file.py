@@ -4,6 +4,7 @@ import stat
 from pathlib import Path
 
 from ropsim.core import (
+    Category,
     Diagnostic,
     LeadsOutError,
     Severity,
@@ -25,6 +26,7 @@ MISSING_PATH = define(
     """
 The path that was given does not exist. Paths are taken relative to the folder in which the command runs.
 """,
+    Category.USAGE,
 )
 
 UNREADABLE = define(

@@ -1,6 +1,6 @@
 """Diagnostics of projects (X843 to X849, X895, X910 to X912)."""
 
-from ropsim.core import Severity, define
+from ropsim.core import Category, Severity, define
 
 NO_PROJECT = define(
     "X843",
@@ -16,6 +16,7 @@ A project is a folder with a `cell.toml` (robot, tools, frames, parts) and a fol
 
 Give the folder, its `cell.toml`, or one of its programs.
 """,
+    Category.USAGE,
 )
 
 NO_PROGRAM = define(
@@ -28,6 +29,7 @@ Programs are the files `programs/*.task` and `programs/*.icr`; their names are t
 ending. Without a name, the program named in `[cell] program` runs, or else `main`; a station of `[stations]`
 runs its `program`, or else the one that has its name. A station with `program = ""` stands still.
 """,
+    Category.USAGE,
 )
 
 NO_CELL = define(
@@ -62,6 +64,7 @@ Its folder does not exist and cannot be made, or may not be written; or its name
 another ending than the file is of: a recording ends in `.npz`. Nothing was changed: result files are replaced
 in one step, so an older report or recording is still whole.
 """,
+    Category.USAGE,
 )
 
 NO_EXAMPLE = define(
@@ -70,6 +73,7 @@ NO_EXAMPLE = define(
     Severity.ERROR,
     "an example that does not come with ropsim",
     "`ropsim examples` lists the examples; `ropsim new DIR --example NAME` makes a project from one.",
+    Category.USAGE,
 )
 
 PLACE_TAKEN = define(
@@ -81,6 +85,7 @@ PLACE_TAKEN = define(
 `ropsim new` makes a folder that is not there yet, or fills an empty one. It never changes files that exist:
 choose another name, or remove the folder yourself.
 """,
+    Category.USAGE,
 )
 
 MOVES_SKIPPED = define(
@@ -106,6 +111,7 @@ How a robot file is read depends on the ending of its name. The message lists th
 those of other systems: URDF (`.urdf`, `.xacro`) and MJCF (`.xml`); `docs/reference/nirox.md` those that end
 with `.stp`.
 """,
+    Category.USAGE,
 )
 
 NOT_IN_SESSION = define(

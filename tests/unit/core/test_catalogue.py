@@ -1,6 +1,6 @@
 import pytest
 
-from ropsim.core import Severity, SourceText, Span, catalogue, define
+from ropsim.core import Category, Severity, SourceText, Span, catalogue, define
 
 
 def test_a_kind_makes_diagnostics_with_its_code_and_severity() -> None:
@@ -10,6 +10,15 @@ def test_a_kind_makes_diagnostics_with_its_code_and_severity() -> None:
     assert (found.code, found.slug, found.severity) == ("Q999", "only-in-this-test", Severity.WARNING)
     assert str(found) == "a.task:3:7: warning[Q999] only-in-this-test: found `x`, allowed `y`"
     assert catalogue()["Q999"] is kind
+
+
+def test_findings_have_the_category_of_their_kind() -> None:
+    plain = define("Q995", "plain-test", Severity.ERROR, "a test", "Nothing to mend.")
+    ended = define("Q996", "ended-test", Severity.ERROR, "a test", "Nothing to mend.", Category.UNFINISHED)
+    assert (plain.at(None, "x").category, ended.at(None, "x").category) == (
+        Category.OTHER,
+        Category.UNFINISHED,
+    )
 
 
 def test_a_code_cannot_be_used_twice() -> None:

@@ -31,6 +31,7 @@ def test_document_has_the_documented_form() -> None:
                 "code": "M502",
                 "slug": "joint-out-of-range",
                 "severity": "error",
+                "category": "other",
                 "message": "message",
                 "span": span,
                 "label": "label",

@@ -31,6 +31,8 @@ from ropsim.flow import (
     WaitEvent,
 )
 from ropsim.records import RecordingFileError, npz, read_recording, recording_bytes, write_recording
+from ropsim.records.diagnostic_json import diagnostic_entry
+from ropsim.records.plain_values import readable
 from ropsim.spatial import Pose
 from ropsim.views import html_report, summarize
 from support.recordings import SOURCE, empty_recording, facts, pick_and_place, two_findings
@@ -265,6 +267,7 @@ CHANNEL = {"unit": "", "columns": [], "description": "", "group": "joints", "sub
         {"events": 3},
         {"events": [{"time": "x"}]},
         {"findings": [{"severity": "fatal"}]},
+        {"findings": [{**diagnostic_entry(two_findings()[0], readable), "category": "worst"}]},
         {"events": [{"kind": "jump", "time": 0.0}]},
         {"events": [{"kind": ["move"], "time": 0.0}]},
         {"events": [{"kind": "wait", "time": 0.0}]},

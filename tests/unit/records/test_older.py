@@ -5,6 +5,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from ropsim.core import Category
 from ropsim.flow import (
     AxisType,
     ChannelGroup,
@@ -103,6 +104,20 @@ def test_the_first_format_is_read_and_says_that_it_does_not_know_where_parts_wer
     assert first.placements == ()
     assert [found.code for found in first.findings] == [*(found.code for found in old.findings), "X879"]
     assert first.events == old.events
+
+
+def test_a_finding_without_a_category_has_that_of_its_kind(tmp_path: Path) -> None:
+    finding = KEPT["document"]["findings"][0]
+    findings = [{**finding, "code": code} for code in ("S761", "S723", "I464", "S751", "S703", "Q000")]
+    read = read_recording(file_of(tmp_path / "ended.npz", findings=findings))
+    assert [found.category for found in read.findings[: len(findings)]] == [
+        Category.STOPPED,
+        Category.UNFINISHED,
+        Category.UNFINISHED,
+        Category.COLLISION,
+        Category.OTHER,
+        Category.OTHER,
+    ]
 
 
 @pytest.mark.parametrize(

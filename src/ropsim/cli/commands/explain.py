@@ -4,7 +4,7 @@ import argparse
 
 from ropsim.cli.catalogue import all_kinds
 from ropsim.cli.terminal.output import Output
-from ropsim.core import RopsimError, Severity, define, did_you_mean
+from ropsim.core import Category, RopsimError, Severity, define, did_you_mean
 
 NO_SUCH_CODE = define(
     "U900",
@@ -12,6 +12,7 @@ NO_SUCH_CODE = define(
     Severity.ERROR,
     "a diagnostic code that does not exist",
     "`ropsim explain` without a code lists all codes.",
+    Category.USAGE,
 )
 
 

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from ropsim.cli.terminal.output import Output, cannot_write
 from ropsim.core import (
+    Category,
     Diagnostic,
     RopsimError,
     Severity,
@@ -31,6 +32,7 @@ NO_TASK_TEXT = define(
 `ropsim fmt` writes task programs (`.task`) in their form. Give such files, a project folder, or `-` for a
 text on standard input. ICR is written in its one form by `ropsim icr dis`, the cell file by its author.
 """,
+    Category.USAGE,
 )
 
 _STANDARD_INPUT = "-"

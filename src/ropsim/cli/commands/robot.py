@@ -13,7 +13,7 @@ from ropsim.cli.terminal.drive_words import drive_lines
 from ropsim.cli.terminal.named_robot import named_robot
 from ropsim.cli.terminal.output import Output, cannot_write
 from ropsim.cli.terminal.solver_words import solver_document, solver_lines
-from ropsim.core import Diagnostic, RopsimError, Severity, define, replace_file
+from ropsim.core import Category, Diagnostic, RopsimError, Severity, define, replace_file
 from ropsim.model import Joint, JointType, PlaceOf, RobotModel, coupled_limits
 from ropsim.model import audit as audit_model
 from ropsim.records import diagnostic_document
@@ -26,6 +26,7 @@ WRONG_COUNT = define(
     Severity.ERROR,
     "a joint vector of the wrong length on the command line",
     "Give one number per joint: degrees for turning joints, millimetres for sliding ones.",
+    Category.USAGE,
 )
 
 _NIROX = (".stp", ".step")

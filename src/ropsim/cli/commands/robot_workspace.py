@@ -9,7 +9,7 @@ import numpy as np
 
 from ropsim.cli.terminal.output import Output, cannot_write
 from ropsim.cli.terminal.workspace_document import study_document
-from ropsim.core import Diagnostic, RopsimError, Severity, define, replace_file
+from ropsim.core import Category, Diagnostic, RopsimError, Severity, define, replace_file
 from ropsim.model import RobotModel
 from ropsim.records import diagnostic_document
 from ropsim.spatial import Pose, quaternion
@@ -37,6 +37,7 @@ WRONG_FRAME = define(
 base of the robot stands in the frame of the points, both in millimetres and degrees. `--base` may stand
 several times. Put the names of the robots before these options.
 """,
+    Category.USAGE,
 )
 _PROJECTS = (".toml", ".task", ".icr")
 """Endings of files that contain a project."""

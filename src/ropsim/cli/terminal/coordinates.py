@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterable, Mapping
 from types import MappingProxyType
 
-from ropsim.core import RopsimError, Severity, define, frozen_dataclass
+from ropsim.core import Category, RopsimError, Severity, define, frozen_dataclass
 from ropsim.model import JointType, RobotModel
 
 FARTHEST: Mapping[JointType, float] = MappingProxyType(
@@ -22,6 +22,7 @@ Angles go up to 36,000 degrees (a hundred turns) either way, lengths up to 100,0
 cell files do. A larger number, or none (`nan`, `inf`), comes from a slip of the pen or a failed computation:
 what it leaves behind the full turns would mean nothing.
 """,
+    Category.USAGE,
 )
 
 

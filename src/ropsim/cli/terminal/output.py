@@ -8,16 +8,10 @@ from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING
 
 from ropsim.cli.terminal.streams import say
-from ropsim.core import Diagnostic, RopsimError, Severity, SourceText, frozen_dataclass
+from ropsim.core import Category, Diagnostic, RopsimError, Severity, SourceText, frozen_dataclass
 
 if TYPE_CHECKING:  # a command that prints nothing, as the language server, starts without them
     from ropsim.views import Style
-
-#: Findings of these kinds mean that the command was called wrongly: exit code 2.
-USAGE_CODES = frozenset(
-    {"X840", "X843", "X844", "X847", "X848", "X849", "X860", "X877", "X896", "X911", "P122", "P144", "P156"}
-    | {"U900", "U901", "U902", "U903", "U904"}
-)
 
 
 @frozen_dataclass
@@ -90,7 +84,7 @@ class Output:
     @staticmethod
     def code_of(error: RopsimError) -> int:
         """Return 2 where the command was called wrongly, 1 where the input is wrong."""
-        return 2 if error.diagnostic.code in USAGE_CODES else 1
+        return 2 if error.diagnostic.category is Category.USAGE else 1
 
 
 def cannot_write(path: str, error: OSError) -> Diagnostic:

@@ -1,6 +1,6 @@
 """Kinds of traps (I460 to I469): how the machine ends a program that cannot go on."""
 
-from ropsim.core import Severity, define
+from ropsim.core import Category, Severity, define
 
 _ERROR = Severity.ERROR
 
@@ -13,6 +13,7 @@ DIV0 = define(
 The program divided by 0 (`DIV`, `MOD`). Test the divisor before the division; note that `and` and `or` always
 evaluate both sides.
 """,
+    Category.UNFINISHED,
 )
 RANGE = define(
     "I461",
@@ -24,6 +25,7 @@ A computed value has no meaning for the instruction: the root of a negative numb
 1, an integer beyond 64 bits, a number that is no longer finite, a speed of 0, a repeat count of 2.5. The
 message says what was found and what is allowed.
 """,
+    Category.UNFINISHED,
 )
 IO_TIMEOUT = define(
     "I462",
@@ -34,6 +36,7 @@ IO_TIMEOUT = define(
 A wait ended without its condition, and the program does not say what to do then. Give the wait another way
 out (`else`), a longer timeout, or set the input in the scenario of the simulation.
 """,
+    Category.UNFINISHED,
 )
 BUDGET = define(
     "I463",
@@ -44,6 +47,7 @@ BUDGET = define(
 The machine ends a program after a given number of instructions, so that an endless loop does not hang the
 simulation. If the program is meant to run for ever, limit the run by time, or raise the budget.
 """,
+    Category.UNFINISHED,
 )
 USER = define(
     "I464",
@@ -54,6 +58,7 @@ USER = define(
 The program reached a `TRAP` instruction with a number of its own. What it means is said by whoever wrote it.
 Numbers below 100 are reserved for front ends.
 """,
+    Category.UNFINISHED,
 )
 POSE_UNKNOWN = define(
     "I465",
@@ -68,6 +73,7 @@ program in its cell. In a cell this is told for a tool or a frame that neither c
 a task frame that another station moves, and for the distance of locations in frames that move against each
 other.
 """,
+    Category.UNFINISHED,
 )
 
 TRAP_TIMED_OUT = 1

@@ -1,6 +1,6 @@
 """Diagnostics of syntax, L1xx."""
 
-from ropsim.core import Severity, define
+from ropsim.core import Category, Severity, define
 
 UNEXPECTED = define(
     "L101",
@@ -19,6 +19,7 @@ mov part above 50 mm speed     <- a speed is missing
 mov part above 50 mm speed 30 %
 ```
 """,
+    Category.SYNTAX,
 )
 CHARACTER = define(
     "L102",
@@ -30,6 +31,7 @@ Programs consist of ASCII letters, digits, `_` and the signs `+ - * / = < > ( ) 
 character may stand in comments (after `#` or `//`) and in texts between quotes only. Text copied from a
 word processor often brings typographic quotes, dashes or invisible spaces with it: type them anew.
 """,
+    Category.SYNTAX,
 )
 OPEN_TEXT = define(
     "L103",
@@ -44,6 +46,7 @@ new line inside it.
 print "parts: ", n
 ```
 """,
+    Category.SYNTAX,
 )
 NUMBER_SIZE = define(
     "L104",
@@ -54,6 +57,7 @@ NUMBER_SIZE = define(
 A number is larger than 1e12. No length, angle, time or count of a robot program is; most often a digit
 or an exponent slipped in. The limit also keeps infinity and "not a number" out of all later stages.
 """,
+    Category.SYNTAX,
 )
 STATEMENT_START = define(
     "L105",
@@ -65,6 +69,7 @@ A statement starts with its verb (`mov`, `lin`, `open`, `repeat` …), with the 
 variable followed by `=`. Words such as `to`, `then` or `above` belong inside a statement and are
 reserved: a variable cannot have their name.
 """,
+    Category.SYNTAX,
 )
 UNCLOSED = define(
     "L106",
@@ -88,6 +93,7 @@ for this block has closed an inner one; the finding shows it.
 The block is taken to end where its lines stop being indented, before the first declaration, or else where the
 surrounding block ends, so that everything else is still checked.
 """,
+    Category.SYNTAX,
 )
 UNOPENED = define(
     "L107",
@@ -99,6 +105,7 @@ UNOPENED = define(
 before them. Here no block of the right kind is open: either the opener is missing or misspelt, or this
 line is one too many.
 """,
+    Category.SYNTAX,
 )
 MISPLACED = define(
     "L108",
@@ -111,6 +118,7 @@ Declarations (`frame`, `loc`, `tool`, `signal`, `const`, `pattern`, `units`, `pr
 inside a task, `needs` and `assumes` directly after the header of a task. Only simple statements may
 follow `then` and `else` on a line.
 """,
+    Category.SYNTAX,
 )
 NOT_YET = define(
     "L109",
@@ -121,6 +129,7 @@ NOT_YET = define(
 The statement is part of the task language, but this version cannot carry it out. It is refused rather
 than left out silently: a program that is accepted does all that it says.
 """,
+    Category.SYNTAX,
 )
 TOO_MANY = define(
     "L110",
@@ -131,6 +140,7 @@ TOO_MANY = define(
 After 200 findings the compiler stops: a text with that many is usually not a task program at all (a
 picture, an archive, a file of another language). Mend the first ones and compile again.
 """,
+    Category.SYNTAX,
 )
 EMPTY = define(
     "L111",
@@ -149,6 +159,7 @@ endp
 Greet infeed
 ```
 """,
+    Category.SYNTAX,
 )
 PROSE = define(
     "L112",
@@ -160,6 +171,7 @@ In a classic task the words after `needs` and `assumes` may run over several lin
 statement. This line was read as such prose, but it looks like a statement whose first word is misspelt, or
 like the call of a task that is not defined. Correct the word, or end the prose before it with a full stop.
 """,
+    Category.SYNTAX,
 )
 BEHIND_CONTRACT = define(
     "L120",
@@ -174,6 +186,7 @@ and reads as a statement would never be carried out. Write it on a line of its o
 needs gripper open. close     <- `close` is not carried out
 ```
 """,
+    Category.SYNTAX,
 )
 DEPTH = define(
     "L113",
@@ -184,6 +197,7 @@ DEPTH = define(
 An expression may hold 100 operators and parentheses, and blocks may nest 32 deep. Split the expression
 with a variable, or move the inner blocks into a task of their own.
 """,
+    Category.SYNTAX,
 )
 LINE_LENGTH = define(
     "L114",
@@ -194,4 +208,5 @@ LINE_LENGTH = define(
 A name may have 200 characters, a line 2,000 characters and a program 200,000 lines. Longer ones are machine
 output or not programs at all; split them into tasks.
 """,
+    Category.SYNTAX,
 )

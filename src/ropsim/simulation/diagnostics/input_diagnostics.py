@@ -1,6 +1,6 @@
 """Diagnostics of runs that take inputs from outside (S760 to S769)."""
 
-from ropsim.core import Severity, define
+from ropsim.core import Category, Severity, define
 
 INPUT_NOT_USABLE = define(
     "S760",
@@ -26,6 +26,7 @@ STOPPED = define(
 The user ended a live run before its program did. The recording holds what happened until then; the cycle
 time is that of the part that was carried out.
 """,
+    Category.STOPPED,
 )
 
 HELD_FOR_EVER = define(
@@ -48,4 +49,5 @@ or leave the hold out:
 
 A live run goes on waiting, as the hold can be ended there.
 """,
+    Category.UNFINISHED,
 )

@@ -1,6 +1,6 @@
 """Diagnostics of parts, grips and devices in simulated runs."""
 
-from ropsim.core import Severity, define
+from ropsim.core import Category, Severity, define
 
 NOTHING_GRASPED = define(
     "S721",
@@ -121,6 +121,7 @@ only together with them.
 An input that nobody changes needs `changes` in the cell file, recorded inputs, or a key in a live run,
 which goes on waiting. A wait with a `timeout` is never in vain.
 """,
+    Category.UNFINISHED,
 )
 
 PULLED_APART = define(

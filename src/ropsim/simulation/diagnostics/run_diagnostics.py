@@ -1,6 +1,6 @@
 """Diagnostics of simulated runs: moves, waits, corrections, collisions."""
 
-from ropsim.core import Severity, define
+from ropsim.core import Category, Severity, define
 
 NOT_IN_POSITION = define(
     "S720",
@@ -29,6 +29,7 @@ The program of a station that has `serves = true` in the cell file may run for e
 for a signal when the programs of the others have ended. One that never looks at a signal
 is stopped here, too.
 """,
+    Category.UNFINISHED,
 )
 
 FAR_FROM_TARGET = define(
@@ -142,6 +143,7 @@ one after it, the part may be in the hand. A part that leaves by a sink may be i
 **How to mend it.** Lead the arm around it by a point on the way, lift the part higher before it goes across,
 take another posture, or move what is in the way.
 """,
+    Category.COLLISION,
 )
 
 NO_NUMBER_MEASURED = define(

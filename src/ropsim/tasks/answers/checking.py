@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
-from ropsim.core import Diagnostic
+from ropsim.core import Category, Diagnostic
 from ropsim.prolog import Atom, GoalError, Struct, Term, Var
 from ropsim.tasks.answers.call_report import CallReport
 from ropsim.tasks.answers.lacking import is_hindered, lacking_findings
@@ -59,7 +59,7 @@ def checked(
     try:
         found = host.ask("ropsim_world", goal, seconds)
     except GoalError as error:
-        if error.diagnostic.code != "P113":
+        if error.diagnostic.category is not Category.OUT_OF_TIME:
             raise
         raise _stopped(task, seconds) from error
     report = _report(call, task, state, found, geometry)

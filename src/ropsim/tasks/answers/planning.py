@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Sequence
 
-from ropsim.core import Diagnostic, frozen_dataclass
+from ropsim.core import Category, Diagnostic, frozen_dataclass
 from ropsim.prolog import Atom, GoalError, Struct, Term, Var
 from ropsim.tasks.answers.goal_names import missing_in_goal, near_fact
 from ropsim.tasks.findings.call_diagnostics import NO_PLAN, PLAN_STOPPED
@@ -94,7 +94,7 @@ def planned(
 
 def _stopped(error: GoalError, seconds: float) -> Diagnostic:
     cause = error.diagnostic
-    if cause.code == "P113":
+    if cause.category is Category.OUT_OF_TIME:
         hint = "give it more time, or a goal with fewer facts"
         return PLAN_STOPPED.at(None, f"no plan within {seconds:g} s", hint=hint)
     return PLAN_STOPPED.at(None, f"planning was stopped: {cause.message}", hint=cause.hint)

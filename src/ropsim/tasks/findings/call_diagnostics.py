@@ -1,6 +1,6 @@
 """Findings about calls of tasks, states of a cell and plans."""
 
-from ropsim.core import Severity, define
+from ropsim.core import Category, Severity, define
 
 NOT_DEFINED = define(
     "P150",
@@ -72,6 +72,7 @@ WRONG_FACT = define(
     Severity.ERROR,
     "what should be a fact or a call is none",
     "Facts are terms without variables: `at(bolt, s1)`. Calls are task text: `Palletize s1, s2, 0.1, 6`.",
+    Category.USAGE,
 )
 
 CHECK_STOPPED = define(

@@ -1,6 +1,6 @@
 """Findings about the texts of a knowledge base: its tasks, their bodies and effects."""
 
-from ropsim.core import Severity, define
+from ropsim.core import Category, Severity, define
 from ropsim.tasks.terms.conditions import forms
 
 TASK_FORM = define(
@@ -187,6 +187,7 @@ UNREADABLE_BASE = define(
 The path is a project with a folder `kb`, such a folder, or one `.pl` file. At most 5000 files with 8 MB
 in all are read; they are UTF-8.
 """,
+    Category.USAGE,
 )
 
 NO_TERM = define(

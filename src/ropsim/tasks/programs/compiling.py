@@ -5,7 +5,7 @@ from dataclasses import field, replace
 from pathlib import PurePath
 
 from ropsim.core import Diagnostic, Span, frozen_dataclass
-from ropsim.language import Environment, TaskSignature, compile_library
+from ropsim.language import HIDDEN, UNKNOWN_TASK, Environment, TaskSignature, compile_library
 from ropsim.prolog import Atom, Struct, Term
 from ropsim.tasks.base import KnowledgeBase
 from ropsim.tasks.findings.text_diagnostics import NO_COMPILING
@@ -38,10 +38,6 @@ def _renamed(term: Term, names: Mapping[str, str]) -> Term:
     return term
 
 
-_UNKNOWN_TASK = "N201"
-"""Codes of the compiler for calls that the knowledge base reports itself, or whose callee it reports."""
-_HIDDEN = "N223"
-"""Of the compiler; a body that uses something of the cell has no parameter of its name, see `text_names`."""
 _HEAD = ("program bodies", f"units {UNITS}")
 
 
@@ -90,7 +86,8 @@ class _Bodies:
         for one in compiled.diagnostics:
             number = one.span.line - 1 if one.span else 0
             owner = self.owners[number] if number < len(self.owners) else None
-            if one.is_error and one.code != _HIDDEN and owner is not None:
+            # a body that uses something of the cell has no parameter of its name, see `text_names`
+            if one.is_error and one.code != HIDDEN.code and owner is not None:
                 found.append((owner, self.lines[number].strip(), one))
         return made, found
 
@@ -114,7 +111,7 @@ def body_findings(
     texts, findings = _texts(_reached(base, own), {})
     _, found = _Bodies.of(texts).compiled(environment) if own else ({}, [])
     for task, line, one in found:
-        if one.code != _UNKNOWN_TASK:
+        if one.code != UNKNOWN_TASK.code:  # the knowledge base reports such calls
             message = f"the body of `{task.name}` does not compile: {one.message}"
             notes = (f"its text there: {line}",)
             findings.append(NO_COMPILING.at(_begin(task), message, notes=notes, hint=one.hint))

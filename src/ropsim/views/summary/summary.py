@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable, Mapping
 
-from ropsim.core import Diagnostic, Severity, frozen_dataclass
+from ropsim.core import Category, Diagnostic, Severity, frozen_dataclass
 from ropsim.flow import (
     CalledTask,
     Destinations,
@@ -31,14 +31,6 @@ from ropsim.views.summary.station_summary import (
     summarize_stations,
 )
 from ropsim.views.summary.unchecked import ByHand, Unchecked, by_hand, unchecked
-
-STOPPED_BY_HAND = "S761"
-"""Code of the finding of a live run that did not come to the program's end."""
-
-UNFINISHED = frozenset(
-    (STOPPED_BY_HAND, "S723", "S742", "S762", "I460", "I461", "I462", "I463", "I464", "I465")
-)
-"""Codes of findings of programs that were ended before their own end."""
 
 
 @frozen_dataclass
@@ -139,12 +131,12 @@ class Summary:
     @property
     def unfinished(self) -> bool:
         """Return whether a program was ended before its own end."""
-        return any(one.first.code in UNFINISHED for one in self.findings)
+        return any(one.first.category in {Category.UNFINISHED, Category.STOPPED} for one in self.findings)
 
     @property
     def stopped_by_hand(self) -> bool:
         """Return whether it is a live run that did not come to the program's end."""
-        return any(one.first.code == STOPPED_BY_HAND for one in self.findings)
+        return any(one.first.category is Category.STOPPED for one in self.findings)
 
 
 def summarize(recording: Recording, before: Iterable[Diagnostic] = ()) -> Summary:

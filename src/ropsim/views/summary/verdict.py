@@ -2,14 +2,12 @@
 
 from enum import Enum
 
-from ropsim.core import frozen_dataclass, plural
+from ropsim.core import Category, frozen_dataclass, plural
 from ropsim.views.summary.joint_summary import Closeness, closest_to_position_limit
 from ropsim.views.summary.summary import Summary
 from ropsim.views.words.characters import clean
 from ropsim.views.words.figures import coordinate_scale, with_unit
 
-COLLISION = "S751"
-"""Code of a penetration."""
 NAMED = 4
 """Lines with collisions are named up to this number, else counted."""
 
@@ -77,7 +75,7 @@ def _near_end(summary: Summary) -> str:
 
 def _collision(summary: Summary) -> str:
     """Return lines, bodies and depth of the collisions of a run, the deepest one named; empty for none."""
-    found = [one.first for one in summary.findings if one.first.code == COLLISION]
+    found = [one.first for one in summary.findings if one.first.category is Category.COLLISION]
     if not found:
         return ""
     deepest = min(found, key=lambda one: float(str(one.data["distance_m"])))

@@ -3,11 +3,9 @@
 from dataclasses import replace
 
 from ropsim.core import Diagnostic, near
-from ropsim.language import STATEMENT_WORDS
+from ropsim.language import STATEMENT_WORDS, UNKNOWN_TASK
 
 SESSION_WORDS = ("undo", "restart", "list", "save", "help", "quit", "exit")
-
-_UNKNOWN_TASK = "N201"
 
 
 def words_for(line: str) -> tuple[str, ...]:
@@ -24,6 +22,6 @@ def with_hints(found: tuple[Diagnostic, ...], command: str) -> tuple[Diagnostic,
         return found
     hint = f"did you mean `{meant[0]}`?"
     return tuple(
-        replace(one, hint=hint) if one.code == _UNKNOWN_TASK and f"`{head}`" in one.message else one
+        replace(one, hint=hint) if one.code == UNKNOWN_TASK.code and f"`{head}`" in one.message else one
         for one in found
     )

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from enum import Enum
 from types import MappingProxyType
 
-from ropsim.core import RopsimError, Severity, define, did_you_mean, frozen_dataclass
+from ropsim.core import Category, RopsimError, Severity, define, did_you_mean, frozen_dataclass
 
 BAD_CHANGE = define(
     "X896",
@@ -18,6 +18,7 @@ BAD_CHANGE = define(
 `acceleration=80%` (of what program and cell give), `payload=3kg` (each part), `tool=2kg` (each tool that has
 a mass), `zones=stop` (every move stops) and `zones=each` (one run for each line, in which its moves stop).
 """,
+    Category.USAGE,
 )
 
 NOTHING_COMPARED = define(

@@ -13,7 +13,7 @@ from typing import Any, NamedTuple, TypeVar
 import numpy as np
 
 from ropsim import icr, language
-from ropsim.core import Diagnostic, Label, RopsimError, Severity, Span, TextEdit, frozen_dataclass
+from ropsim.core import Category, Diagnostic, Label, RopsimError, Severity, Span, TextEdit, frozen_dataclass
 from ropsim.program import SignalUse
 from ropsim.version import __version__
 
@@ -71,6 +71,7 @@ _KINDS: tuple[type, ...] = (
     Verified,
     Diagnostic,
     Severity,
+    Category,
     Span,
     Label,
     TextEdit,

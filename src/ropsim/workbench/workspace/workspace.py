@@ -6,7 +6,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from ropsim import icr, language
-from ropsim.core import KeptFiles, SourceText
+from ropsim.core import Category, KeptFiles, SourceText
 from ropsim.model import ROBOT, ReadRobot
 from ropsim.query import Database, Event
 from ropsim.workbench.compiling.at_station import NOWHERE, AtStation
@@ -117,7 +117,9 @@ class Workspace:
         Without its cell a program would be blamed for every name of the cell.
         """
         found = self.checked(text, {ROBOT: NOWHERE})
-        return replace(found, diagnostics=tuple(one for one in found.diagnostics if one.code.startswith("L")))
+        return replace(
+            found, diagnostics=tuple(one for one in found.diagnostics if one.category is Category.SYNTAX)
+        )
 
     def code_id(self, text: SourceText, at: AtStation) -> str:
         """Return the identity of the code of a program, empty where it has errors."""

@@ -4,6 +4,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from ropsim.cli.catalogue import all_kinds
 from ropsim.flow import (
     AxisType,
     Channel,
@@ -158,11 +159,13 @@ def test_skipped_moves_make_the_cycle_time_invalid() -> None:
     assert not summarize(skipped).cycle_time_valid
 
 
-@pytest.mark.parametrize("code", ["S723", "S742", "S761", "S762", "I462"])
+@pytest.mark.parametrize(
+    "code", ["S723", "S742", "S761", "S762", "I460", "I461", "I462", "I463", "I464", "I465"]
+)
 def test_a_program_that_was_ended_before_its_end_has_no_cycle_time(code: str) -> None:
-    (found,) = two_findings()[:1]
-    ended = pick_and_place(1, findings=(replace(found, code=code),))
+    ended = pick_and_place(1, findings=(all_kinds()[code].at(None, "it ended"),))
     assert not summarize(ended).cycle_time_valid
+    assert summarize(ended).stopped_by_hand is (code == "S761")
 
 
 def test_moves_are_counted_in_the_order_of_their_kinds() -> None:

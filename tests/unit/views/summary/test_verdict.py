@@ -5,12 +5,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from ropsim.core import Diagnostic, Severity, Span
+from ropsim.core import Category, Diagnostic, Severity, Span
 from ropsim.views import summarize, verdict
 from ropsim.views.summary.verdict import Verdict
 from support.recordings import facts, pick_and_place, station
 
-STOPPED = Diagnostic("S761", "run-stopped", Severity.HINT, "ended at 1 s")
+STOPPED = Diagnostic("S761", "run-stopped", Severity.HINT, "ended at 1 s", category=Category.STOPPED)
 WARNED = Diagnostic("S731", "torque-saturated", Severity.WARNING, "joint `2` asks for 190 N·m of 186 N·m")
 WRONG = Diagnostic("S738", "not-at-destination", Severity.ERROR, "`box` is not where it is to be")
 
@@ -54,6 +54,7 @@ def test_a_collision_fails_the_run_and_the_deepest_one_is_named_first(
             f"{k}",
             span=Span.whole_line("main.task", line),
             data={"bodies": f"jaws – box {k}", "distance_m": -1e-3 * (k + 1)},
+            category=Category.COLLISION,
         )
         for k, line in enumerate(lines)
     ]

@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from ropsim.core import Diagnostic, Severity
+from ropsim.core import Category, Diagnostic, Severity
 from ropsim.flow import (
     AwaitEvent,
     AxisType,
@@ -192,7 +192,7 @@ def test_colour_changes_nothing_but_colour() -> None:
 
 
 def test_a_run_that_was_ended_by_hand_does_not_claim_to_have_run_to_the_end() -> None:
-    stopped = Diagnostic("S761", "run-stopped", Severity.HINT, "ended at 1 s")
+    stopped = Diagnostic("S761", "run-stopped", Severity.HINT, "ended at 1 s", category=Category.STOPPED)
     text = report(findings=(stopped,))
     assert "ended by hand before the program ended, no errors" in text
     assert "s  ! not valid" in text

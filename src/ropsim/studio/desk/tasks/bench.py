@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from ropsim.core import RopsimError
+from ropsim.core import Category, RopsimError
 from ropsim.studio.desk.line import Line
 from ropsim.studio.desk.tasks.estimate import estimated
 from ropsim.studio.desk.tasks.forms import form_checked, form_opened
@@ -25,15 +25,12 @@ from ropsim.workbench import Workspace, open_overlaid
 
 _STOPPED = "what reads the tasks has stopped in the middle of its work; it starts again when it is asked"
 _INSTALL = "a file of ropsim that reads tasks is missing or damaged: install ropsim again"
-_CAUSES: Mapping[str, str] = {
-    "P113": "reading the tasks took too long; the machine may be busy",
-    "P116": _STOPPED,
-    "P117": _STOPPED,
-    "P118": _STOPPED,
-    "P120": _INSTALL,
-    "P121": _INSTALL,
+_CAUSES: Mapping[Category, str] = {
+    Category.OUT_OF_TIME: "reading the tasks took too long; the machine may be busy",
+    Category.ENGINE_LOST: _STOPPED,
+    Category.DAMAGED: _INSTALL,
 }
-"""Words for who knows tasks and no engine behind them, by the code of what has happened to the engine."""
+"""Words for a user who knows tasks and not the engine that reads them, by the category of its failure."""
 
 
 @dataclass(slots=True)
@@ -60,7 +57,7 @@ class TaskBench:
         try:
             return self._done(job, line)
         except RopsimError as error:
-            cause = _CAUSES.get(error.diagnostic.code)
+            cause = _CAUSES.get(error.diagnostic.category)
             if cause is None:
                 raise
             raise RopsimError(replace(error.diagnostic, message=cause)) from error

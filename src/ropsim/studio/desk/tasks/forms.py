@@ -10,6 +10,7 @@ from ropsim.core import Diagnostic, SourceText
 from ropsim.studio.wire.jobs import CheckTaskForm, FormParameterFields, OpenTaskForm, TaskFormFields
 from ropsim.studio.wire.task_messages import FormFault, TaskFormChecked, TaskFormOpened
 from ropsim.tasks import (
+    NO_COMPILING,
     ClausePlaces,
     FieldFault,
     FormParameter,
@@ -25,8 +26,6 @@ from ropsim.tasks import (
 )
 from ropsim.workbench import Project, TaskTexts, Workspace, text_findings
 
-BODY = "P147"
-"""Code of what is found where a body is compiled in the cell; it stands at the name of the task."""
 FOLDER = "kb"
 """Where texts of tasks lie in a project."""
 
@@ -115,6 +114,6 @@ def _placed(found: tuple[Diagnostic, ...], text: str, places: ClausePlaces | Non
         if one.span is None or places is None:
             continue
         at = sum(map(len, lines[: one.span.line - 1])) + one.span.column - 1
-        field = "body" if one.code == BODY else field_at(places, at)
+        field = "body" if one.code == NO_COMPILING.code else field_at(places, at)
         if field:
             yield _fault(field, -1, one)
