@@ -2,7 +2,7 @@
 
 from ropsim.calibration.calibrate import calibrate as calibrate
 from ropsim.calibration.calibration import Calibration as Calibration
-from ropsim.calibration.calibration import StretchTimes as StretchTimes
+from ropsim.calibration.calibration import SequenceTimes as SequenceTimes
 from ropsim.calibration.diagnostics import CalibrationError as CalibrationError
 from ropsim.calibration.knowledge import Knowledge as Knowledge
 from ropsim.calibration.limits import MotionSettings as MotionSettings

@@ -5,17 +5,17 @@ from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 
-from ropsim.calibration.calibration import Calibration, StretchTimes
+from ropsim.calibration.calibration import Calibration, SequenceTimes
 from ropsim.calibration.comparing import Reason, compared, held, not_compared, reasons
 from ropsim.calibration.demands import largest
 from ropsim.calibration.diagnostics import MISFIT, OTHER_TRACE, CalibrationError
 from ropsim.calibration.knowledge import felt, knowledge
 from ropsim.calibration.limits import MotionSettings, settings_of
-from ropsim.calibration.logged_stretch import duration
+from ropsim.calibration.logged_sequence import duration
 from ropsim.calibration.problem import Problem, goes_there
 from ropsim.calibration.refining import spreads
 from ropsim.calibration.replanning import replanner
-from ropsim.calibration.stretch_fit import placed
+from ropsim.calibration.sequence_fit import placed
 from ropsim.calibration.trace.trace import Trace
 from ropsim.core import Diagnostic
 from ropsim.model import Cell, Station
@@ -40,9 +40,9 @@ def calibrate(
     Args:
         cell: static model.
         station: that made the moves.
-        orders: its stretches, as a run planned them.
+        orders: its sequences, as a run planned them.
         trace: of its axes.
-        planning: called before each stretch that is planned again.
+        planning: called before each sequence that is planned again.
 
     Returns:
         The calibration, None if the trace does not belong to this program; and the findings.
@@ -84,8 +84,8 @@ def _nothing_compared(made: int) -> Diagnostic:
 
 def _times(
     problem: Problem, before: MotionSettings, after: MotionSettings
-) -> tuple[tuple[StretchTimes, ...], dict[int, Reason]]:
-    """Return the times of stretches that the trace has, and why some of them cannot be compared."""
+) -> tuple[tuple[SequenceTimes, ...], dict[int, Reason]]:
+    """Return the times of sequences that the trace has, and why some of them cannot be compared."""
     found, strayed = [], dict[int, Reason]()
     for logged in problem.logged:
         old, new = (problem.replan(logged.number, one) for one in (before, after))
@@ -99,7 +99,7 @@ def _times(
             continue
         first, last = (problem.orders[logged.number].moves[end].origin for end in (0, -1))
         found.append(
-            StretchTimes(first.span, last.span, last.visit, lasted, old.duration, new.duration, fit.error)
+            SequenceTimes(first.span, last.span, last.visit, lasted, old.duration, new.duration, fit.error)
         )
     return tuple(found), strayed
 
@@ -110,7 +110,7 @@ def _left_out(
     after: MotionSettings,
     why: Mapping[int, Reason],
     lasted: Mapping[int, float],
-) -> tuple[StretchTimes, ...]:
+) -> tuple[SequenceTimes, ...]:
     """Return the motion sequences that are not compared, in order, with their known times."""
     logged, found = {one.number: one for one in problem.logged}, []
     for number, reason in sorted(why.items()):
@@ -119,13 +119,13 @@ def _left_out(
         error = placed(logged[number], after, new).error if new and number in logged else math.nan
         planned, fitted = (one.duration if one else math.nan for one in (old, new))
         times = lasted[number], planned, fitted
-        found.append(StretchTimes(first.span, last.span, last.visit, *times, error, reason.value))
+        found.append(SequenceTimes(first.span, last.span, last.visit, *times, error, reason.value))
     return tuple(found)
 
 
-def _misfits(times: Sequence[StretchTimes]) -> tuple[Diagnostic, ...]:
-    """Return X899 for each line with a stretch that still lasts longer or shorter, at its worst visit."""
-    worst: dict[object, StretchTimes] = {}
+def _misfits(times: Sequence[SequenceTimes]) -> tuple[Diagnostic, ...]:
+    """Return X899 for each line with a sequence that still lasts longer or shorter, at its worst visit."""
+    worst: dict[object, SequenceTimes] = {}
     for one in times:
         if abs(one.remaining) > _WORTH_SAYING:
             kept = worst.setdefault(one.last, one)

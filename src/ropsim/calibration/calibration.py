@@ -9,8 +9,8 @@ from ropsim.spatial import record
 
 
 @frozen_dataclass
-class StretchTimes:
-    """How long a stretch lasted, in the trace and as planned.
+class SequenceTimes:
+    """How long a sequence lasted, in the trace and as planned.
 
     Attributes:
         first: where its first move stands in the program.
@@ -49,10 +49,10 @@ class Calibration:
         after: limits found; limits that the trace does not determine are as before.
         known: evidence of the trace for each limit.
         look_ahead: evidence for the look-ahead.
-        stretches: times of the compared motion sequences, in order.
-        made: how many stretches with a motion the program has.
+        sequences: times of the compared motion sequences, in order.
+        made: how many sequences with a motion the program has.
         findings: of the calibration.
-        left_out: stretches that were not compared, each with its reason; how long it lasted is NaN where the
+        left_out: sequences that were not compared, each with its reason; how long it lasted is NaN where the
             trace does not have it.
     """
 
@@ -62,15 +62,15 @@ class Calibration:
     after: MotionSettings
     known: LimitKnowledge
     look_ahead: Knowledge
-    stretches: tuple[StretchTimes, ...]
+    sequences: tuple[SequenceTimes, ...]
     made: int
     findings: tuple[Diagnostic, ...]
-    left_out: tuple[StretchTimes, ...] = ()
+    left_out: tuple[SequenceTimes, ...] = ()
 
     @property
-    def in_trace(self) -> tuple[StretchTimes, ...]:
-        """Return all stretches that the trace has, compared or not: errors are those over all its time."""
-        return (*self.stretches, *(one for one in self.left_out if math.isfinite(one.remaining)))
+    def in_trace(self) -> tuple[SequenceTimes, ...]:
+        """Return all sequences that the trace has, compared or not: errors are those over all its time."""
+        return (*self.sequences, *(one for one in self.left_out if math.isfinite(one.remaining)))
 
     @property
     def logged(self) -> float:
@@ -89,13 +89,13 @@ class Calibration:
 
     @property
     def remaining(self) -> float:
-        """Return the share by which the time of a stretch is still wrong, root of the mean square."""
+        """Return the share by which the time of a sequence is still wrong, root of the mean square."""
         squares = [one.remaining**2 for one in self.in_trace]
         return math.sqrt(sum(squares) / len(squares))
 
     @property
-    def worst(self) -> StretchTimes:
-        """Return the stretch whose time is most wrong, in share."""
+    def worst(self) -> SequenceTimes:
+        """Return the sequence whose time is most wrong, in share."""
         return max(self.in_trace, key=lambda one: abs(one.remaining))
 
     @property

@@ -7,12 +7,12 @@ import numpy as np
 from ropsim.calibration.demands import Demand
 from ropsim.calibration.limits import ORDERS, MotionSettings
 from ropsim.calibration.replanning import Replan
-from ropsim.calibration.stretch_fit import StretchFit
+from ropsim.calibration.sequence_fit import SequenceFit
 from ropsim.core import frozen_dataclass
 from ropsim.spatial import Array
 
 _AT_LIMIT = 0.95
-"""Share of the largest demand of all stretches from which on a joint may be at its limit."""
+"""Share of the largest demand of all sequences from which on a joint may be at its limit."""
 _ROUNDING = 1.02
 """Factor by which a demand must be above the known limit for this to be raised."""
 _LIKELY = 0.4
@@ -23,7 +23,7 @@ _TOO_QUICK = 0.003
 
 @frozen_dataclass
 class _Guess:
-    """A limit that may set the time of a stretch.
+    """A limit that may set the time of a sequence.
 
     Attributes:
         limit: its number, in the order of `all`.
@@ -37,7 +37,7 @@ class _Guess:
 
 
 def common_limits(
-    replan: Replan, known: MotionSettings, fits: Sequence[StretchFit], demands: Sequence[Demand]
+    replan: Replan, known: MotionSettings, fits: Sequence[SequenceFit], demands: Sequence[Demand]
 ) -> MotionSettings:
     """Return one set of limits that allows all motion sequences as fitted.
 
@@ -48,9 +48,9 @@ def common_limits(
     it, the smallest change first.
 
     Args:
-        replan: plans the stretches.
+        replan: plans the sequences.
         known: limits before.
-        fits: of the stretches.
+        fits: of the sequences.
         demands: theirs.
     """
     least = np.max([one.joints for one in demands], axis=0)
@@ -103,7 +103,7 @@ def _of_joints(one: Demand, least: Array, known: MotionSettings) -> Iterator[_Gu
             yield _Guess(order * n + joint, float(row[joint]), float(share[joint]))
 
 
-def _of_tool(fit: StretchFit, one: Demand, known: MotionSettings) -> Iterator[_Guess]:
+def _of_tool(fit: SequenceFit, one: Demand, known: MotionSettings) -> Iterator[_Guess]:
     for order in range(ORDERS):
         for part in range(2):
             if one.at_tool[order, part]:
@@ -122,6 +122,6 @@ def _raised(limits: Array, known: MotionSettings, guesses: Sequence[Sequence[_Gu
     return raised
 
 
-def _is_too_quick(replan: Replan, fit: StretchFit, settings: MotionSettings) -> bool:
+def _is_too_quick(replan: Replan, fit: SequenceFit, settings: MotionSettings) -> bool:
     motion = replan(fit.logged.number, settings)
     return motion is not None and motion.duration < (1.0 - _TOO_QUICK) * fit.motion.duration

@@ -1,4 +1,4 @@
-"""Which stretches of a program a trace has."""
+"""Which sequences of a program a trace has."""
 
 import math
 from collections.abc import Collection, Mapping, Sequence
@@ -9,7 +9,7 @@ import numpy as np
 
 from ropsim.calibration.diagnostics import NOT_IN_TRACE, OTHER_TRACE, CalibrationError
 from ropsim.calibration.limits import MotionSettings
-from ropsim.calibration.logged_stretch import LoggedStretch, logged_stretch
+from ropsim.calibration.logged_sequence import LoggedSequence, logged_sequence
 from ropsim.calibration.replanning import Replan
 from ropsim.calibration.trace.matching import Passage, match
 from ropsim.calibration.trace.rests import Rests, rests_of
@@ -22,7 +22,7 @@ from ropsim.planning import MotionPlan, MotionSequence
 from ropsim.spatial import Array
 
 _ENOUGH = 0.5
-"""Share of the stretches that a trace must have to be one of the program, or of its own, to be a part."""
+"""Share of the sequences that a trace must have to be one of the program, or of its own, to be a part."""
 _LEAST = 2
 """Stretches that a trace must have that is of a part of the program."""
 _TOLD = 3
@@ -46,9 +46,9 @@ class Held:
     """Part of a trace that belongs to a program.
 
     Attributes:
-        motions: the stretches that move, as planned, by their numbers.
+        motions: the sequences that move, as planned, by their numbers.
         rests: stops of the trace.
-        passages: where the trace has a stretch, by its number.
+        passages: where the trace has a sequence, by its number.
     """
 
     motions: Mapping[int, MotionPlan]
@@ -71,7 +71,7 @@ def held(
     joints: Sequence[Joint],
     trace: Trace,
 ) -> Held:
-    """Return which stretches of a program a trace holds.
+    """Return which sequences of a program a trace holds.
 
     Arguments as in `compared`.
 
@@ -85,16 +85,16 @@ def held(
     numbers = list(motions)
     ends = _ends(motions)
     rests = rests_of(trace)
-    passages = {numbers[one.stretch]: one for one in _passages(rests, ends, joints)}
+    passages = {numbers[one.sequence]: one for one in _passages(rests, ends, joints)}
     return Held(motions, rests, passages)
 
 
 def reasons(found: Held, orders: Sequence[MotionSequence], compared: Collection[int]) -> dict[int, Reason]:
-    """Return why stretches are not compared, by their numbers.
+    """Return why sequences are not compared, by their numbers.
 
     Args:
         found: the matched trace.
-        orders: the stretches.
+        orders: the sequences.
         compared: numbers of the compared sequences.
     """
     last = max(found.passages, default=-1)
@@ -112,7 +112,7 @@ def _reason(found: Held, orders: Sequence[MotionSequence], number: int, last: in
 
 
 def _ends(motions: Mapping[int, MotionPlan]) -> Array:
-    """Return where a program stands: at its start, and at the end of each stretch [rad | m]."""
+    """Return where a program stands: at its start, and at the end of each sequence [rad | m]."""
     made = list(motions.values())
     return np.array([made[0].q_start, *(motion.q_end for motion in made)])
 
@@ -123,12 +123,12 @@ def compared(
     known: MotionSettings,
     joints: Sequence[Joint],
     trace: Trace,
-) -> tuple[list[LoggedStretch], int, tuple[Diagnostic, ...]]:
+) -> tuple[list[LoggedSequence], int, tuple[Diagnostic, ...]]:
     """Return the logged motion sequences, the number of moving ones, and X894 for missing ones.
 
     Args:
-        replan: plans the stretches.
-        orders: the stretches.
+        replan: plans the sequences.
+        orders: the sequences.
         known: limits of the project.
         joints: of the axes, n of them.
         trace: of the axes.
@@ -139,7 +139,7 @@ def compared(
     holds = held(replan, orders, known, joints, trace)
     numbers, rests = list(holds.motions), holds.rests
     found = {
-        number: logged_stretch(trace, rests, passage, holds.motions[number], number)
+        number: logged_sequence(trace, rests, passage, holds.motions[number], number)
         for number, passage in holds.passages.items()
     }
     is_a_part = len(found) >= max(_LEAST, _ENOUGH * (rests.count - 1))
@@ -158,7 +158,7 @@ def compared(
 
 
 def _passages(rests: Rests, ends: Array, joints: Sequence[Joint]) -> tuple[Passage, ...]:
-    """Return which stretches the trace holds; where it has few of them, joints may count from other zeros."""
+    """Return the sequences in the trace; if it has few of them, joints may count from other zeros."""
     passages = match(rests, ends, joints)
     if len(passages) >= _ENOUGH * (len(ends) - 1):
         return passages
@@ -169,7 +169,7 @@ def _passages(rests: Rests, ends: Array, joints: Sequence[Joint]) -> tuple[Passa
 
 
 def _hangs_on_sensors(orders: Sequence[MotionSequence], number: int) -> bool:
-    """Return whether a sensor says where a stretch leads, or where it begins."""
+    """Return whether a sensor says where a sequence leads, or where it begins."""
     before = orders[number - 1].moves if number else ()
     return any(move.tracking or move.guard for move in (*before, *orders[number].moves))
 
@@ -177,11 +177,11 @@ def _hangs_on_sensors(orders: Sequence[MotionSequence], number: int) -> bool:
 def not_compared(
     why: Mapping[int, Reason], orders: Sequence[MotionSequence], count: int
 ) -> tuple[Diagnostic, ...]:
-    """Return X894 where stretches are not compared, at the first one, with the reason of each.
+    """Return X894 where sequences are not compared, at the first one, with the reason of each.
 
     Args:
-        why: reasons by number of the stretch.
-        orders: all stretches.
+        why: reasons by number of the sequence.
+        orders: all sequences.
         count: how many of them move.
     """
     if not why:
@@ -206,4 +206,4 @@ def not_compared(
         for number, one in zip(numbers[:_NAMED], origins, strict=False)
     )
     notes += (f"and {lost - _NAMED} more",) if lost > _NAMED else ()
-    return (NOT_IN_TRACE.at(span, message, hint=hint, notes=notes, data={"stretches": lost}),)
+    return (NOT_IN_TRACE.at(span, message, hint=hint, notes=notes, data={"sequences": lost}),)

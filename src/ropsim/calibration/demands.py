@@ -3,9 +3,9 @@
 import numpy as np
 
 from ropsim.calibration.limits import ORDERS, MotionSettings
-from ropsim.calibration.logged_stretch import LoggedStretch
+from ropsim.calibration.logged_sequence import LoggedSequence
 from ropsim.calibration.replanning import Replan, difference
-from ropsim.calibration.stretch_fit import StretchFit
+from ropsim.calibration.sequence_fit import SequenceFit
 from ropsim.planning import MotionPlan
 from ropsim.spatial import Array, frozen, record
 
@@ -35,7 +35,7 @@ class Demand:
             object.__setattr__(self, name, frozen(getattr(self, name)))
 
 
-def demand(replan: Replan, fit: StretchFit) -> Demand:
+def demand(replan: Replan, fit: SequenceFit) -> Demand:
     """Return the limits required by a fitted motion sequence."""
     settings = fit.settings
     at_joints, at_tool = np.zeros(ORDERS), np.zeros((ORDERS, 2))
@@ -51,11 +51,11 @@ def demand(replan: Replan, fit: StretchFit) -> Demand:
     return Demand(largest(fit.motion, settings), at_joints, at_tool)
 
 
-def is_felt(logged: LoggedStretch, motion: MotionPlan, higher: MotionPlan) -> bool:
+def is_felt(logged: LoggedSequence, motion: MotionPlan, higher: MotionPlan) -> bool:
     """Return whether a motion with a higher limit differs measurably in a trace.
 
     Args:
-        logged: the stretch.
+        logged: the sequence.
         motion: with the present limit.
         higher: the same with a limit that is `RAISED`.
     """
@@ -63,7 +63,7 @@ def is_felt(logged: LoggedStretch, motion: MotionPlan, higher: MotionPlan) -> bo
     return higher.ticks <= motion.ticks and difference(motion, higher) > least
 
 
-def _is_quicker(replan: Replan, fit: StretchFit, settings: MotionSettings) -> bool:
+def _is_quicker(replan: Replan, fit: SequenceFit, settings: MotionSettings) -> bool:
     motion = replan(fit.logged.number, settings)
     return motion is not None and is_felt(fit.logged, fit.motion, motion)
 

@@ -42,7 +42,7 @@ program, are there with the same shift (X800).
 
 NOT_IN_TRACE = define(
     "X894",
-    "stretch-not-compared",
+    "sequence-not-compared",
     Severity.ERROR,
     "moves of the program that are not compared with the trace, so no limits are written",
     """

@@ -8,7 +8,7 @@ import numpy.typing as npt
 
 from ropsim.calibration.demands import RAISED, is_felt, largest
 from ropsim.calibration.limits import MotionSettings
-from ropsim.calibration.logged_stretch import LoggedStretch
+from ropsim.calibration.logged_sequence import LoggedSequence
 from ropsim.calibration.replanning import Replan
 from ropsim.spatial import Array, frozen, record
 
@@ -54,12 +54,12 @@ class LimitKnowledge:
         object.__setattr__(self, "values", frozen(self.values))
 
 
-def felt(replan: Replan, logged: Sequence[LoggedStretch], settings: MotionSettings) -> npt.NDArray[np.intp]:
-    """Return the numbers of the limits that stretches are at: with a higher one they would go otherwise.
+def felt(replan: Replan, logged: Sequence[LoggedSequence], settings: MotionSettings) -> npt.NDArray[np.intp]:
+    """Return the numbers of the limits that sequences are at: with a higher one they would go otherwise.
 
     Args:
-        replan: plans the stretches.
-        logged: the stretches.
+        replan: plans the sequences.
+        logged: the sequences.
         settings: limits in force.
     """
     found = []
@@ -73,7 +73,7 @@ def felt(replan: Replan, logged: Sequence[LoggedStretch], settings: MotionSettin
     return np.array(found, dtype=np.intp)
 
 
-def _may_be_at(replan: Replan, logged: LoggedStretch, settings: MotionSettings) -> Array:
+def _may_be_at(replan: Replan, logged: LoggedSequence, settings: MotionSettings) -> Array:
     """Return which limits a sequence may reach, shape (3n + 6,): near ones, and all of the tool."""
     motion = replan(logged.number, settings)
     if motion is None:
@@ -84,7 +84,7 @@ def _may_be_at(replan: Replan, logged: LoggedStretch, settings: MotionSettings) 
 
 
 def _is_other(
-    replan: Replan, logged: LoggedStretch, settings: MotionSettings, higher: MotionSettings
+    replan: Replan, logged: LoggedSequence, settings: MotionSettings, higher: MotionSettings
 ) -> bool:
     motion, other = replan(logged.number, settings), replan(logged.number, higher)
     return motion is not None and other is not None and is_felt(logged, motion, other)
@@ -101,11 +101,11 @@ def knowledge(
     """Return the evidence for each limit.
 
     Args:
-        replan: plans the stretches.
-        numbers: of the stretches.
+        replan: plans the sequences.
+        numbers: of the sequences.
         settings: limits that were fitted.
         asked: largest speeds, accelerations and jerks of the joints in the trace, shape (3, n).
-        fitted: numbers of the limits that set the time of a stretch, shape (m,).
+        fitted: numbers of the limits that set the time of a sequence, shape (m,).
         spread: standard deviations of their logarithms, shape (m,).
     """
     spreads = dict(zip(fitted.tolist(), spread.tolist(), strict=True))

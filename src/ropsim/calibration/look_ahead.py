@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from ropsim.calibration.knowledge import Knowledge
 from ropsim.calibration.limits import MotionSettings
-from ropsim.calibration.logged_stretch import LoggedStretch
+from ropsim.calibration.logged_sequence import LoggedSequence
 from ropsim.calibration.refining import fits_under, total_error
 from ropsim.calibration.replanning import Replan
 from ropsim.core import frozen_dataclass
@@ -38,7 +38,7 @@ def with_look_ahead(settings: MotionSettings, value: int) -> MotionSettings:
 
 
 def choices(orders: Sequence[MotionSequence], numbers: Sequence[int]) -> range:
-    """Return the look-aheads that may differ: none beyond the longest stretch does."""
+    """Return the look-aheads that may differ: none beyond the longest sequence does."""
     longest = max((len(orders[number].moves) for number in numbers), default=1)
     return range(min(longest, MOST + 1))
 
@@ -53,16 +53,16 @@ def depends(replan: Replan, number: int, settings: MotionSettings, most: int) ->
 
 def best_look_ahead(
     replan: Replan,
-    logged: Sequence[LoggedStretch],
+    logged: Sequence[LoggedSequence],
     settings: MotionSettings,
     among: Sequence[int],
     known: int,
 ) -> FoundLookAhead:
-    """Return the look-ahead under which stretches go most as in the trace.
+    """Return the look-ahead under which sequences go most as in the trace.
 
     Args:
-        replan: plans the stretches.
-        logged: stretches that depend on it.
+        replan: plans the sequences.
+        logged: sequences that depend on it.
         settings: limits in force.
         among: look-aheads, rising.
         known: look-ahead that is kept where others are no better.

@@ -1,4 +1,4 @@
-"""Refining common limits on all stretches at once."""
+"""Refining common limits on all sequences at once."""
 
 import math
 from collections.abc import Sequence
@@ -7,9 +7,9 @@ import numpy as np
 import numpy.typing as npt
 
 from ropsim.calibration.limits import MotionSettings
-from ropsim.calibration.logged_stretch import LoggedStretch
+from ropsim.calibration.logged_sequence import LoggedSequence
 from ropsim.calibration.replanning import Replan, coordinates, speeds
-from ropsim.calibration.stretch_fit import StretchFit, placed
+from ropsim.calibration.sequence_fit import SequenceFit, placed
 from ropsim.spatial import Array
 
 _STEP = 0.03
@@ -27,9 +27,9 @@ _NO_EFFECT = 1e-9
 
 
 def fits_under(
-    replan: Replan, logged: Sequence[LoggedStretch], settings: MotionSettings
-) -> list[StretchFit | None]:
-    """Return the motions of stretches under settings, each when it fits best; None where there is none."""
+    replan: Replan, logged: Sequence[LoggedSequence], settings: MotionSettings
+) -> list[SequenceFit | None]:
+    """Return the motions of sequences under settings, each when it fits best; None where there is none."""
     motions = [replan(one.number, settings) for one in logged]
     return [
         placed(one, settings, motion) if motion is not None and motion.ticks > 1 else None
@@ -37,22 +37,22 @@ def fits_under(
     ]
 
 
-def total_error(fits: Sequence[StretchFit | None]) -> float:
-    """Return the sum of the squares of the errors, infinite where a stretch has no motion [rad² | m²]."""
+def total_error(fits: Sequence[SequenceFit | None]) -> float:
+    """Return the sum of the squares of the errors, infinite where a sequence has no motion [rad² | m²]."""
     return sum(fit.error**2 if fit else np.inf for fit in fits)
 
 
 def refined(
-    replan: Replan, logged: Sequence[LoggedStretch], settings: MotionSettings, free: npt.NDArray[np.intp]
+    replan: Replan, logged: Sequence[LoggedSequence], settings: MotionSettings, free: npt.NDArray[np.intp]
 ) -> MotionSettings:
-    """Return settings whose free limits fit all stretches together better.
+    """Return settings whose free limits fit all sequences together better.
 
-    Gauss-Newton on the logarithms of the limits; the start of each stretch is eliminated (Golub & Pereyra
+    Gauss-Newton on the logarithms of the limits; the start of each sequence is eliminated (Golub & Pereyra
     1973).
 
     Args:
-        replan: plans the stretches.
-        logged: the stretches.
+        replan: plans the sequences.
+        logged: the sequences.
         settings: near the best ones.
         free: numbers of the limits that may change, in the order of `all`, shape (m,).
     """
@@ -76,7 +76,7 @@ def refined(
 
 
 def _step(
-    replan: Replan, fits: Sequence[StretchFit], settings: MotionSettings, free: npt.NDArray[np.intp]
+    replan: Replan, fits: Sequence[SequenceFit], settings: MotionSettings, free: npt.NDArray[np.intp]
 ) -> Array:
     A, b = np.zeros((len(free), len(free))), np.zeros(len(free))
     for fit in fits:
@@ -89,9 +89,9 @@ def _step(
 
 
 def _slopes(
-    replan: Replan, fit: StretchFit, settings: MotionSettings, free: npt.NDArray[np.intp]
+    replan: Replan, fit: SequenceFit, settings: MotionSettings, free: npt.NDArray[np.intp]
 ) -> tuple[Array, Array]:
-    """Return how the joints of a stretch change with the logarithms of limits, its start aside.
+    """Return how the joints of a sequence change with the logarithms of limits, its start aside.
 
     Returns:
         [rad | m], shape (k, m), and the present error, shape (k,), for all samples of all axes.
@@ -112,7 +112,7 @@ def _slopes(
 
 
 def spreads(
-    replan: Replan, logged: Sequence[LoggedStretch], settings: MotionSettings, free: npt.NDArray[np.intp]
+    replan: Replan, logged: Sequence[LoggedSequence], settings: MotionSettings, free: npt.NDArray[np.intp]
 ) -> Array:
     """Return the uncertainty of limits given the trace, as shares, shape (m,).
 
@@ -123,8 +123,8 @@ def spreads(
     have an effect only together with others are as uncertain as these leave them.
 
     Args:
-        replan: plans the stretches.
-        logged: the stretches.
+        replan: plans the sequences.
+        logged: the sequences.
         settings: that fit best.
         free: numbers of the limits, in the order of `all`.
     """

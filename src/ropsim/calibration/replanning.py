@@ -1,4 +1,4 @@
-"""Planning the stretches of a program again, under other limits."""
+"""Planning the sequences of a program again, under other limits."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
@@ -19,7 +19,7 @@ from ropsim.planning import (
 from ropsim.spatial import Array
 
 Replan = Callable[[int, MotionSettings], MotionPlan | None]
-"""From the number of a stretch and settings to its motion; None where that cannot be made whole."""
+"""From the number of a sequence and settings to its motion; None where that cannot be made whole."""
 
 _KEPT = 512
 
@@ -35,7 +35,7 @@ def replanner(
     Args:
         cell: static model.
         station: that makes the moves.
-        orders: the stretches.
+        orders: the sequences.
         planning: called before each planning of a sequence, which takes most of the time.
     """
     made_for = standard_chain(cell, station)

@@ -8,7 +8,7 @@ from ropsim.core.frozen_dataclass import frozen_dataclass
 @total_ordering
 @frozen_dataclass
 class Span:
-    """A stretch of a source text; lines and columns count from 1, the end column is exclusive.
+    """A range of a source text; lines and columns count from 1, the end column is exclusive.
 
     A span of no characters at the start of a line stands for the whole line: see `whole_line`.
 

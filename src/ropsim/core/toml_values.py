@@ -31,9 +31,9 @@ def _check_keys(text: str) -> None:
     """Refuse keys of too many parts; each text between two dots of a key is one part."""
     between = _QUOTED.sub(_without_dots, text).split(".")
     parts, at = 0, 0
-    for piece in between:
-        at += len(piece) + 1
-        parts = parts + 1 if _PART.fullmatch(piece) else 0
+    for between_dots in between:
+        at += len(between_dots) + 1
+        parts = parts + 1 if _PART.fullmatch(between_dots) else 0
         if parts > MOST_KEY_PARTS:
             line = text.count("\n", 0, at) + 1
             column = at - text.rfind("\n", 0, at)

@@ -44,17 +44,17 @@ def waiting_of(events: Iterable[Event], cycle_time: float) -> Waiting:
     if not waits:
         return Waiting()
     total = sum(event.duration for event in waits)
-    stretches: list[tuple[Event, float]] = []
+    waits_on_lines: list[tuple[Event, float]] = []
     open_ones: dict[str, int] = {}
     for event in waits:
         at = open_ones.get(event.station)
-        first, end = stretches[at] if at is not None else (event, -math.inf)
+        first, end = waits_on_lines[at] if at is not None else (event, -math.inf)
         if at is not None and first.line == event.line and event.time - end < _SAME:
-            stretches[at] = (first, event.end)
+            waits_on_lines[at] = (first, event.end)
         else:
-            open_ones[event.station] = len(stretches)
-            stretches.append((event, event.end))
-    longest, end = max(stretches, key=lambda one: one[1] - one[0].time)
+            open_ones[event.station] = len(waits_on_lines)
+            waits_on_lines.append((event, event.end))
+    longest, end = max(waits_on_lines, key=lambda one: one[1] - one[0].time)
     return Waiting(
         total,
         total / cycle_time if cycle_time > 0.0 else 0.0,

@@ -166,15 +166,15 @@ class _Run:
         end = horizon = -1
         for number, step in enumerate(self.steps):
             if number > end:
-                end = self._end_of_stretch(number)
+                end = self._end_of_sequence(number)
                 horizon = max(horizon, self._horizon(number, end))
             place = step.origin.span
             if isinstance(step, _TAKING_TIME) and place is not None and place.source == self._program.source:
                 found[place.line] = horizon
         return found
 
-    def _end_of_stretch(self, number: int) -> int:
-        """Return the last step of the stretch that begins with a step."""
+    def _end_of_sequence(self, number: int) -> int:
+        """Return the last step of the sequence that begins with a step."""
         while _flows(self.steps[number]) and number + 1 < len(self.steps):
             behind = self.steps[number + 1]
             if not isinstance(behind, MoveInstruction | MessageInstruction):

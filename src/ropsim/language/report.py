@@ -30,8 +30,8 @@ _OF_NAMES = frozenset(
 
 
 @frozen_dataclass
-class Stretch:
-    """A stretch of a line that is no node of its own."""
+class OffsetRange:
+    """A range of a line that is no node of its own."""
 
     start: int
     end: int

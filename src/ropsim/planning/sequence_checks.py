@@ -25,12 +25,12 @@ NOT_AT_REST = define(
     "C605",
     "not-at-rest",
     Severity.ERROR,
-    "a stretch is planned from a state in which the arm does not stand, or that is none",
+    "a motion sequence starts from an invalid state, or from one that is not at rest",
     """
-A stretch begins and ends at rest. `plan` was given speeds or accelerations other than 0, numbers that are not
-finite, or another number of them than the robot has axes. The moves are not planned.
+A motion sequence begins and ends at rest. `plan` got speeds or accelerations other than 0, numbers that are
+not finite, or another number of them than the robot has axes. The moves are not planned.
 
-**How to mend it.** Plan from `MotionState.at_rest(q)`, with the joint coordinates at which the arm stands. A
+**How to mend it.** Plan from `MotionState.at_rest(q)`, with the joint coordinates at which the arm rests. A
 motion that is under way is slowed, held and ended by the motion clock, not by planning it anew.
 """,
 )

@@ -20,7 +20,7 @@ def act(run: CellRun, device: DeviceRun) -> None:
     tick = device.acted = device.due
     time = tick / run.hz
     carried = tuple(_carried(name, run) for name in _riders(run.parts, device))
-    told = device.driving.act(device.course, Now(time, lambda name: run.is_on(name, time), carried))
+    told = device.driving.act(device.profile, Now(time, lambda name: run.is_on(name, time), carried))
     place = bisect_right(device.scripted, tick)
     nexts = list(device.scripted[place : place + 1])
     due = min(told.due, room_at(run, device, time))

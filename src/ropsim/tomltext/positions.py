@@ -103,24 +103,24 @@ class _Spans(Mapping[Path, Span]):
     chosen: "Callable[[_Walk], Mapping[Path, tuple[int, int]]]"
 
     @property
-    def stretches(self) -> Mapping[Path, tuple[int, int]]:
+    def ranges(self) -> Mapping[Path, tuple[int, int]]:
         return self.chosen(self.places.walk)
 
     def __getitem__(self, path: Path) -> Span:
-        start, end = self.stretches[path]
+        start, end = self.ranges[path]
         starts = self.places.starts
         line = bisect_right(starts, start)
         first, _, _ = self.places.text[start:end].partition("\n")
         return self.places.source.span(line, start - starts[line - 1] + 1, len(first))
 
     def __contains__(self, path: object) -> bool:
-        return path in self.stretches
+        return path in self.ranges
 
     def __iter__(self) -> Iterator[Path]:
-        return iter(self.stretches)
+        return iter(self.ranges)
 
     def __len__(self) -> int:
-        return len(self.stretches)
+        return len(self.ranges)
 
 
 @dataclass(slots=True)
@@ -154,16 +154,16 @@ class _Walk:
         start = self.at
         brackets = 2 if self.text.startswith("[[", start) else 1
         self.at += brackets
-        pieces = self._dotted_key()
+        key_parts = self._dotted_key()
         self._skip(_BLANK)
         self.at += brackets
         path: Path = ()
-        for name, piece_start, piece_end in pieces[:-1]:
+        for name, part_start, part_end in key_parts[:-1]:
             path = (*path, name)
-            self.keys.setdefault(path, (piece_start, piece_end))
+            self.keys.setdefault(path, (part_start, part_end))
             if path in self.lists:
                 path = (*path, self.lists[path] - 1)
-        path = (*path, pieces[-1][0])
+        path = (*path, key_parts[-1][0])
         self.keys.setdefault(path, (start, self.at))
         if brackets == 2:
             count = self.lists.get(path, 0)
@@ -184,7 +184,7 @@ class _Walk:
         return path
 
     def _dotted_key(self) -> list[tuple[str, int, int]]:
-        pieces = []
+        key_parts = []
         while True:
             start = self._skip(_BLANK)
             if self.text[start : start + 1] in {'"', "'"}:
@@ -193,10 +193,10 @@ class _Walk:
                 name = next(iter(tomllib.loads(f"{raw} = 0"))) if "\\" in raw else raw[1:-1]
             else:
                 name = self.text[start : self._skip(_BARE_KEY)]
-            pieces.append((name, start, self.at))
+            key_parts.append((name, start, self.at))
             self._skip(_BLANK)
             if self.text[self.at : self.at + 1] != ".":
-                return pieces
+                return key_parts
             self.at += 1
 
     def _value(self, path: Path) -> None:

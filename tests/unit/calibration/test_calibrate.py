@@ -98,10 +98,10 @@ def test_every_motion_lasts_as_long_as_in_the_trace() -> None:
     replan = replanner(made.cell, made.station, made.orders)
     true = [replan(number, robot_settings()) for number in range(len(made.orders))]
     lasts = [one.duration for one in true if one is not None]
-    assert found.made == len(found.stretches) == len(lasts)
-    assert [one.logged for one in found.stretches] == pytest.approx(lasts, rel=NEAR_TIME)
-    assert [one.after for one in found.stretches] == pytest.approx(lasts, rel=NEAR_TIME)
-    assert max(abs(one.before / one.logged - 1.0) for one in found.stretches) > 0.03
+    assert found.made == len(found.sequences) == len(lasts)
+    assert [one.logged for one in found.sequences] == pytest.approx(lasts, rel=NEAR_TIME)
+    assert [one.after for one in found.sequences] == pytest.approx(lasts, rel=NEAR_TIME)
+    assert max(abs(one.before / one.logged - 1.0) for one in found.sequences) > 0.03
     assert found.remaining < NEAR_TIME
 
 
@@ -206,8 +206,8 @@ def test_longer_pauses_between_the_motions_change_nothing() -> None:
     found, _ = calibrate(made.cell, made.station, made.orders, Trace(np.arange(len(q)) / RATE, q))
     assert found is not None
     assert found.after.look_ahead == settings.look_ahead
-    lasts = [one.logged for one in before.stretches]
-    assert [one.logged for one in found.stretches] == pytest.approx(lasts, rel=1e-6)  # rounding of times
+    lasts = [one.logged for one in before.sequences]
+    assert [one.logged for one in found.sequences] == pytest.approx(lasts, rel=1e-6)  # rounding of times
     assert found.after.all == pytest.approx(before.after.all, rel=NEAR)
 
 
@@ -248,7 +248,7 @@ def test_motions_that_a_sensor_leads_and_those_behind_them_are_left_out_and_said
     logs, every = kept()
     found, findings = calibrate(made.cell, made.station, orders, logs)
     assert found is not None
-    assert len(every.stretches) - 2 <= len(found.stretches) < len(every.stretches)
+    assert len(every.sequences) - 2 <= len(found.sequences) < len(every.sequences)
     assert "X894" in {one.code for one in findings}
 
 
@@ -296,8 +296,8 @@ def test_a_motion_that_is_not_compared_is_named_with_its_reason_and_counts_in_th
     (said,) = [one for one in findings if one.code == "X894"]
     assert said.is_error
     assert said.notes == (f"the motion to line 5 pass 1 {reason}",)
-    assert len(found.stretches) == len(every.stretches) - 1
-    shares = [one.after / one.logged - 1.0 for one in (*found.stretches, lost)]
+    assert len(found.sequences) == len(every.sequences) - 1
+    shares = [one.after / one.logged - 1.0 for one in (*found.sequences, lost)]
     assert found.remaining == pytest.approx(float(np.sqrt(np.mean(np.square(shares)))))
     assert found.logged == pytest.approx(every.logged + (0.5 if logs is halted else 0.0), abs=0.1)
 
@@ -311,4 +311,4 @@ def test_what_the_trace_does_not_have_is_named_and_has_no_time_in_it() -> None:
     assert lost.reason == "lies behind the end of the trace"
     assert np.isnan(lost.logged)
     assert "X894" in {one.code for one in findings}
-    assert found.logged == pytest.approx(sum(one.logged for one in found.stretches))
+    assert found.logged == pytest.approx(sum(one.logged for one in found.sequences))

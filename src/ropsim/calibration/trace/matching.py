@@ -22,21 +22,21 @@ _MOST_CELLS = 30_000_000
 
 @frozen_dataclass
 class Passage:
-    """A stretch of the program with the part of the trace between its stops.
+    """A sequence of the program with the part of the trace between its stops.
 
     Attributes:
-        stretch: its number.
+        sequence: its number.
         start: number of the stop of the trace at which it begins.
         end: of that at which it ends.
     """
 
-    stretch: int
+    sequence: int
     start: int
     end: int
 
 
 def match(rests: Rests, ends: Array, joints: Sequence[Joint]) -> tuple[Passage, ...]:
-    """Return the stretches that the trace holds, each once and in order.
+    """Return the sequences that the trace holds, each once and in order.
 
     The longest common sequence of both lists of places (Needleman & Wunsch 1970, with free ends of the
     trace): stops that fit are worth most where they are near, stops that only one of the lists has cost a
@@ -44,7 +44,7 @@ def match(rests: Rests, ends: Array, joints: Sequence[Joint]) -> tuple[Passage, 
 
     Args:
         rests: of the trace.
-        ends: where the program stands, at its start and at the end of each stretch [rad | m], shape (k + 1,
+        ends: where the program stands, at its start and at the end of each sequence [rad | m], shape (k + 1,
             n).
         joints: of the axes, n of them.
     """
@@ -53,11 +53,11 @@ def match(rests: Rests, ends: Array, joints: Sequence[Joint]) -> tuple[Passage, 
     places = rests.q[:count]
     taken = _aligned(places, ends, near)
     passages = []
-    for stretch in range(len(ends) - 1):
-        start, end = taken[stretch], taken[stretch + 1]
+    for sequence in range(len(ends) - 1):
+        start, end = taken[sequence], taken[sequence + 1]
         if start is None or end is None:
             continue
-        passages.append(_nearest(stretch, start, end, places, ends, near))
+        passages.append(_nearest(sequence, start, end, places, ends, near))
     return tuple(passages)
 
 
@@ -95,10 +95,10 @@ def _aligned(places: Array, ends: Array, near: Array) -> list[int | None]:
     return taken
 
 
-def _nearest(stretch: int, start: int, end: int, places: Array, ends: Array, near: Array) -> Passage:
+def _nearest(sequence: int, start: int, end: int, places: Array, ends: Array, near: Array) -> Passage:
     """Return the passage between two stops, without pauses at its start and at its end."""
-    while start + 1 < end and bool((np.abs(places[start + 1] - ends[stretch]) < near).all()):
+    while start + 1 < end and bool((np.abs(places[start + 1] - ends[sequence]) < near).all()):
         start += 1
-    while end - 1 > start and bool((np.abs(places[end - 1] - ends[stretch + 1]) < near).all()):
+    while end - 1 > start and bool((np.abs(places[end - 1] - ends[sequence + 1]) < near).all()):
         end -= 1
-    return Passage(stretch, start, end)
+    return Passage(sequence, start, end)

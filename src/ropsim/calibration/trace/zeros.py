@@ -30,11 +30,11 @@ def zeros_beside(
 
     Args:
         rests: of the trace.
-        ends: where the program stands, at its start and at the end of each stretch [rad | m], (k + 1, n).
-        passages: which stops of the trace belong to stretches.
+        ends: where the program stands, at its start and at the end of each sequence [rad | m], (k + 1, n).
+        passages: which stops of the trace belong to sequences.
         joints: of the axes, n of them.
     """
-    pairs = {one.start: one.stretch for one in passages} | {one.end: one.stretch + 1 for one in passages}
+    pairs = {one.start: one.sequence for one in passages} | {one.end: one.sequence + 1 for one in passages}
     off = rests.q[list(pairs)] - ends[list(pairs.values())]
     amounts = np.median(off, axis=0)
     apart = np.median(np.abs(off - amounts), axis=0)

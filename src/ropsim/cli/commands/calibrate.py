@@ -6,7 +6,7 @@ import math
 from collections.abc import Sequence
 from pathlib import Path
 
-from ropsim.calibration import Calibration, Knowledge, StretchTimes
+from ropsim.calibration import Calibration, Knowledge, SequenceTimes
 from ropsim.cli.terminal.calibration_text import calibration_text
 from ropsim.cli.terminal.output import Output, cannot_write
 from ropsim.cli.terminal.progress import Progress
@@ -86,14 +86,14 @@ def calibration_entry(calibration: Calibration) -> dict[str, object]:
             }
             for name, numbers in named
         },
-        "motions": [_motion_entry(one) for one in calibration.stretches],
+        "motions": [_motion_entry(one) for one in calibration.sequences],
         "not_compared": [{**_motion_entry(one), "reason": one.reason} for one in calibration.left_out],
-        "compared": len(calibration.stretches),
+        "compared": len(calibration.sequences),
         "made": calibration.made,
     }
 
 
-def _motion_entry(one: StretchTimes) -> dict[str, object]:
+def _motion_entry(one: SequenceTimes) -> dict[str, object]:
     """Return a motion between two stops; times that are not known are null."""
     times = {"logged": one.logged, "before": one.before, "after": one.after, "joint_error": one.error}
     return {

@@ -5,7 +5,7 @@ from collections.abc import Iterable, Sequence
 from itertools import groupby
 from textwrap import wrap
 
-from ropsim.calibration import Calibration, Knowledge, StretchTimes
+from ropsim.calibration import Calibration, Knowledge, SequenceTimes
 from ropsim.core import plural
 from ropsim.model import JointType
 from ropsim.views import Style, TableCell, Tone, columns_text
@@ -26,13 +26,13 @@ def calibration_text(calibration: Calibration, axes: Sequence[JointType], style:
         axes: whether each axis turns or slides, n of them.
         style: whether it has colours.
     """
-    lines = [*_times(calibration.stretches, style), *_left_out(calibration), "", *_totals(calibration, axes)]
+    lines = [*_times(calibration.sequences, style), *_left_out(calibration), "", *_totals(calibration, axes)]
     lines.append("")
     return "\n".join([*lines, *_limits(calibration, axes, style)]) + "\n"
 
 
-def _times(stretches: Sequence[StretchTimes], style: Style) -> list[str]:
-    rows = [_row(name, list(some)) for name, some in _by_lines(stretches)]
+def _times(sequences: Sequence[SequenceTimes], style: Style) -> list[str]:
+    rows = [_row(name, list(some)) for name, some in _by_lines(sequences)]
     title = ("motion", "times", "logged s", "before s", "after s", "left %", "worst %")
     more = len(rows) - _SHOWN_LINES
     found = columns_text(title, rows[:_SHOWN_LINES], style)
@@ -50,20 +50,20 @@ def _left_out(calibration: Calibration) -> list[str]:
     return ["", *told, *([f"  … {more} more"] if more > 0 else [])] if told else []
 
 
-def _by_lines(stretches: Sequence[StretchTimes]) -> Iterable[tuple[str, Iterable[StretchTimes]]]:
-    names = list(dict.fromkeys(_name(one) for one in stretches))
-    ordered = sorted(stretches, key=lambda one: names.index(_name(one)))
+def _by_lines(sequences: Sequence[SequenceTimes]) -> Iterable[tuple[str, Iterable[SequenceTimes]]]:
+    names = list(dict.fromkeys(_name(one) for one in sequences))
+    ordered = sorted(sequences, key=lambda one: names.index(_name(one)))
     return groupby(ordered, key=_name)
 
 
-def _name(one: StretchTimes) -> str:
+def _name(one: SequenceTimes) -> str:
     if one.first is None or one.last is None:
         return "motion"
     same = one.first.line == one.last.line
     return f"line {one.last.line}" if same else f"line {one.first.line} to {one.last.line}"
 
 
-def _row(name: str, some: Sequence[StretchTimes]) -> tuple[TableCell, ...]:
+def _row(name: str, some: Sequence[SequenceTimes]) -> tuple[TableCell, ...]:
     logged, before, after = (
         sum(getattr(one, field) for one in some) for field in ("logged", "before", "after")
     )
@@ -83,7 +83,7 @@ def _row(name: str, some: Sequence[StretchTimes]) -> tuple[TableCell, ...]:
 def _totals(calibration: Calibration, axes: Sequence[JointType]) -> list[str]:
     factor, unit = _TURN if JointType.REVOLUTE in axes else _SLIDE
     worst = calibration.worst
-    count = len(calibration.stretches)
+    count = len(calibration.sequences)
     compared = (
         f"{count} of {calibration.made} motions" if count < calibration.made else f"all {count} motions"
     )

@@ -42,7 +42,7 @@ def successors(procedure: Procedure, index: int) -> tuple[int, ...]:
 
 
 def check_reachability(program: Program, procedure: Procedure) -> Iterator[Diagnostic]:
-    """Yield where control falls off the end, and the first instruction of every dead stretch (V5)."""
+    """Yield where control falls off the end, and the first instruction of every dead range (V5)."""
     size = len(procedure.code)
     if size == 0:
         place = program.declared_at.get(f"PROC {procedure.name}")

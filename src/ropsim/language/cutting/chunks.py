@@ -48,7 +48,7 @@ class Bounds:
 
 
 @frozen_dataclass
-class Stretch:
+class TextSection:
     """A task, or the lines between two of them.
 
     Attributes:
@@ -66,11 +66,11 @@ def chunks(lines: Sequence[str]) -> Iterator[Chunk]:
     """Yield the lines of a text in chunks: one begins before the header of a task and one after its end."""
     kinds = kinds_of(lines)
     for one in bounds(lines, kinds):
-        yield from stretch(lines, kinds, one).chunks
+        yield from section_of(lines, kinds, one).chunks
 
 
 def bounds(lines: Sequence[str], kinds: bytes, start: int = 0, *, in_task: bool = False) -> Iterator[Bounds]:
-    """Yield the stretches of a text from the first line of one on; `kinds` has the kind of each line."""
+    """Yield the sections of a text from the first line of one on; `kinds` has the kind of each line."""
     for match in _OF_TASKS.finditer(kinds, start):
         number = match.start()
         if number and lines[number - 1].endswith("\\"):
@@ -86,19 +86,19 @@ def bounds(lines: Sequence[str], kinds: bytes, start: int = 0, *, in_task: bool 
         yield Bounds(start, len(lines), in_task)
 
 
-def stretch(lines: Sequence[str], kinds: bytes, one: Bounds) -> Stretch:
+def section_of(lines: Sequence[str], kinds: bytes, one: Bounds) -> TextSection:
     """Return the lines between bounds in chunks."""
     if one.is_ended:
-        return Stretch(one.in_task, (Chunk(tuple(lines[one.start : one.end])),), is_plain=False)
+        return TextSection(one.in_task, (Chunk(tuple(lines[one.start : one.end])),), is_plain=False)
     found, is_plain = cuts(lines, kinds, one.start, one.end)
     if not one.in_task:
-        return Stretch(one.in_task, pieces(lines, (one.start, *found, one.end), one.end), is_plain)
+        return TextSection(one.in_task, chunks_at(lines, (one.start, *found, one.end), one.end), is_plain)
     first = found[0] if found else one.end  # a task without a closing line
     rest, _ = cuts(lines, kinds, first, one.end)
-    inner = pieces(lines, (first, *rest, one.end), one.end) if first < one.end else ()
-    return Stretch(one.in_task, (Chunk(tuple(lines[one.start : first])), *inner), is_plain=False)
+    inner = chunks_at(lines, (first, *rest, one.end), one.end) if first < one.end else ()
+    return TextSection(one.in_task, (Chunk(tuple(lines[one.start : first])), *inner), is_plain=False)
 
 
-def pieces(lines: Sequence[str], borders: Sequence[int], end: int) -> tuple[Chunk, ...]:
+def chunks_at(lines: Sequence[str], borders: Sequence[int], end: int) -> tuple[Chunk, ...]:
     """Return the lines between borders; a part ends with each but the last one before the end."""
     return tuple(Chunk(tuple(lines[one:other]), other != end) for one, other in pairwise(borders))

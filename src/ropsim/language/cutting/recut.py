@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from itertools import accumulate, chain, compress, count
 
 from ropsim.core import EditedLines, edited_lines
-from ropsim.language.cutting.chunks import Bounds, Chunk, Stretch, bounds, pieces, stretch
+from ropsim.language.cutting.chunks import Bounds, Chunk, TextSection, bounds, chunks_at, section_of
 from ropsim.language.cutting.cuts import REACH, cuts, has_blocks
 from ropsim.language.cutting.line_kinds import kinds_of
 
@@ -22,9 +22,9 @@ class Cut:
         text: its characters; lines end with a line feed alone.
         lines: of the text; unchanged lines are the same objects.
         kinds: kind of each line.
-        stretches: of the text.
-        starts: first line of each stretch, from 0.
-        sizes: number of chunks of each stretch.
+        sections: of the text.
+        starts: first line of each section, from 0.
+        sizes: number of chunks of each section.
         chunks: of the text.
         above: how many of them, from the first one on, are lines of the text before.
         below: the same from the last one up.
@@ -33,7 +33,7 @@ class Cut:
     text: str = ""
     lines: list[str] = field(default_factory=list)
     kinds: bytes = b""
-    stretches: list[Stretch] = field(default_factory=list)
+    sections: list[TextSection] = field(default_factory=list)
     starts: list[int] = field(default_factory=list)
     sizes: list[int] = field(default_factory=list)
     chunks: list[Chunk] = field(default_factory=list)
@@ -57,7 +57,7 @@ def recut(text: str, before: Cut) -> Cut:
     kinds = before.kinds[: edit.above] + kinds_of(edit.between) + before.kinds[end:]
     here, shift = edit.above + len(edit.between), len(lines) - len(known)
     kept, until = _kept_above(before.starts, edit.above), len(before.starts)
-    start, in_task = (before.starts[kept], before.stretches[kept].in_task) if kept else (0, False)
+    start, in_task = (before.starts[kept], before.sections[kept].in_task) if kept else (0, False)
     found: list[Bounds] = []
     for one in bounds(lines, kinds, start, in_task=in_task):
         place = _place(before.starts, one.start - shift) if one.start > here else None
@@ -65,7 +65,7 @@ def recut(text: str, before: Cut) -> Cut:
             until = place
             break
         found.append(one)
-    made = [_again(one, lines, kinds, before, edit) or stretch(lines, kinds, one) for one in found]
+    made = [_again(one, lines, kinds, before, edit) or section_of(lines, kinds, one) for one in found]
     below = before.starts[until:]
     first = sum(before.sizes[:kept])
     gone = before.chunks[first : first + sum(before.sizes[kept:until])]
@@ -75,7 +75,7 @@ def recut(text: str, before: Cut) -> Cut:
         text,
         lines,
         kinds,
-        [*before.stretches[:kept], *made, *before.stretches[until:]],
+        [*before.sections[:kept], *made, *before.sections[until:]],
         [
             *before.starts[:kept],
             *(one.start for one in found),
@@ -92,13 +92,15 @@ def _cut(text: str) -> Cut:
     lines = text.split("\n")
     kinds = kinds_of(lines)
     found = [*bounds(lines, kinds)]
-    made = [stretch(lines, kinds, one) for one in found]
+    made = [section_of(lines, kinds, one) for one in found]
     starts, sizes = [one.start for one in found], [len(one.chunks) for one in made]
     return Cut(text, lines, kinds, made, starts, sizes, [*chain.from_iterable(one.chunks for one in made)])
 
 
-def _again(one: Bounds, lines: Sequence[str], kinds: bytes, before: Cut, edit: EditedLines) -> Stretch | None:
-    """Return a stretch whose pieces are known except around an edit; None if all may have changed.
+def _again(
+    one: Bounds, lines: Sequence[str], kinds: bytes, before: Cut, edit: EditedLines
+) -> TextSection | None:
+    """Return a section whose chunks are known except around an edit; None if all may have changed.
 
     Where a piece ends depends on the lines up to there, from the end of the piece above on, as long as each
     block has both of its ends and no line that has changed begins or ends one.
@@ -106,9 +108,9 @@ def _again(one: Bounds, lines: Sequence[str], kinds: bytes, before: Cut, edit: E
     place = _place(before.starts, one.start)
     end = len(before.lines) - edit.below
     shift = len(lines) - len(before.lines)
-    if place is None or not before.stretches[place].is_plain or one.in_task or one.start > edit.above:
+    if place is None or not before.sections[place].is_plain or one.in_task or one.start > edit.above:
         return None
-    known = before.stretches[place].chunks
+    known = before.sections[place].chunks
     firsts = [*accumulate((len(chunk.lines) for chunk in known), initial=one.start)]
     if firsts[-1] + shift != one.end or firsts[-1] < end:
         return None
@@ -126,8 +128,8 @@ def _again(one: Bounds, lines: Sequence[str], kinds: bytes, before: Cut, edit: E
         return None
     again = firsts[kept] + shift
     borders = (firsts[first], *(start for start in found if start < again), again)
-    return Stretch(
-        one.in_task, (*known[:first], *pieces(lines, borders, one.end), *known[kept:]), is_plain=True
+    return TextSection(
+        one.in_task, (*known[:first], *chunks_at(lines, borders, one.end), *known[kept:]), is_plain=True
     )
 
 
@@ -138,9 +140,9 @@ def _place(numbers: Sequence[int], number: int) -> int | None:
 
 
 def _kept_above(starts: Sequence[int], above: int) -> int:
-    """Return how many stretches remain, as they lie far enough within the lines that remain.
+    """Return how many sections remain, as they lie far enough within the lines that remain.
 
-    Where a stretch ends depends on the line behind it, and for a block without end on a few more lines.
+    Where a section ends depends on the line behind it, and for a block without end on a few more lines.
     """
     return max(bisect_right(starts, above - REACH) - 1, 0)
 

@@ -32,7 +32,7 @@ class Mark(Enum):
 
 @frozen_dataclass
 class Marked:
-    """A stretch of characters on one line."""
+    """A range of characters on one line."""
 
     span: Span
     mark: Mark

@@ -4,7 +4,7 @@ from collections.abc import Iterable
 
 from ropsim.core import SourceText
 from ropsim.language.blocks.block_ends import indented
-from ropsim.language.form.pieces import Piece, pieces
+from ropsim.language.form.line_groups import LineGroup, line_groups
 from ropsim.language.form.rows import rows, without_blanks
 from ropsim.language.form.sameness import shape
 from ropsim.language.form.writing import INDENT, written
@@ -28,32 +28,32 @@ def formatted(text: str) -> str:
     """
     if _MARK in text[1:]:
         return text
-    read = tuple(pieces(SourceText("", text)))
+    read = tuple(line_groups(SourceText("", text)))
     ending = "\r\n" if "\r\n" in text else "\n"
     result = "".join(line + ending for line in _lines(read))
-    if text.endswith("\\") or not all(piece.is_sound for piece in read[-1:]):
+    if text.endswith("\\") or not all(group.is_sound for group in read[-1:]):
         result = result.removesuffix(ending)  # with a line end the last line would go on, or be another one
     form = _MARK + result if text.startswith(_MARK) and not result.startswith(_MARK) else result
     kept = _unsound(read)
-    return form if not kept or _unsound(pieces(SourceText("", form))) == kept else text
+    return form if not kept or _unsound(line_groups(SourceText("", form))) == kept else text
 
 
-def _unsound(read: Iterable[Piece]) -> list[tuple[str, ...]]:
+def _unsound(read: Iterable[LineGroup]) -> list[tuple[str, ...]]:
     """Return the lines in which blocks have no ends: in the form of a text they are still the same ones."""
-    return [piece.physical for piece in read if not piece.is_sound]
+    return [group.physical for group in read if not group.is_sound]
 
 
-def _lines(read: Iterable[Piece]) -> list[str]:
+def _lines(read: Iterable[LineGroup]) -> list[str]:
     """Return the physical lines of a text in their form."""
     laid: list[str] = []
     is_sound = True
-    for piece in read:
-        is_sound = piece.is_sound
+    for group in read:
+        is_sound = group.is_sound
         if not is_sound:
-            laid += piece.physical
+            laid += group.physical
             continue
         for (line, depth), (_, physical) in zip(
-            indented(line for line, _ in piece.lines), piece.lines, strict=True
+            indented(line for line, _ in group.lines), group.lines, strict=True
         ):
             block = _laid(line, depth, physical)
             if block != [""] or (laid and laid[-1]):

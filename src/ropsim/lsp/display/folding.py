@@ -17,7 +17,7 @@ _COMMENT = re.compile(r"\s*(?:#|//)")
 def folding_ranges(
     document: Document, _: OfDocument, documents: Mapping[str, Document], workshop: Workshop
 ) -> list[Json]:
-    """Return the stretches of lines that can be folded, in order of their first line."""
+    """Return the ranges of lines that can be folded, in order of their first line."""
     if is_cell_file(document):
         return cell_folds(document)
     if not is_program(document):

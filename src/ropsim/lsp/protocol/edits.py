@@ -9,7 +9,7 @@ from ropsim.lsp.protocol.messages import Json
 
 @dataclass(frozen=True, slots=True, order=True)
 class Change:
-    """New text for a stretch; lines and characters count from 0.
+    """New text for a range; lines and characters count from 0.
 
     Attributes:
         line: first line.

@@ -18,7 +18,7 @@ class Position(msgspec.Struct, frozen=True):
 
 
 class Range(msgspec.Struct, frozen=True):
-    """A stretch of a text; `end` is exclusive."""
+    """A range of a text; `end` is exclusive."""
 
     start: Position
     end: Position
@@ -41,7 +41,7 @@ class VersionedDocument(msgspec.Struct, frozen=True):
 
 
 class ContentChange(msgspec.Struct, frozen=True):
-    """New text of a stretch, or of the whole document."""
+    """New text of a range, or of the whole document."""
 
     text: str
     range: Range | None = None

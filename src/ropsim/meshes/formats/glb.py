@@ -34,7 +34,7 @@ def read_glb(content: bytes) -> Soup:
     meshes = _Meshes(document, Accessors(document, body))
     total, placed = 0, []
     for number, X_WM in placed_meshes(document):
-        for soup in meshes.pieces(number):
+        for soup in meshes.chunks(number):
             total += len(soup.corners)
             check_count(total)
             placed.append(Soup(_moved(soup.corners, X_WM), _turned(soup.colours, X_WM)))
@@ -75,15 +75,15 @@ class _Meshes:
     accessors: Accessors
     read: dict[int, list[Soup]] = field(default_factory=dict)
 
-    def pieces(self, number: int) -> list[Soup]:
+    def chunks(self, number: int) -> list[Soup]:
         """Return the primitives of a mesh that have triangles, in its own frame."""
         if number not in self.read:
             mesh = at(self.document.meshes, number, "meshes")
-            pieces = [self._piece(one) for one in mesh.primitives if one.mode in {_TRIANGLES, _STRIP, _FAN}]
-            self.read[number] = [soup for soup in pieces if len(soup.corners)]
+            chunks = [self._chunk(one) for one in mesh.primitives if one.mode in {_TRIANGLES, _STRIP, _FAN}]
+            self.read[number] = [soup for soup in chunks if len(soup.corners)]
         return self.read[number]
 
-    def _piece(self, primitive: Primitive) -> Soup:
+    def _chunk(self, primitive: Primitive) -> Soup:
         positions = primitive.attributes.get("POSITION")
         if positions is None:
             return Soup(np.empty((0, 3, 3)))

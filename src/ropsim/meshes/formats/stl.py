@@ -50,13 +50,13 @@ def _text(content: bytes) -> Soup:
         raise damaged(NO_TRIANGLES)
     check_count(words // 3)
     found = _VERTEX.finditer(content)
-    pieces: list[Floats] = []
+    fields: list[Floats] = []
     while some := [match.groups() for match in islice(found, _AT_ONCE)]:
         try:
-            pieces.append(np.array(some, dtype="S40").astype(np.float64))
+            fields.append(np.array(some, dtype="S40").astype(np.float64))
         except ValueError as error:
             raise damaged("has a corner that is not three numbers") from error
-    points = np.concatenate(pieces) if pieces else np.empty((0, 3))
+    points = np.concatenate(fields) if fields else np.empty((0, 3))
     if len(points) != words or len(points) % 3:
         raise damaged(
             f"has {words:,} corners, {len(points):,} of them of three numbers; triangles have three each"

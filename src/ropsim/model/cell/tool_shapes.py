@@ -93,8 +93,8 @@ def _fingers(X_MT: Pose, length: float, width: float, radius: float) -> tuple[Sh
     reach = min(_OVERLAP, 0.3 * width)
     palm = Box((1.6 * breadth, width + 4.0 * thick, 0.5 * length))
     finger = Box((breadth, thick, 0.8 * length + reach))
-    pieces = [(palm, (0.0, 0.0, -length), _BRACKET, Material.STEEL)]
-    pieces += [
+    shapes_of_parts = [(palm, (0.0, 0.0, -length), _BRACKET, Material.STEEL)]
+    shapes_of_parts += [
         (finger, (0.0, side * (width + thick) / 2.0, reach - finger.size[2] / 2.0), _PAD, Material.RUBBER)
         for side in (1.0, -1.0)
     ]
@@ -102,7 +102,7 @@ def _fingers(X_MT: Pose, length: float, width: float, radius: float) -> tuple[Sh
     rotation = X_MT.rotation()
     return tuple(
         Shape(solid, Pose(X_MT.position + rotation @ np.array(place), turn), colour, material=material)
-        for solid, place, colour, material in pieces
+        for solid, place, colour, material in shapes_of_parts
     )
 
 

@@ -18,27 +18,27 @@ def write_term(term: Term) -> str:
         ValueError: a variable has a name that is none.
         TypeError: a value is no term.
     """
-    pieces: list[str] = []
+    texts: list[str] = []
     left: list[Term | _Mark] = [term]
     while left:
         one = left.pop()
         match one:
             case _Mark():
-                pieces.append(one)
+                texts.append(one)
             case Struct("[|]", (head, tail)):
                 left += (_Mark("]"), tail, _Mark("|"), head)
-                pieces.append("[")
+                texts.append("[")
             case Struct(name, arguments):
-                pieces.append(f"{_quoted(name)}(")
+                texts.append(f"{_quoted(name)}(")
                 left.append(_Mark(")"))
                 left += _separated(arguments)
             case tuple():
-                pieces.append("[")
+                texts.append("[")
                 left.append(_Mark("]"))
                 left += _separated(one)
             case _:
-                pieces.append(_simple(one))
-    return "".join(pieces)
+                texts.append(_simple(one))
+    return "".join(texts)
 
 
 class _Mark(str):

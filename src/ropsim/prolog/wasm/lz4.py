@@ -52,5 +52,5 @@ def _repeat(content: bytearray, distance: int, length: int) -> None:
     start = len(content) - distance
     if distance == 0 or start < 0:
         raise DamagedBlockError("a block repeats what is not there")
-    piece = content[start : start + length]
-    content += (piece * (length // len(piece) + 1))[:length]
+    repeated = content[start : start + length]
+    content += (repeated * (length // len(repeated) + 1))[:length]

@@ -58,10 +58,10 @@ class LinearMemory:
         """Return the string that ends with a zero byte; invalid UTF-8 is replaced."""
         content = b""
         while b"\0" not in content:
-            piece = self.read(address + len(content), min(64, self.size - address - len(content)))
-            if not piece:
+            chunk = self.read(address + len(content), min(64, self.size - address - len(content)))
+            if not chunk:
                 raise NoAddressError(f"the string at {address} has no end")
-            content += piece
+            content += chunk
         return content[: content.index(b"\0")].decode(errors="replace")
 
     def used_pages(self) -> list[int]:

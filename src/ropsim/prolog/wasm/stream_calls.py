@@ -94,10 +94,10 @@ class StreamCalls:
         begin = one.place
         for index in range(count):
             address, length = self.memory.unpack(vector + 8 * index, "<II")
-            piece = bytes(content[one.place : one.place + length])
-            self.memory.write(address, piece)
-            one.place += len(piece)
-            if len(piece) < length:
+            chunk = bytes(content[one.place : one.place + length])
+            self.memory.write(address, chunk)
+            one.place += len(chunk)
+            if len(chunk) < length:
                 break
         self.memory.pack(done, "<I", one.place - begin)
         return 0
@@ -109,12 +109,12 @@ class StreamCalls:
         total = 0
         for index in range(count):
             address, length = self.memory.unpack(vector + 8 * index, "<II")
-            piece = self.memory.read(address, length)
+            chunk = self.memory.read(address, length)
             if not one.path:
-                self.printed += piece[: max(PRINTED - len(self.printed), 0)]
+                self.printed += chunk[: max(PRINTED - len(self.printed), 0)]
             else:
                 try:
-                    self.files.write(one.path, one.place, piece)
+                    self.files.write(one.path, one.place, chunk)
                 except NoRoomError:
                     return Errno.NOSPC
                 one.place += length

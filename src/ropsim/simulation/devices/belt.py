@@ -4,7 +4,7 @@ import math
 from dataclasses import dataclass
 
 from ropsim.model import BeltDrive
-from ropsim.simulation.devices.course import Course, to_rest, to_speed
+from ropsim.simulation.devices.axis_profile import AxisProfile, to_rest, to_speed
 from ropsim.simulation.devices.device_run import Carried, Now, Told
 
 TOUCH = 1e-6
@@ -17,10 +17,10 @@ class Belt:
 
     drive: BeltDrive
 
-    def act(self, course: Course, now: Now) -> Told:
+    def act(self, profile: AxisProfile, now: Now) -> Told:
         """Start, stop or go on, so that the front of the next part comes to rest at the barrier."""
         drive, barrier = self.drive, self.drive.barrier
-        q, qd = course.at(now.time)
+        q, qd = profile.at(now.time)
         lost = tuple(one.name for one in now.carried if self._leaves(one) <= q + TOUCH)
         carried = [one for one in now.carried if one.name not in lost]
         blocked = barrier is not None and any(_covers(one, q, barrier.at) for one in carried)
@@ -30,27 +30,27 @@ class Belt:
         ahead = (barrier.at - one.front for one in carried) if barrier is not None else ()
         target = min((one for one in ahead if one > q + TOUCH and one - q >= brake - TOUCH), default=math.inf)
         if not runs:
-            course.go(to_speed(now.time, q, qd, 0.0, drive.acceleration))
+            profile.go(to_speed(now.time, q, qd, 0.0, drive.acceleration))
         elif target < math.inf:
-            course.go(to_rest(now.time, q, qd, max(target, q + brake), drive.speed, drive.acceleration))
+            profile.go(to_rest(now.time, q, qd, max(target, q + brake), drive.speed, drive.acceleration))
         else:
-            course.go(to_speed(now.time, q, qd, drive.speed, drive.acceleration))
+            profile.go(to_speed(now.time, q, qd, drive.speed, drive.acceleration))
         levels = ((barrier.signal, blocked),) if barrier is not None else ()
-        return Told(levels, self._next(course, now.time, carried), lost)
+        return Told(levels, self._next(profile, now.time, carried), lost)
 
     def _leaves(self, part: Carried) -> float:
         """Return the coordinate at which the centre of a part is at the end of the belt [m]."""
         return self.drive.length - part.front + part.length / 2.0
 
-    def _next(self, course: Course, time: float, carried: list[Carried]) -> float:
+    def _next(self, profile: AxisProfile, time: float, carried: list[Carried]) -> float:
         """Return when the belt comes to rest, loses a part, or one comes into the barrier or out [s]."""
-        last, (q, _) = course.pieces[-1], course.at(time)
+        last, (q, _) = profile.segments[-1], profile.at(time)
         rest = last.time if last.qd == 0.0 and last.time > time else math.inf
         places = [self._leaves(one) for one in carried]
         if self.drive.barrier is not None:
             at = self.drive.barrier.at
             places += [place for one in carried for place in (at - one.front, at - one.front + one.length)]
-        return min([rest, *(course.time_of(place, time) for place in places if place > q + TOUCH)])
+        return min([rest, *(profile.time_of(place, time) for place in places if place > q + TOUCH)])
 
 
 def _covers(part: Carried, q: float, at: float) -> bool:

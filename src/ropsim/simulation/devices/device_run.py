@@ -8,7 +8,7 @@ from typing import Protocol
 from ropsim.core import frozen_dataclass
 from ropsim.kinematics import frames_batch
 from ropsim.model import Device
-from ropsim.simulation.devices.course import Course
+from ropsim.simulation.devices.axis_profile import AxisProfile
 from ropsim.spatial import Pose
 
 NEVER = -1
@@ -63,7 +63,7 @@ class Told:
 class Driving(Protocol):
     """The running state of one kind of drive."""
 
-    def act(self, course: Course, now: Now) -> Told:
+    def act(self, profile: AxisProfile, now: Now) -> Told:
         """Read the signals, change the course from now on, and return new levels and lost parts."""
         ...
 
@@ -75,7 +75,7 @@ class DeviceRun:
     Attributes:
         device: static model.
         driving: the running state of its drive.
-        course: its coordinate over time.
+        profile: its coordinate over time.
         bodies: names of the bodies that it moves.
         scripted: ticks at which the cell changes a signal that it follows, ascending.
         due: tick of the cell's clock at which it acts next, `NEVER` for none.
@@ -87,14 +87,14 @@ class DeviceRun:
     driving: Driving
     bodies: tuple[str, ...]
     scripted: tuple[int, ...] = ()
-    course: Course = field(default_factory=Course)
+    profile: AxisProfile = field(default_factory=AxisProfile)
     due: int = 0
     acted: int = -1
     levels: dict[str, bool] = field(default_factory=dict)
 
     def poses(self, time: float) -> dict[str, Pose]:
         """Return X_WB of each body that it moves at a time [s], by name."""
-        frames = frames_batch(self.device.mechanism, [[self.course.at(time)[0]]])[0, :-1]
+        frames = frames_batch(self.device.mechanism, [[self.profile.at(time)[0]]])[0, :-1]
         return {
             name: self.device.X_WB @ Pose.from_matrix(frame)
             for name, frame in zip(self.bodies, frames, strict=True)

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from ropsim.model import IndexDrive
-from ropsim.simulation.devices.course import Course, to_rest
+from ropsim.simulation.devices.axis_profile import AxisProfile, to_rest
 from ropsim.simulation.devices.device_run import Now, Told
 
 
@@ -21,16 +21,16 @@ class Index:
     steps: int = 0
     was_on: bool = False
 
-    def act(self, course: Course, now: Now) -> Told:
+    def act(self, profile: AxisProfile, now: Now) -> Told:
         """Begin a step where the signal has come on while it stood."""
         drive, is_on = self.drive, now.signals(self.drive.signal)
-        if is_on and not self.was_on and course.pieces[-1].time <= now.time:
+        if is_on and not self.was_on and profile.segments[-1].time <= now.time:
             self.steps += 1
-            q, qd = course.at(now.time)
+            q, qd = profile.at(now.time)
             target = self.steps * drive.step
-            course.go(to_rest(now.time, q, qd, target, drive.speed, drive.acceleration))
+            profile.go(to_rest(now.time, q, qd, target, drive.speed, drive.acceleration))
         self.was_on = is_on
-        there = course.pieces[-1].time
+        there = profile.segments[-1].time
         stands = there <= now.time
         levels = ((drive.in_place, stands),)
         return Told(levels) if stands else Told(levels, there)

@@ -3,7 +3,7 @@
 from dataclasses import dataclass, field
 
 from ropsim.model import SwitchDrive
-from ropsim.simulation.devices.course import Course, to_rest
+from ropsim.simulation.devices.axis_profile import AxisProfile, to_rest
 from ropsim.simulation.devices.device_run import Now, Told
 
 
@@ -22,15 +22,15 @@ class Switch:
     def __post_init__(self) -> None:
         self.target = self.drive.off
 
-    def act(self, course: Course, now: Now) -> Told:
+    def act(self, profile: AxisProfile, now: Now) -> Told:
         """Go to the position that the signal selects; also from the middle of the way to the other one."""
         drive = self.drive
         wanted = drive.on if now.signals(drive.signal) else drive.off
         if wanted != self.target:
             self.target = wanted
-            q, qd = course.at(now.time)
-            course.go(to_rest(now.time, q, qd, wanted, drive.speed, drive.acceleration))
-        there = course.pieces[-1].time
+            q, qd = profile.at(now.time)
+            profile.go(to_rest(now.time, q, qd, wanted, drive.speed, drive.acceleration))
+        there = profile.segments[-1].time
         stands = there <= now.time
         levels = (
             (drive.is_off, stands and self.target == drive.off),

@@ -50,7 +50,7 @@ def room_at(run: CellRun, device: DeviceRun, time: float) -> float:
     if not device.device.is_belt:
         return found
     for part in _expected(run):
-        poses, (q, _) = device.poses(time), device.course.at(time)
+        poses, (q, _) = device.poses(time), device.profile.at(time)
         for name, seat in run.parts.seats.items():
             body = poses.get(seat.rides)
             if body is None:
@@ -60,7 +60,7 @@ def room_at(run: CellRun, device: DeviceRun, time: float) -> float:
                 place, half = along(part, X_CO)
                 centre, half_rider = along(rider, seat.pose)
                 way = place + half + half_rider - centre
-                found = min(found, device.course.time_of(q + way, time))
+                found = min(found, device.profile.time_of(q + way, time))
     return found
 
 
@@ -105,7 +105,7 @@ def _poses(run: CellRun, time: float) -> Mapping[str, Pose]:
 def _turns(run: CellRun, body: str, time: float) -> bool:
     """Return whether a body is one of a device that moves and is not made to be loaded then."""
     return any(
-        body in device.bodies and not device.device.is_belt and device.course.at(time)[1] != 0.0
+        body in device.bodies and not device.device.is_belt and device.profile.at(time)[1] != 0.0
         for device in run.devices.values()
     )
 

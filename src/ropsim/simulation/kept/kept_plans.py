@@ -7,7 +7,7 @@ from ropsim.model import Cell
 from ropsim.planning import MotionChain, MotionSequence
 from ropsim.simulation.kept.replaced_lines import on_lines_of
 from ropsim.simulation.records.kept_results import KeptResults
-from ropsim.simulation.records.planned_sequence import PlannedStretch, planned_anew
+from ropsim.simulation.records.planned_sequence import PlannedSequence, planned_anew
 from ropsim.spatial import bits_of, bits_without, fingerprint
 
 MOST_BYTES = 200_000_000
@@ -17,7 +17,7 @@ _OF_A_MOVE = 10_000
 """Approximate memory of a move in addition to its reference rows [bytes]."""
 
 _MOST_MOVES = 100
-"""Keys of moves that are remembered from stretch to stretch."""
+"""Keys of moves that are remembered from sequence to sequence."""
 
 _content = bits_without(MoveInstruction, "origin", "modal")
 
@@ -34,7 +34,7 @@ class KeptPlans:
         most: room for references [bytes].
 
     Attributes:
-        anew: stretches that were planned, since the run began.
+        anew: sequences that were planned, since the run began.
     """
 
     def __init__(self, cell: Cell, most: int = MOST_BYTES) -> None:
@@ -42,7 +42,7 @@ class KeptPlans:
         self.anew: list[tuple[MoveInstruction, ...]] = []
         self._modal: tuple[ModalState | None, Hashable] = (None, None)
         self._moves: dict[int, tuple[MoveInstruction, Hashable]] = {}
-        self._kept: KeptResults[tuple[tuple[MoveInstruction, ...], PlannedStretch]] = KeptResults(most)
+        self._kept: KeptResults[tuple[tuple[MoveInstruction, ...], PlannedSequence]] = KeptResults(most)
 
     @property
     def used(self) -> int:
@@ -54,8 +54,8 @@ class KeptPlans:
         self._kept.begin()
         self.anew = []
 
-    def plan(self, station: str, chain: MotionChain, order: MotionSequence) -> PlannedStretch:
-        """Return the plan of a stretch, made now or before.
+    def plan(self, station: str, chain: MotionChain, order: MotionSequence) -> PlannedSequence:
+        """Return the plan of a sequence, made now or before.
 
         Args:
             station: name of the station in the cell.
@@ -74,7 +74,7 @@ class KeptPlans:
         return found
 
     def _bits(self, move: MoveInstruction) -> Hashable:
-        """Return the key of a move, which may be known from the stretch that it was ahead of."""
+        """Return the key of a move, which may be known from the sequence that it was ahead of."""
         known = self._moves.get(id(move))
         if known is None or known[0] is not move:
             if len(self._moves) > _MOST_MOVES:
@@ -90,7 +90,7 @@ class KeptPlans:
         return self._modal[1]
 
 
-def _size(planned: PlannedStretch) -> int:
+def _size(planned: PlannedSequence) -> int:
     """Return how much room a plan takes, about [bytes]."""
     if planned.motion is None:
         return _OF_A_MOVE

@@ -15,7 +15,7 @@ class KeptRuns:
         cell: in which the programs run.
 
     Attributes:
-        plans: of stretches.
+        plans: of sequences.
         drives: slices of servo-driven arms.
     """
 

@@ -5,13 +5,13 @@ from dataclasses import replace
 
 from ropsim.core import Diagnostic, Label, Span
 from ropsim.flow import MoveInstruction
-from ropsim.simulation.records.planned_sequence import PlannedStretch
+from ropsim.simulation.records.planned_sequence import PlannedSequence
 
 Moves = tuple[MoveInstruction, ...]
 Spans = Mapping[Span | None, Span | None]
 
 
-def on_lines_of(moves: Moves, before: Moves, planned: PlannedStretch) -> PlannedStretch | None:
+def on_lines_of(moves: Moves, before: Moves, planned: PlannedSequence) -> PlannedSequence | None:
     """Return a plan with its findings on the lines of other moves of the same content.
 
     Args:
@@ -38,7 +38,7 @@ def on_lines_of(moves: Moves, before: Moves, planned: PlannedStretch) -> Planned
         motion = replace(motion, plan=replace(motion.plan, moves=made, findings=findings))
     if refusal:
         refusal = replace(refusal, diagnostics=_moved(refusal.diagnostics, spans))
-    return PlannedStretch(motion, refusal)
+    return PlannedSequence(motion, refusal)
 
 
 def _can_move(finding: Diagnostic, spans: Spans) -> bool:

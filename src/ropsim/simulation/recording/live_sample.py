@@ -34,10 +34,12 @@ def live_sample(run: RunView, time: float) -> Mapping[str, Channel]:
         own = _station_sample(at, time * at.hz)
         channels |= {channel_name(quantity, name): channel for quantity, channel in own.items()}
     for at in run.stations.values():
-        for body, course in at.fingers.items():
-            channels[channel_name("q", body)] = finger_channel(at.station.name, course.rows(np.array([time])))
+        for body, profile in at.fingers.items():
+            channels[channel_name("q", body)] = finger_channel(
+                at.station.name, profile.rows(np.array([time]))
+            )
     for name, device in run.devices.items():
-        q = device.course.rows(np.array([time]))
+        q = device.profile.rows(np.array([time]))
         channels[channel_name("q", name)] = device_channel(device.device, q)
     tracks = {"override": Track([0], [1.0]), **run.tracks}  # it may change at any time
     for name in sorted(tracks):

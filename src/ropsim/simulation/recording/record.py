@@ -80,10 +80,10 @@ def recording_of(run: CellRun, programs: Mapping[str, Program], options: RunOpti
         judged += told_at(name, programs, load_findings(at.station.robot, loads, lines, at.hz, source))
         judged += told_at(name, programs, settling_findings(mine, run.time, source))
     for at in run.stations.values():
-        for body, course in at.fingers.items():
-            channels[channel_name("q", body)] = finger_channel(at.station.name, course.rows(time))
+        for body, profile in at.fingers.items():
+            channels[channel_name("q", body)] = finger_channel(at.station.name, profile.rows(time))
     for name, device in run.devices.items():
-        channels[channel_name("q", name)] = device_channel(device.device, device.course.rows(time))
+        channels[channel_name("q", name)] = device_channel(device.device, device.profile.rows(time))
     for name in sorted(run.tracks):
         if name == "override" and not overrides_taken(run):
             continue

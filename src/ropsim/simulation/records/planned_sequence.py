@@ -59,7 +59,7 @@ class PlannedMotion:
 
 
 @record
-class PlannedStretch:
+class PlannedSequence:
     """Result of planning a motion sequence.
 
     Attributes:
@@ -71,15 +71,15 @@ class PlannedStretch:
     refusal: Refusal | None
 
 
-Planning: TypeAlias = Callable[[str, MotionChain, MotionSequence], PlannedStretch]
-"""Plans a stretch of the station of a name; see `ropsim.controller.plan`."""
+Planning: TypeAlias = Callable[[str, MotionChain, MotionSequence], PlannedSequence]
+"""Plans a sequence of the station of a name; see `ropsim.controller.plan`."""
 
 
-def planned_anew(station: str, chain: MotionChain, order: MotionSequence) -> PlannedStretch:
+def planned_anew(station: str, chain: MotionChain, order: MotionSequence) -> PlannedSequence:
     """Plan a motion sequence without using kept plans."""
     del station
     planned, refusal = ordered(chain, order)
-    return PlannedStretch(_motion(planned, chain.robot, order.payload) if planned else None, refusal)
+    return PlannedSequence(_motion(planned, chain.robot, order.payload) if planned else None, refusal)
 
 
 def clock_limits(speeds: Array, accelerations: Array, jerks: Array) -> ClockLimits:

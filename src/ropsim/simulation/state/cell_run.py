@@ -42,7 +42,7 @@ class CellRun:
         hz: ticks of the cell's clock per second; every control tick of every station is one of them.
         progress: called after every move with a text.
         ordered: called with every motion sequence before it is planned, and the name of its station.
-        plan: plans a stretch.
+        plan: plans a sequence.
         moved: how many moves have been done.
         at_work: the programs that have not ended, by station.
         watch: looks on.

@@ -34,7 +34,7 @@ class RunOptions:
         longest: simulated time after which a program is stopped [s].
         progress: called after every move with a text.
         ordered: called with every motion sequence before it is planned, and the name of its station.
-        plan: plans a stretch; one that keeps plans takes the standard entities for granted.
+        plan: plans a sequence; one that keeps plans takes the standard entities for granted.
         drive: lets an arm under the joint controller of its model follow a reference.
         chains: other entities between instruction and joint controller, by station; the others take the
             standard ones.

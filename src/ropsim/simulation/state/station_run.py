@@ -7,7 +7,7 @@ from ropsim.flow import AwaitInstruction, JointReference, ModalState, Origin
 from ropsim.kinematics import forward_batch, frames_batch
 from ropsim.model import Payload, Station, Tool, external_links, link_name, tool_body
 from ropsim.planning import MotionChain
-from ropsim.simulation.devices.course import Course
+from ropsim.simulation.devices.axis_profile import AxisProfile
 from ropsim.simulation.records.activation import Activations
 from ropsim.simulation.records.looked_wait import LookedWait
 from ropsim.simulation.records.move_span import MoveSpan, PathSpan
@@ -75,7 +75,7 @@ class StationRun:
     paths: list[PathSpan] = field(default_factory=list)
     tracks: dict[str, Track] = field(default_factory=dict)
     activations: Activations = field(default_factory=Activations)
-    fingers: dict[str, Course] = field(default_factory=dict)
+    fingers: dict[str, AxisProfile] = field(default_factory=dict)
     awaits: AwaitInstruction | None = None
     polled: Polled | None = None
     looked: LookedWait | None = None

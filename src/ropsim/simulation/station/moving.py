@@ -1,4 +1,4 @@
-"""Moves of a run: plan a stretch, follow it, settle at its end."""
+"""Moves of a run: plan a sequence, follow it, settle at its end."""
 
 from collections.abc import Iterator, Sequence
 
@@ -24,35 +24,35 @@ from ropsim.simulation.state.world import SimulatedWorld
 from ropsim.simulation.station.correcting import Correcting
 from ropsim.simulation.station.following import Follower
 from ropsim.simulation.station.guarding import Lookout
-from ropsim.simulation.station.sequences import Stretch, why_it_ends
+from ropsim.simulation.station.sequences import ProgramSequence, why_it_ends
 from ropsim.simulation.station.settle import settle
 from ropsim.spatial import Pose
 
 
-def move(run: CellRun, at: StationRun, stretch: Stretch, world: SimulatedWorld) -> Iterator[None]:
+def move(run: CellRun, at: StationRun, sequence: ProgramSequence, world: SimulatedWorld) -> Iterator[None]:
     """Plan the moves of a motion sequence and follow them; moves that cannot be planned are skipped.
 
     Moves behind a skipped one are planned again from the position of the arm.
     """
-    done, moves = 0, stretch.moves
+    done, moves = 0, sequence.moves
     while done < len(moves) and not at.is_over:
-        order = MotionSequence(moves[done:], at.q_command, at.payload, stretch.ahead)
+        order = MotionSequence(moves[done:], at.q_command, at.payload, sequence.ahead)
         run.ordered(at.station.name, order)
         planned = run.plan(at.station.name, at.chain, order)
         if motion := planned.motion:
             done_then = done + len(motion.plan.moves)
-            why = why_it_ends(stretch) if done_then == len(moves) else NEXT_IS_SKIPPED
+            why = why_it_ends(sequence) if done_then == len(moves) else NEXT_IS_SKIPPED
             _report(run, at, stopped_by(moves[done_then - 1], why))
-            texts = [stretch.said_before(done + number) for number in range(len(motion.plan.moves))]
+            texts = [sequence.said_before(done + number) for number in range(len(motion.plan.moves))]
             yield from _follow(run, at, motion, texts, world)
             done = done_then
         if (refusal := planned.refusal) and not at.cut_short:
-            _say(run, at, stretch.said_before(done))
+            _say(run, at, sequence.said_before(done))
             world.q_met = None
             _skip(run, at, moves[done], refusal.diagnostics)
             done += 1
     if done == len(moves) and not at.cut_short:
-        _say(run, at, stretch.said_before(done))
+        _say(run, at, sequence.said_before(done))
 
 
 def _report(run: CellRun, at: StationRun, findings: Sequence[Diagnostic]) -> None:

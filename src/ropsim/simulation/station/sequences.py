@@ -36,7 +36,7 @@ _NEEDED_FOR = {
 
 
 @frozen_dataclass
-class Stretch:
+class ProgramSequence:
     """Moves of which all except the last have a zone, and messages of the program on the way.
 
     Attributes:
@@ -60,8 +60,8 @@ class Stretch:
         return tuple(text for before, text in self.messages if before == number)
 
 
-def gather(first: MoveInstruction, steps: Steps) -> Stretch:
-    """Return the stretch that begins with a move; the interpreter runs ahead to its end, and to the next PTP.
+def gather(first: MoveInstruction, steps: Steps) -> ProgramSequence:
+    """Return the sequence from a move on; the interpreter runs ahead to its end, and to the next PTP.
 
     A motion sequence ends with a move without a zone or with a condition that ends it, before and behind a
     move that a sensor corrects, and before anything that needs the arm to stand: an output, a gripper, a
@@ -81,7 +81,7 @@ def gather(first: MoveInstruction, steps: Steps) -> Stretch:
         elif isinstance(step, MoveInstruction) and flows and step.tracking is None:
             moves.append(step)
         else:
-            return Stretch(tuple(moves), tuple(messages), step, _ahead(moves, steps))
+            return ProgramSequence(tuple(moves), tuple(messages), step, _ahead(moves, steps))
         steps.take()
 
 
@@ -114,9 +114,9 @@ def _flows(move: MoveInstruction) -> bool:
     return move.guard is None and move.tracking is None and (move.modal.zone > 0.0 or move.modal.passes)
 
 
-def why_it_ends(stretch: Stretch) -> str:
-    """Return why the arm has to stand at the end of a stretch."""
-    match stretch.next:
+def why_it_ends(sequence: ProgramSequence) -> str:
+    """Return why the arm has to stand at the end of a sequence."""
+    match sequence.next:
         case Finished():
             return "the program ends"
         case GripInstruction(action=action):
@@ -130,7 +130,7 @@ def why_it_ends(stretch: Stretch) -> str:
             return f"the program waits for `{channel}` next"
         case SyncInstruction(before=before) if before in _NEEDED_FOR:
             return _NEEDED_FOR[before]
-        case MoveInstruction() if stretch.moves[-1].tracking is not None:
+        case MoveInstruction() if sequence.moves[-1].tracking is not None:
             return "a sensor corrects the move"
         case MoveInstruction(tracking=PathTracking()):
             return "a sensor corrects the next move"

@@ -6,7 +6,7 @@ from ropsim.controller import CellSensors
 from ropsim.flow import Fidelity, in_time
 from ropsim.model import Cell, Device, Payload, Station, link_name, tool_body
 from ropsim.planning import standard_chain
-from ropsim.simulation.devices.course import Course, Piece
+from ropsim.simulation.devices.axis_profile import AxisProfile, ProfileSegment
 from ropsim.simulation.devices.device_run import DeviceRun
 from ropsim.simulation.devices.table import DRIVINGS
 from ropsim.simulation.findings.undriven import undriven
@@ -99,7 +99,7 @@ def _device_run(cell: Cell, device: Device, hz: int) -> DeviceRun:
         DRIVINGS[type(device.drive)](device.drive),
         bodies,
         scripted,
-        Course([Piece(0.0, device.q_start, 0.0, 0.0)]),
+        AxisProfile([ProfileSegment(0.0, device.q_start, 0.0, 0.0)]),
     )
 
 
@@ -129,7 +129,9 @@ def _station_run(
         at.stride = station.controller.rates.interpolation_ticks
     for name, tool in station.tools.items():
         if tool.fingers:
-            at.fingers[tool_body(name, station.name)] = Course([Piece(0.0, tool.fingers.opened, 0.0, 0.0)])
+            at.fingers[tool_body(name, station.name)] = AxisProfile(
+                [ProfileSegment(0.0, tool.fingers.opened, 0.0, 0.0)]
+            )
     at.track("line", 0.0)
     at.track("move", -1.0)
     at.track("gripper", 0.0)

@@ -74,9 +74,9 @@ def work(run: CellRun, at: StationRun, program: Program, options: RunOptions) ->
                 break
             again = isinstance(step, SyncInstruction) and looks.comes_round(machine.code_place, at.tick)
             at.polled = world.polling.look(machine, step, at.tick, again=again)
-            stretch = gather(step, steps) if isinstance(step, MoveInstruction) else None
-            if stretch:
-                yield from move(run, at, stretch, world)
+            sequence = gather(step, steps) if isinstance(step, MoveInstruction) else None
+            if sequence:
+                yield from move(run, at, sequence, world)
             else:
                 yield from _carry_out(run, at, step, world, again=again)
             if isinstance(step, SyncInstruction):

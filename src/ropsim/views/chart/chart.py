@@ -21,7 +21,7 @@ POINTS = 1000
 REACH = 0.3
 """A limit is drawn where the data come to this share of it; else it is named next to the row."""
 
-Stretch = tuple[float, float]
+Interval = tuple[float, float]
 
 
 @record
@@ -57,7 +57,7 @@ class SpanRow:
     """Stretches of time as bars, such as the activations of a task [s]."""
 
     name: str
-    spans: Sequence[Stretch]
+    spans: Sequence[Interval]
     height: float = 16.0
 
 
@@ -71,7 +71,7 @@ class TimeChart:
         description: content of the picture, in a sentence.
         time: [s], shape (n,).
         rows: from top to bottom.
-        bands: stretches of time to shade [s].
+        bands: ranges of time to shade [s].
     """
 
     ident: str
@@ -79,7 +79,7 @@ class TimeChart:
     description: str
     time: Array
     rows: tuple[TraceRow | SpanRow, ...]
-    bands: Sequence[Stretch] = ()
+    bands: Sequence[Interval] = ()
 
 
 def time_chart(chart: TimeChart) -> str:
@@ -111,7 +111,7 @@ def _frame(row: TraceRow | SpanRow, end: float, top: float) -> Frame:
     return Frame(end, top, row.height, *padded(low, high))
 
 
-def _range(traces: tuple[Trace, ...]) -> Stretch:
+def _range(traces: tuple[Trace, ...]) -> Interval:
     known = [trace.values[np.isfinite(trace.values)] for trace in traces]
     extremes = [(float(values.min()), float(values.max())) for values in known if values.size]
     if not extremes:
@@ -126,7 +126,7 @@ def _near_limits(row: TraceRow) -> list[float]:
     return [limit for limit in finite if (high if limit > 0.0 else -low) >= REACH * abs(limit)]
 
 
-def _bands(bands: Sequence[Stretch], frame: Frame) -> str:
+def _bands(bands: Sequence[Interval], frame: Frame) -> str:
     size = f'y="{coordinate(frame.top)}" height="{coordinate(frame.height)}"'
     return "".join(
         f'<rect class="band" x="{coordinate(start)}" width="{coordinate(width)}" {size}/>'
@@ -147,10 +147,10 @@ def _spans(row: SpanRow, frame: Frame) -> str:
     )
 
 
-def _bars(stretches: Sequence[Stretch], frame: Frame) -> list[Stretch]:
+def _bars(intervals: Sequence[Interval], frame: Frame) -> list[Interval]:
     """Return left edge and width of bars; bars that touch on the picture are joined."""
     joined: list[list[float]] = []
-    for start, end in sorted(stretches):
+    for start, end in sorted(intervals):
         x1, x2 = frame.x(max(start, 0.0)), frame.x(min(end, frame.end))
         if joined and x1 - joined[-1][1] < 0.4:
             joined[-1][1] = max(joined[-1][1], x2)
@@ -176,8 +176,8 @@ def _traces(row: TraceRow, frame: Frame, time: Array) -> str:
 
 def _trace(trace: Trace, frame: Frame, time: Array, baseline: float, row: TraceRow) -> str:
     lines = "".join(
-        f'<polyline points="{points(_xs(frame, time[piece]), _ys(frame, trace.values[piece]))}"/>'
-        for piece in min_max(trace.values, POINTS)
+        f'<polyline points="{points(_xs(frame, time[samples]), _ys(frame, trace.values[samples]))}"/>'
+        for samples in min_max(trace.values, POINTS)
     )
     known = trace.values[np.isfinite(trace.values)]
     peak = float(known[np.argmax(np.abs(known))]) if known.size else math.nan

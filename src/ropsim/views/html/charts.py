@@ -8,7 +8,7 @@ from ropsim.core import frozen_dataclass
 from ropsim.flow import AxisFacts, AxisType, GripEvent, MotionKind, MoveEvent, Recording, ReleaseEvent
 from ropsim.spatial import Array
 from ropsim.views.channels import StationView, station_views
-from ropsim.views.chart.chart import Stretch, TimeChart, Trace, TraceRow, time_chart
+from ropsim.views.chart.chart import Interval, TimeChart, Trace, TraceRow, time_chart
 from ropsim.views.chart.plane import PlaneChart, Spot, plane_chart
 from ropsim.views.html.strips import figure, schedule, signals
 from ropsim.views.summary.path_summary import speed
@@ -152,7 +152,7 @@ def _suffix(station: StationView) -> str:
     return "" if len(stations) == 1 else f"-{stations.index(station.facts) + 1}"
 
 
-def _tool_paths(station: StationView) -> list[Stretch]:
+def _tool_paths(station: StationView) -> list[Interval]:
     return [
         (event.time, event.end)
         for event in station.recording.events

@@ -49,7 +49,7 @@ DEFINITIONS: Mapping[str, str] = MappingProxyType(
         "near, beyond": "Near: from 90 % of the limit, and a joint with less than 1° or 1 mm of its range "
         "left. Beyond: above the limit, for speeds by more than 2 %, which the servo may overshoot.",
         "margin": "Smallest distance of the attained joint coordinate from the limit.",
-        "charts": "Drawn from the smallest and the largest sample of each short stretch, so peaks are "
+        "charts": "Drawn from the smallest and the largest sample of each short interval, so peaks are "
         "kept; values at the time cursor are read off the drawn curves. "
         "Tables are computed from all samples.",
     }

@@ -5,7 +5,7 @@ import numpy as np
 from ropsim.flow import ChannelGroup, MoveEvent, Recording, TaskEvent
 from ropsim.spatial import Array
 from ropsim.views.channels import labelled, series, station_views
-from ropsim.views.chart.chart import SpanRow, Stretch, TimeChart, Trace, TraceRow, time_chart
+from ropsim.views.chart.chart import Interval, SpanRow, TimeChart, Trace, TraceRow, time_chart
 from ropsim.views.markup.markup import text
 from ropsim.views.summary.summary import Summary
 
@@ -37,8 +37,8 @@ _INSTRUCTIONS = {"grip": "closing", "release": "opening", "wait": "waiting", "aw
 
 def schedule(recording: Recording, summary: Summary) -> str:
     """Return when each task and each kind of instruction was active; empty where nothing was."""
-    tasks: dict[str, list[Stretch]] = {}
-    lanes: dict[tuple[str, str], list[Stretch]] = {}
+    tasks: dict[str, list[Interval]] = {}
+    lanes: dict[tuple[str, str], list[Interval]] = {}
     for event in recording.events:
         if isinstance(event, TaskEvent):
             tasks.setdefault(labelled(recording, event.station, event.name), []).append(
@@ -99,7 +99,7 @@ def _row(recording: Recording, name: str, label: str) -> TraceRow | SpanRow:
     return TraceRow(label, channel.unit, (Trace(label, series(recording, name)),), height=40.0)
 
 
-def _active(times: Array, values: Array, end: float) -> list[Stretch]:
-    """Return the stretches of time in which a binary quantity is on."""
+def _active(times: Array, values: Array, end: float) -> list[Interval]:
+    """Return the ranges of time in which a binary quantity is on."""
     ends = [*times[1:].tolist(), end]
     return [(float(time), stop) for time, stop, value in zip(times, ends, values, strict=True) if value > 0.5]

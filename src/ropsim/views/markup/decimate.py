@@ -17,7 +17,7 @@ _BLOCK = 64
 _BLOCK_SHARE = 0.2
 """Places of a block, and the share of the tolerance by which one may be off."""
 
-PIECES = 300
+SECTIONS = 300
 """Above this number of pieces a trace with gaps is drawn without them."""
 
 
@@ -33,11 +33,11 @@ def min_max(values: Array, points: int) -> list[Indices]:
     known = np.flatnonzero(np.isfinite(values))
     if known.size == 0:
         return []
-    pieces = np.split(known, np.flatnonzero(np.diff(known) > 1) + 1)
-    if len(pieces) > PIECES:
-        pieces = [known]
+    sections = np.split(known, np.flatnonzero(np.diff(known) > 1) + 1)
+    if len(sections) > SECTIONS:
+        sections = [known]
     bucket = -(-2 * known.size // points)
-    return [piece if bucket <= 2 else _thinned(values, piece, bucket) for piece in pieces]
+    return [section if bucket <= 2 else _thinned(values, section, bucket) for section in sections]
 
 
 def along_curve(x: Array, y: Array, tolerance: float, points: int, kept: Indices) -> Indices:
@@ -117,12 +117,12 @@ def _away(places: Array, ways: Array) -> Array:
     return np.asarray(np.linalg.norm(places - share[:, None] * ways, axis=1))
 
 
-def _thinned(values: Array, piece: Indices, bucket: int) -> Indices:
-    full = piece.size // bucket * bucket
-    blocks, rest = piece[:full].reshape(-1, bucket), piece[full:]
+def _thinned(values: Array, section: Indices, bucket: int) -> Indices:
+    full = section.size // bucket * bucket
+    blocks, rest = section[:full].reshape(-1, bucket), section[full:]
     samples = values[blocks]
     rows = np.arange(blocks.shape[0])
-    kept = [piece[[0, -1]], blocks[rows, samples.argmin(axis=1)], blocks[rows, samples.argmax(axis=1)]]
+    kept = [section[[0, -1]], blocks[rows, samples.argmin(axis=1)], blocks[rows, samples.argmax(axis=1)]]
     if rest.size:
         kept.append(rest[[int(np.argmin(values[rest])), int(np.argmax(values[rest]))]])
     return np.asarray(np.unique(np.concatenate(kept)), dtype=np.intp)

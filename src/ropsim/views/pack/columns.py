@@ -124,6 +124,6 @@ def _held(values: Array, known: npt.NDArray[np.bool_]) -> Array:
 
 
 def _gaps(known: npt.NDArray[np.bool_]) -> list[list[int]]:
-    """Return the stretches [i, j) that have no value."""
+    """Return the ranges [i, j) that have no value."""
     edges = np.flatnonzero(np.diff(np.concatenate([[True], known, [True]])))
     return [[int(i), int(j)] for i, j in edges.reshape(-1, 2)]

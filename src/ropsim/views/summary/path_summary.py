@@ -237,22 +237,24 @@ def _lines(station: StationView, error: Array) -> Iterator[PathLine]:
     inside = np.flatnonzero(np.isfinite(error))
     ordinals, events, run = station.ordinals(), _events(station), _Run.of(station, error)
     moves: dict[int, list[tuple[PathMove, tuple[Array, Array]]]] = {}
-    for piece in np.split(inside, np.flatnonzero(np.diff(ordinals[inside]) != 0) + 1):
-        if piece.size:
-            ordinal = int(ordinals[piece[0]])
-            move = _move(run, piece, ordinal, events.get(ordinal))
+    for samples in np.split(inside, np.flatnonzero(np.diff(ordinals[inside]) != 0) + 1):
+        if samples.size:
+            ordinal = int(ordinals[samples[0]])
+            move = _move(run, samples, ordinal, events.get(ordinal))
             command, attained = run.ways
-            moves.setdefault(move.line, []).append((move, (command[piece], attained[piece])))
+            moves.setdefault(move.line, []).append((move, (command[samples], attained[samples])))
     for line, passes in moves.items():
         repeats = path_repeatability([ways for _, ways in passes]) if station.is_driven else math.nan
         yield PathLine(station.facts.name, line, tuple(move for move, _ in passes), repeats)
 
 
-def _move(run: _Run, piece: Indices, ordinal: int, event: MoveEvent | None) -> PathMove:
-    """Return the figures of the samples `piece`; the event is None of a move that has not ended."""
+def _move(run: _Run, samples: Indices, ordinal: int, event: MoveEvent | None) -> PathMove:
+    """Return the figures of the samples `samples`; the event is None of a move that has not ended."""
     station, (command, attained), (wanted, had) = run.station, run.ways, run.turned
-    worst = int(piece[np.argmax(run.error[piece])])
-    angle = largest_angle(station.time[piece], (command[piece], wanted[piece]), (attained[piece], had[piece]))
+    worst = int(samples[np.argmax(run.error[samples])])
+    angle = largest_angle(
+        station.time[samples], (command[samples], wanted[samples]), (attained[samples], had[samples])
+    )
     move = PathMove(
         station.facts.name,
         ordinal,
@@ -260,13 +262,13 @@ def _move(run: _Run, piece: Indices, ordinal: int, event: MoveEvent | None) -> P
         event.visit if event else 0,
         float(station.time[worst]),
         float(run.error[worst]),
-        rms(run.error[piece]),
+        rms(run.error[samples]),
         angle,
-        speed_figures(run.speeds[0][piece], run.speeds[1][piece]),
+        speed_figures(run.speeds[0][samples], run.speeds[1][samples]),
         math.nan if event is None or event.path_speed is None else event.path_speed,
-        event is not None and _is_early(run, piece, event),
+        event is not None and _is_early(run, samples, event),
     )
-    return move if station.is_driven else _commanded(move, station, int(piece[0]))
+    return move if station.is_driven else _commanded(move, station, int(samples[0]))
 
 
 def _commanded(move: PathMove, station: StationView, first: int) -> PathMove:
@@ -282,16 +284,16 @@ def _commanded(move: PathMove, station: StationView, first: int) -> PathMove:
     )
 
 
-def _is_early(run: _Run, piece: Indices, event: MoveEvent) -> bool:
+def _is_early(run: _Run, samples: Indices, event: MoveEvent) -> bool:
     """Return whether the command of a move stopped at another place than its target.
 
     At the last sample it may still be one sample away from where it stops.
     """
     if not event.target or event.flown > 0.0:
         return False
-    time, speeds = run.station.time[piece], run.speeds[0][piece]
+    time, speeds = run.station.time[samples], run.speeds[0][samples]
     sampled = float(np.max(np.diff(time), initial=0.0)) * float(np.max(speeds, initial=0.0))
-    left = np.linalg.norm(run.ways[0][piece[-1]] - np.array(event.target))
+    left = np.linalg.norm(run.ways[0][samples[-1]] - np.array(event.target))
     return bool(left > NEAR + sampled)
 
 

@@ -16,7 +16,7 @@ MAX_PLACES = 20
 
 @frozen_dataclass
 class _Place:
-    """All marks on one source line or stretch, shown under one arrow."""
+    """All marks on one source line or range, shown under one arrow."""
 
     arrow: str
     span: Span

@@ -5,7 +5,7 @@ from ropsim.views.terminal.columns import Style, Tone, paint
 from ropsim.views.words.characters import clean, visible, width
 
 SHOWN_LINES = 6
-"""A marked stretch of more lines is shown by its first and last ones."""
+"""A marked range of more lines is shown by its first and last ones."""
 
 
 LINE_WIDTH = 100
@@ -17,7 +17,7 @@ EXCERPT = 2000
 
 @frozen_dataclass
 class Mark:
-    """A stretch to underline.
+    """A range to underline.
 
     Attributes:
         span: place to mark.

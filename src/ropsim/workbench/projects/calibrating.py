@@ -49,7 +49,7 @@ def calibrate_project(
         cell_text: the cell file.
         robots: robots read from the files that it names.
         trace: a table of times and joint coordinates: see `read_trace`.
-        planning: called before each stretch that is planned again.
+        planning: called before each sequence that is planned again.
 
     Returns:
         The calibration, None where there is none; and the findings.

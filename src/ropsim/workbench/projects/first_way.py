@@ -75,16 +75,16 @@ def _starts(robot: RobotModel, X_MT: Pose) -> Iterator[tuple[float, Array, Pose]
     for q in (robot.home, *kinematics.configurations(robot, count)):
         X_BT = kinematics.forward(robot, q) @ X_MT
         place = np.round(X_BT.position / _GRID) * _GRID
-        wishes = [Pose(place, X_BT.orientation)]
+        directions = [Pose(place, X_BT.orientation)]
         if robot.n >= _FREE:
-            wishes.insert(0, Pose(place, _DOWN))
-        for wish in wishes:
-            answer = kinematics.inverse(robot, wish @ X_MT.inverse(), IkOptions(near=q))
+            directions.insert(0, Pose(place, _DOWN))
+        for direction in directions:
+            answer = kinematics.inverse(robot, direction @ X_MT.inverse(), IkOptions(near=q))
             if len(answer.solutions):
                 found = answer.solutions[0]
-                good = _goodness(robot, found, wish, length)
+                good = _goodness(robot, found, direction, length)
                 if good > 0.0:
-                    yield good, found, wish
+                    yield good, found, direction
                 break
 
 

@@ -331,7 +331,7 @@ class Project:
         Args:
             trace: a table of times and joint coordinates, logged while the robot ran the program.
             program: name of the one that ran; None for that of the first station.
-            planning: called before each stretch that is planned again.
+            planning: called before each sequence that is planned again.
 
         Returns:
             The calibration, None where there is none; and the findings. Nothing is written.

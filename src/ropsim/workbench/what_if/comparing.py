@@ -69,17 +69,17 @@ def _single(changes: Sequence[Change | Subject], recording: Recording) -> Iterab
 
     The mass of parts is changed if some are gripped.
     """
-    flown, grips = _flown(recording), _grips(recording)
+    blended, grips = _blended_moves(recording), _grips(recording)
     for change in changes:
         if isinstance(change, Subject):
-            yield from (Change(change, line=line, source=source) for source, line in flown)
-        elif grips if _is_of_parts(change) else flown or not _is_of_zones(change):
+            yield from (Change(change, line=line, source=source) for source, line in blended)
+        elif grips if _is_of_parts(change) else blended or not _is_of_zones(change):
             yield change
 
 
 def _in_vain(changes: Iterable[Change | Subject], recording: Recording) -> Iterable[Diagnostic]:
     """Yield why changes are not tried."""
-    if any(map(_is_of_zones, changes)) and not _flown(recording):
+    if any(map(_is_of_zones, changes)) and not _blended_moves(recording):
         yield _without_zones(recording)
     if any(map(_is_of_parts, changes)) and not _grips(recording):
         yield NOTHING_COMPARED.at(
@@ -101,7 +101,7 @@ def _is_of_zones(change: Change | Subject) -> bool:
     return (change if isinstance(change, Subject) else change.subject) is Subject.ZONES
 
 
-def _flown(recording: Recording) -> list[tuple[str, int]]:
+def _blended_moves(recording: Recording) -> list[tuple[str, int]]:
     """Return source and line of the moves whose zones were flown, each once."""
     moves = (move for move in recording.events_of(MoveEvent) if move.flown > 0.0)
     return sorted({(move.span.source, move.span.line) if move.span else ("", 0) for move in moves})

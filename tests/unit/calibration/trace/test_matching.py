@@ -21,38 +21,38 @@ def ends(*places: float) -> Array:
     return np.array([[place, -place] for place in places])
 
 
-def stretches(passages: tuple[Passage, ...]) -> list[tuple[int, int, int]]:
-    return [(one.stretch, one.start, one.end) for one in passages]
+def sequences(passages: tuple[Passage, ...]) -> list[tuple[int, int, int]]:
+    return [(one.sequence, one.start, one.end) for one in passages]
 
 
 def test_stops_of_the_program_are_found_in_order() -> None:
     found = match(rests(0.0, 1.0, 0.5), ends(0.0, 1.0, 0.5), ARM)
-    assert stretches(found) == [(0, 0, 1), (1, 1, 2)]
+    assert sequences(found) == [(0, 0, 1), (1, 1, 2)]
 
 
 def test_pauses_at_a_stop_belong_to_no_motion() -> None:
     found = match(rests(0.0, 0.001, 1.0, 1.001, 0.5), ends(0.0, 1.0, 0.5), ARM)
-    assert stretches(found) == [(0, 1, 2), (1, 3, 4)]
+    assert sequences(found) == [(0, 1, 2), (1, 3, 4)]
 
 
 def test_stops_before_and_behind_the_program_are_passed_over() -> None:
     found = match(rests(0.7, 0.2, 0.0, 1.0, 0.5, 0.9), ends(0.0, 1.0, 0.5), ARM)
-    assert stretches(found) == [(0, 2, 3), (1, 3, 4)]
+    assert sequences(found) == [(0, 2, 3), (1, 3, 4)]
 
 
 def test_a_stop_on_the_way_lies_within_its_motion() -> None:
     found = match(rests(0.0, 0.3, 1.0, 0.5), ends(0.0, 1.0, 0.5), ARM)
-    assert stretches(found) == [(0, 0, 2), (1, 2, 3)]
+    assert sequences(found) == [(0, 0, 2), (1, 2, 3)]
 
 
 def test_of_two_visits_of_a_place_the_one_next_to_the_others_is_taken_though_it_fits_a_little_less() -> None:
     found = match(rests(0.0, 0.7, 0.2, 0.002, 1.0, 0.5), ends(0.0, 1.0, 0.5), ARM)
-    assert stretches(found) == [(0, 3, 4), (1, 4, 5)]
+    assert sequences(found) == [(0, 3, 4), (1, 4, 5)]
 
 
 def test_motions_to_a_stop_that_is_not_there_are_left_out() -> None:
     found = match(rests(0.0, 0.5, 0.2, 0.8), ends(0.0, 1.0, 0.5, 0.2, 0.8), ARM)
-    assert [one[0] for one in stretches(found)] == [2, 3]
+    assert [one[0] for one in sequences(found)] == [2, 3]
 
 
 def test_one_cycle_of_several_is_taken_whole() -> None:
@@ -82,4 +82,4 @@ def test_stops_are_found_whether_long_or_of_a_moment(stand: float, noise: float)
     times: Array = np.arange(float(len(q))) * 0.008
     found = rests_of(Trace(times, rows))
     taken = match(found, np.array([[0.0, 0.0], [1.0, 0.5], [1.05, 0.525], [0.05, 0.025]]), ARM)
-    assert [one.stretch for one in taken] == [0, 1, 2]
+    assert [one.sequence for one in taken] == [0, 1, 2]

@@ -10,7 +10,7 @@ from ropsim import robots
 from ropsim.flow import Recording, ReleaseEvent
 from ropsim.model import Cell, Device, Gripper, IndexDrive, Part, Signal, Station, Tool
 from ropsim.simulation import Fidelity, RunOptions, run
-from ropsim.simulation.devices.course import Course, Piece
+from ropsim.simulation.devices.axis_profile import AxisProfile, ProfileSegment
 from ropsim.simulation.grips.handing import LOOKS, look_for_pulls, take_over
 from ropsim.simulation.parts.placements import Seat
 from ropsim.simulation.state.cell_run import CellRun
@@ -177,7 +177,7 @@ def test_a_device_pulls_too() -> None:
     tcp = (left.carriers(0)[LEFT] @ JAWS.X_MT).position
     run_.parts = run_.parts.with_seats({"post": Seat("table/link1", "table/link1", Pose(tcp))})
     run_.clasps[LEFT] = Clasp(left, JAWS, "post", np.zeros(3), 0)
-    run_.devices["table"].course = Course([Piece(0.0, 0.0, 1.0, 0.0)])
+    run_.devices["table"].profile = AxisProfile([ProfileSegment(0.0, 0.0, 1.0, 0.0)])
     look_for_pulls(run_, 1000, {})
     (found,) = run_.findings
     assert found.code == "S743"

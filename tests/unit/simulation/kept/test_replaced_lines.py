@@ -11,7 +11,7 @@ from ropsim.motion import JOINT_LIMIT_ON_LINE
 from ropsim.planning import MotionSequence, Refusal
 from ropsim.simulation import KeptPlans
 from ropsim.simulation.kept.replaced_lines import on_lines_of
-from ropsim.simulation.records.planned_sequence import PlannedStretch
+from ropsim.simulation.records.planned_sequence import PlannedSequence
 from support.cells import one_station
 from support.motion import CHAIN, PUMA, START, interface_pose, lin, ptp, shifted
 
@@ -27,8 +27,8 @@ def on(*lines: int) -> tuple[MoveInstruction, ...]:
     return tuple(replace(move, origin=Origin(span(line))) for move, line in zip(MOVES, lines, strict=True))
 
 
-def refused(place: Span, marked: Span, fix: TextEdit | None = None) -> PlannedStretch:
-    return PlannedStretch(None, Refusal((found(place, marked, fix),)))
+def refused(place: Span, marked: Span, fix: TextEdit | None = None) -> PlannedSequence:
+    return PlannedSequence(None, Refusal((found(place, marked, fix),)))
 
 
 def found(place: Span, marked: Span, fix: TextEdit | None = None) -> Diagnostic:
@@ -49,7 +49,7 @@ def test_findings_stand_on_the_lines_of_the_moves() -> None:
         refused(span(5), span(4), TextEdit(span(5), "lin")),
     ],
 )
-def test_what_stands_elsewhere_or_changes_the_text_is_planned_anew(told: PlannedStretch) -> None:
+def test_what_stands_elsewhere_or_changes_the_text_is_planned_anew(told: PlannedSequence) -> None:
     assert on_lines_of(on(6, 9), on(4, 5), told) is None
 
 

@@ -22,7 +22,7 @@ from ropsim.flow import (
 )
 from ropsim.icr import Finished
 from ropsim.simulation.records.steps import Step, Steps
-from ropsim.simulation.station.sequences import MOST_AHEAD, Stretch, gather, why_it_ends
+from ropsim.simulation.station.sequences import MOST_AHEAD, ProgramSequence, gather, why_it_ends
 from support.motion import FINE, lin, ptp
 
 ZONE = ModalState(zone=0.01)
@@ -47,7 +47,7 @@ STANDING: dict[str, tuple[Step, str]] = {
 }
 
 
-def stretch_of(*steps: Step) -> tuple[Stretch, list[Step]]:
+def stretch_of(*steps: Step) -> tuple[ProgramSequence, list[Step]]:
     """Return the stretch that begins with the first of these steps, and the steps that it has not taken."""
     left = list(steps)
     first = left.pop(0)

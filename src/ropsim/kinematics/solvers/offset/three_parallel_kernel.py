@@ -121,8 +121,8 @@ def _wrist_angles(
         sb, cb = 0.0, (1.0 if cb > 0.0 else -1.0)
         cC, sC = cos(free6), sin(free6)
         ca, sa = _first_angle(N, cC, sC)
-        wished = atan2(sa, ca)
-        shift = _reaching(arm, x, z, wished) - wished
+        target = atan2(sa, ca)
+        shift = _reaching(arm, x, z, target) - target
         if shift != 0.0:  # α ± C is determined by the pose
             turned = free6 - shift * cb
             cC, sC = cos(turned), sin(turned)

@@ -3,7 +3,7 @@
 from ropsim.language.check.doubts import numerals
 from ropsim.language.check.scope.body import Body
 from ropsim.language.findings import types as kinds
-from ropsim.language.report import Stretch
+from ropsim.language.report import OffsetRange
 from ropsim.language.syntax import nodes
 from ropsim.spatial import PoseTuple, quaternion
 
@@ -30,7 +30,7 @@ def _check(body: Body, node: nodes.Tuple, X_KF: PoseTuple, moving: str) -> None:
     frame_z_B = quaternion.rotate(X_BF[3:], (0.0, 0.0, 1.0))
     if sum(a * b for a, b in zip(frame_z_B, body.world.environment.up, strict=True)) < _UPRIGHT:
         return
-    place = Stretch(node.turns[0].start, node.turns[-1].end)
+    place = OffsetRange(node.turns[0].start, node.turns[-1].end)
     written = body.written(place)
     upright = f"rpy 0 0 0, {written}"
     if len(node.turns) == 1:

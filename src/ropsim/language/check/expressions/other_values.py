@@ -6,7 +6,7 @@ from typing import NoReturn
 
 from ropsim.language.check.scope.body import Body
 from ropsim.language.findings import names as kinds
-from ropsim.language.report import Stretch
+from ropsim.language.report import OffsetRange
 from ropsim.language.syntax import nodes
 from ropsim.language.syntax import statements as syntax
 from ropsim.language.syntax.other_languages import LEVELS
@@ -115,7 +115,7 @@ def _refuse_rate(body: Body, node: nodes.Name) -> None:
     word = node.text.lower()
     if found is None or word not in (*_SECONDS, *_MINUTES):
         return
-    place, said = Stretch(found.start(), node.end), body.line.logical.text[found.start() : node.end]
+    place, said = OffsetRange(found.start(), node.end), body.line.logical.text[found.start() : node.end]
     message = (
         f"there is no unit `{found[2]}/{node.text}`" if word != "s" else f"there is no name `{node.text}`"
     )

@@ -1,4 +1,4 @@
-"""The part of a trace in which one stretch is made."""
+"""The part of a trace in which one sequence is made."""
 
 import math
 
@@ -14,21 +14,21 @@ from ropsim.spatial import Array, frozen, record
 _AROUND = 0.15
 """Longest time before and behind a motion sequence that is evaluated [s]."""
 _MOST_SAMPLES = 500
-"""Samples of a stretch that are compared at most; more are thinned out."""
+"""Samples of a sequence that are compared at most; more are thinned out."""
 _LONGEST_STAND = 0.1
 """Longest stand on the way of a motion sequence [s]; a longer one is a hold of the robot."""
 _NOISE = 6.0
 """The same in steps of the encoders."""
 _BEGUN = 0.01
-"""Share of the way from which on a stretch has begun, and up to which it has not ended."""
+"""Share of the way from which on a sequence has begun, and up to which it has not ended."""
 
 
 @record
-class LoggedStretch:
+class LoggedSequence:
     """Log of a motion sequence.
 
     Attributes:
-        number: of the stretch.
+        number: of the sequence.
         time: since its first sample here [s], shape (k,).
         q: joint coordinates [rad | m], shape (k, n); they begin and end where the program does.
         noise: of each axis [rad | m], shape (n,).
@@ -47,7 +47,7 @@ class LoggedStretch:
         """Return when a motion leaves its start, and when it comes to its end [s]; NaN where it does neither.
 
         Args:
-            q: joint coordinates at the times of this stretch [rad | m], shape (k, n).
+            q: joint coordinates at the times of this sequence [rad | m], shape (k, n).
         """
         left, ahead = np.abs(q - q[0]).max(axis=1), np.abs(q - q[-1]).max(axis=1)
         way = min(float(np.abs(self.q - end).max()) for end in (self.q[0], self.q[-1]))
@@ -55,9 +55,9 @@ class LoggedStretch:
         return _first(self.time, left, level), _first(-self.time[::-1], ahead[::-1], level) * -1.0
 
 
-def logged_stretch(
+def logged_sequence(
     trace: Trace, rests: Rests, passage: Passage, motion: MotionPlan, number: int
-) -> LoggedStretch | None:
+) -> LoggedSequence | None:
     """Return the log of a motion sequence, None if the robot stood on its way.
 
     Encoders, zero positions and tools differ a little from the model, so both ends of the sequence are set to
@@ -66,9 +66,9 @@ def logged_stretch(
     Args:
         trace: whole.
         rests: its stops.
-        passage: where the stretch is.
-        motion: the stretch as planned.
-        number: of the stretch.
+        passage: where the sequence is.
+        motion: the sequence as planned.
+        number: of the sequence.
     """
     (begun, left), (come, gone) = rests.spans[passage.start], rests.spans[passage.end]
     stands = rests.spans[passage.start + 1 : passage.end]
@@ -86,19 +86,19 @@ def logged_stretch(
     way = np.linalg.norm(np.diff(q, axis=0), axis=1)
     share = np.concatenate(([0.0], np.cumsum(way)))[:, None] / max(float(way.sum()), 1e-12)
     shifted = q - wrong[0] - share * (wrong[1] - wrong[0])
-    return LoggedStretch(number, trace.time[samples] - trace.time[first], shifted, rests.noise)
+    return LoggedSequence(number, trace.time[samples] - trace.time[first], shifted, rests.noise)
 
 
-def duration(logged: LoggedStretch, motion: MotionPlan, start: float) -> float:
-    """Return how long a stretch lasted in the trace [s].
+def duration(logged: LoggedSequence, motion: MotionPlan, start: float) -> float:
+    """Return how long a sequence lasted in the trace [s].
 
     Its first and last hundredth are hidden by the steps of the encoders: there the duration of a fitted
     planned motion is used; only the part between is measured.
 
     Args:
-        logged: the stretch.
+        logged: the sequence.
         motion: that fits it.
-        start: when that begins, on the times of the stretch [s].
+        start: when that begins, on the times of the sequence [s].
     """
     seen = logged.crossings(logged.q)
     told = logged.crossings(coordinates(motion, logged.time - start))

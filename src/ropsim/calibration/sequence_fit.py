@@ -1,4 +1,4 @@
-"""Fitting one stretch: by which factors its limits must change for it to go as in the trace."""
+"""Fitting one sequence: by which factors its limits must change for it to go as in the trace."""
 
 import math
 from collections.abc import Sequence
@@ -6,7 +6,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from ropsim.calibration.limits import ORDERS, MotionSettings
-from ropsim.calibration.logged_stretch import LoggedStretch
+from ropsim.calibration.logged_sequence import LoggedSequence
 from ropsim.calibration.replanning import Replan, coordinates, speeds
 from ropsim.planning import MotionPlan
 from ropsim.spatial import Array, record
@@ -26,25 +26,25 @@ _ENOUGH = 1e-3
 
 
 @record
-class StretchFit:
-    """How a stretch goes as in the trace.
+class SequenceFit:
+    """How a sequence goes as in the trace.
 
     Attributes:
-        logged: the stretch.
+        logged: the sequence.
         settings: under which it does.
         motion: it then.
-        start: when it begins, on the times of the stretch [s].
+        start: when it begins, on the times of the sequence [s].
         error: of the joints, root of the mean square [rad | m].
     """
 
-    logged: LoggedStretch
+    logged: LoggedSequence
     settings: MotionSettings
     motion: MotionPlan
     start: float
     error: float
 
 
-def placed(logged: LoggedStretch, settings: MotionSettings, motion: MotionPlan) -> StretchFit:
+def placed(logged: LoggedSequence, settings: MotionSettings, motion: MotionPlan) -> SequenceFit:
     """Return a planned motion at the time at which it fits the trace best.
 
     Gauss-Newton on its start alone, from where half of the way is done in both.
@@ -64,25 +64,25 @@ def placed(logged: LoggedStretch, settings: MotionSettings, motion: MotionPlan) 
         if abs(step) < 1e-6:
             break
     wrong = logged.q - coordinates(motion, logged.time - start)
-    return StretchFit(logged, settings, motion, start, float(np.sqrt(np.mean(wrong * wrong))))
+    return SequenceFit(logged, settings, motion, start, float(np.sqrt(np.mean(wrong * wrong))))
 
 
-def fit_stretch(
-    replan: Replan, logged: LoggedStretch, settings: MotionSettings, groups: Sequence[int]
-) -> StretchFit | None:
-    """Return the fit of a stretch, None where it cannot be planned.
+def fit_sequence(
+    replan: Replan, logged: LoggedSequence, settings: MotionSettings, groups: Sequence[int]
+) -> SequenceFit | None:
+    """Return the fit of a sequence, None where it cannot be planned.
 
     Levenberg-Marquardt (Marquardt 1963) on the logarithms of common factors of all speeds, accelerations
     and jerks.
 
     Args:
-        replan: plans the stretch.
-        logged: the stretch.
+        replan: plans the sequence.
+        logged: the sequence.
         settings: where to begin.
         groups: which limits may change: 0 of the joints, 1 of the tool.
     """
     free = [group * ORDERS + order for group in groups for order in range(ORDERS)]
-    best: StretchFit | None = None
+    best: SequenceFit | None = None
     factors = np.zeros(2 * ORDERS)
     allowed = np.isin(np.arange(2 * ORDERS), free)
     for begin in _beginnings(replan, logged, settings) * allowed:
@@ -110,11 +110,11 @@ def fit_stretch(
 def _improved(
     replan: Replan,
     settings: MotionSettings,
-    best: StretchFit,
+    best: SequenceFit,
     factors: Array,
     free: Sequence[int],
     damping: float,
-) -> tuple[StretchFit, Array, float, list[int]] | None:
+) -> tuple[SequenceFit, Array, float, list[int]] | None:
     """Return a better fit, its factors, the damping for the next one, and which factors have an effect.
 
     Returns None where there is no better one.
@@ -139,7 +139,7 @@ def _improved(
 
 
 def _slopes(
-    replan: Replan, settings: MotionSettings, best: StretchFit, factors: Array, free: Sequence[int]
+    replan: Replan, settings: MotionSettings, best: SequenceFit, factors: Array, free: Sequence[int]
 ) -> tuple[Array, list[int]]:
     """Return how the joints change with start and factors, shape (k·n, 1 + m), and which factors act."""
     times = best.logged.time - best.start
@@ -158,7 +158,7 @@ def _slopes(
     return np.array(columns).T, seen
 
 
-def _beginnings(replan: Replan, logged: LoggedStretch, settings: MotionSettings) -> Array:
+def _beginnings(replan: Replan, logged: LoggedSequence, settings: MotionSettings) -> Array:
     """Return factors to begin with, shape (m, 6): ones, and factors that reproduce the time of the trace."""
     found = [np.zeros(2 * ORDERS)]
     motion = replan(logged.number, settings)
@@ -173,8 +173,8 @@ def _beginnings(replan: Replan, logged: LoggedStretch, settings: MotionSettings)
 
 
 def _fit_at(
-    replan: Replan, logged: LoggedStretch, settings: MotionSettings, factors: Array
-) -> StretchFit | None:
+    replan: Replan, logged: LoggedSequence, settings: MotionSettings, factors: Array
+) -> SequenceFit | None:
     scaled = _scaled(settings, factors)
     motion = replan(logged.number, scaled)
     return placed(logged, scaled, motion) if motion is not None and motion.ticks > 1 else None

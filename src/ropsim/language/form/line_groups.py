@@ -13,7 +13,7 @@ from ropsim.language.syntax.text import Line, read
 
 
 @frozen_dataclass
-class Piece:
+class LineGroup:
     """Some lines that follow each other.
 
     Attributes:
@@ -30,7 +30,7 @@ class Piece:
         return tuple(one for _, written in self.lines for one in written)
 
 
-def pieces(source: SourceText) -> Iterator[Piece]:
+def line_groups(source: SourceText) -> Iterator[LineGroup]:
     """Yield the pieces of a text."""
     lines = told(list(read(source, LineCache())))
     at, behind = 0, 1
@@ -39,7 +39,7 @@ def pieces(source: SourceText) -> Iterator[Piece]:
         while at < len(lines) and lines[at].logical.number < behind:
             at += 1
         own = lines[first:at]
-        yield Piece(tuple(_with_physical(own, source, behind)), _is_sound(own))
+        yield LineGroup(tuple(_with_physical(own, source, behind)), _is_sound(own))
 
 
 def _with_physical(
