@@ -1,1 +1,1 @@
-"""Devices of a running cell: their courses over time, and one file for each kind of drive."""
+"""Devices of a running cell: their motion profiles, and one file for each kind of drive."""

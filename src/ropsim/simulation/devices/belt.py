@@ -13,7 +13,7 @@ TOUCH = 1e-6
 
 @dataclass(slots=True)
 class Belt:
-    """Running state; its variable data are in the course."""
+    """Running state; its variable data are in the profile."""
 
     drive: BeltDrive
 

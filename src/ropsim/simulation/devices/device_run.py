@@ -64,7 +64,7 @@ class Driving(Protocol):
     """The running state of one kind of drive."""
 
     def act(self, profile: AxisProfile, now: Now) -> Told:
-        """Read the signals, change the course from now on, and return new levels and lost parts."""
+        """Read the signals, change the profile from now on, and return new levels and lost parts."""
         ...
 
 

@@ -43,7 +43,7 @@ def room_at(run: CellRun, device: DeviceRun, time: float) -> float:
 
     Args:
         run: the cell.
-        device: that has its course now; other devices than belts are checked at their place.
+        device: that has its profile now; other devices than belts are checked at their place.
         time: from which on [s].
     """
     found = math.inf

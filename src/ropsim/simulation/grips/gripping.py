@@ -7,7 +7,7 @@ import numpy as np
 from ropsim.core import Diagnostic
 from ropsim.flow import GripAction, GripEvent, GripInstruction, ReleaseEvent
 from ropsim.model import Fingers, Gripper, Part, Tool, tool_body
-from ropsim.simulation.devices.course import Course, Piece
+from ropsim.simulation.devices.axis_profile import AxisProfile, ProfileSegment
 from ropsim.simulation.diagnostics.part_diagnostics import NOTHING_GRASPED, TOOL_CANNOT_GRASP
 from ropsim.simulation.grips.handing import kept, let_go, take_over
 from ropsim.simulation.parts.parts import close_on, release
@@ -122,11 +122,11 @@ def _nothing_grasped(grip: GripInstruction, tool: Tool) -> Diagnostic:
     )
 
 
-def go(course: Course, time: float, dwell: float, target: float) -> None:
+def go(profile: AxisProfile, time: float, dwell: float, target: float) -> None:
     """Let fingers go evenly to a coordinate [m] within the dwell [s] that begins at a time [s]."""
-    q, _ = course.at(time)
-    way = [Piece(time, q, (target - q) / dwell, 0.0)] if dwell > 0.0 else []
-    course.go([*way, Piece(time + dwell, target, 0.0, 0.0)])
+    q, _ = profile.at(time)
+    way = [ProfileSegment(time, q, (target - q) / dwell, 0.0)] if dwell > 0.0 else []
+    profile.go([*way, ProfileSegment(time + dwell, target, 0.0, 0.0)])
 
 
 def closed_on(fingers: Fingers, part: Part | None, X_TO: Pose) -> float:

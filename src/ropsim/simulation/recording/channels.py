@@ -76,7 +76,7 @@ def track_channel(station: str, name: str, track: Track, last: int, control_hz: 
     Args:
         station: name of the station that it is of, where it is of one.
         name: `line`, `move`, `gripper`, `payload`, `override`, or `signal.NAME` for a signal of the cell.
-        track: its course.
+        track: its values over time.
         last: tick at which the recording ends; later changes are left out.
         control_hz: ticks per second.
     """

@@ -47,7 +47,7 @@ def with_inputs(cell: Cell, inputs: Iterable[InputChange]) -> Cell:
 
 
 def signal_track(signal: Signal, control_hz: int) -> Track:
-    """Return the course of a signal from its changes."""
+    """Return the values over time of a signal from its changes."""
     track = Track([0], [0.0])
     track.set(0, signal.initial)
     for time, value in signal.changes:

@@ -44,7 +44,7 @@ class StationRun:
         paths: followed parts of the tool paths.
         tracks: piecewise constant channels by name, over control ticks.
         activations: times of the tasks.
-        fingers: courses of the fingers of its tools, by the name of the body of the tool.
+        fingers: profiles of the fingers of its tools, by the name of the body of the tool.
         awaits: its wait, if it waits for a channel.
         polled: its polled readings, if it only polls.
         looked: its wait by polling, while it lasts.
