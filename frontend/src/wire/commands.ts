@@ -1,5 +1,5 @@
 /**
- * What a page says to the server over `/ws/studio`: JSON texts, told apart by `type`.
+ * Messages of a page to the server over `/ws/studio`: JSON texts, distinguished by `type`.
  *
  * Written by `tools/wire_types.py` from `ropsim.studio.wire.commands`: change the records there.
  */
@@ -31,7 +31,7 @@ export interface Save {
   readonly overwrite: boolean
 }
 
-/** Give up unsaved text and read the file again. */
+/** Discard unsaved text and read the file again. */
 export interface Revert {
   readonly type: 'revert'
   readonly document: string
@@ -42,13 +42,13 @@ export interface Create {
   readonly type: 'create'
   /** Its name. */
   readonly document: string
-  /** What it says. */
+  /** Its content. */
   readonly text: string
   /** Of the program, written to `points/NAME.csv`, unless another list is there; empty for none. */
   readonly points: string
 }
 
-/** Write `points/NAME.csv` of a program, over a list that is there: that was asked for. */
+/** Write `points/NAME.csv` of a program, over an existing list, as requested. */
 export interface KeepPoints {
   readonly type: 'keep_points'
   /** `programs/NAME.task`. */
@@ -57,13 +57,13 @@ export interface KeepPoints {
   readonly points: string
 }
 
-/** Let another project take the place of this one; relative paths begin beside this project. */
+/** Open another project in place of this one; relative paths begin at the parent folder of this project. */
 export interface OpenProject {
   readonly type: 'open_project'
   readonly path: string
 }
 
-/** Tell the folders in a place; empty for where projects are. */
+/** List the folders in a place; empty for where projects are. */
 export interface ListFolders {
   readonly type: 'list_folders'
   readonly path: string
@@ -80,7 +80,7 @@ export interface NewProject {
   readonly robot: string
 }
 
-/** Tell for which robots a project can be made. */
+/** List the robots for which a project can be made. */
 export interface ListRobots {
   readonly type: 'list_robots'
 }
@@ -97,7 +97,7 @@ export interface RunNow {
   readonly fidelity: 'dynamic' | 'kinematic'
 }
 
-/** Give up the simulation that is running. */
+/** Cancel the simulation that is running. */
 export interface CancelRun {
   readonly type: 'cancel'
 }
@@ -159,22 +159,22 @@ export interface JogTcp {
   readonly id: number
 }
 
-/** Ask what tasks and places there are; answered by `task_list`. */
+/** Request tasks and places; answered by `task_list`. */
 export interface OpenTasks {
   readonly type: 'open_tasks'
 }
 
-/** A task as it is typed. */
+/** A typed task. */
 export interface TaskStep {
   /** Of the task. */
   readonly name: string
-  /** What is typed for each location; blank for none. */
+  /** Text typed for each location; blank for none. */
   readonly points: readonly string[]
-  /** What is typed for each other parameter, with its unit; blank for none. */
+  /** Text typed for each other parameter, with its unit; blank for none. */
   readonly values: readonly string[]
 }
 
-/** Ask what is said of steps; answered by `tasks_checked`, then `tasks_estimated` if nothing newer comes. */
+/** Request the states of steps; answered by `tasks_checked`, then possibly by `tasks_estimated`. */
 export interface CheckTasks {
   readonly type: 'check_tasks'
   /** Comes back in the answers. */
@@ -183,7 +183,7 @@ export interface CheckTasks {
   readonly steps: readonly TaskStep[]
 }
 
-/** Ask for the form of a task; answered by `task_form`. */
+/** Request the form of a task; answered by `task_form`. */
 export interface OpenTaskForm {
   readonly type: 'open_task_form'
   readonly task: string
@@ -211,7 +211,7 @@ export interface TaskFormFields {
   readonly body: string
 }
 
-/** Ask what is said of a form; answered by `task_form_checked`. */
+/** Request the findings on a form; answered by `task_form_checked`. */
 export interface CheckTaskForm {
   readonly type: 'check_task_form'
   /** Comes back. */
@@ -224,7 +224,7 @@ export interface CheckTaskForm {
   readonly form: TaskFormFields
 }
 
-/** Ask what the robot of the command line was told so far; answered by `command_line`. */
+/** Request the dialogue of the command line so far; answered by `command_line`. */
 export interface OpenCommandLine {
   readonly type: 'open_command_line'
 }
@@ -238,7 +238,7 @@ export interface TellRobot {
   readonly line: string
 }
 
-/** Ask what can end a line of the command line; answered by `words_offered`. */
+/** Request completions of a line of the command line; answered by `words_offered`. */
 export interface CompleteLine {
   readonly type: 'complete_line'
   /** Comes back in the answer. */
@@ -247,7 +247,7 @@ export interface CompleteLine {
   readonly line: string
 }
 
-/** Give up the line that the robot of the command line carries out; it is as before. */
+/** Cancel the line that the robot of the command line executes; the robot is unchanged. */
 export interface GiveUpLine {
   readonly type: 'give_up_line'
 }

@@ -1,5 +1,5 @@
 /**
- * What the server says to a page over `/ws/studio`: JSON texts, told apart by `type`.
+ * Messages of the server to a page over `/ws/studio`: JSON texts, distinguished by `type`.
  *
  * Written by `tools/wire_types.py` from `ropsim.studio.wire.messages`: change the records there.
  */
@@ -12,7 +12,7 @@ import type { ResultFigures } from './result'
 export interface DocumentState {
   /** Path inside the project, such as `programs/main.task` or `cell.toml`. */
   readonly name: string
-  /** Under which the language server knows it. */
+  /** Of the document at the language server. */
   readonly uri: string
   /** By the ending of its name. */
   readonly language: 'task' | 'toml' | 'icr' | 'prolog'
@@ -26,11 +26,11 @@ export interface DocumentState {
   readonly conflict: boolean
   /** Unsaved text of an earlier session has been brought back. */
   readonly recovered: boolean
-  /** Names the content of the file on which the text was written; an edit gives it back. */
+  /** Names the content of the file on which the text was written; an edit returns it. */
   readonly base: string
 }
 
-/** Whether the project folder is trusted, and what in it is code. */
+/** Whether the project folder is trusted, and its files of code. */
 export interface TrustState {
   /** Whether code in the project may run. */
   readonly trusted: boolean
@@ -44,7 +44,7 @@ export interface ExampleState {
   readonly summary: string
 }
 
-/** The project; sent on connection and when documents have come or gone. */
+/** The project; sent on connection and when documents were added or removed. */
 export interface Welcome {
   readonly type: 'welcome'
   /** Version of the server. */
@@ -76,7 +76,7 @@ export interface TrustChanged {
   readonly code: readonly string[]
 }
 
-/** The cell as it is drawn; sent on connection and when the cell file changes. */
+/** The scene of the cell; sent on connection and when the cell file changes. */
 export interface SceneMessage {
   readonly type: 'scene'
   /** Null while the cell is broken. */
@@ -119,7 +119,7 @@ export interface RunStatus {
   readonly program: string
   /** Why there is no run. */
   readonly message: string
-  /** Of compiling, and of planning too where `planned`; those of a finished run are in its pack. */
+  /** Of compiling, and also of planning if `planned`; findings of a finished run are in its pack. */
   readonly findings: readonly Finding[]
   /** Number of key presses that the run took as inputs. */
   readonly inputs: number
@@ -131,10 +131,7 @@ export interface RunStatus {
   readonly versions: Readonly<Record<string, number>>
   /** `older` where the text has changed while the run went on live: it stays the result. */
   readonly age: 'newest' | 'older'
-  /**
-   * What the results of the lines of its programs hang on (`ropsim.icr.line_contents`), by document, once it
-   * is done.
-   */
+  /** Keys of the lines of its programs (`ropsim.icr.line_contents`), by document, once it is done. */
   readonly results: Readonly<Record<string, readonly string[]>>
 }
 
@@ -143,9 +140,9 @@ export interface RunWays {
   readonly type: 'ways'
   /** Its number. */
   readonly run: number
-  /** All of the run, instead of those in its pack. */
+  /** All of the run, instead of the findings in its pack. */
   readonly findings: readonly Finding[]
-  /** Its figures, instead of those in its pack. */
+  /** Its figures, instead of the figures in its pack. */
   readonly result: ResultFigures
   /** Its contacts; null for a cell in which nothing can collide. */
   readonly ways: WayFacts | null
@@ -160,11 +157,11 @@ export interface LiveStatus {
   readonly speed: number
   /** Its name. */
   readonly program: string
-  /** Share of the planned speed that is asked for, 0 to 1. */
+  /** Share of the planned speed that is requested, 0 to 1. */
   readonly override: number
 }
 
-/** What one number in the state frames of a live run is. */
+/** Meaning of one number in the state frames of a live run. */
 export interface LiveChannel {
   /** Of the channel. */
   readonly name: string
@@ -172,21 +169,21 @@ export interface LiveChannel {
   readonly column: string
   /** SI unit as text. */
   readonly unit: string
-  /** What the channel is. */
+  /** Description of the channel. */
   readonly description: string
-  /** Under what lists show it. */
+  /** Heading in lists. */
   readonly group: string
-  /** Name of the station or device that it is of; empty for what belongs to the cell. */
+  /** Name of the station or device that it is of; empty for the cell. */
   readonly subject: string
   /** Its value holds between changes, else it is linear. */
   readonly held: boolean
 }
 
-/** What a station of the cell runs. */
+/** Program of a station of the cell. */
 export interface LiveStation {
   /** Of the station. */
   readonly name: string
-  /** Name of its program; empty where it has none. */
+  /** Name of its program; empty without one. */
   readonly program: string
   /** Name of the text whose lines its channel `line` counts. */
   readonly source: string
@@ -199,7 +196,7 @@ export interface LiveLayout {
   readonly channels: readonly LiveChannel[]
   /** Indices of the scene's bodies whose poses are in the frames. */
   readonly bodies: readonly number[]
-  /** Of the cell, with what they run. */
+  /** Of the cell, with their programs. */
   readonly stations: readonly LiveStation[]
 }
 
@@ -229,7 +226,7 @@ export interface SignalStamped {
 /** Something has happened in a live run. */
 export interface Happened {
   readonly type: 'happened'
-  /** As packs have it. A task is told again and again while it goes on, each time longer. */
+  /** As packs have it. A running task is sent repeatedly, each time longer. */
   readonly event: RunEvent
 }
 
@@ -239,7 +236,7 @@ export interface JogBody {
   readonly pose: Pose
 }
 
-/** What limits, reach or singularity have to say. */
+/** Words on limits, reach or singularity. */
 export interface JogWords {
   readonly level: 'error' | 'warning' | 'info'
   readonly text: string
@@ -250,7 +247,7 @@ export interface Jogged {
   readonly type: 'jogged'
   /** Of the jog. */
   readonly id: number
-  /** Joint coordinates that were reached; those of the request where the target cannot be reached. */
+  /** Joint coordinates that were reached; coordinates of the request if the target cannot be reached. */
   readonly q: readonly number[]
   /** Pose of the TCP in W. */
   readonly tcp: Pose
@@ -272,15 +269,15 @@ export interface TaskParameter {
   readonly name: string
   /** `location`, `length`, `int` and so on. */
   readonly kind: string
-  /** As it is typed; empty where there is none. */
+  /** As typed; empty without one. */
   readonly default: string
   /** That a value may have; empty for a plain number. */
   readonly units: readonly string[]
-  /** The state of the cell tells it, nobody types it. */
+  /** Whether the state of the cell determines it, instead of the operator. */
   readonly told: boolean
-  /** What people call it; its name where it has no word. */
+  /** Label for users; its name if it has none. */
   readonly word: string
-  /** What they should know of it, with the bounds of its value. */
+  /** Remark for users, with the bounds of its value. */
   readonly sentence: string
 }
 
@@ -288,26 +285,26 @@ export interface TaskParameter {
 export interface TaskChoice {
   /** How it is called. */
   readonly name: string
-  /** What it is for. */
+  /** Purpose. */
   readonly doc: string
   /**
    * File of the library that it comes from; `yours` for one of the user's own folder, empty for one of the
    * project.
    */
   readonly group: string
-  /** What must be true before it, in words. */
+  /** Its preconditions, in words. */
   readonly needs: readonly string[]
   /** In their order. */
   readonly parameters: readonly TaskParameter[]
 }
 
-/** What may stand for points. */
+/** Choice for points. */
 export interface PlaceChoice {
   /** The list of points to which it belongs; empty for a location of the cell. */
   readonly list: string
   /** Of a location or of a point in the list; empty for the whole list. */
   readonly name: string
-  /** What is typed for it. */
+  /** Text typed for it. */
   readonly text: string
   /** Points that it stands for. */
   readonly count: number
@@ -315,15 +312,15 @@ export interface PlaceChoice {
   readonly frame: boolean
 }
 
-/** Where a part lies; the place is empty where nobody knows. */
+/** Where a part lies; the place is empty if unknown. */
 export interface PartPlace {
   readonly part: string
   readonly place: string
 }
 
-/** What is true at one time. */
+/** Facts at one time. */
 export interface WorldNow {
-  /** `open` or `closed`; `none` where the tool has none, empty where nobody knows. */
+  /** `open` or `closed`; `none` if the tool has no gripper, empty if unknown. */
   readonly gripper: string
   /** Part in the gripper; empty for none. */
   readonly held: string
@@ -333,18 +330,18 @@ export interface WorldNow {
   readonly others: readonly string[]
 }
 
-/** What may be chosen. */
+/** Tasks and places to choose from. */
 export interface TaskList {
   readonly type: 'task_list'
   /** Counts how often cell, tasks or lists of points were others. */
   readonly revision: number
-  /** Those of the library first. */
+  /** Tasks of the library first. */
   readonly tasks: readonly TaskChoice[]
   /** That parameters of tasks may have. */
   readonly kinds: readonly string[]
   /** Locations of the cell, then lists of points with their points. */
   readonly places: readonly PlaceChoice[]
-  /** What is true before the first step. */
+  /** Facts before the first step. */
   readonly begin: WorldNow
   /** Of cell, tasks and lists. */
   readonly findings: readonly Finding[]
@@ -352,19 +349,19 @@ export interface TaskList {
   readonly problem: string
 }
 
-/** What is said of a step. */
+/** State of a step. */
 export interface StepState {
   /** The call that it is, as task text. */
   readonly call: string
   /** Whether it is possible. */
   readonly accepted: boolean
-  /** `accepted`, or what stands against it. */
+  /** `accepted`, or the reason against it. */
   readonly message: string
-  /** What to do about it. */
+  /** Next action. */
   readonly hint: string
-  /** What is doubtful about a step that is possible; empty for nothing. */
+  /** Doubts about a possible step; empty for none. */
   readonly warning: string
-  /** The parameters that the state has told, with what it told. */
+  /** The parameters determined by the state, with their values. */
   readonly told: readonly PartPlace[]
   /** After it. */
   readonly world: WorldNow
@@ -378,7 +375,7 @@ export interface ProgramPoint {
   readonly name: string
   /** X Y Z [mm] Pitch Roll Yaw [deg] in the base frame; null where it has no pose. */
   readonly numbers: readonly [number, number, number, number, number, number] | null
-  /** Of the tool in W; null likewise. */
+  /** Of the tool in W; null without a point. */
   readonly pose: Pose | null
 }
 
@@ -387,7 +384,7 @@ export interface TasksChecked {
   readonly type: 'tasks_checked'
   /** Of the command. */
   readonly id: number
-  /** Of what may be chosen; another one than that of the list asks for a new list. */
+  /** Of the choices; if it differs from that of the list, request a new list. */
   readonly revision: number
   /** One for each that was sent. */
   readonly steps: readonly StepState[]
@@ -399,7 +396,7 @@ export interface TasksChecked {
   readonly listed: string
   /** Why there is no answer or no text; empty where there is. */
   readonly problem: string
-  /** What no step was looked at for, as one line; empty for nothing. */
+  /** Omitted checks, as one line; empty for none. */
   readonly unchecked: string
 }
 
@@ -410,7 +407,7 @@ export interface TasksEstimated {
   readonly id: number
   /** Cycle time [s]; null where the program does not come to its end. */
   readonly seconds: number | null
-  /** What planning has found first; empty for nothing. */
+  /** First finding of planning; empty for none. */
   readonly message: string
 }
 
@@ -451,7 +448,7 @@ export interface TaskFormOpened {
   readonly kinds: readonly string[]
 }
 
-/** What is found of a field. */
+/** Finding on a field. */
 export interface FormFault {
   /** `name`, `parameters`, or a property of the clause, such as `pre` or `body`. */
   readonly field: string
@@ -461,7 +458,7 @@ export interface FormFault {
   readonly severity: string
   /** In words. */
   readonly message: string
-  /** What to do; empty for nothing. */
+  /** Next action; empty for none. */
   readonly hint: string
 }
 
@@ -472,31 +469,31 @@ export interface TaskFormChecked {
   readonly id: number
   /** The whole text of the document with the form in it; empty where the form is no clause yet. */
   readonly text: string
-  /** The clause alone, as it stands in that text. */
+  /** The clause alone, as in that text. */
   readonly clause: string
   /** Of the fields. */
   readonly faults: readonly FormFault[]
 }
 
-/** A line that was told, with what was answered. */
+/** An executed line with its answer. */
 export interface ToldLine {
-  /** As it was typed, several lines where it is a block. */
+  /** As typed, several lines where it is a block. */
   readonly line: string
-  /** What became of it. */
+  /** Its outcome. */
   readonly outcome: 'open' | 'moved' | 'answered' | 'refused' | 'over'
-  /** What is answered. */
+  /** Lines of the answer. */
   readonly told: readonly string[]
-  /** About it; lines in the text `session` count those of all commands. */
+  /** About it; lines in the text `session` count lines of all commands. */
   readonly findings: readonly Finding[]
   /** Line of that text in which it begins. */
   readonly first: number
-  /** Number of the run of all commands, at `/told/<run>.pack`; 0 where it is as before. */
+  /** Number of the run of all commands, at `/told/<run>.pack`; 0 if it is unchanged. */
   readonly run: number
   /** When the motion of this command begins in that run [s]. */
   readonly since: number
 }
 
-/** All that was told so far; sent to a tab that opens the command line. */
+/** The dialogue so far; sent to a tab that opens the command line. */
 export interface CommandLineState {
   readonly type: 'command_line'
   /** In their order; the oldest ones may be left out. */
@@ -510,24 +507,24 @@ export interface LineAnswered {
   readonly type: 'line_answered'
   /** Of the line; 0 for a line of another tab. */
   readonly id: number
-  /** With what was answered. */
+  /** With its answer. */
   readonly line: ToldLine
   /** How many commands the robot has carried out that were not taken back. */
   readonly commands: number
 }
 
-/** What can end a line. */
+/** Completions of a line. */
 export interface WordsOffered {
   readonly type: 'words_offered'
   /** Of the question. */
   readonly id: number
-  /** The word at the end, as far as it stands there. */
+  /** The incomplete word at the end. */
   readonly begun: string
   /** By name; they begin as that does. */
   readonly words: readonly string[]
 }
 
-/** Something to tell the user. */
+/** Notice for the user. */
 export interface Notice {
   readonly type: 'notice'
   readonly level: 'error' | 'warning' | 'info'
@@ -536,7 +533,7 @@ export interface Notice {
   readonly hint: string
 }
 
-/** What became of what a dialog of the page asked for: a new program, a new project, another project. */
+/** Result of a dialog of the page: a new program, a new project, another project. */
 export interface Answered {
   readonly type: 'answered'
   /** Why it was not done; none where it was. */
@@ -556,9 +553,9 @@ export interface FolderState {
 /** The folders in a place of this machine. */
 export interface Folders {
   readonly type: 'folders'
-  /** Path; empty where there is none to look at. */
+  /** Path; empty if there is none to list. */
   readonly place: string
-  /** Of the place; empty where that is not to be looked at. */
+  /** Of the place; empty if that is not to be listed. */
   readonly parent: string
   /** By name. */
   readonly folders: readonly FolderState[]

@@ -1,7 +1,6 @@
 """The browser studio: a web process that serves the pages, and worker processes that compute for it.
 
-The front loads what it offers when it is asked for it: the worker processes come through here too and
-shall not load a web server.
+The front loads its names on request: worker processes also import it and must not load a web server.
 """
 
 from importlib import import_module
@@ -24,7 +23,7 @@ _HOMES = {
 
 
 def __getattr__(name: str) -> object:
-    """Return what the front offers, importing it on first use (PEP 562)."""
+    """Return a name of the front, importing it on first use (PEP 562)."""
     if name not in _HOMES:
         raise AttributeError(f"module 'ropsim.studio' has no attribute {name!r}")
     value: object = getattr(import_module(f"ropsim.studio.{_HOMES[name]}"), name)

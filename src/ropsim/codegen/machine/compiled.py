@@ -43,7 +43,7 @@ def compiled(name: str, source: str, signature: Signature, build: Build, plain: 
     A cache that is damaged or cannot be written costs time only.
 
     Args:
-        name: Python identifier that tells what the function is about.
+        name: Python identifier that names the function.
         source: the text that decides about the machine code.
         signature: of the function.
         build: makes the functions with a compiler.

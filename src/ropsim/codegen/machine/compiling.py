@@ -26,7 +26,7 @@ def compiling_reported(listener: Listener) -> Iterator[None]:
 
 
 def compiling_text(count: int) -> str:
-    """Return what a user reads while a function is compiled, by how many have begun; no total is known."""
+    """Return the progress text while functions are compiled, by their number so far; no total is known."""
     return f"compiling function {count} (each is compiled once)"
 
 

@@ -63,7 +63,7 @@ class Call:
         """
         try:
             block = self._block(*arguments)
-        except (AttributeError, TypeError, ValueError):  # another way, or the error that says what is wrong
+        except (AttributeError, TypeError, ValueError):  # another way, or the error that reports the fault
             words: list[object] = []
             _lay(words, self._kinds, arguments)
             block = self._pack(*words)
@@ -137,7 +137,7 @@ def _block_of(kinds: tuple[Kind, ...]) -> Callable[..., bytes]:
         "pack": _packer(kinds),
     } | classes  # fmt: skip
     exec(compile("\n".join(text), __file__, "exec"), scope)  # our own source, which belongs to this file
-    made: Callable[..., bytes] = scope["block"]  # type: ignore[assignment]  # what the text defines
+    made: Callable[..., bytes] = scope["block"]  # type: ignore[assignment]  # defined by the text
     return made
 
 

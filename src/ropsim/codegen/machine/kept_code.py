@@ -1,4 +1,4 @@
-"""Machine code in the cache folder, under names that hold a digest of all that decides about it."""
+"""Machine code in the cache folder, under names that hold a digest of all its inputs."""
 
 import sys
 from functools import cache
@@ -35,7 +35,7 @@ def keep_code(name: str, code: MachineCode) -> None:
 
 
 def digest_of(source: str) -> str:
-    """Return the digest of a source and of all that makes its machine code on this machine."""
+    """Return the digest of a source and of the tools that make its machine code on this machine."""
     made_by = f"{__version__} {_numba_version()} {sys.version_info[:3]} {host()} {_compiler()}"
     return sha256(f"{made_by}\n{source}".encode()).hexdigest()[:24]
 

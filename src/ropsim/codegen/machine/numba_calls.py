@@ -1,4 +1,4 @@
-"""numba by its public interface: for systems and versions where `numba_stages` gives no machine code."""
+"""numba by its public interface: for systems and versions where `numba_stages` makes no machine code."""
 
 from collections.abc import Callable
 from functools import cache
@@ -21,7 +21,7 @@ _Untyped = Any
 
 @cache
 def numba_calls(bounds: Bounds) -> "NumbaCalls":
-    """Return the one compiler of this kind with such bounds."""
+    """Return the one compiler of this kind with these bounds."""
     return NumbaCalls(bounds)
 
 

@@ -36,7 +36,7 @@ _OPTIONS = {"nopython": True, "error_model": "numpy"}
 _INSIDE = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
 """Of functions that only compiled code calls."""
 _ALONE = {"_nrt": False}
-"""Of functions that make no arrays: those of their callers are counted by nobody."""
+"""Of functions that make no arrays: arrays of their callers are not reference-counted."""
 _ENTRY = "void(CPointer(int64), CPointer(float64))"
 _NATIVE = "cfunc."
 """numba's word before the name of a function, for the one that C calls."""
@@ -79,21 +79,21 @@ def _remembering(kind: Type) -> Type:
     return _Remembering(kind.templates) if type(kind) is Function else kind
 
 
-register_default(_Remembering)(OpaqueModel)  # such a function is no value, as numba's own
+register_default(_Remembering)(OpaqueModel)  # this type is no value, like numba's own function types
 
 
 class _Library(CPUCodeLibrary):  # type: ignore[misc]  # numba has no types
-    """A function by itself, and those that it calls beside it until all are written down."""
+    """A function alone; its callees stay separate until all are emitted."""
 
     def _optimize_functions(self, ll_module: ModuleRef) -> None:
         ll_module.data_layout = self._codegen._data_layout
 
     def finalize(self) -> None:
-        """End the function; numba would put all that it calls into it, and again into each that calls it."""
+        """End the function; numba would link all its callees into it, and again into each that calls it."""
         self._finalized = True
 
     def get_llvm_str(self) -> str:
-        """Return the text of the function and of all that it calls."""
+        """Return the text of the function and of its callees."""
         return str(self._whole())
 
     def _get_module_for_linking(self) -> ModuleRef:
@@ -101,7 +101,7 @@ class _Library(CPUCodeLibrary):  # type: ignore[misc]  # numba has no types
 
     @cached_property
     def _for_others(self) -> ModuleRef:
-        """The function and all that it calls, for numba's own libraries, which may meet it more than once."""
+        """The function and its callees, for numba's own libraries, which may meet it more than once."""
         whole = self._whole()
         for one in whole.functions:
             if not one.is_declaration and one.linkage == Linkage.external:
@@ -116,7 +116,7 @@ class _Library(CPUCodeLibrary):  # type: ignore[misc]  # numba has no types
         return whole
 
     def _called(self, known: set[CPUCodeLibrary]) -> Iterator[CPUCodeLibrary]:
-        """Yield what it calls, and what that calls, but for what is known."""
+        """Yield its direct and indirect callees, except known ones."""
         for one in self._linking_libraries:
             if one not in known:
                 known.add(one)
@@ -136,7 +136,7 @@ class _Codegen(JITCPUCodegen):  # type: ignore[misc]  # numba has no types
     def _add_module(self, module: ModuleRef) -> None: ...
 
     def set_env(self, env_name: str, env: object) -> None:
-        """Do without what only Python's own callers need."""
+        """Omit the environment, which only Python callers need."""
 
 
 class _Target(CPUTarget):  # type: ignore[misc]  # numba has no types
@@ -149,7 +149,7 @@ class _Target(CPUTarget):  # type: ignore[misc]  # numba has no types
 
     @cached_property
     def typing_context(self) -> _CallTypes:
-        """Return what is known of the types of all functions."""
+        """Return the typing context of all functions."""
         return _CallTypes()
 
 
@@ -159,7 +159,7 @@ class _Inside(CPUDispatcher):  # type: ignore[misc]  # numba has no types
     targetdescr = _Target("cpu")
 
     def get_call_template(self, args: tuple[Type, ...], kws: dict[str, Type]) -> object:
-        """Return what its callers need to know; a number in their text is a number like others."""
+        """Return the typing data for its callers; a number in their text is a number like others."""
         return super().get_call_template(tuple(map(unliteral, args)), kws)
 
 

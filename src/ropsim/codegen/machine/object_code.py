@@ -69,7 +69,7 @@ def with_entry(ir: str, symbol: str) -> str:
     """Return the text of a module with the function `ENTRY` of one block of memory.
 
     It calls a function in numba's calling convention, which returns a status and takes two more addresses,
-    for a result and for the text of an exception: nobody reads these.
+    for a result and for the text of an exception: these are not read.
 
     Args:
         ir: LLVM's text of the module.
@@ -79,7 +79,7 @@ def with_entry(ir: str, symbol: str) -> str:
 
 
 def emit_object(ir: str, symbol: str) -> MachineCode:
-    """Return the machine code of one function of a module in LLVM's text form, and of what it calls.
+    """Return the machine code of one function of a module in LLVM's text form, and of its callees.
 
     Raises:
         NoObjectCodeError: this system has object files of another format.
@@ -135,14 +135,14 @@ def unpacked(content: bytes) -> MachineCode:
     """Return the machine code that `packed` made bytes of.
 
     Raises:
-        ValueError: these are no such bytes.
+        ValueError: the bytes have another form.
     """
     symbol, needs, object_file = content.split(b"\n", 2)
     return MachineCode(symbol.decode(), tuple(needs.decode().split()), object_file)
 
 
 def host() -> str:
-    """Return what machine code depends on besides its source: processor and compiler."""
+    """Return the dependencies of machine code other than its source: processor and compiler."""
     import llvmlite
     import llvmlite.binding as llvm
 

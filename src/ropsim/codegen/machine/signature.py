@@ -61,7 +61,7 @@ class Signature:
         """Return the signature of a text such as `void(f8[:,::1], i8)`, as numba writes it.
 
         Raises:
-            ValueError: the function returns something, or takes what compiled code cannot.
+            ValueError: the function returns something, or takes an unsupported argument.
         """
         head, _, rest = text.partition("(")
         words = rest.removesuffix(")").replace(" ", "").replace("],", "];").replace("8,", "8;")
@@ -75,7 +75,7 @@ class Signature:
         """Return the signature that the annotations of a function state.
 
         They are `int`, `float`, `Array1`, `Array2`, `Array3`, or a `NamedTuple` class of these and of other
-        such classes.
+        classes of this kind.
 
         Raises:
             TypeError: the function returns something, or an argument has another annotation or none.

@@ -1,4 +1,4 @@
-"""The clock of a live run: simulated time that passes with the wall's, as fast as the user wants."""
+"""The clock of a live run: simulated time that passes with the wall's, at the speed chosen by the user."""
 
 import math
 from collections.abc import Callable
@@ -11,7 +11,7 @@ SLACK = 0.05
 
 
 class PacedClock:
-    """Simulated time that is shown; it never passes what has been computed.
+    """Simulated time that is shown; it never passes the computed time.
 
     Args:
         wall: returns the time of the wall clock [s]; only differences count.
@@ -55,5 +55,5 @@ class PacedClock:
 
 
 def within_range(speed: float) -> float:
-    """Return the nearest speed that the clock can have; 1 for what is no number."""
+    """Return the nearest speed that the clock can have; 1 for NaN."""
     return 1.0 if math.isnan(speed) else min(max(speed, SLOWEST), FASTEST)

@@ -1,4 +1,4 @@
-"""A simulated robot that carries out commands one by one: what the command line of a page asks of it."""
+"""A simulated robot that executes commands one by one, for the command line of a page."""
 
 import time
 from pathlib import Path
@@ -34,7 +34,7 @@ LISTEN = 0.05
 
 
 class ToldRobot:
-    """The session of commands that was told last; a job brings all that it takes to make it again.
+    """The last session of commands; a job contains everything needed to make it again.
 
     Args:
         workspace: that has read the project before.
@@ -47,7 +47,7 @@ class ToldRobot:
         self._shelf = Shelf()
 
     def tell(self, job: Tell, line: Line) -> ToldReply:
-        """Return what is answered to a line.
+        """Return the answer to a line.
 
         Raises:
             Cancelled: it was given up.
@@ -68,7 +68,7 @@ class ToldRobot:
         return _answer(reply, session, first)
 
     def offer(self, job: OfferWords) -> OfferedReply:
-        """Return what can end a line; nothing in a project that cannot be opened."""
+        """Return the completions of a line; empty in a project that cannot be opened."""
         last = job.line.rpartition("\n")[2]
         folder = Path(job.folder)
         try:
@@ -124,7 +124,7 @@ class _Listener(NobodyWatches):
     """Lets a command be given up while it is carried out.
 
     Args:
-        line: to who has told it.
+        line: connection to the sender.
     """
 
     def __init__(self, line: Line) -> None:

@@ -1,4 +1,4 @@
-"""What a run is a run of: its content decides, not the lines that the text has it on."""
+"""Identity of a run: its content, independent of line numbers in the text."""
 
 import hashlib
 import pickle
@@ -19,7 +19,7 @@ from ropsim.studio.wire.jobs import Fidelity, InputChange
 def content_of(
     cell: Cell, codes: Mapping[str, Program], fidelity: Fidelity, inputs: tuple[InputChange, ...]
 ) -> str:
-    """Return what makes two runs the same: cell, programs without their source lines, fidelity and inputs.
+    """Return the key of a run: cell, programs without their source lines, fidelity and inputs.
 
     Comments, blank lines and names of the text have no part in it.
 

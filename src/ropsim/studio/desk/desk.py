@@ -1,4 +1,4 @@
-"""What the worker knows between two jobs, and who does which job."""
+"""State of the worker between two jobs, and the handlers of jobs."""
 
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
@@ -44,12 +44,12 @@ class Desk:
     """State of the worker.
 
     Attributes:
-        arms: those of the newest scene, None without one.
-        meshes: those of the newest scene, so that files which stay are not converted again.
+        arms: arms of the newest scene, None without one.
+        meshes: meshes of the newest scene, so that unchanged files are not converted again.
         shelf: the newest finished run.
-        workspace: keeps what is made of the texts of the project.
-        bench: the tasks that may be chosen, None before somebody asks.
-        told: the robot that carries out commands, None before the first.
+        workspace: keeps results for the texts of the project.
+        bench: the tasks that may be chosen, None before the first request.
+        told: the robot that executes commands, None before the first.
         is_cold: whether `warm` has something to do.
     """
 
@@ -103,7 +103,7 @@ class Desk:
         return self.told
 
     def warm(self) -> None:
-        """Load what the first jog needs, so that it is as quick as the others."""
+        """Load modules for the first jog, so that it is as quick as the others."""
         if self.is_cold and self.arms is not None:
             self.arms.warm()
         self.is_cold = False

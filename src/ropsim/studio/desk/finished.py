@@ -28,11 +28,11 @@ class FinishedRun:
 
     Attributes:
         number: of the job that made it, or has shown it on other lines since.
-        content: what it is a run of.
-        ready: the program, as it was compiled.
-        recording: what it has left.
+        content: key of its content.
+        ready: the compiled program.
+        recording: its recording.
         origin: how it came about; a live run may have been held, slowed and ended by hand.
-        beside: content of the texts beside which the run stays the result; empty for none.
+        beside: content of later texts for which the run stays the result; empty for none.
     """
 
     number: int
@@ -43,7 +43,7 @@ class FinishedRun:
     beside: str = ""
 
     def is_result_of(self, content: str, cause: Cause) -> bool:
-        """Return whether nothing need be simulated: a live run is none for who asks for a simulation."""
+        """Return whether no simulation is needed: a live run does not satisfy a request for a simulation."""
         return content == self.content and (self.origin is Origin.SIMULATED or cause != "asked")
 
     def stays_beside(self, content: str, cause: Cause) -> bool:
@@ -54,7 +54,7 @@ class FinishedRun:
         """Return the same run for another text of the same content.
 
         Args:
-            number: of the job that asks for it.
+            number: of the requesting job.
             ready: compiled from that text.
         """
         recording = self.recording
@@ -79,7 +79,7 @@ class FinishedRun:
 
 @dataclass(slots=True)
 class Shelf:
-    """Where the newest finished run is kept, and what was worked out for it.
+    """The newest finished run, and results computed for it.
 
     Attributes:
         run: None before the first.
@@ -90,7 +90,7 @@ class Shelf:
     known: KeptRuns | None = None
 
     def known_in(self, cell: Cell) -> KeptRuns:
-        """Return what is known of runs in a cell, for one that begins."""
+        """Return the kept results of runs in a cell, for a new one."""
         if self.known is None or self.known.cell != cell:
             self.known = KeptRuns(cell)
         self.known.begin()

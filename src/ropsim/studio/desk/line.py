@@ -1,4 +1,4 @@
-"""What a job that is being done hears and says: orders in, reports out."""
+"""Connection of a running job: orders in, reports out."""
 
 from collections.abc import Sequence
 from typing import Protocol
@@ -8,11 +8,11 @@ from ropsim.studio.wire.replies import Report
 
 
 class Cancelled(Exception):  # noqa: N818 - it is no error
-    """The job on hand has been given up by who asked for it."""
+    """The job on hand has been given up by its sender."""
 
 
 class Line(Protocol):
-    """The way between a job and who asked for it."""
+    """The connection between a job and its sender."""
 
     @property
     def number(self) -> int:
@@ -20,11 +20,11 @@ class Line(Protocol):
         ...
 
     def report(self, content: Report) -> None:
-        """Tell how the job goes."""
+        """Report the progress of the job."""
         ...
 
     def orders(self, seconds: float) -> Sequence[Order]:
-        """Return what has been ordered since the last call, after waiting at most so long for the first.
+        """Return the orders since the last call, after waiting at most so long for the first.
 
         Raises:
             Cancelled: the job is to be given up.

@@ -39,12 +39,12 @@ from ropsim.studio.wire.replies import Answer, Failed, Reply, Report, RunReply
 
 
 class StopAsked(Exception):  # noqa: N818 - it is no error
-    """The process is to end: it was asked to, or the other end is gone."""
+    """The process is to end: on request, or because the other end is closed."""
 
 
 @contextlib.contextmanager
 def _until_gone() -> Iterator[None]:
-    """Turn what a pipe raises into `StopAsked`, so that nothing else is taken for it."""
+    """Convert exceptions of a pipe to `StopAsked`, distinct from all others."""
     try:
         yield
     except (EOFError, OSError) as error:
@@ -99,7 +99,7 @@ class Mailbox:
         """Send a report or the reply of a job.
 
         Raises:
-            StopAsked: the other end is gone.
+            StopAsked: the other end is closed.
         """
         with _until_gone():
             self._connection.send(Answer(number, content))
@@ -117,7 +117,7 @@ class Mailbox:
         match request.content:
             case Stop():
                 raise StopAsked
-            case Cancel() | Renew():  # what has not begun is asked for anew
+            case Cancel() | Renew():  # a job that has not begun is requested again
                 self._drop(request.number)
             case (
                 Simulate()
@@ -140,14 +140,14 @@ class Mailbox:
                 pass
 
     def _drop(self, number: int) -> None:
-        """Answer a job that has not begun and is wanted no more."""
+        """Answer a job that has not begun and is cancelled."""
         for waiting in [one for one in self._jobs if one[0] == number]:
             self._jobs.remove(waiting)
             self.answer(number, given_up(waiting[1]))
 
 
 def given_up(job: Job) -> Reply:
-    """Return the reply to a job that is wanted no more."""
+    """Return the reply to a job that is cancelled."""
     return RunReply("cancelled", job.program) if isinstance(job, Simulate | LiveStart) else Failed("given up")
 
 

@@ -14,7 +14,7 @@ from ropsim.workbench import Workspace
 
 
 def main(connection: Connection) -> None:
-    """Answer requests until the other end asks to stop or is gone.
+    """Answer requests until the other end requests a stop or is closed.
 
     Args:
         connection: this process's end of the pipe; it carries `Request` and `Answer`.
@@ -32,7 +32,7 @@ def main(connection: Connection) -> None:
 
 
 def answered(desk: Desk, job: Job, line: Line) -> Reply:
-    """Return the reply to a job, whatever happens while it is done."""
+    """Return the reply to a job, also if it fails."""
     try:
         return desk.do(job, line)
     except Cancelled:

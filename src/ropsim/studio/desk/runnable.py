@@ -26,7 +26,7 @@ class Runnable:
         project: as it would be if the texts were saved.
         name: of the program.
         cell: where it runs.
-        codes: verified code of what the stations run, by station.
+        codes: verified code of the programs, by station.
         findings: warnings of reading and compiling.
     """
 
@@ -50,9 +50,9 @@ class Runnable:
 
 
 def results_of(recording: Recording) -> Mapping[str, tuple[str, ...]]:
-    """Return what the results of the lines of the programs of a run hang on, by document, each key once.
+    """Return the keys of the lines of the programs of a run, by document, each key once.
 
-    A program of which no line was done has none: it is a run of that program all the same.
+    A program without an executed line has no keys, although it belongs to the run.
     """
     found: dict[str, set[str]] = {}
     for station in recording.facts.stations:
@@ -85,9 +85,9 @@ def made_ready(job: Simulate | LiveStart, workspace: Workspace) -> Runnable | Ru
     """Return the program of a job, opened and compiled, or why it is refused.
 
     Raises:
-        RopsimError: there is no such project or program.
+        RopsimError: the project or program does not exist.
     """
-    with kept_from_collection():  # the workspace keeps what is made of the texts
+    with kept_from_collection():  # the workspace keeps results for the texts
         return _made_ready(job, workspace)
 
 

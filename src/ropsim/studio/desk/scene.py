@@ -1,4 +1,4 @@
-"""The cell as it is drawn."""
+"""Scene of the cell."""
 
 from functools import partial
 from pathlib import Path
@@ -17,7 +17,7 @@ from ropsim.workbench import ProjectError, Workspace, open_overlaid
 
 @frozen_dataclass
 class OpenedScene:
-    """What became of opening a scene.
+    """Result of opening a scene.
 
     Attributes:
         reply: for the page.

@@ -1,4 +1,4 @@
-"""Finished runs: plan first, then simulate as fast as it goes; tell how far it is, listen for newer texts."""
+"""Finished runs: plan first, then simulate as fast as it goes; report progress, listen for newer texts."""
 
 import time
 from dataclasses import dataclass, replace
@@ -24,18 +24,18 @@ LISTEN = 0.05
 """How often a run listens for being given up [s]."""
 
 TELL = 0.5
-"""How often a run tells how far it is [s]."""
+"""Interval of progress reports of a run [s]."""
 
 PLANNING_ROWS = 1
-"""Recorded rows per second of the run that only plans: nobody looks at them, each tick is judged anyway."""
+"""Recorded rows per second of the run that only plans: they are not used, each tick is judged anyway."""
 
 
 def simulate(job: Simulate, line: Line, shelf: Shelf, workspace: Workspace) -> RunReply:
     """Return the reply to a run. One of the same content is not made again, but shown on the new lines.
 
     Args:
-        job: what to run.
-        line: to who asked for the run.
+        job: run to execute.
+        line: connection to the sender.
         shelf: keeps the newest run.
         workspace: that has read the project before.
 
@@ -69,7 +69,7 @@ def simulate(job: Simulate, line: Line, shelf: Shelf, workspace: Workspace) -> R
 
 
 class Purpose(Enum):
-    """What a program is carried out for."""
+    """Purpose of executing a program."""
 
     PLANNING = "planning"
     RUN = "run"
@@ -89,14 +89,14 @@ def _carried_out(
 
 @dataclass(slots=True)
 class Listener:
-    """Looks on, tells how far the run is and lets it be given up.
+    """Observes a run, reports its progress and allows cancellation.
 
     Attributes:
-        line: to who asked for the run.
+        line: connection to the sender.
         content: of which it is a run.
         ready: the newest text of this content.
         listened: when it listened last [s of the wall clock].
-        told: when it told last.
+        told: time of the last report.
     """
 
     line: Line
@@ -107,11 +107,11 @@ class Listener:
 
     @property
     def may_press(self) -> bool:
-        """Return False: nobody presses keys in a run that goes as fast as it can."""
+        """Return False: a run at full speed has no key presses."""
         return False
 
     def advanced(self, run: RunView) -> None:
-        """Listen and tell, now and then.
+        """Listen and report, now and then.
 
         Raises:
             Cancelled: the run was given up.

@@ -1,4 +1,4 @@
-"""Lines of a run of commands: tasks of the program have theirs in its text, commands have none there."""
+"""Lines of a run of commands: tasks of the program have theirs in its text, commands have no lines there."""
 
 from dataclasses import replace
 
@@ -12,7 +12,7 @@ from ropsim.workbench import SESSION, Session
 def in_program(session: Session) -> Recording:
     """Return the recording of a session on the lines of the program of its project.
 
-    What a command did itself has no line there; what a task of the program did has the line of that task.
+    Actions of a command have no line there; actions of a task of the program have the line of that task.
     """
     recording = session.recording
     program = session.project.program().source.name
@@ -45,5 +45,5 @@ def in_program(session: Session) -> Recording:
 
 
 def _up_to(channel: Channel, last: int) -> Channel:
-    """Return a channel of lines without those behind one."""
+    """Return a channel of lines without the lines behind one."""
     return replace(channel, values=np.where(channel.values > last, 0, channel.values))

@@ -1,4 +1,4 @@
-"""The collisions of the finished run, checked while nothing else is wanted."""
+"""The collisions of the finished run, checked while no other job waits."""
 
 from dataclasses import asdict, replace
 from functools import partial
@@ -14,7 +14,7 @@ def look_at_ways(number: int, line: Line, shelf: Shelf) -> WaysReply | None:
 
     Args:
         number: of the job that made the run.
-        line: to who asked.
+        line: connection to the sender.
         shelf: has the run.
 
     Returns:
@@ -37,6 +37,6 @@ def look_at_ways(number: int, line: Line, shelf: Shelf) -> WaysReply | None:
 
 
 def _listen(line: Line, share: float) -> None:
-    """Go on, whatever share has been checked, unless the check is given up."""
+    """Go on, regardless of the share checked, unless the check is given up."""
     del share
     line.orders(0.0)

@@ -1,4 +1,4 @@
-"""A process of the studio beside the web process: started as a copy where that is safe, ended with it."""
+"""A process of the studio next to the web process: started as a copy where that is safe, ended with it."""
 
 import contextlib
 import multiprocessing
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from multiprocessing.context import ForkServerContext, SpawnContext
 
 PRELOADED = "ropsim.studio.processes.preloaded"
-"""What the children of the studio are made of: half a second of importing, and most of their memory."""
+"""Modules of the children of the studio: half a second of importing, and most of their memory."""
 
 ENDINGS = [
     number
@@ -27,7 +27,7 @@ ENDINGS = [
 """Signals that may be sent to all processes of the studio at once: the web process alone answers them."""
 
 _REAPING = threading.Lock()
-"""Whoever starts a process takes the exit codes of those that have ended, too; a code can be taken once."""
+"""Starting a process also collects the exit codes of ended ones; a code can be collected once."""
 
 
 class _End(Protocol):
@@ -56,16 +56,16 @@ class Child:
         self.process_id = self._process.pid
 
     def has_ended(self, within: float | None = None) -> bool:
-        """Return whether the process is gone; wait for that as long as given [s], else for ever."""
+        """Return whether the process has ended; wait for that at most the time given [s], else for ever."""
         return bool(wait([self._process.sentinel], within))
 
     def kill(self) -> None:
         """End the process at once."""
-        with contextlib.suppress(ValueError):  # it is gone already
+        with contextlib.suppress(ValueError):  # it has ended already
             self._process.kill()
 
     def exit_code(self) -> int:
-        """Wait until the process is gone and return its exit code; this can be called once."""
+        """Wait until the process has ended and return its exit code; this can be called once."""
         wait([self._process.sentinel])
         with _REAPING:
             self._process.join()
@@ -77,9 +77,9 @@ class Child:
 def _context() -> "SpawnContext | ForkServerContext":
     """Return how processes are started: where that is safe, as copies of one process that has imported all.
 
-    That process carries out nothing else, so no lock of a thread is copied: what Python itself prefers on
-    Linux from 3.14 on. The second process, and each that takes the place of a lost one, is there at once, and
-    they share the memory of what is imported.
+    That process does nothing else, so no lock of a thread is copied: the default of Python on Linux from 3.14
+    on. The second process, and each that takes the place of a lost one, starts at once, and they share the
+    memory of imported modules.
     """
     if sys.platform != "linux":
         return multiprocessing.get_context("spawn")

@@ -38,9 +38,9 @@ def _without(places: list[str], folder: Path) -> list[str]:
 
 @contextlib.contextmanager
 def neutral_folder() -> Iterator[Path]:
-    """Make a folder for the time of a studio; what killed studios have left is removed first.
+    """Make a folder for the time of a studio; leftovers of killed studios are removed first.
 
-    Temporary files of this process and of its children are in it, too.
+    Temporary files of this process and of its children are also in it.
     """
     remove_left_folders()
     while True:
@@ -50,7 +50,7 @@ def neutral_folder() -> Iterator[Path]:
             break  # else another studio was just looking whether this one runs
     before = tempfile.tempdir, os.environ.get("TMPDIR")
     tempfile.tempdir = os.environ["TMPDIR"] = str(folder)
-    # the folder of its sockets, which it would make and remove by itself, later than this one goes
+    # the folder of its sockets, which it would make itself and remove after this one
     own = multiprocessing.current_process()._config  # type: ignore[attr-defined]  # there is no other way
     own["tempdir"] = str(folder)
     try:

@@ -13,7 +13,7 @@ LARGEST = 16_000_000
 """Longest message in either direction [bytes]: a text of the largest size, escaped."""
 
 GOODBYE = 1.0
-"""How long a language server may take to end by itself [s]."""
+"""How long a language server may take to end regularly [s]."""
 
 _SERVER = "ropsim.studio.processes.language_server:serve_page"
 

@@ -1,4 +1,4 @@
-"""The language server of a page, in a process of its own: what `ropsim lsp` is, at the end of a socket."""
+"""The language server of a page, in a separate process: the same as `ropsim lsp`, at the end of a socket."""
 
 import socket
 

@@ -11,7 +11,7 @@ from ropsim.studio.wire.orders import Request, Stop
 from ropsim.studio.wire.replies import Answer
 
 GOODBYE = 1.5
-"""How long a worker may take to end by itself, then to be gone after it was killed [s]."""
+"""How long a worker may take to end regularly, then to end after it was killed [s]."""
 
 
 class Pipe:
@@ -22,7 +22,7 @@ class Pipe:
         target: `module:function`; the function is called in the process with its end of the pipe.
         folder: working folder of the process, never that of a project.
         arrived: called with every answer, in a thread of its own.
-        ended: called with the exit code once the process is gone, in that same thread.
+        ended: called with the exit code once the process has ended, in that same thread.
     """
 
     def __init__(
@@ -72,6 +72,6 @@ class Pipe:
         self._ended(code)
 
     def _write(self) -> None:
-        with contextlib.suppress(OSError):  # the process has ended; the reader tells
+        with contextlib.suppress(OSError):  # the process has ended; the reader reports it
             while (request := self._outbox.get()) is not None:
                 self._connection.send(request)

@@ -1,4 +1,4 @@
-"""All that workers and language servers are made of, for the process whose copies they are."""
+"""Modules of workers and language servers, for the process whose copies they are."""
 
 import gc
 

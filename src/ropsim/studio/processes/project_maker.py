@@ -37,7 +37,7 @@ def project_made(place: Path, example: str, robot: str, neutral: Path) -> Path:
 
 
 def make(far: Connection) -> None:
-    """Make the project that is asked for, in this process, and answer with its folder or a finding."""
+    """Make the project that is requested, in this process, and answer with its folder or a finding."""
     from ropsim.workbench import new_project, new_robot_project
 
     place, example, robot = far.recv()

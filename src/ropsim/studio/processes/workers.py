@@ -45,10 +45,10 @@ class WorkerLink:
     """The event loop's end of one worker process, which is started with the first job.
 
     Args:
-        name: what the worker is called in messages.
+        name: name of the worker in messages.
         folder: working folder of the process.
-        lost: told in words when the worker has ended without being asked to.
-        target: what runs in the process.
+        lost: called with a text when the worker has ended unexpectedly.
+        target: function that runs in the process.
     """
 
     def __init__(self, name: str, folder: str, lost: Callable[[str], None], target: str = DESK) -> None:
@@ -74,7 +74,7 @@ class WorkerLink:
         return self._pipe.process_id if self._pipe is not None else None
 
     def submit(self, job: Job, report: Callable[[Report], None] = lambda _: None) -> Task:
-        """Send a job; `report` hears what the worker tells before its reply."""
+        """Send a job; `report` receives reports of the worker before its reply."""
         self.start()
         task = Task(next(self._numbers), job, report, asyncio.get_running_loop().create_future())
         if self._closed:
@@ -90,7 +90,7 @@ class WorkerLink:
             self._send(Request(task.number, order))
 
     def kill(self, why: str = "") -> None:
-        """End the process at once, whatever it does; its jobs end too, and the next job starts a new one.
+        """End the process at once, during any work; its jobs end too, and the next job starts a new one.
 
         Args:
             why: it is ended, for users.

@@ -1,1 +1,1 @@
-"""The open project, its tabs, and what each message of a page does."""
+"""The open project, its tabs, and the effect of each message of a page."""

@@ -24,17 +24,17 @@ PACKS_KEPT = 3
 NOT_NOW = "the robot cannot be told anything now"
 
 LINES_KEPT = 500
-"""Lines that a tab which comes later is still told."""
+"""Number of lines sent to a tab that opens later."""
 
 
 class CommandLine:
-    """The commands that were told and not taken back, and what was answered.
+    """The commands that were executed and not taken back, and the answers.
 
     Args:
         folder: of the project.
         worker: that carries lines out, one after the other.
         texts: returns the unsaved texts.
-        tabs: who sees what is answered.
+        tabs: receivers of the answers.
         create: writes a text for a tab, and returns why that could not be done.
     """
 
@@ -63,14 +63,14 @@ class CommandLine:
         return self._packs.get(run)
 
     async def open(self, tab: Tab) -> None:
-        """Tell a tab what was told so far; at first, where the robot stands."""
+        """Send a tab the dialogue so far; at first, the position of the robot."""
         async with self._turn:
             if not self._lines:
                 self._lines.append(await self._answer(tab, ""))
         tab.send(CommandLineState(tuple(self._lines), len(self._commands)))
 
     async def tell(self, tab: Tab, command: commands.TellRobot) -> None:
-        """Have a line carried out, after those before it, and tell all tabs what became of it."""
+        """Execute a line, after earlier ones, and send the outcome to all tabs."""
         async with self._turn:
             line = await self._answer(tab, command.line)
             if line.outcome == "open":
@@ -82,19 +82,19 @@ class CommandLine:
             one.send(LineAnswered(number, line, len(self._commands)))
 
     async def offer(self, tab: Tab, command: commands.CompleteLine) -> None:
-        """Tell a tab what can end a line."""
+        """Send a tab the completions of a line."""
         job = jobs.OfferWords(self._folder, self._texts(), self._commands, command.line)
         reply = await self._worker.submit(job).reply
         found = reply if isinstance(reply, replies.OfferedReply) else replies.OfferedReply("", ())
         tab.send(WordsOffered(command.id, found.begun, found.words))
 
     def give_up(self) -> None:
-        """Give up the line that is being carried out."""
+        """Cancel the line that is being executed."""
         if self._telling is not None:
             self._worker.order(self._telling, orders.Cancel())
 
     async def _answer(self, tab: Tab, line: str) -> ToldLine:
-        """Return a line with what is answered to it; the commands are those after it from now on."""
+        """Return a line with its answer; from now on the commands are the ones after it."""
         job = jobs.Tell(self._folder, self._texts(), self._commands, line)
         self._telling = self._worker.submit(job)
         reply = await self._telling.reply

@@ -1,4 +1,4 @@
-"""What happens to texts: edits, saves and reverts of the page, changes on the disk, recovery at the start."""
+"""Operations on texts: edits, saves and reverts of the page, changes on the disk, recovery at the start."""
 
 import asyncio
 from collections.abc import Callable, Iterable, Mapping
@@ -22,7 +22,7 @@ TextCommand: TypeAlias = (
     commands.Edit | commands.Save | commands.Revert | commands.Create | commands.KeepPoints
 )
 LOOK = 1.0
-"""Time between two looks at the files on the disk [s]."""
+"""Time between two checks of the files on the disk [s]."""
 
 
 class Editing:
@@ -31,7 +31,7 @@ class Editing:
     Args:
         folder: of the project.
         tabs: who sees the texts.
-        list_changed: called when documents have come or gone.
+        list_changed: called when documents were added or removed.
         text_changed: called with every document whose text is another one.
     """
 
@@ -55,7 +55,7 @@ class Editing:
         self.warnings: list[Diagnostic] = []
 
     async def open(self) -> None:
-        """Read the files and what an earlier session has left; watch the files from now on."""
+        """Read the files and unsaved texts of an earlier session; watch the files from now on."""
         await asyncio.to_thread(remove_leftovers, self._folder)
         try:
             await self.documents.look()
@@ -74,7 +74,7 @@ class Editing:
         self._watching = asyncio.get_running_loop().create_task(self._watch())
 
     async def close(self) -> None:
-        """Keep what is unsaved."""
+        """Keep unsaved texts."""
         if self._watching is not None:
             self._watching.cancel()
         await self._keeper.now()
@@ -82,11 +82,11 @@ class Editing:
             self._journal.close()
 
     async def keep(self) -> None:
-        """Keep what is unsaved, now."""
+        """Keep unsaved texts, now."""
         await self._keeper.now()
 
     async def handle(self, tab: Tab, command: TextCommand) -> None:
-        """Do what a tab wants done to a text, if it may."""
+        """Execute a tab's command on a text, if it may edit."""
         if isinstance(command, commands.Create):
             refusal = await self.create(tab, command.document, command.text, command.points)
             tab.send(Answered(None if refusal is None else notice(refusal)))
@@ -107,7 +107,7 @@ class Editing:
                     tab.send(notice(finding))
 
     async def create(self, tab: Tab, name: str, text: str, points: str = "") -> Diagnostic | None:
-        """Make a new text for a tab, and a list of points beside it; return why that could not be done."""
+        """Make a new text for a tab, with a list of points; return why that failed."""
         if not self._tabs.may_edit(tab):
             return _may_not()
         document, finding = await self.documents.create(name, text, points)
@@ -181,7 +181,7 @@ class Editing:
             self._tabs.tell(PointNames(self.points.names))
 
     def _tell(self, documents: Iterable[Document], knows: Tab | None = None) -> None:
-        """Send the states of documents, with their texts to all tabs but the one that knows them."""
+        """Send the states of documents, with their texts to all tabs except the one that has them."""
         present = [one for one in documents if one in self.documents.all]
         if not present:
             return
@@ -199,10 +199,10 @@ class Editing:
 
 
 def _journal(folder: Path) -> tuple[Journal, Mapping[str, Draft], tuple[Diagnostic, ...]]:
-    """Return a journal and what an earlier session has left in it.
+    """Return a journal and its texts of an earlier session.
 
     Raises:
-        OSError: there can be no journal, or it cannot be read now; then it stays as it is.
+        OSError: there can be no journal, or it cannot be read now; then it stays unchanged.
     """
     journal = Journal(folder)
     try:

@@ -1,4 +1,4 @@
-"""Folders among which the user chooses a project: names below a few places, nothing of what is in them."""
+"""Folders among which the user chooses a project: names below a few places, nothing of their contents."""
 
 import contextlib
 import os
@@ -9,11 +9,11 @@ from ropsim.studio.texts.project_files import CELL
 from ropsim.studio.wire.messages import Folders, FolderState
 
 MOST = 500
-"""So many folders of a place are told, the first by name."""
+"""Number of folders of a place that are listed, the first by name."""
 
 
 def places_of(project: Path) -> tuple[Path, ...]:
-    """Return the places below which folders are told: that of the projects, and the home of the user.
+    """Return the places below which folders are listed: that of the projects, and the home of the user.
 
     Args:
         project: folder of the project that is open; the one around it has the projects, unless it is the
@@ -27,17 +27,17 @@ def places_of(project: Path) -> tuple[Path, ...]:
 
 
 def folders_in(wanted: str, places: Sequence[Path]) -> Folders:
-    """Return the folders in a place; those with a dot before their names are left out.
+    """Return the folders in a place; hidden ones are left out.
 
     Args:
-        wanted: path; empty, or not below one of the places, stands for the first of these.
-        places: below which folders are told.
+        wanted: requested path; empty, or not below one of the places, stands for the first of these.
+        places: below which folders are listed.
     """
     place = _allowed(wanted, places)
     if place is None:
         return Folders("", "", ())
     found: list[FolderState] = []
-    with contextlib.suppress(OSError):  # it is gone, or not ours to read
+    with contextlib.suppress(OSError):  # it was removed, or is not readable
         with os.scandir(place) as entries:
             names = sorted(one.name for one in entries if _is_shown(one, places))
         found = [_state(place / name) for name in names[:MOST]]
@@ -46,7 +46,7 @@ def folders_in(wanted: str, places: Sequence[Path]) -> Folders:
 
 
 def _allowed(wanted: str, places: Sequence[Path]) -> Path | None:
-    with contextlib.suppress(OSError, RuntimeError, ValueError):  # what is no path, links that go round
+    with contextlib.suppress(OSError, RuntimeError, ValueError):  # an invalid path, or links in a circle
         place = Path(wanted).expanduser().resolve() if wanted else None
         if place and place.is_dir() and _is_below(place, places):
             return place

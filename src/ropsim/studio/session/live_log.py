@@ -1,4 +1,4 @@
-"""What a live run has said so far, so that a tab that comes later knows it too."""
+"""Messages of a live run so far, for a tab that opens later."""
 
 from collections.abc import Callable, Mapping
 
@@ -6,11 +6,11 @@ from ropsim.studio.wire.live_messages import LiveStatus
 from ropsim.studio.wire.messages import Message
 
 MOST = {"stamped": 1000, "happened": 4000}
-"""So many key presses and events a late tab still hears of, the newest."""
+"""Number of newest key presses and events sent to a late tab."""
 
 
 class LiveLog:
-    """Messages of the live run that is on; none while there is no such run.
+    """Messages of the present live run; none without one.
 
     Args:
         tell: sends a message to every tab.
@@ -60,7 +60,7 @@ class LiveLog:
         self._tell(message)
 
     def end(self) -> None:
-        """Tell that the run is over and forget it."""
+        """Report that the run is over and forget it."""
         self._tell(LiveStatus("over", self._speed, self._program))
         self._status = None
         self._forget()

@@ -1,8 +1,8 @@
 """Where the studio of a project is found again: its port, and the secret that its pages keep.
 
-A page that is still open when the server ends goes on with the next one by itself: that takes the same port
-and knows the page by the same secret. The secret is in tabs of the browser only, never in an address, and in
-a file that the user alone can read.
+A page that is still open when the server ends reconnects automatically to the next one: that takes the same
+port and identifies the page by the same secret. The secret is in tabs of the browser only, never in an
+address, and in a file that the user alone can read.
 """
 
 import contextlib

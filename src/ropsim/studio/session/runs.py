@@ -18,7 +18,7 @@ QUIET = 0.25
 """How long the text must rest before it is simulated [s]."""
 
 PATIENCE = 60.0
-"""How long the simulator may take to give up a job before it is ended [s]: a function compiles for long."""
+"""How long the simulator may take to cancel a job before it is ended [s]: a function compiles for long."""
 
 PACKS_KEPT = 3
 """Finished runs that a page can still fetch."""
@@ -26,7 +26,7 @@ PACKS_KEPT = 3
 
 @frozen_dataclass
 class Wish:
-    """A run that is wanted; live where it has a speed."""
+    """A requested run; live if it has a speed."""
 
     program: str
     fidelity: jobs.Fidelity
@@ -45,7 +45,7 @@ class Current:
 
 
 class Runs:
-    """What runs, what is to run next, and what has been run.
+    """The present run, the next one, and finished ones.
 
     Args:
         folder: of the project.
@@ -91,7 +91,7 @@ class Runs:
 
     @property
     def news(self) -> tuple[Message, ...]:
-        """Return what a tab that has just come must know: the last good run, the newest one, the live one."""
+        """Return the messages for a new tab: the last good run, the newest one, the live one."""
         said = [self._done, self._ways, self._status if self._status is not self._done else None]
         return (*(one for one in said if one is not None), *self._live.messages)
 
@@ -139,7 +139,7 @@ class Runs:
         self._want(Wish(program, "dynamic", speed, begin=begin))
 
     def cancel(self) -> None:
-        """Give up what runs and what was to run next."""
+        """Cancel the present run and the next one."""
         self._drop_next()
         if self._current is not None:
             self._give_up(self._current)
@@ -303,7 +303,7 @@ class Runs:
             self._say(status)
 
     def _stay(self) -> None:
-        """Tell that the live run stays the result beside texts that say something else."""
+        """Report that the live run stays the result although texts have changed."""
         if self._done is not None:
             self._done = structs.replace(self._done, age="older")
             self._say(self._done)
@@ -324,7 +324,7 @@ class Runs:
         asyncio.get_running_loop().call_later(PATIENCE, self._end_deaf, current)
 
     def _end_deaf(self, current: Current) -> None:
-        """End a simulator that has not given up its job, nor has gone on under another number."""
+        """End a simulator that has neither cancelled its job, nor continued under another number."""
         if self._current is current:
             self._simulator.kill(f"it has not given up an older run within {PATIENCE:g} s")
 

@@ -1,4 +1,4 @@
-"""The cell as it is drawn, and its arms as they are jogged: what the desk worker answers."""
+"""The scene of the cell, and jogged arms, as answered by the desk worker."""
 
 import asyncio
 from collections.abc import Callable, Mapping
@@ -41,7 +41,7 @@ class Scenes:
         self.newest: SceneMessage | None = None
 
     def refresh(self) -> None:
-        """Have the scene made from the texts as they are now; while one is made, once more afterwards."""
+        """Request the scene of the present texts; while one is made, once more afterwards."""
         self._again = True
         if self._refreshing is None or self._refreshing.done():
             self._refreshing = asyncio.get_running_loop().create_task(self._refresh())
@@ -77,7 +77,7 @@ class Scenes:
 
     def _message(self, reply: replies.SceneReply | replies.Failed) -> SceneMessage:
         if isinstance(reply, replies.SceneReply):
-            # a page may still ask for a mesh of the scene before
+            # a page may still request a mesh of the scene before
             self._meshes = {**self._newest_meshes, **reply.meshes}
             self._newest_meshes = reply.meshes
             return SceneMessage(reply.scene, reply.findings)

@@ -1,4 +1,4 @@
-"""One project and the tabs that show it: what each message from a page does."""
+"""One project and the tabs that show it: and the handlers of messages from a page."""
 
 import asyncio
 import time
@@ -104,7 +104,7 @@ class Session:
         self.runs.run("", "dynamic")
 
     async def close(self) -> None:
-        """Keep what is unsaved and end the workers."""
+        """Keep unsaved texts and end the workers."""
         for tab in self._tabs:
             tab.close()
         self.runs.close()
@@ -124,7 +124,7 @@ class Session:
         self._told.kill()
 
     async def receive(self, tab: Tab, text: str | bytes) -> None:
-        """Do what a page says; whatever it says, the session goes on."""
+        """Handle a message of a page; the session continues after any message."""
         command, problem = commands.read_command(text)
         if command is None:
             message = f"the server does not understand what the page says: {problem[:300]}"
@@ -138,7 +138,7 @@ class Session:
             tab.send(notice(shortage(error) or fault))
 
     async def leave(self, tab: Tab) -> None:
-        """Forget a tab that is gone; what it has not saved is kept, and another may edit after a while."""
+        """Forget a closed tab; its unsaved texts are kept, and another may edit after a while."""
         self._tabs.remove(tab)
         asyncio.get_running_loop().call_later(GRACE, self._tabs.pass_on)
         await self.editing.keep()
@@ -289,7 +289,7 @@ class Session:
         tab.send(await self.scenes.jog(command))
 
     def _in_background(self, answering: Coroutine[None, None, None]) -> None:
-        """Answer a tab without holding up what it says next."""
+        """Answer a tab without holding up its next messages."""
         task = asyncio.get_running_loop().create_task(answering)
         self._background.add(task)
         task.add_done_callback(self._background.discard)
@@ -313,7 +313,7 @@ def _no_place(path: str) -> Diagnostic:
 
 
 def _robots() -> tuple[str, ...]:
-    """Return the names of the built-in robots; what knows them is imported for that only."""
+    """Return the names of the built-in robots; the library is imported for that only."""
     from ropsim.workbench import built_in_robots
 
     return built_in_robots()

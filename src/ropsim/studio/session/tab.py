@@ -1,4 +1,4 @@
-"""A tab of the browser: what waits to be sent to it. Messages all arrive, of state frames the newest."""
+"""A tab of the browser: its queue of messages. All messages arrive, of state frames the newest."""
 
 import asyncio
 from collections import deque
@@ -42,13 +42,13 @@ class Tab:
             self.close()
 
     def send_frame(self, frame: bytes) -> None:
-        """Queue a state frame; the oldest waiting one gives way."""
+        """Queue a state frame; the oldest waiting one is dropped."""
         if not self.closed:
             self._frames.append(frame)
             self._something.set()
 
     def close(self) -> None:
-        """Let `pump` end and forget what has not been sent."""
+        """Let `pump` end and drop unsent messages."""
         self._closed.set()
         self._messages.clear()
         self._frames.clear()
@@ -60,7 +60,7 @@ class Tab:
     async def pump(
         self, send_text: Callable[[str], Awaitable[None]], send_bytes: Callable[[bytes], Awaitable[None]]
     ) -> None:
-        """Send what is queued, messages first, until the tab is closed, even if the page reads nothing."""
+        """Send the queue, messages first, until the tab is closed, even if the page reads nothing."""
         if self.closed:
             return
         sending = asyncio.create_task(self._send_all(send_text, send_bytes))
@@ -71,7 +71,7 @@ class Tab:
             sending.cancel()
             closing.cancel()
         if sending.done():
-            sending.result()  # raises what went wrong with the socket
+            sending.result()  # raises the error of the socket
 
     async def _send_all(
         self, send_text: Callable[[str], Awaitable[None]], send_bytes: Callable[[bytes], Awaitable[None]]

@@ -27,10 +27,10 @@ class Tabs:
         return iter(tuple(self._tabs))
 
     def add(self, tab: Tab) -> None:
-        """Enter a tab that has said its name; it may edit if nobody does, or if it did and comes again."""
+        """Enter a tab that has said its name; it may edit if no other does, or if it did and reconnects."""
         self._tabs.append(tab)
         if self._editor is not None and self._editor.name == tab.name:
-            self._editor.send(EditingRight(editing=False))  # a connection that is as good as gone
+            self._editor.send(EditingRight(editing=False))  # a connection that is practically closed
             self._editor = tab
         kept = self._clock() < self._kept_until and self._kept_for != tab.name
         if self._editor is None and not kept:
@@ -45,7 +45,7 @@ class Tabs:
             self._kept_for, self._kept_until = tab.name, self._clock() + GRACE
 
     def pass_on(self) -> None:
-        """Give the right to the tab that is here longest, if nobody has it and it waits for nobody."""
+        """Pass the right to the oldest tab, if no tab has it and none is awaited."""
         if self._editor is None and self._tabs and self._clock() >= self._kept_until:
             self.take_over(self._tabs[0])
 
@@ -54,7 +54,7 @@ class Tabs:
         return tab is self._editor
 
     def take_over(self, tab: Tab) -> None:
-        """Give the right to a tab and tell both."""
+        """Pass the right to a tab and notify both."""
         before, self._editor = self._editor, tab
         if before is not None and before is not tab:
             before.send(EditingRight(editing=False))

@@ -1,4 +1,4 @@
-"""Tasks that tabs choose: a worker of their own answers, started when the first tab asks."""
+"""Tasks that tabs choose: a separate worker answers, started on the first request."""
 
 import asyncio
 from collections.abc import Callable, Mapping
@@ -26,11 +26,11 @@ NOTHING = WorldNow("", "", (), ())
 
 
 class ChosenTasks:
-    """Asks the worker for tabs.
+    """Queries the worker for tabs.
 
     Args:
         folder: of the project.
-        worker: that knows the tasks.
+        worker: worker for tasks.
         texts: returns the unsaved texts.
     """
 
@@ -43,7 +43,7 @@ class ChosenTasks:
         self._checks = count(1)
 
     async def answer(self, tab: Tab, command: commands.OpenTasks | commands.CheckTasks) -> None:
-        """Answer a tab; the time of its program follows a check, unless the tab asks for a newer one."""
+        """Answer a tab; the time of its program follows a check, unless the tab requests a newer one."""
         self._give_up()
         if isinstance(command, commands.OpenTasks):
             tab.send(await self._list())
@@ -72,7 +72,7 @@ class ChosenTasks:
             tab.send(TaskFormChecked(command.id, "", "", (FormFault("name", 0, "error", _why(reply), ""),)))
 
     async def _time(self, tab: Tab, number: int, answered: int, program: str) -> None:
-        """Tell a tab the time of a program; where it gave way to another question it is asked for again."""
+        """Send a tab the time of a program; an estimate cancelled for another request is repeated."""
         while self._newest.get(tab) == number and not tab.closed:
             job = jobs.EstimateTasks(self._folder, self._texts(), answered, program)
             task = self._worker.submit(job)
@@ -80,7 +80,7 @@ class ChosenTasks:
             reply = await task.reply
             if isinstance(reply, replies.TasksReply):
                 tab.send(reply.payload)
-            if self._estimates.pop(task.number, None) is not None:  # nobody gave it up
+            if self._estimates.pop(task.number, None) is not None:  # it was not cancelled
                 return
 
     async def _list(self) -> Message:
@@ -105,7 +105,7 @@ class ChosenTasks:
         return await reply
 
     def _give_up(self) -> None:
-        """Let estimates give way to a question that somebody waits for."""
+        """Cancel estimates for a request that a tab waits for."""
         for task in self._estimates.values():
             self._worker.order(task, orders.Cancel())
         self._estimates.clear()

@@ -11,7 +11,7 @@ from ropsim.userfiles import remember_project
 
 
 class Workplace:
-    """Holds the session; pages and sockets ask for it anew each time.
+    """Holds the session; pages and sockets request it anew each time.
 
     Args:
         folder: of the project that is opened first.
@@ -35,7 +35,7 @@ class Workplace:
         await asyncio.to_thread(remember_project, self._folder)
 
     async def close(self) -> None:
-        """Keep what is unsaved and end the workers."""
+        """Keep unsaved texts and end the workers."""
         async with self._switching:
             await self.session.close()
 
@@ -44,7 +44,7 @@ class Workplace:
         self.session.kill()
 
     def switch(self, folder: Path) -> None:
-        """Let another project take the place of the open one; its pages come back by themselves."""
+        """Let another project take the place of the open one; its pages reconnect automatically."""
         task = asyncio.get_running_loop().create_task(self._switch(folder))
         self._tasks.add(task)
         task.add_done_callback(self._tasks.discard)

@@ -1,4 +1,4 @@
-"""A text of the project: what its file has, what the page has, and whether they agree."""
+"""A text of the project: the content of its file, the content of the page, and whether they agree."""
 
 import hashlib
 from dataclasses import dataclass, field
@@ -40,7 +40,7 @@ class Document:
         disk: content of the file when it was read last, None where there is none.
         base: SHA-256 of the content on which the text was written, empty for no file.
         version: of the editing tab, 0 for the text of the file.
-        homeless: the project folder is gone, so that there is no file to be in conflict with.
+        homeless: the project folder was removed, so that there is no file to be in conflict with.
         recovered: the text comes from the journal.
         refusal: why the file is not shown, None where it is.
     """
@@ -106,7 +106,7 @@ class Document:
         self._settle()
 
     def lose_file(self) -> None:
-        """Note that the whole project folder is gone: the text stays, and belongs to no file any more."""
+        """Note that the whole project folder was removed: the text stays, and belongs to no file any more."""
         self._read(None)
         self.homeless = True
 
@@ -127,7 +127,7 @@ class Document:
         self.text = plain_lines(text)
         self.version = version
         self.recovered = False
-        # an edit on its way while the text before it was saved was written on what that save wrote over
+        # an edit on its way while the text before it was saved was based on the content before that save
         if base is not None and base not in self._written_over:
             self.base = base
         self._settle()

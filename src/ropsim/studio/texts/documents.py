@@ -1,4 +1,4 @@
-"""The texts of a project: edited in the page, saved when asked to, watched on the disk."""
+"""The texts of a project: edited in the page, saved on request, watched on the disk."""
 
 import asyncio
 import os
@@ -36,7 +36,7 @@ class Overwriting(Enum):
 
 
 class ListChange(Enum):
-    """Whether documents have come or gone."""
+    """Whether documents were added or removed."""
 
     NONE = "none"
     SOME = "some"
@@ -53,7 +53,7 @@ class Documents:
     removed, file by file, its texts are all kept.
 
     Attributes:
-        gone: there is no project folder any more; its texts are kept until it is there again, or saved anew.
+        gone: the project folder was removed; its texts are kept until it is there again, or saved anew.
     """
 
     def __init__(self, folder: Path) -> None:
@@ -63,7 +63,7 @@ class Documents:
         self._missing: set[str] = set()
         self._unread: set[str] = set()  # to be read again
         self.gone = False
-        self._disk = asyncio.Lock()  # what is read from the disk must not be older than what was written
+        self._disk = asyncio.Lock()  # content read from the disk must not be older than content written
 
     @property
     def all(self) -> tuple[Document, ...]:
@@ -77,7 +77,7 @@ class Documents:
 
     @property
     def drafts(self) -> Mapping[str, Draft]:
-        """Return what belongs into the journal."""
+        """Return the unsaved texts for the journal."""
         return {one.name: one.draft for one in self.all if one.unsaved}
 
     @property
@@ -93,7 +93,7 @@ class Documents:
         return self.programs[0] if alone else named
 
     def recover(self, drafts: Mapping[str, Draft]) -> tuple[Document, ...]:
-        """Bring back unsaved texts of an earlier session; those that the files have by now are dropped."""
+        """Bring back unsaved texts of an earlier session; texts that equal the files are dropped."""
         recovered: list[Document] = []
         for name, draft in drafts.items():
             if name not in self._all and not is_text_of_project(name):
@@ -130,7 +130,7 @@ class Documents:
         return document, None
 
     async def revert(self, document: Document) -> Diagnostic | None:
-        """Give up unsaved text; a document whose file is gone goes, too. Return why that was not possible."""
+        """Discard unsaved text, and a document without a file; return why that was not possible."""
         async with self._disk:
             try:
                 there = await asyncio.to_thread(content, self._folder, document.name)
@@ -148,8 +148,8 @@ class Documents:
     async def save(self, document: Document, overwriting: Overwriting) -> Diagnostic | None:
         """Write a document to its file in one step; return why that was not possible.
 
-        A file that has changed since it was read is written over only where that is wanted, and where the
-        user knows of its content.
+        A file that has changed since it was read is written over only if that is requested, and if the user
+        has seen its content.
         """
         async with self._disk:
             while True:
@@ -178,7 +178,7 @@ class Documents:
         if not document.unsaved:
             return None
         new = await asyncio.to_thread(document.content)
-        if len(new) > LARGEST:  # its line ends may be longer than those of the page
+        if len(new) > LARGEST:  # its line ends may be longer than the line ends of the page
             return too_long(name)
 
         def may_replace() -> None:
@@ -201,7 +201,7 @@ class Documents:
 
         Args:
             name: of the document.
-            text: what it says.
+            text: its content.
             points: of the program, as a list in a file of its own name; empty for none.
         """
         noun = "text of tasks" if name.startswith("kb/") else "program"
@@ -235,7 +235,7 @@ class Documents:
     async def keep_points(self, program: str, points: str, overwriting: Overwriting) -> Diagnostic | None:
         """Write the points of a program to `points/NAME.csv`; return why that was not possible.
 
-        Another list that is there already is written over only where that is wanted.
+        Another list that is there already is written over only on request.
         """
         async with self._disk:
             return await self._keep_points(program, points, overwriting)
@@ -262,10 +262,10 @@ class Documents:
         return None
 
     async def look(self) -> tuple[tuple[Document, ...], ListChange]:
-        """Meet what other programs have done to the files.
+        """Read changes of the files by other programs.
 
         Returns:
-            The documents whose state has changed, and whether some have come or gone.
+            The documents whose state has changed, and whether some were added or removed.
         """
         async with self._disk:
             return await self._look()
@@ -289,14 +289,14 @@ class Documents:
         return tuple(changed), change
 
     async def _read(self, name: str) -> list[Document]:
-        """Read a file that has changed; return its document where that has changed, too."""
+        """Read a file that has changed; return its document if that has also changed."""
         try:
             read = await asyncio.to_thread(content, self._folder, name)
         except OSError as error:
             self._unread.add(name)
             return self._shut(name, error)
         self._unread.discard(name)
-        if read is None:  # it has gone since
+        if read is None:  # it was removed meanwhile
             del self._stamps[name]
             return []
         document = self._all.get(name)
@@ -310,7 +310,7 @@ class Documents:
         return [document]
 
     def _shut(self, name: str, error: OSError) -> list[Document]:
-        """Note that a file cannot be read; what was read of it before stays."""
+        """Note that a file cannot be read; its earlier content stays."""
         document = self._all.get(name)
         if document is not None and document.refusal is None:
             return []
@@ -344,7 +344,7 @@ class Documents:
         self._missing.clear()
 
     def _lose(self) -> tuple[Document, ...]:
-        """Keep all texts as unsaved ones: with their folder the files are gone that they were in."""
+        """Keep all texts as unsaved ones: their files were removed with the folder."""
         self._stamps = {}
         self._missing.clear()
         self._unread.clear()

@@ -17,7 +17,7 @@ class Keeper:
     Args:
         journal: where to; None where there can be none.
         drafts: returns the unsaved texts.
-        failed: told once why texts are not kept, and again when the reason changes.
+        failed: called once with the reason why texts are not kept, and again when it changes.
     """
 
     def __init__(

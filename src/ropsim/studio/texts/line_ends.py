@@ -6,7 +6,7 @@ _END = re.compile(r"\r\n|\r|\n")
 
 
 def plain_lines(text: str) -> str:
-    """Return the text with line feeds for all line ends, and `?` for what is no Unicode."""
+    """Return the text with line feeds for all line ends, and `?` for invalid Unicode."""
     return _END.sub("\n", text).encode("utf-8", "replace").decode("utf-8")
 
 
@@ -39,7 +39,7 @@ def _unmerged(lines: list[tuple[str, str]]) -> list[tuple[str, str]]:
 
 
 def _cut(text: str) -> list[tuple[str, str]]:
-    """Return the lines, each with its end; the last has none."""
+    """Return the lines, each with its end; the last has no end."""
     lines, ends = _END.split(text), _END.findall(text)
     return list(zip(lines, [*ends, ""], strict=True))
 

@@ -31,7 +31,7 @@ class PointTables:
         """Read tables that have changed; return whether the names are others.
 
         Raises:
-            OSError: the system does not say what there is.
+            OSError: the system cannot list the files.
         """
         before = self.names
         await asyncio.to_thread(self._look)

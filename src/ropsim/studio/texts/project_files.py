@@ -1,4 +1,4 @@
-"""The files of a project that the studio shows as texts: which there are, and what is in them now."""
+"""The files of a project that the studio shows as texts: their names and present contents."""
 
 import contextlib
 import errno
@@ -16,7 +16,7 @@ PROGRAM_ENDINGS = (".task", ".icr")
 ROBOT_ENDING = ".toml"
 TASK_ENDING = ".pl"
 _FOLDERS = ("programs", "robots", "kb", "points")
-"""Those in a project that the studio writes to."""
+"""Folders of a project that the studio writes to."""
 
 Stamp: TypeAlias = tuple[int, int, int, int]
 """Time of the last change [ns], size, number and permissions of a file: one of them changes with it."""
@@ -50,7 +50,7 @@ def stamps(folder: Path) -> dict[str, Stamp]:
     """Return the texts of a project: `cell.toml`, then programs, robot files and tasks, each by name.
 
     Raises:
-        OSError: the system does not say what there is.
+        OSError: the system cannot list the files.
     """
     places = {"programs": PROGRAM_ENDINGS, "robots": (ROBOT_ENDING,), "kb": (TASK_ENDING,)}
     names = [CELL, *(name for place, endings in places.items() for name in files_in(folder, place, endings))]
@@ -61,10 +61,10 @@ def stamps(folder: Path) -> dict[str, Stamp]:
 def present(folder: Path) -> dict[str, Stamp] | None:
     """Return the texts of a project; None where there is no project folder any more.
 
-    A folder that goes while it is read is gone: the folder is asked for before and after.
+    A folder that is removed while it is read counts as removed: its existence is checked before and after.
 
     Raises:
-        OSError: the system does not say what there is.
+        OSError: the system cannot list the files.
     """
     before = _identity(folder)
     found = stamps(folder) if before is not None else {}
@@ -74,14 +74,14 @@ def present(folder: Path) -> dict[str, Stamp] | None:
 
 
 def remove_leftovers(folder: Path) -> None:
-    """Remove what a kill in the middle of a save has left in the folders of a project's texts."""
+    """Remove temporary files of a killed save from the folders of a project's texts."""
     for place in (folder, *(folder / name for name in _FOLDERS)):
         if not place.is_symlink():
             remove_left_files(place)
 
 
 def content(folder: Path, name: str) -> bytes | None:
-    """Return what is in a file of a project, cut where no text is that long; None where there is no file.
+    """Return the content of a file of a project, cut at the maximum length; None without a file.
 
     Raises:
         LeadsOutError: it is a link that leads out of the project.
@@ -107,7 +107,7 @@ def is_text_of_project(name: str) -> bool:
 
 
 def program_names(documents: Iterable[str]) -> Mapping[str, str]:
-    """Return document names by program name: without ending, but code beside a task of that name keeps it."""
+    """Return document names by program name: without ending, unless code and a task share the name."""
     paths = [path for path in map(PurePosixPath, documents) if path.parts[:-1] == ("programs",)]
     names: dict[str, str] = {}
     for path in sorted(paths, key=lambda one: (one.suffix != PROGRAM_ENDINGS[0], one)):
@@ -133,7 +133,7 @@ def stamp(path: Path) -> Stamp | None:
 
 
 def _identity(folder: Path) -> tuple[int, int] | None:
-    """Return what tells a folder from another one in its place; None where there is none."""
+    """Return the identity of a folder; None without one."""
     with _absence():
         facts = folder.stat()
         if stat.S_ISDIR(facts.st_mode):
@@ -143,7 +143,7 @@ def _identity(folder: Path) -> tuple[int, int] | None:
 
 @contextlib.contextmanager
 def _absence() -> Iterator[None]:
-    """Take it for an answer that nothing is there; whatever else the system says is none."""
+    """Treat a missing file as an answer; other errors are raised."""
     try:
         yield
     except OSError as error:

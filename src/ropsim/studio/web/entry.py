@@ -1,9 +1,9 @@
-"""How a page enters: it shows that it knows a key of the studio without saying it, and gets a ticket.
+"""How a page enters: it proves knowledge of a key of the studio without sending it, and gets a ticket.
 
-Browsers send cookies to every server of this machine, whatever its port, so there is none. A page has its key
-from the fragment of the address, which browsers send to nobody, and keeps it for its tab. The first message
-on each socket is a challenge; the page answers with a code of challenge and port under its key. A stranger
-that has taken the port of a studio learns nothing from that: it holds for this challenge and port only.
+Browsers send cookies to every server of this machine, on any port, so none is used. A page has its key from
+the fragment of the address, which browsers never send, and keeps it for its tab. The first message on each
+socket is a challenge; the page answers with a code of challenge and port under its key. A stranger that has
+taken the port of a studio learns nothing from that: it holds for this challenge and port only.
 """
 
 import asyncio
@@ -15,14 +15,14 @@ from msgspec import Struct
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
 REFUSED = 4401
-"""Code with which a socket is closed whose page does not know a key."""
+"""Code with which a socket is closed whose page has no valid key."""
 
 PATIENCE = 20.0
 """How long a page may take to answer the challenge [s]."""
 
 
 class Answer(Struct, frozen=True, tag_field="type", tag="enter"):
-    """What a page answers to the challenge: HMAC-SHA-256 of it under the key, in hexadecimal digits."""
+    """Answer of a page to the challenge: HMAC-SHA-256 of it under the key, in hexadecimal digits."""
 
     answer: str
 
@@ -38,7 +38,7 @@ class Entered(Struct, frozen=True, tag_field="type", tag="entered"):
 
     Attributes:
         ticket: goes with each request over HTTP until this studio ends.
-        key: of the project, for the tab to keep: with it the page enters the next studio of the project, too.
+        key: of the project, for the tab to keep: with it the page also enters the next studio of the project.
     """
 
     ticket: str

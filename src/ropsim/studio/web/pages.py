@@ -46,9 +46,9 @@ def pages_folder() -> Path:
 
 
 def routes(folder: Path, workplace: Workplace) -> list[BaseRoute]:
-    """Return what is served: `/`, `/assets/…`, `/mesh/<address>.glb`, and runs.
+    """Return the routes: `/`, `/assets/…`, `/mesh/<address>.glb`, and runs.
 
-    `/run/<id>.pack` is what the page draws; the other endings are files to keep: recording, inputs as
+    `/run/<id>.pack` is the data for the page; the other endings are files to keep: recording, inputs as
     `ropsim run --inputs` takes them, report, neutral code. `/told/<id>.pack` is the run of typed commands.
     """
 
@@ -84,7 +84,7 @@ def routes(folder: Path, workplace: Workplace) -> list[BaseRoute]:
 
 
 def _saved(workplace: Workplace, ending: str) -> Callable[[Request], Awaitable[Response]]:
-    """Return what answers with a finished run in one of its forms."""
+    """Return the endpoint for a finished run in one of its forms."""
     form, media_type = FILES[ending]
 
     async def saved(request: Request) -> Response:
@@ -111,7 +111,7 @@ class _Assets(StaticFiles):
     """Files whose names carry a hash of their content: browsers keep them for ever."""
 
     def file_response(self, *arguments: object, **options: object) -> Response:
-        response = super().file_response(*arguments, **options)  # type: ignore[arg-type]  # passed on as they are
+        response = super().file_response(*arguments, **options)  # type: ignore[arg-type]  # passed on unchanged
         response.headers.update(FOR_EVER)
         return response
 

@@ -36,7 +36,7 @@ REFUSALS = {
 
 
 async def refuse(scope: Scope, send: Send, refusal: Refusal) -> None:
-    """Answer a request of any kind, sockets too."""
+    """Answer a request of any kind, including sockets."""
     if scope["type"] == "websocket":
         if "websocket.http.response" not in scope.get("extensions", {}):
             await send({"type": "websocket.close", "code": 1008, "reason": ""})

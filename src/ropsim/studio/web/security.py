@@ -1,4 +1,4 @@
-"""Who may talk to the studio: our own pages in a browser of this machine that know a key."""
+"""Who may talk to the studio: our own pages with a valid key in a browser of this machine."""
 
 from starlette.datastructures import Headers, MutableHeaders
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
@@ -13,7 +13,7 @@ CONTENT_POLICY = (
     "style-src-attr 'unsafe-inline'; img-src 'self' data: blob:; worker-src 'self' blob:; "
     "connect-src 'self'; object-src 'none'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'"
 )
-"""What a page may load. Editors make style elements at run time: they carry the nonce of the page."""
+"""Sources that a page may load. Editors make style elements at run time: they carry the nonce of the page."""
 
 ALWAYS = {
     "x-content-type-options": "nosniff",
@@ -24,19 +24,19 @@ ALWAYS = {
 
 
 OPEN = ("/assets/",)
-"""What is served to everybody who asks this machine, as is the page itself: it holds nothing of a project."""
+"""Paths served to every client of this machine, like the page itself: they contain nothing of a project."""
 
 
 class Gate:
     """Lets only requests through that carry our own host, our own origin and the ticket of a page.
 
-    The host is compared with the very port (DNS rebinding gives others), the origin wherever a request can
+    The host is compared with the very port (DNS rebinding leads to others), the origin wherever a request can
     change something. Sockets prove themselves once they are open (`Entry`). No cookie is set or read.
 
     Args:
-        app: what is behind the gate.
+        app: application behind the gate.
         port: on which the server listens.
-        entry: knows the ticket.
+        entry: checks the ticket.
     """
 
     def __init__(self, app: ASGIApp, port: int, entry: Entry) -> None:

@@ -43,7 +43,7 @@ class Browser(Enum):
 
 @frozen_dataclass
 class StudioOptions:
-    """What the user asks for.
+    """Options from the user.
 
     Attributes:
         project: path of a project folder, its `cell.toml`, or one of its programs.
@@ -60,8 +60,8 @@ def serve(options: StudioOptions, say: Callable[[str], None]) -> None:
     """Serve the studio until Ctrl+C or a request of the system to end.
 
     Args:
-        options: what the user asks for.
-        say: told the address, once it can be opened.
+        options: options from the user.
+        say: called with the address, once it can be opened.
 
     Raises:
         StudioError: U950 no project, U951 the port cannot be used, U952 the pages are not built.
@@ -97,14 +97,14 @@ def serve(options: StudioOptions, say: Callable[[str], None]) -> None:
 
 
 def _address(port: int, token: str) -> str:
-    """Return the address of the page; browsers send the fragment to nobody."""
+    """Return the address of the page; browsers never send the fragment."""
     return f"http://{ADDRESS}:{port}/#token={token}"
 
 
 class _Server(uvicorn.Server):
-    """A server with its workplace. It tells when it listens, and ends without an error when it is asked to.
+    """A server with its workplace. It reports when it listens, and ends without an error on request.
 
-    Asked again it goes on ending: it takes a few seconds at most, and unsaved text is kept meanwhile.
+    A second request changes nothing: ending takes a few seconds at most, and unsaved text is kept meanwhile.
     """
 
     def __init__(self, config: uvicorn.Config, workplace: Workplace, ready: Callable[[], None]) -> None:
@@ -145,7 +145,7 @@ def _configuration(app: ASGIApp) -> uvicorn.Config:
         ws="websockets-sansio",
         ws_max_size=LONGEST_MESSAGE,
         ws_per_message_deflate=False,
-        ws_ping_interval=None,  # of a page that is gone this machine tells; a held-up one must not be cut off
+        ws_ping_interval=None,  # the system reports a closed page; a stalled one must not be cut off
         server_header=False,
         proxy_headers=False,
         timeout_graceful_shutdown=2,

@@ -53,14 +53,14 @@ def routes(workplace: Workplace, entry: Entry, neutral: Path) -> list[WebSocketR
 
 
 async def _pump(tab: Tab, socket: WebSocket) -> None:
-    with contextlib.suppress(WebSocketDisconnect, RuntimeError):  # the page has gone while something was sent
+    with contextlib.suppress(WebSocketDisconnect, RuntimeError):  # the page was closed during sending
         await tab.pump(socket.send_text, socket.send_bytes)
     with contextlib.suppress(WebSocketDisconnect, RuntimeError, TimeoutError):
         await asyncio.wait_for(socket.close(1013), PARTING)
 
 
 async def _received(tab: Tab, socket: WebSocket) -> Message | None:
-    """Return what the page says next, None once it has gone or the tab is closed from this side."""
+    """Return the next message of the page, None once it is closed or the tab is closed from this side."""
     receiving = asyncio.create_task(socket.receive())
     closing = asyncio.create_task(tab.wait_closed())
     try:

@@ -1,4 +1,4 @@
-"""What the server says about the robot that carries out typed lines: answers, and what a line may say."""
+"""Messages of the server on the robot that executes typed lines: answers, and completions."""
 
 from msgspec import Struct
 
@@ -7,15 +7,15 @@ from ropsim.studio.wire.replies import LineOutcome
 
 
 class ToldLine(Struct, frozen=True):
-    """A line that was told, with what was answered.
+    """An executed line with its answer.
 
     Attributes:
-        line: as it was typed, several lines where it is a block.
-        outcome: what became of it.
-        told: what is answered.
-        findings: about it; lines in the text `session` count those of all commands.
+        line: as typed, several lines where it is a block.
+        outcome: its outcome.
+        told: lines of the answer.
+        findings: about it; lines in the text `session` count lines of all commands.
         first: line of that text in which it begins.
-        run: number of the run of all commands, at `/told/<run>.pack`; 0 where it is as before.
+        run: number of the run of all commands, at `/told/<run>.pack`; 0 if it is unchanged.
         since: when the motion of this command begins in that run [s].
     """
 
@@ -29,7 +29,7 @@ class ToldLine(Struct, frozen=True):
 
 
 class CommandLineState(Struct, frozen=True, tag_field="type", tag="command_line"):
-    """All that was told so far; sent to a tab that opens the command line.
+    """The dialogue so far; sent to a tab that opens the command line.
 
     Attributes:
         lines: in their order; the oldest ones may be left out.
@@ -45,7 +45,7 @@ class LineAnswered(Struct, frozen=True, tag_field="type", tag="line_answered"):
 
     Attributes:
         id: of the line; 0 for a line of another tab.
-        line: with what was answered.
+        line: with its answer.
         commands: how many commands the robot has carried out that were not taken back.
     """
 
@@ -55,11 +55,11 @@ class LineAnswered(Struct, frozen=True, tag_field="type", tag="line_answered"):
 
 
 class WordsOffered(Struct, frozen=True, tag_field="type", tag="words_offered"):
-    """What can end a line.
+    """Completions of a line.
 
     Attributes:
         id: of the question.
-        begun: the word at the end, as far as it stands there.
+        begun: the incomplete word at the end.
         words: by name; they begin as that does.
     """
 

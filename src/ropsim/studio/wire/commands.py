@@ -1,4 +1,4 @@
-"""What a page says to the server over `/ws/studio`: JSON texts, told apart by `type`.
+"""Messages of a page to the server over `/ws/studio`: JSON texts, distinguished by `type`.
 
 `frontend/src/wire/commands.ts` is written from these records by `tools/wire_types.py`.
 """
@@ -15,7 +15,7 @@ from ropsim.studio.wire.orders import LiveControl, LiveOverride, LiveSpeed, SetS
 Place: TypeAlias = Annotated[str, Meta(min_length=1, max_length=4000)]
 """A path that the user has typed."""
 Typed: TypeAlias = Annotated[str, Meta(max_length=20_000)]
-"""What is typed on a command line."""
+"""Text typed on a command line."""
 Number: TypeAlias = Annotated[int, Meta(ge=0, le=2**53 - 1)]
 """Whole numbers of a page; larger ones are not exact there."""
 
@@ -53,7 +53,7 @@ class Save(Struct, frozen=True, tag_field="type", tag="save"):
 
 
 class Revert(Struct, frozen=True, tag_field="type", tag="revert"):
-    """Give up unsaved text and read the file again."""
+    """Discard unsaved text and read the file again."""
 
     document: Name
 
@@ -63,7 +63,7 @@ class Create(Struct, frozen=True, tag_field="type", tag="create"):
 
     Attributes:
         document: its name.
-        text: what it says.
+        text: its content.
         points: of the program, written to `points/NAME.csv`, unless another list is there; empty for none.
     """
 
@@ -73,7 +73,7 @@ class Create(Struct, frozen=True, tag_field="type", tag="create"):
 
 
 class KeepPoints(Struct, frozen=True, tag_field="type", tag="keep_points"):
-    """Write `points/NAME.csv` of a program, over a list that is there: that was asked for.
+    """Write `points/NAME.csv` of a program, over an existing list, as requested.
 
     Attributes:
         program: `programs/NAME.task`.
@@ -85,13 +85,13 @@ class KeepPoints(Struct, frozen=True, tag_field="type", tag="keep_points"):
 
 
 class OpenProject(Struct, frozen=True, tag_field="type", tag="open_project"):
-    """Let another project take the place of this one; relative paths begin beside this project."""
+    """Open another project in place of this one; relative paths begin at the parent folder of this one."""
 
     path: Place
 
 
 class ListFolders(Struct, frozen=True, tag_field="type", tag="list_folders"):
-    """Tell the folders in a place; empty for where projects are."""
+    """List the folders in a place; empty for where projects are."""
 
     path: Annotated[str, Meta(max_length=4000)]
 
@@ -111,7 +111,7 @@ class NewProject(Struct, frozen=True, tag_field="type", tag="new_project"):
 
 
 class ListRobots(Struct, frozen=True, tag_field="type", tag="list_robots"):
-    """Tell for which robots a project can be made."""
+    """List the robots for which a project can be made."""
 
 
 class TakeOver(Struct, frozen=True, tag_field="type", tag="take_over"):
@@ -126,7 +126,7 @@ class RunNow(Struct, frozen=True, tag_field="type", tag="run"):
 
 
 class CancelRun(Struct, frozen=True, tag_field="type", tag="cancel"):
-    """Give up the simulation that is running."""
+    """Cancel the simulation that is running."""
 
 
 class LiveStart(Struct, frozen=True, tag_field="type", tag="live_start"):
@@ -154,11 +154,11 @@ class JogTcp(jobs.JogTcp, frozen=True, tag_field="type", tag="jog_tcp"):
 
 
 class OpenTasks(Struct, frozen=True, tag_field="type", tag="open_tasks"):
-    """Ask what tasks and places there are; answered by `task_list`."""
+    """Request tasks and places; answered by `task_list`."""
 
 
 class CheckTasks(Struct, frozen=True, tag_field="type", tag="check_tasks"):
-    """Ask what is said of steps; answered by `tasks_checked`, then `tasks_estimated` if nothing newer comes.
+    """Request the states of steps; answered by `tasks_checked`, then possibly by `tasks_estimated`.
 
     Attributes:
         id: comes back in the answers.
@@ -170,13 +170,13 @@ class CheckTasks(Struct, frozen=True, tag_field="type", tag="check_tasks"):
 
 
 class OpenTaskForm(Struct, frozen=True, tag_field="type", tag="open_task_form"):
-    """Ask for the form of a task; answered by `task_form`."""
+    """Request the form of a task; answered by `task_form`."""
 
     task: Name
 
 
 class CheckTaskForm(Struct, frozen=True, tag_field="type", tag="check_task_form"):
-    """Ask what is said of a form; answered by `task_form_checked`.
+    """Request the findings on a form; answered by `task_form_checked`.
 
     Attributes:
         id: comes back.
@@ -192,7 +192,7 @@ class CheckTaskForm(Struct, frozen=True, tag_field="type", tag="check_task_form"
 
 
 class OpenCommandLine(Struct, frozen=True, tag_field="type", tag="open_command_line"):
-    """Ask what the robot of the command line was told so far; answered by `command_line`."""
+    """Request the dialogue of the command line so far; answered by `command_line`."""
 
 
 class TellRobot(Struct, frozen=True, tag_field="type", tag="tell_robot"):
@@ -208,7 +208,7 @@ class TellRobot(Struct, frozen=True, tag_field="type", tag="tell_robot"):
 
 
 class CompleteLine(Struct, frozen=True, tag_field="type", tag="complete_line"):
-    """Ask what can end a line of the command line; answered by `words_offered`.
+    """Request completions of a line of the command line; answered by `words_offered`.
 
     Attributes:
         id: comes back in the answer.
@@ -220,7 +220,7 @@ class CompleteLine(Struct, frozen=True, tag_field="type", tag="complete_line"):
 
 
 class GiveUpLine(Struct, frozen=True, tag_field="type", tag="give_up_line"):
-    """Give up the line that the robot of the command line carries out; it is as before."""
+    """Cancel the line that the robot of the command line executes; the robot is unchanged."""
 
 
 class Trust(Struct, frozen=True, tag_field="type", tag="trust"):
@@ -266,7 +266,7 @@ _DECODER = msgspec.json.Decoder(Command)
 
 
 def read_command(text: str | bytes) -> tuple[Command | None, str]:
-    """Return the command in a JSON text, or None and in words what is wrong with it."""
+    """Return the command in a JSON text, or None and the error in words."""
     try:
         return _DECODER.decode(text), ""
     except (msgspec.MsgspecError, UnicodeError, RecursionError) as error:

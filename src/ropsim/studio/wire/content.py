@@ -6,7 +6,7 @@ from typing import Annotated, TypeAlias
 from msgspec import Meta
 
 Finding: TypeAlias = Annotated[Mapping[str, object], Meta(title="Finding")]
-"""A finding as plain JSON values; its `time` [s] is null where it has none."""
+"""A finding as plain JSON values; its `time` [s] is null without a time."""
 
 RunEvent: TypeAlias = Annotated[Mapping[str, object], Meta(title="RunEvent")]
 """An event of a run as plain JSON values."""
@@ -18,4 +18,4 @@ Ways: TypeAlias = Annotated[Mapping[str, object], Meta(title="WayFacts")]
 """Contacts of a run as plain JSON values."""
 
 Scene: TypeAlias = Annotated[Mapping[str, object], Meta(title="SceneDescription")]
-"""A cell as it is drawn, as plain JSON values."""
+"""Scene of a cell, as plain JSON values."""

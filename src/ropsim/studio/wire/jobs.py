@@ -1,6 +1,6 @@
-"""What the web process asks of its workers and what they answer: records that travel by pickle.
+"""Requests of the web process to its workers, and their answers: records that travel by pickle.
 
-What a page says and a worker is told in the same words is one record of `msgspec`: it comes as JSON and
+A message that a page sends and a worker receives unchanged is one record of `msgspec`: it comes as JSON and
 goes on by pickle.
 
 `folder` is the absolute path of a project. Texts are named by their path inside the project with `/`, such as
@@ -22,10 +22,10 @@ RunForm: TypeAlias = Literal["recording", "inputs", "report", "code"]
 """A run as a file: NPZ, inputs as `ropsim run --inputs` takes them, HTML, text of the neutral code."""
 
 Level: TypeAlias = Literal["error", "warning", "info"]
-"""How much something matters that the user is told."""
+"""Severity of a message to the user."""
 
 PoseNumbers: TypeAlias = tuple[float, float, float, float, float, float, float]
-"""Position x, y, z [m] and unit quaternion w, x, y, z; in W unless told otherwise."""
+"""Position x, y, z [m] and unit quaternion w, x, y, z; in W unless stated otherwise."""
 
 
 @frozen_dataclass
@@ -39,7 +39,7 @@ class InputChange:
 
 @frozen_dataclass
 class OpenScene:
-    """Read the project and tell how its cell looks (`SceneReply`); jogs that follow are for this cell.
+    """Read the project and return its scene (`SceneReply`); jogs that follow are for this cell.
 
     `texts` maps names inside the project, such as `programs/main.task`, to unsaved texts that count instead
     of the files.
@@ -50,10 +50,11 @@ class OpenScene:
 
 
 Cause: TypeAlias = Literal["asked", "text", "text_beside_live"]
-"""Why a run is wanted: the user asks, a text has changed, or one has changed while a live run was under way.
+"""Reason of a run: the user requests it, a text has changed, or one has changed while a live run was under
+way.
 
-A text that has changed beside a live run is not simulated: the live run stays the result, on the lines of the
-text where that still says the same. Nor is it later, until it says something else.
+A text that has changed during a live run is not simulated: the live run stays the result, on the lines of the
+text if its content is unchanged. It is simulated later only after another change.
 """
 
 
@@ -99,7 +100,7 @@ class SaveRun:
 class LookAtWays:
     """Check the collisions of the finished run of the job of this number (`WaysReply`).
 
-    Orders may only be to give it up.
+    The only order is to cancel it.
     """
 
     number: int
@@ -123,12 +124,12 @@ class JogTcp(Struct, frozen=True):
 
 
 class TaskStep(Struct, frozen=True):
-    """A task as it is typed.
+    """A typed task.
 
     Attributes:
         name: of the task.
-        points: what is typed for each location; blank for none.
-        values: what is typed for each other parameter, with its unit; blank for none.
+        points: text typed for each location; blank for none.
+        values: text typed for each other parameter, with its unit; blank for none.
     """
 
     name: Name
@@ -168,7 +169,7 @@ class TaskFormFields(Struct, frozen=True):
 
 @frozen_dataclass
 class OpenTaskForm:
-    """Tell the form of a task (`TasksReply`)."""
+    """Return the form of a task (`TasksReply`)."""
 
     folder: str
     texts: Mapping[str, str]
@@ -177,7 +178,7 @@ class OpenTaskForm:
 
 @frozen_dataclass
 class CheckTaskForm:
-    """Tell what is said of a form, and the text with it (`TasksReply`); `id` comes back.
+    """Return the findings on a form, and the text with it (`TasksReply`); `id` comes back.
 
     Attributes:
         document: the text into which the form is written, `kb/NAME.pl`.
@@ -194,7 +195,7 @@ class CheckTaskForm:
 
 @frozen_dataclass
 class ListTasks:
-    """Tell what tasks and places there are (`TasksReply`)."""
+    """List tasks and places (`TasksReply`)."""
 
     folder: str
     texts: Mapping[str, str]
@@ -202,7 +203,7 @@ class ListTasks:
 
 @frozen_dataclass
 class CheckTasks:
-    """Tell what is said of steps (`TasksReply`); `id` comes back."""
+    """Return the states of steps (`TasksReply`); `id` comes back."""
 
     folder: str
     texts: Mapping[str, str]
@@ -212,7 +213,7 @@ class CheckTasks:
 
 @frozen_dataclass
 class EstimateTasks:
-    """Plan a program that is in no file and tell how long it takes (`TasksReply`); `id` comes back."""
+    """Plan a program that is in no file and return its time (`TasksReply`); `id` comes back."""
 
     folder: str
     texts: Mapping[str, str]
@@ -222,9 +223,9 @@ class EstimateTasks:
 
 @frozen_dataclass
 class Tell:
-    """Let the simulated robot carry out a line behind commands that it was told before (`ToldReply`).
+    """Let the simulated robot execute a line behind earlier commands (`ToldReply`).
 
-    An empty line asks where it stands.
+    An empty line requests its position.
     """
 
     folder: str
@@ -235,7 +236,7 @@ class Tell:
 
 @frozen_dataclass
 class OfferWords:
-    """Tell what can end a line behind commands that were told before (`OfferedReply`)."""
+    """Return completions of a line behind earlier commands (`OfferedReply`)."""
 
     folder: str
     texts: Mapping[str, str]

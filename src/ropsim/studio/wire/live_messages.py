@@ -1,4 +1,4 @@
-"""What the server says about a live run: how it stands, what its frames hold, what has happened."""
+"""Messages of the server on a live run: its state, the layout of its frames, events."""
 
 from typing import Literal
 
@@ -15,7 +15,7 @@ class LiveStatus(Struct, frozen=True, tag_field="type", tag="live"):
         state: of the run.
         speed: simulated seconds per second.
         program: its name.
-        override: share of the planned speed that is asked for, 0 to 1.
+        override: share of the planned speed that is requested, 0 to 1.
     """
 
     state: Literal["starting", "running", "held", "over"]
@@ -25,15 +25,15 @@ class LiveStatus(Struct, frozen=True, tag_field="type", tag="live"):
 
 
 class LiveChannel(Struct, frozen=True):
-    """What one number in the state frames of a live run is.
+    """Meaning of one number in the state frames of a live run.
 
     Attributes:
         name: of the channel.
         column: of the channel that it is, empty for a channel with one.
         unit: SI unit as text.
-        description: what the channel is.
-        group: under what lists show it.
-        subject: name of the station or device that it is of; empty for what belongs to the cell.
+        description: description of the channel.
+        group: heading in lists.
+        subject: name of the station or device that it is of; empty for the cell.
         held: its value holds between changes, else it is linear.
     """
 
@@ -47,11 +47,11 @@ class LiveChannel(Struct, frozen=True):
 
 
 class LiveStation(Struct, frozen=True):
-    """What a station of the cell runs.
+    """Program of a station of the cell.
 
     Attributes:
         name: of the station.
-        program: name of its program; empty where it has none.
+        program: name of its program; empty without one.
         source: name of the text whose lines its channel `line` counts.
     """
 
@@ -66,7 +66,7 @@ class LiveLayout(Struct, frozen=True, tag_field="type", tag="layout"):
     Attributes:
         channels: one for each number.
         bodies: indices of the scene's bodies whose poses are in the frames.
-        stations: of the cell, with what they run.
+        stations: of the cell, with their programs.
     """
 
     channels: tuple[LiveChannel, ...]
@@ -104,7 +104,7 @@ class Happened(Struct, frozen=True, tag_field="type", tag="happened"):
     """Something has happened in a live run.
 
     Attributes:
-        event: as packs have it. A task is told again and again while it goes on, each time longer.
+        event: as packs have it. A running task is sent repeatedly, each time longer.
     """
 
     event: RunEvent

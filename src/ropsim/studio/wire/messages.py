@@ -1,4 +1,4 @@
-"""What the server says to a page over `/ws/studio`: JSON texts, told apart by `type`.
+"""Messages of the server to a page over `/ws/studio`: JSON texts, distinguished by `type`.
 
 Binary messages are state frames of a live run (`desk/live/frame.py`). `frontend/src/wire/messages.ts` is
 written from these records by `tools/wire_types.py`.
@@ -29,14 +29,14 @@ class DocumentState(Struct, frozen=True):
 
     Attributes:
         name: path inside the project, such as `programs/main.task` or `cell.toml`.
-        uri: under which the language server knows it.
+        uri: of the document at the language server.
         language: by the ending of its name.
         text: None where the tab has it already.
         version: the last one of the editing tab that the server has; 0 for the text of the file.
         unsaved: differs from its file.
         conflict: the file has changed on the disk since it was read.
         recovered: unsaved text of an earlier session has been brought back.
-        base: names the content of the file on which the text was written; an edit gives it back.
+        base: names the content of the file on which the text was written; an edit returns it.
     """
 
     name: str
@@ -51,7 +51,7 @@ class DocumentState(Struct, frozen=True):
 
 
 class TrustState(Struct, frozen=True):
-    """Whether the project folder is trusted, and what in it is code.
+    """Whether the project folder is trusted, and its files of code.
 
     Attributes:
         trusted: whether code in the project may run.
@@ -70,7 +70,7 @@ class ExampleState(Struct, frozen=True):
 
 
 class Welcome(Struct, frozen=True, tag_field="type", tag="welcome"):
-    """The project; sent on connection and when documents have come or gone.
+    """The project; sent on connection and when documents were added or removed.
 
     Attributes:
         ropsim: version of the server.
@@ -105,7 +105,7 @@ class TrustChanged(Struct, frozen=True, tag_field="type", tag="trust"):
 
 
 class SceneMessage(Struct, frozen=True, tag_field="type", tag="scene"):
-    """The cell as it is drawn; sent on connection and when the cell file changes.
+    """The scene of the cell; sent on connection and when the cell file changes.
 
     Attributes:
         scene: None while the cell is broken.
@@ -145,15 +145,14 @@ class RunStatus(Struct, frozen=True, tag_field="type", tag="run"):
         state: how it stands.
         program: its name.
         message: why there is no run.
-        findings: of compiling, and of planning too where `planned`; those of a finished run are in its pack.
+        findings: of compiling, and also of planning if `planned`; findings of a finished run are in its pack.
         inputs: number of key presses that the run took as inputs.
         planned: whether planning has come to its end.
         simulated: the run that was carried out: an earlier one where the texts still say the same; 0 while
             not known.
         versions: of the documents to which lines in findings and run refer.
         age: `older` where the text has changed while the run went on live: it stays the result.
-        results: what the results of the lines of its programs hang on (`ropsim.icr.line_contents`), by
-            document, once it is done.
+        results: keys of the lines of its programs (`ropsim.icr.line_contents`), by document, once it is done.
     """
 
     id: int
@@ -174,8 +173,8 @@ class RunWays(Struct, frozen=True, tag_field="type", tag="ways"):
 
     Attributes:
         run: its number.
-        findings: all of the run, instead of those in its pack.
-        result: its figures, instead of those in its pack.
+        findings: all of the run, instead of the findings in its pack.
+        result: its figures, instead of the figures in its pack.
         ways: its contacts; null for a cell in which nothing can collide.
     """
 
@@ -186,7 +185,7 @@ class RunWays(Struct, frozen=True, tag_field="type", tag="ways"):
 
 
 class JogWords(Struct, frozen=True):
-    """What limits, reach or singularity have to say."""
+    """Words on limits, reach or singularity."""
 
     level: Level
     text: str
@@ -204,7 +203,7 @@ class Jogged(Struct, frozen=True, tag_field="type", tag="jogged"):
 
     Attributes:
         id: of the jog.
-        q: joint coordinates that were reached; those of the request where the target cannot be reached.
+        q: joint coordinates that were reached; coordinates of the request if the target cannot be reached.
         tcp: pose of the TCP in W.
         bodies: world poses of the bodies of the arm.
         reached: whether the arm stands where it was to.
@@ -224,7 +223,7 @@ class Jogged(Struct, frozen=True, tag_field="type", tag="jogged"):
 
 
 class Notice(Struct, frozen=True, tag_field="type", tag="notice"):
-    """Something to tell the user."""
+    """Notice for the user."""
 
     level: Level
     code: str
@@ -233,7 +232,7 @@ class Notice(Struct, frozen=True, tag_field="type", tag="notice"):
 
 
 class Answered(Struct, frozen=True, tag_field="type", tag="answered"):
-    """What became of what a dialog of the page asked for: a new program, a new project, another project.
+    """Result of a dialog of the page: a new program, a new project, another project.
 
     Attributes:
         refusal: why it was not done; none where it was.
@@ -260,8 +259,8 @@ class Folders(Struct, frozen=True, tag_field="type", tag="folders"):
     """The folders in a place of this machine.
 
     Attributes:
-        place: path; empty where there is none to look at.
-        parent: of the place; empty where that is not to be looked at.
+        place: path; empty if there is none to list.
+        parent: of the place; empty if that is not to be listed.
         folders: by name.
     """
 
@@ -317,7 +316,7 @@ def plain(message: Struct) -> Mapping[str, object]:
 def wire(message: Message) -> bytes:
     """Return the JSON text of a message; numbers that are not finite become null.
 
-    Names of files may hold what is no Unicode; it becomes `�`.
+    Names of files may contain invalid Unicode; it becomes `�`.
     """
     try:
         return msgspec.json.encode(message)

@@ -10,12 +10,12 @@ from ropsim.studio.wire.jobs import Job, Name, Share, Simulate
 
 @frozen_dataclass
 class Cancel:
-    """Give up the job of this number; its reply says `cancelled`."""
+    """Cancel the job of this number; its reply says `cancelled`."""
 
 
 @frozen_dataclass
 class Renew:
-    """The texts have changed: go on if they still say the same (`Renewed`), else give the job up.
+    """The texts have changed: continue if their content is the same (`Renewed`), else cancel the job.
 
     `run` is the number under which the run goes on.
     """

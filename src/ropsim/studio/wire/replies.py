@@ -17,7 +17,7 @@ class Progress:
 
 @frozen_dataclass
 class Planned:
-    """What compiling and planning have found, while the drives are still being simulated."""
+    """Findings of compiling and planning, while the drives are still being simulated."""
 
     findings: tuple[Mapping[str, object], ...]
 
@@ -45,7 +45,7 @@ class LiveFrame:
 
 @frozen_dataclass
 class SceneReply:
-    """The cell as plain JSON values, None while it is broken; findings likewise; GLB files by address."""
+    """The cell as plain JSON values, None while it is broken; findings in this form; GLB files by address."""
 
     scene: Mapping[str, object] | None
     findings: tuple[Mapping[str, object], ...]
@@ -57,11 +57,10 @@ class RunReply:
     """The end of a run.
 
     `done`: `pack` is the finished run for the page. `refused`: the program has errors, they are in
-    `findings`. `failed`: `message` says in words why there is no run. `inputs` are those that a live run
-    was given and has used. `made`: whether it was simulated, is the run before on other lines, or whether
-    nothing was made, as the live run before stays the result beside texts that say something else. `ways`:
-    whether its ways have been looked at. `results`: what those of the lines of its programs hang on, by
-    document.
+    `findings`. `failed`: `message` says in words why there is no run. `inputs` are the inputs that a live run
+    has used. `made`: whether it was simulated, is the run before on other lines, or whether nothing was made,
+    as the live run before stays the result of changed texts. `ways`: whether its collision check is done.
+    `results`: keys of the lines of its programs, by document.
     """
 
     state: Literal["done", "refused", "cancelled", "failed"]
@@ -99,7 +98,7 @@ class WaysReply:
 
 @frozen_dataclass
 class JogReply:
-    """Where the arm of a station stands now, and what limits, reach and singularity have to say, worst first.
+    """Present position of the arm of a station, and words on limits, reach and singularity, worst first.
 
     `q` is that of the request where the target cannot be reached. `bodies` are pairs of a body's index in
     the scene and its pose in W, `words` pairs of a level (`error`, `warning`, `info`) and a text.
@@ -124,21 +123,21 @@ class TasksReply:
 
 
 LineOutcome: TypeAlias = Literal["open", "moved", "answered", "refused", "over"]
-"""What became of a line.
+"""Outcome of a line.
 
-`open`: more lines must follow. `moved`: the robot has done something or is taken back. `answered`: something
-was told. `refused`: nothing was done. `over`: it ends what is said.
+`open`: more lines must follow. `moved`: the robot has acted or an action is taken back. `answered`: the line
+was answered. `refused`: nothing was done. `over`: it ends the dialogue.
 """
 
 
 @frozen_dataclass
 class ToldReply:
-    """What is answered to a line.
+    """Answer to a line.
 
     Attributes:
-        commands: that were told, this one included where it was carried out.
-        outcome: what became of it.
-        told: lines that are answered.
+        commands: executed so far, including this one if it was executed.
+        outcome: its outcome.
+        told: lines of the answer.
         findings: about it; the text `session` in their spans are the commands.
         first: line of that text in which it begins.
         pack: the run of all commands; None where it is as before.

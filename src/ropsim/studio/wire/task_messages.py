@@ -1,4 +1,4 @@
-"""What the server says about tasks that an operator chooses: their list, the state of each step, the time."""
+"""Messages of the server on tasks that an operator chooses: their list, the state of each step, the time."""
 
 from typing import TypeAlias
 
@@ -16,11 +16,11 @@ class TaskParameter(Struct, frozen=True):
     Attributes:
         name: its name.
         kind: `location`, `length`, `int` and so on.
-        default: as it is typed; empty where there is none.
+        default: as typed; empty without one.
         units: that a value may have; empty for a plain number.
-        told: the state of the cell tells it, nobody types it.
-        word: what people call it; its name where it has no word.
-        sentence: what they should know of it, with the bounds of its value.
+        told: whether the state of the cell determines it, instead of the operator.
+        word: label for users; its name if it has none.
+        sentence: remark for users, with the bounds of its value.
     """
 
     name: str
@@ -37,10 +37,10 @@ class TaskChoice(Struct, frozen=True):
 
     Attributes:
         name: how it is called.
-        doc: what it is for.
+        doc: purpose.
         group: file of the library that it comes from; `yours` for one of the user's own folder, empty for
             one of the project.
-        needs: what must be true before it, in words.
+        needs: its preconditions, in words.
         parameters: in their order.
     """
 
@@ -52,12 +52,12 @@ class TaskChoice(Struct, frozen=True):
 
 
 class PlaceChoice(Struct, frozen=True):
-    """What may stand for points.
+    """Choice for points.
 
     Attributes:
         list: the list of points to which it belongs; empty for a location of the cell.
         name: of a location or of a point in the list; empty for the whole list.
-        text: what is typed for it.
+        text: text typed for it.
         count: points that it stands for.
         frame: it is the origin of a frame of the cell.
     """
@@ -70,17 +70,17 @@ class PlaceChoice(Struct, frozen=True):
 
 
 class PartPlace(Struct, frozen=True):
-    """Where a part lies; the place is empty where nobody knows."""
+    """Where a part lies; the place is empty if unknown."""
 
     part: str
     place: str
 
 
 class WorldNow(Struct, frozen=True):
-    """What is true at one time.
+    """Facts at one time.
 
     Attributes:
-        gripper: `open` or `closed`; `none` where the tool has none, empty where nobody knows.
+        gripper: `open` or `closed`; `none` if the tool has no gripper, empty if unknown.
         held: part in the gripper; empty for none.
         parts: that lie somewhere.
         others: all else in words.
@@ -93,14 +93,14 @@ class WorldNow(Struct, frozen=True):
 
 
 class TaskList(Struct, frozen=True, tag_field="type", tag="task_list"):
-    """What may be chosen.
+    """Tasks and places to choose from.
 
     Attributes:
         revision: counts how often cell, tasks or lists of points were others.
-        tasks: those of the library first.
+        tasks: tasks of the library first.
         kinds: that parameters of tasks may have.
         places: locations of the cell, then lists of points with their points.
-        begin: what is true before the first step.
+        begin: facts before the first step.
         findings: of cell, tasks and lists.
         problem: why nothing is known of tasks; empty where it is, and then all else counts.
     """
@@ -115,15 +115,15 @@ class TaskList(Struct, frozen=True, tag_field="type", tag="task_list"):
 
 
 class StepState(Struct, frozen=True):
-    """What is said of a step.
+    """State of a step.
 
     Attributes:
         call: the call that it is, as task text.
         accepted: whether it is possible.
-        message: `accepted`, or what stands against it.
-        hint: what to do about it.
-        warning: what is doubtful about a step that is possible; empty for nothing.
-        told: the parameters that the state has told, with what it told.
+        message: `accepted`, or the reason against it.
+        hint: next action.
+        warning: doubts about a possible step; empty for none.
+        told: the parameters determined by the state, with their values.
         world: after it.
         points: places in the list of points.
     """
@@ -144,7 +144,7 @@ class ProgramPoint(Struct, frozen=True):
     Attributes:
         name: in the program; empty where its step is refused.
         numbers: X Y Z [mm] Pitch Roll Yaw [deg] in the base frame; null where it has no pose.
-        pose: of the tool in W; null likewise.
+        pose: of the tool in W; null without a point.
     """
 
     name: str
@@ -157,13 +157,13 @@ class TasksChecked(Struct, frozen=True, tag_field="type", tag="tasks_checked"):
 
     Attributes:
         id: of the command.
-        revision: of what may be chosen; another one than that of the list asks for a new list.
+        revision: of the choices; if it differs from that of the list, request a new list.
         steps: one for each that was sent.
         points: of all steps, each once.
         text: the program of the steps that are accepted; empty without one.
         listed: its points that are typed as numbers, as a list of points in a file; empty without one.
         problem: why there is no answer or no text; empty where there is.
-        unchecked: what no step was looked at for, as one line; empty for nothing.
+        unchecked: omitted checks, as one line; empty for none.
     """
 
     id: int
@@ -182,7 +182,7 @@ class TasksEstimated(Struct, frozen=True, tag_field="type", tag="tasks_estimated
     Attributes:
         id: of the command that it follows.
         seconds: cycle time [s]; null where the program does not come to its end.
-        message: what planning has found first; empty for nothing.
+        message: first finding of planning; empty for none.
     """
 
     id: int
@@ -209,14 +209,14 @@ class TaskFormOpened(Struct, frozen=True, tag_field="type", tag="task_form"):
 
 
 class FormFault(Struct, frozen=True):
-    """What is found of a field.
+    """Finding on a field.
 
     Attributes:
         field: `name`, `parameters`, or a property of the clause, such as `pre` or `body`.
         place: which of several fields, from 0; -1 where it is not known.
         severity: `error`, `warning` or `hint`.
         message: in words.
-        hint: what to do; empty for nothing.
+        hint: next action; empty for none.
     """
 
     field: str
@@ -232,7 +232,7 @@ class TaskFormChecked(Struct, frozen=True, tag_field="type", tag="task_form_chec
     Attributes:
         id: of the command.
         text: the whole text of the document with the form in it; empty where the form is no clause yet.
-        clause: the clause alone, as it stands in that text.
+        clause: the clause alone, as in that text.
         faults: of the fields.
     """
 

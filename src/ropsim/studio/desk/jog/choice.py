@@ -17,7 +17,7 @@ class Choice:
 
     Attributes:
         q: joint coordinates [rad | m], shape (n,).
-        words: what there is to say about it.
+        words: remarks about it.
     """
 
     q: Array

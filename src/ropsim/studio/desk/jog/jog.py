@@ -1,4 +1,4 @@
-"""Arms moved by hand: each stands where its joint coordinates say and tells in words what limits it."""
+"""Arms moved by hand: each has its joint coordinates and reports its limits in words."""
 
 from collections.abc import Mapping
 
@@ -139,11 +139,11 @@ def within_limits(robot: RobotModel, wanted: Array) -> Array:
     """Return the coordinates within all limits that are near to some [rad | m], shape (n,).
 
     Each axis stops at its limit. A joint that follows several axes stops at its own, by the least motion of
-    these axes; where that takes one of them beyond its limit, the others give way.
+    these axes; where that takes one of them beyond its limit, the others move instead.
 
     Args:
         robot: the arm.
-        wanted: [rad | m], shape (n,).
+        wanted: requested [rad | m], shape (n,).
     """
     lower, upper, coupled = robot.lower_limits, robot.upper_limits, coupled_limits(robot)
     q = np.clip(wanted, lower, upper)

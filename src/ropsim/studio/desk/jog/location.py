@@ -23,11 +23,11 @@ UNSURE = 1e-3
 
 
 def location_text(robot: RobotModel, X_MT: Pose, q: Array) -> str:
-    """Return a location that means the same in every program, whatever its units and its frame in force.
+    """Return a location with the same meaning in every program, independent of units and frame in force.
 
-    It is rounded to a hundredth of a millimetre and a thousandth of a degree. Where the arm's branches have
-    names it tells in which one the arm stands, and in which turns where that is not the first one, so that a
-    `mov` there brings the same posture back.
+    It is rounded to a hundredth of a millimetre and a thousandth of a degree. If the arm's branches have
+    names it includes the present one, and the turns if they are not the first ones, so that a `mov` there
+    brings the same posture back.
 
     Args:
         robot: whose external axes stay where they are.

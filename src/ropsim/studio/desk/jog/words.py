@@ -1,4 +1,4 @@
-"""What limits, reach and singularities have to say to who jogs an arm."""
+"""Words on limits, reach and singularities for jogging an arm."""
 
 from collections.abc import Iterable
 from math import degrees, radians
@@ -44,12 +44,12 @@ def worst_first(words: Words) -> tuple[tuple[Level, str], ...]:
 
 
 def limit_words(robot: RobotModel, q: Array, wanted: Array) -> Words:
-    """Return what the joint limits have to say.
+    """Return the words on joint limits.
 
     Args:
         robot: the arm.
         q: where it stands, inside the limits [rad | m], shape (n,).
-        wanted: where it was to stand, shape (n,).
+        wanted: requested coordinates, shape (n,).
     """
     words: Words = []
     coupled = coupled_limits(robot)
@@ -72,8 +72,8 @@ def limit_words(robot: RobotModel, q: Array, wanted: Array) -> Words:
 def refusal_words(robot: RobotModel, found: IkResult, here: Array) -> Words:
     """Return why a pose cannot be had: out of reach, or which limits it breaks.
 
-    Limits are those that the posture breaks in which the arm stands; where that has no answer, those of the
-    posture that breaks them least.
+    Limits are the violated ones of the present posture; if it has no answer, of the posture with the least
+    violation.
 
     Args:
         robot: the arm.

@@ -1,4 +1,4 @@
-"""What a live run shows: the layout of its numbers, and state frames of 60 per second."""
+"""Output of a live run: the layout of its numbers, and state frames of 60 per second."""
 
 import struct
 from collections.abc import Mapping
@@ -25,8 +25,8 @@ class Frames:
     """Makes the frames of one run.
 
     Args:
-        run: as it starts; its channels are those of all frames.
-        programs: what the stations run, by station.
+        run: as it starts; its channels are the channels of all frames.
+        programs: programs of the stations.
     """
 
     def __init__(self, run: RunView, programs: Mapping[str, Program]) -> None:
@@ -72,7 +72,7 @@ class Frames:
         return LiveFrame(header + values.tobytes() + bodies.tobytes())
 
     def _poses(self, sample: Mapping[str, Channel]) -> Array:
-        """Return position and quaternion in W of all that joints move, shape (n, 7)."""
+        """Return position and quaternion in W of all bodies moved by joints, shape (n, 7)."""
         q = {name: sample[channel_name("q", name)].values for name in self._tree.mechanisms}
         frames = np.concatenate(list(body_poses(self._tree, q, self._moving).values()))
         return np.hstack((frames[:, :3, 3], quaternions_from_matrices(frames[:, :3, :3])))

@@ -1,4 +1,4 @@
-"""What is done to a live run: it is held, goes on, makes one step, is slowed, is ended."""
+"""Interventions in a live run: hold, resume, single step, override, end."""
 
 from dataclasses import dataclass
 from typing import Literal
@@ -13,16 +13,17 @@ from ropsim.studio.wire.orders import LiveControl, LiveOverride
 class Hand:
     """Turns orders into the override of a run, which brakes and goes on along its paths.
 
-    A step ends with the next instruction that takes time. What takes none, such as an output, belongs to the
-    step of the instruction behind it; a move that passes its target by ends on its path, just behind it.
+    A step ends with the next instruction that takes time. An instruction without duration, such as an output,
+    belongs to the step of the instruction behind it; a move that passes its target by ends on its path, just
+    behind it.
 
     Attributes:
-        override: share of the planned speed that is asked for.
-        is_held: whether the run is held whatever that is.
+        override: share of the planned speed that is requested.
+        is_held: whether the run is held, for any override.
         is_stepping: whether it is to be held when the step is done.
         is_over: whether the run has been ended.
         in_force: override that the run was given last.
-        seen: how many events of the run have been looked at.
+        seen: number of events already processed.
     """
 
     override: float = 1.0
@@ -43,7 +44,7 @@ class Hand:
         return "held" if self.is_held else "running"
 
     def obey(self, run: RunView, order: LiveControl | LiveOverride) -> None:
-        """Do to a run what an order says, from the next tick on to which no station has come."""
+        """Apply an order to a run, from the next tick on to which no station has come."""
         match order:
             case LiveOverride(value):
                 self.override = value
@@ -60,7 +61,7 @@ class Hand:
         self._put_in_force(run)
 
     def look(self, run: RunView) -> Event | None:
-        """Hold a run that has come to the end of its step; return what has ended it, or None."""
+        """Hold a run that has come to the end of its step; return the event that ended it, or None."""
         if not self.is_stepping:
             return None
         ended = next((event for event in run.events[self.seen :] if event.duration > 0.0), None)

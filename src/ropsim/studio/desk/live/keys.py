@@ -1,4 +1,4 @@
-"""Key presses of a live run: each gets a time that the program has not looked at yet."""
+"""Key presses of a live run: each gets a time that the program has not read yet."""
 
 import math
 from dataclasses import dataclass, field
@@ -29,7 +29,7 @@ class Stamp:
 
 @dataclass(slots=True)
 class Keys:
-    """Gives key presses their times.
+    """Assigns times to key presses.
 
     A press becomes part of the run at the first tick to which no station has come, later than anything
     the program has read and later than the press before on the same signal. A run that is given the same

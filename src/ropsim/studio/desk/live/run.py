@@ -47,9 +47,9 @@ def run_live(
 ) -> RunReply:
     """Return the reply to a live run, with the inputs that it was given.
 
-    The run is computed slice by slice, each when the one before it has been shown. What is ordered meanwhile
-    acts from the next tick on to which no station has come, and is recorded with it; a run that is given what
-    the recording tells makes the same recording, bit for bit.
+    The run is computed slice by slice, each when the one before it has been shown. Orders in between act from
+    the next tick on that no station has reached, and are recorded with it; a run with the interventions of
+    the recording makes the same recording, bit for bit.
 
     Args:
         job: folder, texts, program and speed.

@@ -24,7 +24,7 @@ FRAME = 1.0 / 60.0
 """Time between two frames [s of the wall clock]."""
 
 GROW = 0.25
-"""How often is told how long a task is that goes on [s of the wall clock]."""
+"""Interval of updates on the duration of running tasks [s of the wall clock]."""
 
 LONGEST_NAP, SHORTEST_NAP = 0.25, 1e-4
 """How long the run waits at a time for orders [s of the wall clock]."""
@@ -35,27 +35,27 @@ ROUNDING = 1e-9
 
 @dataclass(slots=True)
 class LivePace:
-    """Lets a run keep pace, shows it and does to it what is ordered (`ropsim.simulation.Watch`).
+    """Lets a run keep pace, shows it and applies orders (`ropsim.simulation.Watch`).
 
     A watched run goes on in slices of an interpolation tick. Each is computed when the one before it has been
-    shown, so that whatever is done to the run acts within a slice of what is seen.
+    shown, so that interventions act within a slice of the shown state.
 
     Attributes:
-        program: name of the one that was asked for, for messages.
-        programs: what the stations run, by station.
+        program: name of the requested program, for messages.
+        programs: programs of the stations.
         clock: the simulated time that is shown.
         line: orders in, messages out.
         wall: returns the time of the wall clock [s].
         day: returns the time of day [s], for the frames.
         frames: made when the run starts.
         keys: stamps key presses.
-        placed: turns placements into what the page is told; made when the run starts.
-        told: how many placements have been looked at.
+        placed: converts placements to messages for the page; made when the run starts.
+        told: number of placements already processed.
         news: messages on parts and events whose time has not come yet.
-        heard: how many events have been looked at.
+        heard: number of events already processed.
         shown: when the last frame was due [s of the wall clock].
-        grown: when it was told last how long the tasks are that go on [s of the wall clock].
-        begun: serial of the newest task that was told, by station.
+        grown: time of the last update on the duration of running tasks [s of the wall clock].
+        begun: serial of the newest task already sent, by station.
         hand: holds, slows and ends the run.
     """
 
@@ -78,11 +78,11 @@ class LivePace:
 
     @property
     def may_press(self) -> bool:
-        """Return True: somebody may press a key at any time."""
+        """Return True: the user may press a key at any time."""
         return True
 
     def advanced(self, run: RunView) -> None:
-        """Wait until what has been computed is shown.
+        """Wait until the computed part is shown.
 
         Raises:
             Cancelled: the run was given up.
@@ -119,7 +119,7 @@ class LivePace:
             self._tell_state()
 
     def _hear(self, run: RunView) -> None:
-        """Take in what has happened since the last look."""
+        """Take in events since the last call."""
         self._begin(run)
         self.news += [(run.time, message) for message in self._moved(run)]
         self.news += [(one.end, happened(one)) for one in self._events(run)]
@@ -134,13 +134,13 @@ class LivePace:
             LiveMessage(plain(convert({"type": "placed", "body": placed.places[name], **told}, Placed)))
             for number, placement in enumerate(run.placements[self.told :], start=self.told)
             for name, told in placed.take(placement)
-            if number >= known  # the first ones, one for each body, are what the scene shows
+            if number >= known  # the first ones, one for each body, are already in the scene
         ]
         self.told = len(run.placements)
         return news
 
     def _events(self, run: RunView) -> list[Event]:
-        """Return what has happened since the last look, and the tasks that have become longer by it."""
+        """Return the events since the last call, and the tasks extended by them."""
         news = [*run.events[self.heard :]]
         self.heard = len(run.events)
         tasks: dict[tuple[str, int], Event] = {}
@@ -215,13 +215,13 @@ class LivePace:
         self.line.report(LiveMessage(plain(status)))
 
     def _tell_behind(self, ended: Event) -> None:
-        """Tell where the arm stands after a step whose move has passed its target by."""
+        """Report the position of the arm after a step whose move has passed its target by."""
         if isinstance(ended, MoveEvent) and ended.flown > 0.0:
             self.line.report(LiveMessage(plain(behind_target(ended))))
 
 
 def behind_target(move: MoveEvent) -> Notice:
-    """Return what the page is told of a step that ends on the way of a blend."""
+    """Return the notice for the page on a step that ends in a blend."""
     line = f" of line {move.origin.span.line}" if move.origin and move.origin.span else ""
     zone = f"{1e3 * move.flown:.3g} mm"
     words = f"the step ended behind the target{line}, which the path passes by (zone {zone})"
@@ -229,5 +229,5 @@ def behind_target(move: MoveEvent) -> Notice:
 
 
 def happened(event: Event) -> LiveMessage:
-    """Return what the page is told of an event."""
+    """Return the message for the page on an event."""
     return LiveMessage(plain(Happened(packed_event(event))))

@@ -1,1 +1,1 @@
-"""Tasks that an operator chooses: what there is, what is said of each step, how long the program takes."""
+"""Tasks that an operator chooses: their list, the state of each step, the time of the program."""

@@ -30,16 +30,16 @@ _CAUSES: Mapping[Category, str] = {
     Category.ENGINE_LOST: _STOPPED,
     Category.DAMAGED: _INSTALL,
 }
-"""Words for a user who knows tasks and not the engine that reads them, by the category of its failure."""
+"""Words on failures of the engine for operators, who do not know the engine, by category of the failure."""
 
 
 @dataclass(slots=True)
 class TaskBench:
-    """State of the worker as far as it is about tasks.
+    """State of the worker for tasks.
 
     Attributes:
-        workspace: keeps what is made of the texts of the project.
-        known: what is known of the project, None before it was asked for.
+        workspace: keeps results for the texts of the project.
+        known: data of the project, None before the first request.
         revision: counts how often something else was known.
     """
 

@@ -44,7 +44,7 @@ class Watch:
     """Looks on and lets the estimate be given up.
 
     Attributes:
-        line: to who asked for it.
+        line: connection to the sender.
         end: when it is given up [s of the wall clock].
         listened: when it listened last.
     """
@@ -55,7 +55,7 @@ class Watch:
 
     @property
     def may_press(self) -> bool:
-        """Return False: nobody presses keys."""
+        """Return False: there are no key presses."""
         return False
 
     def advanced(self, run: RunView) -> None:  # noqa: ARG002 - as the protocol has it

@@ -1,4 +1,4 @@
-"""Tasks as forms: their fields, what is said of each, and the text of the project with a form in it."""
+"""Tasks as forms: their fields, findings on each, and the text of the project with a form in it."""
 
 from collections.abc import Iterator
 from dataclasses import replace
@@ -46,7 +46,7 @@ def form_opened(job: OpenTaskForm, base: KnowledgeBase) -> TaskFormOpened:
 
 
 def form_checked(job: CheckTaskForm, project: Project, workspace: Workspace) -> TaskFormChecked:
-    """Return what is said of a form, and the text of its document with the form in it."""
+    """Return the findings on a form, and the text of its document with the form in it."""
     base = workspace.knowledge(project.tasks)
     old = next((one for one in project.tasks.own if _is(one.name, job.document)), None)
     form = TaskForm(
@@ -108,7 +108,7 @@ def _fault(field: str, place: int, finding: Diagnostic) -> FormFault:
 
 
 def _placed(found: tuple[Diagnostic, ...], text: str, places: ClausePlaces | None) -> Iterator[FormFault]:
-    """Yield findings of the clause, each with its field; those of other clauses are left out."""
+    """Yield findings of the clause, each with its field; findings of other clauses are left out."""
     lines = text.splitlines(keepends=True)
     for one in found:
         if one.span is None or places is None:

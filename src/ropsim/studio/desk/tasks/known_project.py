@@ -13,16 +13,16 @@ from ropsim.workbench import CellGeometry, Knowledge, Project, knowledge_of
 
 @frozen_dataclass
 class KnownProject:
-    """What is known of a project.
+    """Data of a project.
 
     Attributes:
-        key: of what all is made; while it is the same, so is all.
+        key: key of its inputs; the data are valid while it is the same.
         cell: None where it is broken.
-        knowledge: its tasks and what is true at the start.
+        knowledge: its tasks and facts at the start.
         lists: of points.
         findings: of cell, tasks and lists.
         geometry: of the cell.
-        poses: X_BT of points that were asked for, None where there is none.
+        poses: X_BT of requested points, None without a pose.
     """
 
     key: Hashable
@@ -41,7 +41,7 @@ class KnownProject:
 
 
 def known_project(project: Project, key: Hashable) -> KnownProject:
-    """Return what is known of a project; a new Prolog is started for it."""
+    """Return the data of a project; a new Prolog is started for it."""
     knowledge = knowledge_of(project)
     lists, findings = read_point_lists(project.folder)
     cell = project.cell
@@ -50,14 +50,14 @@ def known_project(project: Project, key: Hashable) -> KnownProject:
 
 
 def key_of(project: Project) -> Hashable:
-    """Return what stays the same as long as cell, tasks and lists of points do."""
+    """Return a key that changes with cell, tasks and lists of points."""
     robots = tuple(one.text for one in project.robot_files.values())
     lists = tuple(map(_content, point_files(project.folder)))
     return project.folder, project.cell_text, robots, project.tasks, lists
 
 
 def _content(path: Path) -> Hashable:
-    """Return what is the same as long as a list says the same."""
+    """Return a key that changes with the content of a list."""
     try:
         return path, hashlib.sha256(read_bytes(path)).digest()
     except OSError:

@@ -1,4 +1,4 @@
-"""What may be chosen, as a page shows it."""
+"""Tasks and places to choose from, for a page."""
 
 from collections.abc import Iterator, Mapping
 
@@ -27,7 +27,7 @@ from ropsim.tasks import (
 from ropsim.views import plain_findings
 
 MOST_PARTS = 200
-"""Parts whose places are told."""
+"""Number of parts whose places are listed."""
 
 
 def task_list(known: KnownProject, revision: int) -> TaskList:
@@ -40,7 +40,7 @@ def task_list(known: KnownProject, revision: int) -> TaskList:
 
 
 def world_now(state: WorldState, names: Mapping[Given, str]) -> WorldNow:
-    """Return what is true in a state.
+    """Return the facts of a state.
 
     Args:
         state: the facts.

@@ -1,4 +1,4 @@
-"""What is said of the steps that an operator has chosen, and of the points of their program."""
+"""Findings on the steps that an operator has chosen, and the points of their program."""
 
 from math import degrees, radians
 
@@ -28,11 +28,11 @@ _SAME = 1e-9
 """Poses whose numbers differ by less are the same [m, without unit]."""
 
 PROGRAM = "chosen_tasks"
-"""Name of the program of the steps as long as it has none."""
+"""Name of the program of the steps until it has a name."""
 
 
 def checked(known: KnownProject, steps: TaskSteps, number: int, revision: int) -> TasksChecked:
-    """Return what is said of each step, the points of the program, and its text."""
+    """Return the state of each step, the points of the program, and its text."""
     base, state = known.knowledge.base, known.knowledge.state
     typed = tuple(TypedStep(one.name, one.points, one.values) for one in steps)
     draft = drafted(typed, base, state, known.lists)
@@ -65,7 +65,7 @@ def _point(known: KnownProject, point: Point, names: dict[Given, str]) -> Progra
 
 
 def _numbers(point: Point, X_BT: Pose) -> SixNumbers:
-    """Return X Y Z [mm] Pitch Roll Yaw [deg] of a pose; those that were typed, where they give this pose."""
+    """Return X Y Z [mm] Pitch Roll Yaw [deg] of a pose; the typed numbers if they describe this pose."""
     if isinstance(point, ApproachPose):
         q = approach_orientation(*(radians(one) for one in point.numbers[3:]))
         typed = Pose(1e-3 * np.array(point.numbers[:3]), np.array(q))
