@@ -57,7 +57,7 @@ export interface KeepPoints {
   readonly points: string
 }
 
-/** Open another project in place of this one; relative paths begin at the parent folder of this project. */
+/** Open another project in place of this one; relative paths begin at the parent folder of this one. */
 export interface OpenProject {
   readonly type: 'open_project'
   readonly path: string
