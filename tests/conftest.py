@@ -26,8 +26,8 @@ LONGEST = (
 """The longest modules with a browser come first among them: one begun last would keep a worker alone."""
 QUICK = "not slow"
 """What `make test` selects."""
-SLOW = "e2e"
-"""The only folder with slow tests: `make test-rest` collects no other one."""
+REST = "slow"
+"""What `make test-rest` selects."""
 HERE = Path(__file__).parent
 
 pytest_plugins = ("support.browser",)
@@ -57,6 +57,12 @@ def pytest_configure(config: pytest.Config) -> None:
     count = int(os.environ["PYTEST_XDIST_WORKER_COUNT"])
     begin = int(worker.removeprefix("gw")) * len(folders) // count
     config.args[:] = folders[begin:] + folders[:begin]
+
+
+def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:
+    """Leave out modules without slow tests where only these are selected: importing all takes its time."""
+    only_slow = config.option.markexpr == REST and collection_path.name.startswith("test_")
+    return True if only_slow and not _may_be_slow(collection_path) else None
 
 
 @pytest.hookimpl(wrapper=True)
@@ -89,9 +95,11 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     for item in items:
         if _in_browser(item) and item.get_closest_marker("smoke") is None:
             item.add_marker("slow")
-    stray = [item.nodeid for item in items if item.get_closest_marker("slow") and _first(item.path) != SLOW]
-    if stray:
-        raise pytest.UsageError(f"slow tests outside tests/{SLOW}: {', '.join(stray)}")
+    slow = {item.path for item in items if item.get_closest_marker("slow")}
+    if hidden := [str(path) for path in slow if not _may_be_slow(path)]:
+        raise pytest.UsageError(
+            f"write pytest.mark.slow where it is used, else {REST!r} does not select it: {hidden}"
+        )
     in_browser = {item.path for item in items if _in_browser(item)}
     places = {
         path: (path in in_browser, _folder(path), _rank(path.name), path)
@@ -104,14 +112,14 @@ def _in_browser(item: pytest.Item) -> bool:
     return isinstance(item, pytest.Function) and "browser" in item.fixturenames
 
 
+def _may_be_slow(module: Path) -> bool:
+    """Return whether a module may have slow tests: it names the mark, or walks in a browser."""
+    return module.parent == HERE / "e2e" or "pytest.mark.slow" in module.read_text("utf-8")
+
+
 def _rank(module: str) -> int:
     return LONGEST.index(module) if module in LONGEST else len(LONGEST)
 
 
 def _folder(module: Path) -> int:
-    return ORDER.index(_first(module))
-
-
-def _first(module: Path) -> str:
-    """Return the folder of `tests` that a module belongs to."""
-    return module.relative_to(HERE).parts[0]
+    return ORDER.index(module.relative_to(HERE).parts[0])

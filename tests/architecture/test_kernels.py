@@ -5,6 +5,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
+
 ROOT = Path(__file__).parents[2]
 TESTS = ROOT / "tests"
 MADE = """
@@ -22,7 +24,7 @@ IN_PYTHON = (
     "kinematics/bodies/test_blocks.py",
     "kinematics/test_external_axes.py",
     "kinematics/chain/test_forward.py::test_places_of_tools_are_those_of_their_poses",
-    "kinematics/test_general_six_axis.py::test_it_has_the_answers_of_the_closed_forms",
+    "kinematics/test_general_six_axis.py::test_it_has_the_answers_of_the_closed_forms[robot0]",
     "kinematics/test_wrist_posture.py",
     "motion/paths/test_spline.py::test_the_positions_are_those_of_the_natural_cubic_spline_over_chords",
     "motion/paths/test_line.py::test_the_distance_agrees_with_a_search",
@@ -33,7 +35,7 @@ IN_PYTHON = (
     "motion/test_motion_time.py",
     "controller/test_part_times.py",
     "planning/blends/test_blend.py",
-    "planning/blends/test_joined_ends.py::test_coordinates_are_the_integral_of_the_speeds_round_every_corner",
+    "planning/blends/test_joined_ends.py::test_coordinates_are_the_integral_of_the_speeds_round_every_corner[iiwa14]",
     "planning/joint_limits/test_binding_kernel.py",
     "planning/joint_limits/test_joint_imposed_kernel.py",
     "planning/joint_limits/test_limit_grid_kernel.py",
@@ -68,6 +70,7 @@ def test_kernels_that_are_kept_are_loaded_without_numba() -> None:
     assert not needed
 
 
+@pytest.mark.slow
 def test_every_kernel_passes_tests_in_python_where_every_index_is_checked() -> None:
     """A new kernel needs a test in `IN_PYTHON`."""
     command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", "-p", "support.kernels_called"]

@@ -15,9 +15,10 @@ from ropsim.icr import disassemble, program_id
 from ropsim.program import check_contracts
 from ropsim.program.diagnostics import GRIPPER_STATE
 from ropsim.query import is_same
+from support.examples import examples
 from support.tasks import CELL
 
-EDITS = int(os.environ.get("ROPSIM_EDITS", "300"))
+EDITS = int(os.environ.get("ROPSIM_EDITS", examples(300)))
 FOLDER = Path(__file__).parents[1] / "golden" / "task"
 TEXTS = [path.read_text(encoding="utf-8") for path in sorted(FOLDER.glob("*.task"))]
 LINES = sorted({line for text in TEXTS for line in text.split("\n")})

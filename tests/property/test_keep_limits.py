@@ -8,9 +8,10 @@ import pytest
 from ropsim.motion import Infeasible, JointBounds, NominalTime, RetimedTrajectory, keep_limits, time_optimal
 from ropsim.motion.retiming.joint_bounds import Effort
 from ropsim.spatial import Array
+from support.examples import examples
 from support.motions import Waves, body, most_of
 
-SEEDS = range(40)
+SEEDS = range(examples(40))
 ROUNDING = 1e-9  # relative; what counts as within a limit
 TICK = 1e-3
 

@@ -7,13 +7,14 @@ from collections import Counter
 
 import pytest
 
+from support.examples import examples
 from support.programs.agreement import disagreement
 from support.programs.making import program
 from support.programs.meaning import carried_out
 from support.programs.text import written
 from support.programs.values import TooLongError
 
-PROGRAMS = 500
+PROGRAMS = examples(500)
 BATCH = 50
 WORDS = """
 if elseif else while repeat until for each with set load lin print return break continue stop const var

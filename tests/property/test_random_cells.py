@@ -17,9 +17,10 @@ from ropsim.model import WORLD, Cell
 from ropsim.simulation import RunOptions, RunView, run
 from ropsim.simulation.parts.placements import Placements
 from ropsim.simulation.state.cell_run import CellRun
+from support.examples import examples
 from support.random_cells import random_cell
 
-COUNT = int(os.environ.get("ROPSIM_RANDOM_CELLS", "30"))
+COUNT = int(os.environ.get("ROPSIM_RANDOM_CELLS", examples(30)))
 OPTIONS = RunOptions(Fidelity.KINEMATIC, record_hz=50, longest=15.0, longest_wait=5.0)
 ROUNDING = 1e-9  # [s]
 

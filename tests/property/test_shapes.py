@@ -12,6 +12,7 @@ from ropsim.language.syntax.line import parse_line
 from ropsim.language.syntax.shape_reader import parts_of, reader_of
 from ropsim.language.syntax.shapes import Shapes
 from ropsim.language.syntax.statements import Statement
+from support.examples import examples
 
 FOLDER = Path(__file__).parents[1] / "golden" / "task"
 LINES = sorted(
@@ -73,7 +74,7 @@ def changed(line: str, rng: random.Random) -> str:
     return OPEN.sub(other, line)
 
 
-@pytest.mark.parametrize("seed", range(8))
+@pytest.mark.parametrize("seed", range(examples(8)))
 def test_a_line_is_read_by_its_shape_as_the_parser_reads_it(seed: int) -> None:
     rng = random.Random(seed)
     shapes = Shapes(many=1)

@@ -6,9 +6,10 @@ from pathlib import Path
 
 import pytest
 
+from support.examples import examples
 from support.text_machine import TextMachine
 
-HISTORIES = int(os.environ.get("ROPSIM_TEXT_HISTORIES", "200"))
+HISTORIES = int(os.environ.get("ROPSIM_TEXT_HISTORIES", examples(200)))
 """10,000 take a quarter of an hour."""
 
 STEPS, PARTS = 40, 4
@@ -16,6 +17,7 @@ MEMORY = Path("/dev/shm")
 """A disk in memory, where there is one: what is asked here is no question of durable disks."""
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("part", range(PARTS))
 def test_no_text_is_lost_and_none_is_written_over_unsaid(
     part: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch

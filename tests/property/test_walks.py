@@ -5,6 +5,7 @@ import pytest
 
 from ropsim.model import Payload
 from ropsim.planning import MotionState, plan
+from support.examples import examples
 from support.walking_arms import WALKERS, chain
 from support.walks import faults_of, hairpins, random_walk
 
@@ -14,7 +15,7 @@ WALKS = {"of all kinds": random_walk, "of hairpins": hairpins}
 
 @pytest.mark.parametrize("name", WALKERS)
 @pytest.mark.parametrize("kind", WALKS)
-@pytest.mark.parametrize("seed", range(12))
+@pytest.mark.parametrize("seed", range(examples(12)))
 def test_limits_hold_at_every_control_tick(name: str, kind: str, seed: int) -> None:
     """`python -m tools.walks` does the same for as many walks as one has time for."""
     walk = WALKS[kind](chain(name), np.random.default_rng(seed))

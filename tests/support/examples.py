@@ -1,22 +1,30 @@
-"""How many examples a law is tried on: as its test says, or ten times as many (`make test-all`)."""
+"""How many examples a law is tried on: a share of what its test names, ten times as many in long runs."""
 
 from hypothesis import HealthCheck, settings
 
-USUAL = 100
-"""Examples of a law that names no number."""
-MORE = 10
-"""Times as many in the long profile."""
+SHARES = {"suite": 0.4, "long": 10.0}
+"""Of the number that a test names, by profile: most examples are the same in each run."""
+NAMED = 100
+"""Examples of a law whose test names no number."""
+LEAST = 5
 
 
 def register_profiles() -> None:
-    """Register the profiles `suite`, which is loaded, and `long`, without deadlines: cores are shared."""
-    for name, count in (("suite", USUAL), ("long", MORE * USUAL)):
+    """Register the profiles, without deadlines, for cores are shared, and load that of the suite."""
+    for name, share in SHARES.items():
         settings.register_profile(
-            name, deadline=None, suppress_health_check=[HealthCheck.too_slow], max_examples=count
+            name,
+            deadline=None,
+            suppress_health_check=[HealthCheck.too_slow],
+            max_examples=round(share * NAMED),
         )
     settings.load_profile("suite")
 
 
 def examples(count: int) -> int:
-    """Return how many examples the loaded profile has where the usual one has `count`."""
-    return count * settings().max_examples // USUAL
+    """Return on how many examples a law is tried in the loaded profile.
+
+    Args:
+        count: named by its test.
+    """
+    return max(min(count, LEAST), count * settings().max_examples // NAMED)

@@ -70,6 +70,7 @@ def kept() -> tuple[Trace, Calibration]:
     return logs, found
 
 
+@pytest.mark.slow
 def test_limits_that_bind_come_back() -> None:
     found, true = calibrated(), robot_settings().all
     fitted = [k for k, kind in enumerate(found.known.kinds) if kind is Knowledge.FITTED]
@@ -143,6 +144,7 @@ def test_joints_that_all_differ_are_told_apart_and_limits_that_nothing_tells_are
     assert found.remaining < NEAR_TIME
 
 
+@pytest.mark.slow
 def test_limits_that_the_trace_does_not_tell_apart_are_uncertain_and_not_fitted() -> None:
     """Jerks of two joints that act on the same motions come out 13 % off, though times are met to 0.1 %."""
     made = site(SHORT)
@@ -189,6 +191,7 @@ def test_the_zero_of_a_joint_that_is_beside_the_model_is_said(joint: int, degree
     assert said[0].data["offset"] == pytest.approx(np.radians(degrees), abs=np.radians(0.01))
 
 
+@pytest.mark.slow
 def test_a_robot_that_keeps_to_its_limits_changes_nothing_that_matters() -> None:
     known = settings_of(site().station)
     _, found = kept()

@@ -107,14 +107,17 @@ def planted(cache: Path, monkeypatch: pytest.MonkeyPatch) -> str:
     return first
 
 
+@pytest.mark.slow
 def test_kept_code_gives_the_same_results_without_a_compiler(cache: Path) -> None:
     assert ran(RESULTS, *range(COUNT), ROPSIM_CACHE_DIR=str(cache)) == [*EXPECTED, "False"]
 
 
+@pytest.mark.slow
 def test_no_file_is_taken_for_another(cache: Path) -> None:
     assert ran(FOUND, ROPSIM_CACHE_DIR=str(cache)) == [str(COUNT * (COUNT - 1)), "0"]
 
 
+@pytest.mark.slow
 def test_swapped_files_are_made_anew(cache: Path) -> None:
     files = code_files(cache)
     whole = [path.read_bytes() for path in files]
@@ -124,6 +127,7 @@ def test_swapped_files_are_made_anew(cache: Path) -> None:
     assert [path.read_bytes() for path in files] == whole
 
 
+@pytest.mark.slow
 def test_damaged_files_are_made_anew(cache: Path) -> None:
     files = code_files(cache)
     whole = [path.read_bytes() for path in files]
@@ -136,6 +140,7 @@ def test_damaged_files_are_made_anew(cache: Path) -> None:
     assert [path.read_bytes() for path in files] == whole
 
 
+@pytest.mark.slow
 def test_planted_code_would_run_where_the_user_could_have_written_it(
     cache: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -145,6 +150,7 @@ def test_planted_code_would_run_where_the_user_could_have_written_it(
     assert ran(RESULTS, 0, ROPSIM_CACHE_DIR=str(cache)) == [EXPECTED[3], "False"]
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(sys.platform in ("win32", "darwin"), reason="variables of Linux")
 @pytest.mark.parametrize("place", ["", "."])
 def test_code_in_the_working_folder_is_not_run(
@@ -157,6 +163,7 @@ def test_code_in_the_working_folder_is_not_run(
     assert ran(HAS_FIRST, first, cwd=project, **around) == ["False"]
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not hasattr(os, "geteuid"), reason="no owners of files")
 @pytest.mark.parametrize("who", ["group", "world", "link", "owner"])
 def test_code_that_others_could_have_written_is_not_run(
@@ -177,6 +184,7 @@ def test_code_that_others_could_have_written_is_not_run(
     assert ran(HAS_FIRST, first, ROPSIM_CACHE_DIR=str(cache)) == ["False"]
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not hasattr(os, "geteuid"), reason="no owners of files")
 def test_a_file_that_others_could_have_written_is_made_anew(
     cache: Path, monkeypatch: pytest.MonkeyPatch
@@ -196,6 +204,7 @@ with GENERATED.turn(int(sys.argv[1], 16)):
 """
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(sys.platform == "win32", reason="no process can be stopped there")
 def test_a_process_that_was_stopped_while_it_compiles_keeps_nobody_for_ever(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch

@@ -252,6 +252,7 @@ print(out[0])
 """
 
 
+@pytest.mark.slow
 def test_a_number_of_another_module_is_compiled_anew_where_it_has_changed(tmp_path: Path) -> None:
     (tmp_path / "uses_numbers.py").write_text(NUMBERED, "utf-8")
     told = []

@@ -7,6 +7,7 @@ import pytest
 
 from ropsim.collision.convex_parts import convex_parts
 from ropsim.model import Point2
+from support.examples import examples
 
 U = ((0.0, 0.0), (3.0, 0.0), (3.0, 2.0), (2.0, 2.0), (2.0, 1.0), (1.0, 1.0), (1.0, 2.0), (0.0, 2.0))
 L = ((0.0, 0.0), (2.0, 0.0), (2.0, 1.0), (1.0, 1.0), (1.0, 2.0), (0.0, 2.0))
@@ -48,7 +49,7 @@ def test_plain_outlines_have_few_parts(outline: tuple[Point2, ...], count: int) 
     assert len(convex_parts(outline)) == count
 
 
-@pytest.mark.parametrize("seed", range(60))
+@pytest.mark.parametrize("seed", range(examples(60)))
 def test_parts_are_convex_and_fill_the_outline(seed: int) -> None:
     outline = star(seed)
     parts = convex_parts(outline)

@@ -59,6 +59,7 @@ def test_among_very_many_names_the_nearest_is_found_by_a_bounded_number_of_compa
     assert max(compared) <= MANY
 
 
+@pytest.mark.slow
 def test_many_words_are_looked_for_among_the_same_names_in_time_linear_in_both(compared: list[int]) -> None:
     def comparisons(count: int) -> int:
         compared.clear()

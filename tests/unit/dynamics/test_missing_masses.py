@@ -11,6 +11,7 @@ from ropsim.dynamics import MissingMassError
 from ropsim.dynamics.mass_check import idle_axes
 from ropsim.model import Link, Payload, RobotModel
 from ropsim.spatial import Array
+from support.examples import examples
 
 FUNCTIONS: dict[str, Callable[[RobotModel, Array, Array], object]] = {
     "inverse_dynamics": lambda robot, q, rest: dynamics.inverse_dynamics(robot, q, rest, rest),
@@ -89,7 +90,7 @@ def test_a_rotor_is_inertia_enough_for_an_axis() -> None:
     assert np.isfinite(dynamics.forward_dynamics(driven, driven.home, np.zeros(6), np.zeros(6))).all()
 
 
-@pytest.mark.parametrize("seed", range(200))
+@pytest.mark.parametrize("seed", range(examples(200)))
 def test_an_axis_is_idle_where_it_adds_nothing_to_the_rank_of_those_behind_it_in_any_units(seed: int) -> None:
     """Mass matrices JᵀJ of small whole numbers, some of them singular, in units of any size for each axis."""
     random = np.random.default_rng(seed)

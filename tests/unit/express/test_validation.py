@@ -189,6 +189,7 @@ def test_expressions_have_the_values_of_the_language(text: str, value: object) -
     assert type(found) is type(value) or text in ("red", "1 + 2 * 3 ** 2")
 
 
+@pytest.mark.slow
 def test_rules_that_take_too_long_are_left_undecided() -> None:
     text = (
         "SCHEMA s; ENTITY a; n : INTEGER; END_ENTITY; RULE r FOR (a); WHERE wr1 : "

@@ -134,6 +134,7 @@ def verified(text: str) -> None:
     assert icr.verify(result.icr) == ()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", LONG)
 def test_work_and_memory_are_in_proportion_to_the_text(kind: str) -> None:
     short, long = LONG[kind](25), LONG[kind](100)

@@ -65,6 +65,7 @@ def plain(folder: Path) -> int:
     return cost(folder, ())[0]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("case", CASES)
 def test_an_edit_costs_what_it_touches(folder: Path, plain: int, case: str) -> None:
     found, told = cost(folder, CASES[case])

@@ -50,6 +50,7 @@ PLACES = [
 ]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("places", PLACES, ids=str)
 def test_places_behind_the_end_are_those_of_the_end(
     opened: tuple[Editor, str], places: tuple[Any, Any]

@@ -83,6 +83,7 @@ def renamed(record: Record, names: dict[int, int]) -> Record:
     return Record(record.keyword, tuple(turn(value) for value in record.values))
 
 
+@pytest.mark.slow
 @given(files())
 @settings(max_examples=examples(60), deadline=None)
 def test_reading_what_was_written_gives_the_same_text_and_the_same_content(file: ExchangeFile) -> None:

@@ -73,6 +73,7 @@ DAMAGES: dict[str, Callable[[bytes], bytes]] = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("damage", DAMAGES)
 def test_a_damaged_image_is_made_anew(cache: Path, damage: str) -> None:
     first = asked(WasmProgram(MEMORY, told))

@@ -60,6 +60,7 @@ def said_of_text(engine: Engine, text: str) -> Iterator[Diagnostic]:
         yield error.diagnostic
 
 
+@pytest.mark.slow
 def test_no_message_about_a_goal_shows_a_part_of_ropsim(shut_off: Engine) -> None:
     goals = [*texts_of_tests("prolog"), *wrong_goals(GOALS, 1)]
     found = [(goal, one) for goal in goals for one in said(shut_off, goal)]
@@ -71,6 +72,7 @@ def test_no_message_about_a_goal_shows_a_part_of_ropsim(shut_off: Engine) -> Non
     assert shown == []
 
 
+@pytest.mark.slow
 def test_no_message_about_a_text_shows_a_part_of_ropsim(shut_off: Engine) -> None:
     texts = [*texts_of_tests("prolog"), *wrong_texts(TEXTS, 2)]
     found = [(text, one) for text in texts for one in said_of_text(shut_off, text)]

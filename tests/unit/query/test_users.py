@@ -5,9 +5,10 @@ import random
 import pytest
 
 from ropsim.query.users import FEW, Key, Users, kept_users, with_user, without_user
+from support.examples import examples
 
 
-@pytest.mark.parametrize("seed", range(30))
+@pytest.mark.parametrize("seed", range(examples(30)))
 def test_users_are_those_that_came_and_did_not_go(seed: int) -> None:
     rng = random.Random(seed)
     users: Users = ()

@@ -28,6 +28,7 @@ def gap(a: Array, b: Array) -> float:
     return float(cKDTree(b).query(a, distance_upper_bound=STEP)[0].min()) if len(a) and len(b) else np.inf
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", [*WRITTEN, "irb120", "kr6_r900_2", "lr_mate_200id", "panda", "tx60", "ur3e"])
 def test_neighbouring_links_touch_in_every_posture(name: str) -> None:
     robot = robots.load(name)

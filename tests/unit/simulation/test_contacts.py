@@ -88,6 +88,7 @@ def deepest(found: tuple[Contact, ...], one: str) -> Contact:
     return min((each for each in found if each.one == one), key=lambda each: each.distance)
 
 
+@pytest.mark.slow
 def test_a_gripper_that_goes_too_deep_is_one_finding_for_all_passes(low: tuple[Cell, Recording]) -> None:
     _, recording = low
     found = [one for one in recording.findings if one.code == "S751"]
@@ -102,6 +103,7 @@ def test_a_gripper_that_goes_too_deep_is_one_finding_for_all_passes(low: tuple[C
     assert not recording.ok
 
 
+@pytest.mark.slow
 def test_the_depth_is_that_of_the_boxes_by_separating_axes_and_by_hand(low: tuple[Cell, Recording]) -> None:
     cell, recording = low
     assert recording.facts.ways is not None

@@ -134,6 +134,7 @@ ACTS: st.SearchStrategy[Act] = st.one_of(
 )
 
 
+@pytest.mark.slow
 @settings(max_examples=examples(8), deadline=None, derandomize=True)
 @given(
     acts=st.lists(st.tuples(st.floats(0.0, 6.0), ACTS), max_size=6),

@@ -230,6 +230,7 @@ def test_an_index_that_runs_away_ends_the_run_and_not_the_process(engine: Engine
     assert caught.value.diagnostic.code == "C601"
 
 
+@pytest.mark.slow
 def test_a_law_that_python_takes_and_the_compiler_does_not_is_told() -> None:
     body = "found = {}\nfound['x'] = 1.0\nfound[2] = 'y'\nout[0] = 0.0"
     with pytest.raises(LawError) as caught:

@@ -224,6 +224,7 @@ def held(*overrides: tuple[float, float]) -> RunOptions:
     return RunOptions(Fidelity.KINEMATIC, record_hz=1000, overrides=changes)
 
 
+@pytest.mark.slow
 def test_a_run_that_is_held_and_slowed_meanwhile_ends_at_the_same_place_and_does_not_drift() -> None:
     slope = 0.1
     start, line = line_at(3.0)
@@ -242,6 +243,7 @@ def test_a_run_that_is_held_and_slowed_meanwhile_ends_at_the_same_place_and_does
     assert (np.abs(np.diff(qd, axis=0)) <= ROBOT.max_accelerations * 1e-3).all()
 
 
+@pytest.mark.slow
 def test_a_run_with_inputs_of_an_earlier_one_has_the_same_bits() -> None:
     start, line = line_at(3.0)
     inputs = (InputChange(1.8, "gap", 0.013), InputChange(2.2, "gap", 0.008))
@@ -253,6 +255,7 @@ def test_a_run_with_inputs_of_an_earlier_one_has_the_same_bits() -> None:
         assert np.array_equal(channel.values, two.channels[name].values, equal_nan=True)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("way", ["(760, 170, 300; ry 90 deg)", "(760, 180, 300; ry 90 deg)"])
 def test_a_correction_stops_before_the_arm_is_stretched_out_and_goes_back_where_the_path_leads_there(
     way: str,
@@ -384,6 +387,7 @@ class Hand(NobodyWatches):
                 run.press(what, run.farthest + 1, value)
 
 
+@pytest.mark.slow
 def test_a_live_run_with_keys_and_overrides_is_repeated_to_the_bit() -> None:
     start, line = line_at(3.0)
     hand = Hand([(1.7, "gap", 0.013), (1.9, "override", 0.37), (2.2, "override", 1.0), (2.5, "gap", 0.008)])

@@ -159,6 +159,7 @@ def test_arrays_are_read_only_after_pickling_and_copying() -> None:
         assert not any(array.flags.writeable for array in arrays(again))
 
 
+@pytest.mark.slow
 def test_equal_texts_give_equal_cells_in_every_process() -> None:
     script = (
         "import sys; from ropsim.spatial import fingerprint; from ropsim.workbench import open_project;"

@@ -43,6 +43,7 @@ def work(documents: Documents, journal: Journal) -> tuple[Diagnostic | None, lis
     return asyncio.run(all_of_it()), told
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("step", ["fails", "the folder goes"])
 def test_no_text_is_lost_at_whatever_call_the_system_fails(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, step: str

@@ -20,6 +20,7 @@ from ropsim.tasks.bodies.body_text import body_lines
 from ropsim.tasks.findings import words
 from ropsim.tasks.terms.expression_terms import NoTermError
 from ropsim.tasks.terms.expression_text import NotTextError
+from support.examples import examples
 from support.knowledge import CELL, base
 
 PL = Path(ropsim.tasks.__file__).parent / "pl"
@@ -135,7 +136,7 @@ class Bodies:
         return pick((Struct("and", (one, two)), Struct("or", (one, two)), Struct("not", (denied,))))
 
 
-@pytest.mark.parametrize("seed", range(40))
+@pytest.mark.parametrize("seed", range(examples(40)))
 def test_a_body_that_is_written_as_text_is_read_as_the_same_body(seed: int) -> None:
     body = Bodies(seed).body(2)
     assert terms("\n".join(body_lines(body, NAMES))) == body

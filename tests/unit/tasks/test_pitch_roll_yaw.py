@@ -97,6 +97,7 @@ UNITS = "mm,mm,mm,deg,deg,deg"
 Door = Callable[[tuple[tuple[float, ...], ...]], Iterator[str]]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("door", [_dialogue, _call, _list, _language])
 def test_a_thousand_poses_have_the_same_tool_vectors_through_every_door(door: Door) -> None:
     for numbers, X_BT in zip(POSES, _compiled(door(POSES)), strict=True):

@@ -110,6 +110,7 @@ def test_a_place_behind_the_text_is_in_its_last_section() -> None:
     assert unfinished_at(["[a]", "b"], 1, 10**9).typed == "b"
 
 
+@pytest.mark.slow
 def test_a_place_is_where_the_finished_text_has_it() -> None:
     """The places of finished texts are found by another pass, which needs the whole text to be right."""
     looked_at = 0
@@ -145,6 +146,7 @@ def test_each_line_is_looked_at_once() -> None:
     assert lines.looked_at == len(lines)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "sign", ["[", "{", "a={", "a=[", "a=[{", '"', "'", '"""', "a.", "[a.", "]", ",", "\\", "a=[\n"]
 )

@@ -138,6 +138,7 @@ def test_an_edit_of_a_task_compiles_again_only_the_programs_that_call_it() -> No
     assert ran(WAVE.replace("mov(L)", "lin(L)"), other)
 
 
+@pytest.mark.slow
 def test_a_long_chain_of_calls_in_a_knowledge_base_compiles_and_again_after_an_edit() -> None:
     def chain(last: str) -> str:
         calls = "\n".join(

@@ -150,6 +150,7 @@ def test_a_place_out_of_reach_is_missed_by_the_distance() -> None:
     assert found.miss.distance == pytest.approx(0.25 * float(np.linalg.norm(place)), abs=1e-3)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["irb460_110_240", "cobra600"])
 def test_a_miss_is_told_as_the_distance_to_the_workspace(name: str) -> None:
     """By steps of the axes and by the raster of the section, which is exact to its spacing."""

@@ -36,6 +36,7 @@ def open_handles() -> int:
     return len(list(Path("/proc/self/fd").iterdir())) if sys.platform.startswith("linux") else 0
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("fault", FAULTS)
 @pytest.mark.parametrize("is_filled", [True, False], ids=["filled", "empty"])
 def test_an_entry_is_whole_or_absent_at_whatever_call_the_system_fails(

@@ -17,10 +17,11 @@ from ropsim.planning.joint_limits.limit_grid_kernel import (
 from ropsim.planning.joint_limits.slowed_sections_kernel import slower_ways
 from ropsim.planning.trajectory.timing_kernel import lay_horizons
 from ropsim.spatial import Array
+from support.examples import examples
 
 STEPS = np.array([FIRST_STEP, SECOND_STEP, THIRD_STEP])
 ROUNDING = 1e-12
-SEEDS = range(20)
+SEEDS = range(examples(20))
 
 
 def law_of(rng: np.random.Generator, p: int) -> tuple[TimeLaw, Array, Array]:

@@ -205,6 +205,7 @@ class _Overlap:
         return JointPoints(*(np.stack([way.deriv(k)(s) for way in self._ways], axis=1) for k in range(3)))
 
 
+@pytest.mark.slow
 def test_the_bounds_hold_on_random_blends() -> None:
     random = np.random.default_rng(9)
     for _ in range(200):

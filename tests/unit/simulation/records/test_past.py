@@ -46,6 +46,7 @@ def told(recording: Recording) -> object:
     return recording.placements, recording.facts.destinations, recording.findings, grips, recording.duration
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("fidelity", list(Fidelity))
 def test_placements_destinations_and_findings_do_not_depend_on_the_rate_of_recording(
     fidelity: Fidelity,
@@ -60,6 +61,7 @@ def test_placements_destinations_and_findings_do_not_depend_on_the_rate_of_recor
         assert told(recording) == told(dense)
 
 
+@pytest.mark.slow
 def test_rows_that_are_thinned_change_nothing_either() -> None:
     cell, codes = runnable()
     dense, thin = (run(cell, codes, RunOptions(most_rows=most)) for most in (1_000_000, 20))

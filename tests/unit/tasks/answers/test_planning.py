@@ -7,6 +7,7 @@ from collections.abc import Iterator
 import pytest
 
 from ropsim.tasks import WorldState
+from support.examples import examples
 from support.knowledge import GEOMETRY, base
 from support.patience import PATIENCE
 
@@ -52,7 +53,7 @@ def state_of(now: Places, places: list[str]) -> WorldState:
     return WorldState.of(*facts, *free, *held, f"gripper({'closed' if held else 'open'})")
 
 
-@pytest.mark.parametrize("seed", range(25))
+@pytest.mark.parametrize("seed", range(examples(25)))
 def test_plans_are_as_short_as_those_of_a_breadth_first_search(seed: int) -> None:
     chance = random.Random(seed)
     known = base()
@@ -261,6 +262,7 @@ AT_MOST = 4.0
 """A task of the user with three places may make planning take so many times the inferences."""
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("what", THREE_PLACES)
 def test_a_task_with_three_places_costs_the_rotation_of_eight_parts_little(what: str) -> None:
     places = [f"s{index}" for index in range(8)]
@@ -340,6 +342,7 @@ def test_goals_that_can_both_be_made_are_not_said_to_exclude_each_other(goal: li
     assert base(text).plan(goal, cell_of(("s1", "s2"), ["s1", "s2", "s3"]), seconds=PATIENCE).ok
 
 
+@pytest.mark.slow
 def test_a_plan_that_need_not_be_the_fewest_says_so() -> None:
     known = base(THREE_PLACES["three parts that change places"])
     places = [f"s{index}" for index in range(8)]

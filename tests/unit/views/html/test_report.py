@@ -3,6 +3,7 @@ from dataclasses import replace
 from html.parser import HTMLParser
 
 import numpy as np
+import pytest
 
 from ropsim.core import Diagnostic, Severity
 from ropsim.flow import Channel, MessageEvent, MotionKind, Origin, Recording, SkipEvent, TaskEvent
@@ -130,6 +131,7 @@ def test_findings_quote_their_source_line() -> None:
     assert "passes 1-3" in text
 
 
+@pytest.mark.slow
 def test_report_of_a_long_run_stays_small() -> None:
     time = np.arange(60_000) / 1000.0
     generator = np.random.default_rng(1)

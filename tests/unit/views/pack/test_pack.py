@@ -67,6 +67,7 @@ def shown(request: pytest.FixtureRequest) -> Shown:
     return show(request.param)
 
 
+@pytest.mark.slow
 def test_every_recorded_channel_is_there_and_true(shown: Shown) -> None:
     names = [entry["name"] for entry in shown.pack.header["channels"]]
     assert names == list(shown.recording.channels)

@@ -67,6 +67,7 @@ def test_a_robot_file_is_copied_with_its_meshes(tmp_path: Path) -> None:
     assert travel(recording) > 0.3
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", sorted(TABLES)[::4])
 def test_a_way_of_any_published_arm_keeps_its_limits(name: str) -> None:
     robot = published_arm(name)

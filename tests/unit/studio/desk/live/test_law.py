@@ -55,6 +55,7 @@ ORDERS: st.SearchStrategy[Order] = st.one_of(
 )
 
 
+@pytest.mark.slow
 @settings(max_examples=examples(10), deadline=None, derandomize=True)
 @given(
     plan=st.lists(st.tuples(st.floats(0.0, 2.0), ORDERS), max_size=12),
