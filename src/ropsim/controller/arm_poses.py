@@ -15,7 +15,7 @@ class ArmPoses:
 
     Attributes:
         robot: the arm with its external axes.
-        work: tools and task frames of the cell, which override those of the program.
+        work: tools and task frames of the cell, which override the ones of the program.
     """
 
     robot: RobotModel
@@ -46,8 +46,8 @@ class ArmPoses:
             target: of the move: X_KT, joint coordinates [rad | m], or None for the home position.
             then: modal state of the move.
             now: the other modal state.
-            axes: coordinates behind the move [rad | m], shape (n,), of which those of the external axes
-                count; None if they are not known.
+            axes: coordinates behind the move [rad | m], shape (n,), of which only the external axes count;
+                None if they are not known.
 
         Returns:
             the pose; None if a tool or a frame is not known, and if the number of coordinates is wrong.

@@ -27,7 +27,7 @@ def law(par, state, ref, meas, load, aux, out):
 '''
 CASCADED_P_PI_SOURCE = _SOURCE.format(otherwise="else")
 LIMITED_SOURCE = _SOURCE.format(otherwise="elif abs(u - par[8, j] * meas[1, j]) <= par[9, j]")
-"""For drives of which one limits its current: there the integral has to stand still, too."""
+"""For drives of which one limits its current: there the integral must also be frozen."""
 
 
 def cascaded_p_pi(model: ControllerModel, robot: Mechanism) -> CompiledLaw:
@@ -36,10 +36,10 @@ def cascaded_p_pi(model: ControllerModel, robot: Mechanism) -> CompiledLaw:
     Args:
         model: gains and control period.
         robot: the amplifiers of its drives say at which output the integral has to stand still: the largest,
-            and where one limits the current of its motor, what it lets through at the measured speed.
+            and where one limits the current of its motor, the output that it allows at the measured speed.
 
     Raises:
-        GainError: the gains are those of another law, or one does not have one number per drive.
+        GainError: the gains belong to another law, or do not have a number per drive.
     """
     n = robot.n
     gains = gain_rows(model, CascadedGains, n)

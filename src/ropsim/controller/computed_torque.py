@@ -1,4 +1,4 @@
-"""The computed-torque law: the model of the arm turns wanted accelerations into torques.
+"""The computed-torque law: the model of the arm converts requested accelerations to torques.
 
 J. Y. S. Luh, M. W. Walker, R. P. Paul: Resolved-acceleration control of mechanical manipulators, IEEE Trans.
 Automatic Control 25 (1980), 468-474; in joint coordinates as in J. J. Craig, Introduction to Robotics,
@@ -28,7 +28,7 @@ _KP, _KD, _LIMIT, _RATIO, _NUMBERS = range(5)
 """Rows of the parameters; from the last on stand the numbers of the arm, n in a row."""
 _LOAD = 10
 _OPEN = 1e30
-"""Stands for the limit of an amplifier that has none [N·m | N]."""
+"""Stands for the limit of an amplifier without a limit [N·m | N]."""
 
 
 def computed_torque(model: ControllerModel, robot: Mechanism) -> CompiledLaw:
@@ -39,7 +39,7 @@ def computed_torque(model: ControllerModel, robot: Mechanism) -> CompiledLaw:
         robot: arm whose drives take torques or forces.
 
     Raises:
-        GainError: the gains are those of another law, or one does not have one number per axis.
+        GainError: the gains belong to another law, or do not have a number per axis.
         JointCountError: links or drives are missing.
         MechanismError: the mechanism cannot be.
     """

@@ -23,7 +23,7 @@ class Correction:
 
 @frozen_dataclass
 class CorrectionRoom:
-    """What a correction may do in its next step.
+    """Limits of a correction in its next step.
 
     Attributes:
         lower: least shift [m].
@@ -43,14 +43,14 @@ def next_correction(
 ) -> Correction:
     """Return the correction one step on; in between its speed changes evenly.
 
-    It takes up the speed that is wanted, as quickly as allowed, and no more of it than lets it stand at the
-    bounds of the shift and at the end of the move: from speed v it stands after v²/(2·a). It brakes in time
-    for less than the acceleration that is allowed, as that may become less on the way.
+    It takes up the speed that is requested, as quickly as allowed, and no more of it than lets it stand at
+    the bounds of the shift and at the end of the move: from speed v it stands after v²/(2·a). It brakes in
+    time for less than the acceleration that is allowed, as that may become less on the way.
 
     Args:
         now: at the beginning of the step.
-        speed: that is wanted at its end [m/s].
-        room: what is allowed.
+        speed: requested at its end [m/s].
+        room: limits.
         left: motion time behind the step, at whose end the correction stands [s].
         period: motion time of the step [s]; 0 where the motion is held, and so is the correction.
     """

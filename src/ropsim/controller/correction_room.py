@@ -1,4 +1,4 @@
-"""How much of a correction the joints of an arm leave room for, and what shifts its references."""
+"""Room for a correction within the joints of an arm, and the shift of its references."""
 
 from contextlib import suppress
 from typing import NamedTuple
@@ -21,15 +21,15 @@ _SLOWEST = 5e-3
 """Speed that the joints must leave to a correction, or the posture is too near a singular one [m/s]."""
 _TINY = 1e-12
 _LONG = 1e6
-"""A joint step so many times as large as that of the tool is one at a singular posture [rad/m]."""
+"""Ratio of joint step to tool step from which a posture counts as singular [rad/m]."""
 _STEPS = 6
 _CLOSED = 1e-9
-"""What may be left between a pose and that of the joints [m, rad]."""
+"""Greatest residual between a pose and the pose of the joints [m, rad]."""
 
 
 @record
 class ShiftedJoints:
-    """What a correction adds to the reference of the joints at one time.
+    """Shift of the reference by a correction of the joints at one time.
 
     Attributes:
         q: coordinates [rad | m], shape (n,).
@@ -64,7 +64,7 @@ class ShiftedArm:
 
     @property
     def still(self) -> ShiftedJoints:
-        """Return what no correction adds: zeros."""
+        """Return the shift without a correction: zeros."""
         zeros = np.zeros(self.robot.n)
         return ShiftedJoints(zeros, zeros)
 
@@ -76,7 +76,7 @@ class ShiftedArm:
         """Return how far and how quickly the path may be shifted here.
 
         A step dc of the correction turns the joints by g·dc with J·g = (u, 0). Speeds and accelerations keep
-        to `SHARE` of those of the joints, the shift to their ranges. Where the arm cannot go in the direction
+        to `SHARE` of the joint limits, the shift to their ranges. Where the arm cannot go in the direction
         without turning the tool, there is none.
 
         Args:
@@ -116,7 +116,7 @@ class ShiftedArm:
             q_ahead: planned coordinates some time ahead [rad | m], shape (n,).
             value: correction now [m].
             side: 1 or -1, to which it grows.
-            guess: what it adds to the joints now.
+            guess: present shift of the joints.
         """
         bound = limits.size
         if not self._is_free(limits, q_ahead, value + side * _LOOK_SIDEWAYS, guess):
@@ -136,7 +136,7 @@ class ShiftedArm:
     def shifted(
         self, q: Array, qd: Array, correction: Correction, rate: float, guess: ShiftedJoints
     ) -> ShiftedJoints | None:
-        """Return what a correction adds to a reference; None where no joint coordinates are near that do it.
+        """Return the shift of a reference by a correction; None if no near joint coordinates achieve it.
 
         Newton's method from the last answer, on the branch of the planned joints; axes that are redundant
         turn as little as possible.
@@ -146,7 +146,7 @@ class ShiftedArm:
             qd: planned speeds [rad/s | m/s], shape (n,).
             correction: the shift over motion time.
             rate: motion time that passes per time.
-            guess: what was added before.
+            guess: previous shift.
         """
         if correction.value == 0.0 and correction.speed == 0.0:
             return self.still

@@ -10,13 +10,13 @@ from ropsim.spatial import Array, frozen, record
 
 @frozen_dataclass
 class LawTraits:
-    """What a law says about itself.
+    """Properties that a law declares.
 
     Attributes:
-        u_kind: what it puts out; None for a law that gives each drive what that drive takes.
+        u_kind: kind of its output; None for a law that drives each drive with its own kind of input.
         state_names: names of the rows that it remembers.
         hold_row: of them, the row that equals the output at rest on the reference, such as the integral of a
-            PI law; a start at rest sets it so that the arm does not sag. None without such a row.
+            PI law; a start at rest sets it so that the arm does not sag. None without one.
         aux: names of signals of the cell that it reads at every control tick.
         delay: control ticks between a measurement and the moment when the output made of it acts.
     """
@@ -33,21 +33,21 @@ class CompiledLaw:
     """A joint controller that is compiled into the servo slice.
 
     `source` is the `def` statement of `law(par, state, ref, meas, load, aux, out)`, called at every control
-    tick with what holds at that instant. It may use `math`, loops and the shapes of its arguments, which are
+    tick with the values at that instant. It may use `math`, loops and the shapes of its arguments, which are
     float64 arrays:
 
     - `par` (p, n): the parameters, one row each;
-    - `state` (s, n): what the law remembers; it changes it in place;
+    - `state` (s, n): state of the law; changed in place;
     - `ref` (3, n): reference coordinates, speeds, accelerations at that instant;
     - `meas` (3, n): coordinates of the joints and speeds measured at that instant, and the torques of the
-      drives at the joints; speeds are those of the motors over the gear ratio, which behind elastic gears
-      differ from those of the joints;
+      drives at the joints; speeds are motor speeds over the gear ratio, which differ from joint speeds with
+      elastic gears;
     - `load` (10,): tool and grasped part in the mechanical interface frame: mass m [kg], m·c [kg·m] (3), and
       inertia about the origin of that frame as xx, yy, zz, xy, xz, yz [kg·m²];
     - `aux` (a,): values of the signals that `traits.aux` names;
-    - `out` (n,): what the amplifiers take, which it sets, in V for DC motors; positive drives the joint
-      forward, whatever the sign of the gear ratio. The amplifier clips it; keeping an integral sound
-      meanwhile (anti-windup) is the task of the law.
+    - `out` (n,): input of the amplifiers, set by the law, in V for DC motors; positive drives the joint
+      forward, for any sign of the gear ratio. The amplifier clips it; keeping an integral sound meanwhile
+      (anti-windup) is the task of the law.
 
     The output holds until that of the next tick. Parameters are run-time values: other gains, same code. An
     index beyond an array ends the run with a finding.
@@ -57,7 +57,7 @@ class CompiledLaw:
         source: see above.
         parameter_names: names of the rows of `parameters`, with the symbols that `source` explains.
         parameters: shape (p, n).
-        traits: what it says about itself.
+        traits: declared properties.
     """
 
     name: str
@@ -72,7 +72,7 @@ class CompiledLaw:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class LawInput:
-    """What a law in Python is given at a control tick: reference, measurement and signals of one instant.
+    """Input of a law in Python at a control tick: reference, measurement and signals of one instant.
 
     Attributes:
         time: of that instant [s].
@@ -95,15 +95,15 @@ class PythonLaw(Protocol):
 
     @property
     def traits(self) -> LawTraits:
-        """Return what the law says about itself."""
+        """Return the declared properties of the law."""
         ...
 
     def step(self, now: LawInput, state: Array, /) -> Array:
-        """Return what the amplifiers take until the next tick, shape (n,); positive drives a joint forward.
+        """Return the input of the amplifiers until the next tick, (n,); positive drives a joint forward.
 
         Args:
             now: reference, measurement and more.
-            state: what the law remembers, shape (s, n); it changes it in place, and remembers nothing else.
+            state: state of the law, shape (s, n); changed in place, and the only state.
         """
         ...
 

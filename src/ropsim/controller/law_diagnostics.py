@@ -1,4 +1,4 @@
-"""What can be wrong with the data of a joint controller."""
+"""Errors in the data of a joint controller."""
 
 from ropsim.core import RopsimError, Severity, define
 

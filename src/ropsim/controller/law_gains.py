@@ -14,7 +14,7 @@ def gain_rows(model: ControllerModel, kind: type[Gains], n: int) -> list[Array]:
         n: number of axes.
 
     Raises:
-        GainError: C600, C604: the gains are those of another law, or one does not have one number per axis.
+        GainError: C600, C604: the gains belong to another law, or do not have a number per axis.
     """
     if not isinstance(model.gains, kind):
         names = ", ".join(f"`{name}`" for name in gain_names(model.gains))

@@ -1,4 +1,4 @@
-"""The table of laws that a controller model can ask for: a new one is a file and an entry here."""
+"""The table of laws for controller models: a new one is a file and an entry here."""
 
 from collections.abc import Callable
 
@@ -16,11 +16,11 @@ LAWS: dict[ControllerKind, Callable[[ControllerModel, Mechanism], CompiledLaw]] 
 
 
 def law_of(model: ControllerModel, robot: Mechanism) -> CompiledLaw:
-    """Return the law that a controller model asks for.
+    """Return the law of a controller model.
 
     Raises:
-        GainError: the gains do not fit the law or the arm, or it is the ideal one, which has none.
-        LawError: C602, the drives of the arm do not take what the law puts out.
+        GainError: the gains do not fit the law or the arm, or it is the ideal one, which has no law.
+        LawError: C602, the drives of the arm do not take the output of the law.
     """
     if model.kind not in LAWS:
         message = f"law `{model.kind.value}` has no gains, so it drives no motors"

@@ -1,4 +1,4 @@
-"""Readings of the sensors that a cell file knows; each is a function of where the arm is."""
+"""Readings of the sensors in a cell file; each is a function of the arm's position."""
 
 import math
 from collections.abc import Callable
@@ -12,11 +12,11 @@ from ropsim.spatial import Pose
 
 
 def measure(sensor: Sensor, cell: SensedCell) -> float:
-    """Return what a sensor measures now: a distance [m] or a force [N].
+    """Return the present measurement of a sensor: a distance [m] or a force [N].
 
     Args:
         sensor: at the tool of an arm.
-        cell: arms and surfaces as they are now.
+        cell: present arms and surfaces.
     """
     return MEASURES[type(sensor)](sensor, cell)
 
@@ -26,7 +26,7 @@ def is_on(sensor: Sensor, reading: float) -> bool:
 
     Args:
         sensor: of the signal.
-        reading: what it measures.
+        reading: measured quantity.
     """
     return reading < sensor.range if isinstance(sensor, DistanceSensor) else reading > 0.0
 
@@ -44,7 +44,7 @@ def _free(station: str, behind: float, most: float, cell: SensedCell) -> float:
 
     Args:
         station: of the arm.
-        behind: from how far behind the point it is looked for [m].
+        behind: distance behind the point from which it is searched [m].
         most: how far before the point [m].
         cell: arms and surfaces.
     """
@@ -54,4 +54,4 @@ def _free(station: str, behind: float, most: float, cell: SensedCell) -> float:
 
 
 MEASURES: dict[type, Callable[[Any, SensedCell], float]] = {DistanceSensor: _distance, ForceSensor: _force}
-"""Kind of sensor -> what measures."""
+"""Kind of sensor -> measuring function."""

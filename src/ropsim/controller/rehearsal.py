@@ -1,4 +1,4 @@
-"""A first call of a law that somebody wrote, in plain Python, before the real ones."""
+"""A first call of a user's law, in plain Python, before the real ones."""
 
 import math
 from pathlib import Path
@@ -21,7 +21,7 @@ def rehearse(law: CompiledLaw, n: int) -> None:
         n: joints of the arm.
 
     Raises:
-        LawError: C601, it is no Python, has another name, raises, indexes beyond its arrays, or gives NaN.
+        LawError: C601, it is no Python, has another name, raises, indexes beyond its arrays, or returns NaN.
     """
     scope: dict[str, Any] = {"math": math, "np": np}
     try:
@@ -29,7 +29,7 @@ def rehearse(law: CompiledLaw, n: int) -> None:
         function = scope["law"]
     except KeyError:
         raise _fails(law, "its source defines no function `law`") from None
-    except Exception as error:  # whatever the source of a user does is told
+    except Exception as error:  # any exception of a user's source is reported
         raise _fails(law, f"its source is no Python: {_told(error)}") from error
     out = np.zeros(n)
     arrays = (
@@ -40,7 +40,7 @@ def rehearse(law: CompiledLaw, n: int) -> None:
     try:
         with np.errstate(all="ignore"):
             function(*arrays, out)
-    except Exception as error:  # whatever the source of a user does is told
+    except Exception as error:  # any exception of a user's source is reported
         raise _fails(law, f"at rest it stops with {_told(error)}") from error
     if not np.isfinite(out).all():
         raise _fails(law, f"at rest it puts out `{out.tolist()}`; every number must be finite")

@@ -23,8 +23,8 @@ class CellSensors:
     """Ideal channels: a reading is the value that holds at its time, without delay or noise.
 
     Args:
-        signals: inputs and outputs of the cell, by name; inputs follow their changes. One at which a sensor
-            is has what that measures until it is changed, by a key or a recorded input: then that holds.
+        signals: inputs and outputs of the cell, by name; inputs follow their changes. An input with a sensor
+            has the measured value until it is changed by a key or a recorded input; then that value holds.
     """
 
     __slots__ = ("_outputs", "_signals")
@@ -36,13 +36,13 @@ class CellSensors:
     def read(self, channel: str, time: float, cell: SensedCell) -> Sample:
         """Return the reading of `channel` at simulated time `time` [s].
 
-        On/off channels deliver a bool, analog ones a float. An output delivers what was set last, its initial
-        value before. A channel that neither the cell nor a program knows delivers an invalid sample.
+        On/off channels deliver a bool, analog ones a float. An output delivers the last value set, its
+        initial value before. A channel unknown to cell and program delivers an invalid sample.
 
         Args:
             channel: name of an input or output.
             time: [s].
-            cell: what sensors see.
+            cell: surroundings of the sensors.
         """
         signal = self._signals.get(channel)
         if channel in self._outputs and not (signal and signal.is_input):
@@ -59,14 +59,14 @@ class CellSensors:
         return Sample(value=float(value) if analog else bool(value), valid=True, age=0.0)
 
     def changes_after(self, channel: str, time: float) -> bool:
-        """Return whether an input may change after a time [s], by its script or by what a sensor measures."""
+        """Return whether an input may change after a time [s], by its script or by a sensor."""
         signal = self._signals.get(channel)
         if signal is None or not signal.is_input:
             return False
         return signal.sensor is not None or any(when > time for when, _ in signal.changes)
 
     def change(self, channel: str, time: float, value: float) -> Signal:
-        """Let an input have a value from a time on, until its next change, and return the input as it is now.
+        """Let an input have a value from a time on, until its next change, and return the present input.
 
         Args:
             channel: name of an input of the cell.
@@ -77,7 +77,7 @@ class CellSensors:
         return self._signals[channel]
 
     def set_output(self, channel: str, value: float) -> None:
-        """Keep what a program sets: off and on, or an analog value; an input is not changed by it.
+        """Store a value set by a program: off and on, or an analog value; an input is not changed by it.
 
         Args:
             channel: name of an output, known to the cell or not.

@@ -1,4 +1,4 @@
-"""Joint references shifted by a correction, within what a move leaves of the limits."""
+"""Joint references shifted by a correction, within the limits left by a move."""
 
 import numpy as np
 
@@ -9,7 +9,7 @@ from ropsim.planning import PLANNED_ACCELERATION, PLANNED_SPEED
 
 
 def is_within_limits(before: ShiftedJoints, after: ShiftedJoints, time: float, robot: RobotModel) -> bool:
-    """Return whether joints may go from what was added to what is to be added, on the cubic between both.
+    """Return whether joints may go from one shift to the next, on the cubic between both.
 
     Args:
         before: at the beginning of a slice.
@@ -25,7 +25,7 @@ def is_within_limits(before: ShiftedJoints, after: ShiftedJoints, time: float, r
 
 
 def braked(before: ShiftedJoints, time: float, robot: RobotModel) -> ShiftedJoints:
-    """Return what is added where joints come to rest as quickly as they may.
+    """Return the shift with which joints come to rest as quickly as allowed.
 
     Args:
         before: at the beginning of a slice.
@@ -40,15 +40,15 @@ def braked(before: ShiftedJoints, time: float, robot: RobotModel) -> ShiftedJoin
 def shifted_reference(
     reference: JointReference, before: ShiftedJoints, after: ShiftedJoints, period: float
 ) -> JointReference:
-    """Return references with what a correction adds: the cubic between what it adds at both ends.
+    """Return references shifted by a correction: the cubic between the shifts at both ends.
 
-    Coordinates and speeds are continuous from slice to slice, accelerations are those of the cubic. The
+    Coordinates and speeds are continuous from slice to slice, accelerations come from the cubic. The
     reference itself is returned where nothing is added, bit by bit.
 
     Args:
         reference: planned rows for the control ticks of a slice.
-        before: what is added one control tick before the first row.
-        after: what is added at the last row.
+        before: shift one control tick before the first row.
+        after: shift at the last row.
         period: of a control tick [s].
     """
     if not any(part.any() for part in (before.q, before.qd, after.q, after.qd)):

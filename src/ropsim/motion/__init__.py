@@ -1,4 +1,4 @@
-"""Paths and time laws: jerk-limited profiles, ways of tool and joints, what limits make of them; findings."""
+"""Paths and time laws: jerk-limited profiles, paths of tool and joints, retiming within limits; findings."""
 
 from ropsim.model import OrientationMode as OrientationMode
 from ropsim.motion.blends.blend_curve import SWING as SWING

@@ -1,4 +1,4 @@
-"""What moves must respect: limits of the joints, and of the tool."""
+"""Limits of moves: of the joints, and of the tool."""
 
 from ropsim.core import frozen_dataclass
 from ropsim.spatial import Array, frozen, record
@@ -6,7 +6,7 @@ from ropsim.spatial import Array, frozen, record
 
 @record
 class JointMotionLimits:
-    """What every joint must respect on the way, each of shape (n,).
+    """Limits of every joint on the way, each of shape (n,).
 
     Attributes:
         speed: [rad/s | m/s].
@@ -25,7 +25,7 @@ class JointMotionLimits:
 
 @frozen_dataclass
 class ToolLimits:
-    """What the tool must respect on lines and all other paths of its own; all positive.
+    """Limits of the tool on lines and all other tool paths; all positive.
 
     Attributes:
         speed: of the TCP [m/s].

@@ -1,4 +1,4 @@
-"""Findings about zones, and about what the limits of the joints make of a motion."""
+"""Findings about zones, and about motions retimed for joint limits."""
 
 from ropsim.core import Severity, define
 

@@ -44,7 +44,8 @@ def standard_chain(cell: Cell, station: Station) -> MotionChain:
 def work_frames(cell: Cell, station: Station) -> WorkFrames:
     """Return the tools and task frames of a station.
 
-    This is the one place where the poses of the world become those of the controller, in the base frame.
+    This is the one place where the poses of the world are converted to poses of the controller, in the base
+    frame.
     """
     frames = in_base(station.X_WB, still_frames(cell.frames))
     moving, others = moving_frames(cell, station), frames_of_others(cell, station)

@@ -48,7 +48,7 @@ def in_ticks(
     """Return the plan of a motion; it takes over the rows of the motion and writes its end there.
 
     Args:
-        chain: the entities; gives the control period.
+        chain: the entities, with the control period.
         legs: the moves.
         zones: that are flown at their ends [m].
         course: of the stretch.
@@ -103,7 +103,7 @@ def _pieces(
 
 
 def _to_rest(rows: JointPoints, q_end: Array, at_rest: int) -> JointReference:
-    """Return the reference of a motion: its rows themselves, for which nobody else asks any more.
+    """Return the reference of a motion: the rows are reused, since no other code needs them.
 
     The end is exact, without the rounding of sums.
 

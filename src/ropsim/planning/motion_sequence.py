@@ -1,4 +1,4 @@
-"""What planning a stretch is given: its moves, where the arm stands, and what it carries."""
+"""Input of planning a motion sequence: its moves, the state of the arm, and its payload."""
 
 from ropsim.flow import MoveInstruction
 from ropsim.model import Payload
@@ -10,7 +10,7 @@ class MotionSequence:
     """A stretch before it is planned.
 
     Attributes:
-        moves: in order; all but the last may be flown by.
+        moves: in order; all except the last may be blended.
         q_start: command joint coordinates at its start [rad | m], shape (n,).
         payload: tool and part as one body.
         ahead: moves that are known to come behind them, in the posture in which they end.

@@ -37,7 +37,7 @@ from ropsim.spatial import Array, record
 
 NO_PAYLOAD = Payload()
 _CRAWLING = 1e-9
-"""Smallest limit of a move that is planned without a look at how long it takes, in units of the limits."""
+"""Smallest limit of a move that is planned without a check of its duration, in units of the limits."""
 _SMALLEST = 1e-300
 """Bounds below this count as this, so that nothing is divided by 0."""
 
@@ -64,7 +64,7 @@ def plan(
         stretch: moves in order.
         state: at rest.
         payload: tool and part as one body, for the whole stretch.
-        ahead: moves that follow upon the stop at its end; postures are chosen for their sake, too.
+        ahead: moves that follow upon the stop at its end; they also affect the choice of postures.
 
     Returns:
         The plan of the moves up to the first one that cannot be made, None where that is the first; and why
@@ -154,7 +154,7 @@ def _hopeless(
         corners: between each two of them; None where the arm stops.
         q_start: joint coordinates at the start [rad | m], shape (n,).
         robot: the arm.
-        bounds: what its joints can do.
+        bounds: capabilities of its joints.
     """
     if not may_take_too_long(robot, bounds):
         return None

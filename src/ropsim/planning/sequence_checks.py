@@ -87,7 +87,7 @@ def correction_refusal(leg: PlannedMove) -> Refusal | None:
 
 
 def beside_correction(bounds: ArmBounds) -> ArmBounds:
-    """Return what the joints may do for a move itself, where a correction is added to it."""
+    """Return the joint limits for a move itself if a correction is added to it."""
     joints = bounds.joints
     speed, acceleration = joints.speed * PLANNED_SPEED, joints.acceleration * PLANNED_ACCELERATION
     kept = replace(joints, speed=speed, acceleration=acceleration)
@@ -128,7 +128,7 @@ def _beyond(leg: PlannedMove, speed: float, bound: float) -> Diagnostic:
 
 _PLACES = np.linspace(0.0, 1.0, 33)
 _SPARE = 2.0
-"""So many times the range of a joint counts as its longest way from one place to another."""
+"""Multiple of the range of a joint that bounds its travel between two path parameters."""
 _NOTHING = 1e-12
 """A bound of speed, acceleration or jerk that is less stands for a path on which nothing can move."""
 
@@ -165,11 +165,11 @@ def standing_refusal(leg: PlannedMove, piece: PathSegment) -> Refusal | None:
 
 @lru_cache(maxsize=256)
 def may_take_too_long(robot: RobotModel, bounds: JointBounds) -> bool:
-    """Return whether joints may need far too long for a move within their ranges, as it is looked at here.
+    """Return whether joints may need far too long for a move within their ranges, by a lower bound.
 
     Args:
         robot: the arm.
-        bounds: what its joints can do.
+        bounds: capabilities of its joints.
     """
     way = _SPARE * (robot.upper_limits - robot.lower_limits)
     rises = np.maximum(np.sqrt(4.0 * way / bounds.acceleration), np.cbrt(32.0 * way / bounds.jerk))
@@ -196,13 +196,13 @@ def rest_to_rest_refusal(
 ) -> tuple[int, Refusal] | None:
     """Return M513 for moves from one stop to the next for which a joint needs too long by its limits alone.
 
-    Whatever the way, a joint that comes to rest at a distance d needs at least d/v, √(4·d/a) and ∛(32·d/j)
+    On any path, a joint that comes to rest at a distance d needs at least d/v, √(4·d/a) and ∛(32·d/j)
     (Biagiotti and Melchiorri 2008, Trajectory Planning for Automatic Machines and Robots, section 3.4).
 
     Args:
         legs: the moves, from one stop to the next.
         q_start: joint coordinates at their start [rad | m], shape (n,).
-        bounds: what the joints can do.
+        bounds: capabilities of the joints.
 
     Returns:
         the number of the move in which that joint goes furthest, and the refusal; None where there is time.

@@ -1,4 +1,4 @@
-"""The legs of a stretch: each move from where the one before ends, in postures that serve those behind it."""
+"""The planned moves of a sequence: each from the end of the one before, in postures that suit later ones."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -19,10 +19,10 @@ def sequence_moves(
 ) -> tuple[list[PlannedMove], Refusal | None]:
     """Return the legs of a stretch up to the first move that cannot be made, and why it cannot.
 
-    Every move takes what the planner holds for the nearest posture. Where a path of the tool then meets a
-    joint limit or a singularity, or whirls the joints near one, other postures are tried for the PTP moves
-    before it; that one is taken in which most moves can be made. Where a path cannot be followed in a posture
-    for which the program asks, but could without that, a finding says so.
+    Every move takes the nearest posture by default. Where a path of the tool then meets a joint limit or a
+    singularity, or whirls the joints near one, other postures are tried for the PTP moves before it; that one
+    is taken in which most moves can be made. Where a path cannot be followed in a requested posture, but
+    could without the request, a finding says so.
 
     Args:
         chain: the entities.
@@ -44,13 +44,13 @@ def _told(
     legs: list[PlannedMove],
     refusal: Refusal,
 ) -> list[PlannedMove]:
-    """Return legs with a finding on the move that asks for a posture in which a later one is refused.
+    """Return planned moves with a finding on the move whose requested posture makes a later one infeasible.
 
     Args:
         chain: the entities.
         moves: in order.
         q_start: command joint coordinates at their start [rad | m], shape (n,).
-        legs: of those before the one that is refused.
+        legs: planned moves before the refused one.
         refusal: of that.
     """
     refused = len(legs)
@@ -82,7 +82,7 @@ def _troubles(
     legs: Sequence[PlannedMove],
     refusal: Refusal | None,
 ) -> list[Conflict]:
-    """Return what another posture might mend, in the order of the moves; nothing where there is no choice."""
+    """Return the conflicts that another posture may avoid, in order of the moves; empty without a choice."""
     first = next((number for number, leg in enumerate(legs) if has_choice(leg.move)), len(legs))
     troubles = [
         found

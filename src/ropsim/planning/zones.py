@@ -91,7 +91,7 @@ def flown_zones(
         robot: the arm with its external axes.
         legs: the moves.
         corners: between each two of them; None where the arm stops.
-        motion: how they are walked.
+        motion: their timing.
     """
     zones = [one.zone if one else 0.0 for one in corners] + [0.0]
     runs = [(run, behind.start) for run, behind in pairwise(motion.course.runs) if run.part.over is not None]

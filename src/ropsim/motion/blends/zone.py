@@ -34,7 +34,7 @@ def leave(positions: Callable[[Array], Array], length: float, zone: float, clip:
 
     Returns:
         the place in [clip, length] behind which the path stays within the zone; `clip` where it does so from
-        there on, `length` where there is no zone. On lines exact but for rounding, else to 1e-8 of the zone.
+        there on, `length` where there is no zone. On lines exact within rounding, else to 1e-8 of the zone.
     """
     return length - _way_out(lambda way: positions(length - way), zone, length - clip)
 
@@ -50,7 +50,7 @@ def enter(positions: Callable[[Array], Array], length: float, zone: float, clip:
 
     Returns:
         the place in [0, clip] before which the path stays within the zone; `clip` where it does so up to
-        there, 0 where there is no zone. On lines exact but for rounding, else to 1e-8 of the zone.
+        there, 0 where there is no zone. On lines exact within rounding, else to 1e-8 of the zone.
     """
     return _way_out(positions, zone, min(clip, length))
 
@@ -63,7 +63,7 @@ def _way_out(positions: Callable[[Array], Array], zone: float, clip: float) -> f
     while count := int(state[LOOK_COUNT]):
         places = positions(looks[LOOK_WAYS, :count].copy())
         centre = places[0] if first else centre
-        # the square of the distance is smooth at the centre, too, and on a line a parabola
+        # the square of the distance is also smooth at the centre, and on a line a parabola
         looks[LOOK_SQUARES, :count] = np.sum(np.square(places - centre), axis=1)
         look_further(ZONE_SHARES, ZONE_NODES, zone, clip, looks, state)
         first = False

@@ -1,21 +1,23 @@
 """The search for the place at which a path leaves a ball, in plain loops that numba compiles.
 
-It asks for distances: who knows the path looks at the ways that it wants to know of, and calls it again.
+It requests distances: the caller evaluates the path at the requested path parameters, and calls it again.
 """
 
 from ropsim.codegen import Array1, Array2, kernel
 from ropsim.spatial import Array
 
 LOOK_WAYS, LOOK_SQUARES, KEPT = range(3)
-"""Rows of looks: ways to look at, squares of the distances found there, and those that are kept meanwhile."""
+"""Rows of looks: path parameters to evaluate, squares of the distances found there, and squares kept from
+before."""
 LOOK_COUNT, LOOK_FOUND, PHASE, FIRST, PEAK, LOW, WIDTH, SHARE, SLOPE, MENDED, LOOK_STATE = range(11)
-"""What is known: how many ways to look at next, 0 at the end; then the way. The rest is of the search."""
+"""State: number of path parameters to evaluate next, 0 at the end; then the result. The rest belongs to the
+search."""
 BEGINS, COARSELY, CLOSELY, BETWEEN, MENDS = range(5)
-"""Phases: nothing is known yet, or what the squares are of."""
+"""Phases: no data yet, or the meaning of the squares."""
 AT_ONCE, AT_ONCE_THEN = 20, 8
-"""Ways of the first looks at the grid, and of those behind them: few zones reach far."""
+"""Numbers of path parameters in the first evaluations of the grid, and in later ones: few zones reach far."""
 MOST_LOOKS = 65
-"""Ways that are looked at closely, the most at once."""
+"""Maximum number of path parameters of a close evaluation."""
 DEGREE = 8
 NEAR = -0.2
 """Of the square of the zone: 10 % nearer to its centre."""
@@ -30,18 +32,20 @@ STEPS = 60
 def look_further(
     shares: Array1, nodes: Array2, zone: float, clip: float, looks: Array2, state: Array1
 ) -> None:
-    """Take the squares of the distances that were asked for, and ask for the next ones.
+    """Take the squares of the distances that were requested, and request the next ones.
 
     The first interval of the grid at whose end the path is outside is cut where the polynomial through nine
     squares in it is 0; where the path changes its law within it, that is mended. Between two places within
-    the zone the path may peep out: where it comes near, it is looked at closely.
+    the zone the path may leave it: where it comes near the border, it is evaluated closely.
 
     Args:
-        shares: of the farthest way at which is looked first, rising from 0, at most `MOST_LOOKS`, shape (g,).
+        shares: of the farthest path parameter that are evaluated first, rising from 0, at most `MOST_LOOKS`,
+            shape (g,).
         nodes: shares of an interval, and below the matrix from values there to coefficients, shape (10, 9).
         zone: distance from the place at way 0 [m].
         clip: the farthest way.
-        looks: rows as above; the squares [m²] of as many ways as were asked for, shape (3, `MOST_LOOKS`).
+        looks: rows as above; the squares [m²] of as many path parameters as were requested, shape (3,
+            `MOST_LOOKS`).
         state: of the search, as above; zeros at first, shape (`LOOK_STATE`,).
     """
     phase, square = int(state[PHASE]), zone * zone
@@ -110,7 +114,7 @@ def _take_nodes(nodes: Array, square: float, looks: Array, state: Array) -> None
 
 
 def _look_at_grid(shares: Array, first: int, last: int, clip: float, looks: Array, state: Array) -> None:
-    """Ask for the ways of the grid from one to another."""
+    """Request the path parameters of the grid from one to another."""
     state[PHASE], state[LOOK_COUNT], state[FIRST] = COARSELY, last - first, first
     for i in range(last - first):
         looks[LOOK_WAYS, i] = shares[first + i] * clip
@@ -119,7 +123,7 @@ def _look_at_grid(shares: Array, first: int, last: int, clip: float, looks: Arra
 def _look_closely(
     shares: Array, nodes: Array, square: float, clip: float, looks: Array, state: Array
 ) -> None:
-    """Ask for the ways around the next peak, or for those between the last place within and the first one."""
+    """Request path parameters around the next peak, or between the last one inside and the first outside."""
     first, peak = int(state[FIRST]), int(state[PEAK]) + 1
     while peak < first - 1:
         here = looks[KEPT, peak]
@@ -140,20 +144,20 @@ def _look_closely(
 
 
 def _look_between(nodes: Array, low: float, width: float, looks: Array, state: Array) -> None:
-    """Ask for the ways at the nodes of an interval."""
+    """Request the path parameters at the nodes of an interval."""
     state[PHASE], state[LOOK_COUNT], state[LOW], state[WIDTH] = BETWEEN, DEGREE + 1, low, width
     for i in range(DEGREE + 1):
         looks[LOOK_WAYS, i] = low + width * nodes[0, i]
 
 
 def _look_once(looks: Array, state: Array) -> None:
-    """Ask for the way that is known so far."""
+    """Request the present path parameter."""
     state[PHASE], state[LOOK_COUNT] = MENDS, 1.0
     looks[LOOK_WAYS, 0] = state[LOW] + state[WIDTH] * state[SHARE]
 
 
 def _end(way: float, state: Array) -> None:
-    """Ask for nothing more."""
+    """End the search."""
     state[LOOK_FOUND], state[LOOK_COUNT] = way, 0.0
 
 

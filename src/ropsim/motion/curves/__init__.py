@@ -1,1 +1,1 @@
-"""What paths are made of: their protocols, polynomials, differences, distances and rotation vectors."""
+"""Basics of paths: their protocols, polynomials, differences, distances and rotation vectors."""

@@ -1,9 +1,8 @@
 """Curves of polynomials in plain loops that numba compiles: their places, their way, how the tool turns.
 
-Rotation vectors θ stand beside positions: coefficients have six columns, p [m] and θ [rad]. Functions of
-x = |θ|² are power series (`rotation_vector.series`), whose rows are c₁ = sin|θ| / |θ|,
-c₂ = (1 - cos|θ|) / |θ|², c₃ = (|θ| - sin|θ|) / |θ|³, the derivatives of c₂ and c₃ by x, and
-(c₂ - c₁ / 2) / x.
+Rotation vectors θ follow positions: coefficients have six columns, p [m] and θ [rad]. Functions of x = |θ|²
+are power series (`rotation_vector.series`), whose rows are c₁ = sin|θ| / |θ|, c₂ = (1 - cos|θ|) / |θ|², c₃ =
+(|θ| - sin|θ|) / |θ|³, the derivatives of c₂ and c₃ by x, and (c₂ - c₁ / 2) / x.
 """
 
 from math import sqrt
@@ -13,9 +12,9 @@ from ropsim.spatial import Array
 
 _Vector = tuple[float, float, float]
 LEAST = 1e-17
-"""Of |θ|²: below, the functions of it are what they are at 0."""
+"""Of |θ|²: below it, the functions have their values at 0."""
 AT_HAND = 6
-"""So many steps are looked at one by one before the right one is searched for."""
+"""Number of steps tried one by one before a binary search."""
 SOME = 12
 """Terms for |θ| below 1 rad; the rest is below 1e-24 of the first one."""
 
@@ -242,7 +241,7 @@ def _polynomial(C: Array, column: int, t: float) -> _Vector:
 
 
 def _step_of(ends: Array, s: float) -> int:
-    """Return the last step that begins at s or before, the first one for what is before all."""
+    """Return the last step that begins at s or before, the first one for values before all."""
     low, high = 0, ends.shape[0] - 1
     while high - low > 1:
         middle = (low + high) // 2
@@ -254,7 +253,7 @@ def _step_of(ends: Array, s: float) -> int:
 
 
 def _step_from(ends: Array, s: float, step: int) -> int:
-    """Return what `_step_of` does, at once where that is little behind a step."""
+    """Return the result of `_step_of`, quickly if it is shortly behind a step."""
     if ends[step] <= s:
         for near in range(step, min(step + AT_HAND, ends.shape[0] - 1)):
             if s < ends[near + 1]:
@@ -348,7 +347,7 @@ def _stand(M: Array, X: Array) -> None:
 
 
 def _turn_by(M: Array, X: Array) -> None:
-    """Turn the axes of a pose, whose last row is written, too."""
+    """Turn the axes of a pose, whose last row is also written."""
     for j in range(3):
         x, y, z = X[0, j], X[1, j], X[2, j]
         for i in range(3):

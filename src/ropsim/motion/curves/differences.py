@@ -1,4 +1,4 @@
-"""Derivatives by differences: of rows at equidistant places, and of poses whose author gives no more."""
+"""Derivatives by differences: of rows at equidistant places, and of poses without derivatives."""
 
 import math
 from collections.abc import Callable
@@ -65,11 +65,11 @@ def derivatives_and_roughness(rows: Array) -> tuple[Array, Array | None]:
 
 
 def numeric_points(matrices_at: Callable[[Array], Array], s: Array, length: float) -> ToolPoints:
-    """Return the tool and its derivatives at places of a path that gives poses only.
+    """Return the tool and its derivatives at places of a path that has poses only.
 
-    Differences of order 6 over 1/256 of the length, one-sided near the ends; nothing outside of the path is
-    asked for. Turns between neighbours are rotation vectors from the pose at s, whose second derivative
-    there is that of the angular velocity.
+    Differences of order 6 over 1/256 of the length, one-sided near the ends; the path is not evaluated
+    outside its length. Turns between neighbours are rotation vectors from the pose at s, whose second
+    derivative there is that of the angular velocity.
 
     Args:
         matrices_at: poses at places, shape (k,) to (k, 4, 4); six times smooth.
@@ -126,7 +126,7 @@ def stencils() -> tuple[Array, Array]:
 
 
 def _weights_at(offsets: Array, count: int, order: int) -> Array:
-    """Return what the rows weigh in a derivative at offsets from their middle [steps], shape (k, count)."""
+    """Return weights of rows in a derivative at offsets from their middle [steps], shape (k, count)."""
     exponents = np.arange(order, count)
     factors = [math.perm(int(exponent), order) for exponent in exponents]
     return np.asarray((offsets[:, None] ** (exponents - order) * factors) @ _lagrange(count)[order:])

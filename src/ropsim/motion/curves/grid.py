@@ -16,7 +16,7 @@ _NEAR = 1e-6
 
 @runtime_checkable
 class Gridded(Protocol):
-    """A path of the tool that knows where it changes quickly; others are looked at evenly."""
+    """A path of the tool that defines where it changes quickly; others are sampled evenly."""
 
     def own_grid(self) -> Array:
         """Return places from start to end in rising order, among them all at which a third derivative jumps.

@@ -21,17 +21,17 @@ def distances(points: Array, curve: Callable[[Array], tuple[Array, Array, Array]
 
     The nearest place of the grid is found exactly, and the nearest one of another part of the curve: where
     that crosses or closes itself, the nearer place of the grid may be on the farther part. The grid is
-    divided into blocks, a ball around each bounds how near it can be, and blocks are looked into in the
-    order of that bound. From both places Newton's method goes to where the offset is normal to the curve,
-    or to an end; the nearer of both counts.
+    divided into blocks, a ball around each bounds how near it can be, and blocks are searched in the order of
+    that bound. From both places Newton's method goes to where the offset is normal to the curve, or to an
+    end; the nearer of both counts.
 
     Args:
         points: shape (k, 3) [m].
         curve: positions [m] and their first and second derivatives at parameters, shape (k,) to (k, 3) each.
         grid: growing parameters, shape (m,), m >= 2, so fine that the nearest place is a neighbour of the
             nearest one of the grid: between two of them the curve turns by less than half a right angle. Of
-            places that are as far but for that (points near the centre of an arc) any one may be found, and
-            of more than two parts of the curve that come within a step of each other.
+            places that are equally far within that (points near the centre of an arc) any one may be found,
+            and of more than two parts of the curve that come within a step of each other.
 
     Returns:
         distances [m], shape (k,).
@@ -68,7 +68,7 @@ def _down_from(
 def _nearest(points: Array, places: Array, barred: IntArray) -> IntArray:
     """Return which of the places (m, 3) is nearest to each point (k, 3), shape (k,).
 
-    Places beside the barred one of a point, shape (k,), do not count.
+    Grid places next to the barred one of a point, shape (k,), do not count.
     """
     starts = np.arange(0, len(places), _BLOCK)
     sizes = np.diff(starts, append=len(places))

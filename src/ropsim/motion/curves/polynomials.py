@@ -30,7 +30,7 @@ def quintics(ends: Array) -> Array:
 
 
 def with_derivatives(coefficients: Array) -> Array:
-    """Return coefficients (..., 6, n) beside those of the first and second derivative, (..., 6, 3·n)."""
+    """Return coefficients (..., 6, n) with those of the first and second derivative, (..., 6, 3·n)."""
     *shape, n = coefficients.shape
     result = np.zeros((*shape, 3 * n))
     result[..., :n] = coefficients
@@ -41,7 +41,7 @@ def with_derivatives(coefficients: Array) -> Array:
 
 
 def largest(coefficients: Array) -> float:
-    """Return the greatest length of vectors that are polynomials of t from 0 to 1, looked at in 65 places.
+    """Return the greatest length of vectors that are polynomials of t from 0 to 1, sampled at 65 points.
 
     Args:
         coefficients: of t⁰ to t⁵, shape (..., 6, n).

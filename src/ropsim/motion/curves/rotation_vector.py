@@ -14,7 +14,7 @@ from ropsim.motion.curves.curve_kernel import rate_rows, turning_rows
 from ropsim.spatial import Array, frozen, quaternions_from_matrices
 
 FULL_TURN = 2.0 * math.pi
-"""Rotation vectors up to this length are told exactly [rad]."""
+"""Rotation vectors up to this length are distinguished exactly [rad]."""
 _TERMS = 18  # (2π)²ᵏ / (2k + 1)! is below the last bits from there on
 
 

@@ -13,7 +13,7 @@ def segment_distances(segments: Array2, spans: Array2, points: Array2, distances
         segments: start and way of each [m], shape (m, 6).
         spans: numbers of the first point that belongs to each of them, and behind the last, shape (m, 2).
         points: in the frame of the segments [m], shape (k, 3).
-        distances: where the answers go [m], shape (k,); those of other points stay as they are.
+        distances: output [m], shape (k,); entries of other points stay unchanged.
     """
     for m in range(segments.shape[0]):
         x, y, z = segments[m, 0], segments[m, 1], segments[m, 2]

@@ -1,7 +1,7 @@
-"""Traits of paths: what a path says of itself beyond its points, so that nobody asks for its class.
+"""Traits of paths: properties of a path beyond its points, so that callers need not check its class.
 
 A path of the package may have an attribute of the name; a path of a user, derived from one of ours or not,
-counts as one without: it may override what the attribute was true of.
+counts as one without: it may override the property of the attribute.
 """
 
 import numpy as np

@@ -42,5 +42,5 @@ class JointLine:
         return JointPoints(out[0], out[1], out[2])
 
     def path_rows(self, begin: float) -> PathRows:
-        """Return what compiled loops take of the path from a place on."""
+        """Return the data of the path for compiled loops, from a path parameter on."""
         return PathRows(STRAIGHT, begin, 1.0, 2, (self.q_start, self.q_end), None)

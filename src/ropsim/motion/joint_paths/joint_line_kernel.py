@@ -42,7 +42,7 @@ def line_in_time(
 def _line(
     count: int, s: float, v: float, a: float, q_start: Array, q_end: Array, q: Array, qd: Array, qdd: Array
 ) -> None:
-    """Write coordinates at a place that is gone through with the speed v and the acceleration a."""
+    """Write coordinates at a path parameter traversed with the speed v and the acceleration a."""
     for j in range(count):
         way = q_end[j] - q_start[j]
         q[j] = (1.0 - s) * q_start[j] + s * q_end[j]

@@ -27,7 +27,7 @@ class JointSection:
 
     @property
     def constant_derivatives(self) -> Array | None:
-        """Return those of the path, see `constant_derivatives`."""
+        """Return the derivatives of the path, see `constant_derivatives`."""
         return constant_derivatives(self.path)
 
     def joints(self, s: Array) -> JointPoints:
@@ -35,5 +35,5 @@ class JointSection:
         return self.path.joints(s + self.begin)
 
     def path_rows(self, begin: float) -> PathRows | None:
-        """Return what compiled loops take of the path; None where they do not know it, or of a part of it."""
+        """Return the data of the path for compiled loops; None if unsupported, or for a section of it."""
         return rows_of_path(self.path, self.begin) if begin == 0.0 else None

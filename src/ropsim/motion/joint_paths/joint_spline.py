@@ -40,12 +40,12 @@ class JointSpline:
 
 
 def monotone(places: Array, q: Array) -> JointSpline:
-    """Return the way through values, twice continuously differentiable, that turns back at none but them.
+    """Return the way through values, twice continuously differentiable, that reverses only at them.
 
-    Slopes m and bends c at the knots are those of the natural cubic spline, made smaller where a part would
+    Slopes m and bends c at the knots come from the natural cubic spline, made smaller where a part would
     otherwise leave the range between its two values. A part of the length h and the mean slope D > 0 never
     falls where the coefficients of its derivative in the form of Bernstein are not negative; they are not for
-    c·h in [-4·m, 10·D - 8·m] at its start and in [8·m - 10·D, 4·m] at its end. Both parts beside a knot
+    c·h in [-4·m, 10·D - 8·m] at its start and in [8·m - 10·D, 4·m] at its end. Both parts next to a knot
     leave a bend where m is at most 5/2 of the smaller D and 5/4 of the slope of the parabola through the
     three values. Between two values alone it is straight.
 
@@ -72,7 +72,7 @@ def _gentle(h: Array, mean: Array, first: Array) -> Array:
     Args:
         h: lengths of the parts, shape (k - 1, 1).
         mean: slopes of the parts, shape (k - 1, n).
-        first: slopes that are wanted, shape (k, n).
+        first: requested slopes, shape (k, n).
     """
     before, behind = np.vstack((mean[:1], mean)), np.vstack((mean, mean[-1:]))  # of each knot
     h_before, h_behind = np.vstack((h[:1], h)), np.vstack((h, h[-1:]))
@@ -89,4 +89,4 @@ def _bends(h: Array, mean: Array, first: Array) -> tuple[Array, Array]:
     ends = np.sort([(8.0 * first[1:] - 10.0 * mean) / h, 4.0 * first[1:] / h], axis=0)
     least = np.maximum(np.vstack((starts[0], ends[0][-1:])), np.vstack((starts[0][:1], ends[0])))
     most = np.minimum(np.vstack((starts[1], ends[1][-1:])), np.vstack((starts[1][:1], ends[1])))
-    return least, np.maximum(least, most)  # equal but for rounding where the slope is the greatest
+    return least, np.maximum(least, most)  # equal within rounding where the slope is the greatest

@@ -1,4 +1,4 @@
-"""Numbers of a path of the joints, as compiled loops that walk several paths take them."""
+"""Numbers of a path of the joints, for compiled loops that evaluate several paths."""
 
 from typing import NamedTuple
 
@@ -6,11 +6,12 @@ from ropsim.motion.curves.path import JointPath
 from ropsim.spatial import Array
 
 TRACED, STRAIGHT, SYNCHRONISED = range(3)
-"""Kinds of paths that such loops know: through rows, between two rows, and by profiles of each joint."""
+"""Kinds of paths that compiled loops support: through rows, between two rows, and by profiles of each
+joint."""
 
 
 class PathRows(NamedTuple):
-    """What a path is made of; others than those of the three kinds are walked one by one.
+    """Data of a path; paths of other kinds are evaluated one by one.
 
     Attributes:
         kind: one of the three.
@@ -32,7 +33,7 @@ class PathRows(NamedTuple):
 
 
 def rows_of_path(path: JointPath, begin: float = 0.0) -> PathRows | None:
-    """Return what compiled loops take of a path from a place on; None of one that they do not know.
+    """Return the data of a path for compiled loops from a path parameter on; None if unsupported.
 
     Args:
         path: of the joints.

@@ -82,7 +82,7 @@ def _between(rows: Array, d1: Array, d2: Array, row: int, room: Array) -> None:
 def _coefficients(
     count: int, start: Array, end: Array, v0: Array, v1: Array, a0: Array, a1: Array, room: Array
 ) -> None:
-    """Write the coefficients of t⁰ to t⁵, then those of the first and of the second derivative from t¹ on."""
+    """Write the coefficients of t⁰ to t⁵, then of the first and of the second derivative from t¹ on."""
     for j in range(count):
         gap = end[j] - start[j]
         v = v0[j]
@@ -111,7 +111,7 @@ def _coefficients(
 def _quintics(
     count: int, t: float, per_unit: float, v: float, a: float, room: Array, q: Array, qd: Array, qdd: Array
 ) -> None:
-    """Write the polynomials at t, gone through with the speed v and the acceleration a."""
+    """Write the polynomials at t, traversed with the speed v and the acceleration a."""
     for j in range(count):
         c1 = room[1, j]
         b1 = room[6, j]

@@ -13,21 +13,22 @@ _SEAM = 1.0 / 16.0
 """Share of the length of a part within which it goes over into the path around it, at either end."""
 
 _REACH = 8
-"""Rows on either side of one that is missed: every second one of them, six at an end, tells derivatives."""
+"""Rows on either side of one that is replaced: every second one of them, six at an end, is used for
+derivatives."""
 
 
 @record
 class Refined:
     """A path of the joints in which others take the place of some of its parts.
 
-    Where a part begins and ends, both paths have nearly the same values and derivatives: whoever makes one
-    sees to that. What they lack is added to the part there, and fades out with a polynomial of fifth degree,
-    so that values and two derivatives are continuous.
+    Where a part begins and ends, both paths have nearly the same values and derivatives: the maker of one
+    guarantees that. Their difference is added to the part there, and fades out with a polynomial of fifth
+    degree, so that values and two derivatives are continuous.
 
     Attributes:
         whole: the path.
         begins: its places at which the parts begin, rising, in its unit, shape (p,).
-        parts: what counts there; each ends before the next one begins.
+        parts: sections that replace the path there; each ends before the next one begins.
     """
 
     whole: JointPath
@@ -66,10 +67,10 @@ class Refined:
         return JointPoints(*rows)
 
     def _seam(self, begin: float, part: JointPath) -> Array:
-        """Return what a part lacks at its ends, as polynomials of the way from there, shape (2, 6, 3·n).
+        """Return the gaps of a part at its ends, as polynomials of the distance from there, (2, 6, 3·n).
 
-        The way counts in widths of the seam, towards the middle of the part; behind the rows of the values
-        stand those of the derivatives.
+        The distance counts in widths of the seam, towards the middle of the part; behind the rows of the
+        values are the rows of the derivatives.
         """
         ends, inwards = np.array([0.0, part.length]), np.array([1.0, -1.0])[:, None]
         there, own = self.whole.joints(begin + ends), part.joints(ends)
@@ -79,7 +80,7 @@ class Refined:
         return frozen(with_derivatives(quintics(np.stack((*lacks, nothing, nothing, nothing), axis=1))))
 
     def _seams_at(self, number: int, s: Array) -> Array:
-        """Return what is added at places of a part, with two derivatives, shape (3, k, n)."""
+        """Return the added correction at path parameters of a part, with two derivatives, shape (3, k, n)."""
         length = self.parts[number].length
         width, n = _SEAM * length, self._seams[number].shape[2] // 3
         added = np.zeros((3, len(s), n))

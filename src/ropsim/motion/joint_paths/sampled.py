@@ -55,7 +55,7 @@ class SampledPath:
         return JointPoints(out[0], out[1], out[2])
 
     def path_rows(self, begin: float) -> PathRows:
-        """Return what compiled loops take of the path from a place on."""
+        """Return the data of the path for compiled loops, from a path parameter on."""
         return PathRows(TRACED, begin, self.length, len(self.q), (self.q.reshape(-1),), self.derivatives)
 
 

@@ -16,7 +16,7 @@ _FLATTEST = 1e4  # greatest radius by the longest side of the triangle; the arc 
 
 
 class ArcOrientation(Enum):
-    """What the tool does on an arc."""
+    """Orientation of the tool on an arc."""
 
     TO_THE_END = "from the orientation of the start to that of the end, evenly over the way"
     WITH_THE_ARC = "as it stands to the tangent and the plane of the arc at the start"
@@ -37,7 +37,7 @@ class ArcFault(Enum):
 class Arc:
     """p(φ) = start + radius·(sin φ·tangent + (1 - cos φ)·inward) for φ = s / radius.
 
-    So it begins at the start exactly, and arcs that are all but straight lose no accuracy by a far centre.
+    So it begins at the start exactly, and arcs that are nearly straight lose no accuracy by a far centre.
 
     Attributes:
         start: first point in the reference frame [m], shape (3,).
@@ -117,13 +117,13 @@ def arc(
 ) -> Arc | ArcFault:
     """Return the arc from a start through a via point, or why there is none.
 
-    The three points give circle and sense; the orientation at the via point does not count.
+    The three points determine circle and sense; the orientation at the via point does not count.
 
     Args:
         X_start: at place 0 in the reference frame.
         X_via: on the way; only its position.
         X_end: at the end; with an angle a third point of the circle, and the orientation where the way ends.
-        orientation: what the tool does; with the arc it does not take the orientation of the end.
+        orientation: orientation mode; with the arc it does not take the orientation of the end.
         mode: how the tool turns to the orientation of the end.
         angle: how far to go about the centre [rad], over the end and round again; as far as the end if None.
     """

@@ -8,7 +8,7 @@ from ropsim.motion.curves.curve_kernel import speed_range, way_of_steps
 from ropsim.spatial import Array, frozen, record
 
 _POINTS = 5  # of Gauss and Legendre in each step
-_LOOK = 64  # steps in which the speed of a segment is looked at
+_LOOK = 64  # steps in which the speed of a segment is sampled
 _UNEVEN = 0.45  # least speed in a segment by its greatest; below, steps are four times as fine
 
 
@@ -39,10 +39,11 @@ class ArcLength:
 
 
 def arc_length(coefficients: Array, steps: int, least: Array) -> ArcLength | None:
-    """Return the way along a curve, or None where somewhere it all but stands.
+    """Return the arc length of a curve, or None if its speed nearly vanishes somewhere.
 
     Args:
-        coefficients: of the powers of t in p [m] and what follows it in every segment, shape (c, 6, 6).
+        coefficients: of the powers of t in p [m] and in the further columns in every segment, shape (c, 6,
+            6).
         steps: of each segment, for curves of even speed.
         least: of every segment the |p'| that it needs, shape (c,) [m].
 

@@ -13,7 +13,7 @@ from ropsim.spatial import Array, frozen, record
 
 _EVERY = 4  # steps of the arc length from one place of the grid to the next
 _GRID = 16, 512  # least and most steps of each segment in the search for the nearest place
-_STEP = 1e-3  # [m] of that search between, so that ways that come near each other are told apart
+_STEP = 1e-3  # [m] of that search between, so that sections that come near each other are distinguished
 _PLACES = 200_000  # at most, of all segments together
 
 
@@ -21,9 +21,9 @@ _PLACES = 200_000  # at most, of all segments together
 class Curve:
     """Segments one after the other: p(t) and R(t) = R_middle·exp(θ(t)), both of degree five, t from 0 to 1.
 
-    The place is the way of the TCP; derivatives by it follow from those by t by the chain rule, so that
-    whoever joins segments with one position, orientation, tangent, curvature, angular velocity and
-    acceleration per way has them in the curve, to rounding.
+    The path parameter is the arc length of the TCP; derivatives by it follow from those by t by the chain
+    rule, so that segments joined with one position, orientation, tangent, curvature, angular velocity and
+    acceleration per arc length keep them in the curve, to rounding.
 
     Attributes:
         coefficients: of t⁰ to t⁵ in p [m] and θ [rad], shape (c, 6, 6).
@@ -38,7 +38,7 @@ class Curve:
     def __post_init__(self) -> None:
         for name in ("coefficients", "middles"):
             array = getattr(self, name)
-            if array.flags.writeable:  # what nobody can change need not be copied
+            if array.flags.writeable:  # immutable arrays need not be copied
                 object.__setattr__(self, name, frozen(array))
 
     @property
@@ -59,14 +59,14 @@ class Curve:
     def own_grid(self) -> Array:
         """Return places that are even in the parameter of the polynomials, shape (m,).
 
-        So they are close where the way all but turns back, and four times as close on curves with segments of
+        So they are close where the curve nearly reverses, and four times as close on curves with segments of
         uneven speed.
         """
         return self.way.ends[::_EVERY]
 
     @property
     def numbers(self) -> tuple[Array, Array, Array, int, Array, Array]:
-        """Return what `curve_points` takes of the curve."""
+        """Return the data of the curve for `curve_points`."""
         way = self.way
         return series(), way.ends, way.inverse, way.steps, self.coefficients, self.middles
 

@@ -26,13 +26,13 @@ from ropsim.spatial import Array, Pose, record
 class Line:
     """X(s): position (1 - r)·p_start + r·p_end, orientation R_start·turn(r), with r = s / length.
 
-    At its end it is X_end to the bit, wherever it began: so what comes behind it need not know that.
+    At its end it is X_end to the bit, for any start: so later moves do not depend on it.
 
     Attributes:
         X_start: at place 0 in the reference frame.
         X_end: at the end.
         mode: how the tool turns.
-        numbers: what follows from that, as `line_kernel` says.
+        numbers: derived numbers, see `line_kernel`.
         moves: whether the TCP moves, so that the place is its way.
         length: of the way [m]; where the TCP stands (moves less than `STANDS`) the size of the turn [rad];
             0 where the tool neither moves nor turns.
@@ -109,7 +109,7 @@ def enter_distances(
         lines: the segments.
         spans: which points belong to each of them, from one number up to, without it, another one.
         points: in the reference frame of the lines [m], shape (k, 3).
-        distances: where the answers go [m], shape (k,); those of other points stay as they are.
+        distances: output [m], shape (k,); entries of other points stay unchanged.
     """
     numbers = np.concatenate([part for one in lines for part in (one.X_start.position, one.way)])
     rows = np.array(spans, dtype=np.float64)

@@ -1,7 +1,7 @@
 """The tool on a straight line in plain loops that numba compiles.
 
-What a rotation about an axis is linear with (Rodrigues' formula) stands among the numbers of a line, so that
-each place costs two sines.
+The coefficients of a rotation about an axis (Rodrigues' formula) are among the numbers of a line, so that
+each evaluation costs two sines.
 """
 
 from math import hypot, sin, sqrt

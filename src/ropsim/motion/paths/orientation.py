@@ -29,8 +29,8 @@ class TurnPoints:
 class ToolTurn:
     """R(r) = R_start·Rot(axis, r·angle)·Rot(z, r·roll) for the share r of the way, from 0 to 1.
 
-    A rotation is linear in u(φ) = (1, sin φ, 1 - cos φ) (Rodrigues' formula); what it is linear with is
-    computed once.
+    A rotation is linear in u(φ) = (1, sin φ, 1 - cos φ) (Rodrigues' formula); its coefficients are computed
+    once.
 
     Attributes:
         R_start: orientation at r = 0 in the reference frame, shape (3, 3).

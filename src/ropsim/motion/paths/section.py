@@ -33,7 +33,7 @@ class ToolSection:
 
     @property
     def constant_derivatives(self) -> Array | None:
-        """Return those of the path, see `constant_derivatives`."""
+        """Return the derivatives of the path, see `constant_derivatives`."""
         return constant_derivatives(self.path)
 
     def own_grid(self) -> Array:

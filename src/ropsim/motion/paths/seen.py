@@ -1,4 +1,4 @@
-"""Seen path: a path of the tool, given in one frame and looked at from another one."""
+"""Seen path: a path of the tool, given in one frame and expressed in another one."""
 
 import numpy as np
 

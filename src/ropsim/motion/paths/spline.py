@@ -36,8 +36,8 @@ def spline(poses: Sequence[Pose]) -> Curve | SplineFault:
     spline through these sums says with which angular velocity and acceleration the tool passes each point.
     Between two points the rotation vector from the middle orientation is the polynomial of degree five that
     has orientation, angular velocity and angular acceleration of both, so the way is twice continuously
-    differentiable in position and orientation, whatever the turns, and so it is over its arc length. It goes
-    through every point; it is the same in every frame, for every tool frame, and backwards.
+    differentiable in position and orientation, for any turns, and also over its arc length. It goes through
+    every point; it is the same in every frame, for every tool frame, and backwards.
 
     Args:
         poses: of the tool in the reference frame, in order.
@@ -91,7 +91,7 @@ def _ends(positions: Array, halves: Array, first: Array, second: Array, chords: 
         positions: of the end [m], shape (c, 3).
         halves: rotation vectors from the middle orientation to the end, shape (c, 3).
         first: velocities at the end per chord, the angular ones in the tool frame, shape (c, 6).
-        second: accelerations likewise, shape (c, 6).
+        second: accelerations, shape (c, 6).
         chords: lengths, shape (c,).
     """
     by_t, to_middle = chords[:, None], np.swapaxes(exponentials(halves), 1, 2)

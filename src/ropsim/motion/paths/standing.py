@@ -8,7 +8,7 @@ from ropsim.spatial import Array, Pose, record
 
 @record
 class Standing:
-    """X(s) = X at every place: what moves are the axes that go along with the path.
+    """X(s) = X at every path parameter: only the axes that accompany the path move.
 
     Attributes:
         X: of the tool in the reference frame.

@@ -31,7 +31,7 @@ def rates_needed(demand: ConstraintRows, places: Array, period: float) -> Array:
     """Return the constant rates, at most 1, that would just keep the limits of speed and jerk, (m,).
 
     Args:
-        demand: what the plan asks of the joints at the places.
+        demand: constraint rows of the plan at the grid points.
         places: motion times [s], shape (m,).
         period: of the control ticks [s].
     """
@@ -41,16 +41,16 @@ def rates_needed(demand: ConstraintRows, places: Array, period: float) -> Array:
 
 
 def neediest(demand: ConstraintRows, places: Array, period: float, begin: int, end: int) -> Need:
-    """Return what needs the lowest rate among some places.
+    """Return the binding constraint, with the lowest rate, among some grid points.
 
-    With the rate w, speeds scale by w, accelerations and what motion adds to the torques by w², jerk by w³;
-    where acceleration is not steady, its step in one control tick by w².
+    With the rate w, speeds scale by w, accelerations and the motion-dependent part of torques by w², jerk by
+    w³; where acceleration is not steady, its step in one control tick by w².
 
     Args:
-        demand: what the plan asks of the joints at the places.
+        demand: constraint rows of the plan at the grid points.
         places: motion times [s], shape (m,).
         period: of the control ticks [s].
-        begin: index of the first place that is looked at.
+        begin: index of the first checked grid point.
         end: index of the place behind the last one.
     """
     points, bounds, torque = demand.points, demand.bounds, demand.still

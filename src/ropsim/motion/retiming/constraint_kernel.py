@@ -91,7 +91,7 @@ def least_rate(
         places: motion times [s], shape (m,).
         limits: in the order of `Quantity`, shape (4, n).
         period: of the control ticks [s].
-        begin: first place that is looked at.
+        begin: first checked grid point.
         end: place behind the last one.
         out: becomes the quantity, the place, the joint and the rate, shape (4,).
     """
@@ -121,6 +121,6 @@ def least_rate(
 
 
 def _lower(out: Array, kind: int, place: int, joint: int, rate: float) -> None:
-    """Keep a rate with what needs it, if it is lower than the one that is known."""
+    """Keep a rate with its constraint if it is lower than the present one."""
     if rate < out[3]:
         out[0], out[1], out[2], out[3] = kind, place, joint, rate

@@ -1,4 +1,4 @@
-"""What a motion asks of joints and paths, linear in the square of its rate and in the change of that."""
+"""Constraint rows of a motion for joints and paths, linear in the square of its rate and in its change."""
 
 from dataclasses import dataclass
 
@@ -13,9 +13,9 @@ from ropsim.spatial import Array
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ConstraintRows:
-    """What m places of a motion of n joints on r paths ask; u is the change of its rate, x the rate squared.
+    """Constraint rows of m grid points of a motion, n joints on r paths; u: change of rate, x: rate squared.
 
-    The acceleration of the joints is q'·u + q''·x, that on a path likewise. Their torque is inertia·u +
+    The acceleration of the joints is q'·u + q''·x, and so is that on a path. Their torque is inertia·u +
     (torque of steady speed); the latter, at rest `still`, is taken as linear in x up to a speed that is
     given: exact there, for torques of gravity, dry and viscous friction and products of speeds alike.
 
@@ -66,7 +66,7 @@ class ConstraintRows:
 def demand(
     points: JointPoints, bounds: JointBounds, effort: Effort | None, ways: Ways | None = None
 ) -> ConstraintRows:
-    """Return what a path asks of the joints.
+    """Return the constraint rows of a path for the joints.
 
     Args:
         points: the path, m places.

@@ -1,4 +1,4 @@
-"""A motion in its motion time at control ticks, and what it uses of the limits there."""
+"""A motion in its motion time at control ticks, and its utilisation of the limits there."""
 
 from dataclasses import dataclass
 
@@ -48,7 +48,7 @@ def walked(motion: Motion, clock: NominalTime, bounds: JointBounds, ticks: Ticks
     Args:
         motion: the plan.
         clock: its motion time.
-        bounds: what the joints can do.
+        bounds: capabilities of the joints.
         ticks: of control.
     """
     course = clock.at(ticks.times(clock.duration))
@@ -75,12 +75,12 @@ def keeps_torque(rows: JointPoints, bounds: JointBounds, effort: Effort | None) 
 def strain_of_walk(
     walk: Walked, motion: Motion, demand: ConstraintRows, places: Array, period: float, more: float
 ) -> Utilisation | None:
-    """Return what a motion in its motion time uses of the limits, None where it clearly keeps all.
+    """Return the utilisation of the limits by a motion in nominal time, None where it clearly keeps all.
 
     Args:
         walk: the motion at control ticks.
         motion: the plan.
-        demand: what it asks of the joints at the places.
+        demand: constraint rows at the grid points.
         places: motion times [s], shape (m,).
         period: of the control ticks [s].
         more: added to each lack, see `strain`.

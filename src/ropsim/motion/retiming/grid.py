@@ -15,7 +15,7 @@ _ROUNDS = 12
 _LEAST_PART = 1e-4
 """Ways that are shorter than this share of the grid are not divided further."""
 _LONG = 1.5
-"""Greatest real time between two places, over the time that was asked for."""
+"""Greatest real time between two places, over the requested time."""
 _LITTLE_LONGER = 1.03
 """The same where motion time is slower: with 1.5, arms with much jerk lose up to 7 % on single motions."""
 _STEEP = 0.4
@@ -65,7 +65,7 @@ def parts_by_rate(places: Array1, phi: Array1, rates: Array1, parts: Array1) -> 
     Args:
         places: motion times [s], rising, shape (m,).
         phi: motion times at which rates are known [s], rising, shape (k,).
-        rates: estimates of dφ/dt there, in ]0, 1]; the lowest on a way and on those beside it counts, (k,).
+        rates: estimates of dφ/dt there, in ]0, 1]; the lowest on an interval and its neighbours counts, (k,).
         parts: becomes the numbers of parts, shape (m - 1,).
     """
     last = places.shape[0] - 2

@@ -47,7 +47,7 @@ Effort = Callable[[Array, Array, Array], Array]
 
 
 class Quantity(Enum):
-    """What can be too much for a joint; in the order in which the rows of strains stand."""
+    """Quantity that can exceed the limit of a joint; in the order of the rows of utilisation."""
 
     SPEED = "speed"
     ACCELERATION = "acceleration"
@@ -57,7 +57,7 @@ class Quantity(Enum):
 
 @record
 class JointBounds:
-    """What every joint can do, each of shape (n,) and above 0; infinity where nothing is known.
+    """Capabilities of every joint, each of shape (n,) and above 0; infinity if unknown.
 
     Attributes:
         speed: [rad/s | m/s].
@@ -112,7 +112,7 @@ def told_torques(effort: Effort, q: Array, qd: Array, qdd: Array) -> Array:
 
 
 def no_torques(found: Array, q: Array) -> ProfileError:
-    """Return what is wrong with torques [N m | N] of which one is no number, both of shape (k, n)."""
+    """Return the error for torques [N m | N] of which one is NaN, both of shape (k, n)."""
     row = int(np.flatnonzero(~np.isfinite(found).all(axis=1))[0])
     message = f"torques are {found[row]} at q = {q[row]}, allowed are finite numbers"
     return ProfileError(WRONG_PROFILE_REQUEST.at(None, message))

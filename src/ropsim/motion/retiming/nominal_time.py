@@ -58,7 +58,7 @@ class NominalTime:
 
 
 def unslowed(duration: float) -> NominalTime:
-    """Return the motion time of a motion [s] that goes as it is planned."""
+    """Return the motion time of a motion [s] that runs as planned."""
     return NominalTime(np.array([0.0, duration]), np.array([0.0, duration]), np.ones(2), np.zeros(2))
 
 

@@ -1,4 +1,4 @@
-"""References at control ticks, and what they use of the limits."""
+"""References at control ticks, and their utilisation of the limits."""
 
 import math
 from dataclasses import dataclass
@@ -25,7 +25,7 @@ class Reference:
         phi: motion times [s], shape (k,).
         rows: coordinates, speeds and accelerations by real time.
         torque: that they take [N m | N], shape (k, n); None where it does not count.
-        strain: what they use of the limits.
+        strain: utilisation of the limits.
     """
 
     phi: Array
@@ -39,9 +39,9 @@ def as_planned(motion: Motion, bounds: JointBounds, effort: Effort | None, ticks
 
     Args:
         motion: the plan, at rest at both ends.
-        bounds: what the joints can do.
+        bounds: capabilities of the joints.
         effort: torques at the joints; None where they do not count.
-        ticks: at which it is looked at.
+        ticks: at which it is evaluated.
 
     Raises:
         ProfileError: M540, the duration or the period is not above 0, or the motion or its torques are none.
@@ -63,7 +63,7 @@ def loaded(planned: Reference, bounds: JointBounds, effort: Effort | None) -> Re
 
     Args:
         planned: the references, without torques.
-        bounds: what the joints can do.
+        bounds: capabilities of the joints.
         effort: torques at the joints; None where they do not count.
 
     Raises:

@@ -1,4 +1,4 @@
-"""Limits kept at every control tick: a planned motion is slowed where it asks too much of the joints."""
+"""Limits kept at every control tick: a planned motion is slowed where it exceeds the joint limits."""
 
 import math
 
@@ -23,7 +23,7 @@ LONGEST_DELAY = 600.0
 """A motion that slowing would make longer by more than this [s] counts as one that no speed can do."""
 _ATTEMPTS = 30
 _MORE = 0.005
-"""What is taken off beyond the excess at control ticks, in the first round; each round takes more."""
+"""Reduction beyond the excess at control ticks, in the first round; each round reduces more."""
 
 
 def keep_limits(
@@ -34,9 +34,9 @@ def keep_limits(
     Motion time φ goes at the rate w = dφ/dt <= 1. Where the plan is within the limits, w is 1 and nothing
     else is computed. Else the fastest course under the limits of speed, acceleration and torque is found
     backwards and forwards along the path; below it, a course without kinks by lowest values and means over
-    windows; what that exceeds at control ticks is taken off the limits around there, and the same is done
+    windows; its excesses at control ticks are subtracted from the limits around there, and the same is done
     again. If some is left after that, the whole motion is slowed by it, so that nothing remains. The limits
-    of the paths that the motion is on are kept along with those of the joints: slower and faster again within
+    of the paths that the motion is on are kept along with the joint limits: slower and faster again within
     them.
 
     Every place must be one at which the arm can creep, so that the motion can be halted anywhere. Where dry
@@ -45,7 +45,7 @@ def keep_limits(
 
     Args:
         motion: the plan, at rest at both ends.
-        bounds: what the joints can do.
+        bounds: capabilities of the joints.
         effort: torques at the joints, affine in accelerations; None where they do not count.
         period: of the control ticks [s].
         grid: real time between two places that are planned with, about [s].
@@ -74,7 +74,7 @@ def kept_from(
         planned: references of the motion, see `as_planned`; where they are not within the limits, at a few of
             the control ticks at least.
         motion: the plan.
-        bounds: what the joints can do.
+        bounds: capabilities of the joints.
         effort: torques at the joints; None where they do not count.
         ticks: of control.
         grid: real time between two places that are planned with, about [s].
@@ -97,14 +97,14 @@ def _slowed(
 
     Args:
         motion: the plan.
-        asked: what it asks of the joints at places on it.
+        asked: its constraint rows at grid points.
         planned: the same, or without torque: that is then planned with only if it is found to be too much.
         places: motion times [s], shape (m,).
         ticks: of control.
     """
     period = ticks.period
     courses = Attempts(asked, planned, places, period)
-    if asked.ways.speeds.shape[1] == 0:  # what changes at once on paths of their own only ticks tell
+    if asked.ways.speeds.shape[1] == 0:  # sudden changes on tool paths are seen only at ticks
         courses.keep_at_places(2.0 * _MORE)
     best, attempt = (math.inf, unslowed(motion.duration)), 0
     while True:
@@ -129,7 +129,7 @@ def _slowed(
 def _slower(
     motion: Motion, clock: NominalTime, asked: ConstraintRows, places: Array, ticks: Ticks
 ) -> RetimedTrajectory | Infeasible:
-    """Return the motion with all rates brought down by what its worst control tick needs."""
+    """Return the motion with all rates reduced to the need of its worst control tick."""
     extra = ROUNDING
     while True:
         walk = walked(motion, clock, asked.bounds, ticks)
@@ -142,7 +142,7 @@ def _slower(
 
 
 def _parts(clock: NominalTime, asked: ConstraintRows, period: float) -> tuple[Slowed, ...]:
-    """Return the parts of a motion that are slowed, with what needs it most there."""
+    """Return the parts of a motion that are slowed, with the binding constraint there."""
     slow = np.concatenate(([False], clock.rates < 1.0, [False]))
     starts, ends = np.flatnonzero(slow[1:] & ~slow[:-1]), np.flatnonzero(slow[:-1] & ~slow[1:])
     parts = []

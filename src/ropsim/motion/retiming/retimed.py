@@ -25,11 +25,11 @@ class Motion(Protocol):
     def at(self, phi: Array) -> JointPoints:
         """Return the coordinates at motion times [s], (k,), and their derivatives by φ.
 
-        The arrays are new; whoever asks may write to them.
+        The arrays are new; the caller may write to them.
         """
 
     def ways(self, phi: Array) -> Ways:
-        """Return how paths with limits of their own are walked at motion times [s], rising, (k,)."""
+        """Return how paths with limits of their own are traversed at nominal times [s], rising, (k,)."""
 
 
 @record
@@ -40,8 +40,8 @@ class Slowed:
         start: motion time at which slowing begins [s].
         end: motion time at which the plan's speed is there again [s].
         share: least rate in between, in ]0, 1[.
-        joint: index of the joint that the plan asks too much of, most of all between the two.
-        quantity: what it asks too much of.
+        joint: index of the joint with the greatest excess of the plan between the two.
+        quantity: quantity of the excess.
     """
 
     start: float
@@ -76,9 +76,9 @@ class Infeasible:
     Attributes:
         phi: motion time of the place [s].
         joint: index of the joint.
-        quantity: what is too much for it.
+        quantity: quantity of the excess.
         value: how much of that it would take [unit of the quantity], at the least speed that counts.
-        limit: what the joint can do.
+        limit: limit of the joint.
     """
 
     phi: float
@@ -97,7 +97,7 @@ def too_heavy(asked: ConstraintRows, places: Array) -> Infeasible | None:
     """Return the first place at which dry friction and gravity take more torque than there is.
 
     Args:
-        asked: what the plan asks of the joints.
+        asked: constraint rows of the plan.
         places: parameter of the path, shape (m,).
     """
     most = asked.bounds.effort
@@ -112,12 +112,12 @@ def too_heavy(asked: ConstraintRows, places: Array) -> Infeasible | None:
 
 
 def too_slow(asked: ConstraintRows, places: Array, need: Need) -> Infeasible:
-    """Return the refusal for a place that would have to be gone at next to no speed.
+    """Return the refusal for a place that would require almost no speed.
 
     Args:
-        asked: what the plan asks of the joints.
+        asked: constraint rows of the plan.
         places: motion times [s], shape (m,).
-        need: what is needed most there.
+        need: binding constraint there.
     """
     bounds, kind = asked.bounds, tuple(Quantity).index(need.quantity)
     limits = (bounds.speed, bounds.acceleration, bounds.jerk, cast("Array", bounds.effort))

@@ -46,10 +46,10 @@ def greatest_nearby(sigma: Array1, values: Array1, queue: Array1, out: Array1) -
 def rounded(sigma: Array1, rates: Array1, work: Array2, smooth: Array1, slopes: Array1) -> None:
     """Write a smooth course of rates that is nowhere above the given one.
 
-    The lowest rate within ±1 of σ is taken, then the mean over ±2/3, and of that over ±1/3. A mean over ±1
-    of what is nowhere above the rates within ±1 is not above the rate, but for what the second mean loses
-    between places, of second order in their distance. Where all rates within ±2 are 1, the result is 1 bit
-    by bit.
+    The lowest rate within ±1 of σ is taken, then the mean over ±2/3, and of that over ±1/3. A mean over ±1 of
+    values nowhere above the rates within ±1 is not above the rate, except for the error of the second mean
+    between grid points, of second order in their distance. Where all rates within ±2 are 1, the result is 1
+    bit by bit.
 
     Args:
         sigma: places in windows that reach from -1 to +1, rising, shape (m,).
@@ -79,7 +79,7 @@ def rounded(sigma: Array1, rates: Array1, work: Array2, smooth: Array1, slopes: 
 def _average(
     sigma: Array, per: Array, values: Array, half: float, until: Array, rise: Array, mean: Array, slope: Array
 ) -> None:
-    """Write the mean within ±half of each place of what is linear between places, and its slope by σ.
+    """Write the mean within ±half of each grid point of a piecewise linear function, and its slope by σ.
 
     Args:
         sigma: rising, shape (k,).
@@ -114,9 +114,9 @@ def _average(
 
 
 LEAST_RATE = 1e-4
-"""A path that must be gone slower than by this share of its plan cannot be gone."""
+"""Least share of the planned speed; a path that requires less is infeasible."""
 SLACK = 5e-10
-"""Share by which bounds are planned wider, so that a plan that is on them is left as it is."""
+"""Share by which bounds are planned wider, so that a plan that is on them is left unchanged."""
 _FEWEST_CELLS = 5.0
 """Half width of the least window over the way between places."""
 _SLOPE = 0.6
@@ -143,7 +143,7 @@ def smooth_course(
 
     Args:
         places: motion times [s], rising, shape (m,).
-        x: squares of rates; these are nowhere exceeded, but for the least rate that counts, shape (m,).
+        x: squares of rates; these are nowhere exceeded, except for the least rate that counts, shape (m,).
         lasting: real times that windows last at least [s], shape (m,).
         width: factor of the windows, shape (m,).
         work: room, shape (2 + WORK, m + 2).
@@ -177,7 +177,7 @@ def smooth_course(
 
 
 def _cell(places: Array, i: int) -> float:
-    """Return the longer one of the ways beside a place."""
+    """Return the longer one of the intervals next to a grid point."""
     last = places.shape[0] - 1
     before = places[i] - places[i - 1] if i > 0 else 0.0
     return max(places[i + 1] - places[i], before) if i < last else before
@@ -192,7 +192,7 @@ def windows_last(
     Args:
         first: first derivatives of joints and places on paths by motion time, shape (m, n + r).
         most: bounds of their accelerations, shape (m, n + r), or (1, n + r) for the same at all places.
-        jerk: bounds of their jerks likewise.
+        jerk: bounds of their jerks.
         by_speed: longest time for the sake of the limits of speed [s].
         longest: bound of the result [s].
         lasting: becomes the times [s], shape (m,).

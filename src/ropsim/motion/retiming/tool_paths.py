@@ -1,4 +1,4 @@
-"""How a motion goes along paths that have limits of their own, such as those of a tool."""
+"""Motion along paths with separate limits, such as tool paths."""
 
 import numpy as np
 
@@ -8,7 +8,7 @@ from ropsim.spatial import Array, frozen, record
 
 @record
 class Ways:
-    """How r paths are walked at k motion times, each of shape (k, r).
+    """Motion along r paths at k nominal times, each of shape (k, r).
 
     With the place s on a path, in its unit: the limits hold for d²s/dt² and d³s/dt³ by real time t. Where the
     motion is not on a path, s rests and its limits are infinity.
@@ -43,15 +43,15 @@ class Ways:
 
 
 def no_ways(k: int) -> Ways:
-    """Return what a motion without such paths tells at k times."""
+    """Return the record of a motion without paths of this kind at k times."""
     return Ways(*(np.empty((k, 0)) for _ in range(4)))
 
 
 def steps_allowed(ways: Ways, phi: Array, period: float) -> Array:
     """Return by how much d²s/dt² may differ from that of the control tick before, shape (k, r).
 
-    Limits may change from tick to tick; the lesser one counts, but never less than what the plan itself does
-    between the two. Where there is no limit at one of them, there is none.
+    Limits may change from tick to tick; the lesser one counts, but never less than the value of the plan
+    itself between the two. Where there is no limit at one of them, there is none.
 
     Args:
         ways: at control ticks.

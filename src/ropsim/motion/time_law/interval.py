@@ -1,4 +1,4 @@
-"""What a motion must respect on one piece of its way."""
+"""Limits of a motion on one interval of its path."""
 
 from ropsim.spatial import record
 

@@ -13,7 +13,7 @@ from ropsim.motion.time_law.profile import ProfileError
 from ropsim.motion.time_law.time_law_kernel import LEAST, MOST
 from ropsim.spatial import Array
 
-_SEGMENTS = 8  # of a piece, at most, up and likewise down
+_SEGMENTS = 8  # of a path segment, at most, up and the same number down
 
 
 def plan_time_law(stages: Iterable[Interval]) -> PiecewiseLaw:
@@ -42,7 +42,7 @@ def plan_time_law(stages: Iterable[Interval]) -> PiecewiseLaw:
 
 
 def jerk_limited(bounds: Array, counts: Array) -> PiecewiseLaw:
-    """Return what `plan_time_law` does, of stages that stand in rows, told over pieces of several of them.
+    """Return the result of `plan_time_law` for intervals in rows, over path segments of several of them.
 
     Args:
         bounds: of the stages, in their order: length, speed, acceleration, jerk, ratio, horizon, see
@@ -67,7 +67,7 @@ def _planned(bounds: Array) -> PiecewiseLaw:
 
 
 def _rooms(p: int) -> tuple[Array, Array, Array, Array, Array]:
-    """Return ways, courses, rows, ends and told of p pieces for `plan_segments`."""
+    """Return the work arrays and outputs of p path segments for `plan_segments`."""
     if p == 0:
         raise ProfileError(WRONG_PROFILE_REQUEST.at(None, "a way has no pieces, allowed is one or more"))
     ways, courses = np.empty((3, 12, p + 1)), np.empty((3, 8, _SEGMENTS * p))
@@ -83,7 +83,7 @@ def _count(told: Array, bounds: Array) -> int:
 
 
 def _wrong_words(piece: int, bounds: Array) -> str:
-    """Return what is wrong with the bounds of a piece, shape (6,)."""
+    """Return the fault in the bounds of a path segment, shape (6,)."""
     length, speed, acceleration, jerk, ratio, horizon = bounds.tolist()
     found = (
         f"length {length:g}, speed {speed:g}, acceleration {acceleration:g}, "

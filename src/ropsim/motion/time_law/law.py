@@ -1,4 +1,4 @@
-"""Time laws: when a motion is where on the segments of a path, whatever law plans it."""
+"""Time laws: position over time on the segments of a path, for any law."""
 
 from collections.abc import Callable
 from typing import Protocol

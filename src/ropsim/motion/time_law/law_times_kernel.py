@@ -15,7 +15,7 @@ SIXTH = 1.0 / 6.0
 ROUNDING = 1e-16
 """Relative; the search for a time ends at a step below this share of it."""
 HALLEY = 5e-6
-"""Relative; after a step of Halley no greater than this what remains is its cube, which is rounding."""
+"""Relative; after a step of Halley no greater than this the remainder is its cube, which is rounding."""
 NEARLY_EVEN = 0.2
 """Relative; where half the change of the speed on a step is below this share of it, the series converges."""
 
@@ -32,7 +32,7 @@ def times_at(
         pieces: index of the piece of each place, best in order, shape (k,).
         places: on it; those outside of it count as its start or end; shape (k,).
         out: where the times go, shape (k,).
-        told: where the number of the times goes, fewer than k up to a place of a piece that there is not.
+        told: output for the number of times; fewer than k if a path segment does not exist.
     """
     piece, first, beyond, low = -1, 0, 0, 0
     told[0] = places.shape[0]
@@ -50,7 +50,7 @@ def times_at(
 
 @kernel
 def times_along(segments: Array2, ends: Array1, pieces: Array1, places: Array1, out: Array1) -> None:
-    """Write what `times_at` does but for rounding, of places in order, each looked for from the one before.
+    """Write the result of `times_at` within rounding, for rising path parameters, searched in order.
 
     Args:
         segments: shape (8, m).
@@ -76,7 +76,7 @@ def times_along(segments: Array2, ends: Array1, pieces: Array1, places: Array1, 
 
 
 def _near(segments: Array, row: int, way: float, u: float) -> float:
-    """Return the time since the start of a segment at which a way is gone, no less than `u` [s].
+    """Return the time since the start of a segment at which a distance is covered, no less than `u` [s].
 
     By Halley's steps from a few terms of the series there, kept between the times known to be too early and
     too late.
@@ -138,7 +138,7 @@ def _time_of(segments: Array, ends: Array, piece: int, beyond: int, row: int, pl
 
 
 def _row_of(segments: Array, place: float, first: int, beyond: int, row: int) -> int:
-    """Return the last segment of a piece that starts no later than at a place, looked for first at `row`."""
+    """Return the last segment of a piece that starts no later than at a place, searched first at `row`."""
     low, high = first, beyond
     if row > first and segments[2, row] <= place:
         low = row

@@ -1,4 +1,4 @@
-"""A time law over stages, told over longer pieces, in loops that numba compiles."""
+"""A time law over stages, expressed over longer path segments, in loops that numba compiles."""
 
 from ropsim.codegen import Array1, Array2, Array3, kernel
 from ropsim.motion.time_law.time_law_kernel import plan_segments
@@ -16,7 +16,7 @@ def plan_longer(
     longer_ends: Array1,
     told: Array1,
 ) -> None:
-    """Write what `plan_segments` does, told over pieces of several stages.
+    """Write the result of `plan_segments`, expressed over path segments of several intervals.
 
     Args:
         bounds: of the stages, see `plan_segments`, and so are ways, courses, rows and ends, shape (s, 6).

@@ -10,7 +10,7 @@ from ropsim.spatial import Array, record
 
 @record
 class PathLimits:
-    """Bounds of stages that go over into each other at one unit; iterating gives each as a `Interval`.
+    """Bounds of consecutive intervals; iterating yields each as an `Interval`.
 
     Attributes:
         rows: length, and bounds of speed, acceleration and jerk of each, see `Interval`, shape (s, 4).

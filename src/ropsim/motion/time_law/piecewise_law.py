@@ -84,7 +84,7 @@ class PiecewiseLaw:
             the times, shape (k,), in the order of the places.
 
         Raises:
-            IndexError: there is no such piece.
+            IndexError: the path segment does not exist.
         """
         asked = np.ascontiguousarray(places, dtype=np.float64)
         out, numbers = np.empty((2, len(asked)))

@@ -12,7 +12,7 @@ _WHOLE_SLACK = 1e-12  # relative; rounding of duration / period must not cost a 
 
 
 class ProfileError(RopsimError):
-    """A profile was asked for with limits or a distance that no motion can have."""
+    """A profile was requested with limits or a distance that no motion can have."""
 
 
 @frozen_dataclass

@@ -18,11 +18,11 @@ from ropsim.spatial import Array, frozen, record
 
 @record
 class SynchronisedJoints:
-    """A way of the joints whose place is the time: it is walked at speed 1.
+    """A path of the joints whose parameter is the time: it is traversed at speed 1.
 
-    Each joint has the fastest profile from rest to rest that its own limits allow. The slowest joint gives
-    the time; the profiles of the others are stretched to it, so that all their derivatives get smaller. The
-    way is no straight line in joint space.
+    Each joint has the fastest profile from rest to rest that its own limits allow. The slowest joint
+    determines the time; the profiles of the others are stretched to it, so that all their derivatives get
+    smaller. The way is no straight line in joint space.
 
     Attributes:
         q_start: joint coordinates at time 0 [rad | m], shape (n,).
@@ -65,7 +65,7 @@ class SynchronisedJoints:
 
     @property
     def own_law(self) -> PiecewiseLaw:
-        """Return the time law that walks the way at speed 1: it starts and ends at rest by itself."""
+        """Return the time law that traverses the path at speed 1: the profiles start and end at rest."""
         segment = np.array([0.0, 0.0, 0.0, 1.0, 0.0, 0.0, self.length, self.length])
         return PiecewiseLaw(segment[:, np.newaxis], np.array([self.length]))
 
@@ -77,13 +77,13 @@ class SynchronisedJoints:
         return JointPoints(out[0], out[1], out[2])
 
     def path_rows(self, begin: float) -> PathRows:
-        """Return what compiled loops take of the path from a place on."""
+        """Return the data of the path for compiled loops, from a path parameter on."""
         rows = self.q_start, self.q_end, self.shapes.reshape(-1)
         return PathRows(SYNCHRONISED, begin, self.length, 5, rows, None)
 
 
 def _wrong_words(joint: int, way: Array, bounds: Array) -> str:
-    """Return what is wrong with the way or the limits of a joint."""
+    """Return the fault in the distance or the limits of a joint."""
     speed, acceleration, jerk = bounds[:, joint].tolist()
     return (
         f"joint {joint} has way {way[joint]:g}, speed {speed:g}, acceleration {acceleration:g}, "

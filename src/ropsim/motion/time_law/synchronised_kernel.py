@@ -42,7 +42,7 @@ def joints_in_time(
     at: int,
     total: Array3,
 ) -> None:
-    """Write coordinates and derivatives by time where profiles are walked, see `traced_in_time`.
+    """Write coordinates and derivatives by time along profiles, see `traced_in_time`.
 
     Args:
         q_start: as for `joint_rows`.
@@ -130,7 +130,7 @@ def plan_together(way: Array1, limits: Array2, shapes: Array2, told: Array1) -> 
         limits: speed, acceleration and jerk of the joints, shape (3, n).
         shapes: where the profiles go: signed jerk at the start, for how long it lasts [s], and how long the
             acceleration lasts that follows [s]; of shape (3, n).
-        told: where the time goes [s], or -1 and the index of a joint with a number that no motion can have;
+        told: output for the time [s], or -1 and the index of a joint with a number that no motion can have;
             shape (2,).
     """
     slowest = 0.0

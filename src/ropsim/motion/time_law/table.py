@@ -7,4 +7,4 @@ from ropsim.motion.time_law.law import TimeLawPlanner
 
 JERK_LIMITED = "jerk-limited"
 TIME_LAWS: Mapping[str, TimeLawPlanner] = {JERK_LIMITED: jerk_limited}
-"""Name of a law -> what plans it."""
+"""Name of a law -> its planner."""

@@ -85,8 +85,8 @@ def blend_between(chain: MotionChain, before: PlannedMove, behind: PlannedMove) 
     """Return the corner between two moves, or why the arm must stop there.
 
     Two paths of one tool are joined by a path of the tool, seen from a frame in which both are given. Where
-    there is none, a path in joint space takes part, or the tool changes, the motions overlap: nobody has said
-    on which way the tool goes there.
+    there is none, a path in joint space takes part, or the tool changes, the motions overlap: the path of the
+    tool is unspecified there.
 
     Args:
         chain: the entities.
@@ -161,6 +161,6 @@ def commanded_zone(chain: MotionChain, move: MoveInstruction) -> float:
 
 
 def _in_base(leg: PlannedMove) -> ToolPath | None:
-    """Return the path of the tool of a move where it has one in the base frame."""
+    """Return the path of the tool of a move if it is in the base frame."""
     coordination = leg.planned.coordination
     return None if coordination and coordination.frame else leg.tool

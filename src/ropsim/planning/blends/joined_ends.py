@@ -1,4 +1,4 @@
-"""Ways round corners that begin and end as the moves beside them go, where poses leave joints free."""
+"""Blends that join the adjacent moves smoothly where poses leave joints free."""
 
 import numpy as np
 
@@ -12,9 +12,9 @@ from ropsim.planning.records.sampling import SMOOTH
 from ropsim.spatial import Array, Pose
 
 _STEPS = (64, 128, 256, 512, 1024)
-"""Samples of such a way, as many as it needs."""
+"""Samples of a blend of this kind, as many as it needs."""
 _FAR = 0.5
-"""What is farther from where it is expected [rad | m] is another posture."""
+"""A greater distance from the expected coordinates [rad | m] means another posture."""
 _SAME = 1e-6
 """Joint coordinates of one posture, found along two ways, are no farther apart [rad | m]."""
 
@@ -27,17 +27,18 @@ def joined_to(
     X_MT: Pose,
     along: Coordination | None,
 ) -> JointPath | None:
-    """Return a way round a corner that goes over into the moves beside it.
+    """Return a blend that joins the adjacent moves smoothly.
 
-    Where a pose leaves joints free, what is followed from the start of the corner does not meet what was
-    followed along the move before to its end and from there along the next one. What is missing in place,
-    slope and bend at both ends is added, as a polynomial of fifth degree between them, and each pose is kept.
+    Where a pose leaves joints free, the joints followed from the start of the blend do not meet those
+    followed along the move before to its end and from there along the next one. The difference in value,
+    first and second derivative at both ends is added, as a polynomial of fifth degree between them, and each
+    pose is kept.
 
     Args:
         chain: the entities.
         path: of the tool in the base frame, or in that of the coordination.
         joints: its path in joint space, followed from its start.
-        ends: the moves beside it where it begins and ends, by the place on their paths.
+        ends: the adjacent moves at its begin and end, as derivatives by the path parameter.
         X_MT: the tool.
         along: external axes that go along; None where they stand.
 

@@ -22,7 +22,7 @@ class Meeting:
 
 
 def meeting_of(before: PlannedMove, behind: PlannedMove) -> Meeting | None:
-    """Return where the paths of two moves meet; None where they have not one tool, or no frame in common.
+    """Return where the paths of two moves meet; None if they use different tools, or have no common frame.
 
     The frame is that of the path on which external axes move; where they stand, a path is as good in any
     frame. Two paths on which they move have to be given in frames of one link, or both in the base frame.
@@ -54,10 +54,10 @@ def meeting_of(before: PlannedMove, behind: PlannedMove) -> Meeting | None:
 
 
 def _standing(path: ToolPath, like: Coordination, q: Array) -> Coordination:
-    """Return the external axes along a path on which they stand at q (n,), beside one on which they move."""
+    """Return the external axes at rest at q (n,) along a path, to meet a path on which they move."""
     return coordination_along(path, like.robot, q, q, like.frame, 1.0)
 
 
 def _from_base(path: ToolPath, standing: Coordination, q: Array) -> ToolPath:
-    """Return a path of the base frame as it is seen from the frame of the axes, which stand at q."""
+    """Return a path of the base frame expressed in the frame of the axes at rest at q."""
     return path if standing.frame is None else Seen(path, standing.frame.pose(q).inverse())

@@ -1,1 +1,1 @@
-"""Checks of what entities and paths of a user return."""
+"""Checks of results of a user's entities and paths."""

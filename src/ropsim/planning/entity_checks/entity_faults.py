@@ -1,4 +1,4 @@
-"""Entities of a user that fail: told as a refusal of the move, at its line."""
+"""Entities of a user that fail: reported as a refusal of the move, at its line."""
 
 from collections.abc import Callable
 from pathlib import Path
@@ -33,13 +33,13 @@ _HINT = "docs/how-to/own-planner.md says what each entity is given and has to re
 def guarded(
     entity: object, work: Callable[[], T], kinds: tuple[type, ...], move: MoveInstruction
 ) -> T | Refusal:
-    """Return what an entity answers, or that it failed; a fault of our own entities is not caught.
+    """Return the result of an entity, or its failure; exceptions of built-in entities are not caught.
 
     Args:
         entity: who works.
-        work: asks it.
-        kinds: what it may answer beside a refusal.
-        move: what it works on.
+        work: calls it.
+        kinds: allowed results other than a refusal.
+        move: the move in hand.
     """
     try:
         answer = work()
@@ -49,14 +49,14 @@ def guarded(
             return answer
         wanted = " or ".join(kind.__name__ for kind in kinds)
         return refused(entity, f"returned a `{type(answer).__name__}` instead of a {wanted}", move)
-    except Exception as error:  # whatever the code of a user raises is told
+    except Exception as error:  # any exception of a user's code is reported
         if is_our_own(entity):
             raise
         return refused(entity, raised(error), move)
 
 
 def raised(error: Exception) -> str:
-    """Return what an entity did that raised, with its place."""
+    """Return the description of an exception, with its place."""
     frames = extract_tb(error.__traceback__)
     place = f" ({Path(frames[-1].filename).name}, line {frames[-1].lineno})"
     return f"raised {type(error).__name__}: {error}{place}"
@@ -87,11 +87,11 @@ def is_our_own(entity: object) -> bool:
 
 
 def foreign_of(maker: object, path: object) -> object | None:
-    """Return whose code a path is looked at for: its own or that of who made it; None where all is ours.
+    """Return the object responsible for a path: the path or its maker; None if both are built in.
 
     Args:
         maker: who made it.
-        path: what was made.
+        path: its result.
     """
     return next((one for one in (path, maker) if not is_our_own(one)), None)
 
@@ -101,8 +101,8 @@ def refused(entity: object, found: str, move: MoveInstruction) -> Refusal:
 
     Args:
         entity: who did it.
-        found: what it did.
-        move: what it worked on.
+        found: description of the fault.
+        move: the move in hand.
     """
     return Refusal((entity_fails(entity, found, move.origin.span),))
 
@@ -112,7 +112,7 @@ def entity_fails(entity: object, found: str, span: Span | None) -> Diagnostic:
 
     Args:
         entity: who did it.
-        found: what it did.
+        found: description of the fault.
         span: of the line at which it worked.
     """
     message = f"`{getattr(entity, '__name__', type(entity).__name__)}` {found}"

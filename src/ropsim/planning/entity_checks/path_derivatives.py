@@ -1,4 +1,4 @@
-"""Whether derivatives that a user's path tells are those of its places, by differences."""
+"""Whether derivatives of a user's path agree with differences of its positions."""
 
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
@@ -20,8 +20,8 @@ _LOOKS = 9
 _ASIDE = (np.sqrt(5.0) - 1.0) / 2.0
 """Where in its part of the path each of them lies: at no simple share of it, where pieces may meet."""
 _STEPS = (1e-4, 1e-5, 1e-6)
-"""Shares of a path over which derivatives are compared with differences. Where a path weaves, those over a
-longer share are far off; what is no derivative is off over all of them."""
+"""Shares of a path over which derivatives are compared with differences. Where a path weaves, differences
+over a longer share are far off; a wrong derivative is off over all of them."""
 _ALIKE = 1e-2
 """Share of the size of derivatives by which they may differ from differences."""
 
@@ -33,9 +33,9 @@ def wrong_tool_derivatives(
 
     Args:
         entity: who is named.
-        path: that is looked at; of usable shape.
+        path: to be checked; of usable shape.
         points: places of it, by which the size of derivatives is known.
-        move: what it is for.
+        move: its move.
     """
     return _unlike(
         entity, path.length, points, partial(_around, entity, path.tool, ToolPoints), _shifts, move
@@ -60,9 +60,9 @@ def wrong_joint_derivatives(
 
     Args:
         entity: who is named.
-        path: that is looked at; of usable shape.
+        path: to be checked; of usable shape.
         points: places of it, by which the size of derivatives is known.
-        move: what it is for.
+        move: its move.
     """
     around = partial(_around, entity, path.joints, JointPoints)
     return _unlike(entity, path.length, points, around, _joint_shifts, move)
@@ -84,7 +84,7 @@ def _around(
     step: float,
     move: MoveInstruction,
 ) -> tuple[P, P, P] | Refusal:
-    """Return what a path tells a step before, at and a step behind the places."""
+    """Return the derivatives of a path a step before, at and a step behind the places."""
     found: list[P] = []
     for offset in (-step, 0.0, step):
         points = guarded(entity, partial(look, _middles(length) + offset), (kind,), move)
@@ -110,9 +110,9 @@ def _unlike(
         entity: who is named.
         length: of the path.
         points: of it, by which the size of derivatives is known.
-        around: tells of a length, a step and the move what the path tells there.
+        around: returns for a length, a step and the move the derivatives there.
         shifts: how it goes from each of these to the next one, shape (k, m).
-        move: what it is for.
+        move: its move.
     """
     size = float(np.abs(points.d1).max())
     allowed = {"d1": _ALIKE * size, "d2": _ALIKE * (float(np.abs(points.d2).max()) + size / length)}
@@ -137,7 +137,7 @@ def _sides(around: tuple[P, P, P], moved: Sequence[Array], step: float) -> Mappi
     """Return how far derivatives are from differences on either side, shape (k, m) each.
 
     Args:
-        around: what a path tells before, at and behind the places.
+        around: derivatives of a path before, at and behind the places.
         moved: how it goes from each of these to the next one.
         step: from one to the next.
     """

@@ -1,4 +1,4 @@
-"""Faults of what entities of a user return: plans, samples and paths."""
+"""Faults of results of a user's entities: plans, samples and paths."""
 
 import math
 from collections.abc import Mapping
@@ -24,15 +24,15 @@ _THERE = 1e-6
 def unusable_plan(
     chain: MotionChain, planned: PlannedPath, q_start: Array, move: MoveInstruction
 ) -> Refusal | None:
-    """Return why what a planner made of a move cannot be used, None where it can; our own is not looked at.
+    """Return why the plan of a move cannot be used, None if it can; built-in ones are not checked.
 
-    Its paths are looked at by themselves.
+    Its paths are checked separately.
 
     Args:
         chain: the entities; its planner made it.
-        planned: what it made.
+        planned: its result.
         q_start: where the arm stands, shape (n,).
-        move: what it is for.
+        move: its move.
     """
     if is_our_own(chain.planner):
         return None
@@ -91,7 +91,7 @@ def _away(chain: MotionChain, X_MT: Pose, q_start: Array, move: MoveInstruction)
 
 
 _LOOKS = 9
-"""Places at which a path is looked at before it is used."""
+"""Places at which a path is checked before it is used."""
 _JUMP = 1e-6
 """Largest distance of the start of a path from where the arm is [rad | m]."""
 
@@ -103,9 +103,9 @@ def unusable_setpoints(
 
     Args:
         entity: who returned them.
-        setpoints: what it returned.
+        setpoints: its result.
         path: that it was given.
-        move: what they are for.
+        move: their move.
     """
     matrices = np.asarray(setpoints.matrices)
     if matrices.ndim != 3 or matrices.shape[1:] != (4, 4) or len(matrices) < 2:
@@ -124,10 +124,10 @@ def unusable_samples(
 
     Args:
         chain: the entities; its inverse transform returned them.
-        samples: what it returned.
+        samples: its result.
         setpoints: X_BT that it was given.
         q_start: where the arm stands, shape (n,).
-        move: what it is for.
+        move: its move.
     """
     entity = chain.inverse
     q, n = np.asarray(samples.q), len(q_start)
@@ -144,12 +144,12 @@ def unusable_samples(
 def unusable_tool_path(maker: object, path: ToolPath, move: MoveInstruction) -> Refusal | None:
     """Return why a path of the tool cannot be followed, None where it can.
 
-    Our own that our own code has made are not looked at; tests do that for each kind of them.
+    Built-in paths made by built-in code are not checked; tests do that for each kind of them.
 
     Args:
         maker: who made it.
-        path: what it made.
-        move: what it is for.
+        path: its result.
+        move: its move.
     """
     entity = foreign_of(maker, path)
     return None if entity is None else faults_of_tool_path(entity, path, move)
@@ -160,8 +160,8 @@ def faults_of_tool_path(entity: object, path: ToolPath, move: MoveInstruction) -
 
     Args:
         entity: who is named where it cannot.
-        path: that is looked at.
-        move: what it is for.
+        path: path to be checked.
+        move: its move.
     """
     length = guarded(entity, lambda: float(path.length), (float,), move)
     wrong = length if isinstance(length, Refusal) else _unusable_length(entity, length, move)
@@ -183,13 +183,13 @@ def faults_of_tool_path(entity: object, path: ToolPath, move: MoveInstruction) -
 
 
 def unusable_path(entity: object, path: JointPath, q_start: Array, move: MoveInstruction) -> Refusal | None:
-    """Return why a path of the joints cannot be followed, None where it can; our own is not looked at.
+    """Return why a path of the joints cannot be followed, None if it can; built-in ones are not checked.
 
     Args:
         entity: who returned it.
-        path: what it returned.
+        path: its result.
         q_start: where the arm stands, shape (n,).
-        move: what it is for.
+        move: its move.
     """
     if is_our_own(entity):
         return None

@@ -1,4 +1,4 @@
-"""Whether what a user's code has made of a path of the tool is true: its ends, and samples of it."""
+"""Correctness of a user's path of the tool: its ends, and samples of it."""
 
 import numpy as np
 
@@ -21,12 +21,12 @@ the rotation: a solver of one's own may stop where that is good enough, a wrong 
 
 
 def misplaced_tool_path(maker: object, path: ToolPath, request: PathRequest) -> Refusal | None:
-    """Return why a usable path of the tool is not the one that was wanted; our own are not looked at.
+    """Return why a usable path of the tool is not the requested one; built-in ones are not checked.
 
     Args:
         maker: the kind of paths that made it.
-        path: what it made.
-        request: what it was made of.
+        path: its result.
+        request: its request.
     """
     entity = foreign_of(maker, path)
     if entity is None:
@@ -55,9 +55,9 @@ def untrue_setpoints(
 
     Args:
         entity: who returned them; of usable shape.
-        setpoints: what it returned.
+        setpoints: its result.
         path: that it was given.
-        move: what they are for.
+        move: their move.
     """
     if not abs(setpoints.length - path.length) <= _SAME * path.length:
         return refused(
@@ -88,9 +88,9 @@ def untrue_samples(
 
     Args:
         chain: the entities; its inverse transform returned the samples, of usable shape.
-        samples: what it returned.
+        samples: its result.
         setpoints: X_BT that it was given.
-        move: what they are for.
+        move: their move.
     """
     rows, wanted = len(samples.q), len(setpoints.matrices)
     if rows != wanted:

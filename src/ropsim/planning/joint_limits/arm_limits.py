@@ -1,4 +1,4 @@
-"""Joint limits of a motion: what the arm can do with its payload, and what is said where that binds."""
+"""Joint limits of a motion: capabilities of the arm with its payload, and findings where they bind."""
 
 from bisect import bisect_right
 from collections.abc import Sequence
@@ -14,7 +14,7 @@ from ropsim.planning.records.wording import passes, rate
 from ropsim.spatial import record
 
 WORTH_SAYING = 0.85
-"""Share of the planned speed above which slowing is not told: it costs next to no time."""
+"""Share of the planned speed above which slowing is not reported: it costs almost no time."""
 
 _WORDS = {
     Quantity.SPEED: ("speed", "/s"),
@@ -26,7 +26,7 @@ _WORDS = {
 
 @record
 class ArmBounds:
-    """What the joints of an arm can do.
+    """Capabilities of the joints of an arm.
 
     Attributes:
         joints: speed, acceleration, jerk, and torque where drives say it.
@@ -39,7 +39,7 @@ class ArmBounds:
 
 @lru_cache(maxsize=256)
 def arm_bounds(robot: RobotModel, payload: Payload) -> ArmBounds:
-    """Return what an arm can do; torque counts where masses and drives of all joints are known.
+    """Return the capabilities of an arm; torque counts where masses and drives of all joints are known.
 
     Args:
         robot: the arm.
@@ -75,7 +75,7 @@ def slowed_findings(
 
 
 def beyond_refusal(leg: PlannedMove, beyond: Infeasible, robot: RobotModel) -> Refusal:
-    """Return M564 for a move that asks more of a joint than it can do at any speed."""
+    """Return M564 for a move that exceeds the capability of a joint at any speed."""
     joint, origin = robot.axis_joints[beyond.joint], leg.move.origin
     finding = BEYOND_LIMITS.at(
         origin.span,

@@ -20,14 +20,14 @@ REACHED = 0.98
 
 _QUANTITIES = (LimitQuantity.SPEED, LimitQuantity.ACCELERATION, LimitQuantity.JERK)
 _PLACES = np.linspace(0.0, 1.0, 33)
-"""Of a path at which its bend is looked at, as shares of its length."""
+"""Path parameters at which the bend of a path is evaluated, as shares of its length."""
 _BENT = 1e-9
 """Second derivative times length, of the first one, from which on a path is bent."""
 
 
 @frozen_dataclass
 class Looks:
-    """Control ticks of a plan at which its moves are looked at; in arrays that may be longer than these.
+    """Control ticks of a plan at which its moves are evaluated; in arrays that may be longer.
 
     Attributes:
         ticks: their numbers, shape (room,).
@@ -45,14 +45,14 @@ def binding_of_tools(
 ) -> list[tuple[LimitQuantity, float]]:
     """Return the limit of the tool that each move is at for longest, and for which share of the looks.
 
-    Rates are those in the frame of the path, by differences of the poses at four ticks in a row. Where the
-    path is bent and no limit is reached, of the tool or of a joint, the bend sets the time: a tool that turns
-    off its way needs a part of its acceleration and jerk for that, and planning leaves it.
+    Rates are expressed in the frame of the path, by differences of the poses at four ticks in a row. Where
+    the path is bent and no limit is reached, of the tool or of a joint, the bend sets the time: a tool that
+    turns off its way needs a part of its acceleration and jerk for that, and planning leaves it.
 
     Args:
         plan: of a stretch.
         moves: on paths of the tool.
-        numbers: of these moves among those that are looked at, rising.
+        numbers: of these moves among the evaluated ones, rising.
         looks: at the stretch.
         robot: the arm.
     """
@@ -78,12 +78,12 @@ def _counts(
     Args:
         plan: of a stretch.
         moves: on paths of the tool, t of them.
-        numbers: of these moves among those that are looked at, rising.
+        numbers: of these moves among the evaluated ones, rising.
         looks: at the stretch.
         robot: the arm.
 
     Returns:
-        the first look at each of these moves, and how many there are; the rest as `tool_reached` writes it.
+        the first evaluation of each of these moves, and their number; the rest as `tool_reached` writes it.
     """
     q = np.ascontiguousarray(plan.reference.q)
     t, room = len(moves), len(looks.ticks)
@@ -114,7 +114,7 @@ def _counts(
 
 
 def _bent_looks(plan: MotionPlan, idle: list[float]) -> int:
-    """Return how many looks at a move lie where its path is bent and no limit is reached.
+    """Return the number of evaluations of a move that lie where its path is bent and no limit is reached.
 
     Args:
         plan: of a stretch.

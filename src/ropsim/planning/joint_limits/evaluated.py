@@ -1,4 +1,4 @@
-"""Courses, looked at for what they take of the joints."""
+"""Trajectories with their utilisation of the joint limits."""
 
 from dataclasses import replace
 
@@ -11,12 +11,12 @@ from ropsim.spatial import record
 
 @record
 class EvaluatedTrajectory:
-    """A course, and what it takes of the joints.
+    """A trajectory, and its utilisation of the joint limits.
 
     Attributes:
         motion: of the stretch on the course.
-        reference: at ticks, and what it uses of the limits.
-        ticks: at which it was looked at: those of control, or a few of them.
+        reference: at ticks, and its utilisation of the limits.
+        ticks: at which it was evaluated: control ticks, or a few of them.
         slowed: where it is slower than its bounds would have it.
     """
 
@@ -37,7 +37,7 @@ class EvaluatedTrajectory:
         return replace(self, reference=loaded(self.reference, arm.joints, arm.effort))
 
     def at_each(self, ticks: Ticks, arm: ArmBounds) -> "EvaluatedTrajectory":
-        """Return the same looked at at each tick, torques aside where they were so far.
+        """Return the same evaluated at each tick, torques excepted if they were so far.
 
         Args:
             ticks: of control.
@@ -50,11 +50,11 @@ class EvaluatedTrajectory:
 
 
 def as_bounds_allow(motion: Trajectory, arm: ArmBounds, ticks: Ticks) -> EvaluatedTrajectory:
-    """Return a motion with what it takes of the joints, whatever they say to it.
+    """Return a motion with its utilisation of the joint limits, even beyond them.
 
     Args:
         motion: of the stretch.
         arm: limits of the joints.
-        ticks: at which it is looked at.
+        ticks: at which it is evaluated.
     """
     return EvaluatedTrajectory(motion, as_planned(motion, arm.joints, arm.effort, ticks), ticks, ())

@@ -33,7 +33,7 @@ _ATTEMPTS = 40
 _ROUNDS = 10
 """How often a part is slowed as a whole that still exceeds a limit then."""
 _LESS = 1e-4
-"""What is taken off beyond an excess; each attempt takes more."""
+"""Reduction beyond an excess; each attempt reduces more."""
 _TORQUE = list(Quantity).index(Quantity.TORQUE)
 _LEAST = 1e-3
 """Where joints leave less of the rate than this share, slowing by motion time has its finer means."""
@@ -44,15 +44,14 @@ def fitted(
 ) -> EvaluatedTrajectory:
     """Return the course with its bounds brought down where joints could not follow, with its torques.
 
-    The limits that the program gives for the tool stay those of every time law. Where joints leave next to
-    nothing of the speed, or the motion would take far too long, the course stays as it was; so does one
-    without a path of the tool. Torques take time, and slower motions hardly need more of them: they are
-    looked at when all else is kept. Where they are too much then, and were so as planned, they count from the
-    start.
+    The limits of the program for the tool stay in every time law. Where joints leave next to nothing of the
+    speed, or the motion would take far too long, the trajectory stays unchanged; so does one without a path
+    of the tool. Torques take time, and slower motions hardly need more of them: they are evaluated when all
+    other limits are kept. Where they are too much then, and were so as planned, they count from the start.
 
     Args:
-        planned: the course as the bounds of its parts alone would have it, looked at at control ticks, or at
-            a few of them to begin with.
+        planned: the trajectory by the bounds of its sections alone, evaluated at control ticks, or at a few
+            of them to begin with.
         arm: limits of the joints.
         ticks: of control.
         rules: time law and look-ahead.
@@ -72,7 +71,7 @@ def fitted(
 def _fitted(
     planned: EvaluatedTrajectory, arm: ArmBounds, looked_at: ArmBounds, ticks: Ticks, rules: TimingRules
 ) -> EvaluatedTrajectory:
-    """Return the course with its bounds brought down; at first with regard to what is looked at alone."""
+    """Return the course with its bounds brought down; at first with regard to evaluated quantities alone."""
     now, times, bands = planned, _band_times(planned), dict[int, LimitGrid]()
     for attempt in range(_ATTEMPTS + _ROUNDS):
         exceeded = _exceeding(now)
@@ -124,13 +123,13 @@ def _band_times(fit: EvaluatedTrajectory) -> Array:
 
 
 def _bands(planned: EvaluatedTrajectory, number: int, times: Array) -> LimitGrid:
-    """Return the bands of a run as it was planned, between times, see `_band_times`."""
+    """Return the grid of limits of a planned section, between times, see `_band_times`."""
     run = planned.course.runs[number]
     return limit_grid_of(run.part, times, run.start)
 
 
 def _exceeding(fit: EvaluatedTrajectory) -> dict[int, Array]:
-    """Return the ticks, without 0, at which a limit is exceeded in runs with stages; of those with any."""
+    """Return the ticks, without 0, of exceeded limits in sections with path limits, by section."""
     reference, runs = fit.reference, fit.course.runs
     table = fit.motion.table
     spans = table.runs if table else np.array([(run.start, run.end) for run in runs])

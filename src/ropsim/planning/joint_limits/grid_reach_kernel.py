@@ -7,7 +7,8 @@ from ropsim.spatial import Array
 KIND, VALUE, TICK, JOINT, QUANTITY = range(5)
 """Rows of caps."""
 BESIDE = 2
-"""Bands beside one that are brought down with it: what is slower comes later to what lies behind."""
+"""Number of neighbouring cells that are lowered with a cell: a slower motion arrives later at the following
+cells."""
 MOST_LONGER = 0.3
 """Share of a time with too much jerk by which it is taken to get longer, at most: without a bound short
 motions that turn back last 0.3 % longer in the mean, with less a line often takes a step more."""
@@ -19,17 +20,18 @@ def reach_of(
 ) -> None:
     """Write the first and the last band in which each cap counts.
 
-    A cap counts in the bands of its tick and in a few beside them. With less jerk along the path, the time in
-    which the acceleration changes gets longer by as much, in front of it or behind it: a cap of jerk at the
-    first of successive ticks counts from so far in front of it, and one at the last of them up to so far
-    behind it; and a tick further, for it may begin and end anywhere between two ticks.
+    A joint-imposed limit applies in the cells of its tick and in a few next to them. With less jerk along the
+    path, the time in which the acceleration changes gets longer by as much, in front of it or behind it: a
+    jerk limit at the first of successive ticks applies from that distance in front of it, and one at the last
+    of them up to that distance behind it; and one tick further, since it may begin and end anywhere between
+    two ticks.
 
     Args:
         caps: in columns kind, value, number of the tick, joint, quantity; of shape (5, h or more).
         count: of them, h.
         places: from which and up to which caps of a tick count, of b ticks, rising, shape (2, b).
         borders: places between which the bands lie, shape (c + 1,).
-        before: bounds of speed, acceleration and jerk as they are, shape (3, c).
+        before: present bounds of speed, acceleration and jerk, shape (3, c).
         ticks: room to work in, shape (4, b).
         reach: where the bands go, shape (2, h or more).
     """
@@ -52,7 +54,7 @@ def reach_of(
 
 
 def _bands_of_ticks(places: Array, borders: Array, ticks: Array) -> None:
-    """Write the bands of each tick and those beside them, in the first two rows."""
+    """Write the cells of each tick and the neighbouring ones, in the first two rows."""
     most, last = borders.shape[0] - 2, 0
     for k in range(places.shape[1]):
         for end in range(2):
@@ -71,7 +73,7 @@ def _count_successive(places: Array, ticks: Array) -> None:
 
 
 def _band_of(borders: Array, place: float, near: int) -> int:
-    """Return the band in front of the first border behind a place, looked for first at one and behind it.
+    """Return the band in front of the first border behind a place, searched first at one and behind it.
 
     It is -1 in front of all bands, and their number behind them.
     """

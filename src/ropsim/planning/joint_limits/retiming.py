@@ -1,4 +1,4 @@
-"""The motion of a stretch within the limits of the joints, and within those that the program gives."""
+"""The trajectory of a motion sequence within the limits of joints and program."""
 
 import math
 from dataclasses import replace
@@ -17,13 +17,13 @@ _SPACING = 8e-3
 _NARROW_SPACING = 4e-3
 """The same where the tool is led, for how joints follow it is less even, and where torque is too much."""
 _FIRST_LOOK = 4e-3
-"""Time between two ticks at which a motion is looked at first, at most [s]; with twice as much single motions
+"""Time between two ticks at which a motion is evaluated first, at most [s]; with twice as much single motions
 last up to 6 % longer."""
 _FEWEST_LOOKS = 64
-"""A motion of fewer of them is looked at at all control ticks at once."""
+"""A motion of fewer of them is evaluated at all control ticks at once."""
 _TORQUE = list(Quantity).index(Quantity.TORQUE)
 _LONGER = 1.03
-"""A motion that is fitted to the joints may take so many times as long before another way is tried."""
+"""A motion that is fitted to the joints may take this multiple of its time before another way is tried."""
 
 
 @record
@@ -91,7 +91,7 @@ def _keeping(fit: EvaluatedTrajectory, arm: ArmBounds, ticks: Ticks) -> Retiming
 
 
 def _first_look(course: Timing, ticks: Ticks) -> Ticks:
-    """Return the ticks at which a motion is looked at first, a few of those of control apart."""
+    """Return the ticks at which a motion is evaluated first, a few control ticks apart."""
     many = math.floor(_FIRST_LOOK / ticks.period * (1.0 + ROUNDING))
     is_long = course.duration >= _FEWEST_LOOKS * many * ticks.period
     return Ticks(many * ticks.period) if many > 1 and is_long else ticks

@@ -1,4 +1,4 @@
-"""What a kind of tool path is made of."""
+"""Request for a kind of tool path."""
 
 from ropsim.flow import MoveInstruction
 from ropsim.motion import OrientationMode
@@ -7,13 +7,13 @@ from ropsim.spatial import Pose, record
 
 @record
 class PathRequest:
-    """A tool path that is wanted; all poses are of the tool in the base frame.
+    """A requested tool path; all poses are of the tool in the base frame.
 
     Attributes:
         move: the instruction.
         X_start: where the tool is.
-        via: what it passes on its way, in order.
-        X_end: where it goes; its position and orientation may be those of the start.
+        via: via points, in order.
+        X_end: its end; position and orientation may equal the start.
         orientation: how the tool turns.
     """
 

@@ -13,7 +13,7 @@ from ropsim.planning.records.wording import passes
 from ropsim.spatial import Pose
 
 _ONE_PLACE = 1e-6
-"""Points count as one within this distance [m], as those of the text do (T393)."""
+"""Points count as one within this distance [m], as points in the text do (T393)."""
 
 
 def spline(request: PathRequest) -> ToolPath | tuple[Diagnostic, ...] | None:

@@ -17,4 +17,4 @@ ToolPathMaker = Callable[[PathRequest], ToolPath | tuple[Diagnostic, ...] | None
 TOOL_PATHS: Mapping[str, ToolPathMaker] = MappingProxyType(
     {MotionKind.LIN: lin, MotionKind.CIRC: circ, MotionKind.SPLINE: spline}
 )
-"""A new kind is a file beside `lin.py` and an entry here; a planner may be given a table of its own."""
+"""A new kind is a file next to `lin.py` and an entry here; a planner may have its own table."""

@@ -46,7 +46,7 @@ class BranchFollower:
 
     Attributes:
         robot: the arm.
-        axes: lower and upper limits [rad | m], and 1 for those that turn, else 0, shape (3, n).
+        axes: lower and upper limits [rad | m], and 1 for turning ones, else 0, shape (3, n).
     """
 
     robot: RobotModel
@@ -55,15 +55,15 @@ class BranchFollower:
     def follow(self, matrices: Array, q_start: Array, held: Array) -> Follow:
         """Return the joint coordinates that continue `q_start` along a path.
 
-        Away from singularities every branch keeps its row among all branches, so one row number gives the
-        whole path at once, and for an arm with spherical wrist that row alone is solved. Where the row breaks
-        off, the nearest branch is followed pose by pose.
+        Away from singularities every branch keeps its row among all branches, so one row number determines
+        the whole path at once, and for an arm with spherical wrist that row alone is solved. Where the row
+        breaks off, the nearest branch is followed pose by pose.
 
         Args:
             matrices: X_BM along the path, shape (k, 4, 4).
             q_start: joint coordinates at the start of the path [rad | m], shape (n,).
-            held: coordinates of the axes of which those of the external ones count, shape (n,) where they
-                stand, or (k, n) with a row for each pose.
+            held: coordinates of the axes of which only the external ones count, shape (n,) if they stand, or
+                (k, n) with a row for each pose.
         """
         q, told, arm = np.empty((len(matrices), len(q_start))), np.zeros(2), _wrist_arm(self.robot)
         if arm is not None:

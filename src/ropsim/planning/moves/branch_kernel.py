@@ -20,11 +20,11 @@ def follow_row(
     Args:
         branches: of k poses, NaN where absent [rad | m], shape (k, m, n).
         q_start: joint coordinates at the start [rad | m], shape (n,).
-        axes: lower and upper limits [rad | m], and 1 for those that turn, else 0, shape (3, n).
+        axes: lower and upper limits [rad | m], and 1 for turning ones, else 0, shape (3, n).
         close: greatest step between two poses [rad | m].
         slack: by which a coordinate may be beyond its limit [rad | m].
         q: where the coordinates go, shape (k, n).
-        told: becomes 1 where all steps are so small, else 0, and 1 where no coordinate is beyond its limit,
+        told: set to 1 if all steps are small enough, else 0, and 1 where no coordinate is beyond its limit,
             else 0, shape (2,).
     """
     row = _nearest(branches[0], q_start, axes[2])
@@ -47,7 +47,7 @@ def follow_wrist(
     room: Array1,
     told: Array1,
 ) -> None:
-    """Write what `follow_row` does for an arm with spherical wrist, of which only one branch is solved.
+    """Write the result of `follow_row` for an arm with spherical wrist, of which only one branch is solved.
 
     Args:
         arm: as `inverse_rows` takes it.
@@ -75,7 +75,7 @@ def unwind(q: Array2, q_start: Array1, axes: Array2, close: float, slack: float,
 
     Args:
         q: of one branch [rad | m], shape (k, n).
-        q_start: as for `follow_row`, as all that follow.
+        q_start: as for `follow_row`, as all later ones.
         axes: see there.
         close: see there.
         slack: see there.
@@ -106,7 +106,7 @@ def nearest_branch(branches: Array2, q: Array1, revolute: Array1, told: Array1) 
         branches: NaN where absent [rad | m], shape (m, n).
         q: joint coordinates [rad | m], shape (n,).
         revolute: 1 for joints that turn, else 0, shape (n,).
-        told: where the number goes, shape (1,).
+        told: output for the number, shape (1,).
     """
     told[0] = _nearest(branches, q, revolute)
 

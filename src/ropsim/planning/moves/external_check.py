@@ -26,7 +26,7 @@ def with_external(move: MoveInstruction, q: Array, robot: RobotModel) -> Array:
 
 
 def check_external(move: MoveInstruction, robot: RobotModel, limits: JointRange) -> tuple[Diagnostic, ...]:
-    """Return what is wrong with the values of external axes of a move to a pose.
+    """Return the errors in the values of external axes of a move to a pose.
 
     M520 where the robot has another number of them, M502 for each one beyond its limits.
 

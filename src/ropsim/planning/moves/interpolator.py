@@ -12,7 +12,7 @@ from ropsim.spatial import Array
 FEWEST = 16
 """Steps of the shortest path."""
 LOOKS = 4
-"""Steps between the places at which is looked how fast a path goes and turns."""
+"""Steps between the places at which speed and rotation of a path are evaluated."""
 
 
 @frozen_dataclass

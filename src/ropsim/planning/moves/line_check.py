@@ -1,4 +1,4 @@
-"""Checks of the joint samples along a path of the tool: limits, and what stops the joints."""
+"""Checks of the joint samples along a path of the tool: limits, and obstacles of the joints."""
 
 import numpy as np
 
@@ -40,7 +40,7 @@ class Line:
 
     @property
     def held(self) -> Array:
-        """Return coordinates whose external ones are those of the setpoints, shape (k, n).
+        """Return coordinates with external ones from the setpoints, shape (k, n).
 
         Where external axes stand it is the start alone, shape (n,).
         """
@@ -144,8 +144,8 @@ def end_findings(move: MoveInstruction, q_end: Array) -> tuple[Diagnostic, ...]:
 def singularity_notes(robot: RobotModel, q: Array) -> tuple[str, ...]:
     """Return in words which singularity of an arm with spherical wrist is near, if one is.
 
-    The direction in joint space that moves the tool least tells: without the first three joints it is the
-    wrist; led by joint 1 the shoulder, else the elbow.
+    The direction in joint space that moves the tool least decides: without the first three joints it is the
+    wrist; dominated by joint 1 the shoulder, else the elbow.
     """
     if singular_distances(robot, q) is None:
         return ()

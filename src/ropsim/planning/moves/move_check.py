@@ -84,7 +84,7 @@ def check_joints(
 
 
 def _axes_of(robot: RobotModel) -> str:
-    """Return how many axes the arm has, and how many there are beside it."""
+    """Return how many axes the arm has, and the number of other axes."""
     beside = len(robot.external) if robot.has_arm else 0
     own = f"`{robot.name}` has {robot.n - beside} {'joint' if robot.n - beside == 1 else 'joints'}"
     return own + (f" and {beside} external {'axis' if beside == 1 else 'axes'}" if beside else "")
@@ -100,7 +100,7 @@ def limit_findings(
         q: joint coordinates [rad | m], shape (n,).
         robot: the arm.
         limits: of its joints.
-        numbers: of the joints to look at, among those of the limits.
+        numbers: of the joints to check, among the joints of the limits.
     """
     origin = move.origin
     values, outside = limits.values(q[None])[0], np.flatnonzero(limits.excess(q[None])[0]).tolist()
@@ -138,7 +138,7 @@ def check_duration(move: MoveInstruction, duration: float) -> tuple[Diagnostic, 
 
 
 def _is_plausible(move: MoveInstruction) -> bool:
-    """Return whether no value of a move to a pose is bad; false where each is to be looked at."""
+    """Return whether no value of a move to a pose is bad; false if each must be checked."""
     modal, target = move.modal, move.target
     if not isinstance(target, Pose) or move.external or not 0.0 <= modal.zone <= MAX_COORDINATE:
         return False

@@ -1,4 +1,4 @@
-"""Move context: what moves to poses under one modal state have in common, if nothing is wrong with it."""
+"""Move context: common data of moves to poses under one valid modal state."""
 
 from ropsim.core import Diagnostic
 from ropsim.flow import ModalState, MotionKind, MoveInstruction, Origin
@@ -13,7 +13,7 @@ from ropsim.spatial import Pose, record
 
 @record
 class MoveContext:
-    """What is known of a move to a pose before its target is looked at.
+    """Data of a move to a pose that do not depend on its target.
 
     Attributes:
         plan: limits and tool of the move, without a path.
@@ -31,11 +31,11 @@ def move_context_of(
     work: WorkFrames,
     modal: ModalState,
 ) -> MoveContext | None:
-    """Return what moves have in common, None where there is something to say or axes move the task frame.
+    """Return the common data of moves, None if there are findings or axes move the task frame.
 
     Args:
         robot: the arm.
-        joints: what its joints can.
+        joints: capabilities of its joints.
         controller: defaults on lines, speed override.
         work: tools and task frames.
         modal: the modal state of the moves.

@@ -1,4 +1,4 @@
-"""Tracing: a path of the tool is led through the inverse transform, as densely as the joints ask for."""
+"""Path-following inverse kinematics: a tool path is converted to joints, as densely as they require."""
 
 import math
 from functools import partial
@@ -18,7 +18,8 @@ from ropsim.planning.records.sampling import MOST_DENSITY, SMOOTH, denser
 from ropsim.spatial import Array
 
 _BETTER = 0.1
-"""Share of its roughness that a part may keep when it is traced by itself; a kink keeps more of it."""
+"""Share of its interpolation error that a section may keep when it is followed separately; a kink keeps more
+of it."""
 
 
 def follow_path(
@@ -28,11 +29,11 @@ def follow_path(
     move: MoveInstruction,
     coordination: Coordination | None = None,
 ) -> tuple[JointPath, tuple[Diagnostic, ...]] | Refusal:
-    """Return the path of the joints that leads the tool along a path, and what is found on it.
+    """Return the path of the joints that moves the tool along a path, and the findings on it.
 
     Where the joints turn too fast from sample to sample, near a singularity, samples are taken more densely;
-    what even then jumps is refused. Where a path bends so tightly that all of these samples are too far apart
-    there, such parts are traced once more by themselves.
+    a path that still jumps is refused. Where a path bends so tightly that all of these samples are too far
+    apart, these sections are followed once more separately.
 
     Args:
         chain: the entities.
@@ -134,7 +135,7 @@ def _refined(
 def _roughness(entity: JointInterpolator, samples: JointSamples) -> Array | None:
     """Return how far the path through every second of 2·k + 1 samples passes the others [rad | m], (k,).
 
-    Fewer than five samples, or an even number of them, tell nothing.
+    Fewer than five samples, or an even number of them, give no estimate.
     """
     rows = len(samples.q)
     if rows < 5 or rows % 2 == 0:

@@ -50,12 +50,12 @@ from ropsim.spatial import Array, Pose, frozen, record
 class StandardPathPlanner:
     """Plans PTP moves as ways in joint space, all others by the table of tool paths.
 
-    A move takes external axes to the values that its target gives, and leaves them where they are without;
-    they begin and end together with the arm. On a path of the tool they move evenly with its place; where
-    they move the task frame in force, the path is one in that frame. The target is solved where they end.
+    A move takes external axes to the values of its target, and leaves them unchanged without any; they begin
+    and end together with the arm. On a path of the tool they move evenly with its place; where they move the
+    task frame in force, the path is one in that frame. The target is solved where they end.
 
-    Every move is validated and its target brought into the base frame; what cannot be planned is refused
-    with all its reasons. Speed override and PTP speed share scale the speed limits, the PTP acceleration
+    Every move is validated and its target brought into the base frame; a move that cannot be planned is
+    refused with all reasons. Speed override and PTP speed share scale the speed limits, the PTP acceleration
     share scales acceleration and jerk limits.
 
     Attributes:
@@ -165,7 +165,7 @@ class StandardPathPlanner:
             return so_far
         joints: JointPath = JointLine(q_start, q_end)
         if self.controller.ptp is Synchronisation.TIME:
-            # limits beyond all numbers are left to the line: such a move takes too long
+            # limits beyond all numbers are left to the line: the move takes too long
             with suppress(ProfileError):
                 joints = SynchronisedJoints(q_start, q_end, so_far.limits.joints)
         return PlannedPath(joints, None, so_far.limits, so_far.X_MT, so_far.findings)
@@ -217,7 +217,7 @@ class StandardPathPlanner:
         there = there if moves else q_start
         X_BT = self._work.frame_pose(move.modal, there) @ move.target
         if move.angle is not None:
-            return there, X_BT  # the target tells where the arc lies; neither arm nor axes end there
+            return there, X_BT  # the target determines the circle; neither arm nor axes end there
         branches = self._branches(move, X_BT @ inverted(X_MT), there)
         if isinstance(branches, Refusal):
             return branches
@@ -226,7 +226,7 @@ class StandardPathPlanner:
         return there, X_BT
 
     def _joint_goal(self, move: MoveInstruction) -> Array | Refusal:
-        """Return the target in joint coordinates (home where the move has none)."""
+        """Return the target in joint coordinates (home without a target)."""
         goal = np.array(move.target) if isinstance(move.target, tuple) else self.home
         problems = check_joints(move, goal, self.robot, self._range)
         return Refusal(problems) if problems else goal

@@ -81,7 +81,9 @@ def planned_move_of(chain: MotionChain, move: MoveInstruction, q_start: Array) -
         wrong = unusable_tool_path(planner, planned.tool, move)
         if wrong:
             return wrong
-        if late := check_duration(move, planned.least_time):  # before samples of such a way fill the memory
+        if late := check_duration(
+            move, planned.least_time
+        ):  # before samples of an overlong path fill the memory
             return Refusal(late)
     if planned.tool is not None and joints is None:
         traced = follow_path(chain, planned.tool, q_start, move, planned.coordination)
@@ -104,7 +106,7 @@ def _ended(
     joints: JointPath,
     found: tuple[Diagnostic, ...],
 ) -> PlannedMove:
-    """Return the leg of a path of the joints, with what is found on it."""
+    """Return the planned move of a path of the joints, with its findings."""
     q_end = end_of(joints)
     found += other_posture(move, chain.robot, q_end)
     return PlannedMove(move, planned, joints, q_end, planned.findings + found)

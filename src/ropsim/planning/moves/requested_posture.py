@@ -1,4 +1,4 @@
-"""Postures and turns that a program asks for: which branches have them."""
+"""Postures and turns requested by a program: the branches that have them."""
 
 import numpy as np
 
@@ -15,7 +15,7 @@ _TURN = 2.0 * np.pi
 
 
 def wished(robot: RobotModel, branches: Array, request: PostureRequest) -> Array:
-    """Return the branches that have the posture asked for, with the turns asked for; the others become NaN.
+    """Return the branches that have the requested posture, in the requested turns; the others become NaN.
 
     Args:
         robot: the arm.
@@ -46,12 +46,13 @@ def difference(robot: RobotModel, q_end: Array, q_other: Array) -> str:
 def no_such_posture(
     move: MoveInstruction, robot: RobotModel, branches: Array, q_start: Array, limits: JointRange
 ) -> Diagnostic:
-    """Return M568 for a move whose target is not reached in the posture and with the turns asked for.
+    """Return M568 for a move whose target is not reached in the requested posture and turns.
 
     Args:
         move: the instruction.
         robot: the arm.
-        branches: all that reach the target, some within the limits, as `wished` takes them [rad | m], (b, n).
+        branches: all branches that reach the target, some within the limits, as `wished` takes them [rad |
+            m], (b, n).
         q_start: where the move begins [rad | m], shape (n,).
         limits: of the joints.
     """
@@ -67,7 +68,7 @@ def no_such_posture(
 def _possible_instead(
     request: PostureRequest, robot: RobotModel, branches: Array, q_start: Array, limits: JointRange
 ) -> str:
-    """Return in words how the target is reached, the nearest to what was asked for first."""
+    """Return in words how the target is reached, the nearest to the request first."""
     turned = wished(robot, branches, PostureRequest((), request.turns))
     q = turned if limits.inside(turned).any() else branches
     postures = solver_of(robot).postures
@@ -85,14 +86,14 @@ def _possible_instead(
 
 
 def _as_terms(robot: RobotModel, request: PostureRequest, name: Posture, q: Array) -> str:
-    """Return the terms with which a target asks for a branch, with as many turns as were asked for."""
+    """Return the terms that request a branch in a target, with as many turns as requested."""
     turns = _turns(robot, q)[: len(request.turns)]
     words = [f"config ({', '.join(name.words)})"] if name.words else []
     return ", ".join(words + ([f"turns ({', '.join(map(str, turns))})"] if turns else []))
 
 
 def other_posture(move: MoveInstruction, robot: RobotModel, q_end: Array) -> tuple[Diagnostic, ...]:
-    """Return M569 where a path of the tool ends otherwise than asked for, else nothing.
+    """Return M569 where a path of the tool does not end as requested, else nothing.
 
     Args:
         move: the instruction.
@@ -114,7 +115,7 @@ def other_posture(move: MoveInstruction, robot: RobotModel, q_end: Array) -> tup
 
 
 def is_as_wished(robot: RobotModel, q: Array, request: PostureRequest) -> bool:
-    """Return whether joint coordinates [rad | m], shape (n,), have a posture and turns that are asked for."""
+    """Return whether joint coordinates [rad | m], shape (n,), have a posture and turns as requested."""
     return _has_words(posture(robot, q), request) and all(
         here == asked for here, asked in zip(_turns(robot, q), request.turns, strict=False)
     )
@@ -134,7 +135,7 @@ def _arm_axes(robot: RobotModel) -> list[int]:
 
 
 def asked_of(move: MoveInstruction) -> str:
-    """Return the words for the posture and the turns that a move asks for."""
+    """Return the words for the posture and the turns that a move requests."""
     request = move.posture or PostureRequest()
     words = [f"in posture {'-'.join(request.words)}"] if request.words else []
     turns = [f"with turns {', '.join(map(str, request.turns))}"] if request.turns else []

@@ -1,4 +1,4 @@
-"""What the path planner says about a command pose that the arm cannot take."""
+"""Refusals of the path planner for a command pose that the arm cannot take."""
 
 import numpy as np
 
@@ -31,7 +31,7 @@ from ropsim.spatial import Array, Pose
 
 
 def no_arm(move: MoveInstruction, robot: RobotModel) -> tuple[Diagnostic, ...]:
-    """Return M518 where a pose or a line is asked of a station that has no arm, else nothing."""
+    """Return M518 where a pose or a line is requested from a station without an arm, else nothing."""
     if robot.has_arm or not (isinstance(move.target, Pose) or move.kind == MotionKind.LIN):
         return ()
     axes = ", ".join(f"`{joint.name}`" for joint in robot.axis_joints)
@@ -47,11 +47,11 @@ def no_arm(move: MoveInstruction, robot: RobotModel) -> tuple[Diagnostic, ...]:
 
 
 _TURNED_OVER = 3.1
-"""Angle to what the arm can take from which on its tool is turned over [rad]."""
+"""Angle from the possible orientation from which on its tool is turned over [rad]."""
 
 
 def _beside_hint(miss: Miss | None, X_BM: Pose) -> str:
-    """Return what to do with a pose X_BM of the mechanical interface beside what the arm can take."""
+    """Return the hint for a pose X_BM of the mechanical interface outside the task space."""
     if miss is not None and miss.angle > _TURNED_OVER and X_BM.matrix()[2, 2] > 0.0:
         return (
             "the tool points up there; write `; down` behind the coordinates, or with a turn `; down, rz 90`"
@@ -67,7 +67,7 @@ def out_of_reach(
     Args:
         move: the instruction.
         X_BM: the pose.
-        shortfall: what is missing.
+        shortfall: the missing amount.
         robot: the arm with its external axes.
         q: joint coordinates with the external axes where they stand [rad | m], shape (n,).
     """
@@ -166,7 +166,7 @@ def posture_for_later(
         robot: the arm.
         q_nearest: where it would have ended [rad | m], shape (n,).
         q_end: where it ends [rad | m], shape (n,).
-        why: what would go ill behind it.
+        why: the conflict that would follow.
     """
     finding = POSTURE_FOR_LATER.at(
         move.origin.span,

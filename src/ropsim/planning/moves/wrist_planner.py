@@ -112,7 +112,7 @@ class WristPlanner:
 
 
 def _joints_wanted(move: MoveInstruction) -> Array | None:
-    """Return the joint coordinates with which a move is to end, None where it has none or goes beyond."""
+    """Return the joint coordinates at the end of a move, None without a target or beyond the limits."""
     return np.array(move.target) if isinstance(move.target, tuple) and move.angle is None else None
 
 

@@ -15,7 +15,7 @@ Look = Callable[[Array], tuple[Array, Array]]
 _ROUNDS = 6
 """How often cells are halved at most."""
 _FEWEST = 9
-"""Places that are looked at, at least."""
+"""Least number of evaluated path parameters."""
 
 
 @record
@@ -28,8 +28,8 @@ class DerivativeBounds:
 
     Attributes:
         lengths: of the cells, in the unit of the path, shape (k,).
-        table: sizes of the first derivatives, of the second and third ones along it, and of what of these is
-            at right angles to it, shape (5, k, p).
+        table: sizes of the first derivatives, of the second and third ones along it, and of their components
+            perpendicular to it, shape (5, k, p).
     """
 
     lengths: Array
@@ -47,21 +47,22 @@ class DerivativeBounds:
 
     @property
     def across(self) -> Array:
-        """Return the sizes of what is at right angles to it, shape (2, k, p)."""
+        """Return the sizes of the perpendicular components, shape (2, k, p)."""
         return self.table[ACROSS : ACROSS + 2]
 
 
 def derivative_bounds_of(look: Look, grid: Array, limits: JointMotionLimits) -> DerivativeBounds:
     """Return bounds that are close where the bend counts.
 
-    Cells end at places that are looked at. A third derivative differs from its mean in a cell, told by the
-    second ones at both ends, by no more than half of what those of neighbours differ by; on both sides of a
-    jump it goes on as in the cells there. The second derivative leaves the straight line between both ends by
-    at most a quarter of that difference over the cell. Cells in which these additions cost speed are halved.
+    Cells end at evaluated path parameters. A third derivative differs from its mean in a cell, given by the
+    second ones at both ends, by no more than half the difference between neighbouring cells; on both sides of
+    a jump it goes on as in the cells there. The second derivative leaves the straight line between both ends
+    by at most a quarter of that difference over the cell. Cells in which these additions cost speed are
+    halved.
 
     Args:
-        look: gives the derivatives.
-        grid: places from start to end, two or more, that are looked at first; between them the path is
+        look: returns the derivatives.
+        grid: places from start to end, two or more, that are evaluated first; between them the path is
             smooth; shape (m,).
         limits: of the parts, each of shape (p,).
     """
@@ -84,7 +85,7 @@ def derivative_bounds_of(look: Look, grid: Array, limits: JointMotionLimits) -> 
 
 
 def _bounds(s: Array, d1: Array, d2: Array, rates: Array) -> tuple[DerivativeBounds, npt.NDArray[np.intp]]:
-    """Return bounds of what lies between places, and the cells in which they are loose."""
+    """Return bounds between path parameters, and the cells in which they are loose."""
     k, (_, parts, size) = len(s) - 1, d1.shape
     table, room, out = np.empty((10, k, parts)), np.empty((k, size + SIZES)), np.empty((2, k))
     rows = np.ascontiguousarray(d1), np.ascontiguousarray(d2)

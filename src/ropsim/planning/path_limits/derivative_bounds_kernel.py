@@ -1,6 +1,6 @@
 """Bounds of a bent path cell by cell, and speeds that its bends allow, in plain loops that numba compiles.
 
-What is no number stays none: a path that turns back in a point has such bounds.
+NaN stays NaN: a path that turns back in a point has NaN bounds.
 """
 
 from math import hypot, isnan, sqrt
@@ -13,7 +13,7 @@ from ropsim.spatial import Array
 UNIT = 1e-6
 """By which the size of a first derivative may differ from 1 that is 1 everywhere."""
 CLOSE = 0.97
-"""Cells are loose where bounds of what lies between places cost more of the speed than the rest to 1."""
+"""Cells are loose where bounds between path parameters cost more of the speed than the rest to 1."""
 SHARE = 0.9
 """Of acceleration and of jerk that the bend alone may take; the rest is for changes of speed."""
 TINY = 1e-150
@@ -23,7 +23,7 @@ D1, ALONG, ACROSS = 0, 1, 3
 SLOPE, CHANGE, START, END, SIZES = range(5)
 """Of third derivatives: mean in a cell, change of that to the next one, values at the ends of the two."""
 SEEN = 5
-"""First row of the same as it was seen at the places, which is no bound."""
+"""First row of the values at the path parameters themselves, which are no bounds."""
 HUGE = 1e100
 """Numbers below this have a third power; the cubic root of any is less than the square root of all above."""
 APART = 0.999
@@ -53,7 +53,7 @@ def bounds_of(
         room: to work in, shape (k, c + `SIZES`).
         bounds: where they go, rows as above, shape (10, k, p).
         speeds: where the highest speeds go at which bends take no more than their share, shape (k,).
-        loose: becomes 1 where a bound costs speed that what was seen does not, else 0, shape (k,).
+        loose: set to 1 where a bound costs speed that the evaluated values do not, else 0, shape (k,).
     """
     last, size = s.shape[0] - 2, d2.shape[2]
     for part in range(units.shape[0]):
@@ -221,7 +221,7 @@ def _fastest(bounds: Array, row: int, i: int, limits: Array) -> float:
 
 
 def _is_slower(speed: float, bounds: Array, i: int, limits: Array) -> bool:
-    """Return whether a speed is below the highest one by what was seen in a cell; this takes no roots."""
+    """Return whether a speed is below the highest one by the evaluated values of a cell; without roots."""
     square, cube = _powers(bounds, SEEN, i, limits)
     return speed * speed < square and speed * speed * speed < cube
 
@@ -245,10 +245,10 @@ def _length(along: float, across: float) -> float:
 
 
 def _greater(one: float, other: float) -> float:
-    """Return the greater number; what is none stays."""
+    """Return the greater number; NaN stays NaN."""
     return one if one > other or isnan(one) else other
 
 
 def _lesser(one: float, other: float) -> float:
-    """Return the lesser number; what is none stays."""
+    """Return the lesser number; NaN stays NaN."""
     return one if one < other or isnan(one) else other

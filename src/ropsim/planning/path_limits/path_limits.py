@@ -63,8 +63,8 @@ def tool_path_limit_choices(
 ) -> tuple[PathLimits, ...]:
     """Return bounds along a path of the tool that go together; of an even bend one choice for each share.
 
-    The slower a bend is walked, the more it leaves for changes of speed on it: not the highest speed is the
-    quickest where the path begins or ends on the bend. Other paths have one choice.
+    The slower a bend is traversed, the more it leaves for changes of speed on it: not the highest speed is
+    the quickest where the path begins or ends on the bend. Other paths have a single choice.
 
     Args:
         path: of the tool.
@@ -91,7 +91,7 @@ def _choices(
     first: PathLimits, walked: Callable[[float], PathLimits], shares: Sequence[float]
 ) -> tuple[PathLimits, ...]:
     """Return the first choice, and those at lesser shares where these differ."""
-    if len(first) > 1:  # a bend that changes: what is left for changes of speed is used up where it changes
+    if len(first) > 1:  # a bend that changes: the reserve for changes of speed is used up where it changes
         return (first,)
     found = [first]
     for share in shares:
@@ -116,7 +116,7 @@ def lesser_limits(one: ToolLimits, other: ToolLimits) -> ToolLimits:
 
 
 def along_with(stages: PathLimits, coordination: Coordination | None) -> PathLimits:
-    """Return the bounds along a path of the tool on which external axes go along, theirs too.
+    """Return the bounds along a path of the tool with external axes, including their bounds.
 
     Args:
         stages: of the path.
@@ -138,7 +138,7 @@ def along_with(stages: PathLimits, coordination: Coordination | None) -> PathLim
 
 @lru_cache(maxsize=256)
 def _of_parts(limits: ToolLimits) -> JointMotionLimits:
-    """Return limits of the tool as those of its two parts, position and orientation, each of shape (2,)."""
+    """Return limits of the tool as limits of its two parts, position and orientation, each of shape (2,)."""
     return JointMotionLimits(*rates_of(limits))
 
 
@@ -162,7 +162,7 @@ def _straight(length: float, d1: Array, limits: JointMotionLimits) -> PathLimits
 
 
 def _bent(bends: DerivativeBounds, limits: JointMotionLimits, share: float) -> PathLimits:
-    """Return bounds that hold together on a bent path, bends walked at a share of what they allow."""
+    """Return bounds that hold together on a bent path, bends traversed at a share of their allowed speed."""
     rates, k = np.array((limits.speed, limits.acceleration, limits.jerk)), len(bends.lengths)
     out, told = np.empty((k, 7)), np.empty(1)
     bent_stages(bends.table, bends.lengths, rates, share, np.empty(k), np.empty((k, 3)), out, told)

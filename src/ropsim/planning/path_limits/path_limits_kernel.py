@@ -1,6 +1,6 @@
-"""Stages along a bent path: what may be gone in its cells, in plain loops that numba compiles.
+"""Stages along a bent path: the limits in its cells, in plain loops that numba compiles.
 
-What is no number stays none: a path that turns back in a point has such bounds.
+NaN stays NaN: a path that turns back in a point has NaN bounds.
 """
 
 from math import isnan, sqrt
@@ -30,19 +30,19 @@ def bent_stages(
 ) -> None:
     """Write the stages along a bent path of k cells.
 
-    With the derivatives d1, d2, d3 of the path by its length s: acceleration d2·v² + d1·a, jerk
-    d3·v³ + 3·d2·v·a + d1·j. What is along d1 adds up, and what is across it is at right angles to that.
+    With the derivatives d1, d2, d3 of the path by its length s: acceleration d2·v² + d1·a, jerk d3·v³ +
+    3·d2·v·a + d1·j. Components along d1 add up; components across it are perpendicular to them.
 
     Args:
         bounds: of the derivatives, rows as in `bends_kernel`, shape (5 or more, k, p).
         lengths: of the cells, shape (k,).
         limits: of speed, acceleration and jerk of the parts, shape (3, p).
-        share: of the highest speed that bends allow, at which they are walked at the most.
+        share: of the highest speed that bends allow, at which they are traversed at most.
         speeds: room to work in, shape (k,).
         cells: room to work in, shape (k, 3).
         out: where length, speed, acceleration and jerk go, and the greatest of the last three in any cell of
             the stage, shape (k, 7).
-        told: where their number goes, shape (1,).
+        told: output for their number, shape (1,).
     """
     bend_speeds(bounds, limits, speeds)
     for i in range(bounds.shape[1]):
@@ -64,8 +64,8 @@ def straight_stage(
         length: of the path.
         d1: sizes of the first derivatives of the parts, the same everywhere, shape (p,).
         speed: limits of the parts, shape (p,).
-        acceleration: likewise.
-        jerk: likewise.
+        acceleration: its bounds.
+        jerk: its bounds.
         out: where length, speed, acceleration and jerk go, shape (1, 4).
     """
     v, a, j = np.inf, np.inf, np.inf
@@ -83,7 +83,7 @@ def _write_room(bounds: Array, limits: Array, speeds: Array, out: Array) -> None
     Args:
         bounds: of the derivatives, rows as above, shape (5 or more, k, p).
         limits: of speed, acceleration and jerk of the parts, shape (3, p).
-        speeds: with which the cells are walked, shape (k,).
+        speeds: with which the cells are traversed, shape (k,).
         out: where all three go, shape (k, 3).
     """
     for i in range(bounds.shape[1]):
@@ -143,10 +143,10 @@ def _join_alike(lengths: Array, bounds: Array, out: Array) -> int:
 
 
 def _greater(one: float, other: float) -> float:
-    """Return the greater number; what is none stays."""
+    """Return the greater number; NaN stays NaN."""
     return one if one > other or isnan(one) else other
 
 
 def _lesser(one: float, other: float) -> float:
-    """Return the lesser number; what is none stays."""
+    """Return the lesser number; NaN stays NaN."""
     return one if one < other or isnan(one) else other

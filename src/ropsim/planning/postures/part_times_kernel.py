@@ -28,8 +28,8 @@ def part_times(
         turning: angular speed of the tool [rad/s].
         max_speeds: of the joints [rad/s | m/s], shape (n,).
         own: where the times of the tool go [s], shape (k,).
-        needs: where those of the joints go [s], shape (k, n).
-        told: becomes the least share of its own time to that of its slowest joint, at most 1, shape (1,).
+        needs: output for the times of the joints [s], shape (k, n).
+        told: set to the least share of its own time to that of its slowest joint, at most 1, shape (1,).
     """
     told[0] = 1.0
     before = _slowness(d1, 0, speed, turning)
@@ -54,7 +54,7 @@ def longest_cell(q: Array2, derivatives: Array3, max_speeds: Array1, told: Array
         q: joint coordinates at the rows [rad | m], shape (k, n).
         derivatives: first and second ones by the number of the row, shape (2, k, n).
         max_speeds: of the joints [rad/s | m/s], shape (n,).
-        told: where the time goes [s], shape (1,).
+        told: output for the time [s], shape (1,).
     """
     told[0] = 0.0
     for k in range(q.shape[0] - 1):

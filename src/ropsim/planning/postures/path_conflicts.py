@@ -1,4 +1,4 @@
-"""What goes ill with a path of the tool in one posture and may go well in another."""
+"""Conflicts of a path of the tool in one posture that another posture may avoid."""
 
 from functools import lru_cache
 
@@ -24,14 +24,14 @@ from ropsim.planning.records.posture_choice import JointRange
 from ropsim.spatial import Array, frozen
 
 WHIRL = 0.25
-"""Share to which a joint may slow a path down before another posture is looked for: of the speed that is
-asked of the tool or, where joints are slower all along, of that on half of the path."""
+"""Share to which a joint may slow a path down before another posture is searched: of the requested speed of
+the tool or, where joints are slower all along, of that on half of the path."""
 
 NARROW = np.radians(5.0)
 """Distance from a limit within which an axis that turns has little room [rad]."""
 
 _STEPS = 64
-"""Parts of a path of which each is looked at by the way of the joints on it."""
+"""Number of sections of a path in which the travel of the joints is compared."""
 _TINY = 1e-300
 
 

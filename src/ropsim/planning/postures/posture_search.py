@@ -1,8 +1,8 @@
 """The search for postures: which branches the PTP moves of a stretch take, so that paths behind them go well.
 
 A PTP move to a pose may end in any branch of the inverse kinematics within the joint limits; a path of the
-tool keeps the branch in which it begins. So the branches of each such target are the nodes of a graph in
-layers, and the best way to each node is found from those of the layer before (Bellman 1957, Dynamic
+tool keeps the branch in which it begins. So the branches of each target of this kind are the nodes of a graph
+in layers, and the best way to each node is found from the nodes of the layer before (Bellman 1957, Dynamic
 Programming).
 """
 
@@ -58,12 +58,12 @@ class Way:
 
     @property
     def rank(self) -> tuple[int, int, int, int, float]:
-        """Return what is least for the best way: minus the moves made, troubles, changes, narrow, time."""
+        """Return the key to be minimised: minus the moves made, conflicts, changes, narrow, time."""
         return -len(self.legs), self.troubles, self.changes, self.narrow, self.time
 
 
 def has_choice(move: MoveInstruction) -> bool:
-    """Return whether a move may end in more than one branch: in any, or in those that it asks for."""
+    """Return whether a move may end in more than one branch: in any, or in the requested ones."""
     return move.kind == MotionKind.PTP and isinstance(move.target, Pose)
 
 
@@ -113,7 +113,7 @@ class _Start:
 
 
 def _goals(chain: MotionChain, starts: Sequence[_Start], limits: JointRange) -> list[Array]:
-    """Return all joint coordinates that reach a target as it is asked for, the nearest ones first."""
+    """Return all joint coordinates that reach a target as requested, the nearest ones first."""
     found: list[Array] = []
     for start in starts:
         _put(found, start.nearest.q_end)
@@ -149,7 +149,7 @@ def _taken(chain: MotionChain, starts: Sequence[_Start], q_end: Array, why: Conf
         chain: the entities.
         starts: where the move may begin.
         q_end: where it ends [rad | m], shape (n,).
-        why: what asks for another posture than the nearest one.
+        why: the conflict that requires another posture than the nearest one.
     """
     best: Way | None = None
     for start in starts:
@@ -185,7 +185,7 @@ def _reason(troubles: Sequence[Conflict], number: int) -> Conflict:
 
 
 def _onward(chain: MotionChain, limits: JointRange, way: Way, moves: Sequence[MoveInstruction]) -> Way:
-    """Return the way with moves that have no choice, as far as they can be made."""
+    """Return the way with moves that have no choice, up to the first infeasible one."""
     q, time, troubles, narrow = way.q, way.time, way.troubles, way.narrow
     legs, refusal = planned_moves(chain, moves, q)
     for leg in legs:

@@ -1,4 +1,4 @@
-"""A posture that the program asks for and in which a later path of the tool cannot be followed."""
+"""A posture that the program requests and in which a later path of the tool cannot be followed."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -15,7 +15,7 @@ from ropsim.spatial import Pose
 
 
 def last_wish(stretch: Sequence[MoveInstruction]) -> int | None:
-    """Return the number of the last move that asks for the posture it ends in; None where none does."""
+    """Return the number of the last move with a posture request; None without one."""
     numbers = range(len(stretch) - 1, -1, -1)
     return next((number for number in numbers if _asks(stretch[number])), None)
 
@@ -28,13 +28,13 @@ def without_wish(stretch: Sequence[MoveInstruction], number: int) -> list[MoveIn
 def in_the_way(
     robot: RobotModel, leg: PlannedMove, free: PlannedMove, trouble: Conflict
 ) -> tuple[Diagnostic, ...]:
-    """Return M589 for a move that asks for a posture.
+    """Return M589 for a move with a posture request.
 
     Args:
         robot: the arm.
         leg: of the move.
-        free: of the same move where it asks for none.
-        trouble: of the later path where it asks for the posture.
+        free: of the same move without a request.
+        trouble: of the later path with the request.
     """
     move = leg.move
     finding = POSTURE_IN_THE_WAY.at(

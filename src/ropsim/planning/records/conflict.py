@@ -10,7 +10,7 @@ class Conflict:
 
     Attributes:
         number: of its move in the stretch.
-        words: what goes ill.
+        words: description.
         span: of its move in the program.
     """
 

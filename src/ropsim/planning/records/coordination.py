@@ -31,7 +31,7 @@ class Coordination:
     limits: JointMotionLimits
 
     def part(self, begin: float, end: float) -> "Coordination":
-        """Return what belongs to the section of the path between two places."""
+        """Return the coordination of the section between two path parameters."""
         return replace(self, axes=JointSection(self.axes, begin, end))
 
     def in_base(self, setpoints: PoseSetpoints) -> PoseSetpoints:
@@ -58,7 +58,7 @@ class Coordination:
         return Q
 
     def coarseness(self, steps: int) -> float:
-        """Return how many times too far the axes move from sample to sample with so many steps."""
+        """Return how many times too far the axes move from sample to sample with `steps` steps."""
         s = np.linspace(0.0, self.axes.length, steps + 1)
         far = np.abs(np.diff(self.axes.joints(s).q, axis=0)).max(axis=0, initial=0.0)
         joints = (self.robot.axis_joints[k] for k in self.robot.external)
@@ -72,7 +72,7 @@ def moved_axes(robot: RobotModel, q_start: Array, q_end: Array) -> tuple[int, ..
     Args:
         robot: the arm with its external axes.
         q_start: coordinates of all axes at its start [rad | m], shape (n,).
-        q_end: at its end, of which those of the external axes count [rad | m], shape (n,).
+        q_end: at its end, of which only the external axes count [rad | m], shape (n,).
     """
     return tuple(k for k in robot.external if abs(float(q_end[k] - q_start[k])) > _SAME_PLACE)
 

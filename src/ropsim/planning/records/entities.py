@@ -1,10 +1,10 @@
 """The entities of the generic controller as protocols; any one can be replaced.
 
 Path planner, interpolator, inverse transform, joint interpolator and joint controller work in series, from
-the move instructions to the control vectors for the actuators; the sensor interface stands beside them
-(generic controller model of ROPSIM, paper 2, Fig. 4.2). By what it delivers the path corrector may shift a
-path between interpolator and inverse transform, while it is made. The joint controller runs inside the
-compiled servo slice: see `ropsim.controller.law`.
+the move instructions to the control vectors for the actuators; the sensor interface is parallel to them
+(generic controller model of ROPSIM, paper 2, Fig. 4.2). From its samples the path corrector may shift a path
+between interpolator and inverse transform, while it is made. The joint controller runs inside the compiled
+servo slice: see `ropsim.controller.law`.
 """
 
 from typing import Protocol
@@ -70,7 +70,7 @@ class JointInterpolator(Protocol):
 
 @frozen_dataclass
 class Sample:
-    """What a sensor channel delivers.
+    """Sample of a sensor channel.
 
     Attributes:
         value: reading.
@@ -92,13 +92,13 @@ class SensorInterface(Protocol):
         Args:
             channel: name of an input or output.
             time: [s].
-            cell: the arms and what stands around them, as they are then.
+            cell: the arms and their surroundings at that time.
         """
         ...
 
 
 class PathCorrector(Protocol):
-    """Says at every interpolation tick how a path is to be shifted, by what a sensor reads."""
+    """Computes the shift of a path at every interpolation tick, from a sensor reading."""
 
     def correct(self, measured: Sample, tracking: PathTracking, X_BT: Pose, correction: float) -> float:
         """Return the speed at which the shift along the direction of the tool is to change [m/s].
@@ -107,7 +107,7 @@ class PathCorrector(Protocol):
 
         Args:
             measured: reading of the sensor at the beginning of the step.
-            tracking: channel, value, direction and gain, as the move asks for them.
+            tracking: channel, value, direction and gain, as requested by the move.
             X_BT: pose of the tool on the planned path at the end of the step, in the base frame.
             correction: shift at the beginning of the step [m].
         """

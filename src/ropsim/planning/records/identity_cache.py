@@ -1,4 +1,4 @@
-"""What is found once for an object and known again by which object it is."""
+"""Cache of results by object identity."""
 
 from collections.abc import Callable
 from typing import Generic, TypeVar
@@ -7,13 +7,13 @@ K = TypeVar("K")
 V = TypeVar("V")
 
 MOST = 256
-"""So many objects are known at once; they are few, such as the modal states of a program in a loop."""
+"""Capacity of the cache; objects are few, such as the modal states of a program in a loop."""
 
 
 class IdentityCache(Generic[K, V]):
-    """A function of objects that nobody can change, of which the same ones are asked for again and again.
+    """A function of objects immutable objects, called repeatedly with the same ones.
 
-    To compare them by content takes longer than what is found; those that are known are kept alive.
+    Comparing them by content takes longer than computing the result; cached objects are kept alive.
 
     Args:
         find: the function.
@@ -24,7 +24,7 @@ class IdentityCache(Generic[K, V]):
         self._known: dict[int, tuple[K, V]] = {}
 
     def __call__(self, key: K) -> V:
-        """Return what is found for an object."""
+        """Return the result for an object."""
         known = self._known.get(id(key))
         if known is not None:
             return known[1]

@@ -28,7 +28,7 @@ class MotionChain:
         joint_interpolator: joint samples to a path of the joints.
         robot: the arm.
         controller: rates, limits, how far it looks ahead.
-        corrector: shifts paths by what a sensor reads, while they are made.
+        corrector: shifts paths by sensor readings during execution.
         work: tools and task frames of the cell.
         time_law: name of the law by which paths are timed, see `motion.TIME_LAWS`.
     """

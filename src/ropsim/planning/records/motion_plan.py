@@ -1,4 +1,4 @@
-"""The plan of a stretch: what the follower is given."""
+"""The plan of a motion sequence: input of the follower."""
 
 import numpy as np
 
@@ -61,7 +61,7 @@ class TimedMove:
         last: control tick of the plan at which it ends: the middle of its corner, or the end of the plan.
         zone: distance from its target at which the path goes on to the next move [m]; 0 where it stops.
         triggers: outputs that are set on its way, in order of time.
-        limits: what it must respect; None where nothing moves.
+        limits: its limits; None without motion.
         on_tool_path: whether it is on a path of the tool.
     """
 

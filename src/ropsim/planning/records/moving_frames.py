@@ -32,7 +32,7 @@ class MovingFrame:
         return np.asarray(frames_batch(self.robot, Q)[:, self.link] @ self.X_LK.matrix())
 
     def positions(self, Q: Array, positions: Array) -> Array:
-        """Return positions as they are seen from the frame [m], shape (k, 3).
+        """Return positions expressed in the frame [m], shape (k, 3).
 
         Args:
             Q: coordinates of the axes at the same times [rad | m], shape (k, n).

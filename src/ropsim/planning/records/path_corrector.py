@@ -1,4 +1,4 @@
-"""The path corrector: a sensor shifts the path until it reads what it is to read."""
+"""The path corrector: a sensor shifts the path until it reads its set value."""
 
 from dataclasses import field
 
@@ -11,14 +11,14 @@ from ropsim.spatial import Pose
 
 @frozen_dataclass
 class StandardPathCorrector:
-    """Integrates the difference: dc/dt = k·(measured - wanted), so that none remains where nothing changes.
+    """Integrates the difference: dc/dt = k·(measured - requested); none remains in steady state.
 
     Where the surface runs away with speed v along the direction, a difference of v/k remains. The speed of
     the correction is at the most a/k, so that its acceleration limit a always lets it come to rest without
     swinging past.
 
     Attributes:
-        limits: those of the controller.
+        limits: limits of the controller.
     """
 
     limits: CorrectionLimits = field(default_factory=CorrectionLimits)
@@ -27,8 +27,8 @@ class StandardPathCorrector:
         """Return the speed at which the shift is to change [m/s]; 0 while nothing is measured.
 
         Args:
-            measured: what the sensor reads now.
-            tracking: what the move asks for.
+            measured: present reading of the sensor.
+            tracking: settings of the move.
             X_BT: pose of the tool on the planned path.
             correction: shift now [m].
         """

@@ -12,7 +12,7 @@ from ropsim.spatial import Pose, record
 
 @record
 class MoveLimits:
-    """What a move must respect, with the shares and the override in force.
+    """Limits of a move, with the shares and the override in force.
 
     Attributes:
         joints: of every joint, on paths in joint space.
@@ -28,13 +28,13 @@ class PlannedPath:
     """The path of a move.
 
     Attributes:
-        joints: the path, where it is one of the joints; beside a path of the tool the joints that lead it,
-            where the planner says so and inverse kinematics has no choice.
+        joints: the path, where it is one of the joints; for a path of the tool, the joints that move it, if
+            the planner determines them and inverse kinematics has no choice.
         tool: the path, where it is one of the tool: in the base frame, or in that of the coordination. Where
             both are None, nothing moves.
         limits: bounds of its speed, acceleration and jerk.
         X_MT: the tool that is meant.
-        findings: what the planner has to say about it.
+        findings: findings of the planner about it.
         coordination: external axes that go along with a path of the tool; None where they stand.
     """
 
@@ -47,10 +47,10 @@ class PlannedPath:
 
     @property
     def least_time(self) -> float:
-        """Return a time [s] that the path of the tool takes at least, 0 where it tells none.
+        """Return a time [s] that the path of the tool takes at least, 0 if unknown.
 
-        The length of a path is a way [m], or an angle [rad] where the TCP stands; at its greatest speed it is
-        gone in no less.
+        The length of a path is a distance [m], or an angle [rad] if the TCP stands; at its greatest speed it
+        takes this time.
         """
         path, limits = self.tool, self.limits.tool
         is_way = parameter_is_way(path) if path else None
@@ -63,11 +63,11 @@ _Rate = float | None
 
 
 def move_limits(modal: ModalState, joints: JointMotionLimits, controller: ControllerModel) -> MoveLimits:
-    """Return the limits of a move; moves for which the same is asked have one and the same record.
+    """Return the limits of a move; moves with equal settings share one record.
 
     Args:
         modal: the modal state of the move; its values have been checked.
-        joints: what the joints of the arm can.
+        joints: capabilities of the joints of the arm.
         controller: defaults on lines, speed override.
     """
     return _limits(

@@ -25,8 +25,8 @@ class JointRange:
         lower: of the axes [rad | m], shape (n,).
         upper: of the axes [rad | m], shape (n,).
         revolute: whether an axis turns (and may add whole turns), shape (n,).
-        joints: of the axes, and those that follow, n + m of them.
-        coupled: limits of those that follow.
+        joints: of the axes, and of the followers, n + m of them.
+        coupled: limits of the followers.
     """
 
     lower: Array
@@ -64,7 +64,7 @@ class JointRange:
         return np.asarray(told > 0.0)
 
     def values(self, q: Array) -> Array:
-        """Return the coordinates of all joints [rad | m], shape (k, n + m), for those of the axes (k, n)."""
+        """Return coordinates of all joints [rad | m], shape (k, n + m), from those of the axes (k, n)."""
         return np.concatenate((q, self.coupled.values(q)), axis=1)
 
 
@@ -105,7 +105,7 @@ def turned_branches(branches: Array, limits: JointRange) -> Array:
         limits: of the joints.
 
     Returns:
-        First the branches as they are, then the turned ones, shape (m, n).
+        First the branches themselves, then the turned ones, shape (m, n).
     """
     steps = [
         turn * row for row in np.diag(_TURN * (limits.revolute > 0.0)) for turn in (-1.0, 1.0) if row.any()
@@ -142,7 +142,7 @@ def choose(
 
 
 def _start_rows(robot: RobotModel, q_start: Array) -> list[int]:
-    """Return the rows of the postures of the start; a singular one has those on either side of it."""
+    """Return the rows of the postures of the start; a singular one has the rows on either side of it."""
     standing, rows = _postures(robot)
     here = [rows.get(standing(q_start + side).words, ()) for side in (_SIDE, -_SIDE)]
     return sorted({*here[0], *here[1]})
@@ -150,7 +150,7 @@ def _start_rows(robot: RobotModel, q_start: Array) -> list[int]:
 
 @lru_cache(maxsize=64)
 def _postures(robot: RobotModel) -> tuple[Callable[[Array], Posture], dict[tuple[str, ...], list[int]]]:
-    """Return what tells the posture of joint coordinates, and the rows that have the words of one."""
+    """Return the function for the posture of joint coordinates, and the rows by words."""
     solver, axes = solver_of(robot), list(held_arm(robot).axes) if robot.external else None
     rows: dict[tuple[str, ...], list[int]] = {}
     for row, name in enumerate(solver.postures):

@@ -1,4 +1,4 @@
-"""What sensors see of a cell: the state of its arms, and the surfaces around them."""
+"""Surroundings of sensors in a cell: the state of its arms, and the surfaces around them."""
 
 from typing import Protocol
 
@@ -8,7 +8,7 @@ from ropsim.spatial import Array, Pose, record
 
 @record
 class ArmState:
-    """An arm as it is at one time.
+    """State of an arm at one time.
 
     Attributes:
         station: its name.
@@ -17,8 +17,8 @@ class ArmState:
         payload: tool and grasped part.
         q: attained joint coordinates [rad | m], shape (n,).
         qd: attained joint speeds [rad/s | m/s], shape (n,).
-        effort: torques of the drives at the joints, as the currents of the motors tell them [N·m | N], shape
-            (n,); 0 in a run without dynamics.
+        effort: torques of the drives at the joints, from the currents of the motors [N·m | N], shape (n,); 0
+            in a run without dynamics.
         X_WT: pose of the tool in force in the world.
     """
 
@@ -33,25 +33,25 @@ class ArmState:
 
 
 class SensedCell(Protocol):
-    """The cell at the time of a reading; nothing of it is computed before it is asked for."""
+    """The cell at the time of a reading; computed on request."""
 
     def arm(self, station: str = "") -> ArmState:
         """Return an arm by the name of its station; the empty name is that of the arm that reads.
 
         Raises:
-            KeyError: the cell has no such station.
+            KeyError: the station is unknown.
         """
         ...
 
     def distance(self, X_WS: Pose, most: float, station: str = "") -> float:
         """Return the distance along a z axis to the nearest surface [m], infinite where none is so near.
 
-        Surfaces are those that parts can lie on, parts, and the floor z = 0; the arm itself, its tool and
-        what it holds are not seen.
+        Surfaces are supports of parts, parts, and the floor z = 0; the arm itself, its tool and held parts
+        are excluded.
 
         Args:
             X_WS: the frame from whose origin, along whose z axis it is measured.
-            most: beyond this nothing is looked for [m].
+            most: greatest distance of the search [m].
             station: of the arm that is not seen; the empty name is that of the arm that reads.
         """
         ...

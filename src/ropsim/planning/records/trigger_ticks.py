@@ -20,7 +20,7 @@ class PlannedTrigger:
     """An output that is set on the way.
 
     Attributes:
-        trigger: what is set.
+        trigger: the trigger.
         tick: control tick of the plan at which.
     """
 
@@ -53,11 +53,11 @@ class Flown:
 def trigger_ticks(
     move: MoveInstruction, flown: Flown, first: int, period: float
 ) -> tuple[tuple[PlannedTrigger, ...], tuple[Diagnostic, ...]]:
-    """Return when the triggers of a move act, in order of time, and M565 for those that lie beside its way.
+    """Return when the triggers of a move act, in order of time, and M565 for triggers outside its path.
 
-    A distance is the way of the TCP as it is flown, round corners too, seen from the frame in which its path
-    is given; a move with a corner begins and ends in the middle of it. Outputs are set at the first control
-    tick at which the TCP has come so far.
+    A distance is measured along the achieved path of the TCP, including blends, in the frame of its path; a
+    move with a blend begins and ends in the middle of it. Outputs are set at the first control tick at which
+    the TCP has come so far.
 
     Args:
         move: the instruction.

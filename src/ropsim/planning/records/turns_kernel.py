@@ -25,7 +25,7 @@ def turn_rows(
         branches: NaN where absent [rad | m], shape (m, n).
         q_near: to which coordinates are to be near [rad | m], shape (n,).
         lower: limits of the axes [rad | m], shape (n,).
-        upper: likewise.
+        upper: upper limits.
         revolute: 1 for axes that turn, else 0, shape (n,).
         slack: by which a coordinate may be beyond its limit [rad | m].
         turned: where the turned ones go, shape (m, n).
@@ -44,9 +44,9 @@ def rows_inside(q: Array2, lower: Array1, upper: Array1, slack: float, told: Arr
     Args:
         q: of the axes [rad | m], shape (k, n).
         lower: limits of the axes [rad | m], shape (n,).
-        upper: likewise.
+        upper: upper limits.
         slack: by which a coordinate may be beyond its limit [rad | m].
-        told: shape (k,).
+        told: output, shape (k,).
     """
     for row in range(q.shape[0]):
         told[row] = 1.0

@@ -28,7 +28,7 @@ def passes(origin: Origin) -> str:
 
 
 def external_notes(robot: RobotModel, q: Array) -> tuple[str, ...]:
-    """Return a note on where the external axes of an arm stand, nothing where it has none.
+    """Return a note on where the external axes of an arm stand, empty without any.
 
     Args:
         robot: the arm with its external axes.
@@ -54,7 +54,7 @@ def figures(joint: Joint, value: float, limit: float, per: str = "") -> dict[str
 
 
 def shortfall_words(shortfall: Shortfall) -> str:
-    """Return what is missing for a pose; empty where it is not known."""
+    """Return the words on the shortfall of a pose; empty if unknown."""
     if shortfall.reach:
         return _distance_words(shortfall.reach)
     miss = shortfall.miss

@@ -17,7 +17,7 @@ _IDENTITY = Pose()
 
 @lru_cache(maxsize=64)
 def inverted(X: Pose) -> Pose:
-    """Return the inverse of a pose that is asked for with many moves, such as that of a tool."""
+    """Return the inverse of a pose that is needed for many moves, such as that of a tool."""
     return X.inverse()
 
 
@@ -27,8 +27,8 @@ class WorkFrames:
 
     Attributes:
         tools: by name.
-        frames: X_BK of those that stand still, by name.
-        moving: those that the external axes of the robot move, by name.
+        frames: X_BK of fixed frames, by name.
+        moving: frames moved by external axes of the robot, by name.
         others: names of the stations that move the other ones, by the name of the frame.
         default_tool: name of the tool in force where a program names none; empty for none.
     """
@@ -40,7 +40,7 @@ class WorkFrames:
     others: Mapping[str, str] = field(default_factory=dict)
 
     def tool_pose(self, modal: ModalState, span: Span | None) -> Pose | Diagnostic:
-        """Return X_MT of the tool in force, or M506 where nobody gives its pose.
+        """Return X_MT of the tool in force, or M506 if its pose is undefined.
 
         Args:
             modal: the modal state of the move.
@@ -67,8 +67,8 @@ class WorkFrames:
 
         Args:
             modal: the modal state of the move.
-            q: joint coordinates [rad | m], shape (n,), of which those of the external axes count: where these
-                are when the move ends.
+            q: joint coordinates [rad | m], shape (n,), of which only the external axes count: their values at
+                the end of the move.
         """
         moving = self.moving.get(modal.frame)
         return moving.pose(q) if moving else self.frames.get(modal.frame, modal.X_BK)

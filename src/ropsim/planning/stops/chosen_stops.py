@@ -1,4 +1,4 @@
-"""Which zones of a stretch are flown: by the limits of the tool first, then by those of the joints."""
+"""Choice of the blends of a motion sequence: by the limits of the tool first, then by joint limits."""
 
 from collections.abc import Sequence
 
@@ -22,7 +22,7 @@ class ByTool:
     """The quickest corners by the limits of the tool.
 
     Attributes:
-        stops: numbers of those that became stops.
+        stops: numbers of points that became stops.
         corners: that are left.
         course: of the stretch with them.
         alone: times that the moves take from rest to rest, at least [s].
@@ -41,7 +41,7 @@ class ByJoints:
     """The quickest corners by the limits of tool and joints.
 
     Attributes:
-        stops: numbers of those that became stops for the joints.
+        stops: numbers of points that became stops for the joints.
         corners: that are left.
         keeping: the motion with them.
     """
@@ -59,7 +59,7 @@ def by_tool(
     Args:
         legs: the moves.
         corners: between each two of them.
-        walks: the pieces of the moves with these corners, as from `segments_of`.
+        walks: the segments of the moves with these blends, as from `segments_of`.
         rules: time law and look-ahead.
     """
     stops: tuple[int, ...] = ()
@@ -77,8 +77,8 @@ def by_joints(
 ) -> ByJoints:
     """Return which of the corners that are left are quicker than stops within the limits of the joints.
 
-    What joints make of a whole stretch can be a little slower than what they make of its parts. So stops at
-    all points are tried, too, where they might be quicker.
+    Retiming a whole sequence can be slightly slower than retiming its parts. So stops at all points are also
+    tried if they might be quicker.
 
     Args:
         legs: the moves.

@@ -7,7 +7,8 @@ from ropsim.planning.blends.blend import Blend
 from ropsim.spatial import record
 
 _FURTHEST = 4
-"""Corners of those looked at that a motion between two stops may pass, beside the motion as it is."""
+"""Maximum number of examined blends that a motion between two stops may pass, in addition to the present
+motion."""
 _WORTH = 1e-6
 """Share of the time from stop to stop that other stops have to save: rounding saves less."""
 
@@ -34,15 +35,15 @@ def quicker_stops(
     """Return the numbers of the rounded corners at which to stop, so that the motion takes the least time.
 
     A move that flows takes no longer from the middle of its first corner to that of its last one than it
-    would from rest to rest; while all do, the whole takes less time than with a stop at each point. Where
-    one takes longer, the corners beside it are looked at, and where the whole between two stops takes
-    longer, all its corners. Stops at some of them are the way with the least sum of times: a shortest way,
-    of which an edge is planned only where nothing shorter is known to be left.
+    would from rest to rest; while all do, the whole takes less time than with a stop at each point. Where one
+    takes longer, the adjacent blends are examined, and if the whole between two stops takes longer, all its
+    corners. Stops at some of them are the way with the least sum of times: a shortest way, of which an edge
+    is planned only where nothing shorter is known to be left.
 
     Args:
         corners: between each two moves; None where the arm stops already.
-        ends: times at which the moves end in the motion as it is [s].
-        alone: times no more than those that the moves take from rest to rest [s].
+        ends: times at which the moves end in the present motion [s].
+        alone: lower bounds of the times of the moves from rest to rest [s].
         times: of the moves between two stops.
 
     References:
@@ -92,7 +93,7 @@ def _shortest(nodes: Sequence[int], present: float, times: Times) -> list[int]:
 
 
 def _way(nodes: Sequence[int], known: dict[Span, float], times: Times) -> list[Span]:
-    """Return the edges of the shortest way as far as it is known; lower bounds count for the others."""
+    """Return the edges of the shortest way by known times; lower bounds count for the others."""
     costs, before = [0.0], [0]
     for place, node in enumerate(nodes[1:], 1):
         begins = set(range(max(place - _FURTHEST, 0), place)) | ({0} if place == len(nodes) - 1 else set())

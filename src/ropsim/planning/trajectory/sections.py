@@ -1,4 +1,4 @@
-"""Parts of a stretch, each walked from rest to rest, with their time laws."""
+"""Sections of a motion sequence, each from rest to rest, with their time laws."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -31,13 +31,13 @@ class TimingRules(NamedTuple):
 
 @record
 class Section:
-    """Pieces that are walked together from rest to rest, and how.
+    """Segments traversed together from rest to rest, and their timing.
 
     Attributes:
         pieces: in order.
         stages: with which they are planned, of all pieces in a row; none where the path is one of time.
         counts: how many stages each piece has, shape (p,).
-        law: when the motion is where on them; it counts pieces, whatever the stages of each.
+        law: time law along them; it counts segments, regardless of the path limits of each.
         over: how it goes over into the next one; None where it stops.
     """
 
@@ -68,17 +68,17 @@ def sections_of(walks: Sequence[Walk], rules: TimingRules) -> tuple[Section, ...
     """Return the parts of a stretch between which the arm stops or motions overlap.
 
     Args:
-        walks: the pieces, as from `pieces_of`.
+        walks: the segments, as from `pieces_of`.
         rules: time law and look-ahead.
     """
     return tuple(_quickest(pieces, over, rules) for pieces, over in walks)
 
 
 def section_of(pieces: Sequence[PathSegment], over: JointSpaceBlend | None, rules: TimingRules) -> Section:
-    """Return pieces with their time law: planned stage by stage, told piece by piece.
+    """Return segments with their time law: planned interval by interval, expressed segment by segment.
 
     Args:
-        pieces: that are walked together from rest to rest.
+        pieces: that are traversed together from rest to rest.
         over: how they go over into the next ones; None where they stop.
         rules: time law and look-ahead.
     """
@@ -100,7 +100,7 @@ def planned_section(
     """Return pieces with the time law of stages that count for them instead of their own.
 
     Args:
-        pieces: that are walked together from rest to rest.
+        pieces: that are traversed together from rest to rest.
         stages: of all pieces in a row.
         counts: how many of them each piece has, one or more, shape (p,).
         over: how they go over into the next ones; None where they stop.
@@ -114,7 +114,7 @@ def planned_section(
 
 
 def _quickest(pieces: Sequence[PathSegment], over: JointSpaceBlend | None, rules: TimingRules) -> Section:
-    """Return pieces with the bounds of their bends that are walked in the least time."""
+    """Return segments with the choice of bend limits that takes the least time."""
     first = section_of(pieces, over, rules)
     most = max(len(piece.gentler) for piece in pieces)
     others = (

@@ -24,7 +24,7 @@ from ropsim.planning.records.coordination import Coordination
 from ropsim.spatial import Pose, record
 
 _SHARES = (1.0, 0.9, 0.81, 0.729, 0.656, 0.59, 0.531, 0.478)
-"""Of the highest speed that a bend allows: those that are tried on the path of a move."""
+"""Of the highest speed that a bend allows: shares that are tried on the path of a move."""
 _NOTHING = 1e-9
 """Share of a path below which nothing is left of it between two corners."""
 _NO_STAGES = PathLimits.of(())
@@ -37,7 +37,7 @@ class PathSegment:
     Attributes:
         leg: number of the move that it belongs to; a corner belongs to the move before it.
         joints: its path in joint space.
-        tool: its path of the tool, in the base frame or that of the coordination; None where it has none.
+        tool: its path of the tool, in the base frame or that of the coordination; None without one.
         X_MT: the tool.
         stages: bounds along it, part by part; none where it has a time law of its own.
         corner: that it leads round; None for a part of the path of a move.
@@ -65,7 +65,7 @@ class PathSegment:
 _piece, _section = maker(PathSegment), maker(JointSection)
 
 Walk = tuple[list[PathSegment], JointSpaceBlend | None]
-"""Pieces that are walked together, and how they go over into the next ones; None for a stop."""
+"""Segments traversed together, and their blend into the next ones; None for a stop."""
 
 
 def segments_of(legs: Sequence[PlannedMove], corners: Sequence[Blend | None]) -> list[Walk]:

@@ -22,7 +22,7 @@ class TimedSection:
     """A part of a stretch at its time.
 
     Attributes:
-        part: pieces that are walked together.
+        part: segments traversed together.
         start: motion time at which it begins [s].
         overlap: for how long the run before still lasts then [s].
         end: motion time at which it ends [s].
@@ -72,7 +72,7 @@ class Timing:
         return self.runs[-1].end if self.runs else 0.0
 
     def alone(self, number: int) -> tuple[float, float]:
-        """Return the motion times between which no other run goes on beside one [s].
+        """Return the nominal times between which no other section overlaps one [s].
 
         Args:
             number: of the run.

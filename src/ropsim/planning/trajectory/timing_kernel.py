@@ -21,7 +21,7 @@ RATIO, HORIZON = 4, 5
 
 @kernel
 def lay_horizons(legs: Array1, counts: Array1, look_ahead: int, bounds: Array2) -> None:
-    """Write the last stage that is known where a stage ends, of all stages; -1 where that tells nothing.
+    """Write the last stage that is known where a stage ends, of all stages; -1 if unknown.
 
     Within a piece no more gets known: who can stop after it can stop before.
 
@@ -43,21 +43,21 @@ def lay_horizons(legs: Array1, counts: Array1, look_ahead: int, bounds: Array2) 
 
 
 _SEGMENTS, _PIECES, _LEAVE, _ENTER = range(4)
-"""Columns of what is asked."""
+"""Columns of the request."""
 
 
 @kernel
 def lay_runs(segments: Array2, ends: Array1, asked: Array2, runs: Array2, times: Array2) -> None:
     """Write when runs begin and end, and for how long the run before each still lasts when it begins [s].
 
-    Both motions are added no longer than the shorter one of their parts beside the corner lasts.
+    Both motions are added no longer than the shorter one of their sections next to the blend.
 
     Args:
         segments: of the time laws of all runs, shape (8, m).
         ends: times of each law at which its pieces end [s], shape (p,).
-        asked: of each run segments and pieces; the place on its last piece from which on the next run may
-            begin, NaN where it stops; and the place on the first piece of that up to which it may last;
-            shape (r, 4).
+        asked: of each section: numbers of law segments and path segments; the path parameter on its last one
+            from which on the next section may begin, NaN if it stops; and the path parameter on the first one
+            of that up to which it may last; shape (r, 4).
         runs: where all goes that is known of them, see `Course.table`, shape (r, 7).
         times: where start, overlap and end go [s], shape (r, 3).
     """
@@ -96,7 +96,7 @@ def ticks_come(
     overlaps: Array2,
     moves: Array1,
 ) -> None:
-    """Write at which control ticks what comes; a piece counts as far as no other run overlaps it.
+    """Write the control ticks of events; a segment counts as far as no other section overlaps it.
 
     Args:
         runs: see `Course.table`, shape (r, 7).

@@ -1,4 +1,4 @@
-"""The runs of a stretch as numbers, for the compiled loop that walks all of them."""
+"""The sections of a motion sequence as numbers, for the compiled loop that evaluates all of them."""
 
 import numpy as np
 
@@ -17,7 +17,7 @@ class TrajectoryTable:
         pieces: kind, place at which it begins, length of the path, first row, rows, and first slope of each
             piece, see `PathRows`, shape (p, 6).
         rows: of all paths, shape (k, n).
-        slopes: likewise, shape (2, l, n).
+        slopes: their derivatives, shape (2, l, n).
     """
 
     runs: Array
@@ -32,7 +32,7 @@ class TrajectoryTable:
 
 
 def trajectory_table(course: Timing) -> TrajectoryTable | None:
-    """Return the table of the runs of a course; None where one has a path that compiled loops do not know.
+    """Return the table of the sections of a timing; None if compiled loops do not support a path.
 
     Args:
         course: of one run or more.

@@ -1,8 +1,8 @@
 """Wrist angles: joint coordinates that take the TCP along a way on which the joints of the wrist are given.
 
-The last three joints of an arm with spherical wrist turn as they are told, external axes go along; the first
-three bring the TCP to its place. Such a motion passes the singularity of the wrist like any other place. The
-TCP keeps its way; how the tool turns follows.
+The last three joints of an arm with spherical wrist follow a prescribed motion, external axes as well; the
+first three move the TCP along its path. This motion passes the singularity of the wrist like any other point.
+The TCP keeps its path; the orientation of the tool follows.
 """
 
 from dataclasses import field
@@ -17,13 +17,14 @@ from ropsim.planning.wrist.wrist_motion import WristMotion, arm_axes
 from ropsim.spatial import Array, Pose, cross, record
 
 _COARSE = (16, 64, 256)
-"""Steps of four parts of a way that are gone one after the other; more where a place is not found."""
+"""Number of steps in each quarter of a path, taken one after the other; more if a solution is not found."""
 _MOST = 4096
 """Steps of four parts of a way at most."""
 _NEWTON = 20  # steps at most; from a near start each doubles the digits
 _SAME_PLACE = 1e-10  # [m]
 SAME_JOINTS = 1e-6
-"""A way that passes a point with joints further from those wanted has shoulder or elbow elsewhere [rad]."""
+"""A path that passes a point with joints further from the requested ones has another shoulder or elbow
+posture [rad]."""
 _JUMP = np.pi / 4.0  # [rad] from one step to the next; that is another branch
 
 
@@ -47,7 +48,7 @@ def wrist_lead(way: WristMotion, parts: int = 1) -> WristLead:
     two places each.
 
     Args:
-        way: with what is given on it.
+        way: prescribed motion.
         parts: of the way, between whose ends it is smoother than where they meet.
     """
     arm = _Arm(way.robot, way.X_MT)
@@ -66,7 +67,7 @@ def wrist_joints(way: WristMotion, q: Array) -> JointPath:
     """Return the smooth path through joint coordinates; where they are too far apart, more are found.
 
     Args:
-        way: with what is given on it.
+        way: prescribed motion.
         q: at equidistant places of all of the way [rad | m], an odd number of them, shape (k, n).
     """
     length, arm = way.path.length, _Arm(way.robot, way.X_MT)
@@ -89,7 +90,7 @@ def _densely(arm: "_Arm", way: WristMotion, q: Array, ends: tuple[float, float],
 
     Args:
         arm: that leads.
-        way: with what is given on it.
+        way: prescribed motion.
         q: at equidistant places between the two, shape (k, n).
         ends: the two places, in the unit of the way.
         most: steps, about.
@@ -111,7 +112,7 @@ def _densely(arm: "_Arm", way: WristMotion, q: Array, ends: tuple[float, float],
 
 
 def _walked(arm: "_Arm", way: WristMotion, steps: int) -> WristLead:
-    """Return the joints at the places of so many steps, each found from those before."""
+    """Return the joints at `steps` steps, each solved from the ones before."""
     places = np.linspace(0.0, way.path.length, steps + 1)
     goals, q = way.positions(places), way.given(places)
     q[0] = way.q_start
@@ -131,7 +132,7 @@ class _Arm:
     Attributes:
         robot: with its external axes.
         X_MT: the tool.
-        first: numbers of the first three axes of the arm among those of the robot.
+        first: numbers of the first three axes of the arm among the axes of the robot.
     """
 
     robot: RobotModel

@@ -1,4 +1,4 @@
-"""What is given where the wrist leads a tool: the way of the TCP, the joints of the wrist, external axes."""
+"""Prescribed motion for wrist angles: the path of the TCP, the joints of the wrist, external axes."""
 
 import numpy as np
 
@@ -36,7 +36,7 @@ class WristMotion:
         return self.coordination.frame if self.coordination else None
 
     def given(self, s: Array) -> Array:
-        """Return all coordinates at places s (k,), those of the first three joints at the start, (k, n)."""
+        """Return all coordinates at places s (k,), the first three joints as at the start, (k, n)."""
         Q = standing(self.q_start, self.coordination, s)
         Q[:, list(arm_axes(self.robot)[3:])] = self.wrist.joints(s).q
         return Q

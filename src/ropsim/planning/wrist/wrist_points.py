@@ -1,4 +1,4 @@
-"""The points of a path that the wrist leads: where the joints of the wrist have to be as they are there."""
+"""The points of a path with wrist angles, at which the joints of the wrist are prescribed."""
 
 from ropsim.motion import ToolPath, knots_of
 from ropsim.planning.records.coordination import Coordination
@@ -35,7 +35,7 @@ class WristPoints:
 
 
 def points_of(path: ToolPath, q_start: Array, coordination: Coordination | None) -> WristPoints:
-    """Return the points of a path: of a curve those that it goes through, of others their ends.
+    """Return the points of a path: of a curve the points that it passes, of others their ends.
 
     Args:
         path: in the base frame or that of the coordination.
