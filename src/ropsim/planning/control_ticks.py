@@ -51,7 +51,7 @@ def in_ticks(
         chain: the entities, with the control period.
         legs: the moves.
         zones: that are flown at their ends [m].
-        course: of the stretch.
+        course: of the sequence.
         kept: its motion within the limits of the joints, at all ticks of whole interpolation ticks.
         findings: on the moves.
     """
@@ -84,7 +84,7 @@ def _pieces(
     """Return the pieces, and the ways round corners and the overlaps in order of time.
 
     Args:
-        course: of the stretch.
+        course: of the sequence.
         ticks: the last one before each piece, and the last one on it; behind these the same for the overlap
             of each run with the one before.
     """

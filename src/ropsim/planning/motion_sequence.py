@@ -7,7 +7,7 @@ from ropsim.spatial import Array, frozen, record
 
 @record
 class MotionSequence:
-    """A stretch before it is planned.
+    """A sequence before it is planned.
 
     Attributes:
         moves: in order; all except the last may be blended.

@@ -1,4 +1,4 @@
-"""Planning a stretch: moves become paths, paths a course with rounded corners, that a motion in time."""
+"""Planning a sequence: moves become paths, paths a course with rounded corners, that a motion in time."""
 
 import math
 from collections.abc import Sequence
@@ -43,7 +43,7 @@ _SMALLEST = 1e-300
 
 
 def ordered(chain: MotionChain, order: MotionSequence) -> tuple[MotionPlan | None, Refusal | None]:
-    """Return the motion through the moves of a stretch from rest; see `plan`."""
+    """Return the motion through the moves of a sequence from rest; see `plan`."""
     return plan(chain, order.moves, MotionState.at_rest(order.q_start), order.payload, order.ahead)
 
 
@@ -54,16 +54,16 @@ def plan(
     payload: Payload = NO_PAYLOAD,
     ahead: Sequence[MoveInstruction] = (),
 ) -> tuple[MotionPlan | None, Refusal | None]:
-    """Return the motion through the moves of a stretch.
+    """Return the motion through the moves of a sequence.
 
     All moves but the last have a zone. A move that cannot be made ends the plan: the arm stops at the
     target of the one before it.
 
     Args:
         chain: the entities.
-        stretch: moves in order.
+        sequence: moves in order.
         state: at rest.
-        payload: tool and part as one body, for the whole stretch.
+        payload: tool and part as one body, for the whole sequence.
         ahead: moves that follow upon the stop at its end; they also affect the choice of postures.
 
     Returns:

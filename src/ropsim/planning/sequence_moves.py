@@ -17,7 +17,7 @@ from ropsim.spatial import Array
 def sequence_moves(
     chain: MotionChain, stretch: Sequence[MoveInstruction], ahead: Sequence[MoveInstruction], q_start: Array
 ) -> tuple[list[PlannedMove], Refusal | None]:
-    """Return the legs of a stretch up to the first move that cannot be made, and why it cannot.
+    """Return the planned moves of a sequence up to the first infeasible one, and why it cannot.
 
     Every move takes the nearest posture by default. Where a path of the tool then meets a joint limit or a
     singularity, or whirls the joints near one, other postures are tried for the PTP moves before it; that one
@@ -26,7 +26,7 @@ def sequence_moves(
 
     Args:
         chain: the entities.
-        stretch: moves in order.
+        sequence: moves in order.
         ahead: moves that follow upon the stop at its end, up to the next PTP move.
         q_start: command joint coordinates at their start [rad | m], shape (n,).
     """

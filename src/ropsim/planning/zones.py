@@ -54,7 +54,7 @@ def stopped(move: MoveInstruction, why: Stop) -> tuple[Diagnostic, ...]:
 
 
 def stopped_by(move: MoveInstruction, what: str) -> tuple[Diagnostic, ...]:
-    """Return M560 for the last move of a stretch where its zone becomes a stop.
+    """Return M560 for the last move of a sequence where its zone becomes a stop.
 
     Args:
         move: the last one before the arm has to stand.

@@ -1,4 +1,4 @@
-"""Corners of a stretch: how the path goes from one move to the next where a zone is in force."""
+"""Corners of a sequence: how the path goes from one move to the next where a zone is in force."""
 
 from enum import Enum
 

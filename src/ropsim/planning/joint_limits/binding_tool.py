@@ -50,10 +50,10 @@ def binding_of_tools(
     turns off its way needs a part of its acceleration and jerk for that, and planning leaves it.
 
     Args:
-        plan: of a stretch.
+        plan: of a sequence.
         moves: on paths of the tool.
         numbers: of these moves among the evaluated ones, rising.
-        looks: at the stretch.
+        looks: at the sequence.
         robot: the arm.
     """
     if not moves:
@@ -76,10 +76,10 @@ def _counts(
     """Return at how many looks limits are reached, and on which piece each look lies at which none is.
 
     Args:
-        plan: of a stretch.
+        plan: of a sequence.
         moves: on paths of the tool, t of them.
         numbers: of these moves among the evaluated ones, rising.
-        looks: at the stretch.
+        looks: at the sequence.
         robot: the arm.
 
     Returns:
@@ -117,7 +117,7 @@ def _bent_looks(plan: MotionPlan, idle: list[float]) -> int:
     """Return the number of evaluations of a move that lie where its path is bent and no limit is reached.
 
     Args:
-        plan: of a stretch.
+        plan: of a sequence.
         idle: on which piece each look lies at which no limit is reached, else -1.0.
     """
     bent = 0

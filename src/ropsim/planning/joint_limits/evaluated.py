@@ -14,7 +14,7 @@ class EvaluatedTrajectory:
     """A trajectory, and its utilisation of the joint limits.
 
     Attributes:
-        motion: of the stretch on the course.
+        motion: of the sequence on the course.
         reference: at ticks, and its utilisation of the limits.
         ticks: at which it was evaluated: control ticks, or a few of them.
         slowed: where it is slower than its bounds would have it.
@@ -27,7 +27,7 @@ class EvaluatedTrajectory:
 
     @property
     def course(self) -> Timing:
-        """Return the course of the stretch."""
+        """Return the course of the sequence."""
         return self.motion.course
 
     def loaded(self, arm: ArmBounds) -> "EvaluatedTrajectory":
@@ -53,7 +53,7 @@ def as_bounds_allow(motion: Trajectory, arm: ArmBounds, ticks: Ticks) -> Evaluat
     """Return a motion with its utilisation of the joint limits, even beyond them.
 
     Args:
-        motion: of the stretch.
+        motion: of the sequence.
         arm: limits of the joints.
         ticks: at which it is evaluated.
     """

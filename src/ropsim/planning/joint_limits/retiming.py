@@ -31,7 +31,7 @@ class Retiming:
     """A motion, and how it goes within all limits.
 
     Attributes:
-        motion: of the stretch by its course, before motion time goes slower.
+        motion: of the sequence by its course, before motion time goes slower.
         kept: how it goes; Beyond where no speed can do.
         slowed: where it is slower than it was planned.
     """
@@ -42,7 +42,7 @@ class Retiming:
 
     @property
     def course(self) -> Timing:
-        """Return the course of the stretch."""
+        """Return the course of the sequence."""
         return self.motion.course
 
     @property
@@ -60,7 +60,7 @@ class Retiming:
 
 
 def retimed(course: Timing, arm: ArmBounds, ticks: Ticks, rules: TimingRules) -> Retiming:
-    """Return the motion on the course of a stretch.
+    """Return the motion on the course of a sequence.
 
     Time laws with lower bounds lose least where joints lack little. Where they lack much, motion time that
     goes slower there may do it in less; the quicker one counts.

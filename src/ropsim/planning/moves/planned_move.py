@@ -1,4 +1,4 @@
-"""A leg: one move with its path in joint space."""
+"""A planned move: one move with its path in joint space."""
 
 from collections.abc import Sequence
 
@@ -43,7 +43,7 @@ class PlannedMove:
 def planned_moves(
     chain: MotionChain, moves: Sequence[MoveInstruction], q_start: Array
 ) -> tuple[list[PlannedMove], Refusal | None]:
-    """Return the legs of moves up to the first one that cannot be made, and why it cannot.
+    """Return planned moves up to the first one that cannot be made, and why it cannot.
 
     Args:
         chain: the entities.
@@ -61,7 +61,7 @@ def planned_moves(
 
 
 def planned_move_of(chain: MotionChain, move: MoveInstruction, q_start: Array) -> PlannedMove | Refusal:
-    """Return the leg of a move that begins at `q_start`, or why it cannot be made.
+    """Return the planned move that begins at `q_start`, or why it cannot be made.
 
     Args:
         chain: the entities.

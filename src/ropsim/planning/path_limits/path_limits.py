@@ -1,4 +1,4 @@
-"""Bounds of speed, acceleration and jerk along a piece of a stretch: one stage, or several on a bent one."""
+"""Bounds of speed, acceleration and jerk along a piece of a sequence: one stage, or several on a bent one."""
 
 from collections.abc import Callable, Sequence
 from functools import lru_cache

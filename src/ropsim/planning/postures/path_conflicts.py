@@ -41,7 +41,7 @@ def conflict_of(robot: RobotModel, leg: PlannedMove, number: int) -> Conflict | 
     Args:
         robot: the arm.
         leg: the move, with a path of the tool.
-        number: of the move in the stretch.
+        number: of the move in the sequence.
     """
     if _is_calm(robot, leg):
         return None
@@ -64,7 +64,7 @@ def conflict_of_refusal(move: MoveInstruction, refusal: Refusal, number: int) ->
     Args:
         move: that is refused.
         refusal: of it.
-        number: of the move in the stretch.
+        number: of the move in the sequence.
     """
     codes = {JOINT_LIMIT_ON_LINE.code, JUMP_ON_LINE.code, NO_WRIST_ANGLES.code}
     return [

@@ -1,4 +1,5 @@
-"""The search for postures: which branches the PTP moves of a stretch take, so that paths behind them go well.
+"""The search for postures: which branches the PTP moves of a sequence take, so that paths behind them go
+well.
 
 A PTP move to a pose may end in any branch of the inverse kinematics within the joint limits; a path of the
 tool keeps the branch in which it begins. So the branches of each target of this kind are the nodes of a graph
@@ -35,7 +36,7 @@ _SAME = 1e-6
 
 @record
 class Way:
-    """A way through the first moves of a stretch.
+    """A way through the first moves of a sequence.
 
     Attributes:
         q: where it ends [rad | m], shape (n,).
@@ -70,14 +71,14 @@ def has_choice(move: MoveInstruction) -> bool:
 def search(
     chain: MotionChain, stretch: Sequence[MoveInstruction], q_start: Array, troubles: Sequence[Conflict]
 ) -> Way:
-    """Return the best way through a stretch.
+    """Return the best way through a sequence.
 
     That is the one on which most moves can be made, then fewest paths whirl the joints, then least is changed
     of the nearest postures, then fewest paths lead near to a joint limit, then the time is least.
 
     Args:
         chain: the entities.
-        stretch: moves in order.
+        sequence: moves in order.
         q_start: command joint coordinates at their start [rad | m], shape (n,).
         troubles: of the way of the nearest postures, in order; one or more.
     """

@@ -21,7 +21,7 @@ def last_wish(stretch: Sequence[MoveInstruction]) -> int | None:
 
 
 def without_wish(stretch: Sequence[MoveInstruction], number: int) -> list[MoveInstruction]:
-    """Return the moves of a stretch, of which one may end in any posture."""
+    """Return the moves of a sequence, of which one may end in any posture."""
     return [*stretch[:number], replace(stretch[number], posture=None), *stretch[number + 1 :]]
 
 

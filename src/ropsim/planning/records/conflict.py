@@ -9,7 +9,7 @@ class Conflict:
     """A path that cannot be followed well.
 
     Attributes:
-        number: of its move in the stretch.
+        number: of its move in the sequence.
         words: description.
         span: of its move in the program.
     """

@@ -24,7 +24,7 @@ class ByTool:
     Attributes:
         stops: numbers of points that became stops.
         corners: that are left.
-        course: of the stretch with them.
+        course: of the sequence with them.
         alone: times that the moves take from rest to rest, at least [s].
         times: of moves from rest to rest with the corners between them.
     """

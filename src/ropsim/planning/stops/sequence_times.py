@@ -1,4 +1,4 @@
-"""How long moves of a stretch take from rest to rest: at least, by limits of the tool, and within all."""
+"""How long moves of a sequence take from rest to rest: at least, by limits of the tool, and within all."""
 
 from collections.abc import Sequence
 

@@ -65,7 +65,7 @@ class Section:
 
 
 def sections_of(walks: Sequence[Walk], rules: TimingRules) -> tuple[Section, ...]:
-    """Return the parts of a stretch between which the arm stops or motions overlap.
+    """Return the parts of a sequence between which the arm stops or motions overlap.
 
     Args:
         walks: the segments, as from `pieces_of`.

@@ -1,4 +1,4 @@
-"""Pieces of a stretch: parts of the paths of moves, and the ways round corners between them."""
+"""Pieces of a sequence: parts of the paths of moves, and the ways round corners between them."""
 
 from collections.abc import Sequence
 
@@ -69,7 +69,7 @@ Walk = tuple[list[PathSegment], JointSpaceBlend | None]
 
 
 def segments_of(legs: Sequence[PlannedMove], corners: Sequence[Blend | None]) -> list[Walk]:
-    """Return the pieces of a stretch in order.
+    """Return the pieces of a sequence in order.
 
     Args:
         legs: the moves.

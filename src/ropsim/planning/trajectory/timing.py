@@ -1,4 +1,4 @@
-"""The course of a stretch: runs of its parts, one behind or over the other."""
+"""The course of a sequence: runs of its parts, one behind or over the other."""
 
 from collections.abc import Sequence
 from itertools import accumulate
@@ -19,7 +19,7 @@ _STOP = nan, 0.0
 
 @record
 class TimedSection:
-    """A part of a stretch at its time.
+    """A part of a sequence at its time.
 
     Attributes:
         part: segments traversed together.
@@ -49,7 +49,7 @@ _run = maker(TimedSection)
 
 @record
 class Timing:
-    """All runs of a stretch.
+    """All runs of a sequence.
 
     Attributes:
         runs: in order; none where nothing moves.
@@ -82,7 +82,7 @@ class Timing:
 
 
 def timing_of(parts: Sequence[Section], legs: int) -> Timing:
-    """Return the course through the parts of a stretch.
+    """Return the course through the parts of a sequence.
 
     Args:
         parts: of it.
