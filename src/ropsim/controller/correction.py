@@ -58,14 +58,14 @@ def next_correction(
         return now
     a = room.acceleration
     top = min(room.speed, _GENTLE * a * left)
-    wished = min(max(speed, -top), top)
+    requested = min(max(speed, -top), top)
     coasted = now.value + now.speed * period / 2.0
     margin = a * period * period / 8.0  # the last step of a braking may be a part of one
     gentle = _GENTLE * a
-    wished = min(wished, _braking(room.upper - margin - coasted, gentle, period))
-    wished = max(wished, -_braking(coasted - margin - room.lower, gentle, period))
-    wished = min(max(wished, -room.speed), room.speed)
-    after = min(max(wished, now.speed - a * period), now.speed + a * period)
+    requested = min(requested, _braking(room.upper - margin - coasted, gentle, period))
+    requested = max(requested, -_braking(coasted - margin - room.lower, gentle, period))
+    requested = min(max(requested, -room.speed), room.speed)
+    after = min(max(requested, now.speed - a * period), now.speed + a * period)
     if left <= 0.0:
         after = 0.0
     return Correction(now.value + (now.speed + after) / 2.0 * period, after)

@@ -11,7 +11,7 @@ from ropsim.motion import JointPoints, RetimedTrajectory, Ticks
 from ropsim.planning.moves.planned_move import PlannedMove
 from ropsim.planning.records.motion_chain import MotionChain
 from ropsim.planning.records.motion_plan import MotionPlan, TimedMove, TimedSegment
-from ropsim.planning.records.trigger_ticks import Flown, PlannedTrigger, trigger_ticks
+from ropsim.planning.records.trigger_ticks import AchievedPath, PlannedTrigger, trigger_ticks
 from ropsim.planning.trajectory.timing import Timing
 from ropsim.planning.trajectory.timing_kernel import ticks_come
 from ropsim.spatial import Array
@@ -69,8 +69,8 @@ def in_ticks(
         if move.triggers:
             along, q = planned.coordination, reference.q[max(first - 1, 0) : last]
             q = np.concatenate((kept.rows.q[:1], q)) if first == 0 else q
-            flown = Flown(chain.robot, X_MT, q, along.frame if along else None)
-            triggers, told = trigger_ticks(move, flown, first, period)
+            achieved = AchievedPath(chain.robot, X_MT, q, along.frame if along else None)
+            triggers, told = trigger_ticks(move, achieved, first, period)
             found += told
         of_tool = planned.tool is not None
         moves.append(_move(move, X_MT, leg.q_end, last, zone, triggers, planned.limits, of_tool))

@@ -32,7 +32,7 @@ from ropsim.planning.sequence_moves import sequence_moves
 from ropsim.planning.stops.chosen_stops import by_joints, by_tool
 from ropsim.planning.trajectory.sections import TimingRules
 from ropsim.planning.trajectory.segments import segments_of
-from ropsim.planning.zones import clipped, flown_zones, stopped
+from ropsim.planning.zones import achieved_zones, clipped, stopped
 from ropsim.spatial import Array, record
 
 NO_PAYLOAD = Payload()
@@ -49,7 +49,7 @@ def ordered(chain: MotionChain, order: MotionSequence) -> tuple[MotionPlan | Non
 
 def plan(
     chain: MotionChain,
-    stretch: Sequence[MoveInstruction],
+    sequence: Sequence[MoveInstruction],
     state: MotionState,
     payload: Payload = NO_PAYLOAD,
     ahead: Sequence[MoveInstruction] = (),
@@ -70,10 +70,10 @@ def plan(
         The plan of the moves up to the first one that cannot be made, None where that is the first; and why
         it cannot be made, None where all can.
     """
-    wrong = check_start(state, chain.robot, stretch[0])
+    wrong = check_start(state, chain.robot, sequence[0])
     if wrong:
         return None, wrong
-    legs, refusal = sequence_moves(chain, stretch, ahead, state.q)
+    legs, refusal = sequence_moves(chain, sequence, ahead, state.q)
     while legs:
         planned = _planned(chain, legs, state, payload)
         if isinstance(planned, MotionPlan):
@@ -123,24 +123,24 @@ def _planned(
     if late := _late(legs, course.ends):
         return _too_long(legs, *late)
     bounds = arm_bounds(chain.robot, payload)
-    if hopeless := _hopeless(legs, chosen.corners, state.q, chain.robot, bounds.joints):
-        return hopeless
+    if infeasible := _infeasible(legs, chosen.corners, state.q, chain.robot, bounds.joints):
+        return infeasible
     if any(leg.move.tracking for leg in legs):
         bounds = beside_correction(bounds)
-    flown = by_joints(legs, chosen, bounds, Ticks(period, rates.interpolation_ticks), rules)
-    findings += (hint for one in flown.stops for hint in stopped(legs[one].move, Stop.SLOWED))
-    course, kept = flown.keeping.course, flown.keeping.kept
+    by_joint_limits = by_joints(legs, chosen, bounds, Ticks(period, rates.interpolation_ticks), rules)
+    findings += (hint for one in by_joint_limits.stops for hint in stopped(legs[one].move, Stop.SLOWED))
+    course, kept = by_joint_limits.keeping.course, by_joint_limits.keeping.kept
     if isinstance(kept, Infeasible):
         number = move_at(course.ends, kept.phi)
         return _Hurdle(number, beyond_refusal(legs[number], kept, chain.robot))
     if late := _late(legs, kept.clock.times_of(course.ends).tolist()):
         return _Hurdle(late[0], Refusal(check_duration(legs[late[0]].move, late[1])))
-    findings += slowed_findings(legs, course.ends, flown.keeping.slowed, chain.robot)
-    zones = flown_zones(chain.robot, legs, flown.corners, flown.keeping.motion)
+    findings += slowed_findings(legs, course.ends, by_joint_limits.keeping.slowed, chain.robot)
+    zones = achieved_zones(chain.robot, legs, by_joint_limits.corners, by_joint_limits.keeping.motion)
     return in_ticks(chain, legs, zones, course, kept, findings)
 
 
-def _hopeless(
+def _infeasible(
     legs: list[PlannedMove],
     corners: Sequence[Blend | None],
     q_start: Array,

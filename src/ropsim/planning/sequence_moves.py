@@ -7,7 +7,7 @@ from ropsim.flow import MoveInstruction
 from ropsim.planning.moves.planned_move import PlannedMove, planned_moves
 from ropsim.planning.postures.path_conflicts import conflict_of, conflict_of_refusal
 from ropsim.planning.postures.posture_search import has_choice, search
-from ropsim.planning.postures.requested_conflict import in_the_way, last_wish, without_wish
+from ropsim.planning.postures.requested_conflict import in_the_way, last_request, without_request
 from ropsim.planning.records.conflict import Conflict
 from ropsim.planning.records.entities import Refusal
 from ropsim.planning.records.motion_chain import MotionChain
@@ -15,7 +15,7 @@ from ropsim.spatial import Array
 
 
 def sequence_moves(
-    chain: MotionChain, stretch: Sequence[MoveInstruction], ahead: Sequence[MoveInstruction], q_start: Array
+    chain: MotionChain, sequence: Sequence[MoveInstruction], ahead: Sequence[MoveInstruction], q_start: Array
 ) -> tuple[list[PlannedMove], Refusal | None]:
     """Return the planned moves of a sequence up to the first infeasible one, and why it cannot.
 
@@ -30,7 +30,7 @@ def sequence_moves(
         ahead: moves that follow upon the stop at its end, up to the next PTP move.
         q_start: command joint coordinates at their start [rad | m], shape (n,).
     """
-    moves, count = (*stretch, *ahead), len(stretch)
+    moves, count = (*sequence, *ahead), len(sequence)
     legs, refusal = _chosen(chain, moves, q_start)
     if refusal:
         legs = _told(chain, moves, q_start, legs, refusal)
@@ -54,41 +54,45 @@ def _told(
         refusal: of that.
     """
     refused = len(legs)
-    wish = last_wish(moves[:refused])
-    troubles = conflict_of_refusal(moves[refused], refusal, refused)
-    if wish is None or not troubles:
+    requested = last_request(moves[:refused])
+    conflicts = conflict_of_refusal(moves[refused], refusal, refused)
+    if requested is None or not conflicts:
         return legs
-    free, _ = _chosen(chain, without_wish(moves[: refused + 1], wish), q_start)
+    free, _ = _chosen(chain, without_request(moves[: refused + 1], requested), q_start)
     if len(free) <= refused:
         return legs
-    said = in_the_way(chain.robot, legs[wish], free[wish], troubles[0])
-    return [*legs[:wish], replace(legs[wish], findings=legs[wish].findings + said), *legs[wish + 1 :]]
+    said = in_the_way(chain.robot, legs[requested], free[requested], conflicts[0])
+    return [
+        *legs[:requested],
+        replace(legs[requested], findings=legs[requested].findings + said),
+        *legs[requested + 1 :],
+    ]
 
 
 def _chosen(
-    chain: MotionChain, stretch: Sequence[MoveInstruction], q_start: Array
+    chain: MotionChain, sequence: Sequence[MoveInstruction], q_start: Array
 ) -> tuple[list[PlannedMove], Refusal | None]:
-    legs, refusal = planned_moves(chain, stretch, q_start)
-    troubles = _troubles(chain, stretch, legs, refusal)
-    if not troubles:
+    legs, refusal = planned_moves(chain, sequence, q_start)
+    conflicts = _conflicts(chain, sequence, legs, refusal)
+    if not conflicts:
         return legs, refusal
-    best = search(chain, stretch, q_start, troubles)
+    best = search(chain, sequence, q_start, conflicts)
     return (legs, refusal) if best.changes == 0 else (list(best.legs), best.refusal)
 
 
-def _troubles(
+def _conflicts(
     chain: MotionChain,
-    stretch: Sequence[MoveInstruction],
+    sequence: Sequence[MoveInstruction],
     legs: Sequence[PlannedMove],
     refusal: Refusal | None,
 ) -> list[Conflict]:
     """Return the conflicts that another posture may avoid, in order of the moves; empty without a choice."""
     first = next((number for number, leg in enumerate(legs) if has_choice(leg.move)), len(legs))
-    troubles = [
+    conflicts = [
         found
         for number, leg in enumerate(legs[first:], first)
         if leg.tool is not None and (found := conflict_of(chain.robot, leg, number))
     ]
     if refusal and first < len(legs):
-        troubles += conflict_of_refusal(stretch[len(legs)], refusal, len(legs))
-    return troubles
+        conflicts += conflict_of_refusal(sequence[len(legs)], refusal, len(legs))
+    return conflicts

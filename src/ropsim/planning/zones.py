@@ -78,7 +78,7 @@ def _stops(move: MoveInstruction, why: str, hint: str) -> tuple[Diagnostic, ...]
     return (finding,)
 
 
-def flown_zones(
+def achieved_zones(
     robot: RobotModel, legs: Sequence[PlannedMove], corners: Sequence[Blend | None], motion: Trajectory
 ) -> list[float]:
     """Return the distance from the target of each move at which the path leaves it [m]; 0 where it stops.

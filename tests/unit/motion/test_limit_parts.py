@@ -15,7 +15,7 @@ from ropsim.motion import (
     time_optimal,
 )
 from ropsim.motion.retiming import utilisation_kernel as strain_kernel
-from ropsim.motion.retiming.binding import neediest, rates_needed
+from ropsim.motion.retiming.binding import binding_constraint, rates_needed
 from ropsim.motion.retiming.constraint_rows import demand
 from ropsim.motion.retiming.fastest import Speeds
 from ropsim.motion.retiming.grid import places_of
@@ -131,7 +131,7 @@ def test_at_the_rate_that_is_needed_speed_acceleration_and_torque_are_on_their_b
     by_acceleration = demand(points, JointBounds(endless, BOUNDS.acceleration, endless), None)
     by_torque = demand(points, JointBounds(endless, endless, endless, BOUNDS.effort), turning)
     w, v, u = (
-        np.array([neediest(asked, places, 1e-3, k, k + 1).rate for k in range(50)])[:, None]
+        np.array([binding_constraint(asked, places, 1e-3, k, k + 1).rate for k in range(50)])[:, None]
         for asked in (by_speed, by_acceleration, by_torque)
     )
     assert np.abs(points.d1) * w == pytest.approx(np.full((50, 1), 2.0))
@@ -162,7 +162,7 @@ def test_the_neediest_limit_is_that_of_a_search(seed: int) -> None:
         np.sqrt((bounds.effort - np.sign(moved) * asked.still) / np.abs(moved)),
     ])  # fmt: skip
     for begin, end in ((0, m), (3, 7), (0, 1), (m - 1, m)):
-        need = neediest(asked, places, period, begin, end)
+        need = binding_constraint(asked, places, period, begin, end)
         among = rates[:, begin:end]
         kind, place, joint = map(int, np.unravel_index(int(np.argmin(among)), among.shape))
         assert need.rate == pytest.approx(among.min(), rel=1e-12)

@@ -407,11 +407,11 @@ def test_a_zone_costs_no_time(angle: float, zone: float) -> None:
     in_between = shifted(middle, -0.003 * np.cos(turn), 0.003 * np.sin(turn), 0.0)
     modal = ModalState(zone=zone)
     for points in ([middle, end], [middle, in_between, end]):
-        flown = planned_stretch([lin(point, modal, 1) for point in points])
+        achieved = planned_stretch([lin(point, modal, 1) for point in points])
         stops = planned_stretch([lin(point) for point in points])
-        assert flown.ticks <= stops.ticks
-        left = [found for found in flown.findings if found.code == "M560" and "less time" in found.message]
-        zones = [move.zone for move in flown.moves[:-1]]
+        assert achieved.ticks <= stops.ticks
+        left = [found for found in achieved.findings if found.code == "M560" and "less time" in found.message]
+        zones = [move.zone for move in achieved.moves[:-1]]
         assert len(left) == zones.count(0.0)
 
 

@@ -40,7 +40,7 @@ def rates_needed(demand: ConstraintRows, places: Array, period: float) -> Array:
     return rates
 
 
-def neediest(demand: ConstraintRows, places: Array, period: float, begin: int, end: int) -> Need:
+def binding_constraint(demand: ConstraintRows, places: Array, period: float, begin: int, end: int) -> Need:
     """Return the binding constraint, with the lowest rate, among some grid points.
 
     With the rate w, speeds scale by w, accelerations and the motion-dependent part of torques by w², jerk by

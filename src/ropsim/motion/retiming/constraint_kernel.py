@@ -81,7 +81,7 @@ def least_rate(
     end: int,
     out: Array1,
 ) -> None:
-    """Write which limit of which joint needs the lowest rate; see `neediest`.
+    """Write which limit of which joint needs the lowest rate; see `binding_constraint`.
 
     Args:
         d1: first derivatives by motion time, shape (m, n).

@@ -6,7 +6,7 @@ import numpy as np
 
 from ropsim.motion.diagnostics import WRONG_PROFILE_REQUEST
 from ropsim.motion.retiming.attempts import Attempts
-from ropsim.motion.retiming.binding import neediest
+from ropsim.motion.retiming.binding import binding_constraint
 from ropsim.motion.retiming.constraint_rows import ConstraintRows, demand
 from ropsim.motion.retiming.evaluated import keeps_torque, strain_of_walk, walked
 from ropsim.motion.retiming.grid import places_of
@@ -110,7 +110,7 @@ def _slowed(
     while True:
         clock, (slowest, x) = courses.clock, courses.slowest
         if x < LEAST_RATE**2 or clock.duration - motion.duration > LONGEST_DELAY:
-            return too_slow(asked, places, neediest(asked, places, period, slowest, slowest + 1))
+            return too_slow(asked, places, binding_constraint(asked, places, period, slowest, slowest + 1))
         walk, more = walked(motion, clock, asked.bounds, ticks), math.log1p(_MORE * (attempt + 1))
         found = strain_of_walk(walk, motion, planned, places, period, more)
         if found is None or found.is_kept:
@@ -138,7 +138,7 @@ def _slower(
             return RetimedTrajectory(clock, _parts(clock, asked, ticks.period), walk.course[0], walk.rows)
         clock, extra = clock.slower(1.0 / (min(found.factor, 2.0) * (1.0 + extra))), 2.0 * extra
         if clock.duration - motion.duration > LONGEST_DELAY:
-            return too_slow(asked, places, neediest(asked, places, ticks.period, 0, len(places)))
+            return too_slow(asked, places, binding_constraint(asked, places, ticks.period, 0, len(places)))
 
 
 def _parts(clock: NominalTime, asked: ConstraintRows, period: float) -> tuple[Slowed, ...]:
@@ -147,7 +147,7 @@ def _parts(clock: NominalTime, asked: ConstraintRows, period: float) -> tuple[Sl
     starts, ends = np.flatnonzero(slow[1:] & ~slow[:-1]), np.flatnonzero(slow[:-1] & ~slow[1:])
     parts = []
     for first, end in zip(starts.tolist(), ends.tolist(), strict=True):
-        need = neediest(asked, clock.places, period, first, end)
+        need = binding_constraint(asked, clock.places, period, first, end)
         begins, stops = clock.places[max(first - 1, 0)], clock.places[min(end, len(clock.places) - 1)]
         share = float(clock.rates[first:end].min())
         parts.append(Slowed(float(begins), float(stops), share, need.joint, need.quantity))

@@ -113,7 +113,7 @@ def blend_between(chain: MotionChain, before: PlannedMove, behind: PlannedMove) 
         if zone < LEAST_ZONE:
             return Stop.STANDS
     (s_leave, leaving), (s_enter, entering) = one.leave(zone, halves[0]), other.enter(zone, halves[1])
-    flown = max(leaving, entering)
+    achieved = max(leaving, entering)
     if meeting:
         between = blend_curve(meeting.before, s_leave, meeting.behind, s_enter)
         if between is BlendFault.TURNS_BACK:
@@ -124,7 +124,7 @@ def blend_between(chain: MotionChain, before: PlannedMove, behind: PlannedMove) 
             if are_led(before, behind):
                 led = wrist_corner(chain.robot, (before, s_leave), (behind, s_enter), between, along)
                 return (
-                    CartesianBlend(flown, s_leave, s_enter, led.tool, led.joints, along)
+                    CartesianBlend(achieved, s_leave, s_enter, led.tool, led.joints, along)
                     if led
                     else Stop.UNREACHABLE
                 )
@@ -134,7 +134,7 @@ def blend_between(chain: MotionChain, before: PlannedMove, behind: PlannedMove) 
                 return Stop.UNREACHABLE
             joints = joined_to(chain, between, traced[0], ends, before.planned.X_MT, along)
             return (
-                CartesianBlend(flown, s_leave, s_enter, between, joints, along)
+                CartesianBlend(achieved, s_leave, s_enter, between, joints, along)
                 if joints
                 else Stop.UNREACHABLE
             )
@@ -149,9 +149,9 @@ def joint_space_blend_of(leave: Crossing, enter: Crossing) -> JointSpaceBlend:
         enter: up to where that behind may be entered.
     """
     (s_leave, leaving), (s_enter, entering) = leave, enter
-    flown, shorter = max(leaving, entering), min(leaving, entering)
+    achieved, shorter = max(leaving, entering), min(leaving, entering)
     # where the tool only turns no zone is too long
-    return _overlap(flown, shorter if shorter > LEAST_ZONE else flown, s_leave, s_enter)
+    return _overlap(achieved, shorter if shorter > LEAST_ZONE else achieved, s_leave, s_enter)
 
 
 def commanded_zone(chain: MotionChain, move: MoveInstruction) -> float:

@@ -27,7 +27,7 @@ from ropsim.planning.kinds import TOOL_PATHS, PathRequest, ToolPathMaker
 from ropsim.planning.moves.external_check import check_external, with_external
 from ropsim.planning.moves.move_check import check_joints, check_kind, check_values, is_near
 from ropsim.planning.moves.move_context import MoveContext, move_context_of
-from ropsim.planning.moves.requested_posture import no_such_posture, wished
+from ropsim.planning.moves.requested_posture import no_such_posture, with_request
 from ropsim.planning.moves.target_refusals import (
     no_arm,
     numeric_hint,
@@ -147,7 +147,7 @@ class StandardPathPlanner:
         if isinstance(branches, Refusal):
             return branches
         if move.posture is not None and self._range.inside(branches).any():
-            as_asked = wished(self.robot, branches, move.posture)
+            as_asked = with_request(self.robot, branches, move.posture)
             if not self._range.inside(as_asked).any():
                 return Refusal((no_such_posture(move, self.robot, branches, q_start, self._range),))
             branches = as_asked

@@ -14,7 +14,7 @@ from ropsim.spatial import Array
 _TURN = 2.0 * np.pi
 
 
-def wished(robot: RobotModel, branches: Array, request: PostureRequest) -> Array:
+def with_request(robot: RobotModel, branches: Array, request: PostureRequest) -> Array:
     """Return the branches that have the requested posture, in the requested turns; the others become NaN.
 
     Args:
@@ -51,7 +51,7 @@ def no_such_posture(
     Args:
         move: the instruction.
         robot: the arm.
-        branches: all branches that reach the target, some within the limits, as `wished` takes them [rad |
+        branches: all branches that reach the target, some within the limits, see `with_request` [rad |
             m], (b, n).
         q_start: where the move begins [rad | m], shape (n,).
         limits: of the joints.
@@ -69,7 +69,7 @@ def _possible_instead(
     request: PostureRequest, robot: RobotModel, branches: Array, q_start: Array, limits: JointRange
 ) -> str:
     """Return in words how the target is reached, the nearest to the request first."""
-    turned = wished(robot, branches, PostureRequest((), request.turns))
+    turned = with_request(robot, branches, PostureRequest((), request.turns))
     q = turned if limits.inside(turned).any() else branches
     postures = solver_of(robot).postures
 
@@ -101,7 +101,7 @@ def other_posture(move: MoveInstruction, robot: RobotModel, q_end: Array) -> tup
         q_end: joint coordinates at its end [rad | m], shape (n,).
     """
     request = move.posture
-    if request is None or is_as_wished(robot, q_end, request):
+    if request is None or has_requested_posture(robot, q_end, request):
         return ()
     name = posture(robot, q_end)
     finding = OTHER_POSTURE.at(
@@ -114,7 +114,7 @@ def other_posture(move: MoveInstruction, robot: RobotModel, q_end: Array) -> tup
     return (finding,)
 
 
-def is_as_wished(robot: RobotModel, q: Array, request: PostureRequest) -> bool:
+def has_requested_posture(robot: RobotModel, q: Array, request: PostureRequest) -> bool:
     """Return whether joint coordinates [rad | m], shape (n,), have a posture and turns as requested."""
     return _has_words(posture(robot, q), request) and all(
         here == asked for here, asked in zip(_turns(robot, q), request.turns, strict=False)

@@ -1,5 +1,4 @@
-"""The search for postures: which branches the PTP moves of a sequence take, so that paths behind them go
-well.
+"""Search for postures: branches at the ends of PTP moves for which later paths of the tool are feasible.
 
 A PTP move to a pose may end in any branch of the inverse kinematics within the joint limits; a path of the
 tool keeps the branch in which it begins. So the branches of each target of this kind are the nodes of a graph
@@ -18,7 +17,7 @@ from ropsim.kinematics import IkOptions, Limits, forward_batch, inverse, posture
 from ropsim.model import RobotModel
 from ropsim.motion import POSTURE_CHANGE
 from ropsim.planning.moves.planned_move import PlannedMove, planned_move_of, planned_moves
-from ropsim.planning.moves.requested_posture import is_as_wished
+from ropsim.planning.moves.requested_posture import has_requested_posture
 from ropsim.planning.moves.target_refusals import posture_for_later
 from ropsim.planning.postures.path_conflicts import conflict_of, is_narrow, time_of
 from ropsim.planning.records.conflict import Conflict
@@ -42,7 +41,7 @@ class Way:
         q: where it ends [rad | m], shape (n,).
         legs: of the moves.
         refusal: why the next move cannot be made; None where it can, or has not been tried.
-        troubles: how many of its paths whirl the joints.
+        conflicts: how many of its paths whirl the joints.
         changes: for each PTP move that does not end in the nearest branch 1, and 1 for each word of the
             posture that differs.
         narrow: how many of its paths of the tool lead near to a joint limit.
@@ -52,7 +51,7 @@ class Way:
     q: Array
     legs: tuple[PlannedMove, ...] = ()
     refusal: Refusal | None = None
-    troubles: int = 0
+    conflicts: int = 0
     changes: int = 0
     narrow: int = 0
     time: float = 0.0
@@ -60,7 +59,7 @@ class Way:
     @property
     def rank(self) -> tuple[int, int, int, int, float]:
         """Return the key to be minimised: minus the moves made, conflicts, changes, narrow, time."""
-        return -len(self.legs), self.troubles, self.changes, self.narrow, self.time
+        return -len(self.legs), self.conflicts, self.changes, self.narrow, self.time
 
 
 def has_choice(move: MoveInstruction) -> bool:
@@ -69,7 +68,7 @@ def has_choice(move: MoveInstruction) -> bool:
 
 
 def search(
-    chain: MotionChain, stretch: Sequence[MoveInstruction], q_start: Array, troubles: Sequence[Conflict]
+    chain: MotionChain, sequence: Sequence[MoveInstruction], q_start: Array, conflicts: Sequence[Conflict]
 ) -> Way:
     """Return the best way through a sequence.
 
@@ -80,15 +79,15 @@ def search(
         chain: the entities.
         sequence: moves in order.
         q_start: command joint coordinates at their start [rad | m], shape (n,).
-        troubles: of the way of the nearest postures, in order; one or more.
+        conflicts: of the way of the nearest postures, in order; one or more.
     """
     limits = JointRange.of(chain.robot)
-    bounds = [*(number for number, move in enumerate(stretch) if has_choice(move)), len(stretch)]
-    ways, ended, tried = [_onward(chain, limits, Way(q_start), stretch[: bounds[0]])], list[Way](), 0
+    bounds = [*(number for number, move in enumerate(sequence) if has_choice(move)), len(sequence)]
+    ways, ended, tried = [_onward(chain, limits, Way(q_start), sequence[: bounds[0]])], list[Way](), 0
     for number, behind in pairwise(bounds):
         starts = list[_Start]()
         for way in ways:
-            leg = planned_move_of(chain, stretch[number], way.q)
+            leg = planned_move_of(chain, sequence[number], way.q)
             if isinstance(leg, Refusal):
                 ended.append(replace(way, refusal=leg))
             else:
@@ -96,10 +95,10 @@ def search(
         goals = _goals(chain, starts, limits) if tried < MOST_LEGS else [one.nearest.q_end for one in starts]
         ways = []
         for q_end in goals:
-            there = _taken(chain, starts, q_end, _reason(troubles, number))
+            there = _taken(chain, starts, q_end, _reason(conflicts, number))
             if there is None:
                 continue
-            way = _onward(chain, limits, there, stretch[number + 1 : behind])
+            way = _onward(chain, limits, there, sequence[number + 1 : behind])
             tried += len(way.legs) - number
             (ended if way.refusal else ways).append(way)
     return min(ways or ended, key=lambda way: way.rank)
@@ -122,9 +121,9 @@ def _goals(chain: MotionChain, starts: Sequence[_Start], limits: JointRange) -> 
         q = found[0]
         X_BM = Pose.from_matrix(forward_batch(chain.robot, q[np.newaxis])[0])
         branches = inverse(chain.robot, X_BM, IkOptions(Limits.IGNORE, near=q)).branches
-        wish = starts[0].nearest.move.posture
+        request = starts[0].nearest.move.posture
         for row in turned_branches(nearest_turns(branches, q, limits), limits):
-            if wish is None or is_as_wished(chain.robot, row, wish):
+            if request is None or has_requested_posture(chain.robot, row, request):
                 _put(found, row)
     return found
 
@@ -162,7 +161,7 @@ def _taken(chain: MotionChain, starts: Sequence[_Start], q_end: Array, why: Conf
                 continue
             leg, changes = other, changes + _change(chain.robot, leg.q_end, q_end)
         time = way.time + time_of(chain.robot, leg, way.q)
-        found = Way(leg.q_end, (*way.legs, leg), None, way.troubles, changes, way.narrow, time)
+        found = Way(leg.q_end, (*way.legs, leg), None, way.conflicts, changes, way.narrow, time)
         if best is None or found.rank < best.rank:
             best = found
     return best
@@ -180,19 +179,19 @@ def _to_joints(chain: MotionChain, start: _Start, q_end: Array, why: Conflict) -
     return replace(leg, move=move, findings=said + hint)
 
 
-def _reason(troubles: Sequence[Conflict], number: int) -> Conflict:
+def _reason(conflicts: Sequence[Conflict], number: int) -> Conflict:
     """Return the first trouble behind a move, without one the last of all."""
-    return next((one for one in troubles if one.number > number), troubles[-1])
+    return next((one for one in conflicts if one.number > number), conflicts[-1])
 
 
 def _onward(chain: MotionChain, limits: JointRange, way: Way, moves: Sequence[MoveInstruction]) -> Way:
     """Return the way with moves that have no choice, up to the first infeasible one."""
-    q, time, troubles, narrow = way.q, way.time, way.troubles, way.narrow
+    q, time, conflicts, narrow = way.q, way.time, way.conflicts, way.narrow
     legs, refusal = planned_moves(chain, moves, q)
     for leg in legs:
         time += time_of(chain.robot, leg, q)
         if leg.tool is not None:
-            troubles += conflict_of(chain.robot, leg, 0) is not None
+            conflicts += conflict_of(chain.robot, leg, 0) is not None
             narrow += is_narrow(limits, leg)
         q = leg.q_end
-    return Way(q, (*way.legs, *legs), refusal, troubles, way.changes, narrow, time)
+    return Way(q, (*way.legs, *legs), refusal, conflicts, way.changes, narrow, time)

@@ -14,19 +14,19 @@ from ropsim.planning.records.wording import passes
 from ropsim.spatial import Pose
 
 
-def last_wish(stretch: Sequence[MoveInstruction]) -> int | None:
+def last_request(sequence: Sequence[MoveInstruction]) -> int | None:
     """Return the number of the last move with a posture request; None without one."""
-    numbers = range(len(stretch) - 1, -1, -1)
-    return next((number for number in numbers if _asks(stretch[number])), None)
+    numbers = range(len(sequence) - 1, -1, -1)
+    return next((number for number in numbers if _asks(sequence[number])), None)
 
 
-def without_wish(stretch: Sequence[MoveInstruction], number: int) -> list[MoveInstruction]:
+def without_request(sequence: Sequence[MoveInstruction], number: int) -> list[MoveInstruction]:
     """Return the moves of a sequence, of which one may end in any posture."""
-    return [*stretch[:number], replace(stretch[number], posture=None), *stretch[number + 1 :]]
+    return [*sequence[:number], replace(sequence[number], posture=None), *sequence[number + 1 :]]
 
 
 def in_the_way(
-    robot: RobotModel, leg: PlannedMove, free: PlannedMove, trouble: Conflict
+    robot: RobotModel, leg: PlannedMove, free: PlannedMove, conflict: Conflict
 ) -> tuple[Diagnostic, ...]:
     """Return M589 for a move with a posture request.
 
@@ -34,15 +34,15 @@ def in_the_way(
         robot: the arm.
         leg: of the move.
         free: of the same move without a request.
-        trouble: of the later path with the request.
+        conflict: of the later path with the request.
     """
     move = leg.move
     finding = POSTURE_IN_THE_WAY.at(
         move.origin.span,
         f"{asked_of(move)}, which this move asks for, a later path cannot be followed",
-        secondary=trouble.places,
+        secondary=conflict.places,
         label=passes(move.origin),
-        notes=(trouble.words,),
+        notes=(conflict.words,),
         hint=f"leave that out: {difference(robot, free.q_end, leg.q_end)}, and it can be followed",
     )
     return (finding,)

@@ -29,7 +29,7 @@ class PlannedTrigger:
 
 
 @record
-class Flown:
+class AchievedPath:
     """The way of a move in control ticks.
 
     Attributes:
@@ -51,7 +51,7 @@ class Flown:
 
 
 def trigger_ticks(
-    move: MoveInstruction, flown: Flown, first: int, period: float
+    move: MoveInstruction, achieved: AchievedPath, first: int, period: float
 ) -> tuple[tuple[PlannedTrigger, ...], tuple[Diagnostic, ...]]:
     """Return when the triggers of a move act, in order of time, and M565 for triggers outside its path.
 
@@ -61,13 +61,13 @@ def trigger_ticks(
 
     Args:
         move: the instruction.
-        flown: its way.
+        achieved: its way.
         first: control tick of the plan at which the move starts.
         period: time of a control tick [s].
     """
     if not move.triggers:
         return (), ()
-    steps = np.linalg.norm(np.diff(flown.positions(), axis=0), axis=1)
+    steps = np.linalg.norm(np.diff(achieved.positions(), axis=0), axis=1)
     behind = np.concatenate(([0.0], np.cumsum(steps)))  # way from the start [m], (k + 1,)
     planned, findings = [], []
     for trigger in move.triggers:

@@ -171,9 +171,9 @@ def _enter_paths(at: StationRun, planned: MotionPlan, follower: Follower) -> Non
     """Note which paths of the tool have been followed; the last one goes on while the arm settles."""
     come = follower.clock.place
     correction = follower.correcting.followed() if follower.correcting else None
-    for piece in planned.pieces:
-        if piece.path is None or piece.first >= come:
+    for segment in planned.pieces:
+        if segment.path is None or segment.first >= come:
             continue
-        end = follower.tick_at(piece.last) if piece.last < min(come, planned.ticks) else at.tick
-        first = follower.tick_at(piece.first)
-        at.paths.append(PathSpan(piece.path, first, end, piece.frame, correction))
+        end = follower.tick_at(segment.last) if segment.last < min(come, planned.ticks) else at.tick
+        first = follower.tick_at(segment.first)
+        at.paths.append(PathSpan(segment.path, first, end, segment.frame, correction))

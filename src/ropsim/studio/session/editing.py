@@ -51,7 +51,7 @@ class Editing:
         self._journal: Journal | None = None
         self._keeper = Keeper(None, lambda: {}, self._warn)
         self._watching: asyncio.Task[None] | None = None
-        self._trouble = ""
+        self._failure = ""
         self.warnings: list[Diagnostic] = []
 
     async def open(self) -> None:
@@ -156,14 +156,14 @@ class Editing:
             try:
                 await self._look()
             except OSError as error:
-                if str(error) != self._trouble:
+                if str(error) != self._failure:
                     self._warn(self._unwatched(error))
-                self._trouble = str(error)
+                self._failure = str(error)
             except Exception as error:  # the next look may succeed
                 message = f"the files of the project cannot be watched: {type(error).__name__}: {error}"
                 self._warn(shortage(error) or INTERNAL.at(None, message, hint="please report it"))
             else:
-                self._trouble = ""
+                self._failure = ""
 
     async def _look(self) -> None:
         was_gone = self.documents.gone

@@ -25,7 +25,7 @@ PACKS_KEPT = 3
 
 
 @frozen_dataclass
-class Wish:
+class RunRequest:
     """A requested run; live if it has a speed."""
 
     program: str
@@ -40,7 +40,7 @@ class Current:
     """The run that the simulator is at."""
 
     id: int
-    wish: Wish
+    request: RunRequest
     task: Task
 
 
@@ -73,8 +73,8 @@ class Runs:
         self._tell = tell
         self._show = show
         self._ids = count(1)
-        self._last_wish = Wish("", "dynamic")
-        self._next: tuple[int, Wish] | None = None
+        self._last_request = RunRequest("", "dynamic")
+        self._next: tuple[int, RunRequest] | None = None
         self._current: Current | None = None
         self._timer: asyncio.TimerHandle | None = None
         self._packs: dict[int, bytes] = {}
@@ -118,25 +118,25 @@ class Runs:
         if self._is_live_ahead:
             self._typed_beside = True
             return
-        wish = Wish(self._last_wish.program, self._last_wish.fidelity, cause="text")
-        self._timer = asyncio.get_running_loop().call_later(QUIET, self._want, wish)
+        request = RunRequest(self._last_request.program, self._last_request.fidelity, cause="text")
+        self._timer = asyncio.get_running_loop().call_later(QUIET, self._want, request)
 
     @property
     def _is_live_ahead(self) -> bool:
         """Return whether the newest run, begun or not, is a live one."""
         if self._next is not None:
             return self._next[1].speed is not None
-        return self._current is not None and self._current.wish.speed is not None
+        return self._current is not None and self._current.request.speed is not None
 
     def run(self, program: str, fidelity: jobs.Fidelity) -> None:
         """Simulate at once; a live run ends for it."""
         self._end_live()
-        self._want(Wish(program, fidelity))
+        self._want(RunRequest(program, fidelity))
 
     def start_live(self, program: str, speed: float, begin: jobs.LiveBegin = "running") -> None:
         """Run in real time at once, or held at the start; another live run ends for it."""
         self._end_live()
-        self._want(Wish(program, "dynamic", speed, begin=begin))
+        self._want(RunRequest(program, "dynamic", speed, begin=begin))
 
     def cancel(self) -> None:
         """Cancel the present run and the next one."""
@@ -146,90 +146,92 @@ class Runs:
 
     def order_live(self, order: orders.LiveOrder) -> None:
         """Pass an order on to the live run; without one nothing happens."""
-        if self._current is not None and self._current.wish.speed is not None:
+        if self._current is not None and self._current.request.speed is not None:
             self._simulator.order(self._current.task, order)
 
     def forget_inputs(self) -> None:
         """Run without the recorded key presses."""
         self._inputs = ()
-        self._want(Wish(self._last_wish.program, self._last_wish.fidelity))
+        self._want(RunRequest(self._last_request.program, self._last_request.fidelity))
 
     def close(self) -> None:
         """Start nothing more."""
         self._drop_next()
 
-    def _want(self, wish: Wish) -> None:
+    def _want(self, request: RunRequest) -> None:
         self._drop_next()
-        self._last_wish = wish
-        self._next = (next(self._ids), wish)
+        self._last_request = request
+        self._next = (next(self._ids), request)
         if self._current is None:
             self._start_next()
             return
         current = self._current
-        if current.wish.speed is not None:
-            self._say(RunStatus(self._next[0], "waiting", wish.program))
-        elif wish == replace(current.wish, cause=wish.cause):
-            if wish.cause == "asked":
-                self._say(RunStatus(self._next[0], "waiting", wish.program))
+        if current.request.speed is not None:
+            self._say(RunStatus(self._next[0], "waiting", request.program))
+        elif request == replace(current.request, cause=request.cause):
+            if request.cause == "asked":
+                self._say(RunStatus(self._next[0], "waiting", request.program))
             # it may still be the same run: the simulator finds out
-            self._end(current, orders.Renew(self._next[0], self._job(self._next[0], wish)))
+            self._end(current, orders.Renew(self._next[0], self._job(self._next[0], request)))
         else:
-            self._say(RunStatus(self._next[0], "waiting", wish.program))
+            self._say(RunStatus(self._next[0], "waiting", request.program))
             self._give_up(current)
 
-    def _job(self, run: int, wish: Wish) -> jobs.Simulate:
+    def _job(self, run: int, request: RunRequest) -> jobs.Simulate:
         self._asked[run] = self._versions()
         texts = dict(self._texts())
-        return jobs.Simulate(self._folder, texts, wish.program, wish.fidelity, self._inputs, wish.cause)
+        return jobs.Simulate(
+            self._folder, texts, request.program, request.fidelity, self._inputs, request.cause
+        )
 
     def _start_next(self) -> None:
         if self._next is None:
             return
-        (run, wish), self._next = self._next, None
+        (run, request), self._next = self._next, None
         if self._look is not None:
             self._simulator.order(self._look, orders.Cancel())
         self._planned = None
-        if wish.speed is None:
-            job: jobs.Job = self._job(run, wish)
-            if wish.cause == "asked":  # after a change of the text there may be nothing to do
-                self._say_running(run, wish)
+        if request.speed is None:
+            job: jobs.Job = self._job(run, request)
+            if request.cause == "asked":  # after a change of the text there may be nothing to do
+                self._say_running(run, request)
         else:
             self._asked[run] = self._versions()
             texts = dict(self._texts())
-            job = jobs.LiveStart(self._folder, texts, wish.program, wish.speed, wish.begin)
+            job = jobs.LiveStart(self._folder, texts, request.program, request.speed, request.begin)
             self._typed_beside = False
-            self._live.start(wish.program, wish.speed)
+            self._live.start(request.program, request.speed)
         task = self._simulator.submit(job, self._heard)
-        self._current = Current(run, wish, task)
+        self._current = Current(run, request, task)
         task.reply.add_done_callback(self._over)
 
     def _heard(self, report: replies.Report) -> None:
         if self._current is None:
             return
-        run, wish = self._current.id, self._current.wish
+        run, request = self._current.id, self._current.request
         match report:
             case replies.Progress(text) if self._next is None:  # else the one that replaces it has spoken
-                self._say_running(run, wish, text)
+                self._say_running(run, request, text)
             case replies.Planned(findings):
                 self._planned = findings
                 if self._next is None:
-                    self._say_running(run, wish)
+                    self._say_running(run, request)
             case replies.Renewed(renewed):
                 self._current = replace(self._current, id=renewed)
                 if self._next is not None and self._next[0] == renewed:
                     self._next = None
-                    self._say_running(renewed, wish)
+                    self._say_running(renewed, request)
             case replies.LiveMessage(payload):
                 self._live.add(payload)
             case replies.LiveFrame(frame):
                 self._show(frame)
 
-    def _say_running(self, run: int, wish: Wish, text: str = "") -> None:
+    def _say_running(self, run: int, request: RunRequest, text: str = "") -> None:
         self._say(
             RunStatus(
                 run,
                 "running",
-                wish.program,
+                request.program,
                 text,
                 self._planned or (),
                 len(self._inputs),
@@ -241,11 +243,11 @@ class Runs:
     def _over(self, done: "asyncio.Future[replies.Reply]") -> None:
         if self._current is None:
             return
-        run, wish, task = self._current.id, self._current.wish, self._current.task
+        run, request, task = self._current.id, self._current.request, self._current.task
         self._current = None
         reply = None if done.cancelled() else done.result()
         if isinstance(reply, replies.RunReply):
-            self._conclude(run, wish, task, reply)
+            self._conclude(run, request, task, reply)
         self._start_next()
         if self._current is None and isinstance(reply, replies.RunReply) and not reply.ways:
             self._look_at_ways()
@@ -267,17 +269,17 @@ class Runs:
 
         look.reply.add_done_callback(over)
 
-    def _conclude(self, run: int, wish: Wish, task: Task, reply: replies.RunReply) -> None:
+    def _conclude(self, run: int, request: RunRequest, task: Task, reply: replies.RunReply) -> None:
         if reply.made == "nothing":
             self._stay()
             return
-        if wish.speed is not None:
+        if request.speed is not None:
             self._live.end()
             self._inputs = reply.inputs if reply.state == "done" else self._inputs
             if self._typed_beside and self._next is None and reply.state != "cancelled":
                 cause: jobs.Cause = "text_beside_live" if reply.state == "done" else "text"
-                self._next = (next(self._ids), Wish(wish.program, "dynamic", cause=cause))
-        program = reply.program or wish.program
+                self._next = (next(self._ids), RunRequest(request.program, "dynamic", cause=cause))
+        program = reply.program or request.program
         if reply.state == "done" and reply.made == "simulated":
             self._simulated = run
         simulated = self._simulated if reply.state == "done" else 0
@@ -313,7 +315,7 @@ class Runs:
         self._tell(status)
 
     def _end_live(self) -> None:
-        if self._current is not None and self._current.wish.speed is not None:
+        if self._current is not None and self._current.request.speed is not None:
             self._end(self._current, orders.LiveControl("stop"))
 
     def _give_up(self, current: Current) -> None:

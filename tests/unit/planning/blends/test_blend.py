@@ -33,7 +33,7 @@ def between(one: MoveInstruction, other: MoveInstruction, zone: float) -> Blend 
     return blend_between(CHAIN, *legs(one, other))
 
 
-def flown(one: MoveInstruction, other: MoveInstruction, zone: float) -> Blend:
+def achieved(one: MoveInstruction, other: MoveInstruction, zone: float) -> Blend:
     found = between(one, other, zone)
     assert not isinstance(found, Stop)
     return found
@@ -62,7 +62,7 @@ KINDS = {
 def test_the_path_leaves_and_enters_its_moves_at_the_distance_of_the_zone(kinds: str) -> None:
     one, other = (make(goal) for make, goal in zip(KINDS[kinds], (FIRST, SECOND), strict=True))
     before, behind = legs(one, other)
-    found = flown(one, other, 0.02)
+    found = achieved(one, other, 0.02)
     assert found.zone == pytest.approx(0.02, abs=PLACE)
     for leg, place in ((before, found.leave), (behind, found.enter)):
         assert np.linalg.norm(place_of(leg, place) - FIRST.position) == pytest.approx(0.02, abs=PLACE)
@@ -104,7 +104,7 @@ def test_lines_of_two_tools_overlap() -> None:
 def test_a_zone_takes_at_most_half_of_either_move(kinds: str) -> None:
     one, other = (make(goal) for make, goal in zip(KINDS[kinds], (FIRST, SECOND), strict=True))
     before, behind = legs(one, other)
-    found = flown(one, other, 1.0)
+    found = achieved(one, other, 1.0)
     assert before.joints is not None
     assert behind.joints is not None
     assert found.leave >= before.joints.length / 2.0 * (1.0 - 1e-9)

@@ -19,7 +19,7 @@ from support.cells import chain_of, one_station
 WAYS = ((0.05, 0.2, 0.05), (0.05, 0.15, -0.15), (-0.15, 0.05, -0.1))
 
 
-def flown(model: str) -> tuple[Array, Array, Array, list[Pose], float]:
+def achieved(model: str) -> tuple[Array, Array, Array, list[Pose], float]:
     """Return coordinates, speeds and tool poses at control ticks of lines with zones, targets, the period."""
     robot, controller = robots.load(model), robots.default_controller(model)
     chain = chain_of(one_station("c", robot, controller))
@@ -41,14 +41,14 @@ def flown(model: str) -> tuple[Array, Array, Array, list[Pose], float]:
 @pytest.mark.parametrize("model", ["panda", "iiwa14", "ur5e", "puma560"])
 def test_coordinates_are_the_integral_of_the_speeds_round_every_corner(model: str) -> None:
     """The trapezoidal rule is true to T³/12 of the jerk, 1e-8 rad here; a step is beyond it."""
-    q, qd, _, _, period = flown(model)
+    q, qd, _, _, period = achieved(model)
     steps = np.diff(q, axis=0) - 0.5 * period * (qd[1:] + qd[:-1])
     assert np.abs(steps).max() < 5e-8
 
 
 @pytest.mark.parametrize("model", ["panda", "iiwa14"])
 def test_the_tool_keeps_its_orientation_and_stays_within_the_zones(model: str) -> None:
-    _, _, poses, targets, _ = flown(model)
+    _, _, poses, targets, _ = achieved(model)
     assert np.abs(poses[:, :3, :3] - targets[0].rotation()).max() < 1e-6
     corners = np.array([one.position for one in targets])
     begins, ways = corners[:-1], np.diff(corners, axis=0)

@@ -100,17 +100,17 @@ def test_what_goes_ill_behind_the_stop_is_left_to_the_stretch_it_is_in() -> None
 
 def test_a_posture_that_the_program_asks_for_is_told_where_it_stands_in_the_way() -> None:
     nearest, _ = in_turn(STRETCH)
-    wished = replace(STRETCH[0], posture=PostureRequest(posture(PUMA, nearest[0].q_end).words))
-    done, refusal = plan(CHAIN, [wished, *STRETCH[1:]], MotionState.at_rest(START))
+    with_request = replace(STRETCH[0], posture=PostureRequest(posture(PUMA, nearest[0].q_end).words))
+    done, refusal = plan(CHAIN, [with_request, *STRETCH[1:]], MotionState.at_rest(START))
     assert done is not None
     assert refusal is not None
     (found,) = [one for one in done.findings if one.code == "M589"]
-    assert found.span == wished.origin.span
+    assert found.span == with_request.origin.span
     assert [label.span for label in found.secondary] == [STRETCH[3].origin.span]
     assert found.notes == (refusal.diagnostics[0].message,)
     taken, asked = (posture(PUMA, one.q_end) for one in (planned_stretch(STRETCH).moves[0], nearest[0]))
     assert f": posture {taken} is taken instead of {asked}, and it can be followed" in found.hint
-    again = replace(wished, origin=replace(wished.origin, visit=2))
+    again = replace(with_request, origin=replace(with_request.origin, visit=2))
     told, _ = plan(CHAIN, [again, *STRETCH[1:]], MotionState.at_rest(START))
     assert told is not None
     assert [one.label for one in told.findings if one.code == "M589"] == ["reached in pass 2"]
@@ -118,8 +118,8 @@ def test_a_posture_that_the_program_asks_for_is_told_where_it_stands_in_the_way(
 
 def test_a_posture_that_is_not_to_blame_is_not_blamed() -> None:
     first = shifted(interface_pose(START), 0.0, 0.1, 0.0)
-    wished = replace(ptp(first, ZONE, 1), posture=PostureRequest(posture(PUMA, START).words))
-    stretch = [wished, lin(shifted(first, 9.0, 0.0, 0.0))]
+    with_request = replace(ptp(first, ZONE, 1), posture=PostureRequest(posture(PUMA, START).words))
+    stretch = [with_request, lin(shifted(first, 9.0, 0.0, 0.0))]
     done, refusal = plan(CHAIN, stretch, MotionState.at_rest(START))
     assert done is not None
     assert refusal is not None
@@ -188,10 +188,10 @@ def test_a_wrist_is_turned_back_in_the_posture_that_the_program_asks_for() -> No
     q = np.array([0.2, 1.1, -2.9, -0.4, -0.9, 2.0])
     first = interface_pose(q)
     lines = [lin(first @ _about_z(angle), ZONE, 1) for angle in (1.0, 2.0, 3.0)]
-    wished = replace(ptp(first, ZONE, 1), posture=PostureRequest(posture(PUMA, q).words))
-    done = planned_stretch([wished, *lines], q - 0.01)
+    with_request = replace(ptp(first, ZONE, 1), posture=PostureRequest(posture(PUMA, q).words))
+    done = planned_stretch([with_request, *lines], q - 0.01)
     assert done.moves[0].q_end[5] == pytest.approx(q[5] - 2.0 * np.pi, abs=SAME)
-    held = replace(wished, posture=PostureRequest(posture(PUMA, q).words, (0,) * 6))
+    held = replace(with_request, posture=PostureRequest(posture(PUMA, q).words, (0,) * 6))
     assert plan(CHAIN, [held, *lines], MotionState.at_rest(q - 0.01))[1] is not None
 
 
@@ -257,7 +257,7 @@ def _about_z(angle: float) -> Pose:
 def _rank(
     legs: Sequence[PlannedMove], stretch: Sequence[MoveInstruction]
 ) -> tuple[int, int, int, int, float]:
-    q, troubles, changes, narrow, time = START, 0, 0, 0, 0.0
+    q, conflicts, changes, narrow, time = START, 0, 0, 0, 0.0
     for leg, move in zip(legs, stretch, strict=False):
         nearest = planned_move_of(CHAIN, move, q)
         assert isinstance(nearest, PlannedMove)
@@ -265,11 +265,11 @@ def _rank(
             words = zip(posture(PUMA, nearest.q_end).words, posture(PUMA, leg.q_end).words, strict=True)
             changes += 1 + sum(one != other for one, other in words)
         if leg.tool is not None:
-            troubles += conflict_of(PUMA, leg, 0) is not None
+            conflicts += conflict_of(PUMA, leg, 0) is not None
             narrow += is_narrow(JointRange.of(PUMA), leg)
         time += time_of(PUMA, leg, q)
         q = leg.q_end
-    return -len(legs), troubles, changes, narrow, time
+    return -len(legs), conflicts, changes, narrow, time
 
 
 def _ranks(stretch: Sequence[MoveInstruction]) -> list[tuple[int, int, int, int, float]]:

@@ -54,13 +54,13 @@ def limit_words(robot: RobotModel, q: Array, wanted: Array) -> Words:
     words: Words = []
     coupled = coupled_limits(robot)
     joints = (*robot.axis_joints, *coupled.joints)
-    values, wishes = ((*one.tolist(), *coupled.values(one).tolist()) for one in (q, wanted))
-    for joint, value, wish in zip(joints, values, wishes, strict=True):
+    values, targets = ((*one.tolist(), *coupled.values(one).tolist()) for one in (q, wanted))
+    for joint, value, target in zip(joints, values, targets, strict=True):
         upper = joint.upper - value <= value - joint.lower
         limit = joint.upper if upper else joint.lower
         left = abs(limit - value)
         named = f"{'upper' if upper else 'lower'} limit {shown(joint, limit)}"
-        if wish - joint.upper > AT_LIMIT or joint.lower - wish > AT_LIMIT:
+        if target - joint.upper > AT_LIMIT or joint.lower - target > AT_LIMIT:
             words.append(("error", f"joint {joint.name} stops at its {named}"))
         elif left <= AT_LIMIT:
             words.append(("warning", f"joint {joint.name} is at its {named}"))
