@@ -43,7 +43,7 @@ def install() -> None:
     wanted = hashlib.sha256((FRONTEND / "package-lock.json").read_bytes()).hexdigest()
     if stamp.is_file() and stamp.read_text("ascii") == wanted:
         return
-    npm(FRONTEND, "ci", "--include=dev")
+    npm(FRONTEND, "ci", "--include=dev", "--prefer-offline", "--no-audit", "--no-fund")
     stamp.write_text(wanted, "ascii")
 
 

@@ -60,6 +60,7 @@ def test_a_page_does_what_it_says(
             exec(step.text, names)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("page", EXTENDING, ids=lambda page: page.stem)
 def test_a_page_that_extends_ropsim_works_on_a_copy_of_its_source(page: Path, tmp_path: Path) -> None:
     todo = steps(page)

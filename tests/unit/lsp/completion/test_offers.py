@@ -297,6 +297,7 @@ def test_what_is_longer_or_other_than_what_stands_there_is_offered(line: str, ne
     assert new in labels(line)
 
 
+@pytest.mark.slow
 def test_no_list_at_any_place_of_a_program_repeats_the_word_before_it() -> None:
     for seed in range(6):
         text = written(program_of(seed))
