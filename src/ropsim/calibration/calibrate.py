@@ -71,9 +71,11 @@ def calibrate(
     left_out = _left_out(problem, known, found, why, lasted)
     findings += (*_misfits(times), *not_compared(strayed, orders, made))
     spread = spreads(replan, problem.chosen(logged), found, fitted)
-    told = knowledge(replan, numbers, found, asked, fitted, spread)
+    evidence = knowledge(replan, numbers, found, asked, fitted, spread)
     axes = tuple(one.name for one in station.robot.axis_joints)
-    made_of = Calibration(station.name, axes, known, found, told, look.kind, times, made, findings, left_out)
+    made_of = Calibration(
+        station.name, axes, known, found, evidence, look.kind, times, made, findings, left_out
+    )
     return made_of, findings
 
 

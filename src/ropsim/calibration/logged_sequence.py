@@ -70,14 +70,14 @@ def logged_sequence(
         motion: the sequence as planned.
         number: of the sequence.
     """
-    (begun, left), (come, gone) = rests.spans[passage.start], rests.spans[passage.end]
+    (start_time, left), (come, end_time) = rests.spans[passage.start], rests.spans[passage.end]
     stands = rests.spans[passage.start + 1 : passage.end]
     stood = max((float(trace.time[last] - trace.time[first]) for first, last in stands), default=0.0)
     if come - left < 3 or stood > _LONGEST_STAND:
         return None
     around = math.ceil(_AROUND / trace.period)
-    first = max(left - around, (begun + left) // 2)
-    last = min(come + around, (come + gone + 1) // 2)
+    first = max(left - around, (start_time + left) // 2)
+    last = min(come + around, (come + end_time + 1) // 2)
     thin = max(1, (last + 1 - first) // _MOST_SAMPLES)
     samples = np.arange(first, last + 1, thin)
     q = trace.q[samples]
@@ -101,8 +101,8 @@ def duration(logged: LoggedSequence, motion: MotionPlan, start: float) -> float:
         start: when that begins, on the times of the sequence [s].
     """
     seen = logged.crossings(logged.q)
-    told = logged.crossings(coordinates(motion, logged.time - start))
-    return motion.duration + (seen[1] - seen[0]) - (told[1] - told[0])
+    crossings_found = logged.crossings(coordinates(motion, logged.time - start))
+    return motion.duration + (seen[1] - seen[0]) - (crossings_found[1] - crossings_found[0])
 
 
 def _first(time: Array, way: Array, level: float) -> float:

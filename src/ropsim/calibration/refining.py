@@ -138,5 +138,5 @@ def spreads(
         alike = min(len(columns), _ROUNDED_ALIKE) if error <= _AT_ROUNDING * rounding else len(columns)
         A += columns.T @ columns / (alike * error**2)
     certain = np.linalg.pinv(A, rcond=_NO_EFFECT, hermitian=True) if len(free) else A
-    told = np.diag(A @ certain) > 0.5  # of no combination with others that has no effect
-    return np.where(told, np.sqrt(np.maximum(np.diag(certain), 0.0)), np.inf)
+    is_determined = np.diag(A @ certain) > 0.5  # of no combination with others that has no effect
+    return np.where(is_determined, np.sqrt(np.maximum(np.diag(certain), 0.0)), np.inf)

@@ -85,17 +85,21 @@ def closest(
         progress: called with the share of the pairs that has been followed.
     """
     near = np.zeros(carriers.frames.shape[1])
-    parts, told = [np.empty((0, 2))], [np.empty((0, 3))]
+    parts, episodes_found = [np.empty((0, 2))], [np.empty((0, 3))]
     for first in range(0, len(pairs), AT_ONCE):
         least, found, episodes = _followed(
             bodies, items, pairs[first : first + AT_ONCE], carriers, least, near
         )
         parts.append(found)
-        told.append(episodes + np.array([first, 0.0, 0.0]))
+        episodes_found.append(episodes + np.array([first, 0.0, 0.0]))
         progress(min(first + AT_ONCE, len(pairs)) / len(pairs))
     gaps, rows = np.concatenate(parts).T
     return Approach(
-        least, gaps, rows.astype(np.intp), np.flatnonzero(near), np.concatenate(told).astype(np.intp)
+        least,
+        gaps,
+        rows.astype(np.intp),
+        np.flatnonzero(near),
+        np.concatenate(episodes_found).astype(np.intp),
     )
 
 

@@ -59,6 +59,10 @@ def _fails(law: CompiledLaw, found: str) -> LawError:
 def _told(error: Exception) -> str:
     """Return the kind of an error, its first line with words, and where it was raised."""
     lines = [line.strip() for line in str(error).splitlines() if line.strip()]
-    told = f"{type(error).__name__}: {lines[0]}" if lines else type(error).__name__
+    description = f"{type(error).__name__}: {lines[0]}" if lines else type(error).__name__
     frames = extract_tb(error.__traceback__)
-    return f"{told} ({Path(frames[-1].filename).name}, line {frames[-1].lineno})" if frames else told
+    return (
+        f"{description} ({Path(frames[-1].filename).name}, line {frames[-1].lineno})"
+        if frames
+        else description
+    )

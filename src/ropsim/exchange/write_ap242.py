@@ -48,22 +48,24 @@ def _motion_losses(robot: RobotModel) -> Iterable[Diagnostic]:
     """Yield the losses that change the motion."""
     followers = _coupled(robot)
     for name, words in followers.items():
-        told = f"joint `{name}` is an axis of its own on the other side; here {words}"
-        yield LOST_MOTION.at(None, told, hint="couple it there", data={"joints": (name,)})
+        sentence = f"joint `{name}` is an axis of its own on the other side; here {words}"
+        yield LOST_MOTION.at(None, sentence, hint="couple it there", data={"joints": (name,)})
     several = [joint.name for joint in robot.joints if joint.type.freedoms > 1]
     if several:
-        told = f"coordinates of joints {listed(several)} are free on the other side, and held by nothing"
-        yield LOST_MOTION.at(None, told, hint="NIROX says what they follow", data={"joints": tuple(several)})
+        sentence = f"coordinates of joints {listed(several)} are free on the other side, and held by nothing"
+        yield LOST_MOTION.at(
+            None, sentence, hint="NIROX says what they follow", data={"joints": tuple(several)}
+        )
     if robot.cuts:
-        told = (
+        sentence = (
             f"which joints of the closed chains of `{robot.name}` are driven does not go over, the loops do"
         )
-        yield LOST_MOTION.at(None, told, hint="NIROX says where they are cut")
+        yield LOST_MOTION.at(None, sentence, hint="NIROX says where they are cut")
     if robot.gravity.tolist() != _GRAVITY:
-        told = (
+        sentence = (
             f"gravity of `{robot.name}` does not point down along z of its base frame, and does not go over"
         )
-        yield LOST_MOTION.at(None, told, hint="say on the other side how it is mounted")
+        yield LOST_MOTION.at(None, sentence, hint="say on the other side how it is mounted")
 
 
 def _coupled(robot: RobotModel) -> dict[str, str]:

@@ -126,8 +126,8 @@ def _word(scanner: Scanner, depth: int) -> Expression:
         while scanner.took(","):
             arguments.append(read_expression(scanner, depth + 1))
         if FUNCTIONS.get(word) != len(arguments):
-            told = ", ".join(f"{name} of {count}" for name, count in FUNCTIONS.items())
-            raise scanner.problem(f"one of the functions {told} arguments before this")
+            allowed = ", ".join(f"{name} of {count}" for name, count in FUNCTIONS.items())
+            raise scanner.problem(f"one of the functions {allowed} arguments before this")
         scanner.need(")")
         return Call(word, tuple(arguments))
     return Name(word)

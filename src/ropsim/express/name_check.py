@@ -24,15 +24,15 @@ def _missing(
 ) -> Iterator[Found]:
     both = (*types, *entities)
     for type_ in types.values():
-        yield from ((type_.name, told) for told in _unknown(_named(type_.underlying), both))
+        yield from ((type_.name, fault) for fault in _unknown(_named(type_.underlying), both))
     for entity in entities.values():
         wanted = [*entity.supertypes, *(name for group in entity.one_of for name in group)]
         wanted += [inverse.entity for inverse in entity.inverses]
-        yield from ((entity.name, told) for told in _unknown(wanted, tuple(entities)))
+        yield from ((entity.name, fault) for fault in _unknown(wanted, tuple(entities)))
         named = [name for attribute in entity.attributes for name in _named(attribute.type)]
-        yield from ((entity.name, told) for told in _unknown(named, both))
+        yield from ((entity.name, fault) for fault in _unknown(named, both))
     for one in rules:
-        yield from ((one.name, told) for told in _unknown(one.entities, tuple(entities)))
+        yield from ((one.name, fault) for fault in _unknown(one.entities, tuple(entities)))
 
 
 def _unknown(names: Sequence[str], known: Sequence[str]) -> Iterator[str]:
@@ -82,18 +82,18 @@ def _unknown_in_rules(
     }
     for type_ in types.values():
         for where in type_.rules:
-            yield from ((type_.name, told) for told in _in_expression(where.condition, items))
+            yield from ((type_.name, fault) for fault in _in_expression(where.condition, items))
     for entity in entities.values():
         known = items | _attributes(entity.name, entities)
         expressions = [rule.condition for rule in entity.rules]
         expressions += [derived.expression for derived in entity.derived]
         expressions += [one for unique in entity.uniques for one in unique.attributes]
         for expression in expressions:
-            yield from ((entity.name, told) for told in _in_expression(expression, known))
+            yield from ((entity.name, fault) for fault in _in_expression(expression, known))
     for declared in rules:
         known = items | set(declared.entities)
         for where in declared.rules:
-            yield from ((declared.name, told) for told in _in_expression(where.condition, known))
+            yield from ((declared.name, fault) for fault in _in_expression(where.condition, known))
 
 
 def _attributes(name: str, entities: Mapping[str, Entity]) -> set[str]:

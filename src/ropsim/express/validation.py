@@ -125,9 +125,9 @@ class _Checking:
             return
         for place, (parameter, value) in enumerate(zip(parameters, record.values, strict=True)):
             name = f"`{parameter.attribute.name}` of {record.keyword}"
-            for rule, told in self._wrong(parameter, value):
+            for rule, sentence in self._wrong(parameter, value):
                 kind = kinds.RULE_BROKEN if rule else kinds.WRONG_VALUE
-                broken = f"found {told}, which breaks the rule `{rule}`" if rule else told
+                broken = f"found {sentence}, which breaks the rule `{rule}`" if rule else sentence
                 span = self._population.file.span(instance, number, place)
                 yield kind.at(span, f"{name}: {broken}")
 
@@ -148,8 +148,10 @@ class _Checking:
             found = len(users)
             if found < inverse.lower or (inverse.upper is not None and found > inverse.upper):
                 allowed = f"{inverse.lower} to {'any number' if inverse.upper is None else inverse.upper}"
-                told = f"#{instance.number}: {found} of `{inverse.entity}` refer to it, allowed are {allowed}"
-                yield self._at(kinds.RULE_BROKEN, instance, told)
+                sentence = (
+                    f"#{instance.number}: {found} of `{inverse.entity}` refer to it, allowed are {allowed}"
+                )
+                yield self._at(kinds.RULE_BROKEN, instance, sentence)
 
     def _uniques(self, entity: str) -> Iterator[Diagnostic]:
         for unique in self._schema.entities[entity].uniques:
@@ -161,10 +163,10 @@ class _Checking:
                     continue
                 if key in seen:
                     instance = self._population.instances[number]
-                    told = (
+                    sentence = (
                         f"#{number} agrees with #{seen[key]} in what `{entity}.{unique.label}` makes unique"
                     )
-                    yield self._at(kinds.NOT_UNIQUE, instance, told)
+                    yield self._at(kinds.NOT_UNIQUE, instance, sentence)
                 seen.setdefault(key, number)
 
     def _rule(

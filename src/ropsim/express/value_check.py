@@ -104,8 +104,8 @@ class ValueCheck:
             yield "", "found one element twice, allowed is once"
             return
         for number, element in enumerate(value, start=1):
-            for rule, told in self.wrong(element, type_.element):
-                yield rule, told if rule else f"element {number}: {told}"
+            for rule, message in self.wrong(element, type_.element):
+                yield rule, message if rule else f"element {number}: {message}"
                 return
 
     def _may_be(self, number: int, entities: tuple[str, ...]) -> bool:

@@ -116,13 +116,13 @@ def first_sight(state: State, workshop: Workshop) -> tuple[Json, ...]:
 
     The findings of `settle` for the same version of the text replace them.
     """
-    told = []
+    published = []
     for uri in () if state.pulls else sorted(state.stale):
         document = state.documents.get(uri)
         found = workshop.at_first_sight(document) if document is not None else None
         if document is not None and found:
-            told.append(_findings(document, [diagnostic(one, document) for one in found]))
-    return tuple(told)
+            published.append(_findings(document, [diagnostic(one, document) for one in found]))
+    return tuple(published)
 
 
 def mark(state: State, workshop: Workshop) -> Answer:
@@ -146,8 +146,8 @@ def _published(state: State, uri: str, workshop: Workshop) -> Json:
 
 
 def _findings(document: Document, found: list[Json]) -> Json:
-    told = {"uri": document.uri, "version": document.version, "diagnostics": found}
-    return notification("textDocument/publishDiagnostics", told)
+    published = {"uri": document.uri, "version": document.version, "diagnostics": found}
+    return notification("textDocument/publishDiagnostics", published)
 
 
 def _refusal(state: State, call: Call) -> Json | None:

@@ -75,11 +75,11 @@ class _Reading:
     def _check_header(self) -> None:
         found = tuple(record.keyword for record in self._header[:3])
         if found != _HEADER:
-            told = ", ".join(found) or "nothing"
+            listed = ", ".join(found) or "nothing"
             self._findings.append(
                 SYNTAX.at(
                     self._places.span(self._scanner.token.offset),
-                    f"the header has {told}, allowed are {', '.join(_HEADER)} in this order",
+                    f"the header has {listed}, allowed are {', '.join(_HEADER)} in this order",
                 )
             )
 

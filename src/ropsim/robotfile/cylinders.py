@@ -37,7 +37,7 @@ def read_cylinder(table: TomlTable, dh: DhTable, number: int, friction: Friction
         friction: of the rod.
     """
     table.require(*_SIZES, *VALVE_NEEDED, "retracted_length", "carrier_pin", "link_pin")
-    told = len(table.findings.items)
+    reported = len(table.findings.items)
     cylinder = HydraulicCylinder(
         moving_mass=table.number("moving_mass", _MASS, 0.0),
         area_a=table.number("area_a", HYDRAULIC, 1.0),
@@ -48,7 +48,7 @@ def read_cylinder(table: TomlTable, dh: DhTable, number: int, friction: Friction
     most = table.number("max_input", HYDRAULIC, cylinder.rated_input)
     retracted = table.number("retracted_length", _LENGTH, 1.0)
     pins = [_point(table, key) for key in ("carrier_pin", "link_pin")]
-    is_whole = len(table.findings.items) == told and not table.missing
+    is_whole = len(table.findings.items) == reported and not table.missing
     table.finish()
     joint = dh.joints[number]
     middle = 0.5 * (joint.lower + joint.upper)

@@ -85,9 +85,9 @@ def estimated_dynamics(robot: RobotModel) -> RobotModel | Diagnostic:
 
 def _of_serial(robot: RobotModel) -> RobotModel | Diagnostic:
     """Return `estimated_dynamics` of an arm of which each joint is an axis."""
-    told = _refusal(robot)
-    if told:
-        return NO_ESTIMATE.at(None, f"`{robot.name}` {told[0]}", hint=told[1])
+    refusal = _refusal(robot)
+    if refusal:
+        return NO_ESTIMATE.at(None, f"`{robot.name}` {refusal[0]}", hint=refusal[1])
     origins, links = list(robot.origins), robot.links
     if not any(link.mass for link in links):
         links = _cylindrical(robot)

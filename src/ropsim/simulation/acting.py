@@ -20,17 +20,17 @@ def act(run: CellRun, device: DeviceRun) -> None:
     tick = device.acted = device.due
     time = tick / run.hz
     carried = tuple(_carried(name, run) for name in _riders(run.parts, device))
-    told = device.driving.act(device.profile, Now(time, lambda name: run.is_on(name, time), carried))
+    response = device.driving.act(device.profile, Now(time, lambda name: run.is_on(name, time), carried))
     place = bisect_right(device.scripted, tick)
     nexts = list(device.scripted[place : place + 1])
-    due = min(told.due, room_at(run, device, time))
+    due = min(response.due, room_at(run, device, time))
     if due < math.inf:
         nexts.append(max(tick_at(due, run.hz), tick + 1))
     device.due = min(nexts, default=NEVER)
-    for name, level in device.heard(told.levels):
+    for name, level in device.heard(response.levels):
         run.set_input(name, tick, float(level))
-    if told.lost:
-        _lose(run, device, told.lost, tick)
+    if response.lost:
+        _lose(run, device, response.lost, tick)
     feed(run, tick)
 
 

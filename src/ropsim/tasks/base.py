@@ -245,10 +245,10 @@ class KnowledgeBase:
     def _fetch(self, names: Sequence[str]) -> None:
         goal = Struct("tasks", (tuple(map(Atom, names)), Var("Found")))
         found = self._host.ask("ropsim_kb", goal)
-        for told in found if isinstance(found, tuple) else ():
-            if isinstance(told, Struct) and isinstance(told.arguments[0], Atom):
-                name = told.arguments[0].name
-                task = task_of(told, *self._spans[name])
+        for item in found if isinstance(found, tuple) else ():
+            if isinstance(item, Struct) and isinstance(item.arguments[0], Atom):
+                name = item.arguments[0].name
+                task = task_of(item, *self._spans[name])
                 if task is not None:
                     self._tasks[name] = task
 

@@ -112,7 +112,7 @@ def _figures(comparison: Comparison, one: Alternative) -> tuple[str, str, str]:
 def _findings(one: Alternative) -> str:
     """Return which findings are new: codes and their names, with the lines that they stand on."""
     names = ((f"{found.code} {found.slug}", found.span) for found in one.findings)
-    told = (f"{name} line {span.line}" if span else name for name, span in names)
-    places = list(dict.fromkeys(told))
+    place_words = (f"{name} line {span.line}" if span else name for name, span in names)
+    places = list(dict.fromkeys(place_words))
     more = len(places) - _SHOWN_CODES
     return ", ".join(places[:_SHOWN_CODES]) + (f" and {more} more" if more > 0 else "")

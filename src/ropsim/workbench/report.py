@@ -107,9 +107,9 @@ class Report:
 
     def text(self, style: Style = Style.PLAIN) -> str:
         """Return the report for a terminal."""
-        told = terminal_report(self.summary, style)
+        report = terminal_report(self.summary, style)
         compared = comparison_text(self.comparison, style) if self.comparison else ""
-        return f"{told}\n{compared}" if compared else told
+        return f"{report}\n{compared}" if compared else report
 
     def drawn(self) -> "Report":
         """Return the report with the meshes of its cell; its findings name meshes that cannot be drawn."""

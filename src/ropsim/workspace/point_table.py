@@ -155,9 +155,9 @@ def _point(
         if value is None and not cell and column.name in TURNS:
             continue  # free
         if value is None or not math.isfinite(value):
-            told = f"`{cell[:40]}`" if cell else "nothing"
+            shown = f"`{cell[:40]}`" if cell else "nothing"
             return BAD_POINT.at(
-                span, f"{told} stands for {column.name}, a finite number is needed", hint=FORM
+                span, f"{shown} stands for {column.name}, a finite number is needed", hint=FORM
             )
         values[column.name] = value * column.factor
     position = np.array([values[one] for one in PLACES])

@@ -41,8 +41,8 @@ def read_stations(
     """
     tables = root.named("stations")
     stations: dict[str, Station | None] = {}
-    told = not isinstance(root.values.get("stations", {}), dict)  # that they are no section
-    if "robot" in root or not (tables or told):
+    is_reported = not isinstance(root.values.get("stations", {}), dict)  # that they are no section
+    if "robot" in root or not (tables or is_reported):
         root.require("robot")
         stations[ROBOT] = _short(root, tools, library, units)
     for name, table in tables.items():

@@ -47,8 +47,8 @@ class _Talk:
         reply = reply_to(self.session, line, self._options)
         texts = (reply.asked or reply.session).texts
         self._output.findings(reply.diagnostics, texts)
-        for told in reply.lines:
-            self._output.text(told)
+        for line_of_answer in reply.lines:
+            self._output.text(line_of_answer)
         self.session = reply.session
         self.is_over = reply.outcome is Outcome.OVER
         refused = reply.outcome is Outcome.REFUSED

@@ -47,8 +47,8 @@ def list_(options: argparse.Namespace, output: Output) -> int:
     rows += [f"{name:{width}} {_choice(one)}" for name, one in known.items()]
     width = max(map(len, files), default=0)  # paths are long
     for name, robot in files.items():
-        told = f"{robot.n} axes  {robot.title}" if robot else f"wrong: see ropsim robot audit {name}"
-        rows.append(f"{name:{width}} {told}")
+        summary = f"{robot.n} axes  {robot.title}" if robot else f"wrong: see ropsim robot audit {name}"
+        rows.append(f"{name:{width}} {summary}")
     output.text("\n".join(rows))
     titles = {name: robot.title if robot else None for name, robot in files.items()}
     output.document({"robots": {name: one.title for name, one in known.items()}, "files": titles})

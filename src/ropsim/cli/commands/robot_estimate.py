@@ -26,8 +26,8 @@ def estimate(options: argparse.Namespace, output: Output) -> int:
             replace_file(Path(options.file), written.text.encode("utf-8"))
         except OSError as error:
             raise RobotFileError(cannot_write(options.file, error)) from error
-        told = f"wrote {options.file}, its masses or drives are estimates and reports say so"
-        output.text(f"{told}; next: ropsim new my_cell --robot {shlex.quote(options.file)}")
+        remark = f"wrote {options.file}, its masses or drives are estimates and reports say so"
+        output.text(f"{remark}; next: ropsim new my_cell --robot {shlex.quote(options.file)}")
     is_written = bool(written and written.text)
     output.document({"ok": is_written, "path": options.file, **diagnostic_document(findings)})
     return 0 if is_written else 1

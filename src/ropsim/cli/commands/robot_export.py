@@ -19,8 +19,8 @@ def export(options: argparse.Namespace, output: Output) -> int:
         return 1
     written = written_robot(asked.robot, options.file, asked.read, StepForm(options.form))
     refused = losses_refused(asked.findings, written.losses) if options.strict else None
-    told = (*written.losses, refused) if refused else written.losses
-    output.findings(told, {})
+    reported = (*written.losses, refused) if refused else written.losses
+    output.findings(reported, {})
     is_written = bool(written.text) and refused is None
     if is_written:
         try:
@@ -30,5 +30,5 @@ def export(options: argparse.Namespace, output: Output) -> int:
         is_read = Path(options.file).suffix.lower() in ROBOT_FORMATS
         then = f"; next: ropsim new my_cell --robot {shlex.quote(options.file)}" if is_read else ""
         output.text(f"wrote {options.file}{then}")
-    output.document({"ok": is_written, "path": options.file, **diagnostic_document(told)})
+    output.document({"ok": is_written, "path": options.file, **diagnostic_document(reported)})
     return 0 if is_written else 1

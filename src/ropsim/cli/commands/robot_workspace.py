@@ -61,16 +61,18 @@ def workspace(options: argparse.Namespace, output: Output) -> int:
     candidates = _candidates(known, bases, points if options.place else (), tool)
     kind = PointKind(options.point.replace("-", " ")) if options.point else PointKind.FLANGE
     study = studied(candidates, PointKind.TCP if options.tool and not options.point else kind, tool, points)
-    told = [one for arm in study.arms for one in arm.findings]
-    told += _without_surface(study) if options.surface else []
-    code = output.findings(told, {})
+    findings_of_arms = [one for arm in study.arms for one in arm.findings]
+    findings_of_arms += _without_surface(study) if options.surface else []
+    code = output.findings(findings_of_arms, {})
     from ropsim.views import workspace_text
 
     output.text(workspace_text(study, output.style))
     _write(options, study, output)
     missed = bool(study.standings) and study.standings[0].reached < len(points)
     code = max(code, int(missed), int(any(one.is_error for one in found)))
-    output.document({"ok": code == 0, **study_document(study), **diagnostic_document((*found, *told))})
+    output.document(
+        {"ok": code == 0, **study_document(study), **diagnostic_document((*found, *findings_of_arms))}
+    )
     return code
 
 

@@ -52,10 +52,10 @@ def run(options: argparse.Namespace, output: Output) -> int:
     if options.report:
         report = report.drawn()
     compared = report.comparison.notes if report.comparison else ()
-    findings, told = (*report.before, *recording.findings, *compared), messages(recording)
+    findings, printed = (*report.before, *recording.findings, *compared), messages(recording)
     code = output.findings(findings, sources)
-    if told:
-        output.text(f"{messages_text(told)}\n")
+    if printed:
+        output.text(f"{messages_text(printed)}\n")
     output.text(report.text(output.style))
     written = _write(options, recording, report.save)
     for path in written:
@@ -63,7 +63,7 @@ def run(options: argparse.Namespace, output: Output) -> int:
     output.document(
         {
             "ok": code == 0,
-            "messages": [message_entry(one) for one in told],
+            "messages": [message_entry(one) for one in printed],
             "result": readable(result_figures(report.summary)),
             "summary": readable(report.summary),
             **({"what_if": comparison_entry(report.comparison)} if report.comparison else {}),
@@ -142,8 +142,8 @@ def _checked(project: Project, recording: Recording) -> Recording:
 
 def _compared(project: Project, recording: Recording, options: argparse.Namespace) -> Comparison:
     with Progress(f"what if, {project.folder.resolve().name}") as progress:
-        told = _run_options(options, lambda text: progress(0.0, text))
-        return project.what_if(options.what_if, options.program, told, recording)
+        printed = _run_options(options, lambda text: progress(0.0, text))
+        return project.what_if(options.what_if, options.program, printed, recording)
 
 
 def _run_options(options: argparse.Namespace, progress: Callable[[str], None]) -> "RunOptions":

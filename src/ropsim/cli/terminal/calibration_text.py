@@ -41,13 +41,13 @@ def _times(sequences: Sequence[SequenceTimes], style: Style) -> list[str]:
 
 def _left_out(calibration: Calibration) -> list[str]:
     """Return the motions that are not compared, each with its reason."""
-    told = [
+    lines_of_limits = [
         line
         for one in calibration.left_out[:_SHOWN_LINES]
         for line in wrap(f"not compared: {_name(one)} pass {one.visit} {one.reason}", _COLUMNS)
     ]
     more = len(calibration.left_out) - _SHOWN_LINES
-    return ["", *told, *([f"  … {more} more"] if more > 0 else [])] if told else []
+    return ["", *lines_of_limits, *([f"  … {more} more"] if more > 0 else [])] if lines_of_limits else []
 
 
 def _by_lines(sequences: Sequence[SequenceTimes]) -> Iterable[tuple[str, Iterable[SequenceTimes]]]:

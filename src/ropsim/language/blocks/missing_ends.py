@@ -28,8 +28,8 @@ def with_ends(found: Iterable[Diagnostic], items: Iterable[Line | Block]) -> Ite
         header = block.opener
         fault = header.fault
         if fault is not None and _goes_on_below(fault, header):
-            told = finding_of(header, fault, "")
-            fixes[told.code, told.span] = None if _is_longer(block) else _ended(header, fault)
+            finding = finding_of(header, fault, "")
+            fixes[finding.code, finding.span] = None if _is_longer(block) else _ended(header, fault)
     for one in found:
         place = (one.code, replace(one.span, source="") if fixes and one.span is not None else None)
         yield replace(one, fix=fixes[place]) if place in fixes and one.fix is not None else one

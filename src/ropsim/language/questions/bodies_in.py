@@ -82,8 +82,8 @@ def own_tasks(db: Database) -> tuple[Task, ...]:
 
 def forms_in(db: Database, group: Group) -> Mapping[str, TaskForm]:
     """Return how the tasks are called, by name."""
-    told = ((name, db.ask(form, name)) for name in group)
-    return {name: form for name, form in told if form is not None}
+    forms = ((name, db.ask(form, name)) for name in group)
+    return {name: form for name, form in forms if form is not None}
 
 
 def all_forms(db: Database) -> Mapping[str, TaskForm]:
@@ -98,5 +98,5 @@ def words_in(db: Database, group: Group) -> Mapping[str, Mapping[str, str]]:
 
 def all_words(db: Database) -> Mapping[str, Mapping[str, str]]:
     """Return the same for the control statements, by the empty name, and all tasks of the text."""
-    told = chain.from_iterable(db.ask(words_in, group).items() for group in db.ask(groups))
-    return {"": db.ask(words, ""), **dict(told)}
+    forms = chain.from_iterable(db.ask(words_in, group).items() for group in db.ask(groups))
+    return {"": db.ask(words, ""), **dict(forms)}

@@ -55,9 +55,9 @@ def joint_count(db: Database) -> int:
     if world.environment.axes or world.joint_count:
         return world.joint_count
     found = db.ask(groups)
-    told = (db.ask(told_joints_in, group) for group in found)
+    counts = (db.ask(told_joints_in, group) for group in found)
     used = (db.ask(walked_joints_in, group) for group in (*found, ("",)))
-    return next(filter(None, (*told, *used)), 0)
+    return next(filter(None, (*counts, *used)), 0)
 
 
 def told_joints_in(db: Database, group: Group) -> int:

@@ -68,9 +68,9 @@ def not_named(tasks: TaskTexts, known: Collection[str]) -> Iterator[ToldTask]:
     yield from (one for one in tasks.told.values() if one.name not in known)
 
 
-def task_item(told: ToldTask) -> Json:
+def task_item(task: ToldTask) -> Json:
     """Return the completion item of a task."""
-    return _item(told.name, _TASK, f"({', '.join(told.parameters)})", told.doc)
+    return _item(task.name, _TASK, f"({', '.join(task.parameters)})", task.doc)
 
 
 def task_symbols(document: Document) -> list[Json]:
@@ -93,19 +93,19 @@ def place_of_task(
     name: str, tasks: TaskTexts, document: Document, documents: Mapping[str, Document]
 ) -> Json | None:
     """Return the location of a task in its text, open or on the disk; None where no text has it."""
-    told = tasks.told.get(name)
-    if told is None:
+    task = tasks.told.get(name)
+    if task is None:
         return None
-    place = Path(told.span.source)
+    place = Path(task.span.source)
     opened = next((one for one in documents.values() if one.path == place), None)
-    text = tasks.text(told.span.source)
+    text = tasks.text(task.span.source)
     there = opened or Document(place.absolute().as_uri(), 0, text.text if text else "", document.encoding)
-    return {"uri": there.uri, "range": there.range_of(told.span)}
+    return {"uri": there.uri, "range": there.range_of(task.span)}
 
 
-def place_words(told: ToldTask) -> str:
+def place_words(task: ToldTask) -> str:
     """Return where a task is, as people say it."""
-    return f"{'/'.join(PurePath(told.span.source).parts[-2:])}, line {told.span.line}"
+    return f"{'/'.join(PurePath(task.span.source).parts[-2:])}, line {task.span.line}"
 
 
 def _item(label: str, kind: int, detail: str, documentation: str) -> Json:

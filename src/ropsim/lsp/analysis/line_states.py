@@ -54,16 +54,18 @@ def line_states(
     otherwise = LineState.STALE if recorded else LineState.NONE
     contents = contents_of(document, documents, workshop)
     if contents:
-        told = {line: (LineState.VALID if key in known else otherwise, key) for line, key in contents.items()}
+        states = {
+            line: (LineState.VALID if key in known else otherwise, key) for line, key in contents.items()
+        }
     else:
-        told = dict.fromkeys(workshop.lines_before(document), (otherwise, ""))
-    return tuple(ToldLine(line, *told[line]) for line in sorted(told))
+        states = dict.fromkeys(workshop.lines_before(document), (otherwise, ""))
+    return tuple(ToldLine(line, *states[line]) for line in sorted(states))
 
 
 def states_message(document: Document, documents: Mapping[str, Document], workshop: Workshop) -> Json:
     """Return the notification about the lines of a document."""
-    told = line_states(document, documents, workshop)
-    lines = [{"line": one.line - 1, "state": one.state.value, "content": one.content} for one in told]
+    states = line_states(document, documents, workshop)
+    lines = [{"line": one.line - 1, "state": one.state.value, "content": one.content} for one in states]
     return notification(METHOD, {"uri": document.uri, "version": document.version, "lines": lines})
 
 

@@ -31,8 +31,8 @@ def offered(
     whole = f"{text}\n{line}"
     document = Document(place.absolute().as_uri(), 0, whole)
     documents = {
-        uri: Document(uri, 0, told)
-        for uri, told in ((path.absolute().as_uri(), told) for path, told in (unsaved or {}).items())
+        uri: Document(uri, 0, content)
+        for uri, content in ((path.absolute().as_uri(), content) for path, content in (unsaved or {}).items())
     }
     at = Position(whole.count("\n"), len(line.rpartition("\n")[2].encode("utf-16-le")) // 2)
     begun = begun_word(line).lower()

@@ -54,7 +54,7 @@ def with_masses(file: ExchangeFile) -> tuple[ExchangeFile, tuple[Diagnostic, ...
         return file, ()
     properties = _properties(known)
     made: list[Instance] = []
-    told: list[Diagnostic] = []
+    diagnostics: list[Diagnostic] = []
     without: list[int] = []
     for link, _ in links:
         weight = _weight(known, properties.get(link, []))
@@ -65,15 +65,15 @@ def with_masses(file: ExchangeFile) -> tuple[ExchangeFile, tuple[Diagnostic, ...
                 words = (
                     f"the mass of link {_called(known, link)} comes without {' and '.join(missing)}, 0 here"
                 )
-                told.append(NO_MASS.at(file.span(weight.place), words, hint=_HINT))
+                diagnostics.append(NO_MASS.at(file.span(weight.place), words, hint=_HINT))
         elif link in moved:
             without.append(link)
     if without:
         names = ", ".join(_called(known, one) for one in without[:_NAMED])
         more = f" and {len(without) - _NAMED} more" if len(without) > _NAMED else ""
         words = f"no product of the file gives a mass to the links {names}{more}"
-        told.append(NO_MASS.at(file.span(known[without[0]]), words, hint=_HINT))
-    return replace(file, instances=(*file.instances, *made)), tuple(told)
+        diagnostics.append(NO_MASS.at(file.span(known[without[0]]), words, hint=_HINT))
+    return replace(file, instances=(*file.instances, *made)), tuple(diagnostics)
 
 
 def _called(known: Known, link: int) -> str:

@@ -147,22 +147,22 @@ def _frames(seen: Seen, arm: int, mechanism: Mechanism) -> _Frames:
 
 def _rated_payload(seen: Seen) -> float:
     """Return the rated payload [kg]; inf if missing in the file."""
-    for told in seen.extent("rated_payload"):
-        seen.take(told, "rated payload")
-        return seen.real(told, "mass")
+    for entry in seen.extent("rated_payload"):
+        seen.take(entry, "rated payload")
+        return seen.real(entry, "mass")
     return inf
 
 
 def _origins(seen: Seen) -> list[ParameterOrigin]:
     found: list[ParameterOrigin] = []
-    for told in seen.extent("parameter_origin"):
-        if not seen.is_a(seen.ref(told, "item"), "robot_arm"):
+    for entry in seen.extent("parameter_origin"):
+        if not seen.is_a(seen.ref(entry, "item"), "robot_arm"):
             continue
-        seen.take(told, "origin", len(found))
-        kind, colon, source = seen.text(told, "method").partition(": ")
+        seen.take(entry, "origin", len(found))
+        kind, colon, source = seen.text(entry, "method").partition(": ")
         if not colon or kind not in _KINDS:
-            kind, source = "derived", seen.text(told, "method")
-        found.append(ParameterOrigin(seen.text(told, "attribute"), kind, source))
+            kind, source = "derived", seen.text(entry, "method")
+        found.append(ParameterOrigin(seen.text(entry, "attribute"), kind, source))
     return found
 
 

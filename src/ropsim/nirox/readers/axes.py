@@ -12,33 +12,33 @@ def read_couplings(seen: Seen, mechanism: Mechanism) -> tuple[Coupling, ...]:
     """Return the coordinates that follow others; raises `ImpossibleError` where one is not there."""
     first = np.concatenate([[0], np.cumsum([one.type.freedoms for one in mechanism.moved])]).tolist()
 
-    def coordinate(told: int, pair: int, place: int) -> int:
+    def coordinate(entry: int, pair: int, place: int) -> int:
         number = mechanism.pairs.get(pair)
         if number is None or not 1 <= place <= mechanism.moved[number].type.freedoms:
-            raise seen.impossible(told, f"{seen.called(pair)} has no coordinate {place} in this mechanism")
+            raise seen.impossible(entry, f"{seen.called(pair)} has no coordinate {place} in this mechanism")
         return int(first[number]) + place - 1
 
     found = []
-    for number, told in enumerate(seen.extent("joint_coupling")):
-        seen.take(told, "coupling", number)
-        places = zip(seen.refs(told, "followed"), seen.integers(told, "coordinates"), strict=True)
-        others = [coordinate(told, pair, place) for pair, place in places]
-        terms = tuple(zip(others, seen.reals(told, "factors"), strict=True))
-        dependent = coordinate(told, seen.ref(told, "pair"), seen.integer(told, "coordinate"))
-        found.append(Coupling(dependent, terms, seen.real(told, "constant_term")))
+    for number, entry in enumerate(seen.extent("joint_coupling")):
+        seen.take(entry, "coupling", number)
+        places = zip(seen.refs(entry, "followed"), seen.integers(entry, "coordinates"), strict=True)
+        others = [coordinate(entry, pair, place) for pair, place in places]
+        terms = tuple(zip(others, seen.reals(entry, "factors"), strict=True))
+        dependent = coordinate(entry, seen.ref(entry, "pair"), seen.integer(entry, "coordinate"))
+        found.append(Coupling(dependent, terms, seen.real(entry, "constant_term")))
     return tuple(found)
 
 
 def read_dh_table(seen: Seen, mechanism: Mechanism) -> tuple[DhRow, ...]:
     """Return the rows of the DH table; raises `ImpossibleError` where one has no joint that can have it."""
     rows = []
-    for told in seen.extent("denavit_hartenberg_row"):
-        number = mechanism.pairs.get(seen.ref(told, "pair"))
+    for entry in seen.extent("denavit_hartenberg_row"):
+        number = mechanism.pairs.get(seen.ref(entry, "pair"))
         type_ = mechanism.moved[number].type if number is not None else JointType.FIXED
         if number is None or type_ not in (JointType.REVOLUTE, JointType.PRISMATIC):
-            raise seen.impossible(told, "a row of the table is of a pair that turns or slides")
-        seen.take(told, "dh", number)
-        a, alpha, d, theta = (seen.real(told, one) for one in ("a", "alpha", "d", "theta"))
+            raise seen.impossible(entry, "a row of the table is of a pair that turns or slides")
+        seen.take(entry, "dh", number)
+        a, alpha, d, theta = (seen.real(entry, one) for one in ("a", "alpha", "d", "theta"))
         rows.append(DhRow(a, alpha, d, theta, type_))
     return tuple(rows)
 
@@ -51,12 +51,12 @@ def read_external(seen: Seen, pairs: list[int]) -> tuple[int, ...]:
         pairs: of the axes.
     """
     found: list[int] = []
-    for told in seen.extent("external_axis"):
-        pair = seen.ref(told, "pair")
+    for entry in seen.extent("external_axis"):
+        pair = seen.ref(entry, "pair")
         if pair not in pairs:
-            raise seen.impossible(told, "an external axis is one of the axes of the arm")
+            raise seen.impossible(entry, "an external axis is one of the axes of the arm")
         found.append(pairs.index(pair))
-        seen.take(told, "external", found[-1])
+        seen.take(entry, "external", found[-1])
     return tuple(found)
 
 

@@ -157,21 +157,21 @@ def _usable(seen: Seen, number: int, name: str) -> float:
 
 def _elastic(seen: Seen, pair: int, ratio: float, number: int) -> Gear | ElasticGear:
     """Return a gear that twists where the file says so of the joint, else a rigid one."""
-    told = seen.user(pair, "joint_elasticity", "pair")
-    if told is None:
+    entry = seen.user(pair, "joint_elasticity", "pair")
+    if entry is None:
         return Gear(ratio)
-    seen.take(told, "elasticity", number)
-    return ElasticGear(ratio, seen.real(told, "stiffness"), seen.real(told, "damping"))
+    seen.take(entry, "elasticity", number)
+    return ElasticGear(ratio, seen.real(entry, "stiffness"), seen.real(entry, "damping"))
 
 
 def _friction(seen: Seen, pair: int, ratio: float, number: int) -> Friction:
     """Return viscous and Coulomb friction at the motor; other models are taken without the rest of theirs."""
-    told = seen.users(pair, "joint_friction", "pair")
-    if not told:
+    entry = seen.users(pair, "joint_friction", "pair")
+    if not entry:
         return Friction()
-    one = told[0]
+    one = entry[0]
     seen.take(one, "friction", number)
-    for other in told[1:]:
+    for other in entry[1:]:
         seen.note(LOST, other, "the joint has friction on both sides: this one has no effect")
     if not seen.is_a(one, _SIMPLE):
         seen.note(LOST, one, "only its viscous and its Coulomb part have an effect", f"use {_SIMPLE.upper()}")

@@ -39,17 +39,19 @@ class Joints:
             states: values of pairs in the rest position, by number.
         """
         seen, joint, pair = self._seen, self.joints[number], self._mechanism.moved[number].pair
-        told = seen.user(pair, "axis_coordinate", "pair")
-        exact = told is not None and seen.has(told, "home")
+        coordinate = seen.user(pair, "axis_coordinate", "pair")
+        exact = coordinate is not None and seen.has(coordinate, "home")
         if pair in states:
             found = states[pair] - joint.offset if joint.offset else states[pair]
         else:
             found = min(max(0.0, joint.lower), joint.upper)
-        if told is None or not exact:
+        if coordinate is None or not exact:
             return found
-        home = seen.real(told, "home")
+        home = seen.real(coordinate, "home")
         if pair in states and not isclose(home, found, abs_tol=_AGREES):
-            seen.note(IMPOSSIBLE, told, f"`home` is {home:g}, the state says {found:g}", "keep one of them")
+            seen.note(
+                IMPOSSIBLE, coordinate, f"`home` is {home:g}, the state says {found:g}", "keep one of them"
+            )
         return home
 
     def _joint(self, number: int, moved: Moved) -> Joint:
@@ -91,17 +93,17 @@ class Joints:
             found = [unit.si(seen.real(pair, name)) if seen.has(pair, name) else None for name in names]
             lower = -inf if found[0] is None else found[0]
             upper = inf if found[1] is None else found[1]
-        told = seen.user(pair, "axis_coordinate", "pair")
-        if told is None:
+        coordinate = seen.user(pair, "axis_coordinate", "pair")
+        if coordinate is None:
             return 0.0, lower, upper
-        seen.take(told, "coordinate", self._mechanism.pairs[pair])
-        offset = seen.real(told, "offset")
+        seen.take(coordinate, "coordinate", self._mechanism.pairs[pair])
+        offset = seen.real(coordinate, "offset")
         bounds = []
         for name, bound in (("lower", lower), ("upper", upper)):
-            exact = seen.real(told, name) if seen.has(told, name) else bound - offset
+            exact = seen.real(coordinate, name) if seen.has(coordinate, name) else bound - offset
             if abs(bound) != inf and not isclose(exact, bound - offset, abs_tol=_AGREES):
                 words = f"`{name}` is {exact:g}, the range of the pair says {bound - offset:g}"
-                seen.note(IMPOSSIBLE, told, words, "keep one of them")
+                seen.note(IMPOSSIBLE, coordinate, words, "keep one of them")
             bounds.append(exact)
         return offset, bounds[0], bounds[1]
 

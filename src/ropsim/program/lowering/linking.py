@@ -82,9 +82,9 @@ def findings_of(
 def axes_of(parts: Iterable[Lowered | Usage]) -> int | None:
     """Return the number of joint coordinates in a program, None without any."""
     every = list(parts)
-    told = next((one.axes for one in every if one.axes is not None), None)
+    known_count = next((one.axes for one in every if one.axes is not None), None)
     needs_one = any(one.has_guessed_axes for one in every)
-    return told or (1 if needs_one else None)
+    return known_count or (1 if needs_one else None)
 
 
 def axes_with_starts(axes: int | None, starts: Iterable[Sequence[icr.Step]]) -> int | None:

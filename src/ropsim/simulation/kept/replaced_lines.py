@@ -29,8 +29,8 @@ def on_lines_of(moves: Moves, before: Moves, planned: PlannedSequence) -> Planne
         if spans.setdefault(other.origin.span, one.origin.span) != one.origin.span:
             return None
     motion, refusal = planned.motion, planned.refusal
-    told = (*(motion.plan.findings if motion else ()), *(refusal.diagnostics if refusal else ()))
-    if not all(_can_move(one, spans) for one in told):
+    all_findings = (*(motion.plan.findings if motion else ()), *(refusal.diagnostics if refusal else ()))
+    if not all(_can_move(one, spans) for one in all_findings):
         return None
     if motion:
         made = tuple(replace(one, move=move) for one, move in zip(motion.plan.moves, moves, strict=False))

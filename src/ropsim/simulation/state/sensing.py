@@ -112,8 +112,8 @@ class Senses:
     def _failed(self, channel: str, found: str, seen: SensedRun) -> Sample:
         """Return a reading that is not valid; the failure is reported once for a channel and line."""
         span, findings = seen.at.origin.span, seen.run.findings
-        told = ((one.code, one.span, one.data.get("channel")) for one in findings)
-        if (ENTITY_FAILS.code, span, channel) not in told:
+        reported = ((one.code, one.span, one.data.get("channel")) for one in findings)
+        if (ENTITY_FAILS.code, span, channel) not in reported:
             wrong = entity_fails(self.sensors, found, span)
             findings.append(replace(wrong, data={"channel": channel}))
         return Sample(value=False, valid=False, age=0.0)

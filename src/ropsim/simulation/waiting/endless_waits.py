@@ -93,13 +93,13 @@ def _finding(run: CellRun, at: StationRun, programs: Mapping[str, Program]) -> D
             hint="let the condition read a signal, or count the passes",
             data={"station": name, "channel": "", "time_s": at.time, "pass": origin.visit},
         )
-    told = [note for channel in _channels(at) for note in _notes(run, at, channel, programs)]
+    notes = [note for channel in _channels(at) for note in _notes(run, at, channel, programs)]
     return WAITS_IN_VAIN.at(
         origin.span,
         f"`{name}` waits for {_wanted(at)} for ever, from t = {at.time:.2f} s on: "
-        f"{'; '.join(note for note, _ in told)}",
+        f"{'; '.join(note for note, _ in notes)}",
         label=f"pass {origin.visit}",
-        hint=told[0][1],
+        hint=notes[0][1],
         data={
             "station": name,
             "channel": ", ".join(_channels(at)),

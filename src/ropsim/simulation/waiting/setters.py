@@ -65,9 +65,12 @@ def device_note(run: CellRun, at: DeviceRun, channel: str, level: object, time: 
                 f"put parts before the barrier of `{name}`",
             )
         case SwitchDrive(signal=signal):
-            told = "on" if run.is_on(signal, time) else "off"
-            note = f"`{channel}` is set by the device `{name}`, which stands, as `{signal}` is {told}"
-            return note, f"let `{signal}` {'go off' if told == 'on' else 'come on'}, which `{name}` follows"
+            level_words = "on" if run.is_on(signal, time) else "off"
+            note = f"`{channel}` is set by the device `{name}`, which stands, as `{signal}` is {level_words}"
+            return (
+                note,
+                f"let `{signal}` {'go off' if level_words == 'on' else 'come on'}, which `{name}` follows",
+            )
         case IndexDrive(signal=signal):
             note = f"`{channel}` is set by the device `{name}`, which stands until `{signal}` comes on"
             return note, f"let `{signal}` come on again, or wait before it does"

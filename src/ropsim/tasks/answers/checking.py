@@ -150,12 +150,12 @@ def _provider(term: Term) -> tuple[int, str]:
 def _told(call: TaskCall, task: KnownTask, head: Term) -> TaskCall:
     """Return a call with its parameters taken from the state."""
     values = head.arguments if isinstance(head, Struct) else ()
-    told = tuple(
+    known_objects = tuple(
         (parameter.name, value.name)
         for parameter, value in zip(task.parameters, values, strict=True)
         if parameter.is_symbolic and isinstance(value, Atom)
     )
-    return TaskCall(call.name, call.points, call.parameters, told)
+    return TaskCall(call.name, call.points, call.parameters, known_objects)
 
 
 def _given(call: TaskCall, task: KnownTask) -> Iterator[Term]:

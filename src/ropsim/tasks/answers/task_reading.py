@@ -9,15 +9,15 @@ from ropsim.tasks.terms.bounds import bound_of
 from ropsim.tasks.terms.known_task import KnownTask, Parameter
 
 
-def task_of(told: Term, place: Span, layer: Layer) -> KnownTask | None:
+def task_of(reply: Term, place: Span, layer: Layer) -> KnownTask | None:
     """Return the task of `told(Name, Arity, Task)`, None for another term.
 
     Args:
-        told: the reply.
+        reply: the reply.
         place: where the task is defined.
         layer: whose text that is.
     """
-    match told:
+    match reply:
         case Struct("told", (Atom(name), int(), Struct("task", parts))):
             names = names_in(parts[7])
             parameters, pre, eff, geo, body = (_list(renamed(part, names)) for part in parts[2:7])
@@ -49,9 +49,9 @@ def renamed(term: Term, names: Mapping[str, str]) -> Term:
     return term
 
 
-def names_in(told: Term) -> Mapping[str, str]:
+def names_in(reply: Term) -> Mapping[str, str]:
     """Return the name in the text of each variable of a reply."""
-    return {variable.name: word for word, variable in map(_name, _list(told)) if variable}
+    return {variable.name: word for word, variable in map(_name, _list(reply)) if variable}
 
 
 def _parameter(term: Term, words: tuple[Term, ...], ranges: tuple[Term, ...]) -> Parameter:

@@ -87,12 +87,12 @@ def _is_unmade(fact: Term, wanted: Held, walk: BodyWalk) -> bool:
     return is_stepped
 
 
-def _unsaid(task: KnownTask, walk: BodyWalk, told: Collection[str]) -> Iterator[Unsaid]:
-    """Yield the missing effects, by steps; `told` are names with a wrong effect, already reported."""
+def _unsaid(task: KnownTask, walk: BodyWalk, reported: Collection[str]) -> Iterator[Unsaid]:
+    """Yield the missing effects, by steps; `reported` are names with a wrong effect, already reported."""
     missing: dict[Path, list[Struct]] = {}
     for fact, value in walk.facts.all().items():
         step, begin = walk.facts.steps.get(fact), walk.begin.get(fact)
-        if step is not None and value is not begin and _name(fact) not in told:
+        if step is not None and value is not begin and _name(fact) not in reported:
             if value is Held.NO and begin is Held.YES and fact not in task.removes:
                 missing.setdefault(step, []).append(Struct("-", (fact,)))
             elif value is Held.YES and fact not in task.adds and _is_needed(fact, task):

@@ -72,8 +72,10 @@ class ClausePlaces:
 def places_of(found: Term, source: str) -> ClausePlaces | None:
     """Return the places in the reply of `clause_places/2` in kb.pl."""
     match found:
-        case Struct("clause", (int(begin), int(a), int(b), int(c), int(d), tuple(told))):
-            return ClausePlaces(source, begin, (a, b), (c, d), dict(filter(None, map(_property, told))))
+        case Struct("clause", (int(begin), int(a), int(b), int(c), int(d), tuple(property_term))):
+            return ClausePlaces(
+                source, begin, (a, b), (c, d), dict(filter(None, map(_property, property_term)))
+            )
     return None
 
 
@@ -84,8 +86,8 @@ def field_at(places: ClausePlaces, place: int) -> str:
     return next((name for name, (a, b) in places.properties.items() if a <= place < b), "")
 
 
-def _property(told: Term) -> tuple[str, tuple[int, int]] | None:
-    match told:
+def _property(property_term: Term) -> tuple[str, tuple[int, int]] | None:
+    match property_term:
         case Struct("place", (Atom(name), int(begin), int(end))):
             return name, (begin, end)
     return None

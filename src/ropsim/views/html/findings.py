@@ -77,15 +77,15 @@ def _skipped(event: SkipEvent) -> str:
 SHOWN_MESSAGES = 500
 
 
-def messages_section(told: Sequence[Message]) -> str:
+def messages_section(printed: Sequence[Message]) -> str:
     """Return the section on messages of `print`; empty without messages."""
-    if not told:
+    if not printed:
         return ""
     rows = [
         (seconds(one.time), text(one.place), str(one.visit or ""), text(one.text))
-        for one in told[:SHOWN_MESSAGES]
+        for one in printed[:SHOWN_MESSAGES]
     ]
-    more = len(told) - len(rows)
+    more = len(printed) - len(rows)
     rest = f"<p>… and {plural(more, 'more message')}.</p>" if more > 0 else ""
     listed = table("What <code>print</code> showed.", ("at t [s]", "line", "pass", "text"), rows, "words")
     return f"<section><h2>Messages</h2>\n{listed}{rest}</section>\n"

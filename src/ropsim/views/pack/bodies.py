@@ -57,7 +57,7 @@ def _placements(recording: Recording, tree: BodyTree) -> dict[str, list[dict[str
     shown, parts = ShownPlacements(tree), set(tree.names(BodyKind.PART))
     found: dict[str, list[dict[str, object]]] = defaultdict(list)
     for placement in recording.placements:
-        for name, told in shown.take(placement):
+        for name, shown_pose in shown.take(placement):
             if name in parts:
-                found[name].append(told)
+                found[name].append(shown_pose)
     return found

@@ -61,8 +61,8 @@ def _header(study: Study, names: str) -> str:
         best = study.standings[0]
         count, reached = len(best.checks), best.reached
         kind, sign = ("good", "✓") if reached == count else ("failed", "✕")
-        told = f"{text(best.candidate.name)} reaches {reached} of {count} points"
-        verdict = f'<p class="verdict {kind}"><span aria-hidden="true">{sign} </span>{told}</p>\n'
+        sentence = f"{text(best.candidate.name)} reaches {reached} of {count} points"
+        verdict = f'<p class="verdict {kind}"><span aria-hidden="true">{sign} </span>{sentence}</p>\n'
     quiet = (
         f"Workspace of the {text(study.kind.value)}, within the limits of the joints. "
         "Bodies that may be in the way are not looked at."

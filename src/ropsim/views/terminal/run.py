@@ -122,8 +122,10 @@ def _unchecked(text: str) -> list[str]:
 
 def _called(summary: Summary) -> list[str]:
     """Return which tasks of knowledge bases ran, with their versions."""
-    told = (clean(f"{one.name} {one.version[:SHORT_VERSION]} of {one.source}") for one in summary.called)
-    tasks = "; ".join(one.replace(" ", "\u00a0") for one in told)
+    called_tasks = (
+        clean(f"{one.name} {one.version[:SHORT_VERSION]} of {one.source}") for one in summary.called
+    )
+    tasks = "; ".join(one.replace(" ", "\u00a0") for one in called_tasks)
     words = f"tasks of knowledge bases: {tasks}" if tasks else ""
     return textwrap.wrap(words, COLUMNS, subsequent_indent="  ")
 

@@ -50,12 +50,12 @@ def messages(recording: Recording) -> tuple[Message, ...]:
     )
 
 
-def messages_text(told: Sequence[Message]) -> str:
+def messages_text(printed: Sequence[Message]) -> str:
     """Return the messages for a terminal: time, line and text, one row each."""
-    times = [seconds(one.time) for one in told]
-    lines = [_place_text(one) for one in told]
+    times = [seconds(one.time) for one in printed]
+    lines = [_place_text(one) for one in printed]
     widest, longest = max(map(len, times), default=0), max(map(len, lines), default=0)
-    rows = zip(times, lines, told, strict=True)
+    rows = zip(times, lines, printed, strict=True)
     return "\n".join(
         f"{time:>{widest}} s  {line:<{longest}}  {clean(one.text)}".rstrip() for time, line, one in rows
     )

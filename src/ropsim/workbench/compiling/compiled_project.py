@@ -60,11 +60,11 @@ def found_at(stations: Mapping[str, Sequence[Diagnostic]]) -> tuple[Diagnostic, 
             said = (one.code, one.span, one.message)  # hints depend on the station
             first.setdefault(said, one)
             where.setdefault(said, {})[name] = None
-    told = (
+    station_notes = (
         one if len(where[said]) == len(stations) else replace(one, notes=(*one.notes, _at_only(where[said])))
         for said, one in first.items()
     )
-    return tuple(sorted(told, key=_place))
+    return tuple(sorted(station_notes, key=_place))
 
 
 def _at_only(stations: Collection[str]) -> str:

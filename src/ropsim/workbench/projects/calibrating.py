@@ -69,8 +69,8 @@ def calibrate_project(
 
     recording = run(cell, codes, RunOptions(Fidelity.KINEMATIC, ordered=ordered))
     findings += tuple(one for one in recording.findings if one.is_error)
-    calibration, told = calibrate(cell, station, orders, found, planning)
-    findings += told
+    calibration, more = calibrate(cell, station, orders, found, planning)
+    findings += more
     return (_with_cell(calibration, cell_text, robots, station) if calibration else None), findings
 
 

@@ -61,17 +61,17 @@ def program_points(
                 lines[label] = lines.get(label, 0) + 1
                 named = f"{label} ({lines[label]})" if lines[label] > 1 else label
                 found[key] = TaskPoint(named, X_BT.position, X_BT.orientation)
-    told: list[Diagnostic] = []
+    findings: list[Diagnostic] = []
     if left:
         words = (
             f"{plural(left, 'move')} of `{name}` left out: to joint coordinates, or where external axes stand"
         )
-        told.append(POINTS_LEFT_OUT.at(None, words))
+        findings.append(POINTS_LEFT_OUT.at(None, words))
     if not found:
-        told.append(
+        findings.append(
             NO_POINTS.at(None, f"the program of `{name}` goes to no point that is known before it runs")
         )
-    return tuple(found.values()), tuple(told)
+    return tuple(found.values()), tuple(findings)
 
 
 def _flange_poses(project: Project, station: Station, move: MoveInstruction) -> Iterator[Pose]:

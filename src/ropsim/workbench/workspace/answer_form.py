@@ -122,8 +122,8 @@ def written(value: object) -> bytes:
     writer = _Writer()
     writer.number(value)
     batches = [*writer.batches()]
-    told = [[one.kind, one.size, one.steps.dtype.itemsize, len(one.steps)] for one in batches]
-    head = json.dumps([writer.plain_values(), *told], separators=(",", ":"))
+    heads = [[one.kind, one.size, one.steps.dtype.itemsize, len(one.steps)] for one in batches]
+    head = json.dumps([writer.plain_values(), *heads], separators=(",", ":"))
     return b"".join((head.encode(), b"\n", *(one.steps.tobytes() for one in batches)))
 
 
@@ -135,21 +135,21 @@ def read(content: bytes) -> object:
     """
     head, _, rest = content.partition(b"\n")
     try:
-        plain, *told = json.loads(head)
+        plain, *heads = json.loads(head)
         if not _PLAIN.issuperset(map(type, plain)):
             raise UnknownFormError
         known: list[Any] = [*plain]
-        for batch in _batches(told, rest):
+        for batch in _batches(heads, rest):
             known += _made(batch, known)
         return known[-1]
     except _WRONG as error:
         raise UnknownFormError from error
 
 
-def _batches(told: list[Any], rest: bytes) -> Iterator[_Batch]:
+def _batches(heads: list[Any], rest: bytes) -> Iterator[_Batch]:
     """Yield the batches listed in a header."""
     at = 0
-    for numbers in told:
+    for numbers in heads:
         kind, size, width, count = numbers
         if not _NUMBER.issuperset(map(type, numbers)) or min(numbers) < 0:
             raise UnknownFormError

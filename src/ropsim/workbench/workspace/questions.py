@@ -275,8 +275,8 @@ def compiled(db: Database, name: str, at: AtStation) -> CompiledProgram:
     text = _text(db, name)
     if not name.endswith(".icr"):
         found = db.ask(checked, name, at).diagnostics
-        told = len(db.ask(translated, name, at).diagnostics)
-        every = (*found[:told], *db.ask(verified, name, at).diagnostics, *found[told:])
+        finding_count = len(db.ask(translated, name, at).diagnostics)
+        every = (*found[:finding_count], *db.ask(verified, name, at).diagnostics, *found[finding_count:])
         return CompiledProgram(text, db.ask(code, name, at), every)
     written_code, found = icr.read_text(text.text, name)
     if written_code is None:
